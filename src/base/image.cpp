@@ -1,0 +1,70 @@
+#include "base/image.h"
+
+#include <cstring>
+
+// Only PNG is decoded; files are opened elsewhere.
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#pragma GCC diagnostic ignored "-Wcast-qual"
+#pragma GCC diagnostic ignored "-Wuseless-cast"
+#endif
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace slicecast {
+
+DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight) {
+    // Larger files than this cannot be images within the limits; it also keeps the length within stb_image's int.
+    constexpr std::size_t kMaxBytes = 64u << 20;
+    constexpr std::uint8_t kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    if (bytes.size() < sizeof kSignature || std::memcmp(bytes.data(), kSignature, sizeof kSignature) != 0) return {{}, "is not a PNG file"};
+    if (bytes.size() > kMaxBytes) return {{}, "has " + std::to_string(bytes.size()) + " bytes; at most " + std::to_string(kMaxBytes) + " are read"};
+
+    const int length = static_cast<int>(bytes.size());
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (!stbi_info_from_memory(bytes.data(), length, &width, &height, &channels)) {
+        return {{}, std::string("is a damaged PNG file (") + stbi_failure_reason() + ")"};
+    }
+    if (width > maxWidth || height > maxHeight) {
+        return {{}, "is " + std::to_string(width) + "x" + std::to_string(height) + " pixels; at most " + std::to_string(maxWidth) + "x" +
+                        std::to_string(maxHeight) + " are read"};
+    }
+    stbi_uc* decoded = stbi_load_from_memory(bytes.data(), length, &width, &height, &channels, 4);
+    if (!decoded) return {{}, std::string("is a damaged PNG file (") + stbi_failure_reason() + ")"};
+    Image image(width, height);
+    std::memcpy(image.pixels.data(), decoded, image.pixels.size() * sizeof(Pixel));
+    stbi_image_free(decoded);
+    return {std::move(image), {}};
+}
+
+std::vector<std::uint8_t> encodePng(const Pixel* pixels, int width, int height, int pitch) {
+    std::vector<std::uint8_t> bytes;
+    const auto append = [](void* context, void* data, int size) {
+        auto* out = static_cast<std::vector<std::uint8_t>*>(context);
+        const auto* first = static_cast<const std::uint8_t*>(data);
+        out->insert(out->end(), first, first + size);
+    };
+    stbi_write_png_to_func(append, &bytes, width, height, 4, pixels, pitch * static_cast<int>(sizeof(Pixel)));
+    return bytes;
+}
+
+}  // namespace slicecast

@@ -1,0 +1,55 @@
+// Reading a scene file, in two steps because a page loads asynchronously:
+//
+//     ParsedScene scene = parseScene(text, "castle.json");        // checks the text, gives the names of the files that it needs
+//     for (const std::string& name : scene.files) ...             // the caller brings their bytes
+//     LoadedScene loaded = loadScene(scene, files);               // decodes the images and builds the world
+//
+// Both report all faults that they can reach; a scene with any fault gives no world.
+#pragma once
+
+#include "world/world.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slicecast {
+
+// One thing wrong with a scene.
+struct Fault {
+    std::string file;      // the scene's name as the caller gave it, or the file that it refers to
+    std::string pointer;   // JSON pointer to the value, "" for the whole document
+    int line = 0;          // from 1; 0 where no place in a text is meant
+    int column = 0;        // from 1, in characters
+    std::string found;     // what stands there
+    std::string expected;  // what may stand there
+};
+
+// "castle.json:12:5 (/maps/0/levels/1, row 3, character 7): found 'Q', expected a character of the legend ..."
+std::string describe(const Fault& fault);
+
+struct SceneDescription;  // the checked text; opaque
+
+struct ParsedScene {
+    std::shared_ptr<const SceneDescription> description;  // null when there are faults
+    std::vector<std::string> files;                       // image files named by the scene, relative to it, each once, in order of appearance
+    std::vector<Fault> faults;
+};
+
+ParsedScene parseScene(std::string_view text, const std::string& fileName);
+
+struct LoadedScene {
+    std::optional<World> world;  // empty when there are faults
+    std::vector<Fault> faults;
+};
+
+// The bytes of the files by name; a name without an entry is a fault ("could not be read").
+using SceneFiles = std::map<std::string, std::vector<std::uint8_t>>;
+
+LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files);
+
+}  // namespace slicecast

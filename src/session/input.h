@@ -1,0 +1,19 @@
+// What the player asks for during one step. Axes are -1 to 1 (values beyond are clamped, NaN counts as 0); the shell maps keys, mouse and pad to them.
+#pragma once
+
+namespace slicecast {
+
+struct Input {
+    double forward = 0.0;      // positive walks ahead
+    double strafe = 0.0;       // positive to the right
+    double turn = 0.0;         // positive turns right (clockwise), at the turning speed
+    double look = 0.0;         // positive looks up, at the looking speed
+    double fly = 0.0;          // fly mode: positive rises. Walk mode: negative crouches
+    double turnDegrees = 0.0;  // turned at once, for a mouse; positive right
+    double lookHeights = 0.0;  // looked up at once, in screen heights
+    bool jump = false;         // held; walk mode
+    bool fast = false;         // Shift
+    bool slow = false;         // Ctrl; wins over fast
+};
+
+}  // namespace slicecast

@@ -1,0 +1,38 @@
+// Blueprints: named descriptions that many cells share.
+#pragma once
+
+#include "base/coordinate.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace slicecast {
+
+// The six sides of a block. North is towards smaller y, west towards smaller x, top upwards.
+enum class Face : std::uint8_t { north, east, south, west, top, bottom };
+inline constexpr int kFaces = 6;
+inline constexpr std::array<const char*, kFaces> kFaceNames = {"north", "east", "south", "west", "top", "bottom"};
+
+using TextureId = std::uint16_t;  // index into World::textures
+inline constexpr TextureId kNoTexture = 0xffff;
+
+using BlueprintId = std::uint16_t;  // index into World::blueprints; 0 is the empty cell
+inline constexpr BlueprintId kEmptyCell = 0;
+
+struct FaceBlueprint {
+    TextureId texture = kNoTexture;
+    double light = 1.0;  // factor on the map's light, 0 to 1
+};
+
+// A filled cell: the box between `bottom` and `top` above its level's base.
+struct CellBlueprint {
+    std::string name;
+    Coordinate bottom;               // 0 <= bottom < top
+    Coordinate top = tileEdge(1);    // <= 1
+    std::array<FaceBlueprint, kFaces> faces;
+
+    const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
+};
+
+}  // namespace slicecast

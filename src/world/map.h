@@ -1,0 +1,95 @@
+// A map: a grid of width x depth tiles with stacked levels, and what surrounds it (floor, ceiling, sky, light, fog).
+//
+//        x ->                       level n lies between heights n and n + 1;
+//      +---+---+---+                cell (x, y, n) is empty or a block from a blueprint
+//   y  |0,0|1,0|2,0|  north
+//   |  +---+---+---+
+//   v  |0,1|1,1|2,1|  south
+//      +---+---+---+
+#pragma once
+
+#include "base/colour.h"
+#include "base/coordinate.h"
+#include "base/image.h"
+#include "world/blueprint.h"
+#include "world/limits.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slicecast {
+
+// The plane at height 0. It goes on without end: outside the grid with `texture`, inside with a texture per tile.
+struct Floor {
+    TextureId texture = kNoTexture;
+    std::vector<TextureId> tiles;  // [y * width + x]
+    double light = 1.0;            // factor on the map's light, 0 to 1
+};
+
+// A plane above some or all tiles of the grid, seen from both sides. There is none where no tile has a texture.
+struct Ceiling {
+    Coordinate height;             // units, > 0
+    std::vector<TextureId> tiles;  // [y * width + x], kNoTexture where the tile is open to the sky; empty when the map has no ceiling
+    double light = 1.0;
+};
+
+// What is seen where nothing else is: rays that rise or run level. Never lit, never in fog.
+struct Sky {
+    enum class Kind : std::uint8_t { colour, gradient, panorama };
+    Kind kind = Kind::colour;
+    Colour low = {150, 190, 230, 255};  // the colour; the gradient's colour at the horizon
+    Colour high;                        // the gradient's colour at `slope` and above
+    double slope = 1.0;                 // upward slope (height / distance) that the gradient's end or the panorama's upper edge stands for, > 0
+    Image panorama;                     // any size; wraps around the full circle, its left edge in the east, turning clockwise
+};
+
+// Brightness at depth t is clamp(intensity * multiplier / t, darkest, brightest), times a face's own factor.
+struct Light {
+    bool on = true;
+    double intensity = 1.5;
+    double multiplier = 5.0;  // units
+    double darkest = 0.1;
+    double brightest = 1.0;
+};
+
+// Blends towards the haze colour from depth `start` on, wholly at depth `end`.
+struct Fog {
+    bool on = false;
+    double start = 0.0;  // units
+    double end = 1.0;    // units, > start
+};
+
+struct Map {
+    std::string name;
+    int width = 0;   // tiles eastward
+    int depth = 0;   // tiles southward
+    int levels = 0;  // stacked levels
+    std::vector<BlueprintId> cells;       // [(y * width + x) * levels + level]
+    std::vector<std::uint32_t> occupied;  // [y * width + x]: bit n is set where level n holds a block
+    Floor floor;
+    Ceiling ceiling;
+    Sky sky;
+    Light light;
+    Fog fog;
+    Colour haze = {150, 160, 170, 255};  // of the fog, and of the floor beyond `far`
+    double far = kDefaultFar;            // units
+
+    bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < depth; }
+    std::size_t tileIndex(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+    std::size_t cellIndex(int x, int y, int level) const {
+        return tileIndex(x, y) * static_cast<std::size_t>(levels) + static_cast<std::size_t>(level);
+    }
+
+    // The blueprint at a cell; empty outside the grid and outside the levels.
+    BlueprintId cell(int x, int y, int level) const {
+        return contains(x, y) && level >= 0 && level < levels ? cells[cellIndex(x, y, level)] : kEmptyCell;
+    }
+    void setCell(int x, int y, int level, BlueprintId blueprint);
+};
+
+// A map of empty cells with one floor texture.
+Map makeMap(std::string name, int width, int depth, int levels, TextureId floorTexture);
+
+}  // namespace slicecast

@@ -1,0 +1,34 @@
+// Block textures: square, N x N texels with N a power of two from 8 to 1024, with their levels of detail.
+//
+// A texture coordinate (u, v) is a fraction of a tile: u = 0 at the left, v = 0 at the top of the image. Level 0 is the image; each further level has half as
+// many texels a side, down to 1. Level m + 1 is made from level m, 2 x 2 texels at a time:
+//
+//     a      = (a0 + a1 + a2 + a3 + 2) / 4
+//     colour = (sum of c * a + half the sum of a) / sum of a, 0 where that sum is 0                  (integers, halves rounded down)
+#pragma once
+
+#include "base/image.h"
+
+#include <string>
+#include <vector>
+
+namespace slicecast {
+
+struct TextureLevel {
+    int size = 0;               // texels a side
+    int bits = 0;               // size = 1 << bits
+    std::vector<Pixel> texels;  // column after column, since walls are drawn downwards: texel (u, v) is texels[(u << bits) + v]
+};
+
+struct Texture {
+    std::string name;
+    Image image;                       // as it was read, rows from the top
+    std::vector<TextureLevel> levels;  // levels[0] is the image, the last one is a single texel
+
+    int size() const { return image.width; }
+};
+
+// The levels of a square image whose side is a power of two.
+Texture makeTexture(std::string name, Image image);
+
+}  // namespace slicecast

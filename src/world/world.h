@@ -1,0 +1,32 @@
+// A world: everything that a scene file describes.
+#pragma once
+
+#include "base/coordinate.h"
+#include "world/blueprint.h"
+#include "world/map.h"
+#include "world/texture.h"
+
+#include <string>
+#include <vector>
+
+namespace slicecast {
+
+// Where the player starts: the middle of the feet, and where they look.
+struct Start {
+    int map = 0;  // index into World::maps
+    Coordinate x;
+    Coordinate y;
+    Coordinate z;                 // height of the feet
+    double headingDegrees = 0.0;  // 0 = east, 90 = south
+    double look = 0.0;            // screen heights, positive up
+};
+
+struct World {
+    std::string title;
+    std::vector<Texture> textures;
+    std::vector<CellBlueprint> blueprints = {CellBlueprint{}};  // [0] stands for the empty cell and is never drawn
+    std::vector<Map> maps;
+    Start start;
+};
+
+}  // namespace slicecast
