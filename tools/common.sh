@@ -1,0 +1,58 @@
+# Shell functions that the commands in this folder share. Sourced by bash, never run.
+
+repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+cacheHome="${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}/slicecast"
+
+# One line about what happens now.
+say() { printf '%s\n' "$*" >&2; }
+
+# A fault that ends the command.
+fail() {
+  printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+# progress TITLE COMMAND...: runs the command with its output in a log. On a terminal the newest line of the log
+# stands beside the title; elsewhere a line appears every 15 seconds. A failure shows the whole log.
+progress() {
+  local title="$1" log begin pid status=0 newest lastSaid=0
+  shift
+  log="$(mktemp "${TMPDIR:-/tmp}/slicecast-log.XXXXXX")"
+  begin=$SECONDS
+  if [[ -t 2 ]]; then printf '%s ...' "$title" >&2; else say "$title ..."; fi
+  "$@" >"$log" 2>&1 </dev/null &
+  pid=$!
+  while kill -0 "$pid" 2>/dev/null; do
+    sleep 0.2
+    newest="$(tail -c 400 "$log" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')"
+    if [[ -t 2 ]]; then
+      printf '\r\033[K%s (%d s) %s' "$title" $((SECONDS - begin)) "${newest:0:$((${COLUMNS:-100} - ${#title} - 12))}" >&2
+    elif ((SECONDS - begin - lastSaid >= 15)); then
+      lastSaid=$((SECONDS - begin))
+      say "  $lastSaid s: ${newest:0:100}"
+    fi
+  done
+  wait "$pid" || status=$?
+  [[ -t 2 ]] && printf '\r\033[K' >&2
+  if ((status != 0)); then
+    say "$title: failed after $((SECONDS - begin)) s. Its output:"
+    cat "$log" >&2
+  else
+    say "$title: done in $((SECONDS - begin)) s"
+  fi
+  rm -f "$log"
+  return "$status"
+}
+
+# buildPreset PRESET TARGET...: configures the preset where needed and builds the targets ("all" for every one).
+buildPreset() {
+  local preset="$1" folder="$repo/build/$1" stamp="$repo/build/$1/.slicecast-configured" wanted
+  shift
+  wanted="$(cksum <"$repo/CMakePresets.json") ${SLICECAST_SDL2_WASM:-}"
+  if [[ ! -f "$folder/build.ninja" || ! -f "$stamp" || "$(cat "$stamp")" != "$wanted" ]]; then
+    (cd "$repo" && progress "Configuring $preset" cmake --preset "$preset" \
+      ${SLICECAST_SDL2_WASM:+-DSLICECAST_SDL2_WASM="$SLICECAST_SDL2_WASM"}) || return 1
+    printf '%s' "$wanted" >"$stamp"
+  fi
+  progress "Building $preset" cmake --build "$folder" --target "$@"
+}

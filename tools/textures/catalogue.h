@@ -1,0 +1,23 @@
+// Every picture that the program draws: its file name, what it is good for, and how it is painted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "picture.h"
+
+namespace slicecast::textures {
+
+enum class Use { wall, floor, roof, ceiling, sky, test };
+
+struct Entry {
+    std::string name;  // the file is name.png
+    Use use;
+    Picture (*paint)();
+};
+
+const std::vector<Entry>& catalogue();
+
+const char* nameOf(Use use);
+
+}  // namespace slicecast::textures

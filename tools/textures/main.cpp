@@ -1,0 +1,82 @@
+// slicecast-textures: draws all textures and skies of the project into a folder, always the same to the byte.
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "catalogue.h"
+#include "png.h"
+#include "sheet.h"
+
+namespace {
+
+using slicecast::textures::catalogue;
+using slicecast::textures::Entry;
+
+std::vector<Entry> chosen(const std::vector<std::string>& names) {
+    std::vector<Entry> entries;
+    for (const Entry& entry : catalogue()) {
+        if (names.empty() || std::find(names.begin(), names.end(), entry.name) != names.end()) {
+            entries.push_back(entry);
+        }
+    }
+    return entries;
+}
+
+std::string checkName(const std::string& name) {
+    for (const Entry& entry : catalogue()) {
+        if (entry.name == name) {
+            return {};
+        }
+    }
+    return "no texture is called " + name + "; --list shows all";
+}
+
+bool write(const std::string& path, const slicecast::textures::Picture& picture) {
+    if (slicecast::textures::writePng(path, picture)) {
+        return true;
+    }
+    std::fprintf(stderr, "slicecast-textures: cannot write %s\n", path.c_str());
+    return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Draws the textures and skies of Slicecast as PNG files."};
+    std::string folder;
+    std::string sheet;
+    std::vector<std::string> only;
+    bool list = false;
+    app.add_option("FOLDER", folder, "where the files go; made if missing");
+    app.add_option("--only", only, "draw only these names, separated by commas")->delimiter(',')->check(checkName);
+    app.add_option("--sheet", sheet, "also write a contact sheet to this PNG file, to judge them by");
+    app.add_flag("--list", list, "list every name with its use, and draw nothing");
+    CLI11_PARSE(app, argc, argv);
+
+    if (list) {
+        for (const Entry& entry : chosen(only)) {
+            std::printf("%-8s %s\n", slicecast::textures::nameOf(entry.use), entry.name.c_str());
+        }
+        return 0;
+    }
+    if (folder.empty() && sheet.empty()) {
+        std::fprintf(stderr, "slicecast-textures: say where to draw: a FOLDER, or --sheet FILE\n");
+        return 1;
+    }
+
+    bool written = true;
+    if (!folder.empty()) {
+        std::error_code failure;
+        std::filesystem::create_directories(folder, failure);
+        for (const Entry& entry : chosen(only)) {
+            written = write(folder + "/" + entry.name + ".png", entry.paint()) && written;
+        }
+    }
+    if (!sheet.empty()) {
+        written = write(sheet, slicecast::textures::contactSheet(chosen(only))) && written;
+    }
+    return written ? 0 : 1;
+}

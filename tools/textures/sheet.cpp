@@ -1,0 +1,81 @@
+#include "sheet.h"
+
+#include <algorithm>
+
+namespace slicecast::textures {
+
+namespace {
+
+constexpr int kMargin = 8;
+constexpr int kTiled = 3 * kSide;
+
+void copyTiled(Picture& sheet, const Picture& texture, int left, int top, int width, int height, int zoom) {
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            sheet.at(left + x, top + y) = texture.at(x / zoom, y / zoom);
+        }
+    }
+}
+
+Picture reduced(const Picture& texture, int factor) {
+    Picture small(texture.width / factor, texture.height / factor);
+    const int area = factor * factor;
+    for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < small.width; ++x) {
+            int r = area / 2;
+            int g = area / 2;
+            int b = area / 2;
+            for (int inner = 0; inner < area; ++inner) {
+                const Colour& colour = texture.at(x * factor + inner % factor, y * factor + inner / factor);
+                r += colour.r;
+                g += colour.g;
+                b += colour.b;
+            }
+            small.at(x, y) = {static_cast<std::uint8_t>(r / area), static_cast<std::uint8_t>(g / area),
+                              static_cast<std::uint8_t>(b / area)};
+        }
+    }
+    return small;
+}
+
+Picture grey(const Picture& texture) {
+    Picture result = texture;
+    for (Colour& colour : result.pixels) {
+        const auto value = static_cast<std::uint8_t>(greyOf(colour));
+        colour = {value, value, value};
+    }
+    return result;
+}
+
+}  // namespace
+
+Picture contactSheet(const std::vector<Entry>& entries) {
+    const int perRow = std::min(2, static_cast<int>(entries.size()));
+    const int cellWidth = kTiled + kMargin + kTiled + kMargin + kSide + 2 * kMargin;
+    const int cellHeight = kTiled + kMargin;
+    const int rows = (static_cast<int>(entries.size()) + perRow - 1) / perRow;
+    Picture sheet(perRow * cellWidth, rows * cellHeight);
+    std::fill(sheet.pixels.begin(), sheet.pixels.end(), kNight);
+    int index = 0;
+    for (const Entry& entry : entries) {
+        const Picture texture = entry.paint();
+        const int left = index % perRow * cellWidth + kMargin;
+        const int top = index / perRow * cellHeight + kMargin / 2;
+        if (texture.width == kSide) {
+            const int second = left + kTiled + kMargin;
+            const int third = second + kTiled + kMargin;
+            copyTiled(sheet, texture, left, top, kTiled, kTiled, 1);
+            copyTiled(sheet, texture, second, top, kTiled, kTiled, 4);
+            copyTiled(sheet, grey(texture), third, top, kSide, kSide, 1);
+            copyTiled(sheet, reduced(texture, 4), third, top + kSide + kMargin, kSide, 96, 1);
+            copyTiled(sheet, reduced(texture, 8), third, top + kSide + 96 + 2 * kMargin, kSide, 64, 1);
+            copyTiled(sheet, reduced(texture, 8), third, top + kSide + 160 + 3 * kMargin, kSide, 64, 4);
+        } else {
+            copyTiled(sheet, texture, left, top, cellWidth - 2 * kMargin, texture.height, 1);
+        }
+        ++index;
+    }
+    return sheet;
+}
+
+}  // namespace slicecast::textures

@@ -1,0 +1,13 @@
+// The contact sheet by which textures are judged: each one tiled 3 x 3, at four times its size, reduced to 16 and to
+// 32 texels, and in grey.
+#pragma once
+
+#include <vector>
+
+#include "catalogue.h"
+
+namespace slicecast::textures {
+
+Picture contactSheet(const std::vector<Entry>& entries);
+
+}  // namespace slicecast::textures

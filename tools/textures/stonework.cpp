@@ -1,0 +1,172 @@
+#include "stonework.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "marks.h"
+#include "noise.h"
+#include "pieces.h"
+
+namespace slicecast::textures {
+
+namespace {
+
+constexpr std::uint32_t kSeed = 200;
+
+const Pieces& ashlar() {
+    static const Pieces pieces(coursed({{32, 10, {44, 36, 48}}, {32, 34, {56, 40, 32}}, {32, 4, {38, 50, 40}}, {32, 26, {48, 34, 46}}}),
+                               0.0, kSeed);
+    return pieces;
+}
+
+double variationOf(int piece) { return randomAt(piece, 3, kSeed) - 0.5; }
+
+}  // namespace
+
+Lighting ashlarLighting() {
+    return {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 3, .shadowSlope = 0.6, .shadowDepth = 0.9};
+}
+
+Surface ashlarSurface() {
+    Surface surface;
+    everyTexel([&](int x, int y) {
+        Texel& texel = surface.at(x, y);
+        const int piece = ashlar().pieceAt(x, y);
+        const double ragged = 1.2 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 1U) - 0.55);
+        const double inside = ashlar().edgeAt(x, y) - 0.6 - ragged;
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 2U) - 0.5;
+        texel.height = std::clamp(inside * 0.8, 0.0, 2.4);
+        texel.ramp = &kStoneRamp;
+        texel.tone = inside <= 0.0 ? 1.6 : 3.6 + 1.0 * variationOf(piece) + 1.5 * blotch;
+    });
+    // The mason's chisel: short slanting strokes, lighter below
+    Random random(kSeed + 3U);
+    for (int stroke = 0; stroke < 90; ++stroke) {
+        const int x = random.below(kSide);
+        const int y = random.below(kSide);
+        const int length = 2 + random.below(3);
+        for (int step = 0; step < length; ++step) {
+            if (ashlar().edgeAt(x - step, y + step) > 3.5) {
+                surface.at(x - step, y + step).height -= 0.7;
+                surface.at(x - step, y + step).tone -= 0.3;
+            }
+        }
+    }
+    return surface;
+}
+
+Picture paintStoneBlocks() { return lit(ashlarSurface(), ashlarLighting()); }
+
+Picture paintStoneBlocksWorn() {
+    Surface surface = ashlarSurface();
+    everyTexel([&](int x, int y) {
+        Texel& texel = surface.at(x, y);
+        const double inside = ashlar().edgeAt(x, y) - 0.6;
+        const double bite = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 10U);
+        if (inside <= 0.0) {
+            return;
+        }
+        // Corners and edges broken away
+        const double worn = inside - 9.0 * std::max(0.0, bite - 0.55);
+        texel.height = std::clamp(worn * 0.5, 0.2, 2.4);
+        texel.tone += worn < 1.0 ? -0.4 : 0.0;
+        // Rain stains below the joints, some lichen
+        const double stain = valueNoise(x / 4.0, y / 64.0, 32, 2, kSeed + 11U);
+        texel.tone -= stain > 0.62 ? 0.6 : 0.0;
+        const double lichen = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 12U);
+        if (lichen > 0.66) {
+            texel.ramp = &kMossRamp;
+            texel.tone = 3.6 + 2.0 * (lichen - 0.66);
+            texel.height += 0.3;
+        }
+    });
+    drawCrack(surface, {.x = 60, .y = 34, .length = 48, .depth = 1.6, .darkening = 1.2, .seed = 3});
+    drawCrack(surface, {.x = 104, .y = 98, .length = 40, .depth = 1.6, .darkening = 1.2, .seed = 14});
+    drawCrack(surface, {.x = 18, .y = 70, .length = 22, .depth = 1.6, .darkening = 1.0, .seed = 8});
+    return lit(surface, ashlarLighting());
+}
+
+// Two courses of rough-faced blocks in slate, for towers and cellars.
+Picture paintStoneBlocksDark() {
+    static const Pieces pieces(coursed({{64, 0, {64, 64}}, {32, 32, {64, 64}}, {32, 0, {48, 40, 40}}}), 1.0, kSeed + 20U);
+    Surface surface;
+    everyTexel([&](int x, int y) {
+        Texel& texel = surface.at(x, y);
+        const double inside = pieces.edgeAt(x, y) - 0.8;
+        const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 21U);
+        const double variation = randomAt(pieces.pieceAt(x, y), 5, kSeed) - 0.5;
+        texel.ramp = &kSlateRamp;
+        texel.height = inside <= 0.0 ? 0.0 : std::min(1.0 + inside * 0.6, 3.0) + (inside > 3.0 ? 5.0 * (rough - 0.5) : 0.0);
+        texel.tone = inside <= 0.0 ? 1.2 : 3.4 + 0.9 * variation + 0.9 * (rough - 0.5);
+    });
+    return lit(surface, {.gain = 0.6, .lightest = 1.0, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.6, .shadowDepth = 0.8});
+}
+
+Picture paintStoneRubble() {
+    const double flatness = 1.35;
+    static const Pieces pieces(nearest(spreadPoints(30, flatness, kSeed + 30U), flatness), 1.5, kSeed + 31U);
+    static const std::array<const Ramp*, 4> ramps = {&kStoneRamp, &kStoneRamp, &kSlateRamp, &kEarthRamp};
+    Surface surface;
+    everyTexel([&](int x, int y) {
+        Texel& texel = surface.at(x, y);
+        const int piece = pieces.pieceAt(x, y);
+        const double inside = pieces.edgeAt(x, y) - 1.3;
+        const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 32U) - 0.5;
+        if (inside <= 0.0) {
+            texel.ramp = &kStoneRamp;
+            texel.tone = 2.3 + 1.0 * rough;
+            texel.height = 0.4 * rough;
+            return;
+        }
+        const auto kind = hashOf(piece, 4, kSeed) % ramps.size();
+        texel.ramp = ramps[kind];
+        texel.tone = (kind >= 2 ? 4.4 : 3.5) + 1.1 * (randomAt(piece, 6, kSeed) - 0.5) + 1.2 * rough;
+        texel.height = std::min(inside, 3.0) * 0.9 + 0.15 * inside + 1.2 * rough;
+    });
+    return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 0.8});
+}
+
+Picture paintSandstone() {
+    static const Pieces pieces(coursed({{64, 0, {64, 64}}, {64, 32, {64, 64}}}), 0.0, kSeed + 40U);
+    Surface surface;
+    everyTexel([&](int x, int y) {
+        Texel& texel = surface.at(x, y);
+        const int piece = pieces.pieceAt(x, y);
+        const double inside = pieces.edgeAt(x, y) - 0.6;
+        // Beds of the stone: long, nearly level bands, different in every block
+        const double bend = 5.0 * valueNoise(x / 32.0, y / 32.0, 4, 4, kSeed + 41U);
+        const double bed = valueNoise(x / 64.0, (y + bend) / 4.0, 2, 32, kSeed + 42U + static_cast<std::uint32_t>(piece));
+        const double blotch = fractalNoise(x / 32.0, y / 32.0, 4, 4, 3, kSeed + 43U) - 0.5;
+        texel.ramp = &kSandRamp;
+        texel.height = std::clamp(inside * 0.7, 0.0, 2.0);
+        texel.tone = 3.4 + 0.7 * (randomAt(piece, 1, kSeed + 44U) - 0.5) + 1.2 * blotch;
+        texel.tone += bed > 0.72 ? 0.5 : (bed < 0.26 ? -0.5 : 0.0);
+        if (inside <= 0.0) {
+            texel.tone = 1.0;
+        }
+    });
+    drawPits(surface, 330, 0.8, kSeed + 45U);
+    return lit(surface, ashlarLighting());
+}
+
+// Living rock: facets that lean this way and that, with ledges.
+Picture paintRock() {
+    const double flatness = 1.2;
+    static const Pieces pieces(nearest(spreadPoints(34, flatness, kSeed + 50U), flatness), 3.0, kSeed + 51U);
+    Surface surface;
+    everyTexel([&](int x, int y) {
+        Texel& texel = surface.at(x, y);
+        const int piece = pieces.pieceAt(x, y);
+        const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 52U) - 0.5;
+        const double broad = fractalNoise(x / 64.0, y / 64.0, 2, 2, 2, kSeed + 53U) - 0.5;
+        const double facing = randomAt(piece, 2, kSeed + 54U) - 0.5;
+        const double inside = pieces.edgeAt(x, y);
+        texel.ramp = &kRockRamp;
+        texel.tone = 2.9 + 1.9 * facing + 1.4 * rough + 1.2 * broad;
+        texel.height = 4.0 * randomAt(piece, 3, kSeed + 54U) + std::min(inside, 3.0) * 0.5 + 3.0 * rough;
+    });
+    return lit(surface, {.gain = 0.35, .lightest = 1.0, .darkest = 1.3, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 0.8});
+}
+
+}  // namespace slicecast::textures

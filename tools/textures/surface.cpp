@@ -1,0 +1,50 @@
+#include "surface.h"
+
+#include <algorithm>
+
+namespace slicecast::textures {
+
+namespace {
+
+double slopeToLight(const Surface& surface, int x, int y) {
+    const double rise = surface.at(x + 1, y).height - surface.at(x - 1, y).height;
+    const double fall = surface.at(x, y + 1).height - surface.at(x, y - 1).height;
+    return 0.5 * (rise + fall);
+}
+
+bool inShadow(const Surface& surface, int x, int y, const Lighting& lighting) {
+    const double own = surface.at(x, y).height;
+    for (int reach = 1; reach <= lighting.shadowReach; ++reach) {
+        if (surface.at(x - reach, y - reach).height - own > reach * lighting.shadowSlope) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double hollow(const Surface& surface, int x, int y) {
+    double sum = 0.0;
+    for (int dy = -2; dy <= 2; dy += 2) {
+        for (int dx = -2; dx <= 2; dx += 2) {
+            sum += surface.at(x + dx, y + dy).height;
+        }
+    }
+    return std::max(0.0, sum / 9.0 - surface.at(x, y).height);
+}
+
+}  // namespace
+
+Picture lit(const Surface& surface, const Lighting& lighting) {
+    Picture picture(kSide, kSide);
+    everyTexel([&](int x, int y) {
+        const Texel& texel = surface.at(x, y);
+        double tone = texel.tone;
+        tone += std::clamp(lighting.gain * slopeToLight(surface, x, y), -lighting.darkest, lighting.lightest);
+        tone -= inShadow(surface, x, y, lighting) ? lighting.shadowDepth : 0.0;
+        tone -= lighting.hollowDepth * hollow(surface, x, y);
+        picture.at(x, y) = colourAt(*texel.ramp, tone);
+    });
+    return picture;
+}
+
+}  // namespace slicecast::textures
