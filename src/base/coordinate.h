@@ -6,6 +6,7 @@
 // doubles. x grows east, y grows south, z grows up. Tile i is the half-open interval [i, i + 1).
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 namespace slicecast {

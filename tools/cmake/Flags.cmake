@@ -1,0 +1,46 @@
+# Compiler flags of every target: the target `slicecast_flags`.
+set(SLICECAST_OPTIMISE "-O2" CACHE STRING "Optimisation level of the compiler")
+set(SLICECAST_MARCH "" CACHE STRING "Instruction set; used on x86-64 only")
+option(SLICECAST_ASSERTS "Keep assert()" ON)
+option(SLICECAST_SANITIZE "Stop at the first undefined behaviour (clang)" OFF)
+option(SLICECAST_WASM_SIMD "WebAssembly with SIMD" ON)
+
+# Every flag is listed here, so no build type adds its own.
+set(CMAKE_BUILD_TYPE "" CACHE STRING "Not used: see SLICECAST_OPTIMISE" FORCE)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+find_program(SLICECAST_CCACHE ccache)
+if(SLICECAST_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${SLICECAST_CCACHE}")
+endif()
+
+add_library(slicecast_flags INTERFACE)
+target_compile_features(slicecast_flags INTERFACE cxx_std_20)
+target_compile_options(slicecast_flags INTERFACE
+  ${SLICECAST_OPTIMISE}
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  # Pictures and states have the same bytes from every compiler: no fused multiply-add. errno of sqrt is never read.
+  -ffp-contract=off -fno-math-errno)
+if(SLICECAST_MARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  target_compile_options(slicecast_flags INTERFACE -march=${SLICECAST_MARCH})
+endif()
+if(NOT SLICECAST_ASSERTS)
+  target_compile_definitions(slicecast_flags INTERFACE NDEBUG)
+endif()
+if(SLICECAST_SANITIZE)
+  # float-cast-overflow and float-divide-by-zero are not part of "undefined"; clang alone sees the first.
+  set(sanitizers -fsanitize=address,undefined,float-cast-overflow,float-divide-by-zero)
+  target_compile_options(slicecast_flags INTERFACE ${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
+  target_link_options(slicecast_flags INTERFACE ${sanitizers})
+  # Long random tests take a tenth of their usual amount here.
+  target_compile_definitions(slicecast_flags INTERFACE SLICECAST_SANITIZED=1)
+endif()
+if(EMSCRIPTEN)
+  target_compile_options(slicecast_flags INTERFACE
+    -fno-exceptions -fno-rtti
+    # EM_ASM and its relatives are macros that these two speak about.
+    -Wno-gnu-zero-variadic-macro-arguments -Wno-dollar-in-identifier-extension)
+  target_link_options(slicecast_flags INTERFACE ${SLICECAST_OPTIMISE})
+  if(SLICECAST_WASM_SIMD)
+    target_compile_options(slicecast_flags INTERFACE -msimd128)
+  endif()
+endif()

@@ -1,0 +1,61 @@
+# How the project's folders become targets. A new file in a folder needs no change here or there.
+
+# slicecastPart(NAME USES PART... WITH THIRD_PARTY...): src/NAME/*.cpp as the library slicecast_NAME. USES names the parts to its right that it
+# includes, WITH the libraries that only its own sources see.
+function(slicecastPart name)
+  cmake_parse_arguments(part "" "" "USES;WITH" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  list(TRANSFORM part_USES PREPEND slicecast_)
+  if(sources)
+    add_library(slicecast_${name} STATIC ${sources})
+    target_include_directories(slicecast_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(slicecast_${name} PUBLIC slicecast_flags ${part_USES} PRIVATE ${part_WITH})
+  else()
+    add_library(slicecast_${name} INTERFACE)
+    target_include_directories(slicecast_${name} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(slicecast_${name} INTERFACE slicecast_flags ${part_USES})
+  endif()
+endfunction()
+
+# slicecastProgram(NAME SOURCES FILE... WITH LIBRARY...): a program for the command line. In a WebAssembly build it becomes NAME.js, which Node
+# runs and which reads the machine's own files.
+function(slicecastProgram name)
+  cmake_parse_arguments(program "" "" "SOURCES;WITH" ${ARGN})
+  add_executable(${name} ${program_SOURCES})
+  target_link_libraries(${name} PRIVATE ${program_WITH} slicecast_flags)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  if(EMSCRIPTEN)
+    target_link_options(${name} PRIVATE -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1
+      # Under Node 18 and later the glue of 3.1.6 would try to fetch a file's path.
+      -sWASM_ASYNC_COMPILATION=0 ${slicecastStack})
+  endif()
+endfunction()
+
+# slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. A long one in several shards keeps several cores busy.
+function(slicecastTest name)
+  cmake_parse_arguments(test "" "SHARDS" "SOURCES;WITH" ${ARGN})
+  find_package(GTest REQUIRED)
+  add_executable(${name} ${test_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
+  # Tests compare and index all day long; lost bits there are no fault of the product.
+  target_compile_options(${name} PRIVATE -Wno-conversion)
+  target_compile_definitions(${name} PRIVATE SLICECAST_SOURCE_FOLDER="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE ${test_WITH} GTest::gtest_main slicecast_flags)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  if(NOT test_SHARDS)
+    add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set_tests_properties(${name} PROPERTIES LABELS gtest)
+    return()
+  endif()
+  math(EXPR last "${test_SHARDS} - 1")
+  foreach(shard RANGE ${last})
+    math(EXPR human "${shard} + 1")
+    add_test(NAME ${name}_${human}_of_${test_SHARDS} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set_tests_properties(${name}_${human}_of_${test_SHARDS} PROPERTIES LABELS gtest
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${test_SHARDS};GTEST_SHARD_INDEX=${shard}")
+  endforeach()
+endfunction()
+
+# The stack of a WebAssembly program in bytes: Emscripten's own default has changed from 5 MB to 64 KB over the years. This is the older of its
+# two names, which all versions know.
+set(slicecastStack -sTOTAL_STACK=1048576)

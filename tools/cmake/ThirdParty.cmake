@@ -1,0 +1,44 @@
+# What comes from elsewhere, each as one target: slicecast_stb, slicecast_rapidjson, slicecast_cli11, slicecast_sdl2. None is copied into
+# the project.
+
+# systemHeaders(TARGET FOLDER HEADER): a header-only library that the system keeps in FOLDER of its include path. Emscripten does not
+# search the system's include path and must never see the whole of it: it gets a folder with a link to this one library. Sources may write <FOLDER/HEADER> or <HEADER>.
+function(systemHeaders target folder header)
+  find_path(SLICECAST_INCLUDE_${folder} ${folder}/${header} NO_CMAKE_FIND_ROOT_PATH
+    PATHS /usr/include /usr/local/include /opt/homebrew/include /opt/local/include)
+  add_library(${target} INTERFACE)
+  if(NOT SLICECAST_INCLUDE_${folder})
+    message(FATAL_ERROR "${folder}/${header} was not found; tools/setup installs it.")
+  endif()
+  set(include ${SLICECAST_INCLUDE_${folder}})
+  if(EMSCRIPTEN)
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/system-headers/${folder})
+    file(CREATE_LINK ${include}/${folder} ${PROJECT_BINARY_DIR}/system-headers/${folder}/${folder} SYMBOLIC)
+    set(include ${PROJECT_BINARY_DIR}/system-headers/${folder})
+  endif()
+  target_include_directories(${target} SYSTEM INTERFACE ${include} ${include}/${folder})
+endfunction()
+
+systemHeaders(slicecast_stb stb stb_image.h)
+systemHeaders(slicecast_rapidjson rapidjson reader.h)
+if(NOT EMSCRIPTEN)
+  systemHeaders(slicecast_cli11 CLI CLI.hpp)
+endif()
+
+# SDL2: of the system; with Debian's Emscripten the one that tools/setup has built; with a current SDK its own port.
+set(SLICECAST_SDL2_WASM "$ENV{SLICECAST_SDL2_WASM}" CACHE PATH "SDL2 built for WebAssembly; empty for Emscripten's port")
+if(NOT SLICECAST_HASHES_ONLY)
+  add_library(slicecast_sdl2 INTERFACE)
+  if(NOT EMSCRIPTEN)
+    find_package(SDL2 REQUIRED)
+    target_link_libraries(slicecast_sdl2 INTERFACE SDL2::SDL2)
+  elseif(SLICECAST_SDL2_WASM)
+    target_include_directories(slicecast_sdl2 SYSTEM INTERFACE ${SLICECAST_SDL2_WASM}/include)
+    target_link_libraries(slicecast_sdl2 INTERFACE ${SLICECAST_SDL2_WASM}/lib/libSDL2.a)
+  elseif(SLICECAST_EMSCRIPTEN_OF_DEBIAN)
+    message(FATAL_ERROR "Debian's Emscripten has no SDL2: run `source tools/setup page` first.")
+  else()
+    target_compile_options(slicecast_sdl2 INTERFACE -sUSE_SDL=2)
+    target_link_options(slicecast_sdl2 INTERFACE -sUSE_SDL=2)
+  endif()
+endif()
