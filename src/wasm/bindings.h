@@ -1,0 +1,123 @@
+// What JavaScript may call in the WebAssembly module: the same functions serve a page, where the program draws into a canvas, and Node, where there is
+// neither canvas nor SDL. Plain C; each function `slicecast_NAME` is `module._slicecast_NAME` in JavaScript.
+//
+//     const module = await createSlicecast({canvas, onSlicecast(event, value) {...}});         // {wasmBinary} under Node
+//
+//     const session = module._slicecast_programSession();                                     // or module._slicecast_create() without the program
+//     {files, faults} = JSON.parse(module.UTF8ToString(module._slicecast_parse(session, text, textBytes, name)));
+//     for each of the files:    module._slicecast_supply(session, fileName, bytes, byteCount);  // no call: the file could not be read
+//     {faults} = JSON.parse(module.UTF8ToString(module._slicecast_start(session)));            // no faults: it plays
+//     module.callMain([]);                                                                    // once, in a page: the program begins to draw and listen
+//
+// Strings in are UTF-8; those without a byte count end in a zero byte. What goes in is copied: the caller frees its own memory at once. Strings out belong
+// to the session and hold until the next call for the same session that returns a string. A fault is
+// {"file", "pointer", "line", "column", "found", "expected", "message"}, where `message` says all of it in one line.
+//
+// The program tells the page what happens by calling module.onSlicecast(event, value), if there is one:
+//
+//     "ready"       true          the first picture is on the canvas
+//     "pause"       true, false   play stands still or goes on (P, slicecast_pause); a hidden tab stands still without this event
+//     "pointer"     true, false   the canvas holds the pointer (a click) or has lost it (Escape)
+//     "fly"         true, false   fly or walk mode (V)
+//     "minimap"     true, false   the minimap is shown or not (M)
+//     "help"        true          H was pressed: the page shows or hides the keys
+//     "rate"        true          I was pressed: the page shows or hides the frame rate
+//     "fullscreen"  true          F was pressed: the page enters or leaves full screen
+//     "frames"      {"framesPerSecond", "drawMilliseconds", "longestMilliseconds"}   twice a second, over the time since the last one
+//     "size"        {"width", "height"}   pixels of the picture, after every change
+//
+// The program looks after the canvas's own input: it makes the canvas focusable, focuses it on a press, and takes the keys that it knows only while the
+// canvas has the focus. Tab and anything with Ctrl, Alt or Meta stay the page's; Escape gives the focus back. It never looks at the canvas's CSS size.
+#pragma once
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// A scene being loaded, or one running game with its world, player and options.
+typedef struct SlicecastSession SlicecastSession;
+
+// "1.2.3", the version of the project. Never freed.
+const char* slicecast_version(void);
+
+// A session without a game. Free it with slicecast_free.
+SlicecastSession* slicecast_create(void);
+
+// Ends a session that slicecast_create made, and all of its memory.
+void slicecast_free(SlicecastSession* session);
+
+// The session that the program shows. It exists from the beginning, before main is called, and is never freed.
+SlicecastSession* slicecast_programSession(void);
+
+// Checks the text of a scene; `fileName` stands in the faults. Gives {"files": [names of the images needed], "faults": [...]}. A game that is already
+// running goes on until slicecast_start. What was supplied for an earlier text is forgotten.
+const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes, const char* fileName);
+
+// Supplies the bytes of one of those files. A file never supplied becomes a fault ("could not be read").
+void slicecast_supply(SlicecastSession* session, const char* fileName, const uint8_t* bytes, int32_t byteCount);
+
+// Builds the world and begins to play it. Gives {"faults": [...]}; with any fault the game that ran before, if any, goes on. Options are kept.
+const char* slicecast_start(SlicecastSession* session);
+
+// The running world: {"title", "maps": [{"name", "width", "depth", "levels"}]}; null without a game.
+const char* slicecast_world(SlicecastSession* session);
+
+// One step of exactly 1/120 s. Axes are -1 to 1: forward, strafe (right), turn (right), look (up), fly (up; negative crouches in walk mode). turnDegrees
+// (right) and lookHeights (up, in screen heights) act at once, for a mouse. `buttons` is a sum of 1 = jump, 2 = fast, 4 = slow. Without a game: nothing.
+// The program steps its own session by itself.
+void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn, double look, double fly,
+                    double turnDegrees, double lookHeights, int32_t buttons);
+
+// Draws the view, `fraction` (0 to 1) of the way from the last step but one to the last, into the session's own picture. 1 on success, 0 if there is no
+// game or the picture cannot be drawn (size not within 1 to 8192 pixels a side).
+int32_t slicecast_draw(SlicecastSession* session, int32_t width, int32_t height, double fraction);
+
+// The picture last drawn by slicecast_draw: width * height * 4 bytes R, G, B, A, rows from the top, no padding. Holds until the next slicecast_draw.
+const uint8_t* slicecast_picture(SlicecastSession* session);
+
+// Sets an option by name, as `--set` of the command line tools does. Gives "" on success, else what was wrong. Without a game the option waits for it, and
+// a wrong one is only reported by slicecast_start.
+const char* slicecast_setOption(SlicecastSession* session, const char* name, const char* value);
+
+// The value of an option; "" where there is no such option.
+const char* slicecast_option(SlicecastSession* session, const char* name);
+
+// Where the player is: {"map", "x", "y", "z", "heading", "look", "flying", "steps"}: map by its number, x, y, z of the eye in units, heading in degrees
+// (0 = east, 90 = south), look in screen heights. null without a game.
+const char* slicecast_state(SlicecastSession* session);
+
+// Puts the player's eye somewhere else. 1 on success, 0 if it may not be there.
+int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees,
+                         double look);
+
+// Fly mode (1) or walk mode (0).
+void slicecast_setFlying(SlicecastSession* session, int32_t flying);
+
+// Back to the scene's start, at rest.
+void slicecast_reset(SlicecastSession* session);
+
+// ---- The program in a page: these act on it and its session. They may be called before main too.
+
+// The size of the picture in pixels, 1 to 4096 a side; the page scales the canvas with CSS. 640 x 400 until then.
+void slicecast_resize(int32_t width, int32_t height);
+
+// Stands still (1) or goes on (0).
+void slicecast_pause(int32_t paused);
+
+// 1 while it stands still by P or slicecast_pause.
+int32_t slicecast_paused(void);
+
+// Mouse look: degrees turned per CSS pixel of movement (0.15 until set), and whether moving the mouse forward looks down (1) rather than up (0).
+void slicecast_setMouse(double degreesPerPixel, int32_t invert);
+
+// The keys for a help text: [{"keys", "does"}] in the order in which to show them. Never freed.
+const char* slicecast_keys(void);
+
+// Ends the program: no picture, no listener, no timer remains, and the module may be dropped.
+void slicecast_stop(void);
+
+#ifdef __cplusplus
+}
+#endif
