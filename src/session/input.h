@@ -11,9 +11,11 @@ struct Input {
     double fly = 0.0;          // fly mode: positive rises. Walk mode: negative crouches
     double turnDegrees = 0.0;  // turned at once, for a mouse; positive right
     double lookHeights = 0.0;  // looked up at once, in screen heights
-    bool jump = false;         // held; walk mode
+    bool jump = false;         // held; walk mode. One press is one jump
     bool fast = false;         // Shift
     bool slow = false;         // Ctrl; wins over fast
+    double intensity = 0.0;    // Insert, Delete: positive raises the light's intensity, by 1 per second
+    double multiplier = 0.0;   // Home, End: the same for its multiplier
 };
 
 }  // namespace slicecast

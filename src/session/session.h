@@ -1,7 +1,7 @@
 // One running game: a world, a player in it, and options. The only thing that the program, the page's bindings and the tools talk to.
 //
 //     Session session(std::move(world));
-//     session.step(input);                  exactly 1/120 s, as often as time has passed
+//     session.step(input);                  exactly 1/120 s (kStepSeconds), as often as time has passed
 //     session.draw(picture, fraction);      `fraction` (0 to 1) of the way from the last step but one to the last
 //
 // It reads no clock, prints nothing and holds no global state: the same inputs give the same states and pictures everywhere.
@@ -16,16 +16,35 @@
 #include "world/player.h"
 #include "world/world.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace slicecast {
 
-inline constexpr int kStepsPerSecond = 120;
+// What a panel may show about a game, after the last step.
+struct SessionState {
+    std::string title;  // of the world
+    std::string map;    // name of the map
+    double x = 0.0;     // the eye, units
+    double y = 0.0;
+    double z = 0.0;
+    double feet = 0.0;            // height of the feet, units
+    double headingDegrees = 0.0;  // [0, 360)
+    double look = 0.0;            // screen heights
+    double speed = 0.0;           // along the ground, units per second
+    bool flying = false;
+    bool crouched = false;
+    bool onGround = false;
+    double intensity = 0.0;   // of the light in this map
+    double multiplier = 0.0;  // units
+    std::int64_t steps = 0;   // since the session began
+};
 
 class Session {
 public:
-    // The player stands at the world's start.
+    // The player stands at the world's start. The world has at least one map.
     explicit Session(World world);
 
     void step(const Input& input);
@@ -33,33 +52,41 @@ public:
     // Draws the view between the last two steps, and the overlays that are switched on. False if the picture cannot be drawn (see Renderer::draw).
     bool draw(const Picture& picture, double fraction = 1.0);
 
-    // Back to the world's start, at rest.
+    // Back to the world's start, at rest, walking. Options stay as they are.
     void reset();
-    // Straight look at the middle of the screen, standing height (the notes' R key).
+    // Looks level; when flying, also comes down to standing height (the notes' R key).
     void levelLook();
     void setHeading(double degrees);
     void setFlying(bool flying);
-    // Puts the player's eye somewhere else, for tools; the player need not fit there in fly mode.
+    // Puts the player's eye somewhere else, flying, for tools; outside the grid and inside blocks too. False, and nothing changed, if such an eye cannot see:
+    // no such map, at or below the floor, look beyond kMaxLook, or a heading that is no number.
     bool setEye(const Eye& eye);
 
     // Options by name ("fov", "light" ...); see options.h. An empty string on success, else what was wrong.
     std::string setOption(std::string_view name, std::string_view value);
     std::string option(std::string_view name) const;
 
-    const World& world() const;
-    const Player& player() const;
-    const SessionOptions& options() const;
-    const FrameReport& report() const;
+    const World& world() const { return world_; }
+    const Player& player() const { return player_; }
+    const SessionOptions& options() const { return options_; }
+    const FrameReport& report() const { return renderer_.report(); }
+    std::int64_t steps() const { return steps_; }
+    SessionState state() const;
     // The eye as it would be drawn.
     Eye eye(double fraction = 1.0) const;
-    std::int64_t steps() const;
+    // Everything that one column of a picture of that size does.
     SliceTrace trace(int width, int height, int column);
+    // A number that two sessions share if they are in the same state: the player, the options that bear on a step, and the steps done.
+    std::uint64_t fingerprint() const;
 
 private:
+    void applyLight();
+
     World world_;
+    std::vector<Light> ownLights_;  // as the maps came
     SessionOptions options_;
     Player player_;
-    Player previous_;
+    Player previous_;  // before the last step; the same as player_ after a leap
     Renderer renderer_;
     std::int64_t steps_ = 0;
 };

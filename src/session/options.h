@@ -1,0 +1,48 @@
+// Everything about a running game that can be set by name: on a command line ("--set fov=75"), in a page's settings, by a key. One table holds the name,
+// the kind, the range, the default and the description of each.
+#pragma once
+
+#include "render/options.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace slicecast {
+
+struct SessionOptions {
+    RenderOptions render;
+    std::optional<double> intensity;   // of the light, in all maps; each map's own when empty
+    std::optional<double> multiplier;  // of the light, units; each map's own when empty
+    bool minimap = false;
+    int minimapLevel = -1;  // the level shown; -1 for the eye's
+    double speed = 1.0;     // multiplies the player's moving speeds
+};
+
+enum class OptionKind {
+    onOff,        // "on" or "off"
+    number,       // within least and greatest
+    wholeNumber,  // the same, without a fraction
+    ownOrNumber,  // "map" for each map's own value, or a number
+};
+
+struct OptionInfo {
+    const char* name;
+    OptionKind kind;
+    double least;  // of numbers
+    double greatest;
+    const char* standard;  // the default, as it would be given
+    const char* description;
+};
+
+// All options, in the order in which to list them.
+std::span<const OptionInfo> knownOptions();
+
+// Sets one option. An empty string on success; else what was found and what was expected, and nothing has changed.
+std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
+
+// The value as setOption would take it; empty for an unknown name.
+std::string optionValue(const SessionOptions& options, std::string_view name);
+
+}  // namespace slicecast
