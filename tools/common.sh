@@ -12,6 +12,9 @@ fail() {
   exit 1
 }
 
+# The exit status after Ctrl-C.
+interruptStatus=130
+
 # progress TITLE COMMAND...: runs the command with its output in a log. On a terminal the newest line of the log
 # stands beside the title; elsewhere a line appears every 15 seconds. A failure shows the whole log.
 progress() {
@@ -20,19 +23,25 @@ progress() {
   log="$(mktemp "${TMPDIR:-/tmp}/slicecast-log.XXXXXX")"
   begin=$SECONDS
   if [[ -t 2 ]]; then printf '%s ...' "$title" >&2; else say "$title ..."; fi
+  # A process group of its own, so that Ctrl-C ends all that the command has started.
+  set -m
   "$@" >"$log" 2>&1 </dev/null &
   pid=$!
+  set +m
+  trap 'trap - INT TERM; kill -INT -- "-$pid" 2>/dev/null; wait "$pid" 2>/dev/null; rm -f "$log"; printf "\n" >&2; exit "$interruptStatus"' INT TERM
   while kill -0 "$pid" 2>/dev/null; do
-    sleep 0.2
-    newest="$(tail -c 400 "$log" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')"
+    sleep 0.1
     if [[ -t 2 ]]; then
+      newest="$(tail -c 400 "$log" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')"
       printf '\r\033[K%s (%d s) %s' "$title" $((SECONDS - begin)) "${newest:0:$((${COLUMNS:-100} - ${#title} - 12))}" >&2
     elif ((SECONDS - begin - lastSaid >= 15)); then
       lastSaid=$((SECONDS - begin))
+      newest="$(tail -c 400 "$log" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')"
       say "  $lastSaid s: ${newest:0:100}"
     fi
   done
   wait "$pid" || status=$?
+  trap - INT TERM
   [[ -t 2 ]] && printf '\r\033[K' >&2
   if ((status != 0)); then
     say "$title: failed after $((SECONDS - begin)) s. Its output:"

@@ -2,7 +2,7 @@
 # the project.
 
 # systemHeaders(TARGET FOLDER HEADER): a header-only library that the system keeps in FOLDER of its include path. Emscripten does not
-# search the system's include path and must never see the whole of it: it gets a folder with a link to this one library. Sources may write <FOLDER/HEADER> or <HEADER>.
+# search the system's include path and must never see the whole of it: it gets a folder with a link to this one library.
 function(systemHeaders target folder header)
   find_path(SLICECAST_INCLUDE_${folder} ${folder}/${header} NO_CMAKE_FIND_ROOT_PATH
     PATHS /usr/include /usr/local/include /opt/homebrew/include /opt/local/include)
@@ -16,7 +16,7 @@ function(systemHeaders target folder header)
     file(CREATE_LINK ${include}/${folder} ${PROJECT_BINARY_DIR}/system-headers/${folder}/${folder} SYMBOLIC)
     set(include ${PROJECT_BINARY_DIR}/system-headers/${folder})
   endif()
-  target_include_directories(${target} SYSTEM INTERFACE ${include} ${include}/${folder})
+  target_include_directories(${target} SYSTEM INTERFACE ${include})
 endfunction()
 
 systemHeaders(slicecast_stb stb stb_image.h)

@@ -1,0 +1,245 @@
+// Serves the page in build/web on this machine, and beside it the scene that someone is working on.
+//
+//     node tools/serve.mjs [--folder FOLDER] [--scene SCENE.json] [--port N]
+//
+//     /...                   the page
+//     /-/scene/NAME.json     the scene, read anew each time
+//     /-/scene/...           pictures in the scene's folder; what the scene names as ../x is found at /-/x
+//     /-/events              an event stream: `scene` whenever the scene or one of its pictures was saved
+
+import { spawn } from 'node:child_process';
+import { createReadStream, watch } from 'node:fs';
+import { access, constants, readFile, realpath, stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import path from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import sirv from 'sirv';
+
+const kFirstPort = 8080;
+const kPortsTried = 50;
+const kSettleMilliseconds = 80; // an editor's save is several events: truncate, write, rename
+
+// The scene that is worked on: which of its files may be served, and when one of them changes.
+class WatchedScene {
+  constructor(file) {
+    this.file = path.resolve(file);
+    this.folder = path.dirname(this.file);
+    this.name = path.basename(this.file);
+    this.listeners = new Set();
+    this.watchers = new Map();
+    this.lastState = '';
+  }
+
+  // The path of the page's address line, relative to the page.
+  get address() {
+    return `?scene=-/scene/${encodeURIComponent(this.name)}&live=1`;
+  }
+
+  // Every picture that the text names. The text may be broken JSON at the moment, so this only looks for strings.
+  async namedPictures() {
+    const text = await readFile(this.file, 'utf8').catch(() => '');
+    const names = text.match(/"[^"\n]+\.png"/gi) ?? [];
+    return [...new Set(names.map((name) => path.resolve(this.folder, name.slice(1, -1))))];
+  }
+
+  // The file for a path below /-/, or null where there is none to be served.
+  async resolve(urlPath) {
+    if (urlPath.includes('\0') || urlPath.includes('\\')) return null;
+    const inFolder = urlPath.startsWith('scene/');
+    const file = inFolder ? path.join(this.folder, urlPath.slice('scene/'.length)) : path.join(this.folder, '..', urlPath);
+    if (file === this.file) return file;
+    if (!/\.png$/i.test(file)) return null;
+    if ((await this.namedPictures()).includes(file)) return file;
+    // Others only from the scene's own folder, links followed.
+    const real = await realpath(file).catch(() => null);
+    const root = await realpath(this.folder);
+    return real !== null && real.startsWith(root + path.sep) ? real : null;
+  }
+
+  async start() {
+    this.lastState = await this.state();
+    await this.watchFolders();
+  }
+
+  // Folders are watched, not files: many editors save by putting a new file in the old one's place.
+  async watchFolders() {
+    const wanted = new Set([this.folder, ...(await this.namedPictures()).map((file) => path.dirname(file))]);
+    for (const [folder, watcher] of this.watchers) {
+      if (wanted.has(folder)) continue;
+      watcher.close();
+      this.watchers.delete(folder);
+    }
+    for (const folder of wanted) {
+      if (this.watchers.has(folder)) continue;
+      try {
+        const watcher = watch(folder, () => this.settle());
+        watcher.on('error', () => {
+          watcher.close();
+          this.watchers.delete(folder);
+        });
+        this.watchers.set(folder, watcher);
+      } catch {
+        // A picture in a folder that is not there: the scene's faults say so in the page.
+      }
+    }
+  }
+
+  settle() {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.look(), kSettleMilliseconds);
+  }
+
+  async look() {
+    await this.watchFolders();
+    const state = await this.state();
+    if (state === this.lastState || state.startsWith('gone')) return;
+    this.lastState = state;
+    for (const listener of this.listeners) listener();
+  }
+
+  // Size and time of the scene and its pictures: other files of the folder may change as they like.
+  async state() {
+    const describe = async (file) => {
+      const found = await stat(file).catch(() => null);
+      return found === null ? 'gone' : `${found.size} ${found.mtimeMs} ${found.ino}`;
+    };
+    return (await Promise.all([this.file, ...(await this.namedPictures())].map(describe))).join('\n');
+  }
+
+  stop() {
+    clearTimeout(this.timer);
+    for (const watcher of this.watchers.values()) watcher.close();
+    this.watchers.clear();
+  }
+}
+
+function refuse(response, status, text) {
+  response.writeHead(status, { 'Content-Type': 'text/plain; charset=utf-8', 'Cache-Control': 'no-store' });
+  response.end(`${text}\n`);
+}
+
+async function serveSceneFile(scene, urlPath, response) {
+  const file = await scene.resolve(urlPath);
+  const found = file === null ? null : await stat(file).catch(() => null);
+  if (found === null || !found.isFile()) return refuse(response, 404, 'There is no such file beside the scene.');
+  const type = /\.png$/i.test(file) ? 'image/png' : 'application/json; charset=utf-8';
+  response.writeHead(200, { 'Content-Type': type, 'Content-Length': found.size, 'Cache-Control': 'no-store' });
+  createReadStream(file).on('error', () => response.destroy()).pipe(response);
+}
+
+function serveEvents(scene, request, response) {
+  response.writeHead(200, { 'Content-Type': 'text/event-stream', 'Cache-Control': 'no-store' });
+  response.write('retry: 1000\n\n');
+  const send = () => response.write(`event: scene\ndata: -/scene/${encodeURIComponent(scene.name)}\n\n`);
+  const beat = setInterval(() => response.write(': still here\n\n'), 15000);
+  scene.listeners.add(send);
+  request.on('close', () => {
+    clearInterval(beat);
+    scene.listeners.delete(send);
+  });
+}
+
+function listen(server, port) {
+  return new Promise((resolve, reject) => {
+    server.once('error', reject);
+    server.listen(port, '127.0.0.1', () => {
+      server.off('error', reject);
+      resolve();
+    });
+  });
+}
+
+// Starts to serve. Without `port` it takes the first free one. Returns the page's address and a function that ends it.
+export async function startServer({ folder, scene: sceneFile, port }) {
+  const scene = sceneFile === undefined ? null : new WatchedScene(sceneFile);
+  await scene?.start();
+
+  const page = sirv(folder, {
+    dev: true, // the folder is exchanged while we run
+    setHeaders(response) {
+      response.setHeader('Cache-Control', 'no-store');
+      response.setHeader('Access-Control-Allow-Origin', '*'); // a sandboxed frame has no origin of its own
+    },
+  });
+  const server = createServer((request, response) => {
+    // Taken as it stands: URL() would fold ".." away before it can be looked at.
+    const rawPath = request.url.split(/[?#]/, 1)[0];
+    let urlPath;
+    try {
+      urlPath = decodeURIComponent(rawPath);
+    } catch {
+      return refuse(response, 400, 'That is no address.');
+    }
+    if (urlPath.startsWith('/-/')) {
+      if (scene === null) return refuse(response, 404, 'No scene was given to tools/play.');
+      if (urlPath === '/-/events') return serveEvents(scene, request, response);
+      return serveSceneFile(scene, urlPath.slice(3), response).catch(() => refuse(response, 500, 'The scene cannot be read.'));
+    }
+    page(request, response, () => refuse(response, 404, 'There is no such file.'));
+  });
+
+  let at = port ?? kFirstPort;
+  for (;;) {
+    try {
+      await listen(server, at);
+      break;
+    } catch (error) {
+      const next = error.code === 'EADDRINUSE' && port === undefined && at < kFirstPort + kPortsTried;
+      if (!next) {
+        scene?.stop();
+        throw error;
+      }
+      ++at;
+    }
+  }
+  return {
+    address: `http://localhost:${server.address().port}/${scene?.address ?? ''}`,
+    close() {
+      scene?.stop();
+      server.close();
+      server.closeAllConnections?.();
+    },
+  };
+}
+
+// Only where someone sits in front of a desktop.
+function openInBrowser(address) {
+  const command = process.platform === 'darwin' ? 'open' : 'xdg-open';
+  const hasDesktop = process.platform === 'darwin' || process.env.DISPLAY || process.env.WAYLAND_DISPLAY;
+  if (!hasDesktop || !process.stdout.isTTY) return;
+  const child = spawn(command, [address], { stdio: 'ignore', detached: true });
+  child.on('error', () => {}); // the address is on the terminal
+  child.unref();
+}
+
+async function main() {
+  const { values } = parseArgs({
+    options: { folder: { type: 'string' }, scene: { type: 'string' }, port: { type: 'string' } },
+  });
+  const folder = values.folder ?? fileURLToPath(new URL('../build/web', import.meta.url));
+  const port = values.port === undefined ? undefined : Number(values.port);
+  await access(folder, constants.R_OK);
+  const server = await startServer({ folder, scene: values.scene, port });
+  const end = () => {
+    server.close();
+    process.exit(0);
+  };
+  process.on('SIGINT', end);
+  process.on('SIGTERM', end);
+  console.log(`Slicecast is at ${server.address}\nCtrl-C ends it.`);
+  openInBrowser(server.address);
+}
+
+if (process.argv[1] !== undefined && (await realpath(process.argv[1])) === fileURLToPath(import.meta.url)) {
+  main().catch((error) => {
+    const port = error.port === undefined ? '' : ` ${error.port}`;
+    const text = {
+      EADDRINUSE: `port${port} is taken; choose another one, or leave --port out to get the next free one.`,
+      EACCES: `port${port} may not be used by you; choose one above 1023.`,
+    };
+    console.error(`tools/play: ${text[error.code] ?? error.message}`);
+    process.exit(1);
+  });
+}
