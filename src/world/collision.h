@@ -9,6 +9,8 @@
 #include "base/coordinate.h"
 #include "world/world.h"
 
+#include <optional>
+
 namespace slicecast {
 
 // The space that a body takes up, without its surface: west < x < east, north < y < south, bottom < z < top.
@@ -51,8 +53,8 @@ Coordinate sweepZ(const World& world, int map, const Box& box, Coordinate distan
 // True if a free box rests on something.
 bool isSupported(const World& world, int map, const Box& box);
 
-// The least rise, from 0 to `limit`, after which the box is free where it stands, or a negative number if there is none.
-Coordinate leastRise(const World& world, int map, const Box& box, Coordinate limit);
+// The least rise, from 0 to `limit`, with which the box would be free, whether or not there is a way up there; nothing if there is none.
+std::optional<Coordinate> leastRise(const World& world, int map, const Box& box, Coordinate limit);
 
 // Where a move ended, and what it ran into.
 struct Slide {

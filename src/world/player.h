@@ -28,7 +28,7 @@ inline constexpr Coordinate kStandingHeight = toCoordinate(0.72);
 inline constexpr Coordinate kStandingEye = toCoordinate(0.5);
 inline constexpr Coordinate kCrouchedHeight = toCoordinate(0.35);
 inline constexpr Coordinate kCrouchedEye = toCoordinate(0.25);
-inline constexpr Coordinate kLowestEye = toCoordinate(0.1);   // the eye stays this far above the feet while it catches up with them
+inline constexpr Coordinate kLowestEye = toCoordinate(0.02);  // the eye stays this far above the feet while it catches up with them
 inline constexpr Coordinate kStepHeight = toCoordinate(0.5);  // the highest step that is taken without a jump, up or down
 
 // Speeds of a mode: units, degrees and screen heights per second; `fast` and `slow` multiply all of them.
@@ -58,6 +58,10 @@ inline constexpr int kEarlyJumpSteps = 12;     // and is remembered this long be
 // Flying and turning reach their full speed in a tenth of a second.
 inline constexpr double kFlyingResponse = 10.0;  // of the full speed, per second
 inline constexpr double kTurningResponse = 10.0;
+
+// After a step or a crouch the eye covers this part of the way that is left, per second, and at least this many units per second.
+inline constexpr double kEyeResponse = 9.0;
+inline constexpr double kLeastEyeSpeed = 0.25;
 
 // Screen heights that the horizon can be moved by looking up and down.
 inline constexpr double kLookLimit = 1.5;

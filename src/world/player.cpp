@@ -1,0 +1,319 @@
+#include "world/player.h"
+
+#include "base/angle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slicecast {
+namespace {
+
+constexpr double kGreatestTurnDegrees = 360.0;  // at once, by a mouse
+constexpr Coordinate kEyeDrop = kStandingEye - kCrouchedEye;
+
+double within(double value, double least, double greatest, double ifNoNumber) {
+    if (std::isnan(value)) return ifNoNumber;
+    return std::min(std::max(value, least), greatest);
+}
+
+// The same wishes with every number within its range, and no more than full speed in any direction.
+PlayerInput withinRanges(const PlayerInput& input) {
+    PlayerInput wish = input;
+    for (double PlayerInput::*axis : {&PlayerInput::forward, &PlayerInput::strafe, &PlayerInput::turn, &PlayerInput::look, &PlayerInput::fly}) {
+        wish.*axis = within(input.*axis, -1.0, 1.0, 0.0);
+    }
+    wish.turnDegrees = within(input.turnDegrees, -kGreatestTurnDegrees, kGreatestTurnDegrees, 0.0);
+    wish.lookHeights = within(input.lookHeights, -2.0 * kLookLimit, 2.0 * kLookLimit, 0.0);
+    wish.speed = within(input.speed, kLeastSpeed, kGreatestSpeed, 1.0);
+    const double length = std::sqrt(wish.forward * wish.forward + wish.strafe * wish.strafe);
+    if (length > 1.0) {
+        wish.forward /= length;
+        wish.strafe /= length;
+    }
+    return wish;
+}
+
+// `value` brought towards `target` by at most `change`.
+double approach(double value, double target, double change) {
+    return value < target ? std::min(value + change, target) : std::max(value - change, target);
+}
+
+struct Vector {
+    double x;
+    double y;
+};
+
+// The same for a vector; `change` bounds its length.
+Vector approach(Vector value, Vector target, double change) {
+    const Vector difference = {target.x - value.x, target.y - value.y};
+    const double length = std::sqrt(difference.x * difference.x + difference.y * difference.y);
+    if (length <= change) return target;
+    const double part = change / length;
+    return {value.x + difference.x * part, value.y + difference.y * part};
+}
+
+// A rate that reaches its full value within 1 / response seconds, and slows down from a higher one as fast.
+double respond(double rate, double target, double full, double response) {
+    return approach(rate, target, std::max(full, std::abs(rate)) * response * kStepSeconds);
+}
+
+double gear(const Pace& pace, const PlayerInput& wish) {
+    return wish.slow ? pace.slow : wish.fast ? pace.fast : 1.0;
+}
+
+// The velocity along the ground that is asked for.
+Vector wishedVelocity(const Player& player, const PlayerInput& wish, double speed) {
+    const SineCosine heading = sineCosineDegrees(player.headingDegrees);
+    return {speed * (wish.forward * heading.cosine - wish.strafe * heading.sine), speed * (wish.forward * heading.sine + wish.strafe * heading.cosine)};
+}
+
+void turnAndLook(Player& player, const PlayerInput& wish) {
+    const Pace& pace = player.flying ? kFlyingPace : kWalkingPace;
+    const double factor = gear(pace, wish);
+    player.turnRate = respond(player.turnRate, wish.turn * pace.turn * factor, pace.turn * factor, kTurningResponse);
+    player.lookRate = respond(player.lookRate, wish.look * pace.look * factor, pace.look * factor, kTurningResponse);
+    player.headingDegrees = wrapDegrees(player.headingDegrees + player.turnRate * kStepSeconds + wish.turnDegrees);
+    const double look = player.look + player.lookRate * kStepSeconds + wish.lookHeights;
+    player.look = within(look, -kLookLimit, kLookLimit, 0.0);
+    if (player.look != look) player.lookRate = 0.0;
+}
+
+Coordinate eyeAboveFeet(const Player& player) {
+    return player.flying || player.crouched ? kCrouchedEye : kStandingEye;
+}
+
+// Keeps the eye above the feet, and below what is above the body.
+void limitEyeLag(const World& world, Player& player) {
+    player.eyeLag = std::max(player.eyeLag, kLowestEye - eyeAboveFeet(player));
+    if (player.eyeLag.raw > 0) player.eyeLag = sweepZ(world, player.map, bodyBox(player), player.eyeLag);
+}
+
+void easeEye(const World& world, Player& player) {
+    const double lag = player.eyeLag.value();
+    const double change = std::max(std::abs(lag) * kEyeResponse, kLeastEyeSpeed) * kStepSeconds;
+    player.eyeLag = toCoordinate(approach(lag, 0.0, change));
+    limitEyeLag(world, player);
+}
+
+void putBody(Player& player, const Box& box) {
+    player.x = box.west + kBodyHalfWidth;
+    player.y = box.north + kBodyHalfWidth;
+    player.z = box.bottom;
+}
+
+// Slides along the ground by the velocity; what stops it takes the velocity along that axis away. Gives the rise over steps.
+Coordinate slidePlayer(const World& world, Player& player, Coordinate step) {
+    const Slide result =
+        slide(world, player.map, bodyBox(player), toCoordinate(player.velocityX * kStepSeconds), toCoordinate(player.velocityY * kStepSeconds), step);
+    if (result.stoppedX) player.velocityX = 0.0;
+    if (result.stoppedY) player.velocityY = 0.0;
+    putBody(player, result.box);
+    return result.rise;
+}
+
+// Moves up or down by at most `distance`. False if something stopped it.
+bool rise(const World& world, Player& player, Coordinate distance) {
+    const Coordinate risen = sweepZ(world, player.map, bodyBox(player), distance);
+    player.z = player.z + risen;
+    return risen == distance;
+}
+
+void crouchOrStand(const World& world, Player& player, bool crouch) {
+    if (crouch == player.crouched) return;
+    if (!crouch && !fitsStanding(world, player.map, player.x, player.y, player.z)) return;
+    player.crouched = crouch;
+    player.eyeLag = crouch ? player.eyeLag + kEyeDrop : player.eyeLag - kEyeDrop;
+}
+
+// A press is remembered for a while before it can be obeyed, and can be obeyed for a while after the ground has gone; holding the key does nothing more.
+void jumpIfAsked(Player& player, bool pressed) {
+    if (pressed && !player.jumpHeld) player.earlyJumpSteps = kEarlyJumpSteps;
+    player.jumpHeld = pressed;
+    if (player.onGround) player.lateJumpSteps = kLateJumpSteps;
+    if (player.earlyJumpSteps > 0 && player.lateJumpSteps > 0) {
+        player.earlyJumpSteps = 0;
+        player.lateJumpSteps = 0;
+        player.velocityZ = kJumpSpeed;
+        player.onGround = false;
+        return;
+    }
+    player.earlyJumpSteps = std::max(0, player.earlyJumpSteps - 1);
+    player.lateJumpSteps = std::max(0, player.lateJumpSteps - 1);
+}
+
+// A body on the ground follows it downwards over steps, and begins to fall where it goes deeper.
+void followGround(const World& world, Player& player) {
+    const Box box = bodyBox(player);
+    const Coordinate drop = sweepZ(world, player.map, box, {-kStepHeight.raw});
+    if (isSupported(world, player.map, moved(box, {.x = {}, .y = {}, .z = drop}))) {
+        player.z = player.z + drop;
+        player.eyeLag = player.eyeLag - drop;
+    } else {
+        player.onGround = false;
+        player.velocityZ = 0.0;
+    }
+}
+
+void fall(const World& world, Player& player) {
+    const double distance = (player.velocityZ - 0.5 * kGravity * kStepSeconds) * kStepSeconds;
+    player.velocityZ = std::max(player.velocityZ - kGravity * kStepSeconds, -kGreatestFall);
+    if (!rise(world, player, toCoordinate(distance))) {
+        player.onGround = distance < 0.0;
+        player.velocityZ = 0.0;
+    }
+}
+
+void walk(const World& world, Player& player, const PlayerInput& wish) {
+    crouchOrStand(world, player, wish.fly < 0.0);
+    jumpIfAsked(player, wish.jump);
+
+    const double speed = kWalkingPace.move * gear(kWalkingPace, wish) * wish.speed * (player.crouched ? kCrouchedPace : 1.0);
+    const Vector target = wishedVelocity(player, wish, speed);
+    const bool resting = target.x == 0.0 && target.y == 0.0;
+    const double acceleration = player.onGround ? (resting ? kGroundBraking : kGroundAcceleration) : (resting ? kAirBraking : kAirAcceleration);
+    const Vector velocity = approach({player.velocityX, player.velocityY}, target, acceleration * wish.speed * kStepSeconds);
+    player.velocityX = velocity.x;
+    player.velocityY = velocity.y;
+
+    player.eyeLag = player.eyeLag - slidePlayer(world, player, player.onGround ? kStepHeight : Coordinate{0});
+    if (player.onGround) followGround(world, player);
+    if (!player.onGround) fall(world, player);
+}
+
+void chooseFlyingVelocity(Player& player, const PlayerInput& wish) {
+    const double factor = gear(kFlyingPace, wish) * wish.speed;
+    const double speed = kFlyingPace.move * factor;
+    const double now = std::sqrt(player.velocityX * player.velocityX + player.velocityY * player.velocityY);
+    const Vector velocity =
+        approach({player.velocityX, player.velocityY}, wishedVelocity(player, wish, speed), std::max(speed, now) * kFlyingResponse * kStepSeconds);
+    player.velocityX = velocity.x;
+    player.velocityY = velocity.y;
+    player.velocityZ = respond(player.velocityZ, wish.fly * kFlyingPace.rise * factor, kFlyingPace.rise * factor, kFlyingResponse);
+}
+
+void fly(const World& world, Player& player) {
+    slidePlayer(world, player, {});
+    if (!rise(world, player, toCoordinate(player.velocityZ * kStepSeconds))) player.velocityZ = 0.0;
+}
+
+// Out of whatever the body is in: nothing is in the way.
+void drift(Player& player) {
+    player.x = toCoordinate(player.x.value() + player.velocityX * kStepSeconds);
+    player.y = toCoordinate(player.y.value() + player.velocityY * kStepSeconds);
+    player.z = std::max(toCoordinate(player.z.value() + player.velocityZ * kStepSeconds), kLowestEye - kCrouchedEye);
+    player.eyeLag = {};
+}
+
+// The flying body, around the eye. It lies within the space that a free body and its eye have.
+void bringBodyToEye(Player& player) {
+    const Coordinate eye = eyeHeight(player);
+    player.z = std::max(player.z, eye - kCrouchedEye);
+    player.flying = true;
+    player.crouched = false;
+    player.onGround = false;
+    player.eyeLag = eye - player.z - kCrouchedEye;
+}
+
+}  // namespace
+
+Box bodyBox(Coordinate x, Coordinate y, Coordinate feet, Coordinate height) {
+    return {x - kBodyHalfWidth, x + kBodyHalfWidth, y - kBodyHalfWidth, y + kBodyHalfWidth, feet, feet + height};
+}
+
+Box bodyBox(const Player& player) {
+    return bodyBox(player.x, player.y, player.z, player.flying || player.crouched ? kCrouchedHeight : kStandingHeight);
+}
+
+bool fitsStanding(const World& world, int map, Coordinate x, Coordinate y, Coordinate feet) {
+    return isFree(world, map, bodyBox(x, y, feet, kStandingHeight));
+}
+
+Coordinate eyeHeight(const Player& player) {
+    return player.z + eyeAboveFeet(player) + player.eyeLag;
+}
+
+Player playerAtStart(const World& world) {
+    const Start& start = world.start;
+    Player player;
+    player.map = start.map;
+    player.x = start.x;
+    player.y = start.y;
+    player.z = start.z;
+    player.crouched = !fitsStanding(world, start.map, start.x, start.y, start.z);
+    setHeading(player, start.headingDegrees);
+    player.look = within(start.look, -kLookLimit, kLookLimit, 0.0);
+    const Box box = bodyBox(player);
+    if (isFree(world, start.map, box)) {
+        player.onGround = isSupported(world, start.map, box);
+    } else {
+        player.crouched = false;
+        player.flying = true;
+    }
+    return player;
+}
+
+Player playerWithEye(int map, Coordinate x, Coordinate y, Coordinate eyeZ, double headingDegrees, double look) {
+    Player player;
+    player.map = map;
+    player.x = x;
+    player.y = y;
+    player.z = eyeZ - kCrouchedEye;
+    player.flying = true;
+    setHeading(player, headingDegrees);
+    player.look = look;
+    return player;
+}
+
+void stepPlayer(const World& world, Player& player, const PlayerInput& input) {
+    const PlayerInput wish = withinRanges(input);
+    turnAndLook(player, wish);
+    const bool free = isFree(world, player.map, bodyBox(player));
+    if (free && !player.flying) {
+        walk(world, player, wish);
+    } else {
+        player.jumpHeld = wish.jump;
+        if (!player.flying) bringBodyToEye(player);
+        chooseFlyingVelocity(player, wish);
+        if (!free) return drift(player);
+        fly(world, player);
+    }
+    easeEye(world, player);
+}
+
+void setFlying(const World& world, Player& player, bool flying) {
+    if (flying == player.flying) return;
+    if (flying) {
+        bringBodyToEye(player);
+        player.velocityZ = 0.0;
+        return;
+    }
+    if (!isFree(world, player.map, bodyBox(player))) return;
+    const Coordinate eye = eyeHeight(player);
+    bringBodyToEye(player);
+    // Let the legs down as far as there is room for them; stay crouched if that is not enough to stand.
+    const Coordinate legs = sweepZ(world, player.map, bodyBox(player), {-kEyeDrop.raw});
+    player.crouched = !fitsStanding(world, player.map, player.x, player.y, player.z + legs);
+    if (!player.crouched) player.z = player.z + legs;
+    player.flying = false;
+    player.earlyJumpSteps = 0;
+    player.lateJumpSteps = 0;
+    player.eyeLag = eye - player.z - eyeAboveFeet(player);
+    limitEyeLag(world, player);
+}
+
+void levelLook(const World& world, Player& player) {
+    player.look = 0.0;
+    player.lookRate = 0.0;
+    if (!player.flying || !isFree(world, player.map, bodyBox(player))) return;
+    player.velocityZ = 0.0;
+    player.eyeLag = {};
+    rise(world, player, {-kMaxBodyHeight.raw});
+    rise(world, player, kEyeDrop);
+}
+
+void setHeading(Player& player, double degrees) {
+    player.headingDegrees = std::isfinite(degrees) ? wrapDegrees(degrees) : 0.0;
+    player.turnRate = 0.0;
+}
+
+}  // namespace slicecast
