@@ -1,0 +1,189 @@
+#include "render/column_fill.h"
+
+#include "render/vectors.h"
+
+#include <bit>
+
+namespace slicecast {
+namespace {
+
+constexpr std::uint32_t kEvenBytes = 0x00ff00ff;
+constexpr std::uint32_t kOpaque = 0xff000000;
+
+// A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with alpha; no product or sum below exceeds 16 bits.
+
+inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
+    const std::uint32_t factor = factorTwice & 0xffff;
+    const std::uint32_t even = (((texel & kEvenBytes) * factor + 0x00800080) >> 8) & kEvenBytes;
+    const std::uint32_t odd = ((texel >> 8) & kEvenBytes) * factor + 0x00800080;
+    return even | (odd & ~kEvenBytes) | kOpaque;
+}
+
+inline U32x4 shaded(U32x4 texels, U32x4 factorsTwice) {
+    const U32x4 half = allLanes(0x00800080);
+    const U16x8 even = (U16x8)(texels & kEvenBytes) * (U16x8)factorsTwice + (U16x8)half;
+    const U16x8 odd = (U16x8)((texels >> 8) & kEvenBytes) * (U16x8)factorsTwice + (U16x8)half;
+    return (U32x4)(even >> 8) | ((U32x4)odd & ~kEvenBytes) | kOpaque;
+}
+
+// x / 255 for each half, 0 <= x <= 255 * 255 + 127.
+inline std::uint32_t dividedBy255(std::uint32_t halves) { return ((halves + 0x00010001 + ((halves >> 8) & kEvenBytes)) >> 8) & kEvenBytes; }
+
+inline U32x4 dividedBy255(U32x4 halves) {
+    const U16x8 x = (U16x8)halves;
+    return (U32x4)((x + (std::uint16_t)1 + (x >> 8)) >> 8);
+}
+
+inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint32_t haze) {
+    const std::uint32_t fog = fogTwice & 0xffff;
+    const std::uint32_t rest = 255 - fog;
+    const std::uint32_t even = dividedBy255((lit & kEvenBytes) * rest + (haze & kEvenBytes) * fog + 0x007f007f);
+    const std::uint32_t odd = dividedBy255(((lit >> 8) & kEvenBytes) * rest + ((haze >> 8) & kEvenBytes) * fog + 0x007f007f);
+    return even | odd << 8 | kOpaque;
+}
+
+inline U32x4 fogged(U32x4 lit, U32x4 fogsTwice, std::uint32_t haze) {
+    const U16x8 fog = (U16x8)fogsTwice;
+    const U16x8 rest = (U16x8)allLanes(0x00ff00ff) - fog;
+    const U16x8 hazeEven = (U16x8)allLanes(haze & kEvenBytes);
+    const U16x8 hazeOdd = (U16x8)allLanes((haze >> 8) & kEvenBytes);
+    const U16x8 half = (U16x8)allLanes(0x007f007f);
+    const U32x4 even = dividedBy255((U32x4)((U16x8)(lit & kEvenBytes) * rest + hazeEven * fog + half));
+    const U32x4 odd = dividedBy255((U32x4)((U16x8)((lit >> 8) & kEvenBytes) * rest + hazeOdd * fog + half));
+    return even | odd << 8 | kOpaque;
+}
+
+// The same light and fog for all rows: a wall is at one depth.
+template <bool foggy>
+struct EvenShade {
+    std::uint32_t factor;
+    std::uint32_t fog;
+    Pixel haze;
+
+    std::uint32_t one(std::uint32_t texel, int) const {
+        const std::uint32_t lit = shaded(texel, factor);
+        return foggy ? fogged(lit, fog, haze) : lit;
+    }
+    U32x4 four(U32x4 texels, int) const {
+        const U32x4 lit = shaded(texels, allLanes(factor));
+        return foggy ? fogged(lit, allLanes(fog), haze) : lit;
+    }
+};
+
+// Light and fog from tables by row.
+template <bool foggy>
+struct RowShade {
+    const std::uint32_t* factors;
+    const std::uint32_t* fogs;
+    Pixel haze;
+
+    std::uint32_t one(std::uint32_t texel, int row) const {
+        const std::uint32_t lit = shaded(texel, factors[row]);
+        return foggy ? fogged(lit, fogs[row], haze) : lit;
+    }
+    U32x4 four(U32x4 texels, int row) const {
+        const U32x4 lit = shaded(texels, loadVector<U32x4>(factors + row));
+        return foggy ? fogged(lit, loadVector<U32x4>(fogs + row), haze) : lit;
+    }
+};
+
+template <typename ShadeRows>
+void fillSideRows(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t position, std::uint64_t step, ShadeRows shade) {
+    int row = 0;
+    if constexpr (kHasVectors) {
+        for (; row + 4 <= rows; row += 4) {
+            const std::uint64_t second = position + step;
+            const std::uint64_t third = second + step;
+            const std::uint64_t fourth = third + step;
+            const U32x4 four = {texels[position >> shift], texels[second >> shift], texels[third >> shift], texels[fourth >> shift]};
+            storeVector(out + row, shade.four(four, row));
+            position = fourth + step;
+        }
+    }
+    for (; row < rows; ++row) {
+        out[row] = shade.one(texels[position >> shift], row);
+        position += step;
+    }
+}
+
+// A double of at least 2^20 and below 2^21 has 32 bits after the point, so adding this leaves the fraction in the low half of its bits, rounded to the
+// nearest 1/2^32. The sum must stay in that range: positions are below 2^19 tiles (see kMaxFar).
+constexpr double kFractionMagic = 1572864.0;
+
+inline std::uint32_t lowHalf(double value) { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(value)); }
+
+template <typename ShadeRows>
+void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const double* inverseSlopes, ShadeRows shade) {
+    const Pixel* texels = level.texels.data();
+    const int bits = level.bits;
+    const int shift = 32 - bits;
+    const std::uint32_t reverse = line.southReversed ? (1u << bits) - 1 : 0;
+    const double eastStart = line.eastStart + kFractionMagic;
+    const double southStart = line.southStart + kFractionMagic;
+    int row = first;
+    if constexpr (kHasVectors) {
+        const F64x2 east0 = {eastStart, eastStart};
+        const F64x2 south0 = {southStart, southStart};
+        const F64x2 eastPer = {line.eastPerInverse, line.eastPerInverse};
+        const F64x2 southPer = {line.southPerInverse, line.southPerInverse};
+        for (; row + 4 <= last; row += 4) {
+            const F64x2 inverseA = loadVector<F64x2>(inverseSlopes + row);
+            const F64x2 inverseB = loadVector<F64x2>(inverseSlopes + row + 2);
+            const U32x4 u = lowHalves(east0 + eastPer * inverseA, east0 + eastPer * inverseB) >> shift;
+            const U32x4 v = lowHalves(south0 + southPer * inverseA, south0 + southPer * inverseB) >> shift;
+            const U32x4 index = (u << bits) | (v ^ reverse);
+            const U32x4 four = {texels[index[0]], texels[index[1]], texels[index[2]], texels[index[3]]};
+            storeVector(column + row, shade.four(four, row));
+        }
+    }
+    for (; row < last; ++row) {
+        const std::uint32_t u = lowHalf(eastStart + line.eastPerInverse * inverseSlopes[row]) >> shift;
+        const std::uint32_t v = lowHalf(southStart + line.southPerInverse * inverseSlopes[row]) >> shift;
+        column[row] = shade.one(texels[(u << bits) | (v ^ reverse)], row);
+    }
+}
+
+template <typename ShadeRows>
+void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows shade) {
+    for (int row = first; row < last; ++row) column[row] = shade.one(texel, row);
+}
+
+}  // namespace
+
+void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, Shade shade, Pixel haze) {
+    const Pixel* texels = level.texels.data() + (static_cast<std::size_t>(texelColumn) << level.bits);
+    const int shift = kTexturePositionBits - level.bits;
+    const std::uint32_t factor = inBothHalves(shade.factor);
+    if (shade.fog == 0) {
+        fillSideRows(out, rows, texels, shift, start, step, EvenShade<false>{factor, 0, haze});
+    } else {
+        fillSideRows(out, rows, texels, shift, start, step, EvenShade<true>{factor, inBothHalves(shade.fog), haze});
+    }
+}
+
+void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze) {
+    const auto fill = [&](auto shade) {
+        // A single texel needs no position (and a shift by all 32 bits has no meaning).
+        if (level.bits == 0) {
+            fillOneTexel(column, first, last, level.texels[0], shade);
+        } else {
+            fillPlaneRows(column, first, last, level, line, rows.inverseSlopes, shade);
+        }
+    };
+    if (rows.fogs) {
+        fill(RowShade<true>{rows.factors, rows.fogs, haze});
+    } else {
+        fill(RowShade<false>{rows.factors, nullptr, haze});
+    }
+}
+
+std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double inverseSlope) {
+    return lowHalf(start + kFractionMagic + perInverse * inverseSlope);
+}
+
+Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze) {
+    const std::uint32_t lit = shaded(texel, inBothHalves(factor));
+    return fog == 0 ? lit : fogged(lit, inBothHalves(fog), haze);
+}
+
+}  // namespace slicecast

@@ -1,0 +1,48 @@
+// The innermost loops: rows of one slice filled from a texture, shaded. Per pixel a texel fetch, a multiply and a store; nothing else.
+//
+// A slice is drawn into a column of memory, one row after another, so all three streams (rows, the tables per row, a wall's texels) run forwards.
+#pragma once
+
+#include "base/colour.h"
+#include "render/shading.h"
+#include "world/texture.h"
+
+#include <cstdint>
+
+namespace slicecast {
+
+// Positions along a texture are kept in 1/2^48 of a tile: a step rounded to that is off by less than 1e-10 of a tile after 8192 rows.
+inline constexpr int kTexturePositionBits = 48;
+
+// Fills `rows` rows from one column of texels, from position `start` on, `step` further each row (both in 1/2^48 tile, start + rows * step within the tile).
+void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, Shade shade, Pixel haze);
+
+// How the points of a level plane that a slice sees follow from the row: east = eastStart + eastPerInverse * inverseSlope, and so for south, in tiles,
+// where only the fraction counts.
+struct PlaneLine {
+    double eastStart = 0.0;  // the eye's fraction of a tile, 0 to 1
+    double southStart = 0.0;
+    double eastPerInverse = 0.0;
+    double southPerInverse = 0.0;
+    bool southReversed = false;  // undersides and ceilings
+
+    // The fraction of a tile in 1/2^32 that a position stands for.
+    static std::uint32_t fractionBits(double start, double perInverse, double inverseSlope);
+};
+
+// Per-row figures of a plane: the tables are indexed by row. `fogs` is null where there is no fog. Each entry holds its value twice, in either half.
+struct PlaneRows {
+    const double* inverseSlopes = nullptr;  // d / |horizon - (row + 0.5)|
+    const std::uint32_t* factors = nullptr;
+    const std::uint32_t* fogs = nullptr;
+};
+
+constexpr std::uint32_t inBothHalves(std::uint32_t value) { return value | value << 16; }
+
+// Fills the rows [first, last) of the slice that starts at `column`.
+void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze);
+
+// Fills one row from a texel that was found otherwise.
+Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze);
+
+}  // namespace slicecast

@@ -1,0 +1,33 @@
+// What all slices of a picture share: worked out once a frame.
+#pragma once
+
+#include "render/detail.h"
+#include "render/eye.h"
+#include "render/options.h"
+#include "render/plane_shades.h"
+#include "render/projection.h"
+#include "render/shading.h"
+#include "render/sky_rows.h"
+#include "world/world.h"
+
+#include <vector>
+
+namespace slicecast {
+
+struct Frame {
+    const World* world = nullptr;
+    const Map* map = nullptr;
+    Eye eye;
+    Projection projection;
+    Lighting lighting;
+    Detail detail;
+    int firstFloorRow = 0;               // rows above it, down to the horizon, look beyond the map's `far`
+    double highest = 0.0;                // no block and no ceiling lies higher, units
+    std::vector<double>& inverseSlopes;  // d / |horizon - (row + 0.5)| by row
+    PlaneShades& planeShades;
+    SkyRows& skyRows;
+
+    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<double>& slopes, PlaneShades& shades, SkyRows& sky);
+};
+
+}  // namespace slicecast

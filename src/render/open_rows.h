@@ -1,0 +1,67 @@
+// The rows of a slice that nothing has been drawn in yet: a few runs, sorted from the top.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace slicecast {
+
+class OpenRows {
+public:
+    struct Run {
+        int first;
+        int last;  // one past the end
+    };
+
+    // Opens all rows of a slice. No run is ever added beyond half the rows, so nothing is allocated after the first slice of a height.
+    void openAll(int height) {
+        runs_.reserve(static_cast<std::size_t>(height) / 2 + 2);
+        runs_.clear();
+        if (height > 0) runs_.push_back({0, height});
+    }
+
+    bool none() const { return runs_.empty(); }
+    int first() const { return runs_.front().first; }
+    int last() const { return runs_.back().last; }
+
+    // Closes the rows [first, last) and calls fill(first, last) for each run of them that was open. Returns whether there was one.
+    template <typename Fill>
+    bool take(int first, int last, Fill&& fill) {
+        if (first >= last || runs_.empty() || last <= runs_.front().first || first >= runs_.back().last) return false;
+        bool any = false;
+        for (std::size_t i = 0; i < runs_.size();) {
+            const Run run = runs_[i];
+            if (run.first >= last) break;
+            if (run.last <= first) {
+                ++i;
+                continue;
+            }
+            any = true;
+            const int from = run.first < first ? first : run.first;
+            const int to = run.last > last ? last : run.last;
+            fill(from, to);
+            const bool restAbove = run.first < from;
+            const bool restBelow = run.last > to;
+            if (restAbove && restBelow) {
+                runs_[i].last = from;
+                runs_.insert(runs_.begin() + static_cast<std::ptrdiff_t>(i) + 1, Run{to, run.last});
+                break;
+            }
+            if (restAbove) {
+                runs_[i].last = from;
+                ++i;
+            } else if (restBelow) {
+                runs_[i].first = to;
+                break;
+            } else {
+                runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
+            }
+        }
+        return any;
+    }
+
+private:
+    std::vector<Run> runs_;
+};
+
+}  // namespace slicecast

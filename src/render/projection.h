@@ -1,0 +1,63 @@
+// From the world to the screen: how an eye's rays run, and in which rows heights at a depth appear.
+//
+//     row r's centre is r + 0.5, rows grow downwards
+//     a height h at perpendicular depth t appears at row   y = horizon - (h - eye height) * d / t
+//
+// Ties, where a ray meets an edge exactly, are broken as if the eye lay an infinitely small step further east, a far smaller one south and a still smaller one
+// up. A border is then met a little sooner if it is crossed eastward or southward and a little later otherwise, so a ray that rises is a little lower there
+// (or higher), which decides the rows that touch an edge.
+#pragma once
+
+#include "base/coordinate.h"
+#include "render/eye.h"
+#include "render/options.h"
+
+#include <cmath>
+
+namespace slicecast {
+
+// A level direction, in units per unit of perpendicular depth.
+struct GroundDirection {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+struct Projection {
+    int width = 0;   // pixels
+    int height = 0;  // pixels
+    double distance = 1.0;    // d, pixels
+    double horizon = 0.0;     // row of the horizon, real
+    int firstFallingRow = 0;  // rows from here on look downwards (slope < 0), clamped to [0, height]
+    GroundDirection forward;
+    GroundDirection right;
+
+    Projection(const Eye& eye, const RenderOptions& options, int pictureWidth, int pictureHeight);
+
+    double sidewaysSlope(int column) const { return (column + 0.5 - width / 2.0) / distance; }
+    double upwardSlope(int row) const { return (horizon - (row + 0.5)) / distance; }
+    GroundDirection ray(int column) const {
+        const double k = sidewaysSlope(column);
+        return {forward.x + k * right.x, forward.y + k * right.y};
+    }
+
+    // Row (real) of a height `rise` above the eye at `depth`. Not for rise = 0 at depth 0.
+    double rowOf(double rise, double depth) const { return horizon - rise * distance / depth; }
+
+    // The first row whose ray passes below that height at that depth; rows above it pass at or above. `nearing` tells that the border at this depth is
+    // crossed eastward or southward.
+    int firstRowBelow(double rise, double depth, bool nearing) const {
+        if (rise == 0.0) return firstFallingRow;
+        return firstRowBelowRow(rowOf(rise, depth), (rise > 0.0) == nearing);
+    }
+
+    // The first row whose centre lies below `row`, and whose centre lies on it if `tieIsBelow`; clamped to [0, height].
+    int firstRowBelowRow(double row, bool tieIsBelow) const {
+        if (!(row > 0.0)) return 0;
+        if (row >= height) return height;
+        const double above = row + 0.5;  // >= 0, so truncation is the floor
+        const int whole = static_cast<int>(above);
+        return tieIsBelow && static_cast<double>(whole) == above ? whole - 1 : whole;
+    }
+};
+
+}  // namespace slicecast

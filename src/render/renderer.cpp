@@ -1,0 +1,68 @@
+#include "render/renderer.h"
+
+#include "render/frame.h"
+#include "render/open_rows.h"
+#include "render/slice.h"
+#include "render/strip.h"
+
+#include <algorithm>
+
+namespace slicecast {
+
+struct Renderer::Scratch {
+    std::vector<double> inverseSlopes;
+    PlaneShades planeShades;
+    SkyRows skyRows;
+    OpenRows openRows;
+    Strip strip;
+    FrameReport report;
+};
+
+Renderer::Renderer() : scratch_(std::make_unique<Scratch>()) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+namespace {
+
+// Written so that NaN is refused too.
+bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, int width, int height) {
+    return isAboveFloor(eye) && eye.map >= 0 && eye.map < static_cast<int>(world.maps.size()) && options.fovDegrees >= kMinFovDegrees &&
+           options.fovDegrees <= kMaxFovDegrees && eye.look >= -kMaxLook && eye.look <= kMaxLook && eye.headingDegrees - eye.headingDegrees == 0.0 &&
+           options.detailThreshold > 0.0 && width > 0 && height > 0 && width <= kMaxPictureSide && height <= kMaxPictureSide;
+}
+
+}  // namespace
+
+bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& options, const Picture& picture) {
+    if (!canDraw(world, eye, options, picture.width, picture.height) || !picture.pixels || picture.pitch < picture.width) return false;
+    Scratch& s = *scratch_;
+    s.report = {};
+    s.strip.resize(picture.height);
+    const Frame frame(world, eye, options, picture.width, picture.height, s.inverseSlopes, s.planeShades, s.skyRows);
+    Slice slice(frame, s.openRows, s.report);
+    for (int x = 0; x < picture.width; x += kStripColumns) {
+        const int columns = std::min(kStripColumns, picture.width - x);
+        for (int c = 0; c < columns; ++c) slice.draw(x + c, s.strip.column(c), nullptr);
+        s.strip.copyTo(picture, x, columns);
+    }
+    return true;
+}
+
+const FrameReport& Renderer::report() const { return scratch_->report; }
+
+SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options, int width, int height, int column) {
+    SliceTrace trace;
+    if (!canDraw(world, eye, options, width, height) || column < 0 || column >= width) return trace;
+    Scratch& s = *scratch_;
+    s.strip.resize(height);
+    FrameReport report;
+    const Frame frame(world, eye, options, width, height, s.inverseSlopes, s.planeShades, s.skyRows);
+    Slice(frame, s.openRows, report).draw(column, s.strip.column(0), &trace);
+    for (Hit& hit : trace.hits) {
+        std::sort(hit.filled.begin(), hit.filled.end(), [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });
+    }
+    return trace;
+}
+
+}  // namespace slicecast

@@ -1,0 +1,55 @@
+// Light and fog at a depth.
+//
+//     falloff = intensity * multiplier / t                                      1 where the light is off
+//     factor  = min(256, floor(256 * clamp(falloff, darkest, brightest) * faceLight + 0.5))
+//     channel = (c * factor + 128) >> 8                                         on the bytes as they are
+//     fog     = floor(255 * clamp((t - start) / (end - start), 0, 1) + 0.5)
+//     channel = (haze * fog + channel * (255 - fog) + 127) / 255                in integers
+#pragma once
+
+#include "base/colour.h"
+#include "render/options.h"
+#include "world/map.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace slicecast {
+
+struct Shade {
+    std::uint32_t factor = 256;  // 0 to 256
+    std::uint32_t fog = 0;       // 0 to 255
+};
+
+// A map's light as the options leave it.
+struct Lighting {
+    bool lit = true;
+    bool foggy = false;
+    double strength = 1.0;  // intensity * multiplier, units
+    double darkest = 0.1;
+    double brightest = 1.0;
+    double fogStart = 0.0;
+    double fogLength = 1.0;
+    Pixel haze = 0;
+
+    Lighting() = default;
+    Lighting(const Map& map, const RenderOptions& options)
+        : lit(map.light.on && options.light), foggy(map.fog.on && options.fog), strength(map.light.intensity * map.light.multiplier), darkest(map.light.darkest),
+          brightest(map.light.brightest), fogStart(map.fog.start), fogLength(map.fog.end - map.fog.start), haze(toPixel(map.haze)) {}
+
+    std::uint32_t factorAt(double depth, double faceLight) const {
+        const double falloff = lit ? strength / depth : 1.0;
+        const double bright = 256.0 * std::min(std::max(falloff, darkest), brightest) * faceLight + 0.5;
+        return bright >= 256.0 ? 256u : static_cast<std::uint32_t>(bright);
+    }
+
+    std::uint32_t fogAt(double depth) const {
+        if (!foggy) return 0;
+        const double share = (depth - fogStart) / fogLength;
+        return static_cast<std::uint32_t>(255.0 * std::min(std::max(share, 0.0), 1.0) + 0.5);
+    }
+
+    Shade at(double depth, double faceLight) const { return {factorAt(depth, faceLight), fogAt(depth)}; }
+};
+
+}  // namespace slicecast

@@ -1,0 +1,47 @@
+// Four pixels at a time, written once for all machines: the compilers' own vector types become SSE on x86, NEON on ARM and SIMD128 in WebAssembly. Where a
+// machine has none (kHasVectors is false) only the scalar forms are used. Both do the same arithmetic, so their bytes are the same.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace slicecast {
+
+#if defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__)
+inline constexpr bool kHasVectors = true;
+#else
+inline constexpr bool kHasVectors = false;
+#endif
+
+using U16x8 = std::uint16_t __attribute__((vector_size(16)));
+using U32x4 = std::uint32_t __attribute__((vector_size(16)));
+using F64x2 = double __attribute__((vector_size(16)));
+
+template <typename Vector>
+inline Vector loadVector(const void* from) {
+    Vector v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+
+template <typename Vector>
+inline void storeVector(void* to, Vector v) {
+    std::memcpy(to, &v, sizeof v);
+}
+
+inline U32x4 allLanes(std::uint32_t value) { return U32x4{value, value, value, value}; }
+
+// The low 32 bits of four doubles' bit patterns.
+inline U32x4 lowHalves(F64x2 a, F64x2 b) {
+    U32x4 lowA;
+    U32x4 lowB;
+    std::memcpy(&lowA, &a, sizeof lowA);
+    std::memcpy(&lowB, &b, sizeof lowB);
+#if defined(__clang__)
+    return __builtin_shufflevector(lowA, lowB, 0, 2, 4, 6);
+#else
+    return __builtin_shuffle(lowA, lowB, U32x4{0, 2, 4, 6});
+#endif
+}
+
+}  // namespace slicecast
