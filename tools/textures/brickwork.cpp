@@ -32,9 +32,13 @@ double brickVariation(int piece) {
     return spread * 1.3;
 }
 
-bool isBurnt(int piece) { return hashOf(piece, 2, kSeed) % 7U == 0U; }
+bool isBurnt(int piece) {
+    return hashOf(piece, 2, kSeed) % 7U == 0U;
+}
 
-bool isBrick(const Surface& surface, int x, int y) { return surface.at(x, y).height > 0.6; }
+bool isBrick(const Surface& surface, int x, int y) {
+    return surface.at(x, y).height > 0.6;
+}
 
 }  // namespace
 
@@ -63,7 +67,9 @@ Surface brickSurface() {
     return surface;
 }
 
-Picture paintBrick() { return lit(brickSurface(), brickLighting()); }
+Picture paintBrick() {
+    return lit(brickSurface(), brickLighting());
+}
 
 Picture paintBrickWeathered() {
     Surface surface = brickSurface();
@@ -87,11 +93,10 @@ Picture paintBrickWeathered() {
             texel.tone -= 0.8;
         }
         // Lime bloom running down from the joints
-        const double bloom = valueNoise(x / 4.0, y / 32.0, 32, 4, kSeed + 22U) *
-                             smoothStep(0.45, 0.75, valueNoise(x / 32.0, y / 32.0, 4, 4, kSeed + 23U));
-        if (isBrick(surface, x, y) && bloom > 0.42) {
+        const double bloom = valueNoise(x / 4.0, y / 32.0, 32, 4, kSeed + 22U) * smoothStep(0.45, 0.75, valueNoise(x / 32.0, y / 32.0, 4, 4, kSeed + 23U));
+        if (isBrick(surface, x, y) && bloom > 0.5) {
             texel.ramp = &kStoneRamp;
-            texel.tone = 3.4 + 1.2 * (rough - 0.5);
+            texel.tone = 3.2 + 1.2 * (rough - 0.5);
         }
     });
     drawCrack(surface, {.x = 84, .y = 12, .length = 64, .depth = 1.4, .darkening = 1.6, .seed = 5});
@@ -105,9 +110,9 @@ Picture paintBrickMossy() {
         Texel& texel = surface.at(x, y);
         // Moss starts on the ledges between courses and hangs down over the bricks
         const int belowJoint = y % kBrickHeight;
-        const double patch = fractalNoise(x / 32.0, y / 32.0, 4, 4, 3, kSeed + 30U);
+        const double patch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 30U);
         const double tuft = valueNoise(x / 3.2, y / 6.4, 40, 20, kSeed + 31U);
-        const double hang = (patch - 0.40) * 42.0 * (0.35 + 0.9 * tuft);
+        const double hang = (patch - 0.42) * 38.0 * (0.35 + 0.9 * tuft);
         const bool onLedge = belowJoint >= kBrickHeight - 3 && patch > 0.42;
         if (belowJoint < hang || (onLedge && tuft > 0.3)) {
             const double leaf = valueNoise(x / 2.0, y / 2.0, 64, 64, kSeed + 32U);

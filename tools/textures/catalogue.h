@@ -8,7 +8,7 @@
 
 namespace slicecast::textures {
 
-enum class Use { wall, floor, roof, ceiling, sky, test };
+enum class Use { Wall, Floor, Roof, Ceiling, Sky, Test };
 
 struct Entry {
     std::string name;  // the file is name.png

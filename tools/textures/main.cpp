@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
+#include "base/image.h"
 #include "catalogue.h"
-#include "png.h"
 #include "sheet.h"
 
 namespace {
@@ -35,11 +36,19 @@ std::string checkName(const std::string& name) {
 }
 
 bool write(const std::string& path, const slicecast::textures::Picture& picture) {
-    if (slicecast::textures::writePng(path, picture)) {
-        return true;
+    std::vector<slicecast::Pixel> pixels;
+    pixels.reserve(picture.pixels.size());
+    for (const slicecast::Colour& colour : picture.pixels) {
+        pixels.push_back(slicecast::toPixel(colour));
     }
-    std::fprintf(stderr, "slicecast-textures: cannot write %s\n", path.c_str());
-    return false;
+    const std::vector<std::uint8_t> bytes = slicecast::encodePng(pixels.data(), picture.width, picture.height, picture.width);
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!file.flush()) {
+        std::fprintf(stderr, "slicecast-textures: cannot write %s\n", path.c_str());
+        return false;
+    }
+    return true;
 }
 
 }  // namespace

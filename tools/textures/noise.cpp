@@ -24,7 +24,9 @@ std::uint32_t hashOf(int x, int y, std::uint32_t seed) {
     return h ^ (h >> 16);
 }
 
-double randomAt(int x, int y, std::uint32_t seed) { return (hashOf(x, y, seed) >> 8) / 16777216.0; }
+double randomAt(int x, int y, std::uint32_t seed) {
+    return (hashOf(x, y, seed) >> 8) / 16777216.0;
+}
 
 double smoothStep(double low, double high, double value) {
     const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);

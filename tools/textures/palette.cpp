@@ -20,17 +20,16 @@ Colour colourInParts(const Ramp& ramp, double tone, int parts) {
 
 }  // namespace
 
-Colour blend(Colour first, Colour second, int share) {
-    const auto mix = [share](int from, int to) {
-        return static_cast<std::uint8_t>((from * (256 - share) + to * share + 128) / 256);
-    };
-    return {mix(first.r, second.r), mix(first.g, second.g), mix(first.b, second.b)};
+Colour colourAt(const Ramp& ramp, double tone) {
+    return colourInParts(ramp, tone, 2);
 }
 
-Colour colourAt(const Ramp& ramp, double tone) { return colourInParts(ramp, tone, 2); }
+Colour softColourAt(const Ramp& ramp, double tone) {
+    return colourInParts(ramp, tone, 16);
+}
 
-Colour softColourAt(const Ramp& ramp, double tone) { return colourInParts(ramp, tone, 16); }
-
-int greyOf(Colour colour) { return (54 * colour.r + 183 * colour.g + 19 * colour.b + 128) / 256; }
+int greyOf(Colour colour) {
+    return (54 * colour.r + 183 * colour.g + 19 * colour.b + 128) / 256;
+}
 
 }  // namespace slicecast::textures

@@ -10,20 +10,18 @@
 #include <array>
 #include <cstdint>
 
+#include "base/colour.h"
+
 namespace slicecast::textures {
 
-struct Colour {
-    std::uint8_t r = 0, g = 0, b = 0;
-
-    friend bool operator==(const Colour& left, const Colour& right) {
-        return left.r == right.r && left.g == right.g && left.b == right.b;
-    }
-    friend bool operator!=(const Colour& left, const Colour& right) { return !(left == right); }
-};
-
 constexpr Colour fromHex(unsigned hex) {
-    return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>((hex >> 8) & 255U),
-            static_cast<std::uint8_t>(hex & 255U)};
+    return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>((hex >> 8) & 255U), static_cast<std::uint8_t>(hex & 255U)};
+}
+
+// The blend of two colours; `share` of 256 goes to the second.
+constexpr Colour blend(Colour first, Colour second, int share) {
+    const auto mix = [share](int from, int to) { return static_cast<std::uint8_t>((from * (256 - share) + to * share + 128) / 256); };
+    return {mix(first.r, second.r), mix(first.g, second.g), mix(first.b, second.b)};
 }
 
 // Darkness
@@ -31,30 +29,30 @@ inline constexpr Colour kInk = fromHex(0x15131c);
 inline constexpr Colour kNight = fromHex(0x232136);
 
 // Slate: cool stone, iron, clouds in shade
-inline constexpr Colour kSlate0 = fromHex(0x2d3140);
-inline constexpr Colour kSlate1 = fromHex(0x404857);
-inline constexpr Colour kSlate2 = fromHex(0x576370);
-inline constexpr Colour kSlate3 = fromHex(0x748189);
-inline constexpr Colour kSlate4 = fromHex(0x98a4a5);
+inline constexpr Colour kSlate0 = fromHex(0x2e313e);
+inline constexpr Colour kSlate1 = fromHex(0x434955);
+inline constexpr Colour kSlate2 = fromHex(0x5c656e);
+inline constexpr Colour kSlate3 = fromHex(0x798388);
+inline constexpr Colour kSlate4 = fromHex(0x9ba5a4);
 inline constexpr Colour kSlate5 = fromHex(0xc0c8c1);
 
 // Stone: warm masonry, mortar, plaster in shade
 inline constexpr Colour kStone0 = fromHex(0x3a3231);
 inline constexpr Colour kStone1 = fromHex(0x544a44);
 inline constexpr Colour kStone2 = fromHex(0x736759);
-inline constexpr Colour kStone3 = fromHex(0x93866f);
-inline constexpr Colour kStone4 = fromHex(0xb2a588);
-inline constexpr Colour kStone5 = fromHex(0xcfc3a5);
+inline constexpr Colour kStone3 = fromHex(0x958674);
+inline constexpr Colour kStone4 = fromHex(0xb5a58d);
+inline constexpr Colour kStone5 = fromHex(0xd1c3aa);
 inline constexpr Colour kStone6 = fromHex(0xe7ddc4);
 inline constexpr Colour kCream = fromHex(0xf7f1e1);
 
 // Clay: brick, roof tiles, rust
 inline constexpr Colour kClay0 = fromHex(0x3e2129);
 inline constexpr Colour kClay1 = fromHex(0x60302f);
-inline constexpr Colour kClay2 = fromHex(0x84443a);
-inline constexpr Colour kClay3 = fromHex(0xa75b46);
-inline constexpr Colour kClay4 = fromHex(0xc57b5a);
-inline constexpr Colour kClay5 = fromHex(0xdea27a);
+inline constexpr Colour kClay2 = fromHex(0x80453d);
+inline constexpr Colour kClay3 = fromHex(0xa05c4a);
+inline constexpr Colour kClay4 = fromHex(0xbd7c60);
+inline constexpr Colour kClay5 = fromHex(0xd9a380);
 
 // Timber
 inline constexpr Colour kTimber0 = fromHex(0x2a1d1e);
@@ -96,10 +94,9 @@ inline constexpr Colour kCoral = fromHex(0xe3835f);
 
 // All of them, for the palette strip and for the tests.
 inline constexpr std::array<Colour, 48> kPalette = {
-    kInk,     kNight,   kSlate0,  kSlate1,  kSlate2,  kSlate3,  kSlate4,  kSlate5,  kStone0, kStone1, kStone2, kStone3,
-    kStone4,  kStone5,  kStone6,  kCream,   kClay0,   kClay1,   kClay2,   kClay3,   kClay4,  kClay5,  kTimber0, kTimber1,
-    kTimber2, kTimber3, kTimber4, kTimber5, kMoss0,   kMoss1,   kMoss2,   kMoss3,   kMoss4,  kMoss5,  kSand0,  kSand1,
-    kSand2,   kBrass0,  kBrass1,  kBrass2,  kSea0,    kSea1,    kSea2,    kSea3,    kSea4,   kViolet, kPlum,   kCoral};
+    kInk,   kNight, kSlate0, kSlate1, kSlate2, kSlate3, kSlate4,  kSlate5,  kStone0,  kStone1,  kStone2,  kStone3,  kStone4, kStone5, kStone6, kCream,
+    kClay0, kClay1, kClay2,  kClay3,  kClay4,  kClay5,  kTimber0, kTimber1, kTimber2, kTimber3, kTimber4, kTimber5, kMoss0,  kMoss1,  kMoss2,  kMoss3,
+    kMoss4, kMoss5, kSand0,  kSand1,  kSand2,  kBrass0, kBrass1,  kBrass2,  kSea0,    kSea1,    kSea2,    kSea3,    kSea4,   kViolet, kPlum,   kCoral};
 
 struct Ramp {
     std::array<Colour, 8> colours;  // dark to light; only the first `count` are used
@@ -116,13 +113,16 @@ inline constexpr Ramp kMossRamp{{kInk, kMoss0, kMoss1, kMoss2, kMoss3, kMoss4, k
 inline constexpr Ramp kSandRamp{{kTimber3, kTimber4, kTimber5, kSand0, kSand1, kSand2, kCream}, 7};
 inline constexpr Ramp kBrassRamp{{kTimber0, kTimber1, kBrass0, kBrass1, kBrass2, kSand2}, 6};
 inline constexpr Ramp kSeaRamp{{kNight, kSea0, kSea1, kSea2, kSea3, kSea4, kCream}, 7};
-inline constexpr Ramp kRustRamp{{kTimber0, kClay0, kClay1, kClay2, kClay3, kBrass1, kBrass2}, 7};
-inline constexpr Ramp kEarthRamp{{kTimber0, kTimber1, kStone1, kTimber2, kStone2, kStone3, kStone4, kStone5}, 8};
-inline constexpr Ramp kRockRamp{{kInk, kNight, kSlate0, kSlate1, kStone1, kStone2, kStone3, kStone4}, 8};
+inline constexpr Ramp kRustRamp{{kTimber0, kTimber1, kTimber2, kBrass0, kClay3, kClay4}, 6};
+inline constexpr Ramp kEarthRamp{
+    {kTimber0, kTimber1, blend(kTimber2, kStone1, 128), blend(kTimber3, kStone2, 128), blend(kTimber4, kStone3, 144), blend(kTimber5, kStone4, 144), kStone5},
+    7};
+inline constexpr Ramp kFlintRamp{{kInk, blend(kSlate0, kStone0, 128), blend(kSlate1, kStone1, 128), blend(kSlate2, kStone2, 128), blend(kSlate3, kStone3, 128),
+                                  blend(kSlate4, kStone4, 128), kStone5, kStone6},
+                                 8};
+inline constexpr Ramp kRockRamp{{kInk, kNight, kSlate0, kSlate1, kSlate2, kStone3, kStone4}, 7};
+inline constexpr Ramp kLichenRamp{{kStone1, kMoss2, kStone2, kMoss3, kStone3, kMoss4, kStone4}, 7};
 inline constexpr Ramp kCrimsonRamp{{kInk, kClay0, kClay1, kClay2, kClay3, kCoral}, 6};
-
-// The blend of two colours; `share` of 256 goes to the second.
-Colour blend(Colour first, Colour second, int share);
 
 // The colour at a tone of a ramp, rounded to half steps and held inside the ramp.
 Colour colourAt(const Ramp& ramp, double tone);

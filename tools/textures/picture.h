@@ -27,8 +27,7 @@ struct Picture {
 
 private:
     std::size_t indexOf(int x, int y) const {
-        return static_cast<std::size_t>(wrap(y, height)) * static_cast<std::size_t>(width) +
-               static_cast<std::size_t>(wrap(x, width));
+        return static_cast<std::size_t>(wrap(y, height)) * static_cast<std::size_t>(width) + static_cast<std::size_t>(wrap(x, width));
     }
 };
 

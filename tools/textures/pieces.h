@@ -22,9 +22,7 @@ public:
     double edgeAt(int x, int y) const { return edges_[indexOf(x, y)]; }  // texels, at least 0.5
 
 private:
-    static std::size_t indexOf(int x, int y) {
-        return static_cast<std::size_t>(wrap(y, kSide)) * kSide + static_cast<std::size_t>(wrap(x, kSide));
-    }
+    static std::size_t indexOf(int x, int y) { return static_cast<std::size_t>(wrap(y, kSide)) * kSide + static_cast<std::size_t>(wrap(x, kSide)); }
 
     std::vector<int> pieces_;
     std::vector<double> edges_;

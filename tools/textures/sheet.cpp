@@ -31,8 +31,7 @@ Picture reduced(const Picture& texture, int factor) {
                 g += colour.g;
                 b += colour.b;
             }
-            small.at(x, y) = {static_cast<std::uint8_t>(r / area), static_cast<std::uint8_t>(g / area),
-                              static_cast<std::uint8_t>(b / area)};
+            small.at(x, y) = {static_cast<std::uint8_t>(r / area), static_cast<std::uint8_t>(g / area), static_cast<std::uint8_t>(b / area)};
         }
     }
     return small;

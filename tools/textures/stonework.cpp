@@ -15,12 +15,13 @@ namespace {
 constexpr std::uint32_t kSeed = 200;
 
 const Pieces& ashlar() {
-    static const Pieces pieces(coursed({{32, 10, {44, 36, 48}}, {32, 34, {56, 40, 32}}, {32, 4, {38, 50, 40}}, {32, 26, {48, 34, 46}}}),
-                               0.0, kSeed);
+    static const Pieces pieces(coursed({{32, 10, {44, 36, 48}}, {32, 34, {56, 40, 32}}, {32, 4, {38, 50, 40}}, {32, 26, {48, 34, 46}}}), 0.0, kSeed);
     return pieces;
 }
 
-double variationOf(int piece) { return randomAt(piece, 3, kSeed) - 0.5; }
+double variationOf(int piece) {
+    return randomAt(piece, 3, kSeed) - 0.5;
+}
 
 }  // namespace
 
@@ -56,7 +57,9 @@ Surface ashlarSurface() {
     return surface;
 }
 
-Picture paintStoneBlocks() { return lit(ashlarSurface(), ashlarLighting()); }
+Picture paintStoneBlocks() {
+    return lit(ashlarSurface(), ashlarLighting());
+}
 
 Picture paintStoneBlocksWorn() {
     Surface surface = ashlarSurface();
@@ -68,17 +71,16 @@ Picture paintStoneBlocksWorn() {
             return;
         }
         // Corners and edges broken away
-        const double worn = inside - 9.0 * std::max(0.0, bite - 0.55);
-        texel.height = std::clamp(worn * 0.5, 0.2, 2.4);
-        texel.tone += worn < 1.0 ? -0.4 : 0.0;
-        // Rain stains below the joints, some lichen
+        const double worn = inside - 10.0 * std::max(0.0, bite - 0.58);
+        texel.height = std::clamp(worn * 0.7, 0.3, 2.4);
+        texel.tone -= worn < 1.0 ? 0.3 : 0.0;
+        // Rain stains running down, lichen on the lit shoulders
         const double stain = valueNoise(x / 4.0, y / 64.0, 32, 2, kSeed + 11U);
-        texel.tone -= stain > 0.62 ? 0.6 : 0.0;
-        const double lichen = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 12U);
-        if (lichen > 0.66) {
-            texel.ramp = &kMossRamp;
-            texel.tone = 3.6 + 2.0 * (lichen - 0.66);
-            texel.height += 0.3;
+        texel.tone -= stain > 0.72 ? 0.5 : 0.0;
+        const double lichen = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 12U);
+        if (lichen > 0.7) {
+            texel.ramp = &kLichenRamp;
+            texel.tone += 0.5;
         }
     });
     drawCrack(surface, {.x = 60, .y = 34, .length = 48, .depth = 1.6, .darkening = 1.2, .seed = 3});
@@ -106,7 +108,7 @@ Picture paintStoneBlocksDark() {
 Picture paintStoneRubble() {
     const double flatness = 1.35;
     static const Pieces pieces(nearest(spreadPoints(30, flatness, kSeed + 30U), flatness), 1.5, kSeed + 31U);
-    static const std::array<const Ramp*, 4> ramps = {&kStoneRamp, &kStoneRamp, &kSlateRamp, &kEarthRamp};
+    static const std::array<const Ramp*, 4> ramps = {&kStoneRamp, &kStoneRamp, &kEarthRamp, &kFlintRamp};
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
@@ -121,52 +123,55 @@ Picture paintStoneRubble() {
         }
         const auto kind = hashOf(piece, 4, kSeed) % ramps.size();
         texel.ramp = ramps[kind];
-        texel.tone = (kind >= 2 ? 4.4 : 3.5) + 1.1 * (randomAt(piece, 6, kSeed) - 0.5) + 1.2 * rough;
+        texel.tone = (kind == 2 ? 4.2 : kind == 3 ? 4.6 : 3.6) + 1.1 * (randomAt(piece, 6, kSeed) - 0.5) + 1.2 * rough;
         texel.height = std::min(inside, 3.0) * 0.9 + 0.15 * inside + 1.2 * rough;
     });
     return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 0.8});
 }
 
 Picture paintSandstone() {
-    static const Pieces pieces(coursed({{64, 0, {64, 64}}, {64, 32, {64, 64}}}), 0.0, kSeed + 40U);
+    static const Pieces pieces(coursed({{32, 0, {64, 64}}, {32, 40, {48, 80}}, {32, 16, {64, 64}}, {32, 0, {72, 56}}}), 0.0, kSeed + 40U);
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const int piece = pieces.pieceAt(x, y);
         const double inside = pieces.edgeAt(x, y) - 0.6;
         // Beds of the stone: long, nearly level bands, different in every block
-        const double bend = 5.0 * valueNoise(x / 32.0, y / 32.0, 4, 4, kSeed + 41U);
-        const double bed = valueNoise(x / 64.0, (y + bend) / 4.0, 2, 32, kSeed + 42U + static_cast<std::uint32_t>(piece));
-        const double blotch = fractalNoise(x / 32.0, y / 32.0, 4, 4, 3, kSeed + 43U) - 0.5;
+        const double bend = 3.0 * valueNoise(x / 16.0, y / 32.0, 8, 4, kSeed + 41U);
+        const double bed = valueNoise(x / 32.0, (y + bend) / 4.0, 4, 32, kSeed + 42U + static_cast<std::uint32_t>(piece));
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 43U) - 0.5;
         texel.ramp = &kSandRamp;
-        texel.height = std::clamp(inside * 0.7, 0.0, 2.0);
-        texel.tone = 3.4 + 0.7 * (randomAt(piece, 1, kSeed + 44U) - 0.5) + 1.2 * blotch;
-        texel.tone += bed > 0.72 ? 0.5 : (bed < 0.26 ? -0.5 : 0.0);
+        texel.height = std::clamp(inside * 0.8, 0.0, 2.2) - (bed < 0.2 ? 0.6 : 0.0);
+        texel.tone = 2.9 + 1.1 * (randomAt(piece, 1, kSeed + 44U) - 0.5) + 1.3 * blotch;
+        texel.tone += bed > 0.78 ? 0.4 : (bed < 0.2 ? -0.4 : 0.0);
         if (inside <= 0.0) {
-            texel.tone = 1.0;
+            texel.tone = 0.6;
         }
     });
-    drawPits(surface, 330, 0.8, kSeed + 45U);
+    drawPits(surface, 220, 0.9, kSeed + 45U);
     return lit(surface, ashlarLighting());
 }
 
 // Living rock: facets that lean this way and that, with ledges.
 Picture paintRock() {
-    const double flatness = 1.2;
-    static const Pieces pieces(nearest(spreadPoints(34, flatness, kSeed + 50U), flatness), 3.0, kSeed + 51U);
+    const double flatness = 1.3;
+    static const std::vector<Point> points = spreadPoints(26, flatness, kSeed + 50U);
+    static const Pieces pieces(nearest(points, flatness), 4.0, kSeed + 51U);
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const int piece = pieces.pieceAt(x, y);
+        const Point& middle = points[static_cast<std::size_t>(piece)];
         const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 52U) - 0.5;
-        const double broad = fractalNoise(x / 64.0, y / 64.0, 2, 2, 2, kSeed + 53U) - 0.5;
-        const double facing = randomAt(piece, 2, kSeed + 54U) - 0.5;
-        const double inside = pieces.edgeAt(x, y);
+        // Each facet is a plane; its lean decides how much light it takes
+        const double leanX = randomAt(piece, 2, kSeed + 54U) - 0.5;
+        const double leanY = randomAt(piece, 4, kSeed + 54U) - 0.6;
+        const double plane = leanX * wrappedDifference(middle.x, x) + leanY * wrappedDifference(middle.y, y);
         texel.ramp = &kRockRamp;
-        texel.tone = 2.9 + 1.9 * facing + 1.4 * rough + 1.2 * broad;
-        texel.height = 4.0 * randomAt(piece, 3, kSeed + 54U) + std::min(inside, 3.0) * 0.5 + 3.0 * rough;
+        texel.tone = 3.1 + 1.2 * (leanX + leanY) + 0.9 * rough + 0.03 * plane;
+        texel.height = 3.0 * randomAt(piece, 3, kSeed + 54U) + 0.25 * plane + std::min(pieces.edgeAt(x, y), 2.5) * 0.7 + 3.0 * rough;
     });
-    return lit(surface, {.gain = 0.35, .lightest = 1.0, .darkest = 1.3, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 0.8});
+    return lit(surface, {.gain = 0.5, .lightest = 1.3, .darkest = 1.3, .shadowReach = 5, .shadowSlope = 0.6, .shadowDepth = 0.9});
 }
 
 }  // namespace slicecast::textures

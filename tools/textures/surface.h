@@ -25,21 +25,19 @@ public:
     const Texel& at(int x, int y) const { return texels_[indexOf(x, y)]; }
 
 private:
-    static std::size_t indexOf(int x, int y) {
-        return static_cast<std::size_t>(wrap(y, kSide)) * kSide + static_cast<std::size_t>(wrap(x, kSide));
-    }
+    static std::size_t indexOf(int x, int y) { return static_cast<std::size_t>(wrap(y, kSide)) * kSide + static_cast<std::size_t>(wrap(x, kSide)); }
 
     std::vector<Texel> texels_;
 };
 
 struct Lighting {
-    double gain = 0.45;          // tone per texel of slope towards the light
-    double lightest = 1.0;       // most tone that a lit slope gains
-    double darkest = 1.5;        // most tone that a slope in shade loses
-    int shadowReach = 4;         // longest shadow, in texels
-    double shadowSlope = 0.8;    // how fast a shadow falls, in height per diagonal texel
-    double shadowDepth = 1.0;    // tone lost in a shadow
-    double hollowDepth = 0.12;   // tone lost per texel that the surroundings lie above
+    double gain = 0.45;         // tone per texel of slope towards the light
+    double lightest = 1.0;      // most tone that a lit slope gains
+    double darkest = 1.5;       // most tone that a slope in shade loses
+    int shadowReach = 4;        // longest shadow, in texels
+    double shadowSlope = 0.8;   // how fast a shadow falls, in height per diagonal texel
+    double shadowDepth = 1.0;   // tone lost in a shadow
+    double hollowDepth = 0.12;  // tone lost per texel that the surroundings lie above
 };
 
 Picture lit(const Surface& surface, const Lighting& lighting = {});

@@ -1,0 +1,119 @@
+#include "foliage.h"
+
+#include <array>
+#include <cmath>
+
+#include "noise.h"
+#include "stonework.h"
+
+namespace slicecast::textures {
+
+namespace {
+
+constexpr std::uint32_t kSeed = 1600;
+
+struct Direction {
+    double x;
+    double y;
+};
+
+// Ways for a leaf to point: mostly down and to the sides, as leaves hang
+constexpr std::array<Direction, 7> kHanging = {{{1.0, 0.2}, {0.83, 0.55}, {0.45, 0.9}, {0.0, 1.0}, {-0.45, 0.9}, {-0.83, 0.55}, {-1.0, 0.2}}};
+
+struct Leaf {
+    double x;
+    double y;
+    Direction direction;
+    double length;
+    double width;
+    double height;
+    double tone;
+};
+
+// A pointed oval with a light upper half, a dark lower half and a rib between them.
+void drawLeaf(Surface& surface, const Leaf& leaf) {
+    const int reach = static_cast<int>(leaf.length) + 1;
+    const int fromX = static_cast<int>(std::floor(leaf.x));
+    const int fromY = static_cast<int>(std::floor(leaf.y));
+    everyTexelIn(fromX - reach, fromY - reach, fromX + reach + 1, fromY + reach + 1, [&](int x, int y) {
+        const double dx = x + 0.5 - leaf.x;
+        const double dy = y + 0.5 - leaf.y;
+        const double along = dx * leaf.direction.x + dy * leaf.direction.y;
+        const double across = dy * leaf.direction.x - dx * leaf.direction.y;
+        const double share = along / leaf.length;
+        if (share < 0.0 || share > 1.0) {
+            return;
+        }
+        const double half = leaf.width * 2.0 * std::sqrt(share * (1.0 - share)) * (1.15 - 0.45 * share);
+        if (std::abs(across) > half) {
+            return;
+        }
+        const bool towardsLight = leaf.direction.x >= 0.0 ? across < 0.0 : across > 0.0;
+        surface.at(x, y) = {.height = leaf.height, .tone = leaf.tone + (towardsLight ? 0.5 : -0.5), .ramp = &kMossRamp};
+    });
+}
+
+}  // namespace
+
+Picture paintHedge() {
+    Surface surface;
+    everyTexel([&](int x, int y) { surface.at(x, y) = {.height = 0.0, .tone = 0.8, .ramp = &kMossRamp}; });
+    // From the dark inside to the sunlit outside; leaves of one spray share their light
+    Random random(kSeed);
+    constexpr int kLayers = 4;
+    for (int layer = 0; layer < kLayers; ++layer) {
+        for (int number = 0; number < 230; ++number) {
+            const double x = random.between(0.0, kSide);
+            const double y = random.between(0.0, kSide);
+            const double spray = valueNoise(x / 16.0, y / 16.0, 8, 8, kSeed + 1U);
+            const Direction direction = kHanging[static_cast<std::size_t>(random.below(7))];
+            const double length = random.between(5.5, 8.5);
+            if (layer == kLayers - 1 && spray < 0.4) {
+                continue;
+            }
+            drawLeaf(surface, {.x = x,
+                               .y = y,
+                               .direction = direction,
+                               .length = length,
+                               .width = 0.3 * length,
+                               .height = 1.6 * (layer + 1),
+                               .tone = 1.7 + 0.7 * layer + 0.9 * (spray - 0.5)});
+        }
+    }
+    return lit(surface, {.gain = 0.1, .lightest = 0.3, .darkest = 0.3, .shadowReach = 2, .shadowSlope = 0.7, .shadowDepth = 0.6, .hollowDepth = 0.05});
+}
+
+Picture paintIvy() {
+    Surface surface = ashlarSurface();
+    Random random(kSeed + 20U);
+    for (int layer = 0; layer < 3; ++layer) {
+        for (int number = 0; number < 210; ++number) {
+            const double x = random.between(0.0, kSide);
+            const double y = random.between(0.0, kSide);
+            const double cover = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 21U);
+            const Direction direction = kHanging[static_cast<std::size_t>(random.below(7))];
+            const double length = random.between(6.5, 10.0);
+            if (cover < 0.40 + 0.05 * layer) {
+                continue;
+            }
+            // Three lobes make the leaf of ivy
+            const Leaf leaf{.x = x,
+                            .y = y,
+                            .direction = direction,
+                            .length = length,
+                            .width = 0.27 * length,
+                            .height = 3.5 + 1.5 * layer,
+                            .tone = 1.9 + 0.65 * layer + 1.6 * (cover - 0.5)};
+            Leaf lobe = leaf;
+            lobe.length = 0.7 * length;
+            lobe.direction = {0.6 * direction.x - 0.8 * direction.y, 0.8 * direction.x + 0.6 * direction.y};
+            drawLeaf(surface, lobe);
+            lobe.direction = {0.6 * direction.x + 0.8 * direction.y, -0.8 * direction.x + 0.6 * direction.y};
+            drawLeaf(surface, lobe);
+            drawLeaf(surface, leaf);
+        }
+    }
+    return lit(surface, {.gain = 0.3, .lightest = 0.6, .darkest = 0.9, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 0.9, .hollowDepth = 0.06});
+}
+
+}  // namespace slicecast::textures

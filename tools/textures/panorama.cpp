@@ -1,0 +1,62 @@
+#include "panorama.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "noise.h"
+
+namespace slicecast::textures {
+
+namespace {
+
+double ridgeHeight(const Ridge& ridge, double column) {
+    const double place = column * ridge.peaks / kSkyWidth;
+    const double round = fractalNoise(place, 0.0, ridge.peaks, 1, 5, ridge.seed);
+    const double bent = valueNoise(place, 0.0, ridge.peaks, 1, ridge.seed + 50U);
+    const double pointed = 0.72 * (1.0 - std::abs(2.0 * bent - 1.0)) + 0.28 * fractalNoise(place * 4.0, 0.0, ridge.peaks * 4, 1, 3, ridge.seed + 60U);
+    const double broad = 0.55 + 0.45 * valueNoise(place / 4.0, 0.0, std::max(1, ridge.peaks / 4), 1, ridge.seed + 70U);
+    const double height = round * (1.0 - ridge.sharpness) + pointed * broad * ridge.sharpness;
+    return ridge.low + (ridge.high - ridge.low) * height;
+}
+
+}  // namespace
+
+double aroundFrom(double from, double to) {
+    const double difference = to - from;
+    return difference - kAround * std::floor(difference / kAround + 0.5);
+}
+
+void drawRidge(Picture& sky, const Ridge& ridge) {
+    for (int x = 0; x < kSkyWidth; ++x) {
+        const double top = ridgeHeight(ridge, x);
+        for (int y = 0; y < kSkyHeight; ++y) {
+            const double up = upOf(y);
+            if (up > top) {
+                continue;
+            }
+            // Spurs run down from the peaks to the right; their left sides take the light
+            const double below = (top - up) * kSkyHeight;
+            const double from = x - 1.1 * below;
+            const double wobble = 3.0 * fractalNoise(x / 16.0, y / 8.0, kSkyWidth / 16, kSkyHeight / 8, 2, ridge.seed + 80U);
+            const bool inLight = ridgeHeight(ridge, from + wobble + 3.0) > ridgeHeight(ridge, from + wobble - 3.0);
+            Colour colour = inLight ? ridge.lit : ridge.shaded;
+            if (up + 0.012 * (wobble - 1.5) > ridge.snowLine) {
+                colour = inLight ? ridge.snow : blend(ridge.snow, ridge.shaded, 128);
+            }
+            const double mist = 1.0 - smoothStep(0.0, ridge.mistHeight, up);
+            sky.at(x, y) = blend(colour, ridge.mist, static_cast<int>(16.0 * mist) * 16);
+        }
+    }
+}
+
+void drawHaze(Picture& sky, Colour haze, int rows) {
+    for (int row = 0; row < rows; ++row) {
+        const int share = 256 * (rows - row) / rows;
+        for (int x = 0; x < kSkyWidth; ++x) {
+            Colour& colour = sky.at(x, kSkyHeight - 1 - row);
+            colour = blend(colour, haze, share);
+        }
+    }
+}
+
+}  // namespace slicecast::textures

@@ -1,0 +1,88 @@
+#include "plaster.h"
+
+#include <algorithm>
+
+#include "brickwork.h"
+#include "marks.h"
+#include "noise.h"
+
+namespace slicecast::textures {
+
+namespace {
+
+constexpr std::uint32_t kSeed = 600;
+
+// Strokes of the trowel: overlapping shallow arcs, each a little higher at its lower right rim.
+void drawTrowelling(Surface& surface, int strokes, std::uint32_t seed) {
+    Random random(seed);
+    for (int stroke = 0; stroke < strokes; ++stroke) {
+        const int middleX = random.below(kSide);
+        const int middleY = random.below(kSide);
+        const double radius = random.between(11.0, 20.0);
+        const double squash = random.between(1.3, 2.2);
+        const double lift = random.between(-0.16, 0.16);
+        const int reach = static_cast<int>(radius);
+        everyTexelIn(middleX - reach, middleY - reach, middleX + reach, middleY + reach, [&](int x, int y) {
+            const double dx = x - middleX;
+            const double dy = (y - middleY) * squash;
+            if (dx * dx + dy * dy < radius * radius) {
+                surface.at(x, y).height += 0.7;
+                surface.at(x, y).tone += lift;
+            }
+        });
+    }
+}
+
+Surface plasterSurface(const Ramp& ramp, double tone, std::uint32_t seed) {
+    Surface surface;
+    everyTexel([&](int x, int y) {
+        const double cloud = fractalNoise(x / 32.0, y / 32.0, 4, 4, 3, seed) - 0.5;
+        surface.at(x, y) = {.height = 0.0, .tone = tone + 1.0 * cloud, .ramp = &ramp};
+    });
+    drawTrowelling(surface, 46, seed + 1U);
+    return surface;
+}
+
+}  // namespace
+
+Lighting plasterLighting() {
+    return {.gain = 0.5, .lightest = 0.4, .darkest = 0.5, .shadowReach = 0, .shadowSlope = 1.0, .shadowDepth = 0.0, .hollowDepth = 0.0};
+}
+
+Surface whitewashSurface() {
+    Surface surface = plasterSurface(kStoneRamp, 5.6, kSeed);
+    everyTexel([&](int x, int y) { surface.at(x, y).height *= 0.5; });
+    return surface;
+}
+
+Picture paintPlasterWhite() {
+    Surface surface = whitewashSurface();
+    drawCrack(surface, {.x = 90, .y = 20, .length = 26, .depth = 0.6, .darkening = 0.9, .seed = 4});
+    drawCrack(surface, {.x = 30, .y = 84, .length = 18, .depth = 0.6, .darkening = 0.8, .seed = 6});
+    return lit(surface, plasterLighting());
+}
+
+Picture paintPlasterWarm() {
+    Surface surface = plasterSurface(kSandRamp, 3.9, kSeed + 20U);
+    drawCrack(surface, {.x = 40, .y = 100, .length = 30, .depth = 0.6, .darkening = 1.0, .seed = 11});
+    drawCrack(surface, {.x = 104, .y = 48, .length = 16, .depth = 0.6, .darkening = 0.9, .seed = 15});
+    return lit(surface, plasterLighting());
+}
+
+// Plaster that has fallen off in places and shows the bricks.
+Picture paintPlasterBroken() {
+    const Surface plaster = plasterSurface(kSandRamp, 3.9, kSeed + 20U);
+    Surface surface = brickSurface();
+    everyTexel([&](int x, int y) {
+        const double hold = fractalNoise(x / 21.333333333333332, y / 32.0, 6, 4, 4, kSeed + 44U);
+        if (hold < 0.6) {
+            Texel& texel = surface.at(x, y);
+            texel = plaster.at(x, y);
+            texel.height = texel.height * 0.4 + 3.2;
+            texel.tone += hold > 0.585 ? 0.5 : 0.0;
+        }
+    });
+    return lit(surface, {.gain = 0.5, .lightest = 0.6, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 1.0});
+}
+
+}  // namespace slicecast::textures
