@@ -28,7 +28,7 @@ progress() {
   "$@" >"$log" 2>&1 </dev/null &
   pid=$!
   set +m
-  trap 'trap - INT TERM; kill -INT -- "-$pid" 2>/dev/null; wait "$pid" 2>/dev/null; rm -f "$log"; printf "\n" >&2; exit "$interruptStatus"' INT TERM
+  trap 'trap - INT TERM; kill -INT -- "-$pid" 2>/dev/null || true; wait "$pid" 2>/dev/null || true; rm -f "$log"; printf "\n" >&2; exit "$interruptStatus"' INT TERM
   while kill -0 "$pid" 2>/dev/null; do
     sleep 0.1
     if [[ -t 2 ]]; then

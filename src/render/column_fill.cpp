@@ -1,8 +1,7 @@
 #include "render/column_fill.h"
 
+#include "base/bits.h"
 #include "render/vectors.h"
-
-#include <bit>
 
 namespace slicecast {
 namespace {
@@ -110,7 +109,7 @@ void fillSideRows(Pixel* out, int rows, const Pixel* texels, int shift, std::uin
 // nearest 1/2^32. The sum must stay in that range: positions are below 2^19 tiles (see kMaxFar).
 constexpr double kFractionMagic = 1572864.0;
 
-inline std::uint32_t lowHalf(double value) { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(value)); }
+inline std::uint32_t lowHalf(double value) { return static_cast<std::uint32_t>(bitCast<std::uint64_t>(value)); }
 
 template <typename ShadeRows>
 void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const double* inverseSlopes, ShadeRows shade) {

@@ -1,6 +1,7 @@
 #include "render/plane_shades.h"
 
-#include <bit>
+#include "base/bits.h"
+
 #include <cstddef>
 #include <utility>
 
@@ -10,7 +11,7 @@ namespace {
 constexpr std::size_t kFirstTables = 64;
 
 std::size_t slotOf(std::int32_t rise, double faceLight, std::size_t tables) {
-    const std::uint64_t key = static_cast<std::uint32_t>(rise) * 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(faceLight) * 0xbf58476d1ce4e5b9u;
+    const std::uint64_t key = static_cast<std::uint32_t>(rise) * 0x9e3779b97f4a7c15u ^ bitCast<std::uint64_t>(faceLight) * 0xbf58476d1ce4e5b9u;
     return static_cast<std::size_t>(key >> 40) & (tables - 1);
 }
 
