@@ -18,16 +18,17 @@
 //     "ready"       true          the first picture is on the canvas
 //     "pause"       true, false   play stands still or goes on (P, slicecast_pause); a hidden tab stands still without this event
 //     "pointer"     true, false   the canvas holds the pointer (a click) or has lost it (Escape)
-//     "fly"         true, false   fly or walk mode (V)
-//     "minimap"     true, false   the minimap is shown or not (M)
+//     "fly"         true, false   fly or walk mode (V), after every change; false in the beginning
+//     "minimap"     true, false   the minimap is shown or not (M), after every change; false in the beginning
 //     "help"        true          H was pressed: the page shows or hides the keys
 //     "rate"        true          I was pressed: the page shows or hides the frame rate
 //     "fullscreen"  true          F was pressed: the page enters or leaves full screen
 //     "frames"      {"framesPerSecond", "drawMilliseconds", "longestMilliseconds"}   twice a second, over the time since the last one
 //     "size"        {"width", "height"}   pixels of the picture, after every change
 //
-// The program looks after the canvas's own input: it makes the canvas focusable, focuses it on a press, and takes the keys that it knows only while the
-// canvas has the focus. Tab and anything with Ctrl, Alt or Meta stay the page's; Escape gives the focus back. It never looks at the canvas's CSS size.
+// The program looks after the canvas's own input: it makes the canvas focusable, focuses it on a press, holds the pointer after a click, and takes the keys
+// that it knows only while the canvas has the focus. Tab and anything with Ctrl, Alt or Meta stay the page's; Escape frees the pointer, then gives the focus
+// back. It never looks at the canvas's CSS size.
 #pragma once
 
 #include <stdint.h>
@@ -77,18 +78,23 @@ int32_t slicecast_draw(SlicecastSession* session, int32_t width, int32_t height,
 // The picture last drawn by slicecast_draw: width * height * 4 bytes R, G, B, A, rows from the top, no padding. Holds until the next slicecast_draw.
 const uint8_t* slicecast_picture(SlicecastSession* session);
 
-// Sets an option by name, as `--set` of the command line tools does. Gives "" on success, else what was wrong. Without a game the option waits for it, and
-// a wrong one is only reported by slicecast_start.
+// Sets an option by name, as `--set` of the command line tools does. Gives "" on success, else what was wrong. Without a game the option waits for it.
 const char* slicecast_setOption(SlicecastSession* session, const char* name, const char* value);
 
 // The value of an option; "" where there is no such option.
 const char* slicecast_option(SlicecastSession* session, const char* name);
 
-// Where the player is: {"map", "x", "y", "z", "heading", "look", "flying", "steps"}: map by its number, x, y, z of the eye in units, heading in degrees
-// (0 = east, 90 = south), look in screen heights. null without a game.
+// All options, in the order in which to list them: [{"name", "kind", "least", "greatest", "standard", "description", "value"}]. `kind` is "onOff", "number",
+// "wholeNumber" or "ownOrNumber" ("map" for each map's own value); `least` and `greatest` bound the numbers.
+const char* slicecast_options(SlicecastSession* session);
+
+// Where the player is, after the last step: {"map", "mapName", "x", "y", "z", "feet", "heading", "look", "speed", "flying", "crouched", "onGround",
+// "intensity", "multiplier", "steps", "fingerprint"}: map by its number, x, y, z of the eye and height of the feet in units, heading in degrees (0 = east,
+// 90 = south), look in screen heights, speed in units per second. The fingerprint is the same text for the same state on every machine. null without a game.
 const char* slicecast_state(SlicecastSession* session);
 
-// Puts the player's eye somewhere else. 1 on success, 0 if it may not be there.
+// Puts the player's eye somewhere else, flying; inside blocks and outside the grid too. 1 on success, 0 if such an eye cannot see (no such map, not above the
+// floor).
 int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees,
                          double look);
 
