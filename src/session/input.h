@@ -14,8 +14,6 @@ struct Input {
     bool jump = false;         // held; walk mode. One press is one jump
     bool fast = false;         // Shift
     bool slow = false;         // Ctrl; wins over fast
-    double intensity = 0.0;    // Insert, Delete: positive raises the light's intensity, by 1 per second
-    double multiplier = 0.0;   // Home, End: the same for its multiplier
 };
 
 }  // namespace slicecast

@@ -1,0 +1,37 @@
+// The map from above, around the eye, north up, in the upper left corner of a picture. It shows one level:
+//
+//     brick red, the brighter the higher      a block of part of the level's height
+//     slate blue                              a block that reaches the level's upper edge
+//     grey, the darker the deeper             no block: how far down the ground lies below
+//     nothing                                 outside the grid
+//
+// A yellow dot is the eye, with the field that it sees before it.
+#pragma once
+
+#include "render/eye.h"
+#include "render/picture.h"
+#include "world/world.h"
+
+namespace slicecast {
+
+struct MinimapOptions {
+    int level = -1;            // the level shown, clamped to the map's; -1 for the one that the eye is on
+    double fovDegrees = 60.0;  // of the field that the eye sees
+};
+
+// Where the minimap stands and how large it is, in pixels.
+struct MinimapLayout {
+    int left = 0;
+    int top = 0;
+    int side = 0;  // of the square with its rim; 0 if the picture is too small for one
+    int pixelsPerTile = 0;
+};
+MinimapLayout layoutMinimap(int pictureWidth, int pictureHeight);
+
+// The level that is shown.
+int minimapLevel(const Map& map, const Eye& eye, const MinimapOptions& options);
+
+// Draws it. Nothing for an eye in a map that does not exist.
+void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& options, const Picture& picture);
+
+}  // namespace slicecast

@@ -1,0 +1,40 @@
+// Text over a picture, in a built-in font of printable ASCII: five columns wide, capitals seven rows high, two rows below the line for g j p q y. Any other
+// character shows as a box.
+#pragma once
+
+#include "base/colour.h"
+#include "overlay/blend.h"
+#include "render/picture.h"
+
+#include <string_view>
+
+namespace slicecast {
+
+inline constexpr int kGlyphWidth = 5;
+inline constexpr int kGlyphHeight = 9;
+inline constexpr int kGlyphAdvance = kGlyphWidth + 1;  // from one character to the next
+inline constexpr int kLineAdvance = kGlyphHeight + 2;  // from one line to the next
+
+struct TextStyle {
+    Colour colour = {240, 240, 232, 255};
+    int scale = 1;  // pixels that a dot of the font is wide and high, >= 1
+};
+
+// Pixels from the left edge of the first character to the right edge of the last one of the longest line; and from the top of the first line to the bottom of
+// the last. Lines end in '\n'.
+int textWidth(std::string_view text, int scale = 1);
+int textHeight(std::string_view text, int scale = 1);
+
+// Draws text with the upper left corner of its first character at (x, y).
+void drawText(const Picture& picture, int x, int y, std::string_view text, const TextStyle& style = {});
+
+// The corner, edge or middle of the picture at which a panel stands.
+enum class Anchor { topLeft, top, topRight, middle, bottomLeft, bottom, bottomRight };
+
+// The scale at which text is readable in a picture of that height: 1 up to 479 rows, 2 up to 959 ...
+int readableScale(int pictureHeight);
+
+// Draws lines of text on a panel, at a readable scale, a smaller one if they do not fit.
+void drawTextPanel(const Picture& picture, Anchor anchor, std::string_view text);
+
+}  // namespace slicecast

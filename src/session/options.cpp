@@ -1,0 +1,169 @@
+#include "session/options.h"
+
+#include "world/limits.h"
+#include "world/player.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <variant>
+
+namespace slicecast {
+namespace {
+
+// Where an option is kept.
+using Place = std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*, int SessionOptions::*, double SessionOptions::*,
+                           std::optional<double> SessionOptions::*>;
+
+struct Entry {
+    OptionInfo info;
+    Place place;
+};
+
+constexpr std::array kEntries = {
+    Entry{{"fov", OptionKind::number, kMinFovDegrees, kMaxFovDegrees, "60", "field of view from left to right, degrees"}, &RenderOptions::fovDegrees},
+    Entry{{"detail", OptionKind::onOff, 0, 0, "on", "smaller texture images far away, so that they do not flicker"}, &RenderOptions::detail},
+    Entry{{"detailThreshold", OptionKind::number, 0.125, 64, "1", "texels per pixel at which the next smaller image is taken"},
+          &RenderOptions::detailThreshold},
+    Entry{{"textures", OptionKind::onOff, 0, 0, "on", "textures, or their average colours"}, &RenderOptions::textures},
+    Entry{{"light", OptionKind::onOff, 0, 0, "on", "light that fades with distance"}, &RenderOptions::light},
+    Entry{{"intensity", OptionKind::ownOrNumber, 0, 100, "map", "intensity of the light"}, &SessionOptions::intensity},
+    Entry{{"multiplier", OptionKind::ownOrNumber, 0, 1000, "map", "reach of the light, units"}, &SessionOptions::multiplier},
+    Entry{{"fog", OptionKind::onOff, 0, 0, "on", "fog in the maps that have some"}, &RenderOptions::fog},
+    Entry{{"minimap", OptionKind::onOff, 0, 0, "off", "the map from above"}, &SessionOptions::minimap},
+    Entry{{"minimapLevel", OptionKind::wholeNumber, -1, kMaxLevels - 1, "-1", "level that the minimap shows, -1 for the player's"},
+          &SessionOptions::minimapLevel},
+    Entry{{"speed", OptionKind::number, kLeastSpeed, kGreatestSpeed, "1", "times the usual speed of moving"}, &SessionOptions::speed},
+};
+
+constexpr auto kInfos = [] {
+    std::array<OptionInfo, kEntries.size()> infos{};
+    for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = kEntries[i].info;
+    return infos;
+}();
+
+const Entry* findEntry(std::string_view name) {
+    for (const Entry& entry : kEntries) {
+        if (name == entry.info.name) return &entry;
+    }
+    return nullptr;
+}
+
+// The fewest digits that give the number back.
+std::string shortest(double number) {
+    char text[32];
+    for (int digits = 1; digits <= 17; ++digits) {
+        std::snprintf(text, sizeof text, "%.*g", digits, number);
+        if (std::strtod(text, nullptr) == number) break;
+    }
+    return text;
+}
+
+// A decimal number that is the whole of the text.
+std::optional<double> readNumber(std::string_view text) {
+    if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return std::nullopt;
+    const std::string copy(text);
+    char* end = nullptr;
+    const double number = std::strtod(copy.c_str(), &end);
+    return end == copy.c_str() + copy.size() && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+std::string expected(const OptionInfo& info) {
+    const std::string range = shortest(info.least) + " to " + shortest(info.greatest);
+    switch (info.kind) {
+        case OptionKind::onOff:
+            return "\"on\" or \"off\"";
+        case OptionKind::wholeNumber:
+            return "a whole number from " + range;
+        case OptionKind::ownOrNumber:
+            return "\"map\" (each map's own) or a number from " + range;
+        case OptionKind::number:
+            break;
+    }
+    return "a number from " + range;
+}
+
+// The member of the options that an entry is kept in.
+auto& member(SessionOptions& options, bool RenderOptions::*place) {
+    return options.render.*place;
+}
+auto& member(SessionOptions& options, double RenderOptions::*place) {
+    return options.render.*place;
+}
+template <typename Value>
+auto& member(SessionOptions& options, Value SessionOptions::*place) {
+    return options.*place;
+}
+
+// Each gives false for a text that is not within the option's range.
+bool read(const OptionInfo&, std::string_view text, bool& value) {
+    if (text != "on" && text != "off") return false;
+    value = text == "on";
+    return true;
+}
+
+bool read(const OptionInfo& info, std::string_view text, double& value) {
+    const std::optional<double> number = readNumber(text);
+    if (!number || *number < info.least || *number > info.greatest) return false;
+    value = *number;
+    return true;
+}
+
+bool read(const OptionInfo& info, std::string_view text, int& value) {
+    double number = 0.0;
+    if (!read(info, text, number) || number != std::floor(number)) return false;
+    value = static_cast<int>(number);
+    return true;
+}
+
+bool read(const OptionInfo& info, std::string_view text, std::optional<double>& value) {
+    double number = 0.0;
+    if (text == "map") {
+        value.reset();
+        return true;
+    }
+    if (!read(info, text, number)) return false;
+    value = number;
+    return true;
+}
+
+std::string written(bool value) {
+    return value ? "on" : "off";
+}
+std::string written(int value) {
+    return std::to_string(value);
+}
+std::string written(double value) {
+    return shortest(value);
+}
+std::string written(const std::optional<double>& value) {
+    return value ? shortest(*value) : "map";
+}
+
+}  // namespace
+
+std::span<const OptionInfo> knownOptions() {
+    return kInfos;
+}
+
+std::string setOption(SessionOptions& options, std::string_view name, std::string_view value) {
+    const Entry* entry = findEntry(name);
+    if (entry == nullptr) {
+        std::string message = "found the option \"" + std::string(name) + "\", expected one of ";
+        for (const Entry& known : kEntries) message += (&known == kEntries.data() ? "" : ", ") + std::string(known.info.name);
+        return message;
+    }
+    const auto readInto = [&](auto place) { return read(entry->info, value, member(options, place)); };
+    if (std::visit(readInto, entry->place)) return {};
+    return "option " + std::string(name) + ": found \"" + std::string(value) + "\", expected " + expected(entry->info);
+}
+
+std::string optionValue(const SessionOptions& options, std::string_view name) {
+    const Entry* entry = findEntry(name);
+    if (entry == nullptr) return {};
+    SessionOptions copy = options;
+    return std::visit([&](auto place) { return written(member(copy, place)); }, entry->place);
+}
+
+}  // namespace slicecast
