@@ -1,0 +1,206 @@
+// One running engine: the WebAssembly module of slicecast (src/wasm/bindings.h), with names and types of JavaScript.
+//
+//     const engine = await Engine.create({files, canvas, onEvent(event, value) {...}});
+//     const {faults} = await engine.loadScene(source);        // a source of scene-source.js
+//     engine.begin();                                         // once: it draws, and listens to the canvas
+//     engine.setOption('fov', 75);
+//
+// Without a canvas it draws only when asked to (drawOnce). Any number of engines live side by side; they share the compiled program.
+
+import { Trouble } from './trouble.js';
+
+export class Engine {
+  #module;
+  #session;
+  #begun = false;
+
+  static async create({ files, canvas = null, onEvent = () => {} }) {
+    let refuse;
+    const refused = new Promise((_, reject) => {
+      refuse = reject;
+    });
+    const created = files.createModule({
+      canvas,
+      onSlicecast: onEvent,
+      instantiateWasm(imports, done) {
+        WebAssembly.instantiate(files.program, imports).then((instance) => done(instance, files.program), refuse);
+        return {};
+      },
+      onAbort: (what) => refuse(new Error(String(what))),
+    });
+    try {
+      return new Engine(await Promise.race([created, refused]), canvas);
+    } catch (error) {
+      throw new Trouble('The engine does not start', error.message);
+    }
+  }
+
+  constructor(module, canvas) {
+    this.#module = module;
+    this.#session = canvas === null ? module._slicecast_create() : module._slicecast_programSession();
+    this.canvas = canvas;
+  }
+
+  get version() {
+    return this.#module.UTF8ToString(this.#module._slicecast_version());
+  }
+
+  // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that was running alone.
+  async loadScene(source, onProgress = () => {}) {
+    return loadInto(this.#module, this.#session, source, onProgress);
+  }
+
+  // Begins to draw into the canvas and to listen to it. The second call does nothing.
+  begin() {
+    if (this.#begun) return;
+    this.#begun = true;
+    this.#module.callMain([]);
+  }
+
+  get hasBegun() {
+    return this.#begun;
+  }
+
+  // One picture of a scene from its start, drawn aside: ImageData, or null if the scene has faults.
+  async drawAside(source, width, height) {
+    const session = this.#module._slicecast_create();
+    try {
+      const faults = await loadInto(this.#module, session, source, () => {});
+      return faults.length === 0 ? this.#draw(session, width, height, 1) : null;
+    } finally {
+      this.#module._slicecast_free(session);
+    }
+  }
+
+  // The view as it would be drawn now, in any size: ImageData, or null without a game.
+  drawOnce(width, height, fraction = 1) {
+    return this.#draw(this.#session, width, height, fraction);
+  }
+
+  #draw(session, width, height, fraction) {
+    if (this.#module._slicecast_draw(session, width, height, fraction) === 0) return null;
+    const at = this.#module._slicecast_picture(session);
+    const bytes = new Uint8ClampedArray(this.#module.HEAPU8.slice(at, at + width * height * 4).buffer);
+    return new ImageData(bytes, width, height);
+  }
+
+  // Options are those of `--set`; true and false are "on" and "off". Throws if the engine refuses the value.
+  setOption(name, value) {
+    const text = value === true ? 'on' : value === false ? 'off' : String(value);
+    const refusal = withStrings(this.#module, [name, text], (nameAt, valueAt) =>
+      this.#module.UTF8ToString(this.#module._slicecast_setOption(this.#session, nameAt, valueAt)));
+    if (refusal !== '') throw new Error(refusal);
+  }
+
+  option(name) {
+    return withStrings(this.#module, [name], (nameAt) => this.#module.UTF8ToString(this.#module._slicecast_option(this.#session, nameAt)));
+  }
+
+  // {title, maps: [{name, width, depth, levels}]}, or null.
+  get world() {
+    return this.#json(this.#module._slicecast_world(this.#session));
+  }
+
+  // {map, x, y, z, heading, look, flying, steps}, or null.
+  get state() {
+    return this.#json(this.#module._slicecast_state(this.#session));
+  }
+
+  // Puts the eye back where a state says, walking or flying as it was. False if it may not be there.
+  restore({ map, x, y, z, heading, look, flying }) {
+    if (this.#module._slicecast_setEye(this.#session, map, x, y, z, heading, look) === 0) return false;
+    this.#module._slicecast_setFlying(this.#session, flying ? 1 : 0);
+    return true;
+  }
+
+  reset() {
+    this.#module._slicecast_reset(this.#session);
+  }
+
+  // The picture's size in pixels.
+  resize(width, height) {
+    this.#module._slicecast_resize(width, height);
+  }
+
+  set paused(paused) {
+    this.#module._slicecast_pause(paused ? 1 : 0);
+  }
+
+  get paused() {
+    return this.#module._slicecast_paused() === 1;
+  }
+
+  setMouse({ degreesPerPixel, invert }) {
+    this.#module._slicecast_setMouse(degreesPerPixel, invert ? 1 : 0);
+  }
+
+  // [{keys, does}], for a help text.
+  get keys() {
+    return this.#json(this.#module._slicecast_keys());
+  }
+
+  stop() {
+    this.#module._slicecast_stop();
+  }
+
+  #json(at) {
+    return JSON.parse(this.#module.UTF8ToString(at));
+  }
+}
+
+// Text -> the list of files -> their bytes -> a world.
+async function loadInto(module, session, source, onProgress) {
+  const text = await source.readText();
+  const parsed = withBytes(module, text, (textAt) => withStrings(module, [source.name], (nameAt) =>
+    JSON.parse(module.UTF8ToString(module._slicecast_parse(session, textAt, text.length, nameAt)))));
+  if (parsed.faults.length > 0) return parsed.faults;
+
+  const shares = new Array(parsed.files.length).fill(0);
+  let bytesLoaded = 0;
+  const report = () => onProgress(shares.length === 0 ? 1 : shares.reduce((sum, share) => sum + share, 0) / shares.length, bytesLoaded);
+  report();
+  const contents = await Promise.all(parsed.files.map(async (name, index) => {
+    let before = 0;
+    const bytes = await source.readFile(name, (loaded, total) => {
+      bytesLoaded += loaded - before;
+      before = loaded;
+      shares[index] = total > 0 ? Math.min(1, loaded / total) : 0;
+      report();
+    });
+    shares[index] = 1;
+    report();
+    return bytes;
+  }));
+  // A file that could not be read is not supplied: the engine makes a fault of it, with the place that names it.
+  parsed.files.forEach((name, index) => {
+    const bytes = contents[index];
+    if (bytes === null) return;
+    withBytes(module, bytes, (at) => withStrings(module, [name], (nameAt) => module._slicecast_supply(session, nameAt, at, bytes.length)));
+  });
+  return JSON.parse(module.UTF8ToString(module._slicecast_start(session))).faults;
+}
+
+function withBytes(module, bytes, use) {
+  const at = module._malloc(Math.max(1, bytes.length));
+  if (at === 0) throw new Trouble('The scene is too large', 'There is not enough memory for it.');
+  try {
+    module.HEAPU8.set(bytes, at);
+    return use(at);
+  } finally {
+    module._free(at);
+  }
+}
+
+function withStrings(module, strings, use) {
+  const places = strings.map((string) => {
+    const bytes = new TextEncoder().encode(`${string}\0`);
+    const at = module._malloc(bytes.length);
+    module.HEAPU8.set(bytes, at);
+    return at;
+  });
+  try {
+    return use(...places);
+  } finally {
+    for (const at of places) module._free(at);
+  }
+}

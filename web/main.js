@@ -1,0 +1,343 @@
+// The page: loads the engine and a scene, and carries messages between the engine, the address line, the settings and what is to be seen.
+//
+// Parameters of the address: scene=NAME or a path, live=1 (tools/play says when the scene was saved), engine=simd or scalar.
+
+import { fetchEngine } from './engine-files.js';
+import { Engine } from './engine.js';
+import { showKeys } from './key-help.js';
+import { SceneMenu } from './scene-menu.js';
+import { chosenEntries, droppedEntries, listScenes, sceneAmong, sceneAt } from './scene-source.js';
+import { Settings } from './settings.js';
+import { Stage } from './stage.js';
+import { Trouble, TroubleSheet, asTrouble } from './trouble.js';
+
+const kEngineShare = 0.5; // of the loading bar
+const kUsualDegreesPerPixel = 0.15; // mouse
+
+const find = (id) => document.getElementById(id);
+const canvas = find('picture');
+const parameters = () => new URLSearchParams(location.search);
+const isLive = () => parameters().get('live') === '1';
+
+class Page {
+  engine = null;
+  scenes = [];
+  current = null; // what is open or being opened: {source, reference, about}; the reference is null for dropped files
+  #loads = 0;
+  #played = false;
+
+  constructor() {
+    this.stage = new Stage(find('stage'), find('frame'), (width, height) => this.engine?.resize(width, height));
+    this.settings = new Settings(find('settings').querySelector('form'), (name) => this.applySetting(name));
+    this.trouble = new TroubleSheet(find('trouble'));
+    this.#listen();
+  }
+
+  async start() {
+    const kind = parameters().get('engine') ?? 'auto';
+    try {
+      if (!['auto', 'simd', 'scalar'].includes(kind)) {
+        throw new Trouble('The address names no such engine', `Found engine=${kind}, expected engine=simd or engine=scalar.`);
+      }
+      this.#showProgress('Fetching the engine', 0, 0);
+      const [files, scenes] = await Promise.all([
+        fetchEngine({ kind, onBytes: (loaded, total) => this.#showProgress('Fetching the engine', (kEngineShare * loaded) / total, loaded) }),
+        listScenes().catch((error) => error),
+      ]);
+      this.engine = await Engine.create({ files, canvas, onEvent: (event, value) => this.#hear(event, value) });
+      this.#prepareEngine();
+      this.#takeScenes(scenes);
+      await this.openFromAddress();
+    } catch (error) {
+      this.#fail(asTrouble(error), { again: () => location.reload() });
+    }
+  }
+
+  // ---- Scenes
+
+  async openFromAddress() {
+    const reference = parameters().get('scene') ?? this.scenes[0]?.file;
+    if (reference === undefined) throw new Trouble('There is no scene to open', 'The address names none, and the list of scenes could not be loaded.');
+    await this.open(this.#inAddress(reference));
+  }
+
+  #inAddress(reference) {
+    const listed = this.scenes.find((scene) => scene.file === reference || scene.file === `${reference}.json`);
+    return { source: sceneAt(reference), reference: listed?.file ?? reference, about: listed?.about ?? '' };
+  }
+
+  // Opens a scene. With `keepEye` the player stays where they are, and no more is shown of it than need be.
+  async open(scene, { keepEye = false } = {}) {
+    const load = ++this.#loads;
+    const before = keepEye ? this.engine.state : null;
+    const wasPlaying = this.state === 'playing' || (keepEye && this.playsAfterTrouble);
+    this.current = scene;
+    if (!keepEye) {
+      this.trouble.hide();
+      this.engine.paused = true;
+      this.#setState('loading');
+      this.#showProgress(`Opening ${scene.source.name}`, this.hasPicture ? 0 : kEngineShare, 0);
+    }
+    const begin = this.hasPicture ? 0 : kEngineShare;
+    try {
+      const faults = await this.engine.loadScene(scene.source, (share, bytes) => {
+        if (!keepEye) this.#showProgress(`Opening ${scene.source.name}`, begin + share * (1 - begin), bytes);
+      });
+      if (load !== this.#loads) return;
+      if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
+    } catch (error) {
+      if (load !== this.#loads) return;
+      this.playsAfterTrouble = wasPlaying;
+      this.#fail(asTrouble(error), { again: () => this.open(scene) });
+      return;
+    }
+    if (before !== null && before.map < this.engine.world.maps.length) this.engine.restore(before);
+    this.playsAfterTrouble = false;
+    this.trouble.hide();
+    this.#showTitle();
+    this.engine.begin();
+    if (keepEye && wasPlaying) this.play();
+    else if (this.ready) this.#setState('paused');
+  }
+
+  get hasPicture() {
+    return document.body.hasAttribute('data-behind');
+  }
+
+  #showTitle() {
+    const { title } = this.engine.world;
+    document.title = `${title} · Slicecast`;
+    find('bar-title').textContent = title;
+    find('pause-title').textContent = title;
+    find('pause-about').textContent = this.current.about;
+  }
+
+  #takeScenes(scenes) {
+    const known = !(scenes instanceof Error);
+    this.scenes = known ? scenes : [];
+    this.menu = new SceneMenu(find('scenes'), this.scenes, {
+      addressOf: (file) => this.#addressOf(file),
+      onChoose: (file) => {
+        history.pushState(null, '', this.#addressOf(file));
+        this.open(this.#inAddress(file));
+      },
+    });
+  }
+
+  #addressOf(file) {
+    const wanted = new URLSearchParams({ scene: file.replace(/\.json$/, '') });
+    const engine = parameters().get('engine');
+    if (engine !== null) wanted.set('engine', engine);
+    return `?${wanted}`;
+  }
+
+  async openFiles(entries) {
+    try {
+      await this.open({ source: sceneAmong(await entries), reference: null, about: '' });
+    } catch (error) {
+      this.#fail(asTrouble(error), { again: null });
+    }
+  }
+
+  // ---- Playing
+
+  play() {
+    canvas.focus({ preventScroll: true });
+    this.engine.paused = false;
+  }
+
+  #prepareEngine() {
+    for (const name of this.settings.names) this.applySetting(name);
+    this.engine.resize(this.stage.width, this.stage.height);
+    this.engine.paused = true;
+    showKeys(find('key-tables'), find('key-table'), this.engine.keys);
+  }
+
+  // What the engine tells.
+  #hear(event, value) {
+    switch (event) {
+      case 'ready':
+        this.ready = true;
+        document.body.setAttribute('data-behind', '');
+        this.#setState('paused');
+        break;
+      case 'pause':
+        if (this.ready && this.state !== 'loading' && this.state !== 'trouble') this.#setState(value ? 'paused' : 'playing');
+        break;
+      case 'help':
+        this.openDialog('keys');
+        break;
+      case 'rate':
+        this.settings.set('rate', !this.settings.value('rate'));
+        break;
+      case 'fullscreen':
+        this.toggleFullScreen();
+        break;
+      case 'frames':
+        find('rate').textContent = `${Math.round(value.framesPerSecond)} fps · ${value.drawMilliseconds.toFixed(1)} ms`;
+        break;
+    }
+  }
+
+  get state() {
+    return document.body.dataset.state;
+  }
+
+  #setState(state) {
+    if (state === 'playing') this.#played = true;
+    find('play').textContent = this.#played ? 'Continue' : 'Play';
+    document.body.dataset.state = state;
+  }
+
+  applySetting(name) {
+    const value = this.settings.value(name);
+    if (name === 'size') this.stage.setSize(value);
+    else if (name === 'rate') find('rate').hidden = !value;
+    else if (this.engine === null) return;
+    else if (name === 'mouse' || name === 'invert') {
+      this.engine.setMouse({ degreesPerPixel: kUsualDegreesPerPixel * this.settings.value('mouse'), invert: this.settings.value('invert') });
+    } else this.engine.setOption(name, value);
+  }
+
+  // ---- What is to be seen
+
+  #showProgress(step, share, bytes) {
+    find('loading-bar').value = Math.max(0, Math.min(1, share));
+    find('loading-step').textContent = step;
+    find('loading-bytes').textContent = bytes > 0 ? `${Math.ceil(bytes / 1024)} KB` : '';
+  }
+
+  #fail(trouble, { again }) {
+    if (this.engine !== null) this.engine.paused = true;
+    this.#setState('trouble');
+    this.trouble.show(trouble, {
+      again,
+      scenes: this.scenes.length > 0 ? () => this.openDialog('scenes') : null,
+      back: this.ready ? () => this.#backToPicture() : null,
+    });
+  }
+
+  #backToPicture() {
+    this.trouble.hide();
+    this.#setState('paused');
+  }
+
+  openDialog(name) {
+    if (document.querySelector('dialog[open]') !== null) return;
+    document.exitPointerLock?.();
+    if (name === 'scenes') this.menu?.open(this.engine, this.current?.reference);
+    else find(name).showModal();
+  }
+
+  toggleFullScreen() {
+    if (document.fullscreenElement !== null) document.exitFullscreen();
+    else document.documentElement.requestFullscreen?.().catch(() => {});
+  }
+
+  // ---- Listening
+
+  #listen() {
+    canvas.addEventListener('focus', () => this.#canvasFocused(true));
+    canvas.addEventListener('blur', () => this.#canvasFocused(false));
+    canvas.addEventListener('pointerdown', () => {
+      if (this.engine !== null && this.state === 'paused') this.play();
+    });
+    document.addEventListener('keydown', (event) => this.#keyDown(event));
+    window.addEventListener('popstate', () => this.engine !== null && this.openFromAddress().catch((error) => this.#fail(asTrouble(error), { again: null })));
+
+    find('play').addEventListener('click', () => this.play());
+    for (const name of ['scenes', 'keys', 'settings']) find(`open-${name}`).addEventListener('click', () => this.openDialog(name));
+    for (const button of document.querySelectorAll('[data-close]')) button.addEventListener('click', () => button.closest('dialog').close());
+    for (const dialog of document.querySelectorAll('dialog')) {
+      // A press on what is behind the dialog closes it.
+      dialog.addEventListener('pointerdown', (event) => {
+        if (event.target === dialog && !contains(dialog.getBoundingClientRect(), event)) dialog.close();
+      });
+    }
+    find('keys').addEventListener('keydown', (event) => {
+      if (event.code === 'KeyH') find('keys').close();
+    });
+    find('standard-settings').addEventListener('click', () => this.settings.backToStandard());
+    this.#listenForFullScreen();
+    this.#listenForFiles();
+    if (isLive()) this.#listenForSaves();
+  }
+
+  // Keys belong to the canvas: while it has none, play stands still.
+  #canvasFocused(focused) {
+    if (this.engine !== null && this.ready && (this.state === 'playing' || this.state === 'paused')) this.engine.paused = !focused;
+  }
+
+  #keyDown(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey || document.querySelector('dialog[open]') !== null) return;
+    const nowhere = event.target === document.body || event.target === canvas;
+    if (event.key === 'Enter' && nowhere && this.state === 'paused') {
+      event.preventDefault();
+      this.play();
+    } else if (event.target !== canvas && event.target === document.body && event.code === 'KeyH') {
+      this.openDialog('keys');
+    } else if (event.target === document.body && event.code === 'KeyF') {
+      this.toggleFullScreen();
+    }
+  }
+
+  #listenForFullScreen() {
+    const button = find('full-screen');
+    button.hidden = !document.fullscreenEnabled;
+    button.addEventListener('click', () => this.toggleFullScreen());
+    document.addEventListener('fullscreenchange', () => {
+      button.textContent = document.fullscreenElement !== null ? 'Leave full screen' : 'Full screen';
+    });
+  }
+
+  #listenForFiles() {
+    const holdsFiles = (event) => event.dataTransfer.types.includes('Files');
+    window.addEventListener('dragover', (event) => {
+      if (!holdsFiles(event)) return;
+      event.preventDefault();
+      document.body.classList.add('dropping');
+    });
+    window.addEventListener('dragleave', (event) => {
+      if (event.relatedTarget === null) document.body.classList.remove('dropping');
+    });
+    window.addEventListener('drop', (event) => {
+      document.body.classList.remove('dropping');
+      if (!holdsFiles(event)) return;
+      event.preventDefault();
+      if (this.engine !== null) this.openFiles(droppedEntries(event.dataTransfer));
+    });
+    find('choose-files').addEventListener('click', () => find('files').click());
+    find('files').addEventListener('change', (event) => {
+      if (event.target.files.length === 0 || this.engine === null) return;
+      find('scenes').close();
+      this.openFiles(chosenEntries(event.target.files));
+      event.target.value = '';
+    });
+  }
+
+  // tools/play says when the scene of the address was saved.
+  #listenForSaves() {
+    const saves = new EventSource(new URL('-/events', document.baseURI));
+    saves.addEventListener('scene', () => {
+      const reference = parameters().get('scene');
+      if (this.engine !== null && this.current?.reference === reference) this.open(this.#inAddress(reference), { keepEye: this.ready });
+    });
+  }
+}
+
+function contains(box, { clientX, clientY }) {
+  return clientX >= box.left && clientX <= box.right && clientY >= box.top && clientY <= box.bottom;
+}
+
+function faultsTrouble(name, faults) {
+  const count = faults.length === 1 ? 'One fault' : `${faults.length} faults`;
+  const next = isLive() ? 'It opens by itself as soon as the file is saved without them.' : 'It cannot be opened before they are mended.';
+  return new Trouble(`${count} in ${name}`, next, faults);
+}
+
+if (document.body.dataset.state !== 'impossible') {
+  const page = new Page();
+  // For the browser's console, and for tests.
+  window.slicecast = page;
+  page.start();
+}

@@ -1,0 +1,58 @@
+// The menu of scenes: a card for each, with its view from the start, which the engine draws when the menu is opened for the first time.
+
+import { sceneAt } from './scene-source.js';
+
+const kViewWidth = 320; // pixels
+const kViewHeight = 180;
+
+export class SceneMenu {
+  #drawn = false;
+
+  // `addressOf(file)` is the page's address with that scene; `onChoose(file)` opens it here.
+  constructor(dialog, scenes, { addressOf, onChoose }) {
+    this.dialog = dialog;
+    this.cards = scenes.map((scene) => ({ scene, ...card(scene, addressOf(scene.file)) }));
+    for (const { link, scene } of this.cards) {
+      link.addEventListener('click', (event) => {
+        // A new tab or window is the browser's affair.
+        if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+        event.preventDefault();
+        dialog.close();
+        onChoose(scene.file);
+      });
+    }
+    dialog.querySelector('ul').replaceChildren(...this.cards.map(({ item }) => item));
+  }
+
+  // `current` is the file that is open, `engine` may be null.
+  async open(engine, current) {
+    for (const { link, scene } of this.cards) {
+      if (scene.file === current) link.setAttribute('aria-current', 'true');
+      else link.removeAttribute('aria-current');
+    }
+    this.dialog.showModal();
+    if (this.#drawn || engine === null) return;
+    this.#drawn = true;
+    for (const { scene, view } of this.cards) {
+      const picture = await engine.drawAside(sceneAt(scene.file), kViewWidth, kViewHeight).catch(() => null);
+      if (picture !== null) view.getContext('2d').putImageData(picture, 0, 0);
+    }
+  }
+}
+
+function card(scene, address) {
+  const item = document.createElement('li');
+  const link = document.createElement('a');
+  link.href = address;
+  const view = document.createElement('canvas');
+  view.width = kViewWidth;
+  view.height = kViewHeight;
+  view.setAttribute('aria-hidden', 'true');
+  const title = document.createElement('h3');
+  title.textContent = scene.title;
+  const about = document.createElement('p');
+  about.textContent = scene.about;
+  link.append(view, title, about);
+  item.append(link);
+  return { item, link, view };
+}

@@ -1,0 +1,98 @@
+// Where a scene and its pictures come from: an address, or files that somebody dropped on the page. Each source has
+//
+//     name               as it stands in messages
+//     readText()         the scene's bytes; throws a Trouble
+//     readFile(name)     the bytes of a file that the scene names, or null
+
+import { fetchBytes } from './engine-files.js';
+import { Trouble } from './trouble.js';
+
+const kScenes = new URL('scenes/', document.baseURI);
+
+// The list of the scenes that come with the page: [{file, title, about}], the opening scene first.
+export async function listScenes() {
+  const address = new URL('index.json', kScenes);
+  const bytes = await fetchBytes(address).catch((error) => {
+    throw new Trouble('The list of scenes could not be loaded', `${address.href}: ${error.message}`);
+  });
+  return JSON.parse(new TextDecoder().decode(bytes));
+}
+
+// `reference` is a name among the page's scenes ("castle" or "castle.json"), or, with a slash in it, an address relative to the page.
+export function sceneAt(reference) {
+  const file = /\.json$/i.test(reference) ? reference : `${reference}.json`;
+  const address = new URL(file, file.includes('/') ? document.baseURI : kScenes);
+  return {
+    name: decodeURIComponent(address.pathname.split('/').pop()),
+    async readText() {
+      return fetchBytes(address).catch((error) => {
+        throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}`);
+      });
+    },
+    readFile: (name, onBytes) => fetchOrNull(new URL(name, address), onBytes),
+  };
+}
+
+// Files as they were dropped or chosen, each {path, file}. A picture that is not among them is looked for among the page's own.
+export function sceneAmong(entries) {
+  const scene = entries.find((entry) => /\.json$/i.test(entry.path));
+  if (scene === undefined) {
+    const found = entries.length === 0 ? 'nothing' : entries.map((entry) => entry.path).join(', ');
+    throw new Trouble('There is no scene among these files', `Found ${found}; expected a .json file, and beside it the .png files that it names.`);
+  }
+  const folder = scene.path.split('/').slice(0, -1);
+  return {
+    name: scene.file.name,
+    readText: async () => new Uint8Array(await scene.file.arrayBuffer()),
+    async readFile(name, onBytes) {
+      const path = joinPath(folder, name);
+      const baseName = name.split('/').pop();
+      const entry = entries.find((other) => other.path === path) ?? entries.find((other) => other.file.name === baseName);
+      return entry === undefined ? fetchOrNull(new URL(name, kScenes), onBytes) : new Uint8Array(await entry.file.arrayBuffer());
+    },
+  };
+}
+
+// What a drop holds, folders included: [{path, file}].
+export async function droppedEntries(dataTransfer) {
+  const entries = [...dataTransfer.items].map((item) => item.webkitGetAsEntry?.()).filter((entry) => entry);
+  if (entries.length === 0) return chosenEntries(dataTransfer.files);
+  return (await Promise.all(entries.map(filesOf))).flat();
+}
+
+export function chosenEntries(files) {
+  return [...files].map((file) => ({ path: file.name, file }));
+}
+
+async function filesOf(entry) {
+  if (entry.isFile) {
+    const file = await new Promise((resolve, reject) => entry.file(resolve, reject));
+    return [{ path: entry.fullPath.replace(/^\//, ''), file }];
+  }
+  const reader = entry.createReader();
+  const found = [];
+  // A reader hands out a folder in portions, and an empty one at the end.
+  for (;;) {
+    const portion = await new Promise((resolve, reject) => reader.readEntries(resolve, reject));
+    if (portion.length === 0) break;
+    found.push(...portion);
+  }
+  return (await Promise.all(found.map(filesOf))).flat();
+}
+
+function joinPath(folder, name) {
+  const steps = [...folder];
+  for (const step of name.split('/')) {
+    if (step === '..') steps.pop();
+    else if (step !== '.') steps.push(step);
+  }
+  return steps.join('/');
+}
+
+async function fetchOrNull(address, onBytes) {
+  try {
+    return await fetchBytes(address, onBytes);
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,93 @@
+// What somebody likes: kept in the browser's storage where it lets us, and shown in the settings dialog.
+//
+//     const settings = new Settings(form, (name, value) => ...);       // called for each setting that changes
+//     settings.value('fov')
+
+const kStorageKey = 'slicecast.settings';
+
+const kStandard = {
+  size: 'auto', // 'auto', or 'WIDTHxHEIGHT' in pixels
+  fov: 60, // degrees
+  light: true,
+  fog: true,
+  detail: true,
+  rate: false, // the frame rate is shown
+  mouse: 1, // times the usual sensitivity
+  invert: false, // moving the mouse forward looks down
+};
+
+const kShown = {
+  fov: (value) => `${value}°`,
+  mouse: (value) => `${value.toFixed(1)} ×`,
+};
+
+export class Settings {
+  #values;
+
+  constructor(form, onChange) {
+    this.form = form;
+    this.onChange = onChange;
+    this.#values = { ...kStandard, ...this.#readStorage() };
+    for (const name of Object.keys(kStandard)) this.#show(name);
+    form.addEventListener('input', (event) => {
+      if (event.target.name in kStandard) this.set(event.target.name, this.#read(event.target));
+    });
+  }
+
+  value(name) {
+    return this.#values[name];
+  }
+
+  get names() {
+    return Object.keys(kStandard);
+  }
+
+  set(name, value) {
+    if (this.#values[name] === value) return;
+    this.#values[name] = value;
+    this.#show(name);
+    this.#writeStorage();
+    this.onChange(name, value);
+  }
+
+  backToStandard() {
+    for (const [name, value] of Object.entries(kStandard)) this.set(name, value);
+  }
+
+  #read(field) {
+    if (field.type === 'checkbox') return field.checked;
+    return field.type === 'range' ? Number(field.value) : field.value;
+  }
+
+  #show(name) {
+    const field = this.form.elements[name];
+    const value = this.#values[name];
+    if (field.type === 'checkbox') field.checked = value;
+    else field.value = String(value);
+    if (name in kShown) this.form.querySelector(`output[for="${field.id}"]`).textContent = kShown[name](value);
+  }
+
+  // Only what the dialog itself could have set is taken from the storage.
+  #readStorage() {
+    let stored;
+    try {
+      stored = JSON.parse(localStorage.getItem(kStorageKey)) ?? {};
+    } catch {
+      return {};
+    }
+    return Object.fromEntries(Object.entries(stored).filter(([name, value]) => {
+      const field = this.form.elements[name];
+      if (!(name in kStandard) || typeof value !== typeof kStandard[name]) return false;
+      if (field.type === 'range') return value >= Number(field.min) && value <= Number(field.max);
+      return field.type === 'checkbox' || [...field.options].some((option) => option.value === value);
+    }));
+  }
+
+  #writeStorage() {
+    try {
+      localStorage.setItem(kStorageKey, JSON.stringify(this.#values));
+    } catch {
+      // Private windows and full disks forget; the page works on.
+    }
+  }
+}

@@ -1,0 +1,75 @@
+// Something that keeps a scene from being shown, and the sheet that says so.
+//
+//     throw new Trouble('The scene could not be loaded', 'scenes/castle.json: the server answers 404');
+//     sheet.show(trouble, {again, scenes, back});
+
+const kActions = ['again', 'scenes', 'back'];
+
+// `faults` are the engine's: {file, pointer, line, column, found, expected}.
+export class Trouble extends Error {
+  constructor(title, text, faults = []) {
+    super(text);
+    this.title = title;
+    this.faults = faults;
+  }
+}
+
+// Anything that was thrown, as a Trouble.
+export function asTrouble(error) {
+  if (error instanceof Trouble) return error;
+  console.error(error);
+  return new Trouble('Something went wrong', error instanceof Error ? error.message : String(error));
+}
+
+export class TroubleSheet {
+  constructor(root) {
+    this.root = root;
+    this.find = (name) => root.querySelector(`#trouble-${name}`);
+    this.actions = {};
+    for (const name of kActions) this.find(name).addEventListener('click', () => this.actions[name]());
+  }
+
+  // `actions` are functions, or null where there is no way: {again, scenes, back}.
+  show(trouble, actions) {
+    this.actions = actions;
+    this.find('title').textContent = trouble.title;
+    this.find('text').textContent = trouble.message;
+    this.find('faults').hidden = trouble.faults.length === 0;
+    this.root.classList.toggle('has-faults', trouble.faults.length > 0);
+    this.root.querySelector('tbody').replaceChildren(...trouble.faults.map(faultRow));
+    for (const name of kActions) this.find(name).hidden = actions[name] === null;
+    this.find('actions').hidden = false;
+    this.root.hidden = false;
+  }
+
+  hide() {
+    this.root.hidden = true;
+  }
+}
+
+// "castle.json:12:5", as editors and terminals write a place.
+export function placeOf(fault) {
+  return fault.line > 0 ? `${fault.file}:${fault.line}:${fault.column}` : fault.file;
+}
+
+function faultRow(fault) {
+  const row = document.createElement('tr');
+  const place = document.createElement('th');
+  place.scope = 'row';
+  place.textContent = placeOf(fault);
+  if (fault.pointer !== '') {
+    const pointer = document.createElement('span');
+    pointer.className = 'pointer';
+    pointer.textContent = fault.pointer;
+    place.append(pointer);
+  }
+  const found = document.createElement('td');
+  found.className = 'found';
+  found.dataset.label = 'Found';
+  found.textContent = fault.found;
+  const expected = document.createElement('td');
+  expected.dataset.label = 'Expected';
+  expected.textContent = fault.expected;
+  row.append(place, found, expected);
+  return row;
+}
