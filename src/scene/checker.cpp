@@ -1,0 +1,205 @@
+#include "scene/checker.h"
+
+#include "scene/limits.h"
+#include "scene/names.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+// The value of a hexadecimal digit, or nothing.
+std::optional<int> hexDigit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return std::nullopt;
+}
+
+// `"a", "b" or "c"`
+std::string listed(const std::vector<std::string_view>& keys) {
+    std::string list;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (i > 0) list += i + 1 < keys.size() ? ", " : " or ";
+        list += quoted(keys[i]);
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t kMostBytes = 60;
+    std::string shown = "\"";
+    std::size_t offset = 0;
+    while (offset < text.size() && offset < kMostBytes) {
+        const char32_t c = takeCodePoint(text, offset);
+        if (c == '"' || c == '\\') shown += '\\';
+        // Control characters would break the line that the message stands on.
+        shown += c < 0x20 || c == 0x7f ? std::string("?") : toUtf8(c);
+    }
+    return shown + (offset < text.size() ? "...\"" : "\"");
+}
+
+std::string counted(std::int64_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+void Checker::addAt(std::size_t offset, std::string pointer, int row, int character, std::string found,
+                    std::string expected) {
+    const Place place = source_.place(offset);
+    faults_.push_back({offset,
+                       {.file = file_,
+                        .pointer = std::move(pointer),
+                        .line = place.line,
+                        .column = place.column,
+                        .row = row,
+                        .character = character,
+                        .found = std::move(found),
+                        .expected = std::move(expected)}});
+}
+
+void Checker::add(JsonValue at, std::string found, std::string expected) {
+    if (faults_.size() >= kMaxFaults) {
+        ++omitted_;
+        return;
+    }
+    addAt(at.offset(), at.pointer(), -1, -1, std::move(found), std::move(expected));
+}
+
+void Checker::addAtKey(JsonValue member, std::string found, std::string expected) {
+    if (faults_.size() >= kMaxFaults) {
+        ++omitted_;
+        return;
+    }
+    addAt(member.keyOffset(), member.pointer(), -1, -1, std::move(found), std::move(expected));
+}
+
+void Checker::addInRow(JsonValue text, int row, int character, std::string found, std::string expected) {
+    if (faults_.size() >= kMaxFaults) {
+        ++omitted_;
+        return;
+    }
+    const std::size_t offset = source_.characterOffset(text.offset(), character);
+    addAt(offset, text.pointer(), row, character, std::move(found), std::move(expected));
+}
+
+void Checker::addSyntax(const SyntaxFault& fault) { addAt(fault.offset, "", -1, -1, fault.found, fault.expected); }
+
+std::vector<Fault> Checker::take() {
+    std::stable_sort(faults_.begin(), faults_.end(),
+                     [](const Placed& a, const Placed& b) { return a.offset < b.offset; });
+    std::vector<Fault> faults;
+    for (Placed& placed : faults_) faults.push_back(std::move(placed.fault));
+    if (omitted_ > 0) {
+        Fault last;
+        last.file = file_;
+        last.found = counted(static_cast<std::int64_t>(omitted_), "more fault");
+        last.expected = "fewer; no more than " + std::to_string(kMaxFaults) + " are listed";
+        faults.push_back(std::move(last));
+    }
+    faults_.clear();
+    omitted_ = 0;
+    return faults;
+}
+
+std::string Checker::shown(JsonValue value) const {
+    switch (value.kind()) {
+        case JsonValue::Kind::null: return "null";
+        case JsonValue::Kind::boolean: return value.boolean() ? "true" : "false";
+        case JsonValue::Kind::number: {
+            // As it was typed.
+            const std::string_view rest = source_.text().substr(value.offset(), 30);
+            const std::size_t end = std::min(rest.find_first_not_of("0123456789+-.eE"), rest.size());
+            return "the number " + std::string(rest.substr(0, end));
+        }
+        case JsonValue::Kind::text: return "the text " + quoted(value.text());
+        case JsonValue::Kind::array: return "an array of " + std::to_string(value.count());
+        case JsonValue::Kind::object: return "an object";
+    }
+    return {};
+}
+
+std::optional<Fields> Checker::fields(JsonValue value, std::vector<std::string_view> known, std::string expected) {
+    if (!value.isObject()) {
+        add(value, shown(value), std::move(expected));
+        return std::nullopt;
+    }
+    for (const JsonValue member : value) {
+        if (member.key() == "comment") {
+            if (!member.isText()) add(member, shown(member), "a text");
+        } else if (std::find(known.begin(), known.end(), member.key()) == known.end()) {
+            addAtKey(member, "the unknown key " + quoted(member.key()),
+                     "one of the keys " + listed(known) + suggestion(member.key(), known));
+        }
+    }
+    return Fields(*this, value);
+}
+
+std::optional<double> Checker::number(JsonValue value, const NumberRange& range) {
+    if (value.kind() == JsonValue::Kind::number) {
+        const double v = value.number();
+        if ((range.aboveLow ? v > range.low : v >= range.low) && v <= range.high) return v;
+    }
+    add(value, shown(value), range.words);
+    return std::nullopt;
+}
+
+std::optional<bool> Checker::flag(JsonValue value) {
+    if (value.kind() == JsonValue::Kind::boolean) return value.boolean();
+    add(value, shown(value), "true or false");
+    return std::nullopt;
+}
+
+std::optional<std::string> Checker::text(JsonValue value, std::size_t longest, std::string expected) {
+    if (value.isText()) {
+        const std::size_t length = countCharacters(value.text());
+        if (length >= 1 && length <= longest) return std::string(value.text());
+        if (length > longest) {
+            add(value, "a text of " + std::to_string(length) + " characters",
+                expected + " of at most " + std::to_string(longest));
+            return std::nullopt;
+        }
+    }
+    add(value, shown(value), std::move(expected));
+    return std::nullopt;
+}
+
+std::optional<Colour> Checker::colour(JsonValue value) {
+    const std::string_view text = value.isText() ? value.text() : std::string_view();
+    std::uint8_t channels[3] = {};
+    bool isSound = text.size() == 7 && text[0] == '#';
+    for (std::size_t i = 0; isSound && i < 3; ++i) {
+        const std::optional<int> high = hexDigit(text[1 + 2 * i]);
+        const std::optional<int> low = hexDigit(text[2 + 2 * i]);
+        isSound = high && low;
+        if (isSound) channels[i] = static_cast<std::uint8_t>(*high * 16 + *low);
+    }
+    if (isSound) return Colour{channels[0], channels[1], channels[2], 255};
+    add(value, shown(value), "a colour as \"#rrggbb\", with two hexadecimal digits each for red, green and blue");
+    return std::nullopt;
+}
+
+std::optional<JsonValue> Fields::require(std::string_view key, std::string_view expected) const {
+    const std::optional<JsonValue> member = object_.find(key);
+    if (!member) checker_->add(object_, "no key " + quoted(key), quoted(key) + " with " + std::string(expected));
+    return member;
+}
+
+double Fields::number(std::string_view key, const NumberRange& range, double fallback) const {
+    const std::optional<JsonValue> member = find(key);
+    return member ? checker_->number(*member, range).value_or(fallback) : fallback;
+}
+
+bool Fields::flag(std::string_view key, bool fallback) const {
+    const std::optional<JsonValue> member = find(key);
+    return member ? checker_->flag(*member).value_or(fallback) : fallback;
+}
+
+Colour Fields::colour(std::string_view key, Colour fallback) const {
+    const std::optional<JsonValue> member = find(key);
+    return member ? checker_->colour(*member).value_or(fallback) : fallback;
+}
+
+}  // namespace slicecast

@@ -1,0 +1,98 @@
+// Collects what is wrong with a scene, and the checks that many parts of a scene share. Every check that fails reports its own fault, so that one pass over
+// the tree finds all of them.
+#pragma once
+
+#include "base/colour.h"
+#include "scene/json_tree.h"
+#include "scene/scene.h"
+#include "scene/source_text.h"
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slicecast {
+
+// low <= v <= high, or low < v where `aboveLow`; `words` say it: "a number from 0 to 1".
+struct NumberRange {
+    double low;
+    double high;
+    bool aboveLow;
+    const char* words;
+};
+inline constexpr NumberRange kUnitRange = {0.0, 1.0, false, "a number from 0 to 1"};
+
+class Fields;
+
+class Checker {
+public:
+    Checker(const SourceText& source, std::string file) : source_(source), file_(std::move(file)) {}
+
+    const SourceText& source() const { return source_; }
+
+    // Faults so far; a part of the tree is sound if none was added while it was read.
+    std::size_t count() const { return faults_.size() + omitted_; }
+
+    void add(JsonValue at, std::string found, std::string expected);
+    void addAtKey(JsonValue member, std::string found, std::string expected);
+    // In a row of a grid: `row` and `character` count from 0 in the north and west.
+    void addInRow(JsonValue text, int row, int character, std::string found, std::string expected);
+    void addSyntax(const SyntaxFault& fault);
+
+    // All faults in the order of the text.
+    std::vector<Fault> take();
+
+    // What a value is, for a message: `the text "north"`, `the number 1.5`, `an array of 3`.
+    std::string shown(JsonValue value) const;
+
+    // The members of an object; `known` are the keys that it may have, besides "comment". Nothing if it is no object.
+    std::optional<Fields> fields(JsonValue value, std::vector<std::string_view> known, std::string expected);
+
+    std::optional<double> number(JsonValue value, const NumberRange& range);
+    std::optional<bool> flag(JsonValue value);
+    // A text of 1 to `longest` characters; `expected` says what it is.
+    std::optional<std::string> text(JsonValue value, std::size_t longest, std::string expected);
+    // "#rrggbb"
+    std::optional<Colour> colour(JsonValue value);
+
+private:
+    struct Placed {
+        std::size_t offset;
+        Fault fault;
+    };
+    void addAt(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected);
+
+    const SourceText& source_;
+    std::string file_;
+    std::vector<Placed> faults_;
+    std::size_t omitted_ = 0;
+};
+
+// The members of an object whose keys have been checked. The readers return the fallback where there is no such member, or a faulty one (which they report).
+class Fields {
+public:
+    Fields(Checker& checker, JsonValue object) : checker_(&checker), object_(object) {}
+
+    JsonValue object() const { return object_; }
+    std::optional<JsonValue> find(std::string_view key) const { return object_.find(key); }
+    // Reports a fault where there is no such member.
+    std::optional<JsonValue> require(std::string_view key, std::string_view expected) const;
+
+    double number(std::string_view key, const NumberRange& range, double fallback) const;
+    bool flag(std::string_view key, bool fallback) const;
+    Colour colour(std::string_view key, Colour fallback) const;
+
+private:
+    Checker* checker_;
+    JsonValue object_;
+};
+
+// A text in quotes, shortened if it is long.
+std::string quoted(std::string_view text);
+
+// "1 row", "3 rows"
+std::string counted(std::int64_t count, const std::string& noun);
+
+}  // namespace slicecast

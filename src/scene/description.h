@@ -1,0 +1,33 @@
+// What is known of a scene when its text has been checked and its images have not been read yet.
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/source_text.h"
+#include "world/world.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace slicecast {
+
+// Where a scene names an image file.
+struct ImageReference {
+    std::string file;
+    std::string pointer;
+    Place place;
+};
+
+struct PanoramaReference {
+    std::size_t map;  // index into World::maps
+    ImageReference image;
+};
+
+struct SceneDescription {
+    std::string fileName;
+    World world;                          // complete but for the images
+    std::vector<ImageReference> textures;  // in the order of TextureId; a file named twice is one texture
+    std::vector<PanoramaReference> panoramas;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,48 @@
+// Legends: which blueprint or texture a character of a grid stands for.
+#pragma once
+
+#include "scene/checker.h"
+#include "scene/names.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace slicecast {
+
+class Legend {
+public:
+    // '.' and ' ' have a meaning that no scene can change: what an empty cell is, or a floor's own texture.
+    Legend(std::uint16_t dot, std::uint16_t space);
+
+    void set(char32_t character, std::uint16_t id);
+    std::optional<std::uint16_t> find(char32_t character) const;
+
+    // `'#', '=', '.' or a space`, for messages.
+    std::string characters() const;
+
+private:
+    static constexpr std::int32_t kNone = -1;
+    std::array<std::int32_t, 128> ascii_;
+    std::unordered_map<char32_t, std::uint16_t> others_;
+    std::vector<char32_t> order_;
+};
+
+// Adds the members of a legend object, whose values are names out of `names`; `what` says of what: "blueprint" or "texture". Characters defined before get
+// their new meaning.
+void readLegend(Checker& checker, JsonValue value, const NameTable& names, const std::string& what, Legend& legend);
+
+// The number of tiles of a grid.
+struct GridSize {
+    int width = 0;
+    int depth = 0;
+};
+
+// What the characters of one row stand for, put into `ids`. Characters that the legend lacks are reported and leave their place alone, as is a row that is
+// not `width` characters long.
+void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend, std::vector<std::uint16_t>& ids);
+
+}  // namespace slicecast

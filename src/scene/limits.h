@@ -1,0 +1,28 @@
+// Limits on scene files, besides those of worlds. They bound the memory that a hostile file can take; no scene that a person makes comes near them.
+#pragma once
+
+#include "world/limits.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace slicecast {
+
+inline constexpr std::size_t kMaxSceneBytes = 128u << 20;  // room for 64 million cells and their floors; offsets keep within 32 bits
+inline constexpr int kMaxNesting = 32;                     // arrays and objects within each other; a scene needs 5
+inline constexpr std::size_t kMaxSceneValues = 2'000'000;  // values in the JSON text, 40 bytes each; one row of a map is one value
+inline constexpr std::size_t kMaxNameLength = 100;         // characters of the name of a texture, blueprint or map
+inline constexpr std::size_t kMaxPathLength = 1000;        // characters of a file's name
+inline constexpr std::size_t kMaxTitleLength = 200;        // characters
+inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more help nobody
+inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
+inline constexpr std::int64_t kMaxSceneTexels = 128 << 20;  // of all images together, a panorama counted for each map that shows it: 512 MB
+
+// Ranges of a scene's numbers that are no limit of the world itself.
+inline constexpr double kMaxHeight = 1000.0;      // units; of a ceiling and of the start
+inline constexpr double kMaxSkySlope = 1000.0;    // height per distance
+inline constexpr double kMaxIntensity = 1000.0;   // of light
+inline constexpr double kMaxMultiplier = 1.0e6;   // of light, units
+inline constexpr double kMaxStartHeading = 360.0;  // degrees either way
+
+}  // namespace slicecast

@@ -1,0 +1,129 @@
+#include "scene/description.h"
+#include "scene/limits.h"
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+// Reads the images of one scene, and collects what is wrong with them.
+class ImageReader {
+public:
+    ImageReader(const SceneDescription& description, const SceneFiles& files) : description_(description), files_(files) {}
+
+    Texture texture(const ImageReference& reference, std::string name) {
+        const Image image = decode(reference, kMaxTextureSize, kMaxTextureSize);
+        if (image.empty()) return {};
+        const bool isSquare = image.width == image.height;
+        const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(image.width));
+        if (!isSquare || !isPowerOfTwo || image.width < kMinTextureSize) {
+            add(reference, "which is " + sizeOf(image) + " pixels",
+                "a square texture with 8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side");
+            return {};
+        }
+        return accept(reference, image) ? makeTexture(std::move(name), image) : Texture{};
+    }
+
+    // A file that several maps show is decoded once.
+    Image panorama(const ImageReference& reference) {
+        const auto known = panoramas_.find(reference.file);
+        if (known != panoramas_.end()) return take(reference, known->second) ? known->second : Image{};
+        Image image = decode(reference, kMaxPanoramaWidth, kMaxPanoramaHeight);
+        if (image.empty() || !accept(reference, image)) return {};
+        panoramas_.emplace(reference.file, image);
+        return image;
+    }
+
+    std::vector<Fault> faults;
+
+private:
+    static std::string sizeOf(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
+
+    void add(const ImageReference& reference, const std::string& found, std::string expected) {
+        Fault fault;
+        fault.file = description_.fileName;
+        fault.pointer = reference.pointer;
+        fault.line = reference.place.line;
+        fault.column = reference.place.column;
+        fault.found = "\"" + reference.file + "\", " + found;
+        fault.expected = std::move(expected);
+        faults.push_back(std::move(fault));
+    }
+
+    Image decode(const ImageReference& reference, int maxWidth, int maxHeight) {
+        const auto file = files_.find(reference.file);
+        if (file == files_.end()) {
+            add(reference, "which could not be read", "a PNG file of that name, seen from the scene's folder");
+            return {};
+        }
+        DecodedImage decoded = decodePng(file->second, maxWidth, maxHeight);
+        if (!decoded.fault.empty()) {
+            add(reference, "which " + decoded.fault,
+                "a PNG file of at most " + std::to_string(maxWidth) + "x" + std::to_string(maxHeight) + " pixels");
+        }
+        return std::move(decoded.image);
+    }
+
+    // Counts the image's memory; false if all images together have too much of it.
+    bool take(const ImageReference& reference, const Image& image) {
+        texels_ += static_cast<std::int64_t>(image.pixels.size());
+        if (texels_ <= kMaxSceneTexels) return true;
+        add(reference, "with which the scene has " + std::to_string(texels_) + " pixels of images",
+            "at most " + std::to_string(kMaxSceneTexels));
+        texels_ -= static_cast<std::int64_t>(image.pixels.size());
+        return false;
+    }
+
+    bool accept(const ImageReference& reference, const Image& image) {
+        const auto seeThrough =
+            std::find_if(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 255; });
+        if (seeThrough != image.pixels.end()) {
+            const auto index = seeThrough - image.pixels.begin();
+            add(reference,
+                "which has a see-through pixel at column " + std::to_string(index % image.width) + ", row " +
+                    std::to_string(index / image.width),
+                "an opaque picture; see-through texels are not supported");
+            return false;
+        }
+        return take(reference, image);
+    }
+
+    const SceneDescription& description_;
+    const SceneFiles& files_;
+    std::map<std::string, Image> panoramas_;
+    std::int64_t texels_ = 0;
+};
+
+}  // namespace
+
+LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
+    LoadedScene loaded;
+    if (!scene.description) {
+        loaded.faults = scene.faults;
+        return loaded;
+    }
+    const SceneDescription& description = *scene.description;
+    ImageReader reader(description, files);
+    World world = description.world;
+    for (std::size_t i = 0; i < world.textures.size(); ++i) {
+        world.textures[i] = reader.texture(description.textures[i], std::move(world.textures[i].name));
+    }
+    for (const PanoramaReference& panorama : description.panoramas) {
+        world.maps[panorama.map].sky.panorama = reader.panorama(panorama.image);
+    }
+    if (reader.faults.empty()) {
+        loaded.world = std::move(world);
+    } else {
+        loaded.faults = std::move(reader.faults);
+        std::stable_sort(loaded.faults.begin(), loaded.faults.end(), [](const Fault& a, const Fault& b) {
+            return a.line != b.line ? a.line < b.line : a.column < b.column;
+        });
+    }
+    return loaded;
+}
+
+}  // namespace slicecast

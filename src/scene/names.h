@@ -1,0 +1,34 @@
+// Names that a scene gives to its textures, blueprints and maps, and the nearest one to a name that nobody has given.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace slicecast {
+
+// The name that `wanted` was probably meant to be: at most a third of its characters are wrong, missing or swapped with their neighbour. Empty if there
+// is none. Only the first few hundred names are looked at.
+std::string_view nearestName(std::string_view wanted, const std::vector<std::string_view>& names);
+
+// `; did you mean "brick"?`, or nothing.
+std::string suggestion(std::string_view wanted, const std::vector<std::string_view>& names);
+
+class NameTable {
+public:
+    // A name that is there already keeps its number.
+    void add(std::string_view name, std::uint16_t id);
+    std::optional<std::uint16_t> find(std::string_view name) const;
+    std::string suggestionFor(std::string_view wanted) const { return suggestion(wanted, order_); }
+    std::size_t size() const { return order_.size(); }
+
+private:
+    // Names are views into the scene's tree, which outlives the tables.
+    std::unordered_map<std::string_view, std::uint16_t> ids_;
+    std::vector<std::string_view> order_;
+};
+
+}  // namespace slicecast

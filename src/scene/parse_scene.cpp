@@ -1,0 +1,91 @@
+#include "scene/limits.h"
+#include "scene/readers.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace slicecast {
+namespace {
+
+// The whole tree: every part is read, whatever was wrong with the ones before.
+void readScene(Reading& reading, JsonValue root) {
+    Checker& checker = reading.checker;
+    const auto fields = checker.fields(root, {"$schema", "title", "textures", "blueprints", "legend", "maps", "start"},
+                                       "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
+    if (!fields) return;
+    if (const auto schema = fields->find("$schema")) checker.text(*schema, kMaxPathLength, "the address of the schema");
+    if (const auto title = fields->require("title", "what the scene is called")) {
+        reading.description.world.title = checker.text(*title, kMaxTitleLength, "what the scene is called").value_or("");
+    }
+
+    const std::size_t faultsBefore = checker.count();
+    if (const auto textures = fields->require("textures", "a PNG file for each texture's name")) readTextures(reading, *textures);
+    if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
+    Legend legend(kEmptyCell, kEmptyCell);
+    if (const auto own = fields->find("legend")) readLegend(checker, *own, reading.blueprints, "blueprint", legend);
+    reading.areBlueprintsSound = checker.count() == faultsBefore;
+
+    if (const auto maps = fields->require("maps", "an array of maps")) readMaps(reading, *maps, legend);
+    if (const auto start = fields->require("start", "where the player starts")) readStart(reading, *start);
+}
+
+// The files that a scene names, each once, in the order of the text.
+std::vector<std::string> filesOf(const SceneDescription& description) {
+    std::vector<std::string> files;
+    std::unordered_set<std::string_view> known;
+    const auto add = [&](const ImageReference& image) {
+        if (known.insert(image.file).second) files.push_back(image.file);
+    };
+    for (const ImageReference& texture : description.textures) add(texture);
+    for (const PanoramaReference& panorama : description.panoramas) add(panorama.image);
+    return files;
+}
+
+}  // namespace
+
+ParsedScene parseScene(std::string_view text, const std::string& fileName) {
+    ParsedScene parsed;
+    if (text.size() > kMaxSceneBytes) {
+        Fault fault;
+        fault.file = fileName;
+        fault.found = "a file of " + std::to_string(text.size()) + " bytes";
+        fault.expected = "at most " + std::to_string(kMaxSceneBytes);
+        parsed.faults.push_back(std::move(fault));
+        return parsed;
+    }
+
+    // Text to tree.
+    const SourceText source(text);
+    Checker checker(source, fileName);
+    if (source.invalidByte()) {
+        checker.addSyntax({*source.invalidByte(), "bytes that are not UTF-8", "a text file saved as UTF-8"});
+        parsed.faults = checker.take();
+        return parsed;
+    }
+    const ParsedJson json = parseJson(source);
+    if (json.fault) {
+        checker.addSyntax(*json.fault);
+        parsed.faults = checker.take();
+        return parsed;
+    }
+
+    // Tree to description.
+    for (const auto& [again, first] : json.tree.duplicateKeys()) {
+        const Place place = source.place(first.keyOffset());
+        checker.addAtKey(again, "the key " + quoted(again.key()) + " a second time",
+                         "each key once; the first is at line " + std::to_string(place.line) + ", column " +
+                             std::to_string(place.column));
+    }
+    const auto description = std::make_shared<SceneDescription>();
+    description->fileName = fileName;
+    Reading reading{checker, *description, {}, {}, {}, false, {}, 0};
+    readScene(reading, json.tree.root());
+    parsed.faults = checker.take();
+    if (parsed.faults.empty()) {
+        parsed.files = filesOf(*description);
+        parsed.description = description;
+    }
+    return parsed;
+}
+
+}  // namespace slicecast

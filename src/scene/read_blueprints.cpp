@@ -1,0 +1,109 @@
+#include "scene/limits.h"
+#include "scene/readers.h"
+
+#include <array>
+
+namespace slicecast {
+namespace {
+
+// A key of "faces" and the faces that it means, from the widest to the narrowest: a narrower key overrides a wider one.
+struct FaceKey {
+    std::string_view key;
+    std::array<bool, kFaces> faces;  // north, east, south, west, top, bottom
+};
+constexpr FaceKey kFaceKeys[] = {
+    {"all", {true, true, true, true, true, true}},
+    {"sides", {true, true, true, true, false, false}},
+    {"north", {true, false, false, false, false, false}},
+    {"east", {false, true, false, false, false, false}},
+    {"south", {false, false, true, false, false, false}},
+    {"west", {false, false, false, true, false, false}},
+    {"top", {false, false, false, false, true, false}},
+    {"bottom", {false, false, false, false, false, true}},
+};
+
+// "brick" or { "texture": "brick", "light": 0.8 }. A faulty face counts as given, so that it is not reported as missing too.
+FaceBlueprint readFace(Reading& reading, JsonValue value) {
+    FaceBlueprint face;
+    if (value.isText()) {
+        face.texture = readTextureName(reading, value).value_or(0);
+        return face;
+    }
+    face.texture = 0;
+    const auto fields = reading.checker.fields(value, {"texture", "light"},
+                                               "a texture's name, or an object with \"texture\" and \"light\"");
+    if (!fields) return face;
+    if (const auto texture = fields->require("texture", "the name of a texture")) {
+        face.texture = readTextureName(reading, *texture).value_or(0);
+    }
+    face.light = fields->number("light", kUnitRange, 1.0);
+    return face;
+}
+
+void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
+    if (value.isText()) {
+        blueprint.faces.fill(readFace(reading, value));
+        return;
+    }
+    std::vector<std::string_view> keys;
+    for (const FaceKey& faceKey : kFaceKeys) keys.push_back(faceKey.key);
+    const auto fields = reading.checker.fields(value, keys, "a texture's name, or an object with textures for the faces");
+    if (!fields) return;
+    for (const FaceKey& faceKey : kFaceKeys) {
+        const auto member = fields->find(faceKey.key);
+        if (!member) continue;
+        const FaceBlueprint face = readFace(reading, *member);
+        for (std::size_t i = 0; i < blueprint.faces.size(); ++i) {
+            if (faceKey.faces[i]) blueprint.faces[i] = face;
+        }
+    }
+    std::string missing;
+    for (std::size_t i = 0; i < blueprint.faces.size(); ++i) {
+        if (blueprint.faces[i].texture == kNoTexture) missing += (missing.empty() ? "" : ", ") + std::string(kFaceNames[i]);
+    }
+    if (!missing.empty()) {
+        reading.checker.add(value, "no texture for " + missing, "a texture for each of the six faces, by \"all\" for instance");
+    }
+}
+
+CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
+    CellBlueprint blueprint;
+    blueprint.name = std::string(value.key());
+    const auto fields = reading.checker.fields(value, {"bottom", "top", "faces"}, "a blueprint: an object with \"faces\"");
+    if (!fields) return blueprint;
+    const std::size_t faultsBefore = reading.checker.count();
+    blueprint.bottom = toCoordinate(fields->number("bottom", kUnitRange, 0.0));
+    blueprint.top = toCoordinate(fields->number("top", kUnitRange, 1.0));
+    if (reading.checker.count() == faultsBefore && blueprint.bottom >= blueprint.top) {
+        const auto given = fields->find("top") ? fields->find("top") : fields->find("bottom");
+        reading.checker.add(*given, "a top that is not above the bottom", "bottom < top, by at least 1/65536");
+    }
+    if (const auto faces = fields->require("faces", "the textures of the faces")) readFaces(reading, *faces, blueprint);
+    return blueprint;
+}
+
+}  // namespace
+
+void readBlueprints(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    if (!value.isObject()) {
+        checker.add(value, checker.shown(value), "the blueprints: an object with a blueprint for each name");
+        return;
+    }
+    if (value.count() > static_cast<std::size_t>(kMaxBlueprints)) {
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "blueprint"),
+                    "at most " + std::to_string(kMaxBlueprints));
+        return;
+    }
+    std::vector<CellBlueprint>& blueprints = reading.description.world.blueprints;
+    for (const JsonValue member : value) {
+        if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
+            checker.addAtKey(member, "the name " + quoted(member.key()),
+                             "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+        }
+        reading.blueprints.add(member.key(), static_cast<BlueprintId>(blueprints.size()));
+        blueprints.push_back(readBlueprint(reading, member));
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,129 @@
+#include "scene/limits.h"
+#include "scene/readers.h"
+
+#include <map>
+
+namespace slicecast {
+namespace {
+
+// Counts how often each size occurs; the most frequent one is what was meant, the first one of equals.
+class Votes {
+public:
+    void add(std::size_t size) {
+        const auto [vote, isNew] = counts_.emplace(size, 0);
+        if (isNew) order_.push_back(size);
+        ++vote->second;
+    }
+    std::size_t winner() const {
+        std::size_t best = 0;
+        int most = 0;
+        for (const std::size_t size : order_) {
+            if (counts_.at(size) <= most) continue;
+            most = counts_.at(size);
+            best = size;
+        }
+        return best;
+    }
+
+private:
+    std::map<std::size_t, int> counts_;
+    std::vector<std::size_t> order_;
+};
+
+// Checks that all is arrays of arrays of texts, and finds the size that most rows and levels have. Nothing if there is no row at all.
+std::optional<GridSize> measure(Checker& checker, JsonValue value) {
+    Votes widths;
+    Votes depths;
+    for (const JsonValue level : value) {
+        if (!level.isArray()) {
+            checker.add(level, checker.shown(level), "a level: an array of rows, or [] for an empty level");
+            continue;
+        }
+        if (level.count() > 0) depths.add(level.count());
+        for (const JsonValue row : level) {
+            if (row.isText()) {
+                widths.add(countCharacters(row.text()));
+            } else {
+                checker.add(row, checker.shown(row), "a row: a text with one character for each tile");
+            }
+        }
+    }
+    const std::size_t width = widths.winner();
+    const std::size_t depth = depths.winner();
+    if (width == 0 || depth == 0) {
+        checker.add(value, "no tiles", "at least one level with rows of characters");
+        return std::nullopt;
+    }
+    if (width > static_cast<std::size_t>(kMaxMapWidth) || depth > static_cast<std::size_t>(kMaxMapDepth)) {
+        checker.add(value, "a map of " + std::to_string(width) + " x " + std::to_string(depth) + " tiles",
+                    "at most " + std::to_string(kMaxMapWidth) + " x " + std::to_string(kMaxMapDepth));
+        return std::nullopt;
+    }
+    return GridSize{static_cast<int>(width), static_cast<int>(depth)};
+}
+
+}  // namespace
+
+void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map) {
+    Checker& checker = reading.checker;
+    if (!value.isArray()) {
+        checker.add(value, checker.shown(value), "an array of levels, each of them an array of rows");
+        return;
+    }
+    bool isFlat = value.count() > 0;
+    for (const JsonValue level : value) isFlat = isFlat && level.isText();
+    if (isFlat) {
+        checker.add(value, "an array of rows", "an array of levels, each of them an array of rows: [[\"###\", \"#.#\"]]");
+        return;
+    }
+    if (value.count() > static_cast<std::size_t>(kMaxLevels)) {
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "level"),
+                    "at most " + std::to_string(kMaxLevels));
+        return;
+    }
+    const std::optional<GridSize> size = measure(checker, value);
+    if (!size) return;
+
+    // Memory is taken only for a map within the limits.
+    const int levels = static_cast<int>(value.count());
+    const std::int64_t cells = std::int64_t{size->width} * size->depth * levels;
+    reading.cells += cells;
+    if (reading.cells > kMaxSceneCells) {
+        checker.add(value, "a map of " + counted(cells, "cell") + ", " + std::to_string(reading.cells) + " with the maps before",
+                    "at most " + std::to_string(kMaxSceneCells) + " in all maps together");
+        reading.cells -= cells;
+        return;
+    }
+    Map grid = makeMap(map.name, size->width, size->depth, levels, 0);
+    map.width = grid.width;
+    map.depth = grid.depth;
+    map.levels = grid.levels;
+    map.cells = std::move(grid.cells);
+    map.occupied = std::move(grid.occupied);
+    map.floor.tiles = std::move(grid.floor.tiles);
+
+    // The cells, row by row.
+    std::vector<std::uint16_t> ids;
+    int level = -1;
+    for (const JsonValue rows : value) {
+        ++level;
+        if (!rows.isArray() || rows.count() == 0) continue;
+        if (rows.count() != static_cast<std::size_t>(size->depth)) {
+            checker.add(rows, "a level of " + counted(static_cast<std::int64_t>(rows.count()), "row"),
+                        counted(size->depth, "row") + ", as in the other levels");
+        }
+        int y = -1;
+        for (const JsonValue row : rows) {
+            ++y;
+            if (!row.isText()) continue;
+            ids.assign(static_cast<std::size_t>(size->width), kEmptyCell);
+            readRow(checker, row, y, size->width, legend, ids);
+            if (y >= size->depth) continue;
+            for (int x = 0; x < size->width; ++x) {
+                if (ids[static_cast<std::size_t>(x)] != kEmptyCell) map.setCell(x, y, level, ids[static_cast<std::size_t>(x)]);
+            }
+        }
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,67 @@
+#include "scene/limits.h"
+#include "scene/readers.h"
+
+namespace slicecast {
+namespace {
+
+constexpr NumberRange kFar = {0.0, kMaxFar, true, "a number above 0 and at most 100000"};
+
+void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& map) {
+    const auto member = fields.require("name", "the map's name");
+    if (!member) return;
+    const auto name = reading.checker.text(*member, kMaxNameLength, "the map's name");
+    if (!name) return;
+    map.name = *name;
+    if (reading.maps.find(*name)) {
+        reading.checker.add(*member, "the name " + quoted(*name) + " a second time", "a name that no other map has");
+    } else {
+        reading.maps.add(member->text(), index);
+    }
+}
+
+Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& legendOfAll) {
+    Checker& checker = reading.checker;
+    Map map;
+    const auto fields = checker.fields(
+        value, {"name", "legend", "levels", "floor", "ceiling", "sky", "light", "fog", "haze", "far"},
+        "a map: an object with \"name\", \"levels\" and \"floor\"");
+    if (!fields) return map;
+    readName(reading, *fields, static_cast<std::uint16_t>(index), map);
+
+    // The grid comes first: it gives the size to the rest.
+    Legend legend = legendOfAll;
+    if (const auto own = fields->find("legend")) readLegend(checker, *own, reading.blueprints, "blueprint", legend);
+    if (const auto levels = fields->require("levels", "an array of levels")) readLevels(reading, *levels, legend, map);
+    const bool hasSize = map.width > 0;
+
+    if (const auto floor = fields->require("floor", "the floor's texture")) readFloor(reading, *floor, hasSize, map);
+    if (const auto ceiling = fields->find("ceiling")) readCeiling(reading, *ceiling, hasSize, map);
+    if (const auto sky = fields->find("sky")) readSky(reading, *sky, index, map);
+    if (const auto light = fields->find("light")) readLight(reading, *light, map.light);
+    if (const auto fog = fields->find("fog")) readFog(reading, *fog, map.fog);
+    map.haze = fields->colour("haze", map.haze);
+    map.far = fields->number("far", kFar, kDefaultFar);
+    return map;
+}
+
+}  // namespace
+
+void readMaps(Reading& reading, JsonValue value, const Legend& legend) {
+    Checker& checker = reading.checker;
+    if (!value.isArray() || value.count() == 0) {
+        checker.add(value, checker.shown(value), "an array of at least one map");
+        return;
+    }
+    if (value.count() > static_cast<std::size_t>(kMaxMaps)) {
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "map"), "at most " + std::to_string(kMaxMaps));
+        return;
+    }
+    std::vector<Map>& maps = reading.description.world.maps;
+    for (const JsonValue element : value) {
+        const std::size_t faultsBefore = checker.count();
+        maps.push_back(readMap(reading, element, maps.size(), legend));
+        reading.isMapSound.push_back(checker.count() == faultsBefore);
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,78 @@
+#include "scene/limits.h"
+#include "scene/readers.h"
+#include "world/collision.h"
+#include "world/player.h"
+
+namespace slicecast {
+namespace {
+
+constexpr NumberRange kAcross = {0.0, 4096.0, false, "a number from 0 to 4096, on the map"};
+constexpr NumberRange kHeight = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
+constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false, "a number from -360 to 360, in degrees; 0 is east, 90 south"};
+constexpr NumberRange kLook = {-kLookLimit, kLookLimit, false, "a number from -1.5 to 1.5, in screen heights"};
+
+// What the body reaches into.
+std::string obstacle(const World& world, const Map& map, const Box& body) {
+    for (int y = body.north.tile(); y <= body.south.tile(); ++y) {
+        for (int x = body.west.tile(); x <= body.east.tile(); ++x) {
+            if (!map.contains(x, y)) return "the edge of the map";
+            for (int level = 0; level < map.levels; ++level) {
+                const BlueprintId id = map.cell(x, y, level);
+                const CellBlueprint& block = world.blueprints[id];
+                if (id == kEmptyCell || tileEdge(level) + block.top <= body.bottom || tileEdge(level) + block.bottom >= body.top) continue;
+                const bool isBeside = tileEdge(x) >= body.east || tileEdge(y) >= body.south;
+                if (isBeside) continue;
+                return "a block \"" + block.name + "\" at x " + std::to_string(x) + ", y " + std::to_string(y) + ", level " +
+                       std::to_string(level);
+            }
+        }
+    }
+    return "the ceiling";
+}
+
+// The player is never in a block, nor off the map.
+void checkPosition(Reading& reading, JsonValue value, const Start& start) {
+    const World& world = reading.description.world;
+    const Map& map = world.maps[static_cast<std::size_t>(start.map)];
+    if (!map.contains(start.x.tile(), start.y.tile())) {
+        reading.checker.add(value, "a start that is not on the map",
+                            "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
+        return;
+    }
+    // The player starts crouched where there is no room to stand.
+    const Box body = bodyBox(start.x, start.y, start.z, kCrouchedHeight);
+    if (isFree(world, start.map, body)) return;
+    reading.checker.add(value, "a start within " + obstacle(world, map, body),
+                        "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
+}
+
+}  // namespace
+
+void readStart(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    const auto fields =
+        checker.fields(value, {"map", "x", "y", "z", "heading", "look"}, "the start: an object with \"x\" and \"y\"");
+    if (!fields) return;
+    const std::size_t faultsBefore = checker.count();
+    Start& start = reading.description.world.start;
+    if (const auto member = fields->find("map")) {
+        if (const auto name = checker.text(*member, kMaxNameLength, "the name of a map")) {
+            const auto index = reading.maps.find(*name);
+            if (!index) checker.add(*member, "the name " + quoted(*name), "the name of a map" + reading.maps.suggestionFor(*name));
+            start.map = index.value_or(0);
+        }
+    }
+    for (const std::string_view key : {"x", "y"}) fields->require(key, kAcross.words);
+    start.x = toCoordinate(fields->number("x", kAcross, 0.0));
+    start.y = toCoordinate(fields->number("y", kAcross, 0.0));
+    start.z = toCoordinate(fields->number("z", kHeight, 0.0));
+    start.headingDegrees = fields->number("heading", kHeading, 0.0);
+    start.look = fields->number("look", kLook, 0.0);
+
+    const auto map = static_cast<std::size_t>(start.map);
+    // With faults in what stands around it, the position may be right.
+    const bool isMapSound = reading.areBlueprintsSound && map < reading.isMapSound.size() && reading.isMapSound[map];
+    if (checker.count() == faultsBefore && isMapSound) checkPosition(reading, value, start);
+}
+
+}  // namespace slicecast

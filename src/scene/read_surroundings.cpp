@@ -1,0 +1,141 @@
+// What surrounds the blocks of a map: floor, ceiling, sky, light and fog.
+#include "scene/limits.h"
+#include "scene/readers.h"
+
+namespace slicecast {
+namespace {
+
+constexpr NumberRange kCeilingHeight = {1.0 / 65536.0, kMaxHeight, false, "a number above 0 and at most 1000"};
+constexpr NumberRange kSlope = {0.0, kMaxSkySlope, true, "a number above 0 and at most 1000"};
+constexpr NumberRange kIntensity = {0.0, kMaxIntensity, false, "a number from 0 to 1000"};
+constexpr NumberRange kMultiplier = {0.0, kMaxMultiplier, false, "a number from 0 to 1000000"};
+constexpr NumberRange kFogStart = {0.0, kMaxFar, false, "a number from 0 to 100000"};
+constexpr NumberRange kFogEnd = {0.0, kMaxFar, true, "a number above 0 and at most 100000"};
+
+// "legend" and "tiles" of a floor or ceiling: a texture for each tile.
+void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId space, const Map& map, bool hasSize,
+               std::vector<TextureId>& tiles) {
+    Checker& checker = reading.checker;
+    Legend legend(own, space);
+    if (const auto member = fields.find("legend")) readLegend(checker, *member, reading.textures, "texture", legend);
+    const auto rows = fields.find("tiles");
+    if (!rows) return;
+    if (!rows->isArray()) {
+        checker.add(*rows, checker.shown(*rows), "an array of rows, as in a level");
+        return;
+    }
+    const bool fits = rows->count() == static_cast<std::size_t>(map.depth);
+    if (hasSize && !fits) {
+        checker.add(*rows, counted(static_cast<std::int64_t>(rows->count()), "row"),
+                    counted(map.depth, "row") + ", as in the map's levels");
+    }
+    std::vector<std::uint16_t> ids;
+    int y = -1;
+    for (const JsonValue row : *rows) {
+        ++y;
+        if (!row.isText()) {
+            checker.add(row, checker.shown(row), "a row: a text with one character for each tile");
+            continue;
+        }
+        if (!hasSize) continue;
+        ids.assign(static_cast<std::size_t>(map.width), own);
+        readRow(checker, row, y, map.width, legend, ids);
+        for (int x = 0; y < map.depth && x < map.width; ++x) tiles[map.tileIndex(x, y)] = ids[static_cast<std::size_t>(x)];
+    }
+}
+
+}  // namespace
+
+void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
+    std::optional<Fields> fields;
+    map.floor.texture = 0;
+    if (value.isText()) {
+        map.floor.texture = readTextureName(reading, value).value_or(0);
+    } else {
+        fields = reading.checker.fields(value, {"texture", "light", "legend", "tiles"},
+                                        "a texture's name, or an object with \"texture\"");
+        if (!fields) return;
+        if (const auto texture = fields->require("texture", "the name of a texture")) {
+            map.floor.texture = readTextureName(reading, *texture).value_or(0);
+        }
+        map.floor.light = fields->number("light", kUnitRange, 1.0);
+    }
+    map.floor.tiles.assign(map.floor.tiles.size(), map.floor.texture);
+    if (fields) readTiles(reading, *fields, map.floor.texture, map.floor.texture, map, hasSize, map.floor.tiles);
+}
+
+void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
+    const auto fields = reading.checker.fields(value, {"height", "texture", "light", "legend", "tiles"},
+                                               "a ceiling: an object with \"height\" and \"texture\"");
+    if (!fields) return;
+    if (const auto height = fields->require("height", kCeilingHeight.words)) {
+        map.ceiling.height = toCoordinate(reading.checker.number(*height, kCeilingHeight).value_or(1.0));
+    }
+    TextureId own = 0;
+    if (const auto texture = fields->require("texture", "the name of a texture")) {
+        own = readTextureName(reading, *texture).value_or(0);
+    }
+    map.ceiling.light = fields->number("light", kUnitRange, 1.0);
+    if (hasSize) map.ceiling.tiles.assign(map.floor.tiles.size(), own);
+    readTiles(reading, *fields, own, kNoTexture, map, hasSize, map.ceiling.tiles);
+}
+
+void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) {
+    Checker& checker = reading.checker;
+    Sky& sky = map.sky;
+    if (value.isText()) {
+        sky.kind = Sky::Kind::colour;
+        sky.low = checker.colour(value).value_or(Colour{});
+        return;
+    }
+    const bool isPanorama = value.isObject() && value.find("panorama").has_value();
+    const auto fields = isPanorama ? checker.fields(value, {"panorama", "slope"}, "")
+                                   : checker.fields(value, {"low", "high", "slope"},
+                                                    "a colour, an object with \"low\" and \"high\", or one with \"panorama\"");
+    if (!fields) return;
+    sky.slope = fields->number("slope", kSlope, 1.0);
+    if (isPanorama) {
+        sky.kind = Sky::Kind::panorama;
+        const JsonValue panorama = *fields->find("panorama");
+        if (auto file = readFileName(checker, panorama)) {
+            reading.description.panoramas.push_back({mapIndex, referTo(checker, panorama, std::move(*file))});
+        }
+        return;
+    }
+    sky.kind = Sky::Kind::gradient;
+    if (const auto low = fields->require("low", "the colour at the horizon")) sky.low = checker.colour(*low).value_or(Colour{});
+    if (const auto high = fields->require("high", "the colour above")) sky.high = checker.colour(*high).value_or(Colour{});
+}
+
+void readLight(Reading& reading, JsonValue value, Light& light) {
+    const auto fields = reading.checker.fields(value, {"on", "intensity", "multiplier", "darkest", "brightest"},
+                                               "an object with \"intensity\" and \"multiplier\", say");
+    if (!fields) return;
+    const std::size_t faultsBefore = reading.checker.count();
+    const Light normal;
+    light.on = fields->flag("on", normal.on);
+    light.intensity = fields->number("intensity", kIntensity, normal.intensity);
+    light.multiplier = fields->number("multiplier", kMultiplier, normal.multiplier);
+    light.darkest = fields->number("darkest", kUnitRange, normal.darkest);
+    light.brightest = fields->number("brightest", kUnitRange, normal.brightest);
+    if (reading.checker.count() == faultsBefore && light.darkest > light.brightest) {
+        const auto given = fields->find("darkest") ? fields->find("darkest") : fields->find("brightest");
+        reading.checker.add(*given, "a darkest light that is brighter than the brightest",
+                            "darkest <= brightest, which are 0.1 and 1 if not given");
+    }
+}
+
+void readFog(Reading& reading, JsonValue value, Fog& fog) {
+    const auto fields = reading.checker.fields(value, {"start", "end"}, "an object with \"start\" and \"end\"");
+    if (!fields) return;
+    const std::size_t faultsBefore = reading.checker.count();
+    fog.on = true;
+    fog.start = fields->number("start", kFogStart, 0.0);
+    const auto end = fields->require("end", kFogEnd.words);
+    fog.end = fields->number("end", kFogEnd, 1.0);
+    if (reading.checker.count() == faultsBefore && fog.start >= fog.end) {
+        reading.checker.add(*end, "an end of the fog that is not behind its start", "start < end");
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,89 @@
+#include "scene/limits.h"
+#include "scene/readers.h"
+
+#include <unordered_map>
+
+namespace slicecast {
+namespace {
+
+// A file name that means the same on every system and in every address: forward slashes, relative, none of the characters that an address gives a meaning.
+bool isPortable(std::string_view name) {
+    if (name.empty() || name.front() == '/') return false;
+    for (const char c : name) {
+        if (static_cast<unsigned char>(c) < 0x20 || std::string_view("\\:?#%*\"<>|").find(c) != std::string_view::npos) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool isPng(std::string_view name) {
+    if (name.size() < 5) return false;
+    const std::string_view ending = name.substr(name.size() - 4);
+    return ending == ".png" || ending == ".PNG";
+}
+
+}  // namespace
+
+std::optional<std::string> readFileName(Checker& checker, JsonValue value) {
+    const std::string expected = "the name of a PNG file, relative to the scene's folder";
+    std::optional<std::string> name = checker.text(value, kMaxPathLength, expected);
+    if (!name) return std::nullopt;
+    if (!isPortable(*name)) {
+        checker.add(value, "the file name " + quoted(*name),
+                    expected + ", with forward slashes and none of \\ : ? # % * \" < > |");
+        return std::nullopt;
+    }
+    if (!isPng(*name)) {
+        checker.add(value, "the file name " + quoted(*name), "a name that ends in .png; only PNG files are read");
+        return std::nullopt;
+    }
+    return name;
+}
+
+ImageReference referTo(const Checker& checker, JsonValue value, std::string file) {
+    return {std::move(file), value.pointer(), checker.source().place(value.offset())};
+}
+
+std::optional<TextureId> readTextureName(Reading& reading, JsonValue value) {
+    const std::optional<std::string> name = reading.checker.text(value, kMaxNameLength, "the name of a texture");
+    if (!name) return std::nullopt;
+    const std::optional<TextureId> id = reading.textures.find(*name);
+    if (!id) {
+        reading.checker.add(value, "the name " + quoted(*name),
+                            "the name of a texture" + reading.textures.suggestionFor(*name));
+    }
+    return id;
+}
+
+void readTextures(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    if (!value.isObject()) {
+        checker.add(value, checker.shown(value), "the textures: an object with a PNG file for each name");
+        return;
+    }
+    if (value.count() > static_cast<std::size_t>(kMaxTextures)) {
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "texture"),
+                    "at most " + std::to_string(kMaxTextures));
+        return;
+    }
+    std::unordered_map<std::string, TextureId> ids;
+    for (const JsonValue member : value) {
+        if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
+            checker.addAtKey(member, "the name " + quoted(member.key()),
+                             "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+        }
+        std::optional<std::string> file = readFileName(checker, member);
+        // A texture with a faulty file is known by its name all the same.
+        const auto [known, isNew] = ids.emplace(file.value_or(""), static_cast<TextureId>(reading.description.textures.size()));
+        if (isNew) {
+            Texture texture;
+            texture.name = std::string(member.key());
+            reading.description.world.textures.push_back(std::move(texture));
+            reading.description.textures.push_back(referTo(checker, member, file.value_or("")));
+        }
+        reading.textures.add(member.key(), known->second);
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,59 @@
+// The readers of a scene's parts: each takes a value of the tree, reports what is wrong with it, and puts what it says into the description.
+#pragma once
+
+#include "scene/checker.h"
+#include "scene/description.h"
+#include "scene/legend.h"
+#include "scene/names.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slicecast {
+
+// What the readers hand on to each other.
+struct Reading {
+    Checker& checker;
+    SceneDescription& description;
+    NameTable textures;    // TextureId
+    NameTable blueprints;  // BlueprintId
+    NameTable maps;        // index into World::maps
+    bool areBlueprintsSound = false;
+    std::vector<bool> isMapSound;
+    std::int64_t cells = 0;  // of all maps so far
+};
+
+// "textures": { NAME: FILE }
+void readTextures(Reading& reading, JsonValue value);
+
+// The name of a texture, as its number.
+std::optional<TextureId> readTextureName(Reading& reading, JsonValue value);
+
+// A PNG file's name, relative to the scene.
+std::optional<std::string> readFileName(Checker& checker, JsonValue value);
+
+// Where an image is named.
+ImageReference referTo(const Checker& checker, JsonValue value, std::string file);
+
+// "blueprints": { NAME: { bottom, top, faces } }
+void readBlueprints(Reading& reading, JsonValue value);
+
+// "maps": [ { name, legend, levels, floor, ceiling, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
+void readMaps(Reading& reading, JsonValue value, const Legend& legend);
+
+// "levels" of a map: its size and cells.
+void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map);
+
+// The surroundings of a map whose size is known; a grid of tiles is only looked at where `hasSize`.
+void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map);
+void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map);
+void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map);
+void readLight(Reading& reading, JsonValue value, Light& light);
+void readFog(Reading& reading, JsonValue value, Fog& fog);
+
+// "start": { map, x, y, z, heading, look }
+void readStart(Reading& reading, JsonValue value);
+
+}  // namespace slicecast
