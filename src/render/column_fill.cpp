@@ -10,6 +10,7 @@ constexpr std::uint32_t kEvenBytes = 0x00ff00ff;
 constexpr std::uint32_t kOpaque = 0xff000000;
 
 // A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with alpha; no product or sum below exceeds 16 bits.
+// A machine without vectors leaves the vector forms unused.
 
 inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     const std::uint32_t factor = factorTwice & 0xffff;
@@ -18,7 +19,7 @@ inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     return even | (odd & ~kEvenBytes) | kOpaque;
 }
 
-inline U32x4 shaded(U32x4 texels, U32x4 factorsTwice) {
+[[maybe_unused]] inline U32x4 shaded(U32x4 texels, U32x4 factorsTwice) {
     const U32x4 half = allLanes(0x00800080);
     const U16x8 even = (U16x8)(texels & kEvenBytes) * (U16x8)factorsTwice + (U16x8)half;
     const U16x8 odd = (U16x8)((texels >> 8) & kEvenBytes) * (U16x8)factorsTwice + (U16x8)half;
@@ -28,7 +29,7 @@ inline U32x4 shaded(U32x4 texels, U32x4 factorsTwice) {
 // x / 255 for each half, 0 <= x <= 255 * 255 + 127.
 inline std::uint32_t dividedBy255(std::uint32_t halves) { return ((halves + 0x00010001 + ((halves >> 8) & kEvenBytes)) >> 8) & kEvenBytes; }
 
-inline U32x4 dividedBy255(U32x4 halves) {
+[[maybe_unused]] inline U32x4 dividedBy255(U32x4 halves) {
     const U16x8 x = (U16x8)halves;
     return (U32x4)((x + (std::uint16_t)1 + (x >> 8)) >> 8);
 }
@@ -41,7 +42,7 @@ inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint
     return even | odd << 8 | kOpaque;
 }
 
-inline U32x4 fogged(U32x4 lit, U32x4 fogsTwice, std::uint32_t haze) {
+[[maybe_unused]] inline U32x4 fogged(U32x4 lit, U32x4 fogsTwice, std::uint32_t haze) {
     const U16x8 fog = (U16x8)fogsTwice;
     const U16x8 rest = (U16x8)allLanes(0x00ff00ff) - fog;
     const U16x8 hazeEven = (U16x8)allLanes(haze & kEvenBytes);
