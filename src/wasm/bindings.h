@@ -11,7 +11,7 @@
 //
 // Strings in are UTF-8; those without a byte count end in a zero byte. What goes in is copied: the caller frees its own memory at once. Strings out belong
 // to the session and hold until the next call for the same session that returns a string. A fault is
-// {"file", "pointer", "line", "column", "found", "expected", "message"}, where `message` says all of it in one line.
+// {"file", "pointer", "line", "column", "row", "character", "found", "expected", "message"} as scene/scene.h describes it; `message` says all in one line.
 //
 // The program tells the page what happens by calling module.onSlicecast(event, value), if there is one:
 //
@@ -68,8 +68,8 @@ const char* slicecast_world(SlicecastSession* session);
 // One step of exactly 1/120 s. Axes are -1 to 1: forward, strafe (right), turn (right), look (up), fly (up; negative crouches in walk mode). turnDegrees
 // (right) and lookHeights (up, in screen heights) act at once, for a mouse. `buttons` is a sum of 1 = jump, 2 = fast, 4 = slow. Without a game: nothing.
 // The program steps its own session by itself.
-void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn, double look, double fly,
-                    double turnDegrees, double lookHeights, int32_t buttons);
+void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn, double look, double fly, double turnDegrees, double lookHeights,
+                    int32_t buttons);
 
 // Draws the view, `fraction` (0 to 1) of the way from the last step but one to the last, into the session's own picture. 1 on success, 0 if there is no
 // game or the picture cannot be drawn (size not within 1 to 8192 pixels a side).
@@ -95,8 +95,7 @@ const char* slicecast_state(SlicecastSession* session);
 
 // Puts the player's eye somewhere else, flying; inside blocks and outside the grid too. 1 on success, 0 if such an eye cannot see (no such map, not above the
 // floor).
-int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees,
-                         double look);
+int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees, double look);
 
 // Fly mode (1) or walk mode (0).
 void slicecast_setFlying(SlicecastSession* session, int32_t flying);

@@ -1,0 +1,205 @@
+#include "app/app.h"
+
+#include "base/angle.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace slicecast {
+
+namespace {
+
+constexpr double kIntensityStep = 0.1;
+constexpr double kMultiplierStep = 0.5;  // units
+constexpr double kFastFactor = 3.0;      // for the light's keys, as for moving
+constexpr double kSlowFactor = 0.2;
+constexpr double kLargestMouseTurn = 0.5;  // degrees per pixel
+
+}  // namespace
+
+App::App(Shell& shell) : shell_(shell) {}
+
+void App::play(std::unique_ptr<Session> game) {
+    game_ = std::move(game);
+    clock_.stop();
+    meter_.skip();
+    turnDegrees_ = lookHeights_ = 0.0;
+    stale_ = true;
+    tellChanges();
+}
+
+void App::resize(int width, int height) {
+    width_ = std::clamp(width, 1, kLargestPictureSide);
+    height_ = std::clamp(height, 1, kLargestPictureSide);
+    stale_ = true;
+}
+
+void App::setPaused(bool paused) {
+    if (paused == paused_) return;
+    paused_ = paused;
+    clock_.stop();
+    meter_.skip();
+    stale_ = true;
+    shell_.tell(News::pause, paused);
+}
+
+void App::setHidden(bool hidden) {
+    hidden_ = hidden;
+    clock_.stop();
+    meter_.skip();
+    stale_ = true;
+    releaseKeys();
+}
+
+void App::setMouse(double degreesPerPixel, bool invert) {
+    if (degreesPerPixel >= 0.0) degreesPerPixel_ = std::min(degreesPerPixel, kLargestMouseTurn);
+    invert_ = invert;
+}
+
+// ---------------------------------------------------------------------------------------------------- keys and mouse
+
+void App::keyDown(const Key& key, bool repeated) {
+    if (isHeld(key.action)) {
+        keys_.press(key);
+    } else if (!repeated || repeats(key.action)) {
+        act(key);
+    }
+}
+
+void App::keyUp(const Key& key) {
+    keys_.release(key);
+}
+
+void App::releaseKeys() {
+    keys_.releaseAll();
+}
+
+void App::act(const Key& key) {
+    switch (key.action) {
+        case Action::help:
+            shell_.tell(News::help, true);
+            return;
+        case Action::rate:
+            shell_.tell(News::rate, true);
+            return;
+        case Action::fullscreen:
+            shell_.tell(News::fullscreen, true);
+            return;
+        case Action::leave:
+            shell_.leave();
+            return;
+        case Action::pause:
+            setPaused(!paused_);
+            return;
+        default:
+            break;
+    }
+    if (!game_) return;
+    switch (key.action) {
+        case Action::levelLook:
+            game_->levelLook();
+            break;
+        case Action::heading:
+            game_->setHeading(key.headingDegrees);
+            break;
+        case Action::fly:
+            game_->setFlying(!game_->player().flying);
+            break;
+        case Action::minimap:
+            game_->setOption("minimap", game_->options().minimap ? "off" : "on");
+            break;
+        case Action::intensityUp:
+            changeLight("intensity", game_->state().intensity, kIntensityStep);
+            break;
+        case Action::intensityDown:
+            changeLight("intensity", game_->state().intensity, -kIntensityStep);
+            break;
+        case Action::multiplierUp:
+            changeLight("multiplier", game_->state().multiplier, kMultiplierStep);
+            break;
+        case Action::multiplierDown:
+            changeLight("multiplier", game_->state().multiplier, -kMultiplierStep);
+            break;
+        default:
+            return;
+    }
+    stale_ = true;
+}
+
+// Goes on from the map's own light where the option has not been set.
+void App::changeLight(const char* option, double now, double by) {
+    const double factor = keys_.isDown(Action::slow) ? kSlowFactor : keys_.isDown(Action::fast) ? kFastFactor : 1.0;
+    char value[32];
+    std::snprintf(value, sizeof value, "%.2f", std::max(0.0, now + by * factor));
+    game_->setOption(option, value);
+}
+
+void App::pointerMoved(double right, double down) {
+    if (!pointerHeld_ || paused_ || hidden_ || !game_) return;
+    turnDegrees_ += right * degreesPerPixel_;
+
+    // The same movement carries the middle of the picture as many pixels up or down as sideways.
+    const double distanceHeights = 0.5 * width_ / height_ / tanDegrees(0.5 * game_->options().render.fovDegrees);
+    const double up = (invert_ ? down : -down) * degreesPerPixel_;
+    lookHeights_ += tanDegrees(std::clamp(up, -45.0, 45.0)) * distanceHeights;
+}
+
+void App::pointerHeld(bool held) {
+    if (held == pointerHeld_) return;
+    pointerHeld_ = held;
+    turnDegrees_ = lookHeights_ = 0.0;
+    shell_.tell(News::pointer, held);
+}
+
+// ------------------------------------------------------------------------------------------------------------ frames
+
+bool App::frame(double nowSeconds) {
+    if (hidden_ || !game_) return false;
+    if (!paused_) {
+        const int steps = clock_.advance(nowSeconds);
+        for (int step = 0; step < steps; ++step) {
+            Input input = keys_.takeInput();
+            input.turnDegrees = std::exchange(turnDegrees_, 0.0);
+            input.lookHeights = std::exchange(lookHeights_, 0.0);
+            game_->step(input);
+        }
+        stale_ = true;
+    }
+    tellChanges();
+    return stale_ && draw(nowSeconds);
+}
+
+bool App::draw(double nowSeconds) {
+    stale_ = false;
+
+    // A surface of the picture's size
+    if (!surface_ || surface_->w != width_ || surface_->h != height_) {
+        surface_.reset(SDL_CreateRGBSurfaceWithFormat(0, width_, height_, 32, SDL_PIXELFORMAT_RGBA32));
+        if (!surface_) return false;
+        SDL_SetSurfaceBlendMode(surface_.get(), SDL_BLENDMODE_NONE);
+        shell_.tellSize(width_, height_);
+    }
+
+    // The picture
+    const Picture picture = {static_cast<Pixel*>(surface_->pixels), width_, height_, surface_->pitch / static_cast<int>(sizeof(Pixel))};
+    const double begin = shell_.nowSeconds();
+    if (!game_->draw(picture, clock_.fraction())) return false;
+    const double end = shell_.nowSeconds();
+    shell_.show(*surface_);
+
+    // What the shell may want to know
+    if (!ready_) shell_.tell(News::ready, true);
+    ready_ = true;
+    if (!paused_ && meter_.add(nowSeconds, end - begin)) shell_.tellRates(meter_.rates());
+    return true;
+}
+
+// Modes change by keys, by the page and by themselves (a body that is not free flies), so they are compared.
+void App::tellChanges() {
+    if (!game_) return;
+    if (std::exchange(toldFly_, game_->player().flying) != game_->player().flying) shell_.tell(News::fly, toldFly_);
+    if (std::exchange(toldMinimap_, game_->options().minimap) != game_->options().minimap) shell_.tell(News::minimap, toldMinimap_);
+}
+
+}  // namespace slicecast

@@ -1,0 +1,93 @@
+// The program: plays one game at a time on one screen. It turns keys, mouse and time into steps of the session and draws the view into an SDL surface.
+//
+//     App app(shell);
+//     app.play(std::make_unique<Session>(std::move(world)));
+//     app.keyDown(*findKey(SDL_SCANCODE_W), false);      as they come
+//     app.frame(nowSeconds);                             as often as the screen can show a picture
+#pragma once
+
+#include "app/frame_meter.h"
+#include "app/keys.h"
+#include "app/shell.h"
+#include "app/step_clock.h"
+#include "session/session.h"
+
+#include <SDL2/SDL_surface.h>
+
+#include <memory>
+
+namespace slicecast {
+
+inline constexpr double kDefaultDegreesPerPixel = 0.15;  // mouse
+inline constexpr int kLargestPictureSide = 4096;         // pixels
+
+class App {
+public:
+    explicit App(Shell& shell);
+
+    // Plays this game from now on.
+    void play(std::unique_ptr<Session> game);
+    Session* game() { return game_.get(); }
+
+    // The size of the picture, clamped to what is allowed.
+    void resize(int width, int height);
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    void setPaused(bool paused);
+    bool paused() const { return paused_; }
+
+    // Nobody sees the screen: time stands still, no pictures are drawn, no key is held.
+    void setHidden(bool hidden);
+
+    // Mouse look: degrees for each pixel that the mouse moves (in any case less than half a turn), and whether forward looks down.
+    void setMouse(double degreesPerPixel, bool invert);
+
+    void keyDown(const Key& key, bool repeated);
+    void keyUp(const Key& key);
+    void releaseKeys();
+
+    // The mouse has moved, in pixels of the screen: right and down are positive. Only while it looks around.
+    void pointerMoved(double right, double down);
+    void pointerHeld(bool held);
+    bool holdsPointer() const { return pointerHeld_; }
+
+    // Something outside has changed what is to be seen, so a picture is drawn even while paused.
+    void redraw() { stale_ = true; }
+
+    // Plays the steps that are due and draws. True if there is a new picture on the screen. The time is of the clock of Shell::nowSeconds: the moment for
+    // which the picture is meant.
+    bool frame(double nowSeconds);
+
+private:
+    struct FreeSurface {
+        void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
+    };
+
+    void act(const Key& key);
+    void changeLight(const char* option, double now, double by);
+    void tellChanges();
+    bool draw(double nowSeconds);
+
+    Shell& shell_;
+    std::unique_ptr<Session> game_;
+    std::unique_ptr<SDL_Surface, FreeSurface> surface_;
+    int width_ = 640;
+    int height_ = 400;
+    HeldKeys keys_;
+    StepClock clock_;
+    FrameMeter meter_;
+    double degreesPerPixel_ = kDefaultDegreesPerPixel;
+    bool invert_ = false;
+    double turnDegrees_ = 0.0;  // by the mouse since the last step
+    double lookHeights_ = 0.0;
+    bool paused_ = false;
+    bool hidden_ = false;
+    bool pointerHeld_ = false;
+    bool stale_ = true;
+    bool ready_ = false;
+    bool toldFly_ = false;
+    bool toldMinimap_ = false;
+};
+
+}  // namespace slicecast

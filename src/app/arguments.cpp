@@ -1,0 +1,69 @@
+#include "app/arguments.h"
+
+#ifndef __EMSCRIPTEN__
+
+#include "app/keys.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace slicecast {
+
+namespace {
+
+std::optional<Size> readSize(const std::string& text) {
+    Size size;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &end) != 2 || end != static_cast<int>(text.size())) return std::nullopt;
+    if (size.width < 1 || size.height < 1 || size.width > kLargestPictureSide || size.height > kLargestPictureSide) return std::nullopt;
+    return size;
+}
+
+std::string keysText() {
+    std::string text = "Keys:\n";
+    for (const KeyHelp& line : keyHelp()) {
+        std::string keys(line.keys);
+        keys.resize(std::max<std::size_t>(keys.size(), 18), ' ');
+        text += "  " + keys + std::string(line.does) + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+ReadArguments readArguments(int argc, char** argv) {
+    CLI::App cli("Walks through a world of stacked blocks.", "slicecast");
+    cli.footer(keysText());
+    Arguments arguments;
+    std::string size;
+    std::string fov;
+    std::vector<std::string> options;
+    cli.add_option("SCENE", arguments.scene, "scene file to open; without one, the opening scene that comes with the program");
+    cli.add_option("--map", arguments.map, "map to begin in, flying over its middle, instead of where the scene starts")->type_name("NAME");
+    cli.add_option("--size", size, "size of the picture in pixels; without it, the picture fills the window")
+        ->type_name("WxH")
+        ->check([](const std::string& text) { return readSize(text) ? std::string() : "\"" + text + "\" is no size; expected WxH, 1x1 to 4096x4096"; });
+    cli.add_option("--fov", fov, "field of view from left to right, in degrees")->type_name("DEGREES");
+    cli.add_flag("--fullscreen", arguments.window.fullscreen, "fill the screen");
+    cli.add_option("--set", options, "set an option of the view")->type_name("OPTION=VALUE")->check([](const std::string& text) {
+        return text.find('=') != std::string::npos ? std::string() : "\"" + text + "\" is not OPTION=VALUE";
+    });
+    try {
+        cli.parse(argc, argv);
+    } catch (const CLI::ParseError& fault) {
+        return {std::nullopt, cli.exit(fault)};
+    }
+    if (!size.empty()) arguments.window.picture = readSize(size);
+    if (!fov.empty()) arguments.options.emplace_back("fov", fov);
+    for (const std::string& option : options) {
+        const std::size_t equals = option.find('=');
+        arguments.options.emplace_back(option.substr(0, equals), option.substr(equals + 1));
+    }
+    return {std::move(arguments), 0};
+}
+
+}  // namespace slicecast
+
+#endif

@@ -1,0 +1,24 @@
+// The program in a page: Module.canvas is its screen, and its keys and mouse are those of the canvas. Several modules in one page do not see each other.
+//
+// SDL brings the surface and the canvas's size. Keys and mouse come from the canvas directly, because SDL takes every key of the page away, Tab and the
+// browser's own combinations included, and never lets a click give the focus.
+#pragma once
+
+#ifdef __EMSCRIPTEN__
+
+#include "app/app.h"
+
+namespace slicecast {
+
+// The one program of this module. It exists before it is begun, so a page can load a scene meanwhile.
+App& pageProgram();
+
+// Begins to draw and to listen. False if there is no canvas or SDL cannot use it.
+bool beginPageProgram();
+
+// Ends both, if they have begun.
+void endPageProgram();
+
+}  // namespace slicecast
+
+#endif

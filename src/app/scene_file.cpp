@@ -1,0 +1,69 @@
+#include "app/scene_file.h"
+
+#ifndef __EMSCRIPTEN__
+
+#include <rapidjson/document.h>
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace slicecast {
+
+namespace {
+
+std::optional<std::vector<std::uint8_t>> readBytes(const std::filesystem::path& path) {
+    std::error_code fault;
+    if (std::filesystem::is_directory(path, fault)) return std::nullopt;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    return std::vector<std::uint8_t>(std::istreambuf_iterator<char>(file), {});
+}
+
+std::string textOf(const std::vector<std::uint8_t>& bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+LoadedScene readSceneFile(const std::filesystem::path& scene) {
+    const auto text = readBytes(scene);
+    if (!text) {
+        Fault fault;
+        fault.file = scene.string();
+        fault.found = "no file that can be read";
+        fault.expected = "a scene file";
+        return {std::nullopt, {fault}};
+    }
+    const ParsedScene parsed = parseScene(textOf(*text), scene.string());
+    SceneFiles files;
+    for (const std::string& name : parsed.files) {
+        if (auto bytes = readBytes(scene.parent_path() / name)) files.emplace(name, std::move(*bytes));
+    }
+    if (!parsed.description) return {std::nullopt, parsed.faults};
+    return loadScene(parsed, files);
+}
+
+std::filesystem::path findOpeningScene(const std::filesystem::path& programFolder) {
+    for (const std::filesystem::path& folder : std::to_array<std::filesystem::path>({"scenes", "../../../assets/scenes"})) {
+        const std::filesystem::path scenes = programFolder / folder;
+        const auto bytes = readBytes(scenes / "index.json");
+        if (!bytes) continue;
+        rapidjson::Document list;
+        const std::string text = textOf(*bytes);
+        list.Parse(text.data(), text.size());
+        if (list.HasParseError() || !list.IsArray() || list.Empty() || !list[0].IsObject()) continue;
+        const auto file = list[0].FindMember("file");
+        if (file != list[0].MemberEnd() && file->value.IsString()) return (scenes / file->value.GetString()).lexically_normal();
+    }
+    return {};
+}
+
+}  // namespace slicecast
+
+#endif

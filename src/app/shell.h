@@ -1,0 +1,41 @@
+// The place in which the program runs: a window of the desktop or the canvas of a page. The program hands it pictures and tells it what happens; it calls
+// the program with keys, the mouse and time (see app.h).
+#pragma once
+
+#include "app/frame_meter.h"
+
+#include <SDL2/SDL_surface.h>
+
+namespace slicecast {
+
+// What happens in the program, each with a yes or no.
+enum class News {
+    ready,       // the first picture is on the screen
+    pause,       // play stands still, or goes on
+    pointer,     // the mouse looks around, or is free
+    fly,         // fly mode, or walk mode
+    minimap,     // is shown, or not
+    help,        // its key was pressed
+    rate,        // the same
+    fullscreen,  // the same
+};
+
+class Shell {
+public:
+    virtual ~Shell() = default;
+
+    // Any steady clock.
+    virtual double nowSeconds() const = 0;
+
+    // Puts a picture (RGBA32) on the screen.
+    virtual void show(SDL_Surface& picture) = 0;
+
+    virtual void tell(News news, bool yes) = 0;
+    virtual void tellRates(const FrameRates& rates) = 0;
+    virtual void tellSize(int width, int height) = 0;
+
+    // Escape: frees the mouse, or, where it is free, leaves.
+    virtual void leave() = 0;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,222 @@
+#include "app/window_shell.h"
+
+#ifndef __EMSCRIPTEN__
+
+#include "overlay/text.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace slicecast {
+
+namespace {
+
+constexpr Size kFirstWindow = {1280, 720};
+constexpr Uint32 kFullscreen = SDL_WINDOW_FULLSCREEN_DESKTOP;
+constexpr int kUsualRate = 60;           // pictures per second where the screen does not say
+constexpr Uint32 kIdleMillis = 10;       // between looks for events while nothing moves
+constexpr std::size_t kHelpColumn = 19;  // characters, where the text beside the keys begins
+
+std::string sdlFault(const char* what) {
+    return std::string(what) + ": " + SDL_GetError();
+}
+
+}  // namespace
+
+WindowShell::~WindowShell() {
+    window_.reset();
+    SDL_Quit();
+}
+
+std::string WindowShell::open(App& app, const std::string& title) {
+    app_ = &app;
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdlFault("there is no screen to draw on");
+    const Size size = settings_.picture.value_or(kFirstWindow);
+    const Uint32 flags = SDL_WINDOW_RESIZABLE | (settings_.fullscreen ? kFullscreen : 0u);
+    window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width, size.height, flags));
+    if (!window_) return sdlFault("no window could be opened");
+    if (SDL_GetWindowSurface(window_.get()) == nullptr) return sdlFault("the window cannot be drawn on");
+    SDL_StopTextInput();
+    setTitle(title);
+    fitPicture();
+    return {};
+}
+
+void WindowShell::run(const std::function<void(const std::filesystem::path&)>& dropped) {
+    SDL_DisplayMode mode = {};
+    const int display = std::max(0, SDL_GetWindowDisplayIndex(window_.get()));
+    const int rate = SDL_GetCurrentDisplayMode(display, &mode) == 0 && mode.refresh_rate > 0 ? mode.refresh_rate : kUsualRate;
+    running_ = true;
+    double due = nowSeconds();
+    while (running_) {
+        // What has happened
+        SDL_Event event;
+        while (SDL_PollEvent(&event) != 0) handle(event);
+        if (!dropped_.empty()) dropped(std::exchange(dropped_, {}));
+
+        // A picture, and the time until the next one is due
+        const double now = nowSeconds();
+        if (!app_->frame(now)) {
+            SDL_Delay(kIdleMillis);
+            due = nowSeconds();
+            continue;
+        }
+        due = std::max(due + 1.0 / rate, now);
+        const double wait = due - nowSeconds();
+        if (wait > 0.0) SDL_Delay(static_cast<Uint32>(wait * 1000.0));
+    }
+}
+
+void WindowShell::setTitle(const std::string& title) {
+    title_ = title;
+    const std::string shown = app_->paused() ? title + " (paused)" : title;
+    SDL_SetWindowTitle(window_.get(), shown.c_str());
+}
+
+double WindowShell::nowSeconds() const {
+    return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency());
+}
+
+// ----------------------------------------------------------------------------------------------------------- pictures
+
+Size WindowShell::windowSize() const {
+    Size size;
+    SDL_GetWindowSize(window_.get(), &size.width, &size.height);
+    return {std::max(1, size.width), std::max(1, size.height)};
+}
+
+void WindowShell::fitPicture() {
+    const Fit fit = settings_.picture ? letterbox(*settings_.picture, windowSize()) : fillWindow(windowSize());
+    place_ = fit.place;
+    app_->resize(fit.picture.width, fit.picture.height);
+}
+
+// What a page shows beside the picture stands on it here.
+void WindowShell::drawPanels(SDL_Surface& surface) const {
+    const Picture picture = {static_cast<Pixel*>(surface.pixels), surface.w, surface.h, surface.pitch / static_cast<int>(sizeof(Pixel))};
+    if (showsRate_) {
+        char text[64];
+        std::snprintf(text, sizeof text, "%.0f frames/s\n%.1f ms to draw", rates_.framesPerSecond, rates_.drawMilliseconds);
+        drawTextPanel(picture, Anchor::topRight, text);
+    }
+    if (showsHelp_) {
+        std::string text;
+        for (const KeyHelp& line : keyHelp()) {
+            std::string keys(line.keys);
+            keys.resize(std::max(keys.size(), kHelpColumn), ' ');
+            text += (text.empty() ? "" : "\n") + keys + std::string(line.does);
+        }
+        drawTextPanel(picture, Anchor::middle, text);
+    }
+}
+
+void WindowShell::show(SDL_Surface& picture) {
+    drawPanels(picture);
+    SDL_Surface* screen = SDL_GetWindowSurface(window_.get());
+    if (screen == nullptr) return;
+    const bool covered = place_.x <= 0 && place_.y <= 0 && place_.w >= screen->w && place_.h >= screen->h;
+    if (!covered) SDL_FillRect(screen, nullptr, SDL_MapRGB(screen->format, 0, 0, 0));
+    SDL_Rect place = place_;
+    SDL_BlitScaled(&picture, nullptr, screen, &place);
+    SDL_UpdateWindowSurface(window_.get());
+}
+
+void WindowShell::tell(News news, bool yes) {
+    switch (news) {
+        case News::pause:
+            setTitle(title_);
+            break;
+        case News::fullscreen: {
+            const bool full = (SDL_GetWindowFlags(window_.get()) & kFullscreen) == kFullscreen;
+            SDL_SetWindowFullscreen(window_.get(), full ? 0u : kFullscreen);
+            break;
+        }
+        case News::help:
+        case News::rate: {
+            bool& shown = news == News::help ? showsHelp_ : showsRate_;
+            shown = yes && !shown;
+            app_->redraw();
+            break;
+        }
+        case News::ready:
+        case News::pointer:
+        case News::fly:
+        case News::minimap:
+            break;
+    }
+}
+
+// ------------------------------------------------------------------------------------------------------------- events
+
+void WindowShell::leave() {
+    if (app_->holdsPointer()) {
+        holdPointer(false);
+    } else {
+        running_ = false;
+    }
+}
+
+void WindowShell::holdPointer(bool hold) {
+    if (SDL_SetRelativeMouseMode(hold ? SDL_TRUE : SDL_FALSE) == 0) app_->pointerHeld(hold);
+}
+
+void WindowShell::handle(const SDL_Event& event) {
+    switch (event.type) {
+        case SDL_QUIT:
+            running_ = false;
+            break;
+        case SDL_WINDOWEVENT:
+            handleWindow(event.window);
+            break;
+        case SDL_KEYDOWN:
+            // With Alt or the system's key they are the desktop's.
+            if ((event.key.keysym.mod & (KMOD_ALT | KMOD_GUI)) != 0) break;
+            if (const Key* key = findKey(event.key.keysym.scancode)) app_->keyDown(*key, event.key.repeat != 0);
+            break;
+        case SDL_KEYUP:
+            if (const Key* key = findKey(event.key.keysym.scancode)) app_->keyUp(*key);
+            break;
+        case SDL_MOUSEBUTTONDOWN:
+            if (event.button.button == SDL_BUTTON_LEFT && !app_->holdsPointer()) holdPointer(true);
+            break;
+        case SDL_MOUSEMOTION:
+            app_->pointerMoved(event.motion.xrel, event.motion.yrel);
+            break;
+        case SDL_DROPFILE:
+            dropped_ = event.drop.file;
+            SDL_free(event.drop.file);
+            break;
+        default:
+            break;
+    }
+}
+
+void WindowShell::handleWindow(const SDL_WindowEvent& event) {
+    switch (event.event) {
+        case SDL_WINDOWEVENT_SIZE_CHANGED:
+            fitPicture();
+            break;
+        case SDL_WINDOWEVENT_EXPOSED:
+            app_->redraw();
+            break;
+        case SDL_WINDOWEVENT_FOCUS_LOST:
+            app_->releaseKeys();
+            if (app_->holdsPointer()) holdPointer(false);
+            break;
+        case SDL_WINDOWEVENT_HIDDEN:
+        case SDL_WINDOWEVENT_MINIMIZED:
+            app_->setHidden(true);
+            break;
+        case SDL_WINDOWEVENT_SHOWN:
+        case SDL_WINDOWEVENT_RESTORED:
+            app_->setHidden(false);
+            break;
+        default:
+            break;
+    }
+}
+
+}  // namespace slicecast
+
+#endif

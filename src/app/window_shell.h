@@ -1,0 +1,73 @@
+// The program in a window of the desktop.
+//
+// The window can have any size. Without a size of its own the picture fills it, enlarged by a whole number on large screens; with one it stands in the
+// middle, enlarged by a whole number, with black around it.
+#pragma once
+
+#ifndef __EMSCRIPTEN__
+
+#include "app/app.h"
+#include "app/fit.h"
+
+#include <SDL2/SDL.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace slicecast {
+
+struct WindowSettings {
+    std::optional<Size> picture;  // a fixed size of the picture
+    bool fullscreen = false;
+};
+
+class WindowShell : public Shell {
+public:
+    explicit WindowShell(const WindowSettings& settings) : settings_(settings) {}
+    ~WindowShell() override;
+
+    // Opens the window. Empty on success, else what was wrong.
+    std::string open(App& app, const std::string& title);
+
+    // Plays until the window is closed. `dropped` is called with a file that was dropped on the window.
+    void run(const std::function<void(const std::filesystem::path&)>& dropped);
+
+    void setTitle(const std::string& title);
+
+    double nowSeconds() const override;
+    void show(SDL_Surface& picture) override;
+    void tell(News news, bool yes) override;
+    void tellRates(const FrameRates& rates) override { rates_ = rates; }
+    void tellSize(int, int) override {}
+    void leave() override;
+
+private:
+    struct DestroyWindow {
+        void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+    };
+
+    Size windowSize() const;
+    void fitPicture();
+    void holdPointer(bool hold);
+    void handle(const SDL_Event& event);
+    void handleWindow(const SDL_WindowEvent& event);
+    void drawPanels(SDL_Surface& picture) const;
+
+    WindowSettings settings_;
+    App* app_ = nullptr;
+    std::unique_ptr<SDL_Window, DestroyWindow> window_;
+    std::string title_;
+    SDL_Rect place_ = {};
+    std::filesystem::path dropped_;
+    FrameRates rates_;
+    bool running_ = false;
+    bool showsHelp_ = false;
+    bool showsRate_ = false;
+};
+
+}  // namespace slicecast
+
+#endif

@@ -1,0 +1,278 @@
+#include "wasm/bindings.h"
+
+#include "app/keys.h"
+#include "app/page_shell.h"
+#include "base/image.h"
+#include "scene/scene.h"
+#include "session/session.h"
+#include "wasm/json_text.h"
+
+#include <emscripten/emscripten.h>
+
+#include <cinttypes>
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using namespace slicecast;
+
+// One session as JavaScript sees it: what has been read of a scene so far, and the game. The game of the program's session lives in the program.
+struct SlicecastSession {
+    bool ofProgram = false;
+    ParsedScene parsed;
+    SceneFiles files;
+    std::unique_ptr<Session> own;
+    SessionOptions waiting;  // options set before there is a game
+    Image picture;
+    std::string answer;
+
+    Session* game() const { return ofProgram ? pageProgram().game() : own.get(); }
+    void changed() const {
+        if (ofProgram) pageProgram().redraw();
+    }
+    const char* give(std::string text) {
+        answer = std::move(text);
+        return answer.c_str();
+    }
+};
+
+namespace {
+
+void writeFaults(JsonText& json, const std::vector<Fault>& faults) {
+    json.key("faults").beginArray();
+    for (const Fault& fault : faults) {
+        json.beginObject();
+        json.key("file").text(fault.file).key("pointer").text(fault.pointer);
+        json.key("line").number(fault.line).key("column").number(fault.column).key("row").number(fault.row).key("character").number(fault.character);
+        json.key("found").text(fault.found).key("expected").text(fault.expected);
+        json.key("message").text(describe(fault));
+        json.endObject();
+    }
+    json.endArray();
+}
+
+const char* kindName(OptionKind kind) {
+    switch (kind) {
+        case OptionKind::onOff:
+            return "onOff";
+        case OptionKind::number:
+            return "number";
+        case OptionKind::wholeNumber:
+            return "wholeNumber";
+        case OptionKind::ownOrNumber:
+            return "ownOrNumber";
+    }
+    return "";
+}
+
+std::string currentValue(const SlicecastSession& session, std::string_view name) {
+    const Session* game = session.game();
+    return game != nullptr ? game->option(name) : optionValue(session.waiting, name);
+}
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_version(void) {
+    return SLICECAST_VERSION;
+}
+
+// ----------------------------------------------------------------------------------------------------------- sessions
+
+EMSCRIPTEN_KEEPALIVE SlicecastSession* slicecast_create(void) {
+    return new SlicecastSession;
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_free(SlicecastSession* session) {
+    if (!session->ofProgram) delete session;
+}
+
+EMSCRIPTEN_KEEPALIVE SlicecastSession* slicecast_programSession(void) {
+    static SlicecastSession session;
+    session.ofProgram = true;
+    return &session;
+}
+
+// ------------------------------------------------------------------------------------------------------------ loading
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes, const char* fileName) {
+    session->files.clear();
+    session->parsed = parseScene(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
+    JsonText json;
+    json.beginObject().key("files").beginArray();
+    for (const std::string& file : session->parsed.files) json.text(file);
+    json.endArray();
+    writeFaults(json, session->parsed.faults);
+    return session->give(json.endObject().str());
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_supply(SlicecastSession* session, const char* fileName, const uint8_t* bytes, int32_t byteCount) {
+    session->files[fileName].assign(bytes, bytes + byteCount);
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
+    // A scene whose text is at fault says so again, and makes no world.
+    LoadedScene loaded = session->parsed.description ? loadScene(session->parsed, session->files) : LoadedScene{{}, session->parsed.faults};
+    session->files.clear();
+    JsonText json;
+    json.beginObject();
+    writeFaults(json, loaded.faults);
+    json.endObject();
+    if (!loaded.world) return session->give(json.str());
+
+    auto game = std::make_unique<Session>(std::move(*loaded.world));
+    for (const OptionInfo& option : knownOptions()) game->setOption(option.name, currentValue(*session, option.name));
+    if (session->ofProgram) {
+        pageProgram().play(std::move(game));
+    } else {
+        session->own = std::move(game);
+    }
+    session->parsed = {};
+    return session->give(json.str());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_world(SlicecastSession* session) {
+    const Session* game = session->game();
+    if (game == nullptr) return session->give("null");
+    JsonText json;
+    json.beginObject().key("title").text(game->world().title).key("maps").beginArray();
+    for (const Map& map : game->world().maps) {
+        json.beginObject().key("name").text(map.name);
+        json.key("width").number(map.width).key("depth").number(map.depth).key("levels").number(map.levels).endObject();
+    }
+    return session->give(json.endArray().endObject().str());
+}
+
+// ------------------------------------------------------------------------------------------------------------ playing
+
+EMSCRIPTEN_KEEPALIVE void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn, double look, double fly, double turnDegrees,
+                                         double lookHeights, int32_t buttons) {
+    Session* game = session->game();
+    if (game == nullptr) return;
+    Input input;
+    input.forward = forward;
+    input.strafe = strafe;
+    input.turn = turn;
+    input.look = look;
+    input.fly = fly;
+    input.turnDegrees = turnDegrees;
+    input.lookHeights = lookHeights;
+    input.jump = (buttons & 1) != 0;
+    input.fast = (buttons & 2) != 0;
+    input.slow = (buttons & 4) != 0;
+    game->step(input);
+    session->changed();
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_draw(SlicecastSession* session, int32_t width, int32_t height, double fraction) {
+    Session* game = session->game();
+    if (game == nullptr || width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide) return 0;
+    if (session->picture.width != width || session->picture.height != height) session->picture = Image(width, height);
+    return game->draw({session->picture.pixels.data(), width, height, width}, fraction) ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE const uint8_t* slicecast_picture(SlicecastSession* session) {
+    return reinterpret_cast<const uint8_t*>(session->picture.pixels.data());
+}
+
+// ------------------------------------------------------------------------------------------------- options and state
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_setOption(SlicecastSession* session, const char* name, const char* value) {
+    Session* game = session->game();
+    session->changed();
+    return session->give(game != nullptr ? game->setOption(name, value) : setOption(session->waiting, name, value));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_option(SlicecastSession* session, const char* name) {
+    return session->give(currentValue(*session, name));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_options(SlicecastSession* session) {
+    JsonText json;
+    json.beginArray();
+    for (const OptionInfo& option : knownOptions()) {
+        json.beginObject().key("name").text(option.name).key("kind").text(kindName(option.kind));
+        json.key("least").number(option.least).key("greatest").number(option.greatest);
+        json.key("standard").text(option.standard).key("description").text(option.description);
+        json.key("value").text(currentValue(*session, option.name)).endObject();
+    }
+    return session->give(json.endArray().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
+    const Session* game = session->game();
+    if (game == nullptr) return session->give("null");
+    const SessionState state = game->state();
+    char fingerprint[20];
+    std::snprintf(fingerprint, sizeof fingerprint, "%016" PRIx64, game->fingerprint());
+    JsonText json;
+    json.beginObject();
+    json.key("map").number(game->player().map).key("mapName").text(state.map);
+    json.key("x").number(state.x).key("y").number(state.y).key("z").number(state.z).key("feet").number(state.feet);
+    json.key("heading").number(state.headingDegrees).key("look").number(state.look).key("speed").number(state.speed);
+    json.key("flying").yesNo(state.flying).key("crouched").yesNo(state.crouched).key("onGround").yesNo(state.onGround);
+    json.key("intensity").number(state.intensity).key("multiplier").number(state.multiplier);
+    json.key("steps").number(static_cast<double>(state.steps)).key("fingerprint").text(fingerprint);
+    return session->give(json.endObject().str());
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees, double look) {
+    Session* game = session->game();
+    if (game == nullptr) return 0;
+    session->changed();
+    return game->setEye({map, toCoordinate(x), toCoordinate(y), toCoordinate(z), headingDegrees, look}) ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_setFlying(SlicecastSession* session, int32_t flying) {
+    Session* game = session->game();
+    if (game == nullptr) return;
+    game->setFlying(flying != 0);
+    session->changed();
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_reset(SlicecastSession* session) {
+    Session* game = session->game();
+    if (game == nullptr) return;
+    game->reset();
+    session->changed();
+}
+
+// -------------------------------------------------------------------------------------------------- program in a page
+
+EMSCRIPTEN_KEEPALIVE void slicecast_resize(int32_t width, int32_t height) {
+    pageProgram().resize(width, height);
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_pause(int32_t paused) {
+    pageProgram().setPaused(paused != 0);
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_paused(void) {
+    return pageProgram().paused() ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_setMouse(double degreesPerPixel, int32_t invert) {
+    pageProgram().setMouse(degreesPerPixel, invert != 0);
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_keys(void) {
+    static const std::string text = [] {
+        JsonText json;
+        json.beginArray();
+        for (const KeyHelp& line : keyHelp()) json.beginObject().key("keys").text(line.keys).key("does").text(line.does).endObject();
+        return json.endArray().str();
+    }();
+    return text.c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_stop(void) {
+    endPageProgram();
+}
+
+}  // extern "C"

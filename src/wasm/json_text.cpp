@@ -1,0 +1,72 @@
+#include "wasm/json_text.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace slicecast {
+
+void JsonText::separate() {
+    if (needsComma_) out_ += ',';
+    needsComma_ = true;
+}
+
+JsonText& JsonText::open(char bracket) {
+    separate();
+    out_ += bracket;
+    needsComma_ = false;
+    return *this;
+}
+
+JsonText& JsonText::close(char bracket) {
+    out_ += bracket;
+    needsComma_ = true;
+    return *this;
+}
+
+JsonText& JsonText::key(std::string_view name) {
+    separate();
+    quote(name);
+    out_ += ':';
+    needsComma_ = false;
+    return *this;
+}
+
+JsonText& JsonText::text(std::string_view value) {
+    separate();
+    quote(value);
+    return *this;
+}
+
+JsonText& JsonText::number(double value) {
+    separate();
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.15g", value);
+    if (std::strtod(digits, nullptr) != value) std::snprintf(digits, sizeof digits, "%.17g", value);
+    out_ += digits;
+    return *this;
+}
+
+JsonText& JsonText::yesNo(bool value) {
+    separate();
+    out_ += value ? "true" : "false";
+    return *this;
+}
+
+void JsonText::quote(std::string_view value) {
+    out_ += '"';
+    for (const char c : value) {
+        if (c == '"' || c == '\\') {
+            out_ += '\\';
+            out_ += c;
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+            out_ += escape;
+        } else {
+            out_ += c;
+        }
+    }
+    out_ += '"';
+}
+
+}  // namespace slicecast
