@@ -61,7 +61,7 @@ Surface brickSurface() {
         }
         const double blotch = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 5U) - 0.5;
         texel.ramp = isBurnt(piece) ? &kBurntRamp : &kClayRamp;
-        texel.tone = (isBurnt(piece) ? 3.2 : 3.0) + brickVariation(piece) + 1.1 * blotch;
+        texel.tone = (isBurnt(piece) ? 3.4 : 3.25) + brickVariation(piece) + 1.1 * blotch;
     });
     drawPits(surface, 260, 0.9, kSeed + 6U);
     return surface;

@@ -14,6 +14,8 @@ struct Entry {
     std::string name;  // the file is name.png
     Use use;
     Picture (*paint)();
+    std::string wall = {};       // what it is painted on: its borders continue that texture
+    bool standsOnFloor = false;  // its lower border meets the floor, not another copy of itself
 };
 
 const std::vector<Entry>& catalogue();

@@ -19,35 +19,45 @@ struct Puff {
     double radius;
 };
 
-// Smaller puffs on the upper rim of a puff, and still smaller ones on theirs.
+// A random way out of a ball that shows on its front: never to the back, seldom down.
+Puff outward(Random& random) {
+    for (;;) {
+        const double x = random.between(-1.0, 1.0);
+        const double y = random.between(-0.35, 1.0);
+        const double z = random.between(-0.1, 1.0);
+        const double length = std::sqrt(x * x + y * y + z * z);
+        if (length > 0.2 && length < 1.0) {
+            return {x / length, y / length, z / length, 1.0};
+        }
+    }
+}
+
+// Smaller puffs all over the front of a puff, and still smaller ones on those.
 void addPuffs(std::vector<Puff>& puffs, const Puff& puff, int depth, Random& random) {
     puffs.push_back(puff);
     if (depth == 0) {
         return;
     }
-    const int count = 4 + random.below(3);
+    const int count = 6 + random.below(3);
     for (int number = 0; number < count; ++number) {
-        const double side = random.between(-0.95, 0.95);
-        const double rise = std::sqrt(1.0 - side * side) * random.between(0.5, 1.0);
-        const double size = random.between(0.36, 0.58);
-        const Puff child{puff.x + 0.78 * puff.radius * side, puff.y + 0.78 * puff.radius * rise, puff.z + puff.radius * random.between(0.0, 0.35),
-                         puff.radius * size};
-        addPuffs(puffs, child, depth - 1, random);
+        const Puff way = outward(random);
+        const double reach = 0.8 * puff.radius;
+        addPuffs(puffs, {puff.x + reach * way.x, puff.y + reach * way.y, puff.z + reach * way.z, puff.radius * random.between(0.34, 0.56)}, depth - 1, random);
     }
 }
 
 std::vector<Puff> puffsOf(const Cloud& cloud) {
     Random random(cloud.seed);
     std::vector<Puff> puffs;
-    constexpr int kHeaps = 7;
-    const double summit = random.between(-0.35, 0.35);
+    constexpr int kHeaps = 11;
+    const double summit = random.between(-0.4, 0.4);
     for (int heap = 0; heap < kHeaps; ++heap) {
-        const double place = (heap + random.between(0.2, 0.8)) / kHeaps * 2.0 - 1.0;
+        const double place = (heap + random.between(0.1, 0.9)) / kHeaps * 2.0 - 1.0;
         const double fromSummit = (place - summit) / (1.0 + std::abs(summit));
         const double dome = 1.0 - fromSummit * fromSummit;
-        const double radius = cloud.height * (0.20 + 0.26 * dome * random.between(0.7, 1.2));
-        const double rise = cloud.height * 0.42 * dome * random.between(0.5, 1.1);
-        addPuffs(puffs, {place * 0.5 * cloud.width, rise, radius * random.between(0.0, 0.8), radius}, 2, random);
+        const double radius = cloud.height * (0.11 + 0.30 * dome * random.between(0.5, 1.1));
+        const double rise = cloud.height * 0.5 * dome * random.between(0.15, 1.1);
+        addPuffs(puffs, {place * 0.5 * cloud.width, rise, cloud.height * random.between(-0.4, 0.4), radius}, 2, random);
     }
     return puffs;
 }

@@ -102,7 +102,8 @@ Picture paintBannerOf(const Cloth& cloth) {
     constexpr double kMiddle = 63.5;
     static constexpr std::array<std::array<double, 2>, 8> kRays = {
         {{1.0, 0.0}, {0.7071, 0.7071}, {0.0, 1.0}, {-0.7071, 0.7071}, {-1.0, 0.0}, {-0.7071, -0.7071}, {0.0, -1.0}, {0.7071, -0.7071}}};
-    Surface surface = ashlarSurface();
+    const Surface wall = ashlarSurface();
+    Surface surface = wall;
     everyTexelIn(kLeft, kTop, kRight, kBottom, [&](int x, int y) {
         // Swallow tail
         const double fromMiddle = std::abs(x - kMiddle);
@@ -157,7 +158,8 @@ Picture paintBannerOf(const Cloth& cloth) {
         const int left = kLeft + 2 + loop * 15;
         everyTexelIn(left, 11, left + 5, 18, [&](int x, int y) { surface.at(x, y) = {.height = 6.0, .tone = cloth.tone, .ramp = cloth.field}; });
     }
-    return lit(surface, {.gain = 0.45, .lightest = 0.8, .darkest = 1.0, .shadowReach = 5, .shadowSlope = 0.8, .shadowDepth = 1.0, .hollowDepth = 0.04});
+    return litOver(wall, ashlarLighting(), surface,
+                   {.gain = 0.45, .lightest = 0.8, .darkest = 1.0, .shadowReach = 5, .shadowSlope = 0.8, .shadowDepth = 1.0, .hollowDepth = 0.04});
 }
 
 }  // namespace

@@ -61,14 +61,16 @@ void drawPanes(Surface& surface, const Panes& panes) {
 }
 
 Picture paintBrickWindow(bool lamp) {
-    Surface surface = brickSurface();
+    const Surface wall = brickSurface();
+    Surface surface = wall;
     // The recess, then lintel and sill of dressed stone
     drawSlab(surface, {.left = 35, .top = 32, .right = 93, .bottom = 96, .height = -1.0, .bevel = 1.0, .tone = 1.6, .ramp = &kOakRamp});
     drawPanes(surface, {.left = 38, .top = 34, .columns = 3, .rows = 3, .paneWidth = 14, .paneHeight = 16, .lamp = lamp});
     drawSlab(surface, {.left = 29, .top = 17, .right = 99, .bottom = 32, .height = 3.0, .bevel = 2.0, .tone = 4.2, .ramp = &kStoneRamp});
     drawSlab(surface, {.left = 27, .top = 96, .right = 101, .bottom = 106, .height = 4.0, .bevel = 2.0, .tone = 4.4, .ramp = &kStoneRamp});
     drawSlab(surface, {.left = 57, .top = 14, .right = 71, .bottom = 33, .height = 4.0, .bevel = 2.0, .tone = 4.5, .ramp = &kStoneRamp});
-    return lit(surface, {.gain = 0.5, .lightest = 0.8, .darkest = 1.3, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 1.1, .hollowDepth = 0.06});
+    return litOver(wall, brickLighting(), surface,
+                   {.gain = 0.5, .lightest = 0.8, .darkest = 1.3, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 1.1, .hollowDepth = 0.06});
 }
 
 }  // namespace
@@ -89,7 +91,8 @@ Picture paintDoor() {
                                                                       {0.7071, -0.7071},
                                                                       {0.9239, -0.3827},
                                                                       {1.0, 0.0}}};
-    Surface surface = ashlarSurface();
+    const Surface wall = ashlarSurface();
+    Surface surface = wall;
     everyTexel([&](int x, int y) {
         const double dx = x - kMiddle;
         const double dy = y - kSpring;
@@ -157,7 +160,8 @@ Picture paintDoor() {
             surface.at(x, y) = {.height = 0.5 - off, .tone = 3.1, .ramp = &kBrassRamp};
         }
     });
-    return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 5, .shadowSlope = 0.7, .shadowDepth = 1.0, .hollowDepth = 0.06});
+    return litOver(wall, ashlarLighting(), surface,
+                   {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 5, .shadowSlope = 0.7, .shadowDepth = 1.0, .hollowDepth = 0.06});
 }
 
 Picture paintWindowBrick() {

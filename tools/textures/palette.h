@@ -50,9 +50,9 @@ inline constexpr Colour kCream = fromHex(0xf7f1e1);
 inline constexpr Colour kClay0 = fromHex(0x3e2129);
 inline constexpr Colour kClay1 = fromHex(0x60302f);
 inline constexpr Colour kClay2 = fromHex(0x80453d);
-inline constexpr Colour kClay3 = fromHex(0xa05c4a);
-inline constexpr Colour kClay4 = fromHex(0xbd7c60);
-inline constexpr Colour kClay5 = fromHex(0xd9a380);
+inline constexpr Colour kClay3 = fromHex(0xa35b46);
+inline constexpr Colour kClay4 = fromHex(0xc07c5a);
+inline constexpr Colour kClay5 = fromHex(0xdba277);
 
 // Timber
 inline constexpr Colour kTimber0 = fromHex(0x2a1d1e);
@@ -82,10 +82,10 @@ inline constexpr Colour kBrass2 = fromHex(0xecc862);
 
 // Sea and sky
 inline constexpr Colour kSea0 = fromHex(0x1d3852);
-inline constexpr Colour kSea1 = fromHex(0x2d5f82);
-inline constexpr Colour kSea2 = fromHex(0x5393b0);
-inline constexpr Colour kSea3 = fromHex(0x8fc1d3);
-inline constexpr Colour kSea4 = fromHex(0xc9e1e1);
+inline constexpr Colour kSea1 = fromHex(0x2b6189);
+inline constexpr Colour kSea2 = fromHex(0x4f96ba);
+inline constexpr Colour kSea3 = fromHex(0x8bc3dc);
+inline constexpr Colour kSea4 = fromHex(0xc8e2e6);
 
 // Evening
 inline constexpr Colour kViolet = fromHex(0x54416a);

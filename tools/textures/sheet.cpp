@@ -17,6 +17,22 @@ void copyTiled(Picture& sheet, const Picture& texture, int left, int top, int wi
     }
 }
 
+// A part of a sky as a screen shows it: columns and rows are drawn `columnSize` and `rowSize` hundredths of a pixel wide and tall.
+struct SkyView {
+    int fromColumn;
+    int fromRow;
+    int columnSize;
+    int rowSize;
+};
+
+void copySky(Picture& sheet, const Picture& sky, const SkyView& view, int left, int top, int width, int height) {
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            sheet.at(left + x, top + y) = sky.at(view.fromColumn + x * 100 / view.columnSize, view.fromRow + y * 100 / view.rowSize);
+        }
+    }
+}
+
 Picture reduced(const Picture& texture, int factor) {
     Picture small(texture.width / factor, texture.height / factor);
     const int area = factor * factor;
@@ -70,7 +86,10 @@ Picture contactSheet(const std::vector<Entry>& entries) {
             copyTiled(sheet, reduced(texture, 8), third, top + kSide + 96 + 2 * kMargin, kSide, 64, 1);
             copyTiled(sheet, reduced(texture, 8), third, top + kSide + 160 + 3 * kMargin, kSide, 64, 4);
         } else {
-            copyTiled(sheet, texture, left, top, cellWidth - 2 * kMargin, texture.height, 1);
+            // The whole sky in its true proportions, and what a view of 60 degrees sees of it
+            copySky(sheet, texture, {.fromColumn = 0, .fromRow = 0, .columnSize = 88, .rowSize = 56}, left, top, cellWidth - 2 * kMargin, 143);
+            copySky(sheet, texture, {.fromColumn = 500, .fromRow = 256 - 88, .columnSize = 420, .rowSize = 267}, left, top + 150, 448, 234);
+            copySky(sheet, texture, {.fromColumn = 700, .fromRow = 50, .columnSize = 420, .rowSize = 267}, left + 456, top + 150, 448, 234);
         }
         ++index;
     }

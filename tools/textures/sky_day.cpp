@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t kSeed = 3000;
 
-constexpr Ramp kAir{{kHazeDay, kSea4, kSea3, blend(kSea2, kSea3, 96), blend(kSea1, kSea2, 176)}, 5};
-constexpr Ramp kCumulus{{blend(kSea2, kSlate4, 150), blend(kSea3, kSlate4, 110), blend(kSea4, kSlate5, 128), blend(kSea4, kCream, 110), kCream}, 5};
+constexpr Ramp kAir{{kHazeDay, kSea4, kSea3, blend(kSea2, kSea3, 96), blend(kSea1, kSea2, 128)}, 5};
+constexpr Ramp kCumulus{{blend(kSea2, kSlate3, 128), blend(kSea2, kSlate4, 170), blend(kSea3, kSlate5, 128), blend(kSea4, kCream, 110), kCream}, 5};
 
 // A row of clouds around the sky, evenly placed but for some chance.
 struct CloudRow {
@@ -55,35 +55,35 @@ Picture paintSkyDay() {
     drawRow(sky, {.count = 9, .base = 0.17, .width = 0.62, .height = 0.13, .hazeShare = 70}, kSeed + 100U);
     drawRow(sky, {.count = 5, .base = 0.40, .width = 0.95, .height = 0.27, .hazeShare = 16}, kSeed + 200U);
     drawRidge(sky, {.low = 0.02,
-                    .high = 0.115,
+                    .high = 0.165,
                     .peaks = 26,
                     .sharpness = 0.9,
                     .lit = blend(kSea3, kSlate4, 100),
                     .shaded = blend(kSea2, kSlate3, 96),
                     .mist = kHazeDay,
-                    .mistHeight = 0.075,
-                    .snowLine = 0.074,
+                    .mistHeight = 0.09,
+                    .snowLine = 0.103,
                     .snow = blend(kSea4, kCream, 120),
                     .seed = kSeed + 300U});
     drawRidge(sky, {.low = 0.012,
-                    .high = 0.062,
+                    .high = 0.10,
                     .peaks = 20,
                     .sharpness = 0.1,
                     .lit = blend(kMoss4, kSea3, 130),
                     .shaded = blend(kMoss3, kSea2, 128),
                     .mist = kHazeDay,
-                    .mistHeight = 0.05,
+                    .mistHeight = 0.06,
                     .snowLine = 2.0,
                     .snow = kCream,
                     .seed = kSeed + 310U});
     drawRidge(sky, {.low = 0.002,
-                    .high = 0.038,
+                    .high = 0.055,
                     .peaks = 28,
                     .sharpness = 0.0,
                     .lit = blend(kMoss4, kSea3, 60),
                     .shaded = blend(kMoss3, kSea2, 64),
                     .mist = kHazeDay,
-                    .mistHeight = 0.03,
+                    .mistHeight = 0.032,
                     .snowLine = 2.0,
                     .snow = kCream,
                     .seed = kSeed + 320U});

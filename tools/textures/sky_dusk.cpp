@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kSeed = 3200;
 constexpr double kSunAcross = kAround / 2.0;  // in the west
-constexpr double kSunUp = 0.075;
+constexpr double kSunUp = 0.125;
 
 constexpr Ramp kAir{
     {blend(kNight, kSea0, 128), blend(kSea0, kViolet, 128), kViolet, kPlum, blend(kPlum, kCoral, 150), kCoral, kSand0, blend(kBrass2, kSand2, 128)}, 8};
@@ -30,21 +30,21 @@ double airTone(double across, double up) {
 void drawStreaks(Picture& sky) {
     for (int y = 0; y < kSkyHeight; ++y) {
         const double up = upOf(y);
-        const double depth = 5.0 / (up + 0.16);
+        const double depth = 9.0 / (up + 0.2);
         for (int x = 0; x < kSkyWidth; ++x) {
             const double across = acrossOf(x);
-            const double bend = 0.8 * valueNoise(x / 64.0, depth, 16, 64, kSeed + 1U);
-            const double mass = fractalNoise(x / 64.0, depth + bend, 16, 64, 4, kSeed + 2U);
-            const double edge = mass - 0.56;
+            const double bend = 0.8 * valueNoise(x / 42.666666666666664, depth, 24, 64, kSeed + 1U);
+            const double mass = fractalNoise(x / 42.666666666666664, depth + bend, 24, 64, 4, kSeed + 2U);
+            const double edge = mass - (0.54 + 0.09 * up);
             if (edge < 0.0 || up < 0.04) {
                 continue;
             }
             const double glow = nearSun(across, up, 1.1);
             // The rims towards the sun burn, the bodies are dark
-            const double rim = fractalNoise(x / 64.0, depth + bend + 0.16, 16, 64, 4, kSeed + 2U) - 0.56;
+            const double rim = fractalNoise(x / 42.666666666666664, depth + bend + 0.16, 24, 64, 4, kSeed + 2U) - (0.54 + 0.09 * up);
             const bool burning = rim < 0.02;
             const double tone = burning ? airTone(across, up) + 0.8 + 1.4 * glow : airTone(across, up) - 0.9 + 0.5 * glow;
-            sky.at(x, y) = colourAt(kAir, std::min(tone, 7.0));
+            sky.at(x, y) = burning ? colourAt(kAir, tone) : softColourAt(kAir, tone);
         }
     }
 }
@@ -76,8 +76,8 @@ Picture paintSkyDusk() {
             }
         }
     }
-    drawRidge(sky, {.low = 0.03,
-                    .high = 0.16,
+    drawRidge(sky, {.low = 0.025,
+                    .high = 0.17,
                     .peaks = 22,
                     .sharpness = 0.9,
                     .lit = blend(kPlum, kCoral, 60),
@@ -88,7 +88,7 @@ Picture paintSkyDusk() {
                     .snow = kCoral,
                     .seed = kSeed + 20U});
     drawRidge(sky, {.low = 0.015,
-                    .high = 0.10,
+                    .high = 0.12,
                     .peaks = 18,
                     .sharpness = 0.7,
                     .lit = blend(kViolet, kPlum, 96),
@@ -99,7 +99,7 @@ Picture paintSkyDusk() {
                     .snow = kCoral,
                     .seed = kSeed + 31U});
     drawRidge(sky, {.low = 0.004,
-                    .high = 0.05,
+                    .high = 0.07,
                     .peaks = 30,
                     .sharpness = 0.1,
                     .lit = blend(kNight, kViolet, 128),

@@ -63,7 +63,7 @@ void drawMoon(Picture& sky) {
             const double distance = std::sqrt(dx * dx + dy * dy);
             if (distance > 1.0) {
                 // Rings of light around it
-                const double glow = distance < 1.5 ? 0.42 : (distance < 2.3 ? 0.26 : (distance < 3.6 ? 0.15 : (distance < 5.5 ? 0.07 : 0.0)));
+                const double glow = distance < 1.4 ? 0.30 : (distance < 2.1 ? 0.19 : (distance < 3.2 ? 0.11 : (distance < 5.0 ? 0.05 : 0.0)));
                 sky.at(x, y) = blend(sky.at(x, y), kSea2, static_cast<int>(glow * 256.0));
                 continue;
             }
@@ -92,7 +92,7 @@ Picture paintSkyNight() {
         for (int x = 0; x < kSkyWidth; ++x) {
             const Colour air = softColourAt(kAir, 5.0 * up / (up + 0.32));
             const double way = milkyWay(x, y);
-            const Colour veil = way > 0.55 ? kPlum : kViolet;
+            const Colour veil = way > 0.55 ? blend(kSea1, kSlate4, 110) : blend(kViolet, kSea1, 96);
             const int share = way > 0.55 ? 70 : (way > 0.35 ? 92 : (way > 0.18 ? 56 : (way > 0.06 ? 26 : 0)));
             sky.at(x, y) = blend(air, veil, share);
         }
@@ -100,26 +100,26 @@ Picture paintSkyNight() {
     drawStars(sky);
     drawMoon(sky);
     drawRidge(sky, {.low = 0.03,
-                    .high = 0.17,
+                    .high = 0.21,
                     .peaks = 22,
                     .sharpness = 0.95,
                     .lit = blend(kSlate1, kSea1, 60),
                     .shaded = blend(kSlate0, kSea0, 128),
                     .mist = kHazeNight,
                     .mistHeight = 0.09,
-                    .snowLine = 0.105,
-                    .snow = kSlate3,
+                    .snowLine = 0.135,
+                    .snow = blend(kSlate2, kSlate3, 100),
                     .seed = kSeed + 20U});
     drawRidge(sky, {.low = 0.01,
-                    .high = 0.085,
+                    .high = 0.11,
                     .peaks = 24,
-                    .sharpness = 0.4,
+                    .sharpness = 0.6,
                     .lit = blend(kNight, kSea0, 150),
                     .shaded = blend(kNight, kSea0, 60),
                     .mist = kHazeNight,
                     .mistHeight = 0.05,
                     .snowLine = 2.0,
-                    .snow = kSlate3,
+                    .snow = blend(kSlate2, kSlate3, 100),
                     .seed = kSeed + 31U});
     drawHaze(sky, kHazeNight, 4);
     return sky;

@@ -47,4 +47,26 @@ Picture lit(const Surface& surface, const Lighting& lighting) {
     return picture;
 }
 
+Picture litOver(const Surface& wall, const Lighting& wallLighting, const Surface& surface, const Lighting& lighting) {
+    const Picture bare = lit(wall, wallLighting);
+    Picture picture = lit(surface, lighting);
+    const auto changedNear = [&](int x, int y) {
+        const int reach = std::max(2, lighting.shadowReach);
+        for (int dy = -reach; dy <= reach; ++dy) {
+            for (int dx = -reach; dx <= reach; ++dx) {
+                if (!(surface.at(x + dx, y + dy) == wall.at(x + dx, y + dy))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    everyTexel([&](int x, int y) {
+        if (!changedNear(x, y)) {
+            picture.at(x, y) = bare.at(x, y);
+        }
+    });
+    return picture;
+}
+
 }  // namespace slicecast::textures

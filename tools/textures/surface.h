@@ -15,6 +15,8 @@ struct Texel {
     double height = 0.0;
     double tone = 3.0;
     const Ramp* ramp = &kStoneRamp;
+
+    friend bool operator==(const Texel&, const Texel&) = default;
 };
 
 class Surface {
@@ -41,6 +43,10 @@ struct Lighting {
 };
 
 Picture lit(const Surface& surface, const Lighting& lighting = {});
+
+// Something put on a wall: lit as `lighting` says where the surface differs from the bare wall and close by, and exactly like the
+// bare wall elsewhere, so that it stands in a row with bare walls without a seam.
+Picture litOver(const Surface& wall, const Lighting& wallLighting, const Surface& surface, const Lighting& lighting);
 
 // Calls paint(x, y) for every texel of a block texture.
 template <typename Paint>

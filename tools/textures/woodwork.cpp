@@ -123,7 +123,7 @@ Picture paintPlanksWall() {
         Texel& texel = surface.at(x, y);
         texel.ramp = &kTimberRamp;
         texel.height = std::min({(left + 0.4) * 0.9, (right + 0.4) * 0.9, 2.0});
-        texel.tone = 3.5 + 0.9 * (randomAt(board, 2, kSeed) - 0.5) + 1.1 * woodGrain(y, x, seed);
+        texel.tone = 3.8 + 0.9 * (randomAt(board, 2, kSeed) - 0.5) + 1.1 * woodGrain(y, x, seed);
         if (right == 0) {
             texel.tone = 0.8;
         }
