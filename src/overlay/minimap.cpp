@@ -20,8 +20,9 @@ constexpr Colour kLowBlock = {112, 58, 48, 255};
 constexpr Colour kHighBlock = {214, 122, 92, 255};
 constexpr Colour kWholeBlock = {104, 132, 168, 255};
 constexpr Colour kEdge = {226, 232, 240, 150};
-constexpr Colour kNearGround = {74, 80, 88, 255};
+constexpr Colour kNearGround = {82, 88, 97, 255};
 constexpr Colour kDeepGround = {30, 34, 42, 255};
+constexpr double kLeastShade = 0.35;   // of the way to the darkest, for ground that is at all below the level
 constexpr double kDeepestShade = 4.0;  // units below the level at which the ground is darkest
 constexpr Colour kPlayer = {255, 214, 74, 255};
 constexpr Colour kPlayerRim = {20, 20, 20, 255};
@@ -53,7 +54,7 @@ Colour tileColour(const World& world, const Map& map, int x, int y, int level) {
     const BlueprintId id = map.cell(x, y, level);
     if (id == kEmptyCell) {
         const double drop = (tileEdge(level) - groundBelow(world, map, x, y, level)).value();
-        return mixed(kNearGround, kDeepGround, std::min(drop / kDeepestShade, 1.0));
+        return mixed(kNearGround, kDeepGround, drop > 0.0 ? std::min(kLeastShade + (1.0 - kLeastShade) * drop / kDeepestShade, 1.0) : 0.0);
     }
     const Coordinate top = world.blueprints[id].top;
     return top == tileEdge(1) ? kWholeBlock : mixed(kLowBlock, kHighBlock, top.value());

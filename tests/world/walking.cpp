@@ -1,0 +1,114 @@
+#include "walking.h"
+
+#include <utility>
+
+namespace slicecast {
+
+World emptyWorld(int width, int depth, int levels) {
+    World world;
+    world.maps.push_back(makeMap("test", width, depth, levels, kNoTexture));
+    return world;
+}
+
+void putBlock(World& world, int x, int y, Coordinate bottom, Coordinate top) {
+    const int level = bottom.tile();
+    CellBlueprint block;
+    block.bottom = bottom - tileEdge(level);
+    block.top = top - tileEdge(level);
+    BlueprintId id = 0;
+    for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+        if (world.blueprints[i].bottom == block.bottom && world.blueprints[i].top == block.top) id = static_cast<BlueprintId>(i);
+    }
+    if (id == kEmptyCell) {
+        id = static_cast<BlueprintId>(world.blueprints.size());
+        world.blueprints.push_back(block);
+    }
+    world.maps[0].setCell(x, y, level, id);
+}
+
+void putCeiling(World& world, Coordinate height) {
+    Map& map = world.maps[0];
+    map.ceiling.height = height;
+    map.ceiling.tiles.assign(map.occupied.size(), 0);
+}
+
+World randomWorld(std::uint64_t seed) {
+    Random random(seed);
+    const int width = random.between(1, 10);
+    const int depth = random.between(1, 10);
+    const int levels = random.oneIn(8) ? kMaxLevels : random.between(1, 5);
+    World world = emptyWorld(width, depth, levels);
+
+    // Half of the blocks come from a few common shapes, the others are of any height.
+    const auto shape = [&random]() -> std::pair<int, int> {
+        constexpr int kQuarter = 65536 / 4;
+        if (random.oneIn(2)) {
+            const int bottom = random.between(0, 3);
+            return {bottom * kQuarter, random.between(bottom + 1, 4) * kQuarter};
+        }
+        if (random.oneIn(2)) return {0, 65536};
+        const int bottom = random.below(65536);
+        return {bottom, random.between(bottom + 1, 65536)};
+    };
+    const double density = random.between(0.05, 0.6);
+    for (int y = 0; y < depth; ++y) {
+        for (int x = 0; x < width; ++x) {
+            for (int level = 0; level < levels; ++level) {
+                if (random.unit() >= density) continue;
+                const auto [bottom, top] = shape();
+                putBlock(world, x, y, tileEdge(level) + Coordinate{bottom}, tileEdge(level) + Coordinate{top});
+            }
+        }
+    }
+    if (random.oneIn(3)) {
+        putCeiling(world, Coordinate{random.between(1, levels * 65536 + 65536)});
+        for (TextureId& tile : world.maps[0].ceiling.tiles) tile = random.oneIn(3) ? kNoTexture : TextureId{0};
+    }
+    return world;
+}
+
+bool placeRandomly(const World& world, Random& random, Player& player) {
+    const Map& map = world.maps[0];
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        player = Player{};
+        player.x = Coordinate{random.between(0, map.width * 65536)};
+        player.y = Coordinate{random.between(0, map.depth * 65536)};
+        player.z = Coordinate{random.between(0, (map.levels + 1) * 65536)};
+        player.headingDegrees = random.between(0.0, 360.0);
+        player.flying = random.oneIn(3);
+        player.crouched = !player.flying && random.oneIn(3);
+        if (!reachesIntoSomething(world, bodyBox(player))) return true;
+    }
+    return false;
+}
+
+bool reachesIntoSomething(const World& world, const Box& box) {
+    const Map& map = world.maps[0];
+    if (box.west < tileEdge(0) || box.north < tileEdge(0) || box.bottom < tileEdge(0)) return true;
+    if (box.east > tileEdge(map.width) || box.south > tileEdge(map.depth)) return true;
+    for (int y = box.north.tile(); y <= box.south.tile() && y < map.depth; ++y) {
+        for (int x = box.west.tile(); x <= box.east.tile() && x < map.width; ++x) {
+            if (!(box.west < tileEdge(x + 1) && box.east > tileEdge(x) && box.north < tileEdge(y + 1) && box.south > tileEdge(y))) continue;
+            for (int level = 0; level < map.levels; ++level) {
+                const BlueprintId id = map.cell(x, y, level);
+                if (id == kEmptyCell) continue;
+                const CellBlueprint& block = world.blueprints[id];
+                if (box.bottom < tileEdge(level) + block.top && box.top > tileEdge(level) + block.bottom) return true;
+            }
+            const bool ceiling = !map.ceiling.tiles.empty() && map.ceiling.tiles[map.tileIndex(x, y)] != kNoTexture;
+            if (ceiling && box.bottom < map.ceiling.height && box.top > map.ceiling.height) return true;
+        }
+    }
+    return false;
+}
+
+Walker::Walker(World where, double x, double y, double feet, double headingDegrees) : world(std::move(where)) {
+    world.start = {.map = 0, .x = toCoordinate(x), .y = toCoordinate(y), .z = toCoordinate(feet), .headingDegrees = headingDegrees, .look = 0.0};
+    player = playerAtStart(world);
+}
+
+void Walker::step(const PlayerInput& input, int steps) {
+    for (int i = 0; i < steps; ++i) stepPlayer(world, player, input);
+}
+
+}  // namespace slicecast

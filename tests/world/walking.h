@@ -1,0 +1,54 @@
+// Worlds to walk in, and somebody who walks there.
+#pragma once
+
+#include "base/random.h"
+#include "world/player.h"
+#include "world/world.h"
+
+#include <string>
+#include <vector>
+
+namespace slicecast {
+
+inline constexpr Coordinate operator""_u(long double units) {
+    return toCoordinate(static_cast<double>(units));
+}
+inline constexpr Coordinate kTiny = {1};  // the smallest distance there is
+
+// One empty map.
+World emptyWorld(int width, int depth, int levels);
+
+// Puts a block between two heights above the map's floor, which lie within one level.
+void putBlock(World& world, int x, int y, Coordinate bottom, Coordinate top);
+
+// A ceiling over every tile.
+void putCeiling(World& world, Coordinate height);
+
+// Blocks of all shapes, bridges, shafts, ceilings with holes. Every seed gives another one.
+World randomWorld(std::uint64_t seed);
+
+// A player at rest at a random place of map 0 where there is room, standing, crouched or flying. False if none was found.
+bool placeRandomly(const World& world, Random& random, Player& player);
+
+// True if the box reaches into a block, the floor, a ceiling or beyond the grid: found anew from the map, cell by cell.
+bool reachesIntoSomething(const World& world, const Box& box);
+
+// Somebody on the way.
+struct Walker {
+    World world;
+    Player player;
+
+    // At rest, with the feet there, looking along a heading.
+    Walker(World where, double x, double y, double feet, double headingDegrees = 0.0);
+
+    void step(const PlayerInput& input, int steps = 1);
+    double x() const { return player.x.value(); }
+    double y() const { return player.y.value(); }
+    double z() const { return player.z.value(); }
+};
+
+inline constexpr PlayerInput kNothing = {};
+inline constexpr PlayerInput kAhead = {.forward = 1.0};
+inline constexpr PlayerInput kCrouchedAhead = {.forward = 1.0, .fly = -1.0};
+
+}  // namespace slicecast
