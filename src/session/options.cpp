@@ -50,9 +50,13 @@ const Entry* findEntry(std::string_view name) {
     return nullptr;
 }
 
-// The fewest digits that give the number back.
+// The fewest digits that give the number back; a whole number as people write it (60, not 6e+01).
 std::string shortest(double number) {
     char text[32];
+    if (number == std::floor(number) && std::abs(number) < 1e15) {
+        std::snprintf(text, sizeof text, "%.0f", number);
+        return text;
+    }
     for (int digits = 1; digits <= 17; ++digits) {
         std::snprintf(text, sizeof text, "%.*g", digits, number);
         if (std::strtod(text, nullptr) == number) break;
