@@ -138,7 +138,7 @@ TEST(Textures, TheyRepeatSidewaysWithoutASeam) {
 
 TEST(Textures, TheyRepeatUpwardsWithoutASeam) {
     for (const Entry& entry : catalogue()) {
-        if (entry.use == Use::Sky || entry.standsOnFloor) {
+        if (entry.use == Use::Sky || !entry.repeatsUpwards) {
             continue;
         }
         const Image& image = committed(entry.name);

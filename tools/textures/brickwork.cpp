@@ -63,7 +63,7 @@ Surface brickSurface() {
         texel.ramp = isBurnt(piece) ? &kBurntRamp : &kClayRamp;
         texel.tone = (isBurnt(piece) ? 3.4 : 3.25) + brickVariation(piece) + 1.1 * blotch;
     });
-    drawPits(surface, 260, 0.9, kSeed + 6U);
+    drawPits(surface, 420, 0.9, kSeed + 6U);
     return surface;
 }
 

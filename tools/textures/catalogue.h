@@ -15,7 +15,7 @@ struct Entry {
     Use use;
     Picture (*paint)();
     std::string wall = {};       // what it is painted on: its borders continue that texture
-    bool standsOnFloor = false;  // its lower border meets the floor, not another copy of itself
+    bool repeatsUpwards = true;  // false: its upper and lower borders meet other things than its own copies
 };
 
 const std::vector<Entry>& catalogue();

@@ -1,9 +1,11 @@
 #include "foliage.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "noise.h"
+#include "pieces.h"
 #include "stonework.h"
 
 namespace slicecast::textures {
@@ -54,6 +56,28 @@ void drawLeaf(Surface& surface, const Leaf& leaf) {
 }
 
 }  // namespace
+
+// Long plates of bark between deep furrows, some moss on the side of the weather.
+Picture paintBark() {
+    static const Pieces plates(nearest(spreadPoints(28, 0.2, kSeed + 40U), 0.2), 4.0, kSeed + 41U);
+    Surface surface;
+    everyTexel([&](int x, int y) {
+        const int piece = plates.pieceAt(x, y);
+        const double inside = plates.edgeAt(x, y) - 0.9;
+        const double fibre = valueNoise(x / 2.0, y / 16.0, 64, 8, kSeed + 42U) - 0.5;
+        const double scale = valueNoise(x / 8.0, y / 4.0, 16, 32, kSeed + 43U) - 0.5;
+        const double moss = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 44U);
+        Texel& texel = surface.at(x, y);
+        texel.ramp = &kTimberRamp;
+        texel.height = inside <= 0.0 ? 0.0 : std::min(1.0 + 0.8 * inside, 4.5) + 1.6 * scale;
+        texel.tone = inside <= 0.0 ? 0.3 : 2.3 + 0.8 * (randomAt(piece, 1, kSeed + 45U) - 0.5) + 1.0 * fibre + 0.6 * scale;
+        if (inside > 0.6 && moss > 0.68) {
+            texel.ramp = &kMossRamp;
+            texel.tone += 0.5;
+        }
+    });
+    return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 0.7});
+}
 
 Picture paintHedge() {
     Surface surface;

@@ -49,6 +49,44 @@ Surface grassSurface() {
     return surface;
 }
 
+// Soil in layers, with stones of all sizes and some roots.
+Surface earthSurface() {
+    Surface surface;
+    everyTexel([&](int x, int y) {
+        const double bend = 10.0 * (fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kSeed + 80U) - 0.5);
+        const double layer = valueNoise(x / 64.0, (y + bend) / 8.0, 2, 16, kSeed + 81U) - 0.5;
+        const double clod = fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kSeed + 82U) - 0.5;
+        Texel& texel = surface.at(x, y);
+        texel.ramp = &kEarthRamp;
+        texel.tone = 2.4 + 1.1 * layer + 0.9 * clod;
+        texel.height = 3.5 * clod + 1.0 * layer;
+    });
+    Random random(kSeed + 83U);
+    for (int stone = 0; stone < 30; ++stone) {
+        const double x = random.between(0.0, kSide);
+        const double y = random.between(0.0, kSide);
+        const double radius = 1.2 + 3.6 * random.fraction() * random.fraction();
+        const double tone = random.between(1.3, 2.5);
+        const Ramp* ramp = random.fraction() < 0.6 ? &kStoneRamp : &kEarthRamp;
+        // Two rounds that overlap make a longish stone
+        drawStud(surface, {.x = x, .y = y, .radius = radius, .height = 0.5 * radius, .tone = tone, .ramp = ramp});
+        drawStud(
+            surface,
+            {.x = x + 0.9 * radius, .y = y + random.between(-0.3, 0.3) * radius, .radius = 0.8 * radius, .height = 0.5 * radius, .tone = tone, .ramp = ramp});
+    }
+    for (int root = 0; root < 7; ++root) {
+        drawCrack(surface, {.x = random.below(kSide),
+                            .y = random.below(kSide),
+                            .length = 14 + random.below(16),
+                            .depth = 0.8,
+                            .darkening = 0.9,
+                            .seed = kSeed + 84U + static_cast<std::uint32_t>(root)});
+    }
+    return surface;
+}
+
+constexpr Lighting kEarthLight = {.gain = 0.5, .lightest = 0.9, .darkest = 1.1, .shadowReach = 2, .shadowSlope = 0.6, .shadowDepth = 0.8};
+
 constexpr Lighting kFlat = {.gain = 0.0, .lightest = 0.0, .darkest = 0.0, .shadowReach = 0, .shadowSlope = 1.0, .shadowDepth = 0.0, .hollowDepth = 0.0};
 
 }  // namespace
@@ -202,6 +240,32 @@ Picture paintWater() {
         texel.tone += inside < bright - 0.8 ? 0.7 : 0.0;
     });
     return lit(surface, kFlat);
+}
+
+Picture paintEarth() {
+    return lit(earthSurface(), kEarthLight);
+}
+
+Picture paintTurf() {
+    const Surface earth = earthSurface();
+    Surface surface = earth;
+    // Blades hang over the edge in tufts of different length; the nearer ones are lighter
+    for (int layer = 0; layer < 3; ++layer) {
+        for (int x = 0; x < kSide; ++x) {
+            const auto seed = kSeed + 90U + static_cast<std::uint32_t>(layer);
+            const double tuft = valueNoise(x / 8.0, 0.0, 16, 1, seed);
+            const double blade = randomAt(x, layer, kSeed + 95U);
+            const int length = static_cast<int>((34.0 - 9.0 * layer) * (0.15 + 0.85 * tuft) * (0.5 + 0.5 * blade));
+            for (int y = 0; y < length; ++y) {
+                const double share = static_cast<double>(y) / length;
+                surface.at(x, y) = {.height = 2.5 + layer, .tone = 3.0 + 0.7 * layer + 0.9 * (blade - 0.5) - 1.0 * share, .ramp = &kMossRamp};
+            }
+        }
+    }
+    Lighting lighting = kEarthLight;
+    lighting.gain = 0.25;
+    lighting.shadowReach = 4;
+    return litOver(earth, kEarthLight, surface, lighting);
 }
 
 }  // namespace slicecast::textures

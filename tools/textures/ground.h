@@ -1,4 +1,4 @@
-// What one walks on out of doors.
+// What one walks on out of doors, and the banks at its sides.
 #pragma once
 
 #include "surface.h"
@@ -13,5 +13,7 @@ Picture paintSand();
 Picture paintCobbles();
 Picture paintFlagstones();
 Picture paintWater();
+Picture paintEarth();  // a bank of soil
+Picture paintTurf();   // its uppermost block, with grass hanging over the edge
 
 }  // namespace slicecast::textures

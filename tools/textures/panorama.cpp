@@ -36,11 +36,11 @@ void drawRidge(Picture& sky, const Ridge& ridge) {
             }
             // Spurs run down from the peaks to the right; their left sides take the light
             const double below = (top - up) * kSkyHeight;
-            const double from = x - 1.1 * below;
-            const double wobble = 3.0 * fractalNoise(x / 16.0, y / 8.0, kSkyWidth / 16, kSkyHeight / 8, 2, ridge.seed + 80U);
-            const bool inLight = ridgeHeight(ridge, from + wobble + 3.0) > ridgeHeight(ridge, from + wobble - 3.0);
+            const double from = x - 0.9 * below;
+            const double wobble = 14.0 * fractalNoise(x / 32.0, y / 16.0, kSkyWidth / 32, kSkyHeight / 16, 3, ridge.seed + 80U);
+            const bool inLight = ridgeHeight(ridge, from + wobble - 3.0) > ridgeHeight(ridge, from + wobble - 11.0);
             Colour colour = inLight ? ridge.lit : ridge.shaded;
-            if (up + 0.012 * (wobble - 1.5) > ridge.snowLine) {
+            if (up + 0.004 * (wobble - 7.0) > ridge.snowLine) {
                 colour = inLight ? ridge.snow : blend(ridge.snow, ridge.shaded, 128);
             }
             const double mist = 1.0 - smoothStep(0.0, ridge.mistHeight, up);

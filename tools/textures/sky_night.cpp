@@ -37,6 +37,10 @@ void drawStars(Picture& sky) {
             const Colour colour = kStarColours[hashOf(x, y, kSeed + 4U) % kStarColours.size()];
             const int share = size < 0.6 ? 60 : (size < 0.9 ? 120 : 220);
             sky.at(x, y) = blend(sky.at(x, y), colour, share);
+            if (size > 0.9) {
+                // A texel is wider than tall: two of them make a round star
+                sky.at(x, y - 1) = blend(sky.at(x, y - 1), colour, share);
+            }
             if (size > 0.985) {
                 // The brightest have rays
                 sky.at(x, y) = kCream;
