@@ -1,0 +1,153 @@
+#include "overlay/minimap.h"
+
+#include "canvas.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+// A map of 40 x 30 x 3 with, about the eye at (20.5, 15.5): a whole block two tiles north, a low one two tiles east, a higher one two tiles south, and a
+// block on level 1 two tiles west.
+World smallWorld() {
+    World world;
+    for (const double top : {1.0, 0.25, 0.75}) {
+        CellBlueprint block;
+        block.top = toCoordinate(top);
+        world.blueprints.push_back(block);
+    }
+    world.maps.push_back(makeMap("map", 40, 30, 3, kNoTexture));
+    Map& map = world.maps[0];
+    map.setCell(20, 13, 0, 1);
+    map.setCell(22, 15, 0, 2);
+    map.setCell(20, 17, 0, 3);
+    map.setCell(18, 15, 1, 1);
+    return world;
+}
+
+Eye eyeAt(double x, double y, double z, double heading) {
+    return {.map = 0, .x = toCoordinate(x), .y = toCoordinate(y), .z = toCoordinate(z), .headingDegrees = heading};
+}
+
+struct Seen {
+    Canvas canvas;
+    MinimapLayout layout;
+
+    Seen(const World& world, const Eye& eye, const MinimapOptions& options = {}, int width = 640, int height = 400)
+        : canvas(width, height), layout(layoutMinimap(width, height)) {
+        drawMinimap(world, eye, options, canvas.picture);
+    }
+
+    // The colour in the middle of the tile that is so many tiles east and south of an eye in the middle of a tile.
+    Colour tile(int east, int south) const {
+        const int middle = layout.side / 2;
+        return toColour(canvas.at(layout.left + middle + east * layout.pixelsPerTile, layout.top + middle + south * layout.pixelsPerTile));
+    }
+};
+
+int brightness(Colour colour) {
+    return colour.r + colour.g + colour.b;
+}
+
+TEST(Minimap, IsASquareOfAtMostAThirdOfThePicture) {
+    for (const auto& [width, height] : {std::pair{1280, 720}, {160, 100}, {640, 400}, {320, 900}, {60, 45}, {8192, 8192}}) {
+        const MinimapLayout layout = layoutMinimap(width, height);
+        EXPECT_LE(layout.side, std::min(width, height) / 3);
+        EXPECT_GE(layout.side, std::min(width, height) / 3 - 1);
+        EXPECT_LE(layout.left + layout.side, width);
+        EXPECT_LE(layout.top + layout.side, height);
+        EXPECT_GE(layout.pixelsPerTile, 2);
+    }
+    EXPECT_EQ(layoutMinimap(1280, 30).side, 0);
+    EXPECT_EQ(layoutMinimap(7, 3).side, 0);
+}
+
+TEST(Minimap, DrawsInItsSquareOnly) {
+    const World world = smallWorld();
+    for (const auto& [width, height] : {std::pair{1280, 720}, {160, 100}, {60, 45}, {7, 3}, {1, 1}}) {
+        const Seen seen(world, eyeAt(20.5, 15.5, 0.5, 10.0), {}, width, height);
+        EXPECT_TRUE(seen.canvas.borderUntouched());
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const bool inside =
+                    x >= seen.layout.left && y >= seen.layout.top && x < seen.layout.left + seen.layout.side && y < seen.layout.top + seen.layout.side;
+                ASSERT_TRUE(inside || !seen.canvas.touched(x, y)) << x << ", " << y;
+                ASSERT_EQ(toColour(seen.canvas.at(x, y)).a, 255);
+            }
+        }
+        EXPECT_EQ(seen.canvas.touchedPixels() > 0, seen.layout.side > 0);
+    }
+    const Seen nowhere(world, {.map = 1, .x = {}, .y = {}, .z = {1}, .headingDegrees = 0.0, .look = 0.0});
+    EXPECT_EQ(nowhere.canvas.touchedPixels(), 0);
+}
+
+TEST(Minimap, ShowsHeightsByColourWithNorthUp) {
+    const Seen seen(smallWorld(), eyeAt(20.5, 15.5, 0.5, 225.0));
+    const Colour ground = seen.tile(3, 3);
+    const Colour whole = seen.tile(0, -2);
+    const Colour low = seen.tile(2, 0);
+    const Colour high = seen.tile(0, 2);
+    EXPECT_GT(whole.b, whole.r + 20) << "blue";
+    EXPECT_GT(low.r, low.b + 20) << "red";
+    EXPECT_GT(high.r, high.b + 20);
+    EXPECT_GT(brightness(high), brightness(low) + 40);
+    EXPECT_LT(brightness(ground), brightness(whole) - 40);
+    EXPECT_EQ(seen.tile(1, 3), ground);
+}
+
+TEST(Minimap, ShowsTheLevelOfTheEyeOrTheChosenOne) {
+    const World world = smallWorld();
+    const Map& map = world.maps[0];
+    EXPECT_EQ(minimapLevel(map, eyeAt(1, 1, 0.5, 0), {}), 0);
+    EXPECT_EQ(minimapLevel(map, eyeAt(1, 1, 1.0, 0), {}), 1);
+    EXPECT_EQ(minimapLevel(map, eyeAt(1, 1, 100.0, 0), {}), 2);
+    EXPECT_EQ(minimapLevel(map, eyeAt(1, 1, -5.0, 0), {}), 0);
+    EXPECT_EQ(minimapLevel(map, eyeAt(1, 1, 0.5, 0), {.level = 1}), 1);
+    EXPECT_EQ(minimapLevel(map, eyeAt(1, 1, 0.5, 0), {.level = 31}), 2);
+    const Seen seen(world, eyeAt(20.5, 15.5, 1.5, 45.0));
+    EXPECT_GT(seen.tile(-2, 0).b, seen.tile(-2, 0).r + 20) << "the block of level 1";
+    EXPECT_GT(brightness(seen.tile(0, -2)), brightness(seen.tile(3, -3)) + 10) << "ground at the level's base is lighter than the floor further down";
+    const Seen chosen(world, eyeAt(20.5, 15.5, 0.5, 45.0), {.level = 1});
+    EXPECT_EQ(chosen.canvas.image.pixels, seen.canvas.image.pixels);
+}
+
+TEST(Minimap, ScrollsWithTheEyeAndEndsAtTheGrid) {
+    const World world = smallWorld();
+    const Seen here(world, eyeAt(20.5, 15.5, 0.5, 225.0));
+    const Seen there(world, eyeAt(23.5, 15.5, 0.5, 225.0));
+    EXPECT_EQ(here.tile(0, 2), there.tile(-3, 2));
+    EXPECT_NE(here.tile(0, 2), there.tile(0, 2));
+    const Seen corner(world, eyeAt(0.5, 0.5, 0.5, 45.0));
+    EXPECT_NE(corner.tile(-2, 0), corner.tile(0, 3));
+    EXPECT_EQ(corner.tile(-2, 0), corner.tile(-5, -5)) << "nothing outside the grid";
+    // Far outside, where nothing at all is seen
+    const Seen outside(world, eyeAt(-30'000.0, 30'000.0, 0.5, 45.0));
+    EXPECT_EQ(outside.tile(-2, 0), corner.tile(-2, 0));
+}
+
+TEST(Minimap, TheFieldOfViewPointsWhereTheEyeLooks) {
+    const World world = smallWorld();
+    const auto yellow = [](Colour colour) { return colour.r + colour.g - 2 * colour.b; };
+    for (int heading = 0; heading < 360; heading += 90) {
+        const Seen seen(world, eyeAt(20.5, 15.5, 0.5, heading));
+        const int east[] = {1, 0, -1, 0};
+        const int south[] = {0, 1, 0, -1};
+        for (int side = 0; side < 4; ++side) {
+            const int shade = yellow(seen.tile(east[side], south[side]));
+            if (side * 90 == heading) {
+                EXPECT_GT(shade, 60) << heading;
+            } else {
+                EXPECT_LT(shade, 20) << heading << ", " << side;
+            }
+        }
+        EXPECT_GT(yellow(seen.tile(0, 0)), 200) << "the eye itself";
+    }
+    // A wider field shows more.
+    EXPECT_LT(yellow(Seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = -1, .fovDegrees = 60.0}).tile(1, 1)), 20);
+    EXPECT_GT(yellow(Seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = -1, .fovDegrees = 110.0}).tile(1, 1)), 40);
+}
+
+}  // namespace
+}  // namespace slicecast
