@@ -1,6 +1,8 @@
 #include "catalogue.h"
 
+#include "banners.h"
 #include "brickwork.h"
+#include "carving.h"
 #include "foliage.h"
 #include "furnishings.h"
 #include "ground.h"

@@ -1,4 +1,4 @@
-// What stands in rooms or hangs on walls: books, banners, barrels, a carved frieze.
+// What stands in rooms: books on shelves, casks on racks.
 #pragma once
 
 #include "surface.h"
@@ -7,8 +7,5 @@ namespace slicecast::textures {
 
 Picture paintBookshelf();
 Picture paintBarrel();
-Picture paintBanner();     // crimson, on stone-blocks
-Picture paintBannerSea();  // blue, on stone-blocks
-Picture paintFrieze();
 
 }  // namespace slicecast::textures

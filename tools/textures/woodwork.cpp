@@ -1,6 +1,7 @@
 #include "woodwork.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "marks.h"

@@ -1,0 +1,10 @@
+// Stone cut in relief.
+#pragma once
+
+#include "surface.h"
+
+namespace slicecast::textures {
+
+Picture paintFrieze();
+
+}  // namespace slicecast::textures
