@@ -1,0 +1,169 @@
+// Loads the WebAssembly that the page ships into Node, and gives its functions the types of JavaScript.
+//
+//     const module = await loadModule('simd');
+//     const session = new Session(module);
+//     session.load('assets/scenes/first-walk.json');       the list of its faults
+
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+export const flavours = ['simd', 'scalar'];
+
+export const shippedScenes = readdirSync(join(root, 'assets/scenes'))
+  .filter((name) => name.endsWith('.json') && name !== 'index.json')
+  .map((name) => join(root, 'assets/scenes', name));
+
+const engineFolder = join(root, 'build/web/engine');
+const loaded = new Map();
+
+// The factory and the compiled program of a flavour.
+export async function loadFlavour(flavour) {
+  if (!loaded.has(flavour)) loaded.set(flavour, await importFlavour(flavour));
+  return loaded.get(flavour);
+}
+
+async function importFlavour(flavour) {
+  // The page's files end in .js, which Node would not take for a module; and Emscripten 3.1.6 expects the names of old modules in new ones.
+  const folder = mkdtempSync(join(tmpdir(), 'slicecast-'));
+  try {
+    const copy = join(folder, 'engine.mjs');
+    writeFileSync(copy, readFileSync(join(engineFolder, `slicecast-${flavour}.js`)));
+    globalThis.require ??= createRequire(import.meta.url);
+    globalThis.__dirname ??= folder;
+    const { default: create } = await import(pathToFileURL(copy).href);
+    return { create, wasmBinary: readFileSync(join(engineFolder, `slicecast-${flavour}.wasm`)) };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+// A new instance, with memory of its own.
+export async function loadModule(flavour) {
+  const { create, wasmBinary } = await loadFlavour(flavour);
+  return create({ wasmBinary });
+}
+
+export class Session {
+  constructor(module) {
+    this.module = module;
+    this.address = module._slicecast_create();
+  }
+
+  free() {
+    this.module._slicecast_free(this.address);
+  }
+
+  // Reads a scene file from disk.
+  load(path) {
+    return this.loadText(readFileSync(path), path, (name) => readFileSync(join(dirname(path), name)));
+  }
+
+  // `readFile` gives the bytes of a file that the scene names, or throws.
+  loadText(text, name, readFile) {
+    const { files, faults } = this.parse(text, name);
+    if (faults.length > 0) return faults;
+    for (const file of files) {
+      let bytes;
+      try {
+        bytes = readFile(file);
+      } catch {
+        continue;
+      }
+      this.supply(file, bytes);
+    }
+    return this.start();
+  }
+
+  parse(text, name) {
+    const bytes = Buffer.from(text);
+    return this.withMemory([bytes, cString(name)], (textAt, nameAt) =>
+      this.json(this.module._slicecast_parse(this.address, textAt, bytes.length, nameAt)));
+  }
+
+  supply(name, bytes) {
+    this.withMemory([cString(name), bytes], (nameAt, at) => this.module._slicecast_supply(this.address, nameAt, at, bytes.length));
+  }
+
+  start() {
+    return this.json(this.module._slicecast_start(this.address)).faults;
+  }
+
+  world() {
+    return this.json(this.module._slicecast_world(this.address));
+  }
+
+  state() {
+    return this.json(this.module._slicecast_state(this.address));
+  }
+
+  // What is asked for, in the order of slicecast_step.
+  step(input, count = 1) {
+    for (let i = 0; i < count; ++i) this.module._slicecast_step(this.address, ...input);
+  }
+
+  // A copy of the picture, or null.
+  draw(width, height, fraction = 1) {
+    if (this.module._slicecast_draw(this.address, width, height, fraction) === 0) return null;
+    const at = this.module._slicecast_picture(this.address);
+    return Buffer.from(this.module.HEAPU8.subarray(at, at + width * height * 4));
+  }
+
+  setOption(name, value) {
+    return this.withMemory([cString(name), cString(value)], (nameAt, valueAt) =>
+      this.module.UTF8ToString(this.module._slicecast_setOption(this.address, nameAt, valueAt)));
+  }
+
+  option(name) {
+    return this.withMemory([cString(name)], (nameAt) => this.module.UTF8ToString(this.module._slicecast_option(this.address, nameAt)));
+  }
+
+  options() {
+    return this.json(this.module._slicecast_options(this.address));
+  }
+
+  setEye({ map = 0, x, y, z, heading = 0, look = 0 }) {
+    return this.module._slicecast_setEye(this.address, map, x, y, z, heading, look) === 1;
+  }
+
+  json(at) {
+    return JSON.parse(this.module.UTF8ToString(at));
+  }
+
+  withMemory(blocks, use) {
+    const addresses = blocks.map((block) => {
+      const at = this.module._malloc(Math.max(1, block.length));
+      this.module.HEAPU8.set(block, at);
+      return at;
+    });
+    try {
+      return use(...addresses);
+    } finally {
+      addresses.forEach((at) => this.module._free(at));
+    }
+  }
+}
+
+function cString(text) {
+  return Buffer.from(`${text}\0`);
+}
+
+// A small room: walls around an open middle, one texture, which `textureBytes` gives.
+export function roomScene({ width = 8, depth = 6, texture = 'brick.png', ...more } = {}) {
+  const rows = Array.from({ length: depth }, (_, y) =>
+    y === 0 || y === depth - 1 ? '#'.repeat(width) : `#${'.'.repeat(width - 2)}#`);
+  return JSON.stringify({
+    title: 'A room',
+    textures: { brick: texture },
+    blueprints: { wall: { faces: 'brick' } },
+    legend: { '#': 'wall' },
+    maps: [{ name: 'room', levels: [rows], floor: 'brick' }],
+    start: { map: 'room', x: width / 2, y: depth / 2, heading: 0 },
+    ...more,
+  });
+}
+
+export const textureBytes = readFileSync(join(root, 'assets/textures/brick.png'));

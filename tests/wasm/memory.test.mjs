@@ -1,0 +1,55 @@
+// Memory grows when a picture needs it, is given back when a session ends, and belongs to one module alone.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { loadModule, roomScene, Session, shippedScenes, textureBytes } from './load.mjs';
+
+const readTexture = () => textureBytes;
+
+test('growing memory leaves the session and its pictures as they were', async () => {
+  const session = new Session(await loadModule('simd'));
+  session.load(shippedScenes[0]);
+  const small = session.draw(160, 100);
+  const bufferBefore = session.module.HEAPU8.buffer;
+  const large = session.draw(4096, 4096);
+  assert.notEqual(session.module.HEAPU8.buffer, bufferBefore, 'a picture of 64 MB needs more memory');
+  assert.equal(large.length, 4096 * 4096 * 4);
+  for (let at = 3; at < large.length; at += 4) if (large[at] !== 255) assert.fail(`alpha of byte ${at}`);
+  assert.ok(session.draw(160, 100).equals(small));
+});
+
+test('sessions that end give their memory back', async () => {
+  const module = await loadModule('simd');
+  const round = () => {
+    const session = new Session(module);
+    assert.deepEqual(session.load(shippedScenes[0]), []);
+    session.step([1, 0, 0, 0, 0, 0, 0, 0], 10);
+    assert.ok(session.draw(640, 400));
+    session.free();
+  };
+  for (let i = 0; i < 3; ++i) round();
+  const bytes = module.HEAPU8.length;
+  for (let i = 0; i < 30; ++i) round();
+  assert.equal(module.HEAPU8.length, bytes);
+});
+
+test('scene after scene in one session does not add up', async () => {
+  const session = new Session(await loadModule('simd'));
+  const round = () => assert.deepEqual(session.load(shippedScenes[0]), []);
+  for (let i = 0; i < 3; ++i) round();
+  const bytes = session.module.HEAPU8.length;
+  for (let i = 0; i < 30; ++i) round();
+  assert.equal(session.module.HEAPU8.length, bytes);
+});
+
+test('two modules do not see each other', async () => {
+  const one = new Session(await loadModule('simd'));
+  const other = new Session(await loadModule('simd'));
+  assert.notEqual(one.module.HEAPU8.buffer, other.module.HEAPU8.buffer);
+  one.loadText(roomScene(), 'room.json', readTexture);
+  assert.equal(other.world(), null);
+  other.loadText(roomScene({ title: 'Another room' }), 'room.json', readTexture);
+  assert.equal(one.world().title, 'A room');
+  assert.equal(other.world().title, 'Another room');
+});
