@@ -1,0 +1,87 @@
+#include "session/options.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace slicecast {
+namespace {
+
+TEST(Options, TheTableHoldsTheDefaults) {
+    std::set<std::string> names;
+    for (const OptionInfo& info : knownOptions()) {
+        EXPECT_TRUE(names.insert(info.name).second) << info.name << " twice";
+        EXPECT_EQ(optionValue(SessionOptions{}, info.name), info.standard) << info.name;
+        EXPECT_FALSE(std::string(info.description).empty());
+        SessionOptions options;
+        EXPECT_EQ(setOption(options, info.name, info.standard), "") << info.name;
+        EXPECT_EQ(optionValue(options, info.name), info.standard);
+    }
+    for (const char* name : {"fov", "detail", "textures", "light", "fog", "minimap", "intensity", "multiplier", "speed"})
+        EXPECT_EQ(names.count(name), 1u) << name;
+}
+
+TEST(Options, TakeTheEndsOfTheirRangeAndNothingBeyond) {
+    for (const OptionInfo& info : knownOptions()) {
+        SessionOptions options;
+        if (info.kind == OptionKind::onOff) {
+            const std::string other = std::string(info.standard) == "on" ? "off" : "on";
+            EXPECT_EQ(setOption(options, info.name, other), "");
+            EXPECT_EQ(optionValue(options, info.name), other);
+            continue;
+        }
+        for (const double end : {info.least, info.greatest}) {
+            EXPECT_EQ(setOption(options, info.name, std::to_string(end)), "") << info.name;
+            EXPECT_EQ(std::stod(optionValue(options, info.name)), end) << info.name;
+        }
+        const std::string before = optionValue(options, info.name);
+        for (const double beyond : {info.least - 1.0, info.greatest + 1.0}) {
+            EXPECT_NE(setOption(options, info.name, std::to_string(beyond)), "") << info.name;
+            EXPECT_EQ(optionValue(options, info.name), before) << "a refused value changes nothing";
+        }
+    }
+}
+
+TEST(Options, ComeBackExactly) {
+    SessionOptions options;
+    for (const char* value : {"75", "60.5", "33.3", "12.000000000000002", "149.99999999999997"}) {
+        EXPECT_EQ(setOption(options, "fov", value), "");
+        EXPECT_EQ(optionValue(options, "fov"), value);
+    }
+    EXPECT_EQ(setOption(options, "fov", "7.5e1"), "");
+    EXPECT_EQ(options.render.fovDegrees, 75.0);
+    EXPECT_EQ(setOption(options, "intensity", "2.5"), "");
+    EXPECT_EQ(options.intensity, 2.5);
+    EXPECT_EQ(setOption(options, "intensity", "map"), "");
+    EXPECT_EQ(options.intensity, std::nullopt);
+    EXPECT_EQ(setOption(options, "minimapLevel", "3"), "");
+    EXPECT_EQ(options.minimapLevel, 3);
+    EXPECT_EQ(setOption(options, "textures", "off"), "");
+    EXPECT_FALSE(options.render.textures);
+}
+
+TEST(Options, SayWhatWasFoundAndWhatWasExpected) {
+    SessionOptions options;
+    EXPECT_EQ(setOption(options, "fov", "wide"), "option fov: found \"wide\", expected a number from 10 to 150");
+    EXPECT_EQ(setOption(options, "fog", "yes"), "option fog: found \"yes\", expected \"on\" or \"off\"");
+    EXPECT_EQ(setOption(options, "minimapLevel", "1.5"), "option minimapLevel: found \"1.5\", expected a whole number from -1 to 31");
+    EXPECT_EQ(setOption(options, "intensity", "own"), "option intensity: found \"own\", expected \"map\" (each map's own) or a number from 0 to 100");
+    const std::string message = setOption(options, "fvo", "60");
+    EXPECT_EQ(message.rfind("found the option \"fvo\", expected one of fov, detail, ", 0), 0u) << message;
+    for (const OptionInfo& info : knownOptions()) EXPECT_NE(message.find(info.name), std::string::npos) << info.name;
+    EXPECT_EQ(optionValue(options, "fvo"), "");
+}
+
+TEST(Options, RefuseWhatIsNoPlainNumber) {
+    SessionOptions options;
+    for (const char* value : {"", " ", " 60", "60 ", "0x3c", "nan", "inf", "infinity", "1e400", "60,5", "60deg", "+-60", "--60", ".", "e5", "1e"}) {
+        EXPECT_NE(setOption(options, "fov", value), "") << value;
+    }
+    for (const char* value : {"", "On", "OFF", "true", "1", "on "}) EXPECT_NE(setOption(options, "light", value), "") << value;
+    EXPECT_EQ(options.render.fovDegrees, 60.0);
+    EXPECT_TRUE(options.render.light);
+}
+
+}  // namespace
+}  // namespace slicecast

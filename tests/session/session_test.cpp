@@ -1,0 +1,311 @@
+#include "session/session.h"
+
+#include "base/image.h"
+#include "base/random.h"
+#include "overlay/minimap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace slicecast {
+namespace {
+
+// Two walled yards with a stair in the first; the player starts in its west and looks east.
+World yards() {
+    World world;
+    world.title = "Yards";
+    Image image(8, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 8; ++x) image.at(x, y) = toPixel({static_cast<std::uint8_t>(90 + 16 * x), static_cast<std::uint8_t>(60 + 20 * y), 110, 255});
+    }
+    world.textures.push_back(makeTexture("squares", image));
+    for (const double top : {1.0, 0.5}) {
+        CellBlueprint block;
+        block.top = toCoordinate(top);
+        for (FaceBlueprint& face : block.faces) face.texture = 0;
+        world.blueprints.push_back(block);
+    }
+    for (const char* name : {"first", "second"}) {
+        Map map = makeMap(name, 12, 9, 2, 0);
+        for (int x = 0; x < 12; ++x) {
+            for (int y = 0; y < 9; ++y) {
+                if (x == 0 || y == 0 || x == 11 || y == 8) map.setCell(x, y, 0, 1);
+            }
+        }
+        map.setCell(6, 4, 0, 2);
+        map.setCell(7, 4, 0, 1);
+        world.maps.push_back(std::move(map));
+    }
+    world.maps[1].light.intensity = 0.75;
+    world.start = {.map = 0, .x = toCoordinate(2.5), .y = toCoordinate(4.5), .z = {}, .headingDegrees = 0.0, .look = 0.0};
+    return world;
+}
+
+Image drawn(Session& session, double fraction = 1.0, int width = 96, int height = 60) {
+    Image image(width, height);
+    EXPECT_TRUE(session.draw({image.pixels.data(), width, height, width}, fraction));
+    return image;
+}
+
+TEST(Session, BeginsAtTheStart) {
+    const Session session(yards());
+    const SessionState state = session.state();
+    EXPECT_EQ(state.title, "Yards");
+    EXPECT_EQ(state.map, "first");
+    EXPECT_EQ(state.x, 2.5);
+    EXPECT_EQ(state.y, 4.5);
+    EXPECT_EQ(state.z, 0.5);
+    EXPECT_EQ(state.feet, 0.0);
+    EXPECT_EQ(state.headingDegrees, 0.0);
+    EXPECT_EQ(state.speed, 0.0);
+    EXPECT_FALSE(state.flying);
+    EXPECT_TRUE(state.onGround);
+    EXPECT_EQ(state.intensity, Light{}.intensity);
+    EXPECT_EQ(state.steps, 0);
+    EXPECT_EQ(session.eye().x, toCoordinate(2.5));
+}
+
+TEST(Session, HandsEveryWishOnToThePlayer) {
+    const auto after = [](const Input& input, int steps = 60) {
+        Session session(yards());
+        for (int i = 0; i < steps; ++i) session.step(input);
+        return session;
+    };
+    const auto flown = [](const Input& input) {
+        Session session(yards());
+        session.setFlying(true);
+        for (int i = 0; i < 60; ++i) session.step(input);
+        return session.state();
+    };
+    const double walked = after({.forward = 1.0}).state().x;
+    EXPECT_GT(walked, 3.5);
+    EXPECT_GT(after({.forward = 1.0, .fast = true}).state().x, walked + 0.5);
+    EXPECT_LT(after({.forward = 1.0, .slow = true}).state().x, walked - 0.5);
+    EXPECT_GT(after({.strafe = 1.0}).state().y, 5.5);
+    EXPECT_GT(after({.turn = 1.0}).state().headingDegrees, 30.0);
+    EXPECT_GT(after({.look = 1.0}).state().look, 0.1);
+    EXPECT_TRUE(after({.fly = -1.0}).state().crouched);
+    EXPECT_EQ(after({.turnDegrees = 1.5}).state().headingDegrees, 90.0);
+    EXPECT_NEAR(after({.lookHeights = 0.01}).state().look, 0.6, 1e-12);
+    EXPECT_GT(after({.jump = true}, 30).state().feet, 0.5);
+    EXPECT_GT(flown({.fly = 1.0}).z, 0.8);
+    EXPECT_EQ(after({.forward = 1.0}).steps(), 60);
+}
+
+TEST(Session, DrawsBetweenTheLastTwoSteps) {
+    Session session(yards());
+    for (int i = 0; i < 30; ++i) session.step({.forward = 1.0, .turn = 1.0, .look = 0.5});
+    const Eye first = session.eye(0.0);
+    const Eye last = session.eye(1.0);
+    const Eye middle = session.eye(0.5);
+    EXPECT_LT(first.x, last.x);
+    EXPECT_NEAR(middle.x.value(), (first.x.value() + last.x.value()) / 2.0, 1.0 / 65536.0);
+    EXPECT_NEAR(middle.y.value(), (first.y.value() + last.y.value()) / 2.0, 1.0 / 65536.0);
+    EXPECT_NEAR(middle.headingDegrees, (first.headingDegrees + last.headingDegrees) / 2.0, 1e-9);
+    EXPECT_NEAR(middle.look, (first.look + last.look) / 2.0, 1e-12);
+    EXPECT_EQ(session.eye(7.0).x, last.x);
+    EXPECT_EQ(session.eye(-7.0).x, first.x);
+    EXPECT_EQ(session.eye(std::numeric_limits<double>::quiet_NaN()).x, last.x);
+    EXPECT_NE(drawn(session, 0.0).pixels, drawn(session, 1.0).pixels);
+}
+
+TEST(Session, TurnsTheShortWayRoundBetweenSteps) {
+    for (const double turn : {20.0, -20.0}) {
+        Session session(yards());
+        session.setHeading(turn > 0 ? 350.0 : 10.0);
+        session.step({.turnDegrees = turn});
+        EXPECT_NEAR(std::cos(session.eye(0.5).headingDegrees * 3.14159265358979 / 180.0), 1.0, 1e-9);
+    }
+}
+
+TEST(Session, DoesNotGlideAcrossALeap) {
+    Session session(yards());
+    const auto still = [&session] {
+        const Eye a = session.eye(0.25);
+        const Eye b = session.eye(1.0);
+        return a.x == b.x && a.y == b.y && a.z == b.z && a.headingDegrees == b.headingDegrees && a.look == b.look;
+    };
+    session.step({.forward = 1.0, .turnDegrees = 30.0, .lookHeights = 0.3});
+    EXPECT_FALSE(still());
+    ASSERT_TRUE(session.setEye({.map = 1, .x = toCoordinate(5.25), .y = toCoordinate(2.5), .z = toCoordinate(0.75), .headingDegrees = 77.0, .look = 0.25}));
+    EXPECT_TRUE(still());
+    session.step({.forward = 1.0, .turnDegrees = 30.0, .lookHeights = 0.3});
+    session.reset();
+    EXPECT_TRUE(still());
+    session.step({.lookHeights = 0.3});
+    session.levelLook();
+    EXPECT_TRUE(still());
+    session.step({.turnDegrees = 30.0});
+    session.setHeading(180.0);
+    EXPECT_TRUE(still());
+}
+
+TEST(Session, PutsTheEyeAnywhereThatItCanSeeFrom) {
+    Session session(yards());
+    const Eye inWall = {.map = 1, .x = toCoordinate(0.123), .y = toCoordinate(4.5), .z = toCoordinate(0.01), .headingDegrees = 12.5, .look = -kMaxLook};
+    ASSERT_TRUE(session.setEye(inWall));
+    const Eye eye = session.eye();
+    EXPECT_EQ(eye.map, 1);
+    EXPECT_EQ(eye.x, inWall.x);
+    EXPECT_EQ(eye.y, inWall.y);
+    EXPECT_EQ(eye.z, inWall.z);
+    EXPECT_EQ(eye.headingDegrees, 12.5);
+    EXPECT_EQ(eye.look, -kMaxLook);
+    EXPECT_EQ(session.state().map, "second");
+    drawn(session);
+
+    const auto refused = [&](Eye other) { return !session.setEye(other) && session.eye().x == inWall.x && session.eye().map == 1; };
+    Eye other = inWall;
+    other.x = toCoordinate(3.0);
+    other.map = 2;
+    EXPECT_TRUE(refused(other));
+    other.map = -1;
+    EXPECT_TRUE(refused(other));
+    other.map = 0;
+    other.z = {};
+    EXPECT_TRUE(refused(other));
+    other.z = {1};
+    other.look = kMaxLook * 1.01;
+    EXPECT_TRUE(refused(other));
+    other.look = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(refused(other));
+    other.look = 0.0;
+    other.headingDegrees = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(refused(other));
+    other.headingDegrees = -90.0;
+    EXPECT_TRUE(session.setEye(other));
+    EXPECT_EQ(session.eye().headingDegrees, 270.0);
+}
+
+TEST(Session, ResetKeepsTheOptions) {
+    Session session(yards());
+    session.setOption("fov", "75");
+    session.setFlying(true);
+    for (int i = 0; i < 50; ++i) session.step({.forward = 1.0, .fly = 1.0});
+    session.reset();
+    const SessionState state = session.state();
+    EXPECT_EQ(state.x, 2.5);
+    EXPECT_EQ(state.z, 0.5);
+    EXPECT_FALSE(state.flying);
+    EXPECT_EQ(state.speed, 0.0);
+    EXPECT_EQ(session.option("fov"), "75");
+}
+
+TEST(Session, LightFollowsItsOptionsAndGoesBackToTheMapsOwn) {
+    Session session(yards());
+    const Image before = drawn(session);
+    EXPECT_EQ(session.setOption("intensity", "0.2"), "");
+    EXPECT_EQ(session.setOption("multiplier", "2"), "");
+    EXPECT_EQ(session.state().intensity, 0.2);
+    EXPECT_EQ(session.state().multiplier, 2.0);
+    EXPECT_EQ(session.world().maps[1].light.intensity, 0.2);
+    EXPECT_NE(drawn(session).pixels, before.pixels);
+    session.setOption("intensity", "map");
+    session.setOption("multiplier", "map");
+    EXPECT_EQ(session.world().maps[1].light.intensity, 0.75);
+    EXPECT_EQ(drawn(session).pixels, before.pixels);
+}
+
+TEST(Session, OptionsChangeThePictureAndTheSpeed) {
+    Session session(yards());
+    const Image before = drawn(session);
+    EXPECT_EQ(session.setOption("fov", "90"), "");
+    EXPECT_NE(drawn(session).pixels, before.pixels);
+    EXPECT_NE(session.setOption("fov", "1000"), "");
+    EXPECT_EQ(session.option("fov"), "90");
+    session.setOption("fov", "60");
+    session.setOption("textures", "off");
+    EXPECT_NE(drawn(session).pixels, before.pixels);
+    session.setOption("textures", "on");
+    EXPECT_EQ(drawn(session).pixels, before.pixels);
+    session.setOption("speed", "2");
+    for (int i = 0; i < 60; ++i) session.step({.forward = 1.0});
+    EXPECT_NEAR(session.state().speed, 2.0 * kWalkingPace.move, 1e-9);
+}
+
+TEST(Session, DrawsTheMinimapInItsCornerWhenAsked) {
+    Session session(yards());
+    const Image without = drawn(session, 1.0, 320, 200);
+    session.setOption("minimap", "on");
+    const Image with = drawn(session, 1.0, 320, 200);
+    const MinimapLayout layout = layoutMinimap(320, 200);
+    int changed = 0;
+    for (int y = 0; y < 200; ++y) {
+        for (int x = 0; x < 320; ++x) {
+            if (with.at(x, y) == without.at(x, y)) continue;
+            ++changed;
+            EXPECT_TRUE(x < layout.left + layout.side && y < layout.top + layout.side);
+        }
+    }
+    EXPECT_GT(changed, layout.side * layout.side / 2);
+    session.setOption("minimapLevel", "1");
+    EXPECT_NE(drawn(session, 1.0, 320, 200).pixels, with.pixels);
+}
+
+TEST(Session, RefusesPicturesThatCannotBeDrawn) {
+    Session session(yards());
+    Pixel pixel = 0;
+    EXPECT_FALSE(session.draw({&pixel, 0, 1, 1}));
+    EXPECT_FALSE(session.draw({&pixel, 1, 0, 1}));
+    EXPECT_EQ(pixel, 0u);
+    EXPECT_TRUE(session.draw({&pixel, 1, 1, 1}));
+    EXPECT_EQ(pixel >> 24, 255u);
+}
+
+TEST(Session, TracesAColumnOfWhatItDraws) {
+    Session session(yards());
+    const SliceTrace trace = session.trace(96, 60, 48);
+    EXPECT_EQ(trace.column, 48);
+    ASSERT_FALSE(trace.hits.empty());
+    EXPECT_EQ(trace.hits.front().tileX, 6) << "the half block ahead";
+}
+
+// A walk, a flight and all sorts of wishes.
+std::uint64_t fingerprintOfAGame(int steps) {
+    Session session(yards());
+    Random random(2025);
+    Input input;
+    for (int step = 0; step < steps; ++step) {
+        if (step % 24 == 0) {
+            input = {.forward = random.between(-1.0, 1.5),
+                     .strafe = random.between(-1.0, 1.0),
+                     .turn = random.between(-1.0, 1.0),
+                     .look = random.between(-1.0, 1.0),
+                     .fly = random.between(-1.0, 1.0),
+                     .turnDegrees = random.between(-2.0, 2.0),
+                     .lookHeights = 0.0,
+                     .jump = random.oneIn(2),
+                     .fast = random.oneIn(3),
+                     .slow = random.oneIn(5)};
+        }
+        if (step % 500 == 499) session.setFlying(!session.player().flying);
+        if (step % 700 == 699) session.levelLook();
+        session.step(input);
+    }
+    return session.fingerprint();
+}
+
+TEST(Session, TheSameInputsGiveTheSameFingerprintEverywhere) {
+    EXPECT_EQ(fingerprintOfAGame(5000), fingerprintOfAGame(5000));
+    EXPECT_NE(fingerprintOfAGame(5000), fingerprintOfAGame(5001));
+    EXPECT_EQ(fingerprintOfAGame(5000), 0xdaa810bafdd07798u);
+}
+
+TEST(Session, TheFingerprintTellsStatesApart) {
+    const std::uint64_t start = Session(yards()).fingerprint();
+    Session session(yards());
+    EXPECT_EQ(session.fingerprint(), start);
+    session.setHeading(1e-9);
+    EXPECT_NE(session.fingerprint(), start);
+    session.reset();
+    EXPECT_EQ(session.fingerprint(), start);
+    session.setOption("speed", "1.5");
+    EXPECT_NE(session.fingerprint(), start);
+}
+
+}  // namespace
+}  // namespace slicecast
