@@ -14,7 +14,7 @@ namespace slicecast::textures {
 inline constexpr int kSkyWidth = 1024;
 inline constexpr int kSkyHeight = 256;
 
-inline constexpr Colour kHazeDay = blend(kSea4, kStone6, 96);    // #d4e0d6
+inline constexpr Colour kHazeDay = blend(kSea4, kStone6, 96);    // #d4e0d9
 inline constexpr Colour kHazeDusk = blend(kCoral, kSand0, 112);  // #dc976a
 inline constexpr Colour kHazeNight = blend(kSea0, kSlate1, 96);  // #2b3e53
 
