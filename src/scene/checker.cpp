@@ -115,7 +115,8 @@ std::string Checker::shown(JsonValue value) const {
             return "the number " + std::string(rest.substr(0, end));
         }
         case JsonValue::Kind::text: return "the text " + quoted(value.text());
-        case JsonValue::Kind::array: return "an array of " + std::to_string(value.count());
+        case JsonValue::Kind::array:
+            return value.count() == 0 ? "an empty array" : "an array of " + std::to_string(value.count());
         case JsonValue::Kind::object: return "an object";
     }
     return {};
@@ -126,15 +127,18 @@ std::optional<Fields> Checker::fields(JsonValue value, std::vector<std::string_v
         add(value, shown(value), std::move(expected));
         return std::nullopt;
     }
+    Fields fields(*this, value);
     for (const JsonValue member : value) {
         if (member.key() == "comment") {
             if (!member.isText()) add(member, shown(member), "a text");
         } else if (std::find(known.begin(), known.end(), member.key()) == known.end()) {
             addAtKey(member, "the unknown key " + quoted(member.key()),
                      "one of the keys " + listed(known) + suggestion(member.key(), known));
+            const std::string_view meant = nearestName(member.key(), known);
+            if (!meant.empty() && count() <= kMaxFaults) fields.addMisspelt(meant, member);
         }
     }
-    return Fields(*this, value);
+    return fields;
 }
 
 std::optional<double> Checker::number(JsonValue value, const NumberRange& range) {
@@ -181,9 +185,17 @@ std::optional<Colour> Checker::colour(JsonValue value) {
     return std::nullopt;
 }
 
+std::optional<JsonValue> Fields::find(std::string_view key) const {
+    if (const std::optional<JsonValue> member = object_.find(key)) return member;
+    for (const auto& [meant, member] : misspelt_) {
+        if (meant == key) return member;
+    }
+    return std::nullopt;
+}
+
 std::optional<JsonValue> Fields::require(std::string_view key, std::string_view expected) const {
-    const std::optional<JsonValue> member = object_.find(key);
-    if (!member) checker_->add(object_, "no key " + quoted(key), quoted(key) + " with " + std::string(expected));
+    const std::optional<JsonValue> member = find(key);
+    if (!member) checker_->add(object_, "no key " + quoted(key), quoted(key) + ", " + std::string(expected));
     return member;
 }
 

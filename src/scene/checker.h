@@ -7,10 +7,10 @@
 #include "scene/scene.h"
 #include "scene/source_text.h"
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace slicecast {
@@ -75,8 +75,10 @@ class Fields {
 public:
     Fields(Checker& checker, JsonValue object) : checker_(&checker), object_(object) {}
 
-    JsonValue object() const { return object_; }
-    std::optional<JsonValue> find(std::string_view key) const { return object_.find(key); }
+    // An unknown key, which is a fault already, is read as the one that it is nearest to: what it means is not missed a second time.
+    void addMisspelt(std::string_view key, JsonValue member) { misspelt_.emplace_back(key, member); }
+
+    std::optional<JsonValue> find(std::string_view key) const;
     // Reports a fault where there is no such member.
     std::optional<JsonValue> require(std::string_view key, std::string_view expected) const;
 
@@ -87,6 +89,7 @@ public:
 private:
     Checker* checker_;
     JsonValue object_;
+    std::vector<std::pair<std::string_view, JsonValue>> misspelt_;
 };
 
 // A text in quotes, shortened if it is long.

@@ -156,6 +156,7 @@ std::string shown(std::string_view text, std::size_t offset) {
     while (end < text.size() && end < offset + kLongestWord && isWordCharacter(text[end])) ++end;
     if (end > offset) return std::string(text.substr(offset, end - offset));
     if (static_cast<unsigned char>(text[offset]) < 0x20) return "a control character";
+    if (text[offset] == '\'') return "a single quote";
     return "'" + std::string(text.substr(offset, static_cast<std::size_t>(std::max(1, utf8Length(text, offset))))) + "'";
 }
 
@@ -163,18 +164,18 @@ bool standsAt(std::string_view text, std::size_t offset, std::string_view wanted
     return offset <= text.size() && text.substr(offset, wanted.size()) == wanted;
 }
 
-// Says what is wrong with the value (or key) at `offset`, where `expected` should stand.
-SyntaxFault explainMissing(std::string_view text, std::size_t offset, std::string expected) {
+// Says what is wrong with what stands at `offset`, where `expected` should. Behind a comma, that would be `another` value or key.
+SyntaxFault explainMissing(std::string_view text, std::size_t offset, std::string expected, const char* another = nullptr) {
     std::string found = shown(text, offset);
     if (standsAt(text, offset, "/")) {
         expected += "; JSON has no comments";
     } else if (standsAt(text, offset, "'") || standsAt(text, offset, "\xe2\x80\x9c")) {
         expected += "; texts and keys stand in plain double quotes";
-    } else if (standsAt(text, offset, "]") || standsAt(text, offset, "}")) {
+    } else if (another && (standsAt(text, offset, "]") || standsAt(text, offset, "}"))) {
         const std::size_t before = text.substr(0, offset).find_last_not_of(" \t\r\n");
         if (before != std::string_view::npos && text[before] == ',') {
             found = "a comma before " + found;
-            expected += " behind the comma, or no comma";
+            expected = std::string(another) + " behind the comma, or no comma";
         }
     }
     return {offset, found, expected};
@@ -189,7 +190,7 @@ SyntaxFault explainValue(std::string_view text, std::size_t offset) {
     if (standsAt(text, offset, "True") || standsAt(text, offset, "False")) {
         return {offset, shown(text, offset), "true or false in small letters"};
     }
-    return explainMissing(text, offset, "a value: a text in double quotes, a number, true, false, [ or {");
+    return explainMissing(text, offset, "a value: a text in double quotes, a number, true, false, [ or {", "another value");
 }
 
 // `token` is the start of the token that was being read, `offset` where the reader stopped.
@@ -201,7 +202,7 @@ SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::
         case rapidjson::kParseErrorDocumentRootNotSingular:
             return explainMissing(text, offset, "the end of the file");
         case rapidjson::kParseErrorValueInvalid: return explainValue(text, token);
-        case rapidjson::kParseErrorObjectMissName: return explainMissing(text, offset, "a key in double quotes");
+        case rapidjson::kParseErrorObjectMissName: return explainMissing(text, offset, "a key in double quotes", "another key");
         case rapidjson::kParseErrorObjectMissColon: return explainMissing(text, offset, "a colon between key and value");
         case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
             return explainMissing(text, offset, "a comma and the next key, or } at the end of the object");

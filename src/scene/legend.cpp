@@ -38,13 +38,13 @@ void Legend::set(char32_t character, std::uint16_t id) {
 
 std::optional<std::uint16_t> Legend::find(char32_t character) const {
     if (character < ascii_.size()) {
-        const std::int32_t id = ascii_[character];
-        if (id == kNone) return std::nullopt;
-        return static_cast<std::uint16_t>(id);
+        if (ascii_[character] != kNone) return static_cast<std::uint16_t>(ascii_[character]);
+    } else {
+        const auto other = others_.find(character);
+        if (other != others_.end()) return other->second;
     }
-    const auto other = others_.find(character);
-    if (other == others_.end()) return std::nullopt;
-    return other->second;
+    if (takesAny_) return std::uint16_t{0};
+    return std::nullopt;
 }
 
 std::string Legend::characters() const {
@@ -58,18 +58,26 @@ std::string Legend::characters() const {
 void readLegend(Checker& checker, JsonValue value, const NameTable& names, const std::string& what, Legend& legend) {
     if (!value.isObject()) {
         checker.add(value, checker.shown(value), "a legend: an object with a " + what + "'s name for each character");
+        legend.takeAny();
+        return;
+    }
+    if (value.count() > kMaxLegend) {
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "character"), "at most " + std::to_string(kMaxLegend));
+        legend.takeAny();
         return;
     }
     for (const JsonValue member : value) {
         const std::string_view key = member.key();
         std::size_t end = 0;
         const char32_t character = key.empty() ? 0 : takeCodePoint(key, end);
+        const bool isSingle = !key.empty() && end == key.size();
         const bool isReserved = key == "." || key == " ";
-        const bool isCharacter = !key.empty() && end == key.size() && isPrintable(character);
         if (isReserved) {
             checker.addAtKey(member, "the key " + quoted(key),
                              "another character; '.' and the space have a meaning of their own");
-        } else if (!isCharacter) {
+        } else if (isSingle && !isPrintable(character)) {
+            checker.addAtKey(member, "a key that is " + shownCharacter(character), "a single character that can be seen");
+        } else if (!isSingle) {
             checker.addAtKey(member, "the key " + quoted(key), "a single character that can be seen");
         }
         const std::optional<std::string> name = checker.text(member, kMaxNameLength, "the name of a " + what);
@@ -82,8 +90,11 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
             }
             id = known.value_or(0);
         }
-        // A character with a faulty meaning is known all the same: its uses in the grids are no faults of their own.
-        if (isCharacter && !isReserved) legend.set(character, id);
+        // A character of a faulty key, or with a faulty meaning, is known all the same: its uses in the grids are no faults of their own.
+        for (std::size_t offset = 0; offset < key.size() && !isReserved;) {
+            const char32_t meant = takeCodePoint(key, offset);
+            if (isSingle || !legend.find(meant)) legend.set(meant, id);
+        }
     }
 }
 

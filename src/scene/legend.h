@@ -21,6 +21,9 @@ public:
     void set(char32_t character, std::uint16_t id);
     std::optional<std::uint16_t> find(char32_t character) const;
 
+    // Where the legend could not be read, no character is unknown: the others have number 0.
+    void takeAny() { takesAny_ = true; }
+
     // `'#', '=', '.' or a space`, for messages.
     std::string characters() const;
 
@@ -29,6 +32,7 @@ private:
     std::array<std::int32_t, 128> ascii_;
     std::unordered_map<char32_t, std::uint16_t> others_;
     std::vector<char32_t> order_;
+    bool takesAny_ = false;
 };
 
 // Adds the members of a legend object, whose values are names out of `names`; `what` says of what: "blueprint" or "texture". Characters defined before get

@@ -67,8 +67,9 @@ void NameTable::add(std::string_view name, std::uint16_t id) {
 
 std::optional<std::uint16_t> NameTable::find(std::string_view name) const {
     const auto found = ids_.find(name);
-    if (found == ids_.end()) return std::nullopt;
-    return found->second;
+    if (found != ids_.end()) return found->second;
+    if (takesAny_) return std::uint16_t{0};
+    return std::nullopt;
 }
 
 }  // namespace slicecast

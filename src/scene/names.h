@@ -23,12 +23,15 @@ public:
     void add(std::string_view name, std::uint16_t id);
     std::optional<std::uint16_t> find(std::string_view name) const;
     std::string suggestionFor(std::string_view wanted) const { return suggestion(wanted, order_); }
-    std::size_t size() const { return order_.size(); }
+
+    // Where the names could not be read, none is unknown: every one is number 0.
+    void takeAny() { takesAny_ = true; }
 
 private:
     // Names are views into the scene's tree, which outlives the tables.
     std::unordered_map<std::string_view, std::uint16_t> ids_;
     std::vector<std::string_view> order_;
+    bool takesAny_ = false;
 };
 
 }  // namespace slicecast

@@ -14,18 +14,26 @@ void readScene(Reading& reading, JsonValue root) {
                                        "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
     if (!fields) return;
     if (const auto schema = fields->find("$schema")) checker.text(*schema, kMaxPathLength, "the address of the schema");
-    if (const auto title = fields->require("title", "what the scene is called")) {
-        reading.description.world.title = checker.text(*title, kMaxTitleLength, "what the scene is called").value_or("");
+    if (const auto title = fields->require("title", "the name of the scene")) {
+        reading.description.world.title = checker.text(*title, kMaxTitleLength, "the name of the scene").value_or("");
     }
 
     const std::size_t faultsBefore = checker.count();
-    if (const auto textures = fields->require("textures", "a PNG file for each texture's name")) readTextures(reading, *textures);
+    if (const auto textures = fields->require("textures", "a PNG file for each texture's name")) {
+        readTextures(reading, *textures);
+    } else {
+        reading.textures.takeAny();
+    }
     if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
     Legend legend(kEmptyCell, kEmptyCell);
     if (const auto own = fields->find("legend")) readLegend(checker, *own, reading.blueprints, "blueprint", legend);
     reading.areBlueprintsSound = checker.count() == faultsBefore;
 
-    if (const auto maps = fields->require("maps", "an array of maps")) readMaps(reading, *maps, legend);
+    if (const auto maps = fields->require("maps", "an array of maps")) {
+        readMaps(reading, *maps, legend);
+    } else {
+        reading.maps.takeAny();
+    }
     if (const auto start = fields->require("start", "where the player starts")) readStart(reading, *start);
 }
 
@@ -58,7 +66,9 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     const SourceText source(text);
     Checker checker(source, fileName);
     if (source.invalidByte()) {
-        checker.addSyntax({*source.invalidByte(), "bytes that are not UTF-8", "a text file saved as UTF-8"});
+        const bool isUtf16 = text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff";
+        checker.addSyntax({*source.invalidByte(), isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8",
+                           "a text file saved as UTF-8"});
         parsed.faults = checker.take();
         return parsed;
     }

@@ -88,11 +88,13 @@ void readBlueprints(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
         checker.add(value, checker.shown(value), "the blueprints: an object with a blueprint for each name");
+        reading.blueprints.takeAny();
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxBlueprints)) {
         checker.add(value, counted(static_cast<std::int64_t>(value.count()), "blueprint"),
                     "at most " + std::to_string(kMaxBlueprints));
+        reading.blueprints.takeAny();
         return;
     }
     std::vector<CellBlueprint>& blueprints = reading.description.world.blueprints;

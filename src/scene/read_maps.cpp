@@ -50,10 +50,12 @@ void readMaps(Reading& reading, JsonValue value, const Legend& legend) {
     Checker& checker = reading.checker;
     if (!value.isArray() || value.count() == 0) {
         checker.add(value, checker.shown(value), "an array of at least one map");
+        reading.maps.takeAny();
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxMaps)) {
         checker.add(value, counted(static_cast<std::int64_t>(value.count()), "map"), "at most " + std::to_string(kMaxMaps));
+        reading.maps.takeAny();
         return;
     }
     std::vector<Map>& maps = reading.description.world.maps;

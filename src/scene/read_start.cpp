@@ -11,23 +11,23 @@ constexpr NumberRange kHeight = {0.0, kMaxHeight, false, "a number from 0 to 100
 constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false, "a number from -360 to 360, in degrees; 0 is east, 90 south"};
 constexpr NumberRange kLook = {-kLookLimit, kLookLimit, false, "a number from -1.5 to 1.5, in screen heights"};
 
-// What the body reaches into.
+// What the body reaches into, over or through.
 std::string obstacle(const World& world, const Map& map, const Box& body) {
     for (int y = body.north.tile(); y <= body.south.tile(); ++y) {
         for (int x = body.west.tile(); x <= body.east.tile(); ++x) {
-            if (!map.contains(x, y)) return "the edge of the map";
+            if (!map.contains(x, y)) return "over the edge of the map";
             for (int level = 0; level < map.levels; ++level) {
                 const BlueprintId id = map.cell(x, y, level);
                 const CellBlueprint& block = world.blueprints[id];
                 if (id == kEmptyCell || tileEdge(level) + block.top <= body.bottom || tileEdge(level) + block.bottom >= body.top) continue;
                 const bool isBeside = tileEdge(x) >= body.east || tileEdge(y) >= body.south;
                 if (isBeside) continue;
-                return "a block \"" + block.name + "\" at x " + std::to_string(x) + ", y " + std::to_string(y) + ", level " +
+                return "into the block \"" + block.name + "\" at x " + std::to_string(x) + ", y " + std::to_string(y) + ", level " +
                        std::to_string(level);
             }
         }
     }
-    return "the ceiling";
+    return "through the ceiling";
 }
 
 // The player is never in a block, nor off the map.
@@ -42,7 +42,7 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     // The player starts crouched where there is no room to stand.
     const Box body = bodyBox(start.x, start.y, start.z, kCrouchedHeight);
     if (isFree(world, start.map, body)) return;
-    reading.checker.add(value, "a start within " + obstacle(world, map, body),
+    reading.checker.add(value, "a start that reaches " + obstacle(world, map, body),
                         "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
 }
 

@@ -88,7 +88,11 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
         sky.low = checker.colour(value).value_or(Colour{});
         return;
     }
-    const bool isPanorama = value.isObject() && value.find("panorama").has_value();
+    // Which kind is meant shows in the keys, be they spelt right or not.
+    bool isPanorama = false;
+    if (value.isObject()) {
+        for (const JsonValue member : value) isPanorama = isPanorama || !nearestName(member.key(), {"panorama"}).empty();
+    }
     const auto fields = isPanorama ? checker.fields(value, {"panorama", "slope"}, "")
                                    : checker.fields(value, {"low", "high", "slope"},
                                                     "a colour, an object with \"low\" and \"high\", or one with \"panorama\"");
@@ -96,9 +100,10 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
     sky.slope = fields->number("slope", kSlope, 1.0);
     if (isPanorama) {
         sky.kind = Sky::Kind::panorama;
-        const JsonValue panorama = *fields->find("panorama");
-        if (auto file = readFileName(checker, panorama)) {
-            reading.description.panoramas.push_back({mapIndex, referTo(checker, panorama, std::move(*file))});
+        const auto panorama = fields->find("panorama");
+        if (!panorama) return;
+        if (auto file = readFileName(checker, *panorama)) {
+            reading.description.panoramas.push_back({mapIndex, referTo(checker, *panorama, std::move(*file))});
         }
         return;
     }
@@ -109,7 +114,7 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
 
 void readLight(Reading& reading, JsonValue value, Light& light) {
     const auto fields = reading.checker.fields(value, {"on", "intensity", "multiplier", "darkest", "brightest"},
-                                               "an object with \"intensity\" and \"multiplier\", say");
+                                               "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }");
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     const Light normal;
@@ -126,7 +131,7 @@ void readLight(Reading& reading, JsonValue value, Light& light) {
 }
 
 void readFog(Reading& reading, JsonValue value, Fog& fog) {
-    const auto fields = reading.checker.fields(value, {"start", "end"}, "an object with \"start\" and \"end\"");
+    const auto fields = reading.checker.fields(value, {"start", "end"}, "an object such as { \"start\": 5, \"end\": 40 }");
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     fog.on = true;

@@ -60,11 +60,13 @@ void readTextures(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
         checker.add(value, checker.shown(value), "the textures: an object with a PNG file for each name");
+        reading.textures.takeAny();
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxTextures)) {
         checker.add(value, counted(static_cast<std::int64_t>(value.count()), "texture"),
                     "at most " + std::to_string(kMaxTextures));
+        reading.textures.takeAny();
         return;
     }
     std::unordered_map<std::string, TextureId> ids;

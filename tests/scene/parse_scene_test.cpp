@@ -1,0 +1,221 @@
+// What a sound scene becomes.
+#include "scene/scene.h"
+#include "scene/scene_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+World load(const std::string& text) {
+    const ParsedScene parsed = parseScene(text, "test.json");
+    EXPECT_EQ(inWords(parsed.faults), "");
+    LoadedScene loaded = loadScene(parsed, readSceneFiles(sceneTestFolder(), parsed));
+    EXPECT_EQ(inWords(loaded.faults), "");
+    return loaded.world.value_or(World{});
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+TEST(ParseScene, NamesTheFilesThatItNeeds) {
+    const ParsedScene parsed = parseScene(readText(sceneTestFolder() / "everything.json"), "everything.json");
+    EXPECT_EQ(inWords(parsed.faults), "");
+    ASSERT_NE(parsed.description, nullptr);
+    EXPECT_EQ(parsed.files, (std::vector<std::string>{"broken/images/brick.png", "broken/images/tile.png", "broken/images/sky.png"}));
+}
+
+TEST(ParseScene, ReadsEveryKey) {
+    const LoadedScene loaded = loadFrom(sceneTestFolder() / "everything.json");
+    EXPECT_EQ(inWords(loaded.faults), "");
+    ASSERT_TRUE(loaded.world.has_value());
+    const World& world = *loaded.world;
+    EXPECT_EQ(world.title, "Everything \xe2\x80\x94 ein W\xc3\xbcrfel");
+
+    // Two names of one file are one texture.
+    ASSERT_EQ(world.textures.size(), 2u);
+    EXPECT_EQ(world.textures[0].size(), 8);
+    EXPECT_EQ(world.textures[0].levels.size(), 4u);
+    EXPECT_EQ(world.textures[1].size(), 16);
+    EXPECT_EQ(world.textures[1].name, "tile");
+    const TextureId brick = 0;
+    const TextureId tile = 1;
+
+    ASSERT_EQ(world.blueprints.size(), 3u);
+    const BlueprintId wall = 1;
+    const BlueprintId slab = 2;
+    EXPECT_EQ(world.blueprints[wall].name, "wall");
+    EXPECT_EQ(world.blueprints[wall].bottom.raw, 0);
+    EXPECT_EQ(world.blueprints[wall].top.raw, 65536);
+    for (const FaceBlueprint& face : world.blueprints[wall].faces) {
+        EXPECT_EQ(face.texture, brick);
+        EXPECT_EQ(face.light, 1.0);
+    }
+    EXPECT_EQ(world.blueprints[slab].bottom.raw, 16384);
+    EXPECT_EQ(world.blueprints[slab].top.raw, 49152);
+    const TextureId textures[kFaces] = {tile, tile, brick, brick, brick, tile};
+    const double lights[kFaces] = {0.5, 1, 1, 1, 1, 0};
+    for (int face = 0; face < kFaces; ++face) {
+        EXPECT_EQ(world.blueprints[slab].faces[face].texture, textures[face]) << kFaceNames[face];
+        EXPECT_EQ(world.blueprints[slab].faces[face].light, lights[face]) << kFaceNames[face];
+    }
+
+    ASSERT_EQ(world.maps.size(), 3u);
+    const Map& hall = world.maps[0];
+    EXPECT_EQ(hall.name, "hall");
+    EXPECT_EQ(hall.width, 5);
+    EXPECT_EQ(hall.depth, 4);
+    EXPECT_EQ(hall.levels, 3);
+    EXPECT_EQ(hall.cell(0, 0, 0), wall);    // '+'
+    EXPECT_EQ(hall.cell(1, 1, 0), kEmptyCell);
+    EXPECT_EQ(hall.cell(2, 1, 0), kEmptyCell);
+    EXPECT_EQ(hall.cell(3, 1, 0), slab);    // '#' means something else in this map
+    EXPECT_EQ(hall.cell(3, 2, 0), slab);    // of the scene's legend
+    EXPECT_EQ(hall.cell(2, 3, 0), wall);    // beyond 16 bits
+    EXPECT_EQ(hall.cell(0, 0, 1), kEmptyCell);
+    EXPECT_EQ(hall.cell(2, 1, 2), slab);
+    EXPECT_EQ(hall.occupied[hall.tileIndex(0, 0)], 1u);
+    EXPECT_EQ(hall.occupied[hall.tileIndex(2, 1)], 4u);
+    EXPECT_EQ(std::count_if(hall.cells.begin(), hall.cells.end(), [](BlueprintId id) { return id != kEmptyCell; }), 17);
+
+    EXPECT_EQ(hall.floor.texture, brick);
+    EXPECT_EQ(hall.floor.light, 0.5);
+    EXPECT_EQ(hall.floor.tiles, (std::vector<TextureId>{0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(hall.ceiling.height.raw, 98304);
+    EXPECT_EQ(hall.ceiling.light, 0.25);
+    EXPECT_EQ(hall.ceiling.tiles[0], kNoTexture);
+    EXPECT_EQ(hall.ceiling.tiles[4], tile);
+    EXPECT_EQ(hall.ceiling.tiles[9], brick);
+    EXPECT_EQ(hall.sky.kind, Sky::Kind::gradient);
+    EXPECT_EQ(hall.sky.low, (Colour{255, 128, 0, 255}));
+    EXPECT_EQ(hall.sky.high, (Colour{16, 32, 64, 255}));
+    EXPECT_EQ(hall.sky.slope, 2.0);
+    EXPECT_FALSE(hall.light.on);
+    EXPECT_EQ(hall.light.intensity, 2.0);
+    EXPECT_EQ(hall.light.multiplier, 3.0);
+    EXPECT_EQ(hall.light.darkest, 0.2);
+    EXPECT_EQ(hall.light.brightest, 0.9);
+    EXPECT_TRUE(hall.fog.on);
+    EXPECT_EQ(hall.fog.start, 1.0);
+    EXPECT_EQ(hall.fog.end, 4.5);
+    EXPECT_EQ(hall.haze, (Colour{160, 176, 192, 255}));
+    EXPECT_EQ(hall.far, 500.0);
+
+    const Map& yard = world.maps[1];
+    EXPECT_EQ(yard.cell(0, 0, 0), wall);
+    EXPECT_EQ(yard.cell(0, 1, 0), slab);
+    EXPECT_EQ(yard.sky.kind, Sky::Kind::panorama);
+    EXPECT_EQ(yard.sky.panorama.width, 24);
+    EXPECT_EQ(yard.sky.panorama.height, 6);
+    EXPECT_TRUE(yard.ceiling.tiles.empty());
+    EXPECT_EQ(world.maps[2].sky.kind, Sky::Kind::colour);
+    EXPECT_EQ(world.maps[2].sky.low, (Colour{18, 52, 86, 255}));
+
+    EXPECT_EQ(world.start.map, 0);
+    EXPECT_EQ(world.start.x.raw, 98304);
+    EXPECT_EQ(world.start.y.raw, 147456);
+    EXPECT_EQ(world.start.z.raw, 8192);
+    EXPECT_EQ(world.start.headingDegrees, -90.0);
+    EXPECT_EQ(world.start.look, 0.5);
+}
+
+TEST(ParseScene, GivesWhatIsLeftOutItsNormalValue) {
+    const World world = load(smallScene());
+    const Map& map = world.maps[0];
+    const Map normal;
+    EXPECT_EQ(map.light.on, normal.light.on);
+    EXPECT_EQ(map.light.intensity, normal.light.intensity);
+    EXPECT_EQ(map.light.multiplier, normal.light.multiplier);
+    EXPECT_EQ(map.fog.on, false);
+    EXPECT_EQ(map.haze, normal.haze);
+    EXPECT_EQ(map.far, kDefaultFar);
+    EXPECT_EQ(map.sky.kind, Sky::Kind::colour);
+    EXPECT_EQ(world.start.map, 0);
+    EXPECT_EQ(world.start.z.raw, 0);
+    EXPECT_EQ(world.start.headingDegrees, 0.0);
+}
+
+TEST(ParseScene, RoundsCoordinatesAndNothingElse) {
+    const World world = load(replaced(smallScene(), R"("x": 1.5, "y": 1.5)", R"("x": 1.4000076, "y": 1.59999, "heading": 0.1, "look": 0.3)"));
+    EXPECT_EQ(world.start.x.raw, 91751);   // 65536 * 1.4000076 = 91750.898...
+    EXPECT_EQ(world.start.y.raw, 104857);  // 65536 * 1.59999 = 104856.9...
+    EXPECT_EQ(world.start.headingDegrees, 0.1);
+    EXPECT_EQ(world.start.look, 0.3);
+}
+
+TEST(ParseScene, ReadsNumbersWithCorrectRounding) {
+    // Halfway cases and long digits that quick parsers get wrong.
+    for (const auto& [text, value] : {std::pair{"0.1000000000000000055511151231257827021181583404541015625", 0.1},
+                                      std::pair{"3.5844466002796428e-1", 3.5844466002796428e-1},
+                                      std::pair{"0.30000000000000004", 0.30000000000000004},
+                                      std::pair{"123456789012345678e-18", 0.123456789012345678}}) {
+        const World world = load(replaced(smallScene(), R"("y": 1.5)", R"("y": 1.5, "look": )" + std::string(text)));
+        EXPECT_EQ(world.start.look, value) << text;
+    }
+}
+
+TEST(ParseScene, ReadsTheSameFromEveryKindOfLineEnd) {
+    const std::string unix = smallScene("[[\"###\",\n\"#Q#\",\n\"###\"]]");
+    std::string windows = "\xef\xbb\xbf";
+    std::string oldMac;
+    for (const char c : unix) {
+        if (c == '\n') windows += '\r';
+        windows += c;
+        oldMac += c == '\n' ? '\r' : c;
+    }
+    const std::vector<Fault> faults = parseScene(unix, "test.json").faults;
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].row, 1);
+    EXPECT_EQ(faults[0].character, 1);
+    EXPECT_EQ(faults[0].column, 3);
+    EXPECT_EQ(parseScene(windows, "test.json").faults, faults);
+    EXPECT_EQ(parseScene(oldMac, "test.json").faults, faults);
+}
+
+TEST(ParseScene, FindsTheCharacterBehindEscapes) {
+    const std::vector<Fault> faults = parseScene(smallScene("[[\"###\", \"\\u0023\\ud83e\\uddf1#\", \"###\"]]"), "test.json").faults;
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].found, "'\xf0\x9f\xa7\xb1'");
+    EXPECT_EQ(faults[0].row, 1);
+    EXPECT_EQ(faults[0].character, 1);
+    const std::vector<Fault> behind = parseScene(smallScene("[[\"###\", \"\\u0023\\\"Q\", \"###\"]]"), "test.json").faults;
+    ASSERT_EQ(behind.size(), 2u);
+    EXPECT_EQ(behind[0].column + 2, behind[1].column);
+    EXPECT_EQ(behind[1].character, 2);
+}
+
+TEST(ParseScene, NeedsNoBlueprints) {
+    const World world = load(R"({ "title": "Plain", "textures": { "grass": "broken/images/brick.png" },
+        "maps": [{ "name": "plain", "levels": [["...", "...", "..."]], "floor": "grass" }], "start": { "x": 1, "y": 1 } })");
+    EXPECT_EQ(world.maps[0].width, 3);
+}
+
+TEST(ParseScene, StartsCrouchedWhereThereIsNoRoomToStand) {
+    const std::string low = R"("ceiling": { "height": 0.5, "texture": "brick" })";
+    EXPECT_EQ(inWords(parseScene(smallScene(R"([["###", "#.#", "###"]])", low), "test.json").faults), "");
+}
+
+TEST(LoadScene, PassesOnTheFaultsOfTheText) {
+    const ParsedScene parsed = parseScene("{}", "test.json");
+    EXPECT_EQ(parsed.description, nullptr);
+    const LoadedScene loaded = loadScene(parsed, {});
+    EXPECT_FALSE(loaded.world.has_value());
+    EXPECT_EQ(loaded.faults, parsed.faults);
+    EXPECT_EQ(loaded.faults.size(), 4u);
+}
+
+TEST(LoadScene, CanBeRepeated) {
+    const ParsedScene parsed = parseScene(smallScene(), "test.json");
+    const SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
+    EXPECT_FALSE(loadScene(parsed, {}).world.has_value());
+    EXPECT_TRUE(loadScene(parsed, files).world.has_value());
+    EXPECT_TRUE(loadScene(parsed, files).world.has_value());
+}
+
+}  // namespace
+}  // namespace slicecast
