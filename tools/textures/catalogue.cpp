@@ -31,7 +31,7 @@ const std::vector<Entry>& catalogue() {
         {"rock", Use::Wall, paintRock},
         {"plaster-white", Use::Wall, paintPlasterWhite},
         {"plaster-warm", Use::Wall, paintPlasterWarm},
-        {"plaster-broken", Use::Wall, paintPlasterBroken},
+        {"plaster-broken", Use::Wall, paintPlasterBroken, "plaster-warm"},
         {"timber-frame", Use::Wall, paintTimberFrame},
         {"timber-frame-brace", Use::Wall, paintTimberFrameBrace},
         {"planks-wall", Use::Wall, paintPlanksWall},

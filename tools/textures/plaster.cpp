@@ -43,6 +43,13 @@ Surface plasterSurface(const Ramp& ramp, double tone, std::uint32_t seed) {
     return surface;
 }
 
+Surface warmSurface() {
+    Surface surface = plasterSurface(kSandRamp, 3.9, kSeed + 20U);
+    drawCrack(surface, {.x = 40, .y = 100, .length = 30, .depth = 0.6, .darkening = 1.0, .seed = 11});
+    drawCrack(surface, {.x = 104, .y = 48, .length = 16, .depth = 0.6, .darkening = 0.9, .seed = 15});
+    return surface;
+}
+
 }  // namespace
 
 Lighting plasterLighting() {
@@ -63,26 +70,28 @@ Picture paintPlasterWhite() {
 }
 
 Picture paintPlasterWarm() {
-    Surface surface = plasterSurface(kSandRamp, 3.9, kSeed + 20U);
-    drawCrack(surface, {.x = 40, .y = 100, .length = 30, .depth = 0.6, .darkening = 1.0, .seed = 11});
-    drawCrack(surface, {.x = 104, .y = 48, .length = 16, .depth = 0.6, .darkening = 0.9, .seed = 15});
-    return lit(surface, plasterLighting());
+    return lit(warmSurface(), plasterLighting());
 }
 
-// Plaster that has fallen off in places and shows the bricks.
+// Plaster that has fallen off in places and shows the bricks. Its border stays whole, to stand among sound plaster.
 Picture paintPlasterBroken() {
-    const Surface plaster = plasterSurface(kSandRamp, 3.9, kSeed + 20U);
-    Surface surface = brickSurface();
+    constexpr double kLayer = 3.2;  // thickness of the plaster
+    const Surface plaster = warmSurface();
+    const Surface bricks = brickSurface();
+    Surface surface = plaster;
     everyTexel([&](int x, int y) {
-        const double hold = fractalNoise(x / 21.333333333333332, y / 32.0, 6, 4, 4, kSeed + 44U);
-        if (hold < 0.6) {
-            Texel& texel = surface.at(x, y);
-            texel = plaster.at(x, y);
-            texel.height = texel.height * 0.4 + 3.2;
-            texel.tone += hold > 0.585 ? 0.5 : 0.0;
+        const double fromBorder = std::min({x, kSide - 1 - x, y, kSide - 1 - y});
+        const double loose = fractalNoise(x / 32.0, y / 32.0, 4, 4, 4, kSeed + 144U) - 0.5 * (1.0 - smoothStep(4.0, 30.0, fromBorder));
+        Texel& texel = surface.at(x, y);
+        if (loose > 0.52) {
+            texel = bricks.at(x, y);
+            texel.height -= kLayer;
+        } else if (loose > 0.505) {
+            texel.tone += 0.5;
         }
     });
-    return lit(surface, {.gain = 0.5, .lightest = 0.6, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 1.0});
+    return litOver(plaster, plasterLighting(), surface,
+                   {.gain = 0.5, .lightest = 0.5, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 1.0, .hollowDepth = 0.05});
 }
 
 }  // namespace slicecast::textures
