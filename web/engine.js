@@ -13,6 +13,7 @@ export class Engine {
   #module;
   #session;
   #begun = false;
+  #loads = 0;
 
   static async create({ files, canvas = null, onEvent = () => {} }) {
     let refuse;
@@ -45,9 +46,11 @@ export class Engine {
     return this.#module.UTF8ToString(this.#module._slicecast_version());
   }
 
-  // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that was running alone.
+  // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that was running alone. Gives null if another scene was
+  // asked for meanwhile.
   async loadScene(source, onProgress = () => {}) {
-    return loadInto(this.#module, this.#session, source, onProgress);
+    const load = ++this.#loads;
+    return loadInto(this.#module, this.#session, source, onProgress, () => load === this.#loads);
   }
 
   // Begins to draw into the canvas and to listen to it. The second call does nothing.
@@ -65,7 +68,7 @@ export class Engine {
   async drawAside(source, width, height) {
     const session = this.#module._slicecast_create();
     try {
-      const faults = await loadInto(this.#module, session, source, () => {});
+      const faults = await loadInto(this.#module, session, source);
       return faults.length === 0 ? this.#draw(session, width, height, 1) : null;
     } finally {
       this.#module._slicecast_free(session);
@@ -149,8 +152,9 @@ export class Engine {
 }
 
 // Text -> the list of files -> their bytes -> a world.
-async function loadInto(module, session, source, onProgress) {
+async function loadInto(module, session, source, onProgress = () => {}, isWanted = () => true) {
   const text = await source.readText();
+  if (!isWanted()) return null;
   const parsed = withBytes(module, text, (textAt) => withStrings(module, [source.name], (nameAt) =>
     JSON.parse(module.UTF8ToString(module._slicecast_parse(session, textAt, text.length, nameAt)))));
   if (parsed.faults.length > 0) return parsed.faults;
@@ -171,6 +175,7 @@ async function loadInto(module, session, source, onProgress) {
     report();
     return bytes;
   }));
+  if (!isWanted()) return null;
   // A file that could not be read is not supplied: the engine makes a fault of it, with the place that names it.
   parsed.files.forEach((name, index) => {
     const bytes = contents[index];

@@ -83,7 +83,7 @@ class Page {
       const faults = await this.engine.loadScene(scene.source, (share, bytes) => {
         if (!keepEye) this.#showProgress(`Opening ${scene.source.name}`, begin + share * (1 - begin), bytes);
       });
-      if (load !== this.#loads) return;
+      if (faults === null) return;
       if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
     } catch (error) {
       if (load !== this.#loads) return;
@@ -97,7 +97,7 @@ class Page {
     this.#showTitle();
     this.engine.begin();
     if (keepEye && wasPlaying) this.play();
-    else if (this.ready) this.#setState('paused');
+    else if (this.ready) this.#setState('paused'); // else the first picture is still to come
   }
 
   get hasPicture() {
@@ -142,6 +142,7 @@ class Page {
   // ---- Playing
 
   play() {
+    this.#setState('playing');
     canvas.focus({ preventScroll: true });
     this.engine.paused = false;
   }
@@ -162,6 +163,7 @@ class Page {
         this.#setState('paused');
         break;
       case 'pause':
+        if (value) document.exitPointerLock?.();
         if (this.ready && this.state !== 'loading' && this.state !== 'trouble') this.#setState(value ? 'paused' : 'playing');
         break;
       case 'help':

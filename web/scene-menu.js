@@ -2,8 +2,7 @@
 
 import { sceneAt } from './scene-source.js';
 
-const kViewWidth = 320; // pixels
-const kViewHeight = 180;
+const kAspect = 9 / 16; // of a view
 
 export class SceneMenu {
   #drawn = false;
@@ -34,7 +33,10 @@ export class SceneMenu {
     if (this.#drawn || engine === null) return;
     this.#drawn = true;
     for (const { scene, view } of this.cards) {
-      const picture = await engine.drawAside(sceneAt(scene.file), kViewWidth, kViewHeight).catch(() => null);
+      // As many pixels as the screen has there.
+      view.width = Math.max(1, Math.round(view.clientWidth * window.devicePixelRatio));
+      view.height = Math.max(1, Math.round(view.width * kAspect));
+      const picture = await engine.drawAside(sceneAt(scene.file), view.width, view.height).catch(() => null);
       if (picture !== null) view.getContext('2d').putImageData(picture, 0, 0);
     }
   }
@@ -45,8 +47,6 @@ function card(scene, address) {
   const link = document.createElement('a');
   link.href = address;
   const view = document.createElement('canvas');
-  view.width = kViewWidth;
-  view.height = kViewHeight;
   view.setAttribute('aria-hidden', 'true');
   const title = document.createElement('h3');
   title.textContent = scene.title;

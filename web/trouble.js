@@ -5,7 +5,7 @@
 
 const kActions = ['again', 'scenes', 'back'];
 
-// `faults` are the engine's: {file, pointer, line, column, found, expected}.
+// `faults` are the engine's: {file, pointer, line, column, row, character, found, expected}.
 export class Trouble extends Error {
   constructor(title, text, faults = []) {
     super(text);
@@ -52,16 +52,23 @@ export function placeOf(fault) {
   return fault.line > 0 ? `${fault.file}:${fault.line}:${fault.column}` : fault.file;
 }
 
+// The same place as the scene itself would name it: a JSON pointer, and within a grid of characters the tile.
+function insideOf({ pointer, row, character }) {
+  const tile = [row >= 0 ? `row ${row}` : '', character >= 0 ? `character ${character}` : ''].filter((part) => part !== '').join(', ');
+  return tile === '' ? pointer : `${pointer}, ${tile}`;
+}
+
 function faultRow(fault) {
   const row = document.createElement('tr');
   const place = document.createElement('th');
   place.scope = 'row';
   place.textContent = placeOf(fault);
-  if (fault.pointer !== '') {
-    const pointer = document.createElement('span');
-    pointer.className = 'pointer';
-    pointer.textContent = fault.pointer;
-    place.append(pointer);
+  const inside = insideOf(fault);
+  if (inside !== '') {
+    const where = document.createElement('span');
+    where.className = 'inside';
+    where.textContent = inside;
+    place.append(where);
   }
   const found = document.createElement('td');
   found.className = 'found';

@@ -1,0 +1,108 @@
+// What the browser tests share: Chromium, a page in it, and questions to the page.
+
+import { accessSync, constants } from 'node:fs';
+import path from 'node:path';
+import { chromium } from 'playwright-core';
+import { serve } from './static-server.mjs';
+import { roomFiles } from './room.mjs';
+
+const kArguments = [
+  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+];
+const kWaitMilliseconds = 15000; // for anything; a slow machine is not a fault
+
+function findChromium() {
+  const names = ['chromium', 'chromium-browser', 'google-chrome'];
+  const places = [
+    process.env.SLICECAST_CHROMIUM,
+    ...(process.env.PATH ?? '').split(path.delimiter).flatMap((folder) => names.map((name) => path.join(folder, name))),
+    '/Applications/Chromium.app/Contents/MacOS/Chromium',
+    '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
+  ];
+  const found = places.find((place) => {
+    try {
+      accessSync(place ?? '', constants.X_OK);
+      return true;
+    } catch {
+      return false;
+    }
+  });
+  if (found === undefined) throw new Error('There is no Chromium; tools/setup installs it, or SLICECAST_CHROMIUM names it.');
+  return found;
+}
+
+export function launch() {
+  return chromium.launch({ executablePath: findChromium(), args: kArguments });
+}
+
+// A page on a server of its own. Whatever the page complains about on the console fails the test at its end, unless the test expects complaints.
+export async function openPage(t, browser, { server: serverOptions = {}, query = '', viewport = { width: 640, height: 360 }, context: contextOptions = {}, expectErrors = false, prepare = async () => {} } = {}) {
+  const server = await serve({ ...serverOptions, files: { ...roomFiles(), ...serverOptions.files } });
+  const context = await browser.newContext({ viewport, ...contextOptions });
+  const page = await context.newPage();
+  page.setDefaultTimeout(kWaitMilliseconds);
+  const complaints = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  t.after(async () => {
+    await context.close();
+    await server.close();
+    if (!expectErrors && complaints.length > 0) throw new Error(`The page complained: ${complaints.join('\n')}`);
+  });
+  await prepare(page, context);
+  await page.goto(server.address + query);
+  return { page, context, server, complaints };
+}
+
+// The same, waiting until the scene can be played.
+export async function openScene(t, browser, options) {
+  const opened = await openPage(t, browser, options);
+  await inState(opened.page, 'paused');
+  return opened;
+}
+
+export function inState(page, state) {
+  return page.waitForFunction((wanted) => document.body.dataset.state === wanted, state);
+}
+
+export async function play(page) {
+  await page.click('#play');
+  await inState(page, 'playing');
+}
+
+export function player(page) {
+  return page.evaluate(() => window.slicecast.engine.state);
+}
+
+// Waits until something is true of the player's state: a function that the page runs.
+export async function untilPlayer(page, condition, argument) {
+  await page.waitForFunction(`(${condition})(window.slicecast.engine.state, ${JSON.stringify(argument ?? null)})`);
+  return player(page);
+}
+
+export function pixel(page, shareX, shareY) {
+  return page.evaluate(([x, y]) => {
+    const canvas = document.getElementById('picture');
+    return [...canvas.getContext('2d').getImageData(Math.floor(x * canvas.width), Math.floor(y * canvas.height), 1, 1).data.subarray(0, 3)];
+  }, [shareX, shareY]);
+}
+
+// All of the canvas's pixels as a string that is equal only for equal pictures.
+export function pictureHash(page, selector = '#picture') {
+  return page.evaluate(async (which) => {
+    const canvas = document.querySelector(which);
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const digest = await crypto.subtle.digest('SHA-256', data);
+    return `${canvas.width}x${canvas.height} ${[...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, '0')).join('')}`;
+  }, selector);
+}
+
+// Long enough for several frames.
+export function frames(page, count = 3) {
+  return page.evaluate((left) => new Promise((resolve) => {
+    const next = () => (left-- > 0 ? requestAnimationFrame(next) : resolve());
+    next();
+  }), count);
+}

@@ -1,0 +1,274 @@
+// Keys, focus and the mouse, as real presses in a real browser.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { frames, inState, launch, openScene, pictureHash, play, player, untilPlayer } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+// Twice the same place, a twentieth of a second apart.
+function atRest(page) {
+  return page.waitForFunction(() => {
+    const { x, y, z, heading, look } = window.slicecast.engine.state;
+    const now = [x, y, z, heading, look].join();
+    const still = now === window.before;
+    window.before = now;
+    return still;
+  }, undefined, { polling: 50 });
+}
+
+const focused = (page) => page.evaluate(() => document.activeElement.id);
+
+test('walking, stepping aside and turning move the player and change the picture', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  const startPicture = await pictureHash(page);
+  const moves = [
+    ['KeyW', (now, before) => now.x > before.x + 0.3],
+    ['KeyS', (now, before) => now.x < before.x - 0.3],
+    ['KeyD', (now, before) => now.y > before.y + 0.3],
+    ['KeyQ', (now, before) => now.y < before.y - 0.3],
+    ['ArrowRight', (now, before) => now.heading > before.heading + 10 && now.heading < 180],
+    ['ArrowUp', (now, before) => now.look > before.look + 0.05],
+    ['PageDown', (now, before) => now.z < before.z - 0.1],
+    ['Space', (now, before) => now.z > before.z + 0.1],
+  ];
+  for (const [key, condition] of moves) {
+    const before = await player(page);
+    await page.keyboard.down(key);
+    await untilPlayer(page, condition, before);
+    await page.keyboard.up(key);
+    await atRest(page);
+  }
+  assert.notEqual(await pictureHash(page), startPicture);
+});
+
+test('V flies, and Page Up rises', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  await page.keyboard.press('v');
+  await untilPlayer(page, (now) => now.flying);
+  await page.keyboard.down('PageUp');
+  await untilPlayer(page, (now) => now.z > 1.2);
+  await page.keyboard.up('PageUp');
+});
+
+test('keys of the game scroll nothing', async (t) => {
+  const { page } = await openScene(t, browser);
+  await page.evaluate(() => {
+    document.documentElement.style.overflow = document.body.style.overflow = 'auto';
+    document.body.style.height = '5000px';
+  });
+  await play(page);
+  for (const key of ['ArrowDown', 'ArrowDown', 'Space', 'PageDown', 'End']) await page.keyboard.press(key);
+  await frames(page, 10);
+  assert.equal(await page.evaluate(() => scrollY), 0);
+  // The proof that there was something to scroll
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press('PageDown');
+  await page.waitForFunction(() => scrollY > 0);
+});
+
+test('a text box in the page keeps its letters, and the player stays', async (t) => {
+  const { page } = await openScene(t, browser);
+  await page.evaluate(() => {
+    const box = document.createElement('input');
+    box.id = 'text-box';
+    document.body.append(box);
+  });
+  await play(page);
+  await page.focus('#text-box');
+  await inState(page, 'paused');
+  const before = await player(page);
+  await page.keyboard.type('wasd hfimp v');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('Space');
+  assert.equal(await page.inputValue('#text-box'), 'wasd hfimp  v');
+  assert.deepEqual(await player(page), before);
+  assert.equal(await page.isVisible('#keys'), false);
+});
+
+test('Tab moves on from the canvas to the buttons, with a ring around them', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  assert.equal(await focused(page), 'picture');
+  await page.keyboard.press('Tab');
+  assert.equal(await focused(page), 'open-scenes');
+  await inState(page, 'paused');
+  const order = [];
+  for (let i = 0; i < 4; ++i) {
+    const ring = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+    order.push(`${await focused(page)} ${ring}`);
+    await page.keyboard.press('Tab');
+  }
+  assert.deepEqual(order, ['open-scenes solid', 'open-keys solid', 'open-settings solid', 'full-screen solid']);
+  assert.equal(await focused(page), 'play');
+  await page.keyboard.press('Enter');
+  await inState(page, 'playing');
+  assert.equal(await focused(page), 'picture');
+});
+
+test("the browser's own combinations stay its own", async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  await page.evaluate(() => {
+    window.taken = {};
+    window.addEventListener('keydown', (event) => {
+      window.taken[`${event.ctrlKey ? 'Ctrl ' : ''}${event.altKey ? 'Alt ' : ''}${event.metaKey ? 'Meta ' : ''}${event.code}`] = event.defaultPrevented;
+    });
+  });
+  for (const keys of ['Control+a', 'Control+p', 'Alt+d', 'Meta+w', 'F5', 'w', 'ArrowUp', 'Shift+w']) {
+    if (keys === 'F5') await page.evaluate(() => document.getElementById('picture').dispatchEvent(new KeyboardEvent('keydown', { code: 'F5', key: 'F5', bubbles: true, cancelable: true })));
+    else await page.keyboard.press(keys);
+  }
+  const taken = await page.evaluate(() => window.taken);
+  assert.equal(taken['Ctrl KeyA'], false);
+  assert.equal(taken['Ctrl KeyP'], false);
+  assert.equal(taken['Alt KeyD'], false);
+  assert.equal(taken['Meta KeyW'], false);
+  assert.equal(taken.F5, false);
+  assert.equal(taken.KeyW, true);
+  assert.equal(taken.ArrowUp, true);
+});
+
+test('Escape leaves the canvas, and play stands still', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  await page.keyboard.press('Escape');
+  await inState(page, 'paused');
+  assert.notEqual(await focused(page), 'picture');
+  const before = await player(page);
+  await page.keyboard.press('w');
+  await frames(page, 20);
+  assert.deepEqual(await player(page), before);
+  assert.equal(await page.textContent('#play'), 'Continue');
+  await page.keyboard.press('Enter');
+  await inState(page, 'playing');
+});
+
+test('a key held while the focus goes is not held when it comes back', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  const { heading } = await player(page);
+  await page.keyboard.down('ArrowRight');
+  await untilPlayer(page, (now, before) => now.heading > before + 5, heading);
+  await page.evaluate(() => document.getElementById('open-keys').focus());
+  await inState(page, 'paused');
+  await page.evaluate(() => document.getElementById('picture').focus());
+  await inState(page, 'playing');
+  const { steps } = await player(page);
+  await untilPlayer(page, (now, before) => now.steps > before + 30, steps);
+  const rested = await player(page);
+  await untilPlayer(page, (now, before) => now.steps > before + 30, rested.steps);
+  assert.equal((await player(page)).heading, rested.heading);
+});
+
+test('P stands still and goes on', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  await page.keyboard.press('p');
+  await inState(page, 'paused');
+  assert.equal(await page.isVisible('#pause-title'), true);
+  const { steps } = await player(page);
+  await frames(page, 10);
+  assert.equal((await player(page)).steps, steps);
+  await page.keyboard.press('p');
+  await inState(page, 'playing');
+  await untilPlayer(page, (now, before) => now.steps > before, steps);
+});
+
+test('H shows the keys in a table, Escape brings the game back', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  await page.keyboard.press('h');
+  await page.waitForSelector('#keys[open]');
+  const rows = await page.$$eval('#key-tables tbody tr', (all) => all.map((row) => [row.querySelectorAll('kbd').length, row.querySelector('td').textContent]));
+  assert.ok(rows.length >= 12);
+  assert.ok(rows.every(([keys, text]) => keys > 0 && text !== ''));
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('#keys:not([open])', { state: 'attached' });
+  await inState(page, 'playing');
+  assert.equal(await focused(page), 'picture');
+  // Without the canvas's focus too, and closed by the same key
+  await page.keyboard.press('Escape');
+  await inState(page, 'paused');
+  await page.keyboard.press('h');
+  await page.waitForSelector('#keys[open]');
+  await page.keyboard.press('h');
+  await page.waitForSelector('#keys:not([open])', { state: 'attached' });
+});
+
+test('I shows the frame rate', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  assert.equal(await page.isVisible('#rate'), false);
+  await page.keyboard.press('i');
+  await page.waitForFunction(() => /^[1-9]\d* fps · \d+\.\d ms$/.test(document.getElementById('rate').textContent));
+  assert.equal(await page.isVisible('#rate'), true);
+});
+
+test('F fills the screen and leaves it', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => document.fullscreenElement === document.documentElement);
+  await page.waitForFunction(() => document.getElementById('full-screen').textContent === 'Leave full screen');
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => document.fullscreenElement === null);
+});
+
+test('a click takes the pointer, the mouse looks around, Escape gives it back', async (t) => {
+  const { page } = await openScene(t, browser);
+  await page.mouse.click(320, 100);
+  await inState(page, 'playing');
+  await page.waitForFunction(() => document.pointerLockElement === document.getElementById('picture'));
+  const before = await player(page);
+  await page.mouse.move(420, 100, { steps: 5 });
+  const turned = await untilPlayer(page, (now, heading) => now.heading > heading + 5 && now.heading < 180, before.heading);
+  await page.mouse.move(420, 60, { steps: 5 });
+  await untilPlayer(page, (now, look) => now.look > look + 0.02, turned.look);
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => document.pointerLockElement === null);
+});
+
+test('a slow or hidden tab neither jumps nor sticks', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+
+  // One frame that takes a second and a half: time is lost, not caught up with.
+  const before = await player(page);
+  await page.evaluate(() => {
+    const end = performance.now() + 1500;
+    while (performance.now() < end);
+  });
+  await frames(page, 2);
+  const slow = await player(page);
+  assert.ok(slow.steps - before.steps < 90, `${slow.steps - before.steps} steps after a frame of 1.5 s`);
+
+  // Hidden, with a key held
+  await page.keyboard.down('ArrowRight');
+  await untilPlayer(page, (now, heading) => now.heading > heading + 5, slow.heading);
+  const setHidden = (hidden) => page.evaluate((value) => {
+    Object.defineProperty(document, 'hidden', { configurable: true, get: () => value });
+    Object.defineProperty(document, 'visibilityState', { configurable: true, get: () => (value ? 'hidden' : 'visible') });
+    document.dispatchEvent(new Event('visibilitychange', { bubbles: true }));
+  }, hidden);
+  await setHidden(true);
+  const hidden = await player(page);
+  await page.waitForTimeout(700);
+  assert.equal((await player(page)).steps, hidden.steps);
+  await setHidden(false);
+  const shown = await untilPlayer(page, (now, steps) => now.steps > steps, hidden.steps);
+  assert.ok(shown.steps - hidden.steps < 40, `${shown.steps - hidden.steps} steps at once`);
+  await untilPlayer(page, (now, steps) => now.steps > steps + 40, shown.steps);
+  const rested = await player(page);
+  await untilPlayer(page, (now, steps) => now.steps > steps + 30, rested.steps);
+  assert.equal((await player(page)).heading, rested.heading, 'the key is no longer held');
+  await page.keyboard.up('ArrowRight');
+  await page.keyboard.press('Numpad2');
+  await untilPlayer(page, (now) => now.heading === 90);
+});

@@ -1,0 +1,132 @@
+// The page itself: loading, the picture in it, and hosts of every kind.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { inState, launch, openPage, openScene, pictureHash, pixel, play } from './browser.mjs';
+import { hashHeadless } from './headless.mjs';
+import { kBlue, kGreen, kGrey, kRed, kSky, kYellow, roomFiles } from './room.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+test('the loading bar shows real progress and goes', async (t) => {
+  const { page } = await openPage(t, browser, {
+    server: { isSlow: (name) => name.endsWith('.wasm') || name.endsWith('.png') },
+    async prepare(newPage) {
+      await newPage.addInitScript(() => {
+        window.seen = [];
+        const look = () => {
+          const bar = document.getElementById('loading-bar');
+          if (bar !== null && bar.checkVisibility()) {
+            window.seen.push({ value: bar.value, step: document.getElementById('loading-step').textContent, bytes: document.getElementById('loading-bytes').textContent });
+          }
+          setTimeout(look, 10);
+        };
+        look();
+      });
+    },
+  });
+  await inState(page, 'paused');
+  assert.equal(await page.isVisible('#loading'), false);
+  const seen = await page.evaluate(() => window.seen);
+  const values = seen.map(({ value }) => value);
+  assert.ok(new Set(values).size >= 6, `only the values ${[...new Set(values)]}`);
+  assert.deepEqual(values, [...values].sort((a, b) => a - b), 'it never goes back');
+  assert.ok(values.some((value) => value > 0.05 && value < 0.45) && values.some((value) => value > 0.55 && value < 0.95));
+  assert.ok(seen.some(({ step, bytes }) => step === 'Fetching the engine' && /^[1-9]\d* KB$/.test(bytes)));
+  assert.ok(seen.some(({ step }) => step === 'Opening room.json'));
+});
+
+test('every wall of the room has its colour, floor and sky too', async (t) => {
+  const { page } = await openScene(t, browser);
+  assert.deepEqual(await pixel(page, 0.5, 0.05), kSky);
+  assert.deepEqual(await pixel(page, 0.5, 0.95), kGrey);
+  await play(page);
+  for (const [key, colour] of [['Numpad8', kRed], ['Numpad6', kGreen], ['Numpad2', kBlue], ['Numpad4', kYellow]]) {
+    await page.keyboard.press(key);
+    await page.waitForFunction(([r, g, b]) => {
+      const canvas = document.getElementById('picture');
+      const [red, green, blue] = canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data;
+      return red === r && green === g && blue === b;
+    }, colour);
+  }
+});
+
+test('the canvas holds the very picture that the engine draws without a page', async (t) => {
+  const { page } = await openScene(t, browser);
+  assert.equal(await pictureHash(page), await hashHeadless('room.json', roomFiles(), 640, 360));
+});
+
+test('what is on the screen is the canvas, pixel by pixel', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  await page.waitForFunction(() => getComputedStyle(document.getElementById('bar')).opacity === '0');
+  const shot = `data:image/png;base64,${(await page.screenshot()).toString('base64')}`;
+  const different = await page.evaluate(async (address) => {
+    const image = await createImageBitmap(await (await fetch(address)).blob());
+    const copy = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    copy.drawImage(image, 0, 0);
+    const canvas = document.getElementById('picture');
+    const screen = copy.getImageData(0, 0, canvas.width, canvas.height).data;
+    const picture = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    return picture.reduce((sum, byte, index) => sum + (byte === screen[index] ? 0 : 1), 0);
+  }, shot);
+  assert.equal(different, 0);
+});
+
+test('the title, the description and the icon are its own', async (t) => {
+  const { page, server } = await openScene(t, browser);
+  assert.equal(await page.title(), 'The coloured room · Slicecast');
+  assert.equal(await page.textContent('#bar-title'), 'The coloured room');
+  assert.equal(await page.textContent('#pause-about'), 'Four walls.');
+  assert.ok((await page.getAttribute('meta[name=description]', 'content')).length > 40);
+  assert.match(await page.getAttribute('meta[name=theme-color]', 'content'), /^#[0-9a-f]{6}$/);
+  const icon = await page.request.get(server.address + await page.getAttribute('link[rel=icon]', 'href'));
+  assert.equal(icon.headers()['content-type'], 'image/svg+xml');
+});
+
+test('a strict content security policy lets it play', async (t) => {
+  const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self'; connect-src 'self'";
+  const { page, complaints } = await openScene(t, browser, { server: { headers: { 'Content-Security-Policy': policy } } });
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
+  await page.click('#open-settings');
+  await page.selectOption('#set-size', '320x180');
+  await page.waitForFunction(() => document.getElementById('picture').width === 320);
+  assert.deepEqual(complaints, []);
+});
+
+test('it works from a subfolder and asks for nothing outside of it', async (t) => {
+  const { page } = await openScene(t, browser, { server: { prefix: '/some/deep/folder/' } });
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
+  await page.click('#open-scenes');
+  await page.click('#scene-list a:has-text("The other room")');
+  await page.waitForFunction(() => document.title.startsWith('The other room'));
+  assert.match(page.url(), /\/some\/deep\/folder\/\?scene=other$/);
+});
+
+test('a phone shows all of it, without overflow', async (t) => {
+  const { page } = await openScene(t, browser, {
+    viewport: { width: 390, height: 844 },
+    context: { isMobile: true, hasTouch: true, deviceScaleFactor: 2 },
+  });
+  const outside = () => page.evaluate(() => [...document.querySelectorAll('button, h1, h2, h3, p, kbd, select, input, td, th')]
+    .filter((element) => element.checkVisibility() && element.getClientRects().length > 0)
+    .filter((element) => {
+      const box = element.getBoundingClientRect();
+      return box.width > 1 && (box.left < 0 || box.right > innerWidth + 0.5);
+    })
+    .map((element) => element.outerHTML));
+  assert.deepEqual(await outside(), []);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
+  assert.match(await page.innerText('#play-hint'), /Tap/);
+  for (const name of ['scenes', 'keys', 'settings']) {
+    await page.tap(`#open-${name}`);
+    await page.waitForSelector(`#${name}[open]`);
+    assert.deepEqual(await outside(), [], name);
+    assert.ok(await page.evaluate((id) => document.getElementById(id).scrollWidth <= document.getElementById(id).clientWidth, name), `${name} scrolls sideways`);
+    await page.tap(`#${name} [data-close]`);
+  }
+});

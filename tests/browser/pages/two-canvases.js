@@ -1,0 +1,24 @@
+// Two engines on one page: one canvas in the page itself, one inside a shadow root.
+
+import { fetchEngine } from './engine-files.js';
+import { Engine } from './engine.js';
+import { sceneAt } from './scene-source.js';
+
+const shadow = document.getElementById('second').attachShadow({ mode: 'open' });
+shadow.append(document.createElement('canvas'));
+const canvases = [document.getElementById('first'), shadow.querySelector('canvas')];
+
+const files = await fetchEngine();
+window.engines = await Promise.all(canvases.map(async (canvas, index) => {
+  const engine = await Engine.create({
+    files,
+    canvas,
+    onEvent(event) {
+      if (event === 'ready') engine.isReady = true;
+    },
+  });
+  engine.resize(160 + 40 * index, 100);
+  await engine.loadScene(sceneAt(['room', 'other'][index]));
+  engine.begin();
+  return engine;
+}));

@@ -1,0 +1,191 @@
+// Scenes: the menu, files that are dropped, faults, and reloading while somebody edits.
+
+import assert from 'node:assert/strict';
+import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { after, before, test } from 'node:test';
+import { startServer } from '../../tools/serve.mjs';
+import { inState, launch, openPage, openScene, pixel, play, player, untilPlayer } from './browser.mjs';
+import { png } from './png.mjs';
+import { kBlue, kGreen, roomPictures, roomScene } from './room.mjs';
+
+const kOrange = [240, 130, 20];
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const faultRows = (page) => page.$$eval('#trouble-faults tbody tr', (rows) => rows.map((row) => ({
+  place: row.querySelector('th').firstChild.textContent,
+  inside: row.querySelector('.inside')?.textContent ?? '',
+  found: row.querySelectorAll('td')[0].textContent,
+  expected: row.querySelectorAll('td')[1].textContent,
+})));
+
+// Drops files on the page: name -> text or bytes.
+function drop(page, files) {
+  const list = Object.entries(files).map(([name, content]) => ({ name, base64: Buffer.from(content).toString('base64') }));
+  return page.evaluate((all) => {
+    const data = new DataTransfer();
+    for (const { name, base64 } of all) data.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
+    for (const type of ['dragenter', 'dragover', 'drop']) {
+      window.dispatchEvent(new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }));
+    }
+  }, list);
+}
+
+test('the menu shows a view of every scene, opens one, and Back leads back', async (t) => {
+  const { page } = await openScene(t, browser);
+  await page.click('#open-scenes');
+  await page.waitForSelector('#scenes[open]');
+  assert.deepEqual(await page.$$eval('#scene-list h3', (titles) => titles.map((title) => title.textContent)), ['The coloured room', 'The other room']);
+  assert.equal(await page.textContent('#scene-list a[aria-current] h3'), 'The coloured room');
+  const middle = (index) => page.waitForFunction((which) => {
+    const view = document.querySelectorAll('#scene-list canvas')[which];
+    const [red, green, blue, alpha] = view.getContext('2d').getImageData(view.width / 2, view.height / 2, 1, 1).data;
+    return alpha === 255 && `${red},${green},${blue}`;
+  }, index).then((handle) => handle.jsonValue());
+  assert.equal(await middle(0), kGreen.join());
+  assert.equal(await middle(1), kBlue.join());
+
+  await page.click('#scene-list a:has-text("The other room")');
+  await page.waitForFunction(() => document.title.startsWith('The other room'));
+  await inState(page, 'paused');
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kBlue);
+  assert.match(page.url(), /\?scene=other$/);
+  await page.goBack();
+  await page.waitForFunction(() => document.title.startsWith('The coloured room'));
+  await inState(page, 'paused');
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
+});
+
+test('the address names a scene, with or without its ending', async (t) => {
+  for (const query of ['?scene=other', '?scene=other.json', '?scene=scenes/other.json']) {
+    const { page, context } = await openScene(t, browser, { query });
+    assert.deepEqual(await pixel(page, 0.5, 0.5), kBlue, query);
+    await context.close();
+  }
+});
+
+test('a scene dropped with its pictures opens', async (t) => {
+  const { page } = await openScene(t, browser);
+  const scene = roomScene({ title: 'Dropped', folder: 'own/' });
+  await drop(page, { ...roomPictures(), 'dropped.json': JSON.stringify(scene), 'green.png': png(8, () => kOrange) });
+  await page.waitForFunction(() => document.title.startsWith('Dropped'));
+  await inState(page, 'paused');
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
+});
+
+test('pictures that were not dropped come from the page', async (t) => {
+  const { page } = await openScene(t, browser);
+  await page.click('#open-scenes');
+  await page.setInputFiles('#files', [{ name: 'alone.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ ...roomScene({ title: 'Alone' }), start: { x: 3.5, y: 3.5, heading: 90 } })) }]);
+  await page.waitForFunction(() => document.title.startsWith('Alone'));
+  await inState(page, 'paused');
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kBlue);
+});
+
+test('files without a scene among them are refused, and the picture is kept', async (t) => {
+  const { page } = await openScene(t, browser);
+  await drop(page, roomPictures());
+  await inState(page, 'trouble');
+  assert.match(await page.textContent('#trouble-text'), /red\.png.*expected a \.json file/);
+  await page.click('#trouble-back');
+  await inState(page, 'paused');
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
+});
+
+test('all faults of a scene are shown, with place, found and expected; mended, it opens', async (t) => {
+  const scene = roomScene({ title: 'Mended' });
+  const good = JSON.stringify(scene, null, 1);
+  const bad = good.replace('"top": "grey"', '"top": "gray"').replace('"#.....#"', '"#..Q..#"').replace('"sky": "#88a0b8"', '"sky": "#88a0b"').replace('"floor"', '"flor"');
+  let text = bad;
+  const { page } = await openPage(t, browser, { query: '?scene=broken', server: { files: { 'scenes/broken.json': () => text } } });
+  await inState(page, 'trouble');
+  const rows = await faultRows(page);
+  const lineOf = (part) => bad.split('\n').findIndex((line) => line.includes(part)) + 1;
+  assert.ok(rows.length >= 4, JSON.stringify(rows));
+  assert.equal(await page.textContent('#trouble-title'), `${rows.length} faults in broken.json`);
+  for (const [part, pointer, found] of [['"gray"', '/blueprints/wall/faces/top', /gray/], ['Q', '/maps/0/levels/0', /Q/], ['#88a0b', '/maps/0/sky', /#88a0b/], ['flor', '/maps/0', /flor/]]) {
+    const row = rows.find(({ place }) => place.startsWith(`broken.json:${lineOf(part)}:`));
+    assert.ok(row !== undefined, `${part} in line ${lineOf(part)}: ${JSON.stringify(rows)}`);
+    assert.match(row.place, /^broken\.json:\d+:\d+$/);
+    assert.ok(row.inside.startsWith(pointer), row.inside);
+    assert.match(row.found, found);
+    assert.ok(row.expected.length > 5);
+  }
+  assert.equal(await page.isVisible('#trouble-back'), false);
+  text = good;
+  await page.click('#trouble-again');
+  await inState(page, 'paused');
+  assert.equal(await page.title(), 'Mended · Slicecast');
+});
+
+test('a picture that is not there is a fault with the place that names it', async (t) => {
+  const { page } = await openPage(t, browser, { query: '?scene=room', expectErrors: true, server: { files: { 'scenes/pictures/red.png': null, 'scenes/pictures/blue.png': 'no PNG' } } });
+  await inState(page, 'trouble');
+  const rows = await faultRows(page);
+  assert.equal(rows.length, 2);
+  assert.deepEqual(rows.map(({ inside }) => inside).sort(), ['/textures/blue', '/textures/red']);
+});
+
+test('a scene that is not there says so, and others can be chosen', async (t) => {
+  const { page } = await openPage(t, browser, { query: '?scene=nowhere', expectErrors: true });
+  await inState(page, 'trouble');
+  assert.match(await page.textContent('#trouble-text'), /scenes\/nowhere\.json: the server answers 404/);
+  await page.click('#trouble-scenes');
+  await page.click('#scene-list a:has-text("The other room")');
+  await inState(page, 'paused');
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kBlue);
+});
+
+test('a scene saved under tools/play is loaded anew, and the eye stays where it is', async (t) => {
+  const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-live-'));
+  await mkdir(path.join(folder, 'pictures'));
+  const save = (scene) => writeFile(path.join(folder, 'edited.json'), typeof scene === 'string' ? scene : JSON.stringify(scene));
+  await save(roomScene({ title: 'First' }));
+  for (const [name, bytes] of Object.entries(roomPictures())) await writeFile(path.join(folder, 'pictures', name), bytes);
+  const server = await startServer({ folder: fileURLToPath(new URL('../../build/web', import.meta.url)), scene: path.join(folder, 'edited.json') });
+  const context = await browser.newContext({ viewport: { width: 640, height: 360 } });
+  t.after(async () => {
+    await context.close();
+    server.close();
+    await rm(folder, { recursive: true });
+  });
+  const page = await context.newPage();
+  await page.goto(server.address);
+  await inState(page, 'paused');
+  await play(page);
+  await page.keyboard.down('w');
+  await untilPlayer(page, (now) => now.x > 4.3);
+  await page.keyboard.up('w');
+  await untilPlayer(page, (now, steps) => now.steps > steps + 60, (await player(page)).steps);
+  const before = await player(page);
+
+  // Changed
+  const changed = roomScene({ title: 'Second' });
+  changed.blueprints.wall.faces.west = 'blue';
+  await save(changed);
+  await page.waitForFunction(() => document.title.startsWith('Second'));
+  await inState(page, 'playing');
+  const now = await player(page);
+  assert.deepEqual([now.x, now.y, now.z, now.heading, now.flying], [before.x, before.y, before.z, before.heading, before.flying]);
+  await page.waitForFunction(() => {
+    const canvas = document.getElementById('picture');
+    return canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data[2] === 210;
+  });
+
+  // Broken, then mended
+  await save('{"title": "Third",}');
+  await inState(page, 'trouble');
+  assert.equal((await faultRows(page)).length, 1);
+  assert.match(await page.textContent('#trouble-text'), /as soon as the file is saved/);
+  await save(roomScene({ title: 'Fourth' }));
+  await page.waitForFunction(() => document.title.startsWith('Fourth'));
+  await inState(page, 'playing');
+  assert.equal((await player(page)).x, before.x);
+});

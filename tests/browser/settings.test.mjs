@@ -1,0 +1,169 @@
+// The settings dialog: what each setting does, and that it is remembered.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { frames, inState, launch, openScene, pictureHash, play, player, untilPlayer } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const canvasSize = (page) => page.evaluate(() => `${document.getElementById('picture').width}x${document.getElementById('picture').height}`);
+const untilSize = (page, size) => page.waitForFunction((wanted) => {
+  const canvas = document.getElementById('picture');
+  return `${canvas.width}x${canvas.height}` === wanted;
+}, size);
+const shownSize = (page) => page.evaluate(() => {
+  const { width, height } = document.getElementById('picture').getBoundingClientRect();
+  return `${width}x${height}`;
+});
+
+async function openSettings(page) {
+  await page.click('#open-settings');
+  await page.waitForSelector('#settings[open]');
+}
+
+async function slide(page, selector, value) {
+  await page.evaluate(([which, wanted]) => {
+    const field = document.querySelector(which);
+    field.value = wanted;
+    field.dispatchEvent(new Event('input', { bubbles: true }));
+  }, [selector, String(value)]);
+}
+
+test('the picture follows the window, and never exceeds 1280 x 720 pixels', async (t) => {
+  const { page } = await openScene(t, browser);
+  assert.equal(await canvasSize(page), '640x360');
+  for (const [width, height, picture] of [[1280, 720, '1280x720'], [800, 601, '800x601'], [1920, 1080, '960x540'], [1367, 768, '684x384']]) {
+    await page.setViewportSize({ width, height });
+    await untilSize(page, picture);
+    assert.deepEqual(await page.evaluate(() => window.slicecast.engine.state !== null), true);
+  }
+  // Even pixels, and the window is covered: the odd row or column hangs over its edge.
+  assert.equal(await shownSize(page), '1368x768');
+});
+
+test('a chosen size is scaled by a whole number, without blur', async (t) => {
+  const { page } = await openScene(t, browser, { viewport: { width: 1280, height: 720 } });
+  await openSettings(page);
+  await page.selectOption('#set-size', '320x180');
+  await untilSize(page, '320x180');
+  assert.equal(await shownSize(page), '1280x720');
+  await page.click('#settings button[type=submit]');
+  await play(page);
+  await page.keyboard.press('Numpad9'); // a corner of the room: slanted edges
+  await page.waitForFunction(() => getComputedStyle(document.getElementById('bar')).opacity === '0');
+  await frames(page);
+  const shot = `data:image/png;base64,${(await page.screenshot()).toString('base64')}`;
+  const different = await page.evaluate(async (address) => {
+    const image = await createImageBitmap(await (await fetch(address)).blob());
+    const copy = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    copy.drawImage(image, 0, 0);
+    const screen = new Uint32Array(copy.getImageData(0, 0, 1280, 720).data.buffer);
+    const picture = new Uint32Array(document.getElementById('picture').getContext('2d').getImageData(0, 0, 320, 180).data.buffer);
+    return screen.reduce((sum, colour, index) => {
+      const x = index % 1280;
+      const y = (index - x) / 1280;
+      return sum + (colour === picture[(y >> 2) * 320 + (x >> 2)] ? 0 : 1);
+    }, 0);
+  }, shot);
+  assert.equal(different, 0);
+});
+
+test('other shapes stand in the middle, between margins', async (t) => {
+  const { page } = await openScene(t, browser, { viewport: { width: 1000, height: 800 } });
+  await openSettings(page);
+  await page.selectOption('#set-size', '960x540');
+  await untilSize(page, '960x540');
+  const box = await page.evaluate(() => {
+    const { left, top, width, height } = document.getElementById('picture').getBoundingClientRect();
+    return [left, top, width, height];
+  });
+  assert.deepEqual(box, [20, 130, 960, 540]);
+});
+
+test('settings are remembered after a reload', async (t) => {
+  const { page } = await openScene(t, browser);
+  const before = await pictureHash(page);
+  await openSettings(page);
+  await page.selectOption('#set-size', '320x180');
+  await slide(page, '#set-fov', 90);
+  assert.equal(await page.textContent('output[for=set-fov]'), '90°');
+  await page.check('#set-rate');
+  await page.check('#set-invert');
+  await page.uncheck('#set-fog');
+  await page.reload();
+  await inState(page, 'paused');
+  assert.equal(await canvasSize(page), '320x180');
+  assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '90');
+  assert.equal(await page.evaluate(() => window.slicecast.engine.option('fog')), 'off');
+  assert.equal(await page.isVisible('#rate'), true);
+  await openSettings(page);
+  assert.equal(await page.isChecked('#set-invert'), true);
+  await page.click('#standard-settings');
+  await untilSize(page, '640x360');
+  await frames(page);
+  assert.equal(await pictureHash(page), before);
+});
+
+test('the field of view changes the picture at once', async (t) => {
+  const { page } = await openScene(t, browser);
+  const before = await pictureHash(page);
+  await openSettings(page);
+  await slide(page, '#set-fov', 75);
+  await frames(page);
+  assert.notEqual(await pictureHash(page), before);
+});
+
+test('sensitivity and the way the mouse looks are those chosen', async (t) => {
+  const { page } = await openScene(t, browser);
+  const turnBy = async (pixels) => {
+    await page.mouse.move(300, 100);
+    await page.mouse.click(300, 100);
+    await page.waitForFunction(() => document.pointerLockElement !== null);
+    await frames(page, 5);
+    const before = await player(page);
+    await page.mouse.move(300 + pixels, 100 - pixels / 2, { steps: 4 });
+    const now = await untilPlayer(page, (state, { heading, look }) => state.heading !== heading && state.look !== look, before);
+    await frames(page, 10);
+    const end = await player(page);
+    await page.keyboard.press('Escape');
+    await inState(page, 'paused');
+    assert.ok(now.steps > before.steps);
+    return { turned: end.heading - before.heading, looked: end.look - before.look };
+  };
+  const usual = await turnBy(40);
+  assert.ok(Math.abs(usual.turned - 40 * 0.15) < 0.01, `turned by ${usual.turned}`);
+  assert.ok(usual.looked > 0);
+  await openSettings(page);
+  await slide(page, '#set-mouse', 2);
+  await page.check('#set-invert');
+  await page.click('#settings button[type=submit]');
+  const fast = await turnBy(40);
+  assert.ok(Math.abs(fast.turned - 2 * usual.turned) < 0.01, `turned by ${fast.turned}`);
+  assert.ok(fast.looked < 0);
+});
+
+test('without a storage the page works on', async (t) => {
+  const { page } = await openScene(t, browser, {
+    prepare: (newPage) => newPage.addInitScript(() => {
+      Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('The operation is insecure.', 'SecurityError'); } });
+    }),
+  });
+  await openSettings(page);
+  await page.selectOption('#set-size', '320x180');
+  await untilSize(page, '320x180');
+});
+
+test('a storage with nonsense in it is not believed', async (t) => {
+  for (const nonsense of ['{"fov": 4000, "size": "9x9", "light": "maybe", "mouse": null, "other": 1}', 'no JSON', '[]', '"text"', 'null']) {
+    const { page } = await openScene(t, browser, {
+      prepare: (newPage) => newPage.addInitScript((text) => localStorage.setItem('slicecast.settings', text), nonsense),
+    });
+    assert.equal(await canvasSize(page), '640x360');
+    assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '60');
+    await page.context().close();
+  }
+});
