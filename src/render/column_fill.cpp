@@ -113,7 +113,7 @@ constexpr double kFractionMagic = 1572864.0;
 inline std::uint32_t lowHalf(double value) { return static_cast<std::uint32_t>(bitCast<std::uint64_t>(value)); }
 
 template <typename ShadeRows>
-void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const double* inverseSlopes, ShadeRows shade) {
+void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const double* inverseOffsets, ShadeRows shade) {
     const Pixel* texels = level.texels.data();
     const int bits = level.bits;
     const int shift = 32 - bits;
@@ -127,8 +127,8 @@ void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level
         const F64x2 eastPer = {line.eastPerInverse, line.eastPerInverse};
         const F64x2 southPer = {line.southPerInverse, line.southPerInverse};
         for (; row + 4 <= last; row += 4) {
-            const F64x2 inverseA = loadVector<F64x2>(inverseSlopes + row);
-            const F64x2 inverseB = loadVector<F64x2>(inverseSlopes + row + 2);
+            const F64x2 inverseA = loadVector<F64x2>(inverseOffsets + row);
+            const F64x2 inverseB = loadVector<F64x2>(inverseOffsets + row + 2);
             const U32x4 u = lowHalves(east0 + eastPer * inverseA, east0 + eastPer * inverseB) >> shift;
             const U32x4 v = lowHalves(south0 + southPer * inverseA, south0 + southPer * inverseB) >> shift;
             const U32x4 index = (u << bits) | (v ^ reverse);
@@ -137,8 +137,8 @@ void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level
         }
     }
     for (; row < last; ++row) {
-        const std::uint32_t u = lowHalf(eastStart + line.eastPerInverse * inverseSlopes[row]) >> shift;
-        const std::uint32_t v = lowHalf(southStart + line.southPerInverse * inverseSlopes[row]) >> shift;
+        const std::uint32_t u = lowHalf(eastStart + line.eastPerInverse * inverseOffsets[row]) >> shift;
+        const std::uint32_t v = lowHalf(southStart + line.southPerInverse * inverseOffsets[row]) >> shift;
         column[row] = shade.one(texels[(u << bits) | (v ^ reverse)], row);
     }
 }
@@ -167,7 +167,7 @@ void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, co
         if (level.bits == 0) {
             fillOneTexel(column, first, last, level.texels[0], shade);
         } else {
-            fillPlaneRows(column, first, last, level, line, rows.inverseSlopes, shade);
+            fillPlaneRows(column, first, last, level, line, rows.inverseOffsets, shade);
         }
     };
     if (rows.fogs) {
@@ -177,8 +177,8 @@ void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, co
     }
 }
 
-std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double inverseSlope) {
-    return lowHalf(start + kFractionMagic + perInverse * inverseSlope);
+std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double inverseOffset) {
+    return lowHalf(start + kFractionMagic + perInverse * inverseOffset);
 }
 
 Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze) {

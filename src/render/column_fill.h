@@ -17,7 +17,7 @@ inline constexpr int kTexturePositionBits = 48;
 // Fills `rows` rows from one column of texels, from position `start` on, `step` further each row (both in 1/2^48 tile, start + rows * step within the tile).
 void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, Shade shade, Pixel haze);
 
-// How the points of a level plane that a slice sees follow from the row: east = eastStart + eastPerInverse * inverseSlope, and so for south, in tiles,
+// How the points of a level plane that a slice sees follow from the row: east = eastStart + eastPerInverse * inverseOffset, and so for south, in tiles,
 // where only the fraction counts.
 struct PlaneLine {
     double eastStart = 0.0;  // the eye's fraction of a tile, 0 to 1
@@ -27,12 +27,12 @@ struct PlaneLine {
     bool southReversed = false;  // undersides and ceilings
 
     // The fraction of a tile in 1/2^32 that a position stands for.
-    static std::uint32_t fractionBits(double start, double perInverse, double inverseSlope);
+    static std::uint32_t fractionBits(double start, double perInverse, double inverseOffset);
 };
 
 // Per-row figures of a plane: the tables are indexed by row. `fogs` is null where there is no fog. Each entry holds its value twice, in either half.
 struct PlaneRows {
-    const double* inverseSlopes = nullptr;  // d / |horizon - (row + 0.5)|
+    const double* inverseOffsets = nullptr;  // 1 / |horizon - (row + 0.5)|
     const std::uint32_t* factors = nullptr;
     const std::uint32_t* fogs = nullptr;
 };

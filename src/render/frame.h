@@ -23,7 +23,7 @@ struct Frame {
     Detail detail;
     int firstFloorRow = 0;               // rows above it, down to the horizon, look beyond the map's `far`
     double highest = 0.0;                // no block and no ceiling lies higher, units
-    std::vector<double>& inverseSlopes;  // d / |horizon - (row + 0.5)| by row
+    std::vector<double>& inverseOffsets;  // 1 / |horizon - (row + 0.5)| by row
     PlaneShades& planeShades;
     SkyRows& skyRows;
 

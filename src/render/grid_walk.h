@@ -1,10 +1,10 @@
 // The walk over the grid: which tiles a ground ray passes and at which depths it crosses their borders.
 //
 //     +-----+-----+          Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987), on two axes. The depth of the n-th border of an
-//     |  .--|-*   |          axis is (distance to the first + n) / |direction|: computed afresh each time, so nothing accumulates.
-//     | e   |  \  |
-//     +-----+---*-+          Where both axes are crossed at the same depth, the tie rule of projection.h decides: the eye counts as a little further east
-//           |     |          (and far less south), so an eastward border comes first and a westward one last.
+//     |  .--|-*   |          axis is (distance to the first + n) / |direction|: a quotient of its own each time, so nothing accumulates, and two borders that
+//     | e   |  \  |          are met at the same depth are found equal.
+//     +-----+---*-+          There the tie rule of projection.h decides: the eye counts as a little further east (and far less south), so an eastward border
+//           |     |          comes first and a westward one last.
 #pragma once
 
 #include "base/coordinate.h"
@@ -15,12 +15,27 @@
 
 namespace slicecast {
 
-// A tile border and how a ray crosses it.
+// A tile border and how a ray crosses it, `along` of the ray's direction from the eye (see Projection::ray): the quotient distance / speed. Rows and points are
+// projected from those two, since the quotient is rounded.
 struct Crossing {
-    double depth = 0.0;    // perpendicular depth t
-    bool alongX = false;   // a border of constant x
-    bool nearing = false;  // crossed eastward or southward
+    double along = 0.0;
+    double distance = 0.0;  // units along the border's axis from the eye
+    double speed = 1.0;     // size of the ray's direction on that axis, > 0
+    bool alongX = false;    // a border of constant x
+    bool nearing = false;   // crossed eastward or southward
+
+    // A border that is never reached.
+    static constexpr Crossing never() {
+        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        return {kInfinity, kInfinity, 1.0, false, false};
+    }
 };
+
+// The first row whose ray passes below a height `rise` above the eye when it crosses a border; rows above it pass at or above that height.
+inline int firstRowBelow(const Projection& projection, double rise, const Crossing& border) {
+    if (rise == 0.0) return projection.firstFallingRow;
+    return projection.firstRowBelowRow(projection.horizon - rise * border.speed / border.distance, (rise > 0.0) == border.nearing);
+}
 
 // The face of the tile ahead through which a crossing leads, and the face of the tile behind.
 constexpr Face enteredFace(const Crossing& c) { return c.alongX ? (c.nearing ? Face::west : Face::east) : (c.nearing ? Face::north : Face::south); }
@@ -31,12 +46,11 @@ struct GridWalk {
     int tileY = 0;
     int stepX = 0;  // -1, 0 or 1
     int stepY = 0;
-    Crossing enter;  // how the current tile was entered; depth 0 in the eye's own
+    Crossing enter;  // how the current tile was entered; at 0 in the eye's own
     Crossing leave;  // how it will be left
 
-    GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray) : tileX(eyeX.tile()), tileY(eyeY.tile()) {
-        startAxis(eyeX, ray.x, stepX, distanceX_, depthPerUnitX_);
-        startAxis(eyeY, ray.y, stepY, distanceY_, depthPerUnitY_);
+    GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray)
+        : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y) {
         findLeave();
     }
 
@@ -44,45 +58,47 @@ struct GridWalk {
     void advance() {
         if (leave.alongX) {
             tileX += stepX;
-            distanceX_ += 1.0;
+            x_.advance();
         } else {
             tileY += stepY;
-            distanceY_ += 1.0;
+            y_.advance();
         }
         enter = leave;
         findLeave();
     }
 
 private:
-    static void startAxis(Coordinate eye, double direction, int& step, double& distance, double& depthPerUnit) {
-        if (direction > 0.0) {
-            step = 1;
-            distance = 1.0 - eye.fraction();
-            depthPerUnit = 1.0 / direction;
-        } else if (direction < 0.0) {
-            step = -1;
-            distance = eye.fraction();
-            depthPerUnit = 1.0 / -direction;
-        } else {
-            step = 0;
-            distance = std::numeric_limits<double>::infinity();
-            depthPerUnit = 1.0;
+    // The next border of one axis.
+    struct Axis {
+        double distance;
+        double speed;
+        double along;
+
+        Axis(Coordinate eye, double direction) : speed(direction < 0.0 ? -direction : direction) {
+            if (direction == 0.0) {
+                distance = along = std::numeric_limits<double>::infinity();
+                speed = 1.0;
+            } else {
+                distance = direction > 0.0 ? 1.0 - eye.fraction() : eye.fraction();
+                along = distance / speed;
+            }
         }
-    }
+        void advance() {
+            distance += 1.0;
+            along = distance / speed;
+        }
+    };
+
+    static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
 
     void findLeave() {
-        const double depthX = distanceX_ * depthPerUnitX_;
-        const double depthY = distanceY_ * depthPerUnitY_;
-        const bool alongX = depthX < depthY || (depthX == depthY && stepX > 0);
-        leave.alongX = alongX;
-        leave.depth = alongX ? depthX : depthY;
-        leave.nearing = (alongX ? stepX : stepY) > 0;
+        const bool alongX = x_.along < y_.along || (x_.along == y_.along && stepX > 0);
+        const Axis& axis = alongX ? x_ : y_;
+        leave = {axis.along, axis.distance, axis.speed, alongX, (alongX ? stepX : stepY) > 0};
     }
 
-    double distanceX_ = 0.0;  // units along x from the eye to the next border
-    double distanceY_ = 0.0;
-    double depthPerUnitX_ = 1.0;
-    double depthPerUnitY_ = 1.0;
+    Axis x_;
+    Axis y_;
 };
 
 }  // namespace slicecast

@@ -17,9 +17,10 @@ std::size_t slotOf(std::int32_t rise, double faceLight, std::size_t tables) {
 
 }  // namespace
 
-void PlaneShades::beginFrame(const Lighting& lighting, const double* inverseSlopes, int height) {
+void PlaneShades::beginFrame(const Lighting& lighting, double projectionDistance, const double* inverseOffsets, int height) {
     lighting_ = lighting;
-    inverseSlopes_ = inverseSlopes;
+    projectionDistance_ = projectionDistance;
+    inverseOffsets_ = inverseOffsets;
     height_ = height;
     ++frame_;
     used_ = 0;
@@ -41,7 +42,7 @@ PlaneRows PlaneShades::rows(std::int32_t rise, double faceLight, int first, int 
         fill(table, table.last, last);
         table.last = last;
     }
-    return {inverseSlopes_, table.factors.data(), lighting_.foggy ? table.fogs.data() : nullptr};
+    return {inverseOffsets_, table.factors.data(), lighting_.foggy ? table.fogs.data() : nullptr};
 }
 
 PlaneShades::Table& PlaneShades::find(std::int32_t rise, double faceLight) {
@@ -72,14 +73,14 @@ void PlaneShades::grow() {
 }
 
 void PlaneShades::fill(Table& table, int first, int last) const {
-    const double distance = (table.rise < 0 ? -table.rise : table.rise) / 65536.0;
+    const double distance = (table.rise < 0 ? -table.rise : table.rise) / 65536.0 * projectionDistance_;
     for (int row = first; row < last; ++row) {
-        const double depth = distance * inverseSlopes_[row];
+        const double depth = distance * inverseOffsets_[row];
         table.factors[static_cast<std::size_t>(row)] = inBothHalves(lighting_.factorAt(depth, table.faceLight));
     }
     if (!lighting_.foggy) return;
     for (int row = first; row < last; ++row) {
-        const double depth = distance * inverseSlopes_[row];
+        const double depth = distance * inverseOffsets_[row];
         table.fogs[static_cast<std::size_t>(row)] = inBothHalves(lighting_.fogAt(depth));
     }
 }

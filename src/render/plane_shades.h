@@ -12,8 +12,8 @@ namespace slicecast {
 
 class PlaneShades {
 public:
-    // Forgets all tables. `inverseSlopes` stays the caller's and holds d / |horizon - (row + 0.5)| for each of `height` rows.
-    void beginFrame(const Lighting& lighting, const double* inverseSlopes, int height);
+    // Forgets all tables. `inverseOffsets` stays the caller's and holds 1 / |horizon - (row + 0.5)| for each of `height` rows.
+    void beginFrame(const Lighting& lighting, double projectionDistance, const double* inverseOffsets, int height);
 
     // The tables of the plane that lies `rise` (in 1/65536 units, not 0) above the eye, good for the rows [first, last).
     PlaneRows rows(std::int32_t rise, double faceLight, int first, int last);
@@ -34,7 +34,8 @@ private:
     void fill(Table& table, int first, int last) const;
 
     Lighting lighting_;
-    const double* inverseSlopes_ = nullptr;
+    double projectionDistance_ = 1.0;
+    const double* inverseOffsets_ = nullptr;
     int height_ = 0;
     std::uint64_t frame_ = 0;
     int used_ = 0;                // tables in use this frame

@@ -16,7 +16,7 @@
 
 namespace slicecast {
 
-// A level direction, in units per unit of perpendicular depth.
+// A level direction.
 struct GroundDirection {
     double x = 0.0;
     double y = 0.0;
@@ -35,20 +35,16 @@ struct Projection {
 
     double sidewaysSlope(int column) const { return (column + 0.5 - width / 2.0) / distance; }
     double upwardSlope(int row) const { return (horizon - (row + 0.5)) / distance; }
+
+    // The ground direction of a column's rays, in units per `distance` units of perpendicular depth: d * (forward + k * right) without the division by d, which
+    // would round, so that a ray that meets a corner or the middle of a row exactly is found to do so.
     GroundDirection ray(int column) const {
-        const double k = sidewaysSlope(column);
-        return {forward.x + k * right.x, forward.y + k * right.y};
+        const double sideways = column + 0.5 - width / 2.0;
+        return {distance * forward.x + sideways * right.x, distance * forward.y + sideways * right.y};
     }
 
     // Row (real) of a height `rise` above the eye at `depth`. Not for rise = 0 at depth 0.
     double rowOf(double rise, double depth) const { return horizon - rise * distance / depth; }
-
-    // The first row whose ray passes below that height at that depth; rows above it pass at or above. `nearing` tells that the border at this depth is
-    // crossed eastward or southward.
-    int firstRowBelow(double rise, double depth, bool nearing) const {
-        if (rise == 0.0) return firstFallingRow;
-        return firstRowBelowRow(rowOf(rise, depth), (rise > 0.0) == nearing);
-    }
 
     // The first row whose centre lies below `row`, and whose centre lies on it if `tieIsBelow`; clamped to [0, height].
     int firstRowBelowRow(double row, bool tieIsBelow) const {

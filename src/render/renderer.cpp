@@ -10,7 +10,7 @@
 namespace slicecast {
 
 struct Renderer::Scratch {
-    std::vector<double> inverseSlopes;
+    std::vector<double> inverseOffsets;
     PlaneShades planeShades;
     SkyRows skyRows;
     OpenRows openRows;
@@ -39,7 +39,7 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     Scratch& s = *scratch_;
     s.report = {};
     s.strip.resize(picture.height);
-    const Frame frame(world, eye, options, picture.width, picture.height, s.inverseSlopes, s.planeShades, s.skyRows);
+    const Frame frame(world, eye, options, picture.width, picture.height, s.inverseOffsets, s.planeShades, s.skyRows);
     Slice slice(frame, s.openRows, s.report);
     for (int x = 0; x < picture.width; x += kStripColumns) {
         const int columns = std::min(kStripColumns, picture.width - x);
@@ -57,7 +57,7 @@ SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptio
     Scratch& s = *scratch_;
     s.strip.resize(height);
     FrameReport report;
-    const Frame frame(world, eye, options, width, height, s.inverseSlopes, s.planeShades, s.skyRows);
+    const Frame frame(world, eye, options, width, height, s.inverseOffsets, s.planeShades, s.skyRows);
     Slice(frame, s.openRows, report).draw(column, s.strip.column(0), &trace);
     for (Hit& hit : trace.hits) {
         std::sort(hit.filled.begin(), hit.filled.end(), [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });

@@ -14,9 +14,13 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 double units(std::int32_t raw) { return raw / 65536.0; }
 
-// Position of a texel column along a side face: `along` is the fraction of the tile, eastward or southward.
-int texelColumn(double along, int size, bool reversed) {
-    const int index = std::min(size - 1, static_cast<int>(std::max(0.0, along) * size));
+// A point that lies on the border of two texels exactly may come out a rounding before it: positions are moved by this much of a tile, far less than a pixel
+// and far more than a rounding.
+constexpr double kSnap = 1.0 / 17179869184.0;
+
+// The column of texels at a fraction of a tile, eastward or southward.
+int texelColumn(double fraction, int size, bool reversed) {
+    const int index = std::min(size - 1, static_cast<int>(std::max(0.0, fraction + kSnap) * size));
     return reversed ? size - 1 - index : index;
 }
 
@@ -34,8 +38,8 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     open_.openAll(projection_.height);
     if (trace_) {
         trace_->column = column;
-        trace_->rayX = ray_.x;
-        trace_->rayY = ray_.y;
+        trace_->rayX = ray_.x / projection_.distance;
+        trace_->rayY = ray_.y / projection_.distance;
         trace_->horizonRow = projection_.horizon;
         trace_->projectionDistance = projection_.distance;
     }
@@ -47,11 +51,11 @@ void Slice::walk() {
     floor_ = {map_.floor.texture, walk_.enter, walk_.tileX, walk_.tileY};
     ceiling_ = {};
     const TextureId* ceilingTiles = map_.ceiling.tiles.empty() ? nullptr : map_.ceiling.tiles.data();
-    double stopDepth = depthToStop();
+    double stop = whereToStop();
     bool stopped = false;
 
     while (!open_.none()) {
-        if (walk_.enter.depth > stopDepth) {
+        if (walk_.enter.along > stop) {
             stopped = true;
             break;
         }
@@ -67,23 +71,24 @@ void Slice::walk() {
         ++report_.tilesWalked;
         if (trace_) traceTile();
         const std::size_t tile = map_.tileIndex(walk_.tileX, walk_.tileY);
-        if (map_.floor.tiles[tile] != floor_.texture) {
+        const bool floorChanges = map_.floor.tiles[tile] != floor_.texture;
+        const std::uint32_t occupied = map_.occupied[tile];
+        if (ceilingTiles) {
+            // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
+            const TextureId texture = occupied ? kNoTexture : ceilingTiles[tile];
+            if (texture != ceiling_.texture || floorChanges) {
+                endCeiling(walk_.enter, boxToPrevious(ceiling_));
+                ceiling_ = {texture, walk_.enter, walk_.tileX, walk_.tileY};
+                stop = whereToStop();
+            }
+        }
+        if (floorChanges) {
             endFloor(walk_.enter, boxToPrevious(floor_));
             floor_ = {map_.floor.tiles[tile], walk_.enter, walk_.tileX, walk_.tileY};
         }
-        const std::uint32_t occupied = map_.occupied[tile];
-        if (ceilingTiles) {
-            // Where blocks stand, the ceiling of that tile takes its turn among them.
-            const TextureId texture = occupied ? kNoTexture : ceilingTiles[tile];
-            if (texture != ceiling_.texture) {
-                endCeiling(walk_.enter, boxToPrevious(ceiling_));
-                ceiling_ = {texture, walk_.enter, walk_.tileX, walk_.tileY};
-                stopDepth = depthToStop();
-            }
-        }
         if (occupied) {
             drawBlocks(occupied, ceilingTiles ? ceilingTiles[tile] : kNoTexture);
-            stopDepth = depthToStop();
+            stop = whereToStop();
         }
         walk_.advance();
     }
@@ -94,18 +99,18 @@ void Slice::walk() {
         endFloor(walk_.enter, boxToPrevious(floor_));
         floor_ = {map_.floor.texture, walk_.enter, walk_.tileX, walk_.tileY};
     }
-    endFloor({kNever, false, false}, boxWithoutEnd(floor_));
+    endFloor(Crossing::never(), boxWithoutEnd(floor_));
 }
 
-// The depth beyond which nothing but the floor that is under way and the sky can be met: when all open rows look down, that at which the flattest of them
+// How far along the ray to walk; beyond, nothing but the floor that is under way and the sky can be met. When all open rows look down, that at which the flattest of them
 // meets the floor; when all look up, that at which the flattest of them is above everything.
-double Slice::depthToStop() const {
+double Slice::whereToStop() const {
     if (open_.none()) return 0.0;
     const int firstFalling = projection_.firstFallingRow;
-    if (open_.first() >= firstFalling) return frame_.eye.z.value() * frame_.inverseSlopes[static_cast<std::size_t>(open_.first())];
+    if (open_.first() >= firstFalling) return frame_.eye.z.value() * frame_.inverseOffsets[static_cast<std::size_t>(open_.first())];
     if (open_.last() > firstFalling) return kNever;
     const double rise = frame_.highest - frame_.eye.z.value();
-    return rise <= 0.0 ? 0.0 : rise * frame_.inverseSlopes[static_cast<std::size_t>(open_.last() - 1)];
+    return rise <= 0.0 ? 0.0 : rise * frame_.inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
 
 int Slice::collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& blocks) const {
@@ -137,7 +142,7 @@ void Slice::drawBlocks(std::uint32_t occupied, TextureId ceilingTexture) {
     if (trace_) {
         for (int i = 0; i < count; ++i) traceBlock(blocks[static_cast<std::size_t>(i)]);
     }
-    if (walk_.enter.depth > 0.0) drawSides(blocks.data(), count);
+    if (walk_.enter.along > 0.0) drawSides(blocks.data(), count);
     if (!open_.none() && open_.last() > projection_.firstFallingRow) drawFalling(blocks.data(), count, ceilingTexture);
     if (!open_.none() && open_.first() < projection_.firstFallingRow) drawRising(blocks.data(), count, ceilingTexture);
 }
@@ -147,8 +152,8 @@ void Slice::drawSides(const Block* blocks, int count) {
     const Face face = enteredFace(border);
     for (int i = 0; i < count; ++i) {
         const Block& block = blocks[i];
-        const int first = projection_.firstRowBelow(block.top, border.depth, border.nearing);
-        const int last = projection_.firstRowBelow(block.bottom, border.depth, border.nearing);
+        const int first = firstRowBelow(projection_, block.top, border);
+        const int last = firstRowBelow(projection_, block.bottom, border);
         drawSide(block, face, border, {first, last});
     }
 }
@@ -166,11 +171,11 @@ void Slice::drawFalling(const Block* blocks, int count, TextureId ceilingTexture
     };
     for (int i = count - 1; i >= 0; --i) {
         const Block& block = blocks[i];
-        if (walk_.enter.depth == 0.0 && block.bottom < 0.0 && block.top >= 0.0) {
+        if (walk_.enter.along == 0.0 && block.bottom < 0.0 && block.top >= 0.0) {
             ceilingAbove(block.bottom);
-            const int below = projection_.firstRowBelow(block.bottom, walk_.leave.depth, walk_.leave.nearing);
+            const int below = firstRowBelow(projection_, block.bottom, walk_.leave);
             drawLevelFace(block, Face::bottom, {std::max(below, projection_.firstFallingRow), projection_.height});
-            if (walk_.leave.depth > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {projection_.firstFallingRow, below});
+            if (walk_.leave.along > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {projection_.firstFallingRow, below});
         } else if (block.top < 0.0) {
             ceilingAbove(block.top);
             drawLevelFace(block, Face::top, planeRows(block.top, walk_.enter, walk_.leave));
@@ -191,11 +196,11 @@ void Slice::drawRising(const Block* blocks, int count, TextureId ceilingTexture)
     };
     for (int i = 0; i < count; ++i) {
         const Block& block = blocks[i];
-        if (walk_.enter.depth == 0.0 && block.bottom <= 0.0 && block.top > 0.0) {
+        if (walk_.enter.along == 0.0 && block.bottom <= 0.0 && block.top > 0.0) {
             ceilingBelow(block.top);
-            const int below = projection_.firstRowBelow(block.top, walk_.leave.depth, walk_.leave.nearing);
+            const int below = firstRowBelow(projection_, block.top, walk_.leave);
             drawLevelFace(block, Face::top, {0, std::min(below, projection_.firstFallingRow)});
-            if (walk_.leave.depth > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {below, projection_.firstFallingRow});
+            if (walk_.leave.along > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {below, projection_.firstFallingRow});
         } else if (block.bottom > 0.0) {
             ceilingBelow(block.bottom);
             drawLevelFace(block, Face::bottom, planeRows(block.bottom, walk_.enter, walk_.leave));
@@ -208,27 +213,29 @@ void Slice::drawSide(const Block& block, Face face, const Crossing& border, RowR
     open_.take(rows.first, rows.last, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(face);
         const Texture& texture = frame_.world->textures[look.texture];
-        const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(border.depth, texture))];
+        const double depth = border.along * projection_.distance;
+        const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(depth, texture))];
 
         // Which column of texels: along x on the northern and southern faces, along y on the others; reversed where the other end is on the left.
-        const double along = border.alongX ? frame_.eye.y.fraction() + (frame_.eye.y.tile() - walk_.tileY) + ray_.y * border.depth
-                                           : frame_.eye.x.fraction() + (frame_.eye.x.tile() - walk_.tileX) + ray_.x * border.depth;
-        const int u = texelColumn(along, level.size, face == Face::north || face == Face::east);
+        const double fraction = border.alongX ? frame_.eye.y.fraction() + (frame_.eye.y.tile() - walk_.tileY) + ray_.y * border.distance / border.speed
+                                              : frame_.eye.x.fraction() + (frame_.eye.x.tile() - walk_.tileX) + ray_.x * border.distance / border.speed;
+        const int u = texelColumn(fraction, level.size, face == Face::north || face == Face::east);
 
         // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the block covers of the level.
         constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
         constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
         const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
         const std::int64_t end = (65536 - block.blueprint->bottom.raw) * kPositionsPerRaw;
-        const double perRow = border.depth / projection_.distance;
+        const double perRow = border.along;
         const double upperEdge = units(tileEdge(block.level + 1).raw - frame_.eye.z.raw);
-        const double v = upperEdge + (first + 0.5 - projection_.horizon) * perRow;
-        const std::int64_t step = last - first > 1 ? static_cast<std::int64_t>(perRow * kPositions) : 0;
-        std::int64_t start = v <= 0.0 ? 0 : v >= 1.0 ? end : static_cast<std::int64_t>(v * kPositions);
-        start = std::max(std::min(start, end - 1 - (last - first - 1) * step), lowest);
+        const double v = upperEdge + (first + 0.5 - projection_.horizon) * perRow + kSnap;
+        const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : static_cast<std::int64_t>(v * kPositions), lowest, end - 1);
+        const int steps = last - first - 1;
+        std::int64_t step = steps > 0 ? static_cast<std::int64_t>(perRow * kPositions) : 0;
+        if (start + steps * step >= end) step = (end - 1 - start) / steps;
 
         fillSide(pixels_ + first, last - first, level, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
-                 frame_.lighting.at(border.depth, look.light), frame_.lighting.haze);
+                 frame_.lighting.at(depth, look.light), frame_.lighting.haze);
         note(&block, FilledRows::What::side, face, first, last);
     });
 }
@@ -282,8 +289,8 @@ void Slice::drawBackground() {
 
 // The rows in which the plane `rise` above the eye (below it where negative; not 0) is met between two borders.
 Slice::RowRange Slice::planeRows(double rise, const Crossing& from, const Crossing& to) const {
-    const int near = projection_.firstRowBelow(rise, from.depth, from.nearing);
-    const int far = projection_.firstRowBelow(rise, to.depth, to.nearing);
+    const int near = firstRowBelow(projection_, rise, from);
+    const int far = firstRowBelow(projection_, rise, to);
     return rise < 0.0 ? RowRange{far, near} : RowRange{near, far};
 }
 
@@ -317,7 +324,7 @@ void Slice::fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceB
     const double distance = units(riseRaw < 0 ? -riseRaw : riseRaw);
     const PlaneLine line = {frame_.eye.x.fraction(), frame_.eye.y.fraction(), distance * ray_.x, distance * ray_.y, southReversed};
     const PlaneRows rows = frame_.planeShades.rows(riseRaw, face.light, first, last);
-    const auto levelAt = [&](int row) { return frame_.detail.levelAt(distance * rows.inverseSlopes[row], texture); };
+    const auto levelAt = [&](int row) { return frame_.detail.levelAt(distance * projection_.distance * rows.inverseOffsets[row], texture); };
 
     for (int row = first; row < last;) {
         const int level = levelAt(row);
@@ -338,7 +345,7 @@ void Slice::fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceB
 }
 
 void Slice::fillClampedRow(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box) {
-    const double inverse = rows.inverseSlopes[row];
+    const double inverse = rows.inverseOffsets[row];
     const double east = line.eastStart + line.eastPerInverse * inverse;
     const double south = line.southStart + line.southPerInverse * inverse;
     // Half a step of the fraction that is kept; nearer to the end than that, it would round up to the next tile.
@@ -346,10 +353,10 @@ void Slice::fillClampedRow(int row, const TextureLevel& level, const PlaneLine& 
     const bool eastInside = east >= box.east && east < box.eastEnd - kHalfStep;
     const bool southInside = south >= box.south && south < box.southEnd - kHalfStep;
     if (eastInside && southInside) return;
-    const auto held = [](double position, double first, double end, double start, double perInverse, double inverseSlope) {
+    const auto held = [](double position, double first, double end, double start, double perInverse, double inverseOffset) {
         if (position < first) return std::uint32_t{0};
         if (position >= end - kHalfStep) return ~std::uint32_t{0};
-        return PlaneLine::fractionBits(start, perInverse, inverseSlope);
+        return PlaneLine::fractionBits(start, perInverse, inverseOffset);
     };
     const auto texelOf = [&](std::uint32_t bits) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits)); };
     const std::uint32_t u = texelOf(held(east, box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse));
@@ -368,7 +375,7 @@ void Slice::note(const Block* block, FilledRows::What what, Face face, int first
     }
 }
 
-void Slice::traceTile() { trace_->tiles.push_back({walk_.tileX, walk_.tileY, walk_.enter.depth}); }
+void Slice::traceTile() { trace_->tiles.push_back({walk_.tileX, walk_.tileY, walk_.enter.along * projection_.distance}); }
 
 void Slice::traceBlock(Block& block) {
     block.hit = static_cast<int>(trace_->hits.size());
@@ -378,13 +385,13 @@ void Slice::traceBlock(Block& block) {
     hit.tileY = walk_.tileY;
     hit.level = block.level;
     hit.blueprint = map_.cell(walk_.tileX, walk_.tileY, block.level);
-    hit.entered = walk_.enter.depth > 0.0;
+    hit.entered = walk_.enter.along > 0.0;
     hit.face = enteredFace(walk_.enter);
-    hit.depth = walk_.enter.depth;
-    hit.backDepth = walk_.leave.depth;
-    hit.x = frame_.eye.x.value() + ray_.x * hit.depth;
-    hit.y = frame_.eye.y.value() + ray_.y * hit.depth;
-    hit.rawDepth = hit.depth * std::sqrt(ray_.x * ray_.x + ray_.y * ray_.y);
+    hit.depth = walk_.enter.along * projection_.distance;
+    hit.backDepth = walk_.leave.along * projection_.distance;
+    hit.x = frame_.eye.x.value() + ray_.x * walk_.enter.along;
+    hit.y = frame_.eye.y.value() + ray_.y * walk_.enter.along;
+    hit.rawDepth = walk_.enter.along * std::sqrt(ray_.x * ray_.x + ray_.y * ray_.y);
     hit.bottom = tileEdge(block.level) + block.blueprint->bottom;
     hit.top = tileEdge(block.level) + block.blueprint->top;
     const auto rowOf = [&](double rise, double depth) { return rise == 0.0 ? projection_.horizon : projection_.rowOf(rise, depth); };

@@ -59,7 +59,7 @@ private:
     };
 
     void walk();
-    double depthToStop() const;
+    double whereToStop() const;
 
     int collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& blocks) const;
     void drawBlocks(std::uint32_t occupied, TextureId ceilingTexture);
