@@ -15,6 +15,9 @@ fail() {
 # The exit status after Ctrl-C.
 interruptStatus=130
 
+# The last line of a log that says something.
+newestLine() { tail -c 1000 "$1" | tr '\r' '\n' | tr -cd '[:print:]\n' | awk 'NF { line = $0 } END { print line }'; }
+
 # progress TITLE COMMAND...: runs the command with its output in a log. On a terminal the newest line of the log
 # stands beside the title; elsewhere a line appears every 15 seconds. A failure shows the whole log.
 progress() {
@@ -32,11 +35,11 @@ progress() {
   while kill -0 "$pid" 2>/dev/null; do
     sleep 0.1
     if [[ -t 2 ]]; then
-      newest="$(tail -c 400 "$log" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')"
+      newest="$(newestLine "$log")"
       printf '\r\033[K%s (%d s) %s' "$title" $((SECONDS - begin)) "${newest:0:$((${COLUMNS:-100} - ${#title} - 12))}" >&2
     elif ((SECONDS - begin - lastSaid >= 15)); then
       lastSaid=$((SECONDS - begin))
-      newest="$(tail -c 400 "$log" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')"
+      newest="$(newestLine "$log")"
       say "  $lastSaid s: ${newest:0:100}"
     fi
   done
