@@ -157,7 +157,7 @@ std::uint64_t Session::fingerprint() const {
                                       std::int64_t{p.lateJumpSteps}, std::int64_t{p.earlyJumpSteps}, steps_}) {
         hash.add(number);
     }
-    for (const double number : {p.velocityX, p.velocityY, p.velocityZ, p.headingDegrees, p.look, p.turnRate, p.lookRate, options_.speed}) {
+    for (const double number : {p.velocityX, p.velocityY, p.velocityZ, p.headingDegrees, p.look, p.turnRate, p.lookRate, p.eyeLagRate, options_.speed}) {
         hash.add(number);
     }
     return hash.value();

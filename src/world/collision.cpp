@@ -84,17 +84,16 @@ bool advance(const World& world, int map, Slide& state, Coordinate Offset::*axis
         state.box = moved(state.box, way);
         return true;
     }
-    // Up and across, where both ways are open. The rise is the least that frees the body over there, so it comes to rest without a way down.
+    // Up, if there is room, and across. The rise is the least that frees the body over there, so it comes to rest there without a way down, and nothing is
+    // in its way across: the part is shorter than the body, which has reached into all the same tiles when it arrives.
     Offset wholeWay;
     wholeWay.*axis = distance;
     const std::optional<Coordinate> rise = step.raw > 0 ? leastRise(world, map, moved(state.box, wholeWay), step) : std::nullopt;
     if (rise && sweepZ(world, map, state.box, *rise) == *rise) {
-        const Box raised = moved(state.box, {.x = {}, .y = {}, .z = *rise});
-        if (sweep(world, map, raised, distance) == distance) {
-            state.box = moved(raised, wholeWay);
-            state.rise = state.rise + *rise;
-            return true;
-        }
+        wholeWay.z = *rise;
+        state.box = moved(state.box, wholeWay);
+        state.rise = state.rise + *rise;
+        return true;
     }
     state.box = moved(state.box, way);
     return false;

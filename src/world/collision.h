@@ -64,8 +64,8 @@ struct Slide {
     bool stoppedY = false;
 };
 
-// Moves a free box sideways, axis by axis, so that it slides along what it meets. Where it is stopped by something whose top is at most `step` above its
-// bottom, it is put onto that top if there is room for it on the way there. The result is free.
+// Moves a free box, wider and deeper than kLongestSlide, sideways, axis by axis, so that it slides along what it meets. Where it is stopped by something
+// whose top is at most `step` above its bottom, it is put onto that top if there is room for it on the way there. The result is free.
 Slide slide(const World& world, int map, const Box& box, Coordinate distanceX, Coordinate distanceY, Coordinate step);
 
 }  // namespace slicecast

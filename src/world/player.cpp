@@ -9,6 +9,7 @@ namespace slicecast {
 namespace {
 
 constexpr double kGreatestTurnDegrees = 360.0;  // at once, by a mouse
+constexpr double kEyeAtRest = 1.0 / 4096.0;     // units: a lag that nobody sees
 constexpr Coordinate kEyeDrop = kStandingEye - kCrouchedEye;
 
 double within(double value, double least, double greatest, double ifNoNumber) {
@@ -84,14 +85,23 @@ Coordinate eyeAboveFeet(const Player& player) {
 
 // Keeps the eye above the feet, and below what is above the body.
 void limitEyeLag(const World& world, Player& player) {
-    player.eyeLag = std::max(player.eyeLag, kLowestEye - eyeAboveFeet(player));
-    if (player.eyeLag.raw > 0) player.eyeLag = sweepZ(world, player.map, bodyBox(player), player.eyeLag);
+    Coordinate lag = std::max(player.eyeLag, kLowestEye - eyeAboveFeet(player));
+    if (lag.raw > 0) lag = sweepZ(world, player.map, bodyBox(player), lag);
+    if (lag == player.eyeLag) return;
+    player.eyeLag = lag;
+    player.eyeLagRate = 0.0;
 }
 
+// One step of a critically damped spring, by the implicit Euler method, which never overshoots.
 void easeEye(const World& world, Player& player) {
+    constexpr double kPart = kEyeResponse * kStepSeconds;
     const double lag = player.eyeLag.value();
-    const double change = std::max(std::abs(lag) * kEyeResponse, kLeastEyeSpeed) * kStepSeconds;
-    player.eyeLag = toCoordinate(approach(lag, 0.0, change));
+    player.eyeLagRate = (player.eyeLagRate - kPart * kEyeResponse * lag) / (1.0 + 2.0 * kPart + kPart * kPart);
+    player.eyeLag = toCoordinate(lag + player.eyeLagRate * kStepSeconds);
+    if (std::abs(lag) < kEyeAtRest && std::abs(player.eyeLagRate) < kEyeAtRest * kEyeResponse) {
+        player.eyeLag = {};
+        player.eyeLagRate = 0.0;
+    }
     limitEyeLag(world, player);
 }
 
@@ -202,6 +212,7 @@ void drift(Player& player) {
     player.y = toCoordinate(player.y.value() + player.velocityY * kStepSeconds);
     player.z = std::max(toCoordinate(player.z.value() + player.velocityZ * kStepSeconds), kLowestEye - kCrouchedEye);
     player.eyeLag = {};
+    player.eyeLagRate = 0.0;
 }
 
 // The flying body, around the eye. It lies within the space that a free body and its eye have.
@@ -307,6 +318,7 @@ void levelLook(const World& world, Player& player) {
     if (!player.flying || !isFree(world, player.map, bodyBox(player))) return;
     player.velocityZ = 0.0;
     player.eyeLag = {};
+    player.eyeLagRate = 0.0;
     rise(world, player, {-kMaxBodyHeight.raw});
     rise(world, player, kEyeDrop);
 }

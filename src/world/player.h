@@ -59,9 +59,8 @@ inline constexpr int kEarlyJumpSteps = 12;     // and is remembered this long be
 inline constexpr double kFlyingResponse = 10.0;  // of the full speed, per second
 inline constexpr double kTurningResponse = 10.0;
 
-// After a step or a crouch the eye covers this part of the way that is left, per second, and at least this many units per second.
-inline constexpr double kEyeResponse = 9.0;
-inline constexpr double kLeastEyeSpeed = 0.25;
+// After a step or a crouch the eye follows the body like a spring that does not swing: it takes about 4 / kEyeResponse seconds.
+inline constexpr double kEyeResponse = 12.0;
 
 // Screen heights that the horizon can be moved by looking up and down.
 inline constexpr double kLookLimit = 1.5;
@@ -98,6 +97,7 @@ struct Player {
     double turnRate = 0.0;        // degrees per second, by keys
     double lookRate = 0.0;        // screen heights per second, by keys
     Coordinate eyeLag;            // how far the eye is above its place in the body; dies away after a step or a crouch
+    double eyeLagRate = 0.0;      // units per second
     bool flying = false;
     bool crouched = false;
     bool onGround = false;

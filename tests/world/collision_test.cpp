@@ -135,6 +135,13 @@ TEST(Collision, SlidesOverStepsOnlyWithRoomOnTheWay) {
     World low = world;
     putBlock(low, 0, 0, 0.9_u, 1.0_u);
     EXPECT_EQ(slide(low, 0, box, 0.5_u, {}, 0.5_u).box.east, 1.0_u);
+    // Something above a part of it that moves out from under it while the front takes the step
+    World behind = emptyWorld(4, 1, 3);
+    putBlock(behind, 2, 0, 0.0_u, 0.25_u);
+    const Box wide = {0.97_u, 1.95_u, 0.2_u, 0.8_u, 0.0_u, 0.5_u};
+    EXPECT_EQ(slide(behind, 0, wide, 0.0625_u, {}, 0.5_u).box.bottom, 0.25_u);
+    putBlock(behind, 0, 0, 0.6_u, 1.0_u);
+    EXPECT_EQ(slide(behind, 0, wide, 0.0625_u, {}, 0.5_u).box.east, 2.0_u);
     // Something above the step: a body that fits exactly, and one that is a little too high
     low = world;
     putBlock(low, 1, 0, 1.0_u, 1.1_u);

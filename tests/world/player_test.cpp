@@ -134,7 +134,7 @@ TEST(Player, TheEyeFollowsAStepSmoothly) {
         Coordinate before = eyeHeight(walker.player);
         for (int i = 0; i < 2 * kSecond; ++i) {
             walker.step(input);
-            EXPECT_NEAR(eyeHeight(walker.player).value(), before.value(), 0.06);
+            EXPECT_NEAR(eyeHeight(walker.player).value(), before.value(), 0.03);
             before = eyeHeight(walker.player);
         }
         EXPECT_EQ(eyeHeight(walker.player), walker.player.z + kStandingEye);
