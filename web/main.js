@@ -9,6 +9,7 @@ import { SceneMenu } from './scene-menu.js';
 import { chosenEntries, droppedEntries, listScenes, sceneAmong, sceneAt } from './scene-source.js';
 import { Settings } from './settings.js';
 import { Stage } from './stage.js';
+import { TouchPads } from './touch-pads.js';
 import { Trouble, TroubleSheet, asTrouble } from './trouble.js';
 
 const kEngineShare = 0.5; // of the loading bar
@@ -88,7 +89,8 @@ class Page {
     } catch (error) {
       if (load !== this.#loads) return;
       this.playsAfterTrouble = wasPlaying;
-      this.#fail(asTrouble(error), { again: () => this.open(scene) });
+      const isOver = error instanceof WebAssembly.RuntimeError;
+      this.#fail(asTrouble(error), { again: isOver ? () => location.reload() : () => this.open(scene) });
       return;
     }
     if (before !== null && before.map < this.engine.world.maps.length) this.engine.restore(before);
@@ -210,8 +212,8 @@ class Page {
   }
 
   #fail(trouble, { again }) {
-    if (this.engine !== null) this.engine.paused = true;
     this.#setState('trouble');
+    if (this.engine !== null) this.engine.paused = true;
     this.trouble.show(trouble, {
       again,
       scenes: this.scenes.length > 0 ? () => this.openDialog('scenes') : null,
@@ -260,8 +262,10 @@ class Page {
       if (event.code === 'KeyH') find('keys').close();
     });
     find('standard-settings').addEventListener('click', () => this.settings.backToStandard());
+    new TouchPads(find('touch'), canvas);
     this.#listenForFullScreen();
     this.#listenForFiles();
+    this.#listenForEnds();
     if (isLive()) this.#listenForSaves();
   }
 
@@ -314,6 +318,26 @@ class Page {
       find('scenes').close();
       this.openFiles(chosenEntries(event.target.files));
       event.target.value = '';
+    });
+  }
+
+  // Ctrl walks slowly, and with W it closes the tab: while it is held the browser asks first. Ctrl and R is meant.
+  #listenForEnds() {
+    let asks = false;
+    for (const type of ['keydown', 'keyup']) {
+      canvas.addEventListener(type, (event) => {
+        asks = event.ctrlKey && event.code !== 'KeyR';
+      });
+    }
+    canvas.addEventListener('blur', () => {
+      asks = false;
+    });
+    window.addEventListener('beforeunload', (event) => {
+      if (asks) event.preventDefault();
+    });
+    // The engine has failed between two calls of ours.
+    window.addEventListener('error', ({ error }) => {
+      if (error instanceof WebAssembly.RuntimeError) this.#fail(asTrouble(error), { again: () => location.reload() });
     });
   }
 

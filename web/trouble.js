@@ -18,6 +18,7 @@ export class Trouble extends Error {
 export function asTrouble(error) {
   if (error instanceof Trouble) return error;
   console.error(error);
+  if (error instanceof WebAssembly.RuntimeError) return new Trouble('The engine has stopped', `It cannot go on: ${error.message}. Load the page again.`);
   return new Trouble('Something went wrong', error instanceof Error ? error.message : String(error));
 }
 

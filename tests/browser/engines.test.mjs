@@ -113,3 +113,9 @@ test('wasm sent with the wrong type is good enough', async (t) => {
   const { page } = await openScene(t, browser, { server: { types: { 'engine/slicecast-simd.wasm': 'text/plain' } } });
   assert.equal((await player(page)).heading, 0);
 });
+
+test('an engine that fails while it plays says so', async (t) => {
+  const { page } = await openScene(t, browser, { expectErrors: true });
+  await page.evaluate(() => setTimeout(() => { throw new WebAssembly.RuntimeError('unreachable'); }));
+  assert.match(await trouble(page), /The engine has stopped.*unreachable/);
+});

@@ -272,3 +272,53 @@ test('a slow or hidden tab neither jumps nor sticks', async (t) => {
   await page.keyboard.press('Numpad2');
   await untilPlayer(page, (now) => now.heading === 90);
 });
+
+test('Ctrl walks slowly; with W it would close the tab, so the browser asks first', async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  const asked = async (keys) => {
+    let answer = false;
+    const listen = (dialog) => {
+      answer = dialog.type() === 'beforeunload';
+      dialog.dismiss();
+    };
+    page.on('dialog', listen);
+    for (const key of keys) await page.keyboard.down(key);
+    const left = await page.evaluate(() => !window.dispatchEvent(new Event('beforeunload', { cancelable: true })));
+    for (const key of keys) await page.keyboard.up(key);
+    page.off('dialog', listen);
+    return left || answer;
+  };
+  assert.equal(await asked(['Control']), true);
+  assert.equal(await asked(['KeyW']), false);
+  await page.keyboard.down('Control');
+  await page.evaluate(() => document.activeElement.blur());
+  assert.equal(await asked([]), false);
+});
+
+test('thumbs walk and look on a touch screen', async (t) => {
+  const { page, context } = await openScene(t, browser, { viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true } });
+  assert.equal(await page.isVisible('#touch'), false);
+  await page.tap('#play');
+  await inState(page, 'playing');
+  const session = await context.newCDPSession(page);
+  const boxes = await page.$$eval('.pad', (pads) => pads.map((pad) => pad.getBoundingClientRect().toJSON()));
+  const point = (id, shareX, shareY) => ({ id, x: boxes[id].x + shareX * boxes[id].width, y: boxes[id].y + shareY * boxes[id].height });
+  const touch = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+
+  // Both thumbs at once: ahead, and to the right
+  const before = await player(page);
+  await touch('touchStart', point(0, 0.5, 0.1), point(1, 0.9, 0.5));
+  await untilPlayer(page, (now, { x, heading }) => now.x > x + 0.3 && now.heading > heading + 10 && now.heading < 180, before);
+  // One slides across to the other side, the other goes
+  await touch('touchMove', point(0, 0.5, 0.5), point(1, 0.1, 0.5));
+  const there = await player(page);
+  await untilPlayer(page, (now, heading) => now.heading < heading, there.heading);
+  await touch('touchEnd');
+  const { steps } = await player(page);
+  await untilPlayer(page, (now, last) => now.steps > last + 120, steps);
+  const rested = await player(page);
+  await untilPlayer(page, (now, last) => now.steps > last + 30, rested.steps);
+  const end = await player(page);
+  assert.deepEqual([end.x, end.y, end.heading], [rested.x, rested.y, rested.heading]);
+});

@@ -1,7 +1,7 @@
 // Scenes: the menu, files that are dropped, faults, and reloading while somebody edits.
 
 import assert from 'node:assert/strict';
-import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -61,6 +61,24 @@ test('the menu shows a view of every scene, opens one, and Back leads back', asy
   await page.waitForFunction(() => document.title.startsWith('The coloured room'));
   await inState(page, 'paused');
   assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
+});
+
+test('the list of scenes names every scene by its own title, and each opens without a fault', async (t) => {
+  const folder = new URL('../../build/web/scenes/', import.meta.url);
+  const read = async (name) => JSON.parse(await readFile(new URL(name, folder), 'utf8'));
+  const list = await read('index.json');
+  const there = (await readdir(folder)).filter((name) => name.endsWith('.json') && name !== 'index.json');
+  assert.deepEqual(list.map(({ file }) => file).sort(), there.sort());
+  const { page } = await openScene(t, browser, { server: { files: { 'scenes/index.json': JSON.stringify(list) } } });
+  assert.equal(await page.textContent('#bar-title'), list[0].title);
+  for (const { file, title, about } of list) {
+    assert.equal((await read(file)).title, title);
+    assert.ok(about.length > 10, `${file} says what it is about`);
+    await page.click('#open-scenes');
+    await page.click(`#scene-list a[href="?scene=${encodeURIComponent(file.replace(/\.json$/, ''))}"]`);
+    await page.waitForFunction((wanted) => document.title.startsWith(wanted), title);
+    await inState(page, 'paused');
+  }
 });
 
 test('the address names a scene, with or without its ending', async (t) => {
