@@ -18,7 +18,7 @@ const parse = (path) => JSON.parse(new TextDecoder('utf-8', { fatal: true }).dec
 const words = () => (validate.errors ?? []).map((error) => `${error.instancePath} ${error.message}`).join('; ');
 
 test('the schema accepts every scene that is shipped', () => {
-  const names = scenesIn(join(assets, 'scenes'));
+  const names = scenesIn(join(assets, 'scenes')).filter((name) => name !== 'index.json'); // the list of the others
   assert.ok(names.length > 0);
   for (const name of names) assert.ok(validate(parse(join(assets, 'scenes', name))), `${name}: ${words()}`);
 });
