@@ -1,0 +1,307 @@
+#include "app/app.h"
+
+#include "base/random.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace slicecast {
+namespace {
+
+// A screen that notes down what it is told.
+class NoteShell : public Shell {
+public:
+    double nowSeconds() const override { return now; }
+    void show(SDL_Surface& picture) override {
+        ++shown;
+        const auto* pixels = static_cast<const Pixel*>(picture.pixels);
+        last.assign(pixels, pixels + static_cast<std::size_t>(picture.w) * static_cast<std::size_t>(picture.h));
+    }
+    void tell(News what, bool yes) override { news.emplace_back(what, yes); }
+    void tellRates(const FrameRates& told) override { rates.push_back(told); }
+    void tellSize(int width, int height) override { sizes.emplace_back(width, height); }
+    void leave() override { ++left; }
+
+    double now = 100.0;
+    int shown = 0;
+    int left = 0;
+    std::vector<Pixel> last;
+    std::vector<std::pair<News, bool>> news;
+    std::vector<FrameRates> rates;
+    std::vector<std::pair<int, int>> sizes;
+};
+
+// An open field with a row of blocks far in the east.
+World makeField() {
+    World world;
+    Random random(1);
+    Image image(8, 8);
+    for (Pixel& pixel : image.pixels) pixel = static_cast<Pixel>(random.next()) | 0xff000000u;
+    world.textures.push_back(makeTexture("speckled", image));
+    CellBlueprint block;
+    block.name = "block";
+    for (FaceBlueprint& face : block.faces) face.texture = 0;
+    world.blueprints.push_back(block);
+    Map map = makeMap("field", 40, 40, 2, 0);
+    for (int y = 0; y < 40; ++y) map.setCell(30, y, 0, 1);
+    world.maps.push_back(std::move(map));
+    world.start.x = toCoordinate(20.5);
+    world.start.y = toCoordinate(20.5);
+    return world;
+}
+
+class AppTest : public testing::Test {
+protected:
+    AppTest() : app(shell) {
+        app.resize(80, 50);
+        app.play(std::make_unique<Session>(makeField()));
+        app.frame(shell.now);
+    }
+
+    // Plays for a while at 60 pictures a second.
+    void play(double seconds) {
+        for (int i = 0; i < static_cast<int>(std::lround(seconds * 60.0)); ++i) {
+            shell.now += 1.0 / 60.0;
+            app.frame(shell.now);
+        }
+    }
+
+    void press(SDL_Scancode scancode, bool repeated = false) { app.keyDown(*findKey(scancode), repeated); }
+    void release(SDL_Scancode scancode) { app.keyUp(*findKey(scancode)); }
+    double x() { return app.game()->player().x.value(); }
+    double heading() { return app.game()->player().headingDegrees; }
+    int count(News what) const {
+        int times = 0;
+        for (const auto& [news, yes] : shell.news) times += news == what;
+        return times;
+    }
+
+    NoteShell shell;
+    App app;
+};
+
+TEST_F(AppTest, TheFirstPictureIsShownAndTold) {
+    EXPECT_EQ(shell.shown, 1);
+    EXPECT_EQ(shell.news.front(), (std::pair{News::ready, true}));
+    EXPECT_EQ(shell.sizes, (std::vector{std::pair{80, 50}}));
+    play(0.5);
+    EXPECT_EQ(count(News::ready), 1);
+    EXPECT_EQ(shell.sizes.size(), 1u);
+}
+
+TEST_F(AppTest, ASecondIsAHundredAndTwentySteps) {
+    play(1.0);
+    EXPECT_NEAR(static_cast<double>(app.game()->steps()), 120.0, 1.0);
+    EXPECT_EQ(shell.shown, 61);
+}
+
+TEST_F(AppTest, AHeldKeyWalksAndAReleasedOneStops) {
+    press(SDL_SCANCODE_W);
+    play(1.0);
+    const double after = x();
+    EXPECT_GT(after, 22.0);
+    release(SDL_SCANCODE_W);
+    play(1.0);
+    const double stopped = x();
+    EXPECT_LT(stopped, after + 0.5);
+    play(1.0);
+    EXPECT_EQ(x(), stopped);
+}
+
+TEST_F(AppTest, LostFocusReleasesTheKeys) {
+    press(SDL_SCANCODE_W);
+    play(0.5);
+    app.releaseKeys();
+    play(0.5);
+    const double stopped = x();
+    play(1.0);
+    EXPECT_EQ(x(), stopped);
+}
+
+TEST_F(AppTest, AHiddenScreenNeitherJumpsNorSticks) {
+    press(SDL_SCANCODE_W);
+    play(0.5);
+    const double before = x();
+    const int shown = shell.shown;
+    app.setHidden(true);
+    play(2.0);
+    EXPECT_EQ(shell.shown, shown);
+    shell.now += 3600.0;
+    app.setHidden(false);
+    app.frame(shell.now);
+    EXPECT_EQ(x(), before);
+    play(1.0);
+    EXPECT_LT(x(), before + 0.5) << "the key went up unseen";
+}
+
+TEST_F(AppTest, ASlowScreenDropsTime) {
+    const std::int64_t before = app.game()->steps();
+    shell.now += 30.0;
+    app.frame(shell.now);
+    EXPECT_EQ(app.game()->steps() - before, 12);
+}
+
+TEST_F(AppTest, APauseStandsStillAndDrawsOnlyWhatChanges) {
+    play(0.1);
+    press(SDL_SCANCODE_P);
+    EXPECT_TRUE(app.paused());
+    press(SDL_SCANCODE_P, true);
+    EXPECT_TRUE(app.paused()) << "a key that repeats is one press";
+    play(0.1);
+    const int shown = shell.shown;
+    const std::int64_t steps = app.game()->steps();
+    press(SDL_SCANCODE_W);
+    play(1.0);
+    EXPECT_EQ(shell.shown, shown);
+    EXPECT_EQ(app.game()->steps(), steps);
+
+    app.resize(60, 40);
+    play(0.1);
+    EXPECT_EQ(shell.shown, shown + 1);
+    press(SDL_SCANCODE_M);
+    play(0.1);
+    EXPECT_EQ(shell.shown, shown + 2);
+
+    app.setPaused(false);
+    play(0.5);
+    EXPECT_GT(x(), 20.5);
+    EXPECT_EQ(count(News::pause), 2);
+}
+
+TEST_F(AppTest, KeysChangeModes) {
+    press(SDL_SCANCODE_V);
+    play(0.1);
+    EXPECT_TRUE(app.game()->player().flying);
+    EXPECT_EQ(shell.news.back(), (std::pair{News::fly, true}));
+    press(SDL_SCANCODE_M);
+    play(0.1);
+    EXPECT_TRUE(app.game()->options().minimap);
+    EXPECT_EQ(shell.news.back(), (std::pair{News::minimap, true}));
+    press(SDL_SCANCODE_KP_1);
+    EXPECT_EQ(heading(), 135.0);
+    press(SDL_SCANCODE_UP);
+    play(0.5);
+    EXPECT_GT(app.game()->player().look, 0.0);
+    release(SDL_SCANCODE_UP);
+    press(SDL_SCANCODE_R);
+    EXPECT_EQ(app.game()->player().look, 0.0);
+}
+
+TEST_F(AppTest, KeysForTheScreenAreHandedOn) {
+    press(SDL_SCANCODE_H);
+    press(SDL_SCANCODE_I);
+    press(SDL_SCANCODE_F);
+    press(SDL_SCANCODE_ESCAPE);
+    press(SDL_SCANCODE_H, true);
+    EXPECT_EQ(count(News::help), 1);
+    EXPECT_EQ(count(News::rate), 1);
+    EXPECT_EQ(count(News::fullscreen), 1);
+    EXPECT_EQ(shell.left, 1);
+}
+
+TEST_F(AppTest, TheLightIsSetInStepsFromTheMapsOwn) {
+    const double own = app.game()->state().intensity;
+    press(SDL_SCANCODE_INSERT);
+    EXPECT_NEAR(app.game()->state().intensity, own + 0.1, 1e-9);
+    press(SDL_SCANCODE_INSERT, true);
+    EXPECT_NEAR(app.game()->state().intensity, own + 0.2, 1e-9);
+    press(SDL_SCANCODE_LSHIFT);
+    press(SDL_SCANCODE_DELETE);
+    EXPECT_NEAR(app.game()->state().intensity, own - 0.1, 1e-9);
+    release(SDL_SCANCODE_LSHIFT);
+    const double reach = app.game()->state().multiplier;
+    press(SDL_SCANCODE_LCTRL);
+    press(SDL_SCANCODE_HOME);
+    EXPECT_NEAR(app.game()->state().multiplier, reach + 0.1, 1e-9);
+    for (int i = 0; i < 1000; ++i) press(SDL_SCANCODE_END, true);
+    EXPECT_EQ(app.game()->state().multiplier, 0.0);
+}
+
+TEST_F(AppTest, TheMouseTurnsOnlyWhileItIsHeld) {
+    app.pointerMoved(100.0, 0.0);
+    play(0.1);
+    EXPECT_EQ(heading(), 0.0);
+    app.pointerHeld(true);
+    app.pointerMoved(100.0, 0.0);
+    play(0.1);
+    EXPECT_NEAR(heading(), 100.0 * kDefaultDegreesPerPixel, 1e-9);
+    play(0.5);
+    EXPECT_NEAR(heading(), 100.0 * kDefaultDegreesPerPixel, 1e-9) << "moved once, turned once";
+    EXPECT_EQ(shell.news.back(), (std::pair{News::pointer, true}));
+}
+
+TEST_F(AppTest, TheMouseLooksUpOrInvertedDown) {
+    app.pointerHeld(true);
+    app.pointerMoved(0.0, -50.0);
+    play(0.1);
+    const double up = app.game()->player().look;
+    EXPECT_GT(up, 0.0);
+    app.setMouse(kDefaultDegreesPerPixel, true);
+    app.pointerMoved(0.0, -50.0);
+    play(0.1);
+    EXPECT_NEAR(app.game()->player().look, 0.0, 1e-9);
+    app.setMouse(2.0 * kDefaultDegreesPerPixel, false);
+    app.pointerMoved(10.0, 0.0);
+    play(0.1);
+    EXPECT_NEAR(heading(), 20.0 * kDefaultDegreesPerPixel, 1e-9);
+}
+
+TEST_F(AppTest, MovementDuringAPauseIsForgotten) {
+    app.pointerHeld(true);
+    app.setPaused(true);
+    app.pointerMoved(100.0, 100.0);
+    app.setPaused(false);
+    play(0.1);
+    EXPECT_EQ(heading(), 0.0);
+}
+
+TEST_F(AppTest, SizesAreClamped) {
+    app.resize(0, 1 << 20);
+    EXPECT_EQ(app.width(), 1);
+    EXPECT_EQ(app.height(), kLargestPictureSide);
+}
+
+TEST_F(AppTest, TheSurfaceShowsWhatTheSessionDraws) {
+    app.resize(33, 21);
+    app.setPaused(true);
+    app.frame(shell.now);
+    std::vector<Pixel> expected(33 * 21);
+    ASSERT_TRUE(app.game()->draw({expected.data(), 33, 21, 33}));
+    EXPECT_EQ(shell.last, expected);
+}
+
+TEST_F(AppTest, RatesAreToldTwiceASecond) {
+    play(2.2);
+    ASSERT_EQ(shell.rates.size(), 4u);
+    EXPECT_NEAR(shell.rates.back().framesPerSecond, 60.0, 0.1);
+}
+
+TEST_F(AppTest, AnotherGameBeginsFromItsOwnStart) {
+    press(SDL_SCANCODE_V);
+    play(0.5);
+    World world = makeField();
+    world.start.x = toCoordinate(10.5);
+    app.play(std::make_unique<Session>(std::move(world)));
+    EXPECT_EQ(x(), 10.5);
+    EXPECT_EQ(shell.news.back(), (std::pair{News::fly, false}));
+}
+
+TEST(App, WithoutAGameThereIsNothingToDo) {
+    NoteShell shell;
+    App app(shell);
+    for (const Key& k : allKeys()) {
+        app.keyDown(k, false);
+        app.keyUp(k);
+    }
+    app.pointerHeld(true);
+    app.pointerMoved(1.0, 1.0);
+    EXPECT_FALSE(app.frame(1.0));
+    EXPECT_EQ(shell.shown, 0);
+}
+
+}  // namespace
+}  // namespace slicecast

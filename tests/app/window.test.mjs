@@ -1,0 +1,191 @@
+// The program in a real window, under a virtual display.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+
+import { eventually, noScreen, program, root, Screen } from './screen.mjs';
+
+const scene = join(root, 'assets/scenes/first-walk.json');
+const { title, start } = JSON.parse(readFileSync(scene, 'utf8'));
+const kWidth = 320;
+const kHeight = 200;
+
+// What a session draws natively after a number of steps and a turn, without any window: bytes R, G, B.
+function expectedPicture(width, height, turnDegrees = 0) {
+  const folder = mkdtempSync(join(tmpdir(), 'slicecast-'));
+  try {
+    const pictures = join(folder, 'picture');
+    const input = `120 0 0 0 0 0 0 0 0\n1 0 0 0 0 0 ${turnDegrees} 0 0`;
+    const result = spawnSync(join(root, 'build/native/tests/slicecast-replay'), [scene, width, height, pictures].map(String), { input });
+    assert.equal(result.status, 0);
+    const bytes = readFileSync(pictures).subarray(width * height * 4);
+    return Buffer.from(bytes.filter((_, i) => i % 4 !== 3));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+// The picture, each pixel as a square of n x n.
+function enlarged(picture, width, height, n) {
+  const large = Buffer.alloc(picture.length * n * n);
+  for (let y = 0, to = 0; y < height * n; ++y) {
+    for (let x = 0; x < width * n; ++x, to += 3) {
+      const from = 3 * (Math.floor(y / n) * width + Math.floor(x / n));
+      picture.copy(large, to, from, from + 3);
+    }
+  }
+  return large;
+}
+
+describe('the window', { skip: noScreen }, () => {
+  let screen;
+  before(async () => {
+    screen = await Screen.open(800, 600);
+  });
+  after(() => screen?.close());
+
+  // One window at a time, so that none covers another.
+  async function withWindow(args, use) {
+    const started = await screen.start(args);
+    try {
+      await use(started);
+      if (started.ended === undefined) {
+        started.keys('Escape');
+        assert.equal(await started.exit, 0, started.errors);
+      }
+      assert.equal(started.errors, '');
+    } finally {
+      started.kill();
+    }
+  }
+
+  const shows = (started, picture, what) => eventually(what, () => started.picture().equals(picture));
+
+  test('shows the scene under its title, byte for byte, and Escape ends it', () =>
+    withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
+      assert.equal(started.title, title);
+      const { width, height } = started.place;
+      assert.deepEqual({ width, height }, { width: kWidth, height: kHeight });
+      await shows(started, expectedPicture(kWidth, kHeight), 'the picture of the start');
+    }));
+
+  test('the number pad turns to a heading', () =>
+    withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
+      started.keys('KP_8');
+      await shows(started, expectedPicture(kWidth, kHeight, 270 - start.heading), 'the view to the north');
+    }));
+
+  test('a held key moves, and a pause stands still', () =>
+    withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
+      const first = expectedPicture(kWidth, kHeight);
+      await shows(started, first, 'the picture of the start');
+      started.keys('space');
+      await eventually('a jump', () => !started.picture().equals(first));
+      await shows(started, first, 'the ground again');
+      started.keys('p');
+      await eventually('the pause in the title', () => started.title === `${title} (paused)`);
+      started.keys('space', 'Right');
+      await new Promise((done) => setTimeout(done, 300));
+      assert.ok(started.picture().equals(first));
+      started.keys('p');
+      await eventually('the title without the pause', () => started.title === title);
+      screen.xdotool('keydown', 'Right');
+      await eventually('a turn', () => !started.picture().equals(first));
+      screen.xdotool('keyup', 'Right');
+    }));
+
+  test('help, frame rate and map are shown and hidden', () =>
+    withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
+      const plain = expectedPicture(kWidth, kHeight);
+      await shows(started, plain, 'the picture of the start');
+      for (const key of ['h', 'i', 'm']) {
+        started.keys(key);
+        await eventually(`something after ${key}`, () => !started.picture().equals(plain));
+        started.keys(key);
+        await shows(started, plain, `the plain picture after ${key} again`);
+      }
+    }));
+
+  test('a click takes the mouse, Escape gives it back', () =>
+    withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
+      const plain = expectedPicture(kWidth, kHeight);
+      await shows(started, plain, 'the picture of the start');
+      screen.xdotool('mousemove', '--window', started.window, 100, 100);
+      screen.xdotool('mousemove_relative', 20, 0);
+      await new Promise((done) => setTimeout(done, 200));
+      assert.ok(started.picture().equals(plain), 'a free mouse does not turn');
+      screen.xdotool('click', 1);
+      await eventually('a turn by the mouse', () => {
+        screen.xdotool('mousemove_relative', 7, 0);
+        return !started.picture().equals(plain);
+      });
+      started.keys('Escape', 'r', 'KP_8');
+      await shows(started, expectedPicture(kWidth, kHeight, 270 - start.heading), 'the view to the north');
+    }));
+
+  test('a larger window enlarges a picture of fixed size by a whole number, with black around it', () =>
+    withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
+      screen.xdotool('windowsize', '--sync', started.window, 700, 500);
+      screen.xdotool('windowmove', '--sync', started.window, 0, 0);
+      const expected = enlarged(expectedPicture(kWidth, kHeight), kWidth, kHeight, 2);
+      const { x, y } = started.place;
+      await eventually('twice the size', () => screen.picture({ x: x + 30, y: y + 50, width: 2 * kWidth, height: 2 * kHeight }).equals(expected));
+      for (const edge of [{ x, y, width: 30, height: 500 }, { x, y, width: 700, height: 50 }]) assert.ok(screen.picture(edge).every((byte) => byte === 0));
+    }));
+
+  test('without a size the picture fills the window, whatever its size', () =>
+    withWindow([scene], async (started) => {
+      screen.xdotool('windowsize', '--sync', started.window, 411, 333);
+      screen.xdotool('windowmove', '--sync', started.window, 5, 5);
+      await eventually('the size', () => started.place.width === 411);
+      await shows(started, expectedPicture(411, 333), 'a picture of the new size');
+    }));
+
+  test('options of the command line act', () =>
+    withWindow([scene, '--size', `${kWidth}x${kHeight}`, '--fov', '90', '--set', 'textures=off'], async (started) => {
+      const plain = expectedPicture(kWidth, kHeight);
+      await eventually('a picture', () => started.picture().some((byte) => byte !== 0));
+      assert.ok(!started.picture().equals(plain));
+    }));
+});
+
+function run(args, environment = {}) {
+  const { status, stdout, stderr } = spawnSync(program, args, { encoding: 'utf8', env: { ...process.env, ...environment } });
+  return { status, stdout, stderr };
+}
+
+test('--help lists options and keys', () => {
+  const { status, stdout } = run(['--help']);
+  assert.equal(status, 0);
+  for (const word of ['--size', '--fov', '--map', '--fullscreen', '--set', 'Number pad']) assert.ok(stdout.includes(word), word);
+});
+
+test('a scene at fault ends it with all faults', () => {
+  const { status, stderr } = run([join(root, 'tests/scene/broken/image-several.json')]);
+  assert.equal(status, 1);
+  assert.ok(stderr.trim().split('\n').length > 1, stderr);
+  assert.match(stderr, /image-several\.json:\d+:\d+/);
+});
+
+test('what cannot be is refused with the reason', () => {
+  for (const [args, reason] of [
+    [['nothing-of-that-name.json'], /nothing-of-that-name\.json/],
+    [[scene, '--size', '0x10'], /0x10/],
+    [[scene, '--size', 'large'], /large/],
+    [[scene, '--fov', '500'], /500/],
+    [[scene, '--set', 'colour'], /OPTION=VALUE/],
+    [[scene, '--set', 'colour=red'], /colour/],
+    [[scene, '--map', 'cellar'], /there is no map "cellar"; expected "courtyard"/],
+  ]) {
+    const { status, stderr } = run(args, { SDL_VIDEODRIVER: 'none' });
+    assert.notEqual(status, 0, args.join(' '));
+    assert.match(stderr, reason);
+  }
+  const { status, stderr } = run([scene], { SDL_VIDEODRIVER: 'none' });
+  assert.equal(status, 1);
+  assert.match(stderr, /there is no screen to draw on/);
+});
