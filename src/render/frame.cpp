@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slicecast {
 
@@ -9,7 +10,10 @@ Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int wid
     : world(&w), map(&w.maps[static_cast<std::size_t>(e.map)]), eye(e), projection(e, options, width, height), lighting(*map, options),
       detail(options, projection.distance), inverseOffsets(slopes), planeShades(shades), skyRows(sky) {
     inverseOffsets.resize(static_cast<std::size_t>(height));
-    for (int row = 0; row < height; ++row) inverseOffsets[static_cast<std::size_t>(row)] = 1.0 / std::fabs(projection.horizon - (row + 0.5));
+    for (int row = 0; row < height; ++row) {
+        const double offset = std::fabs(projection.horizon - (row + 0.5));
+        inverseOffsets[static_cast<std::size_t>(row)] = offset > 0.0 ? 1.0 / offset : std::numeric_limits<double>::infinity();
+    }
 
     const double farRow = projection.rowOf(-eye.z.value(), map->far);
     firstFloorRow = std::max(projection.firstFallingRow, projection.firstRowBelowRow(farRow, true));

@@ -34,6 +34,7 @@ struct Crossing {
 // The first row whose ray passes below a height `rise` above the eye when it crosses a border; rows above it pass at or above that height.
 inline int firstRowBelow(const Projection& projection, double rise, const Crossing& border) {
     if (rise == 0.0) return projection.firstFallingRow;
+    if (border.distance == 0.0) return rise > 0.0 ? 0 : projection.height;
     return projection.firstRowBelowRow(projection.horizon - rise * border.speed / border.distance, (rise > 0.0) == border.nearing);
 }
 

@@ -1,0 +1,25 @@
+// The renderer's picture of a judge's scene.
+#pragma once
+
+#include "base/image.h"
+#include "random_scene.h"
+#include "render/renderer.h"
+
+namespace slicecast::judge {
+
+inline RenderOptions optionsOf(const View& view) {
+    return {.fovDegrees = view.fovDegrees, .detail = view.detail, .light = view.light, .fog = view.fog};
+}
+
+inline Eye eyeOf(const View& view) {
+    return {.map = view.map, .x = view.x, .y = view.y, .z = view.z, .headingDegrees = view.headingDegrees, .look = view.look};
+}
+
+// Empty if the renderer refuses.
+inline Image draw(Renderer& renderer, const World& world, const View& view) {
+    Image image(view.width, view.height);
+    const Picture picture{image.pixels.data(), view.width, view.height, view.width};
+    return renderer.draw(world, eyeOf(view), optionsOf(view), picture) ? image : Image{};
+}
+
+}  // namespace slicecast::judge

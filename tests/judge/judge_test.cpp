@@ -1,0 +1,108 @@
+// The renderer before the judge: random worlds and eyes, not one pixel that the tracer does not see.
+#include "suite.h"
+
+#include <gtest/gtest.h>
+
+namespace slicecast::judge {
+namespace {
+
+#ifdef SLICECAST_SANITIZED
+constexpr int kShare = 10;  // sanitizers take a tenth
+#else
+constexpr int kShare = 1;
+#endif
+
+void expectNoComplaint(const Verdict& verdict) {
+    for (const std::string& complaint : verdict.complaints) ADD_FAILURE() << complaint;
+    EXPECT_EQ(verdict.unexcused, 0);
+}
+
+void report(const char* suite, const Verdict& verdict) {
+    std::printf("%s: %lld pixels judged, %lld unexcused, %lld excused\n", suite, static_cast<long long>(verdict.pixels),
+                static_cast<long long>(verdict.unexcused), static_cast<long long>(verdict.excused));
+}
+
+void expectWithinBounds(const Verdict& verdict) {
+    expectNoComplaint(verdict);
+    EXPECT_LE(static_cast<double>(verdict.excused), kExcusedShareOfSuite * static_cast<double>(verdict.pixels));
+    EXPECT_EQ(verdict.crowded, 0) << "pictures with too many excused pixels";
+}
+
+// What the suite must have seen, in a stated least number of pixels: a fault in something that is never seen would not be found.
+struct Seen {
+    const char* what;
+    std::int64_t pixels;
+};
+
+void expectSeen(const Verdict& verdict, std::initializer_list<Seen> all) {
+    for (const Seen& seen : all) {
+        const auto found = verdict.coverage.find(seen.what);
+        EXPECT_GE((found == verdict.coverage.end() ? 0 : found->second) * kShare, seen.pixels) << seen.what;
+    }
+}
+
+TEST(Judge, SmallPictures) {
+    const Verdict verdict = judgeAll(randomScene, 1, 1600 / kShare, kSmallSizes);
+    report("small pictures", verdict);
+    expectWithinBounds(verdict);
+    EXPECT_GE(verdict.pixels * kShare, 10'000'000);
+    expectSeen(verdict, {{"north", 50000},
+                         {"east", 50000},
+                         {"south", 50000},
+                         {"west", 50000},
+                         {"roof", 50000},
+                         {"underside", 50000},
+                         {"north from inside", 10000},
+                         {"east from inside", 10000},
+                         {"south from inside", 10000},
+                         {"west from inside", 10000},
+                         {"roof from inside", 10000},
+                         {"underside from inside", 10000},
+                         {"north smaller", 2000},
+                         {"east smaller", 2000},
+                         {"south smaller", 2000},
+                         {"west smaller", 2000},
+                         {"roof smaller", 2000},
+                         {"underside smaller", 2000},
+                         {"floor", 100000},
+                         {"floor smaller", 5000},
+                         {"floor outside", 100000},
+                         {"floor outside last level", 10000},
+                         {"ceiling", 50000},
+                         {"ceiling smaller", 1000},
+                         {"haze", 20000},
+                         {"sky colour", 50000},
+                         {"sky gradient", 50000},
+                         {"sky panorama", 50000}});
+}
+
+TEST(Judge, FullSizePictures) {
+    const Verdict verdict = judgeAll(randomScene, 100'000, 24 / kShare, kLargeSizes);
+    report("full-size pictures", verdict);
+    expectWithinBounds(verdict);
+    EXPECT_GE(verdict.pixels * kShare, 10'000'000);
+}
+
+// Many rays meet borders and edges exactly here, where either side may be right by the tracer's neighbours; these count apart.
+TEST(Judge, PicturesMadeToTie) {
+    const Verdict verdict = judgeAll(tieScene, 1, 1600 / kShare, kSmallSizes);
+    report("pictures made to tie", verdict);
+    expectNoComplaint(verdict);
+    EXPECT_LE(static_cast<double>(verdict.excused), 0.005 * static_cast<double>(verdict.pixels));
+}
+
+// The judge itself must be able to say no: one pixel of another colour is found.
+TEST(Judge, FindsOneWrongPixel) {
+    Renderer renderer;
+    const Scene scene = randomScene(3, 97, 53);
+    Image image = draw(renderer, scene.world, scene.view);
+    const Colour before = toColour(image.at(40, 20));
+    image.at(40, 20) = toPixel({static_cast<std::uint8_t>(before.r ^ 0x80), before.g, before.b, 255});
+    const Verdict verdict = judge(scene.world, scene.view, image.pixels.data(), image.width, "spoilt");
+    EXPECT_EQ(verdict.unexcused, 1);
+    ASSERT_EQ(verdict.complaints.size(), 1u);
+    EXPECT_NE(verdict.complaints[0].find("pixel 40,20"), std::string::npos) << verdict.complaints[0];
+}
+
+}  // namespace
+}  // namespace slicecast::judge

@@ -1,0 +1,185 @@
+#include "random_scene.h"
+
+#include "base/random.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace slicecast::judge {
+namespace {
+
+// A texture whose every texel tells where it stands: red which texture, green u, blue v. Up to 8 texels a side, neighbours differ so much that they
+// can be told apart in the dimmest light; finer textures only stand in worlds whose light never falls below a half.
+Texture codedTexture(int index, int size) {
+    Image image(size, size);
+    const int step = 240 / size;
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(10 + index * 12), static_cast<std::uint8_t>(8 + x * step), static_cast<std::uint8_t>(8 + y * step), 255});
+        }
+    }
+    return makeTexture("coded " + std::to_string(index), std::move(image));
+}
+
+constexpr int kTextures = 20;
+
+Coordinate fractionOfTile(Random& random, bool coarse) { return {coarse ? random.between(0, 8) * 8192 : random.between(0, 65536)}; }
+
+TextureId anyTexture(Random& random) { return static_cast<TextureId>(random.below(kTextures)); }
+
+Colour anyColour(Random& random) {
+    return {static_cast<std::uint8_t>(random.below(256)), static_cast<std::uint8_t>(random.below(256)), static_cast<std::uint8_t>(random.below(256)), 255};
+}
+
+CellBlueprint randomBlueprint(Random& random, bool coarse) {
+    CellBlueprint blueprint;
+    if (!random.oneIn(3)) {
+        do {
+            blueprint.bottom = random.oneIn(2) ? Coordinate{0} : fractionOfTile(random, coarse);
+            blueprint.top = random.oneIn(3) ? tileEdge(1) : fractionOfTile(random, coarse);
+        } while (blueprint.bottom >= blueprint.top);
+    }
+    for (FaceBlueprint& face : blueprint.faces) {
+        face.texture = anyTexture(random);
+        if (random.oneIn(3)) face.light = random.between(0.5, 1.0);
+    }
+    return blueprint;
+}
+
+Sky randomSky(Random& random) {
+    Sky sky;
+    sky.kind = static_cast<Sky::Kind>(random.below(3));
+    sky.low = anyColour(random);
+    sky.high = anyColour(random);
+    sky.slope = random.between(0.2, 2.0);
+    if (sky.kind == Sky::Kind::panorama) {
+        sky.panorama = Image(random.between(1, 200), random.between(1, 60));
+        for (Pixel& pixel : sky.panorama.pixels) pixel = toPixel(anyColour(random));
+    }
+    return sky;
+}
+
+Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse) {
+    const int longest = random.oneIn(4) ? 40 : 12;
+    Map map = makeMap("random", random.between(1, longest), random.between(1, longest), random.oneIn(8) ? random.between(7, kMaxLevels) : random.between(1, 5),
+                      anyTexture(random));
+    // From a few blocks to nearly solid; some maps repeat one level in all others, so that faces meet flush.
+    const double filled = random.oneIn(5) ? random.between(0.5, 0.95) : random.between(0.0, 0.35);
+    const int blueprints = static_cast<int>(world.blueprints.size());
+    for (int y = 0; y < map.depth; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            for (int level = 0; level < map.levels; ++level) {
+                if (random.unit() < filled) map.setCell(x, y, level, static_cast<BlueprintId>(random.between(1, blueprints - 1)));
+            }
+        }
+    }
+    map.floor.light = random.oneIn(2) ? 1.0 : random.between(0.5, 1.0);
+    if (random.oneIn(2)) {
+        for (TextureId& tile : map.floor.tiles) {
+            if (random.oneIn(3)) tile = anyTexture(random);
+        }
+    }
+    if (random.oneIn(2)) {
+        map.ceiling.height = {random.between(1, map.levels * 65536 + 65536)};
+        if (coarse || random.oneIn(3)) map.ceiling.height = {std::max(1, map.ceiling.height.raw >> 14) * 16384};
+        map.ceiling.light = random.between(0.5, 1.0);
+        const TextureId texture = anyTexture(random);
+        const int open = random.between(0, 3);
+        map.ceiling.tiles.resize(map.floor.tiles.size());
+        for (TextureId& tile : map.ceiling.tiles) tile = open > 0 && random.oneIn(2 * open) ? kNoTexture : random.oneIn(4) ? anyTexture(random) : texture;
+    }
+    map.sky = randomSky(random);
+    map.light.on = !random.oneIn(4);
+    map.light.intensity = random.between(0.5, 3.0);
+    map.light.multiplier = random.between(1.0, 6.0);
+    map.light.darkest = fineTextures ? random.between(0.5, 0.9) : random.between(0.1, 0.6);
+    map.light.brightest = random.between(0.9, 1.0);
+    if (fineTextures) {
+        // Full brightness from half the clamp on: face factors are at least a half, and the product is to stay there.
+        map.light.darkest = 1.0;
+        map.light.brightest = 1.0;
+    }
+    if (random.oneIn(3)) {
+        map.fog.on = true;
+        map.fog.start = random.between(0.0, 10.0);
+        map.fog.end = map.fog.start + random.between(20.0, 60.0);
+    }
+    map.haze = anyColour(random);
+    if (random.oneIn(3)) map.far = random.between(2.0, 60.0);
+    return map;
+}
+
+World randomWorld(Random& random, bool coarse) {
+    World world;
+    const bool fine = random.oneIn(3);
+    for (int i = 0; i < kTextures; ++i) world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8));
+    const int blueprints = random.between(1, 12);
+    for (int i = 0; i < blueprints; ++i) world.blueprints.push_back(randomBlueprint(random, coarse));
+    world.maps.push_back(randomMap(random, world, fine, coarse));
+    return world;
+}
+
+bool insideBlock(const World& world, const View& view) {
+    const Map& map = world.maps[0];
+    const int level = view.z.tile();
+    const BlueprintId id = map.cell(view.x.tile(), view.y.tile(), level);
+    if (id == kEmptyCell) return false;
+    const Coordinate height = view.z - tileEdge(level);
+    return height >= world.blueprints[id].bottom && height < world.blueprints[id].top;
+}
+
+}  // namespace
+
+Scene randomScene(std::uint64_t seed, int width, int height) {
+    Random random(seed);
+    Scene scene{randomWorld(random, random.oneIn(3)), {}};
+    const Map& map = scene.world.maps[0];
+    View& view = scene.view;
+    view.width = width;
+    view.height = height;
+    view.fovDegrees = random.between(30.0, 110.0);
+    view.headingDegrees = random.oneIn(6) ? 45.0 * random.between(-8, 16) : random.between(-400.0, 800.0);
+    view.look = random.oneIn(3) ? random.between(-2.0, 2.0) : random.between(-0.4, 0.4);
+    view.detail = !random.oneIn(4);
+    view.light = !random.oneIn(8);
+    view.fog = !random.oneIn(8);
+    const bool wantInside = random.oneIn(12);
+    const bool wantOutside = random.oneIn(12);
+    for (int tries = 0; tries < 50; ++tries) {
+        const int margin = wantOutside ? 6 : 0;
+        view.x = {random.between(-margin * 65536, (map.width + margin) * 65536 - 1)};
+        view.y = {random.between(-margin * 65536, (map.depth + margin) * 65536 - 1)};
+        if (random.oneIn(8)) view.x = tileEdge(view.x.tile());
+        if (random.oneIn(8)) view.y = tileEdge(view.y.tile());
+        // Beside a wall: a step of the grid, or a few, from the border.
+        if (random.oneIn(8)) view.x = {tileEdge(view.x.tile()).raw + random.between(-3, 3)};
+        if (random.oneIn(8)) view.y = {tileEdge(view.y.tile()).raw + random.between(-3, 3)};
+        const int heights = random.oneIn(4) ? map.levels + 4 : map.levels;
+        view.z = {random.between(1, heights * 65536)};
+        if (random.oneIn(6)) view.z = {std::max(1, view.z.raw >> 13) * 8192};
+        if (random.oneIn(12)) view.z = {random.between(1, 40)};
+        if (insideBlock(scene.world, view) == wantInside) break;
+    }
+    return scene;
+}
+
+Scene tieScene(std::uint64_t seed, int width, int height) {
+    Random random(seed);
+    Scene scene{randomWorld(random, true), {}};
+    const Map& map = scene.world.maps[0];
+    View& view = scene.view;
+    view.width = width;
+    view.height = height;
+    view.fovDegrees = 90.0;
+    view.headingDegrees = 45.0 * random.between(0, 7);
+    view.look = 0.125 * random.between(-4, 4);
+    view.detail = !random.oneIn(3);
+    const auto onGrid = [&](int tiles) { return Coordinate{random.oneIn(2) ? random.between(0, tiles) * 65536 : random.between(0, tiles * 8) * 8192}; };
+    view.x = onGrid(map.width);
+    view.y = onGrid(map.depth);
+    view.z = {random.between(1, map.levels * 8 + 4) * 8192};
+    return scene;
+}
+
+}  // namespace slicecast::judge

@@ -1,0 +1,22 @@
+// Random worlds and eyes for the judge, the same for the same seed everywhere.
+#pragma once
+
+#include "tracer.h"
+#include "world/world.h"
+
+#include <cstdint>
+
+namespace slicecast::judge {
+
+struct Scene {
+    World world;
+    View view;
+};
+
+// Anything goes: all block shapes, eyes at any height, inside blocks, outside the grid, looking far up and down. `width` and `height` are the picture's.
+Scene randomScene(std::uint64_t seed, int width, int height);
+
+// Made to tie: eyes on borders, corners and edges, quarter and eighth turns, a field of view of 90 degrees, so that many rays meet borders exactly.
+Scene tieScene(std::uint64_t seed, int width, int height);
+
+}  // namespace slicecast::judge

@@ -1,0 +1,48 @@
+// The judge's suites: many random pictures, judged and summed up.
+#pragma once
+
+#include "draw.h"
+#include "random_scene.h"
+#include "verdict.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace slicecast::judge {
+
+struct Size {
+    int width;
+    int height;
+};
+
+// Small pictures of many shapes.
+inline constexpr std::array<Size, 8> kSmallSizes = {{{160, 100}, {1, 1}, {7, 3}, {64, 64}, {97, 53}, {128, 80}, {33, 120}, {160, 99}}};
+// Full size and odd.
+inline constexpr std::array<Size, 4> kLargeSizes = {{{1280, 720}, {641, 399}, {1280, 720}, {1279, 721}}};
+
+using MakeScene = Scene (*)(std::uint64_t seed, int width, int height);
+
+// Judges the pictures of the seeds [first, first + count). A refused picture counts as an unexcused pixel.
+template <typename Sizes>
+Verdict judgeAll(MakeScene make, std::uint64_t first, int count, const Sizes& sizes) {
+    Renderer renderer;
+    Verdict sum;
+    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
+        const Size size = sizes[seed % sizes.size()];
+        const Scene scene = make(seed, size.width, size.height);
+        const std::string name = "seed " + std::to_string(seed);
+        const Image image = draw(renderer, scene.world, scene.view);
+        if (image.empty()) {
+            Verdict refused;
+            refused.unexcused = 1;
+            refused.complaints = {name + ": the renderer refused to draw"};
+            sum.add(refused);
+            continue;
+        }
+        sum.add(judge(scene.world, scene.view, image.pixels.data(), image.width, name));
+    }
+    return sum;
+}
+
+}  // namespace slicecast::judge
