@@ -19,6 +19,7 @@ constexpr int kLabelledSide = 120;  // pixels from which the level's number is s
 constexpr Colour kLowBlock = {112, 58, 48, 255};
 constexpr Colour kHighBlock = {214, 122, 92, 255};
 constexpr Colour kWholeBlock = {104, 132, 168, 255};
+constexpr double kFloatingShade = 0.5;  // of a block's colour, the rest is that of the ground under it
 constexpr Colour kEdge = {226, 232, 240, 150};
 constexpr Colour kNearGround = {82, 88, 97, 255};
 constexpr Colour kDeepGround = {30, 34, 42, 255};
@@ -51,13 +52,13 @@ Coordinate groundBelow(const World& world, const Map& map, int x, int y, int lev
 }
 
 Colour tileColour(const World& world, const Map& map, int x, int y, int level) {
+    const double drop = (tileEdge(level) - groundBelow(world, map, x, y, level)).value();
+    const Colour ground = mixed(kNearGround, kDeepGround, drop > 0.0 ? std::min(kLeastShade + (1.0 - kLeastShade) * drop / kDeepestShade, 1.0) : 0.0);
     const BlueprintId id = map.cell(x, y, level);
-    if (id == kEmptyCell) {
-        const double drop = (tileEdge(level) - groundBelow(world, map, x, y, level)).value();
-        return mixed(kNearGround, kDeepGround, drop > 0.0 ? std::min(kLeastShade + (1.0 - kLeastShade) * drop / kDeepestShade, 1.0) : 0.0);
-    }
-    const Coordinate top = world.blueprints[id].top;
-    return top == tileEdge(1) ? kWholeBlock : mixed(kLowBlock, kHighBlock, top.value());
+    if (id == kEmptyCell) return ground;
+    const CellBlueprint& block = world.blueprints[id];
+    const Colour colour = block.top == tileEdge(1) ? kWholeBlock : mixed(kLowBlock, kHighBlock, block.top.value());
+    return block.bottom.raw > 0 ? mixed(ground, colour, kFloatingShade) : colour;
 }
 
 // The middle of the picture's square is the pixel in which the eye is.

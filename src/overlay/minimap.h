@@ -2,6 +2,7 @@
 //
 //     brick red, the brighter the higher      a block of part of the level's height
 //     slate blue                              a block that reaches the level's upper edge
+//     either of these, half through            a block that stands in the air
 //     grey, the darker the deeper             no block: how far down the ground lies below
 //     nothing                                 outside the grid
 //

@@ -10,7 +10,7 @@ namespace slicecast {
 namespace {
 
 // A map of 40 x 30 x 3 with, about the eye at (20.5, 15.5): a whole block two tiles north, a low one two tiles east, a higher one two tiles south, and a
-// block on level 1 two tiles west.
+// block on level 1 two tiles west; four tiles north the upper half of a block in the air.
 World smallWorld() {
     World world;
     for (const double top : {1.0, 0.25, 0.75}) {
@@ -18,12 +18,16 @@ World smallWorld() {
         block.top = toCoordinate(top);
         world.blueprints.push_back(block);
     }
+    CellBlueprint floating;
+    floating.bottom = toCoordinate(0.5);
+    world.blueprints.push_back(floating);
     world.maps.push_back(makeMap("map", 40, 30, 3, kNoTexture));
     Map& map = world.maps[0];
     map.setCell(20, 13, 0, 1);
     map.setCell(22, 15, 0, 2);
     map.setCell(20, 17, 0, 3);
     map.setCell(18, 15, 1, 1);
+    map.setCell(20, 11, 0, 4);
     return world;
 }
 
@@ -95,6 +99,7 @@ TEST(Minimap, ShowsHeightsByColourWithNorthUp) {
     EXPECT_GT(brightness(high), brightness(low) + 40);
     EXPECT_LT(brightness(ground), brightness(whole) - 40);
     EXPECT_EQ(seen.tile(1, 3), ground);
+    EXPECT_NEAR(brightness(seen.tile(0, -4)), (brightness(whole) + brightness(ground)) / 2, 4) << "in the air";
 }
 
 TEST(Minimap, ShowsTheLevelOfTheEyeOrTheChosenOne) {
