@@ -1,7 +1,6 @@
 #include "scene/checker.h"
 
 #include "scene/limits.h"
-#include "scene/names.h"
 
 #include <algorithm>
 #include <utility>
@@ -29,6 +28,14 @@ std::string listed(const std::vector<std::string_view>& keys) {
 
 }  // namespace
 
+Fault moreFaults(const std::string& file, std::size_t count) {
+    Fault last;
+    last.file = file;
+    last.found = counted(static_cast<std::int64_t>(count), "more fault");
+    last.expected = "fewer; no more than " + std::to_string(kMaxFaults) + " are listed";
+    return last;
+}
+
 std::string quoted(std::string_view text) {
     constexpr std::size_t kMostBytes = 60;
     std::string shown = "\"";
@@ -46,6 +53,8 @@ std::string counted(std::int64_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+bool Checker::isFull() const { return faults_.size() >= kMaxFaults; }
+
 void Checker::addAt(std::size_t offset, std::string pointer, int row, int character, std::string found,
                     std::string expected) {
     const Place place = source_.place(offset);
@@ -61,7 +70,7 @@ void Checker::addAt(std::size_t offset, std::string pointer, int row, int charac
 }
 
 void Checker::add(JsonValue at, std::string found, std::string expected) {
-    if (faults_.size() >= kMaxFaults) {
+    if (isFull()) {
         ++omitted_;
         return;
     }
@@ -69,7 +78,7 @@ void Checker::add(JsonValue at, std::string found, std::string expected) {
 }
 
 void Checker::addAtKey(JsonValue member, std::string found, std::string expected) {
-    if (faults_.size() >= kMaxFaults) {
+    if (isFull()) {
         ++omitted_;
         return;
     }
@@ -77,7 +86,7 @@ void Checker::addAtKey(JsonValue member, std::string found, std::string expected
 }
 
 void Checker::addInRow(JsonValue text, int row, int character, std::string found, std::string expected) {
-    if (faults_.size() >= kMaxFaults) {
+    if (isFull()) {
         ++omitted_;
         return;
     }
@@ -92,13 +101,7 @@ std::vector<Fault> Checker::take() {
                      [](const Placed& a, const Placed& b) { return a.offset < b.offset; });
     std::vector<Fault> faults;
     for (Placed& placed : faults_) faults.push_back(std::move(placed.fault));
-    if (omitted_ > 0) {
-        Fault last;
-        last.file = file_;
-        last.found = counted(static_cast<std::int64_t>(omitted_), "more fault");
-        last.expected = "fewer; no more than " + std::to_string(kMaxFaults) + " are listed";
-        faults.push_back(std::move(last));
-    }
+    if (omitted_ > 0) faults.push_back(moreFaults(file_, omitted_));
     faults_.clear();
     omitted_ = 0;
     return faults;
@@ -131,11 +134,15 @@ std::optional<Fields> Checker::fields(JsonValue value, std::vector<std::string_v
     for (const JsonValue member : value) {
         if (member.key() == "comment") {
             if (!member.isText()) add(member, shown(member), "a text");
-        } else if (std::find(known.begin(), known.end(), member.key()) == known.end()) {
+        } else if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
+            continue;
+        } else if (isFull()) {
+            ++omitted_;
+        } else {
             addAtKey(member, "the unknown key " + quoted(member.key()),
                      "one of the keys " + listed(known) + suggestion(member.key(), known));
             const std::string_view meant = nearestName(member.key(), known);
-            if (!meant.empty() && count() <= kMaxFaults) fields.addMisspelt(meant, member);
+            if (!meant.empty()) fields.addMisspelt(meant, member);
         }
     }
     return fields;
@@ -168,6 +175,18 @@ std::optional<std::string> Checker::text(JsonValue value, std::size_t longest, s
     }
     add(value, shown(value), std::move(expected));
     return std::nullopt;
+}
+
+std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& names, const std::string& what) {
+    const std::optional<std::string> name = text(value, kMaxNameLength, "the name of a " + what);
+    if (!name) return std::nullopt;
+    const std::optional<std::uint16_t> id = names.find(*name);
+    if (!id && isFull()) {
+        ++omitted_;
+    } else if (!id) {
+        add(value, "the name " + quoted(*name), "the name of a " + what + names.suggestionFor(*name));
+    }
+    return id;
 }
 
 std::optional<Colour> Checker::colour(JsonValue value) {

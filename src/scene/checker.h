@@ -4,6 +4,7 @@
 
 #include "base/colour.h"
 #include "scene/json_tree.h"
+#include "scene/names.h"
 #include "scene/scene.h"
 #include "scene/source_text.h"
 
@@ -54,6 +55,8 @@ public:
     std::optional<bool> flag(JsonValue value);
     // A text of 1 to `longest` characters; `expected` says what it is.
     std::optional<std::string> text(JsonValue value, std::size_t longest, std::string expected);
+    // The number of a name out of `names`; `what` says of what: "texture".
+    std::optional<std::uint16_t> name(JsonValue value, const NameTable& names, const std::string& what);
     // "#rrggbb"
     std::optional<Colour> colour(JsonValue value);
 
@@ -62,6 +65,8 @@ private:
         std::size_t offset;
         Fault fault;
     };
+    // Beyond the most faults that are listed, the others are only counted; nothing that costs time should be done for them.
+    bool isFull() const;
     void addAt(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected);
 
     const SourceText& source_;
@@ -91,6 +96,9 @@ private:
     JsonValue object_;
     std::vector<std::pair<std::string_view, JsonValue>> misspelt_;
 };
+
+// The last entry of a list that leaves out others.
+Fault moreFaults(const std::string& file, std::size_t count);
 
 // A text in quotes, shortened if it is long.
 std::string quoted(std::string_view text);

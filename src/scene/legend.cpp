@@ -80,16 +80,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         } else if (!isSingle) {
             checker.addAtKey(member, "the key " + quoted(key), "a single character that can be seen");
         }
-        const std::optional<std::string> name = checker.text(member, kMaxNameLength, "the name of a " + what);
-        std::uint16_t id = 0;
-        if (name) {
-            const std::optional<std::uint16_t> known = names.find(*name);
-            if (!known) {
-                checker.add(member, "the name " + quoted(*name),
-                            "the name of a " + what + names.suggestionFor(*name));
-            }
-            id = known.value_or(0);
-        }
+        const std::uint16_t id = checker.name(member, names, what).value_or(0);
         // A character of a faulty key, or with a faulty meaning, is known all the same: its uses in the grids are no faults of their own.
         for (std::size_t offset = 0; offset < key.size() && !isReserved;) {
             const char32_t meant = takeCodePoint(key, offset);

@@ -14,10 +14,10 @@ inline constexpr std::size_t kMaxSceneValues = 2'000'000;  // values in the JSON
 inline constexpr std::size_t kMaxNameLength = 100;         // characters of the name of a texture, blueprint or map
 inline constexpr std::size_t kMaxPathLength = 1000;        // characters of a file's name
 inline constexpr std::size_t kMaxTitleLength = 200;        // characters
-inline constexpr std::size_t kMaxLegend = 4096;           // characters of one legend
+inline constexpr std::size_t kMaxLegend = 4096;            // characters of one legend
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more help nobody
 inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
-inline constexpr std::int64_t kMaxSceneTexels = 128 << 20;  // of all images together, a panorama counted for each map that shows it: 512 MB
+inline constexpr std::int64_t kMaxSceneTexels = 64 << 20;  // of all images together, a panorama counted for each map that shows it: 600 MB with the levels of detail
 
 // Ranges of a scene's numbers that are no limit of the world itself.
 inline constexpr double kMaxHeight = 1000.0;      // units; of a ceiling and of the start

@@ -1,3 +1,4 @@
+#include "scene/checker.h"
 #include "scene/description.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
@@ -38,7 +39,18 @@ public:
         return image;
     }
 
-    std::vector<Fault> faults;
+    // In the order of the text.
+    std::vector<Fault> takeFaults() {
+        std::stable_sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
+            return a.line != b.line ? a.line < b.line : a.column < b.column;
+        });
+        if (faults_.size() > kMaxFaults) {
+            const std::size_t omitted = faults_.size() - kMaxFaults;
+            faults_.resize(kMaxFaults);
+            faults_.push_back(moreFaults(description_.fileName, omitted));
+        }
+        return std::move(faults_);
+    }
 
 private:
     static std::string sizeOf(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
@@ -51,7 +63,7 @@ private:
         fault.column = reference.place.column;
         fault.found = "\"" + reference.file + "\", " + found;
         fault.expected = std::move(expected);
-        faults.push_back(std::move(fault));
+        faults_.push_back(std::move(fault));
     }
 
     Image decode(const ImageReference& reference, int maxWidth, int maxHeight) {
@@ -94,6 +106,7 @@ private:
 
     const SceneDescription& description_;
     const SceneFiles& files_;
+    std::vector<Fault> faults_;
     std::map<std::string, Image> panoramas_;
     std::int64_t texels_ = 0;
 };
@@ -115,14 +128,8 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
     for (const PanoramaReference& panorama : description.panoramas) {
         world.maps[panorama.map].sky.panorama = reader.panorama(panorama.image);
     }
-    if (reader.faults.empty()) {
-        loaded.world = std::move(world);
-    } else {
-        loaded.faults = std::move(reader.faults);
-        std::stable_sort(loaded.faults.begin(), loaded.faults.end(), [](const Fault& a, const Fault& b) {
-            return a.line != b.line ? a.line < b.line : a.column < b.column;
-        });
-    }
+    loaded.faults = reader.takeFaults();
+    if (loaded.faults.empty()) loaded.world = std::move(world);
     return loaded;
 }
 

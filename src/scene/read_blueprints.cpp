@@ -26,7 +26,7 @@ constexpr FaceKey kFaceKeys[] = {
 FaceBlueprint readFace(Reading& reading, JsonValue value) {
     FaceBlueprint face;
     if (value.isText()) {
-        face.texture = readTextureName(reading, value).value_or(0);
+        face.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
         return face;
     }
     face.texture = 0;
@@ -34,7 +34,7 @@ FaceBlueprint readFace(Reading& reading, JsonValue value) {
                                                "a texture's name, or an object with \"texture\" and \"light\"");
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
-        face.texture = readTextureName(reading, *texture).value_or(0);
+        face.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
     }
     face.light = fields->number("light", kUnitRange, 1.0);
     return face;

@@ -56,11 +56,7 @@ void readStart(Reading& reading, JsonValue value) {
     const std::size_t faultsBefore = checker.count();
     Start& start = reading.description.world.start;
     if (const auto member = fields->find("map")) {
-        if (const auto name = checker.text(*member, kMaxNameLength, "the name of a map")) {
-            const auto index = reading.maps.find(*name);
-            if (!index) checker.add(*member, "the name " + quoted(*name), "the name of a map" + reading.maps.suggestionFor(*name));
-            start.map = index.value_or(0);
-        }
+        start.map = checker.name(*member, reading.maps, "map").value_or(0);
     }
     for (const std::string_view key : {"x", "y"}) fields->require(key, kAcross.words);
     start.x = toCoordinate(fields->number("x", kAcross, 0.0));

@@ -50,13 +50,13 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     std::optional<Fields> fields;
     map.floor.texture = 0;
     if (value.isText()) {
-        map.floor.texture = readTextureName(reading, value).value_or(0);
+        map.floor.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
     } else {
         fields = reading.checker.fields(value, {"texture", "light", "legend", "tiles"},
                                         "a texture's name, or an object with \"texture\"");
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
-            map.floor.texture = readTextureName(reading, *texture).value_or(0);
+            map.floor.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
         }
         map.floor.light = fields->number("light", kUnitRange, 1.0);
     }
@@ -73,7 +73,7 @@ void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     }
     TextureId own = 0;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
-        own = readTextureName(reading, *texture).value_or(0);
+        own = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
     }
     map.ceiling.light = fields->number("light", kUnitRange, 1.0);
     if (hasSize) map.ceiling.tiles.assign(map.floor.tiles.size(), own);

@@ -45,17 +45,6 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
     return {std::move(file), value.pointer(), checker.source().place(value.offset())};
 }
 
-std::optional<TextureId> readTextureName(Reading& reading, JsonValue value) {
-    const std::optional<std::string> name = reading.checker.text(value, kMaxNameLength, "the name of a texture");
-    if (!name) return std::nullopt;
-    const std::optional<TextureId> id = reading.textures.find(*name);
-    if (!id) {
-        reading.checker.add(value, "the name " + quoted(*name),
-                            "the name of a texture" + reading.textures.suggestionFor(*name));
-    }
-    return id;
-}
-
 void readTextures(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {

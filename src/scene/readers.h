@@ -28,9 +28,6 @@ struct Reading {
 // "textures": { NAME: FILE }
 void readTextures(Reading& reading, JsonValue value);
 
-// The name of a texture, as its number.
-std::optional<TextureId> readTextureName(Reading& reading, JsonValue value);
-
 // A PNG file's name, relative to the scene.
 std::optional<std::string> readFileName(Checker& checker, JsonValue value);
 

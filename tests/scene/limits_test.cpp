@@ -1,0 +1,137 @@
+// Scenes at and beyond the limits: refused before they take the memory, and quick to read up to there.
+#include "scene/limits.h"
+
+#include "base/image.h"
+#include "scene/scene_files.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace slicecast {
+namespace {
+
+// A level of empty tiles with a free start, as JSON.
+std::string level(int width, int depth) {
+    std::string rows = "[";
+    const std::string row = "\"" + std::string(static_cast<std::size_t>(width), '.') + "\"";
+    for (int y = 0; y < depth; ++y) rows += (y > 0 ? "," : "") + row;
+    return rows + "]";
+}
+
+std::vector<Fault> faultsOf(const std::string& text) { return parseScene(text, "test.json").faults; }
+
+TEST(Limits, TheLargestMapIsReadInSeconds) {
+    const std::string text = smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + "]");
+    const auto start = std::chrono::steady_clock::now();
+    const ParsedScene parsed = parseScene(text, "test.json");
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    EXPECT_EQ(inWords(parsed.faults), "");
+#ifndef SLICECAST_SANITIZED
+    EXPECT_LT(seconds, 4.0);
+#else
+    EXPECT_LT(seconds, 40.0);
+#endif
+    const LoadedScene loaded = loadScene(parsed, readSceneFiles(sceneTestFolder(), parsed));
+    ASSERT_TRUE(loaded.world.has_value());
+    EXPECT_EQ(loaded.world->maps[0].width, kMaxMapWidth);
+    EXPECT_EQ(loaded.world->maps[0].depth, kMaxMapDepth);
+}
+
+TEST(Limits, EmptyLevelsCountAsCells) {
+    // 4096 x 4096 x 4 cells are more than 64 million; the text says so in a few bytes.
+    const std::vector<Fault> faults = faultsOf(smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + ",[],[],[]]"));
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_NE(faults[0].found.find("67108864 cells"), std::string::npos) << faults[0].found;
+}
+
+TEST(Limits, CellsAreCountedInAllMapsTogether) {
+    const std::string first = "[" + level(4096, 2048) + ",[],[],[]]";  // 33.6 million
+    const std::string second = R"("levels": [)" + level(4096, 2048) + ",[],[],[]]";
+    const std::string text = smallScene(first, R"("far": 9 }, { "name": "other", "floor": "brick", )" + second);
+    const std::vector<Fault> faults = faultsOf(text);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].pointer, "/maps/1/levels");
+}
+
+TEST(Limits, MapsOfOneCellMore) {
+    EXPECT_EQ(faultsOf(smallScene("[" + level(kMaxMapWidth, 3) + "]")).size(), 0u);
+    EXPECT_EQ(faultsOf(smallScene("[" + level(kMaxMapWidth + 1, 3) + "]")).size(), 1u);
+    EXPECT_EQ(faultsOf(smallScene("[" + level(3, kMaxMapDepth) + "]")).size(), 0u);
+    EXPECT_EQ(faultsOf(smallScene("[" + level(3, kMaxMapDepth + 1) + "]")).size(), 1u);
+}
+
+TEST(Limits, FilesAndValues) {
+    EXPECT_EQ(faultsOf(std::string(kMaxSceneBytes + 1, ' ')).at(0).expected, "at most 134217728");
+    std::string values = "[0";
+    for (std::size_t i = 0; i < kMaxSceneValues; ++i) values += ",0";
+    const std::vector<Fault> faults = faultsOf(values + "]");
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].found, "more than 2000000 values");
+    EXPECT_GT(faults[0].column, static_cast<int>(kMaxSceneValues));
+}
+
+TEST(Limits, NamesTitlesAndLegends) {
+    const auto withTexture = [](std::size_t length) {
+        const std::string name(length, 'n');
+        return R"({ "title": "T", "textures": { ")" + name + R"(": "broken/images/brick.png" }, "maps": [{ "name": "m", "floor": ")" + name +
+               R"(", "levels": [["..", ".."]] }], "start": { "x": 1, "y": 1 } })";
+    };
+    EXPECT_EQ(faultsOf(withTexture(kMaxNameLength)).size(), 0u);
+    EXPECT_EQ(faultsOf(withTexture(kMaxNameLength + 1)).size(), 2u);  // where it is given, and where it is used
+
+    const auto withLegend = [](std::size_t count) {
+        std::string legend;
+        for (std::size_t i = 0; i < count; ++i) legend += (i > 0 ? ", \"" : "\"") + std::string("\xe4") + static_cast<char>(0x80 + i / 64) + static_cast<char>(0x80 + i % 64) + "\": \"wall\"";
+        return smallScene(R"([["###", "#.#", "###"]])", R"("legend": { )" + legend + " }");
+    };
+    EXPECT_EQ(faultsOf(withLegend(kMaxLegend)).size(), 0u);
+    EXPECT_EQ(faultsOf(withLegend(kMaxLegend - 1)).size(), 0u);
+    const std::string tooMany = withLegend(kMaxLegend);
+    const std::size_t at = tooMany.rfind(": \"wall\" }");
+    EXPECT_EQ(faultsOf(std::string(tooMany).insert(at + 8, ", \"x\": \"wall\"")).size(), 1u);
+}
+
+TEST(Limits, NoMoreFaultsThanAPersonReads) {
+    std::string rows = "[";
+    for (int y = 0; y < 1500; ++y) rows += y > 0 ? ",\"Q\"" : "\"Q\"";
+    const std::vector<Fault> faults = faultsOf(smallScene("[" + rows + "]]"));
+    ASSERT_EQ(faults.size(), kMaxFaults + 1);
+    EXPECT_EQ(faults[0].row, 0);
+    EXPECT_EQ(faults[999].row, 999);
+    EXPECT_EQ(faults.back().found, "500 more faults");
+    EXPECT_EQ(faults.back().line, 0);
+}
+
+TEST(Limits, NoMoreMissingImagesEither) {
+    std::string textures;
+    for (int i = 0; i < 1200; ++i) textures += "\"t" + std::to_string(i) + "\": \"" + std::to_string(i) + ".png\", ";
+    std::string text = smallScene();
+    text.insert(text.find("\"brick\": "), textures);
+    const std::vector<Fault> faults = loadScene(parseScene(text, "test.json"), {}).faults;
+    ASSERT_EQ(faults.size(), kMaxFaults + 1);
+    EXPECT_EQ(faults[7].pointer, "/textures/t7");
+    EXPECT_EQ(faults.back().found, "201 more faults");
+}
+
+TEST(Limits, ImagesOfAllMapsTogether) {
+    // 32 maps that show one panorama of 2 million pixels have all that there may be; the texture is too much.
+    Image sky(2048, 1024);
+    sky.pixels.assign(sky.pixels.size(), toPixel({120, 160, 220, 255}));
+    constexpr int kMaps = 32;
+    static_assert(kMaps * std::int64_t{2048} * 1024 == kMaxSceneTexels);
+    std::string maps;
+    for (int i = 1; i < kMaps; ++i) {
+        maps += R"("sky": { "panorama": "sky.png" } }, { "name": "map )" + std::to_string(i) + R"(", "floor": "brick", "levels": [["."]], )";
+    }
+    const ParsedScene parsed = parseScene(smallScene(R"([["...", "...", "..."]])", maps + R"("sky": { "panorama": "sky.png" })"), "test.json");
+    EXPECT_EQ(inWords(parsed.faults), "");
+    SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
+    files["sky.png"] = encodePng(sky.pixels.data(), sky.width, sky.height, sky.width);
+    const LoadedScene loaded = loadScene(parsed, files);
+    ASSERT_EQ(loaded.faults.size(), 1u);
+    EXPECT_EQ(loaded.faults[0].pointer, "/maps/31/sky/panorama");
+}
+
+}  // namespace
+}  // namespace slicecast
