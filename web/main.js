@@ -208,7 +208,7 @@ class Page {
   #showProgress(step, share, bytes) {
     find('loading-bar').value = Math.max(0, Math.min(1, share));
     find('loading-step').textContent = step;
-    find('loading-bytes').textContent = bytes > 0 ? `${Math.ceil(bytes / 1024)} KB` : '';
+    find('loading-bytes').textContent = bytes > 0 ? `· ${Math.ceil(bytes / 1024)} KB` : '';
   }
 
   #fail(trouble, { again }) {
@@ -335,9 +335,9 @@ class Page {
     window.addEventListener('beforeunload', (event) => {
       if (asks) event.preventDefault();
     });
-    // The engine has failed between two calls of ours.
+    // The engine has failed between two calls of ours, or before its first picture.
     window.addEventListener('error', ({ error }) => {
-      if (error instanceof WebAssembly.RuntimeError) this.#fail(asTrouble(error), { again: () => location.reload() });
+      if (error instanceof WebAssembly.RuntimeError || (this.engine?.hasBegun && !this.ready)) this.#fail(asTrouble(error), { again: () => location.reload() });
     });
   }
 

@@ -40,10 +40,14 @@ export class Stage {
 
   layOut() {
     const ratio = window.devicePixelRatio || 1;
-    const { clientWidth, clientHeight } = this.stage;
-    const wanted = layOut(this.size, clientWidth * ratio, clientHeight * ratio);
+    const windowWidth = this.stage.clientWidth * ratio;
+    const windowHeight = this.stage.clientHeight * ratio;
+    const wanted = layOut(this.size, windowWidth, windowHeight);
     this.frame.style.width = `${wanted.shownWidth / ratio}px`;
     this.frame.style.height = `${wanted.shownHeight / ratio}px`;
+    // In the middle, but never between two pixels of the screen.
+    this.frame.style.left = `${Math.floor((windowWidth - wanted.shownWidth) / 2) / ratio}px`;
+    this.frame.style.top = `${Math.floor((windowHeight - wanted.shownHeight) / 2) / ratio}px`;
     if (wanted.width === this.width && wanted.height === this.height) return;
     this.width = wanted.width;
     this.height = wanted.height;

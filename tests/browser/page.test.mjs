@@ -36,7 +36,7 @@ test('the loading bar shows real progress and goes', async (t) => {
   assert.ok(new Set(values).size >= 6, `only the values ${[...new Set(values)]}`);
   assert.deepEqual(values, [...values].sort((a, b) => a - b), 'it never goes back');
   assert.ok(values.some((value) => value > 0.05 && value < 0.45) && values.some((value) => value > 0.55 && value < 0.95));
-  assert.ok(seen.some(({ step, bytes }) => step === 'Fetching the engine' && /^[1-9]\d* KB$/.test(bytes)));
+  assert.ok(seen.some(({ step, bytes }) => step === 'Fetching the engine' && /^· [1-9]\d* KB$/.test(bytes)));
   assert.ok(seen.some(({ step }) => step === 'Opening room.json'));
 });
 

@@ -45,8 +45,8 @@ test('the picture follows the window, and never exceeds 1280 x 720 pixels', asyn
   assert.equal(await shownSize(page), '1368x768');
 });
 
-test('a chosen size is scaled by a whole number, without blur', async (t) => {
-  const { page } = await openScene(t, browser, { viewport: { width: 1280, height: 720 } });
+for (const ratio of [1, 1.25]) test(`a chosen size is scaled by a whole number, without blur, where a CSS pixel is ${ratio} of the screen's`, async (t) => {
+  const { page } = await openScene(t, browser, { viewport: { width: 1280, height: 720 }, context: { deviceScaleFactor: ratio } });
   await openSettings(page);
   await page.selectOption('#set-size', '320x180');
   await untilSize(page, '320x180');
@@ -61,12 +61,13 @@ test('a chosen size is scaled by a whole number, without blur', async (t) => {
     const image = await createImageBitmap(await (await fetch(address)).blob());
     const copy = new OffscreenCanvas(image.width, image.height).getContext('2d');
     copy.drawImage(image, 0, 0);
-    const screen = new Uint32Array(copy.getImageData(0, 0, 1280, 720).data.buffer);
+    const scale = image.width / 320;
+    const screen = new Uint32Array(copy.getImageData(0, 0, image.width, image.height).data.buffer);
     const picture = new Uint32Array(document.getElementById('picture').getContext('2d').getImageData(0, 0, 320, 180).data.buffer);
     return screen.reduce((sum, colour, index) => {
-      const x = index % 1280;
-      const y = (index - x) / 1280;
-      return sum + (colour === picture[(y >> 2) * 320 + (x >> 2)] ? 0 : 1);
+      const x = index % image.width;
+      const y = (index - x) / image.width;
+      return sum + (colour === picture[Math.floor(y / scale) * 320 + Math.floor(x / scale)] ? 0 : 1);
     }, 0);
   }, shot);
   assert.equal(different, 0);
