@@ -52,11 +52,15 @@ test('the menu shows a view of every scene, opens one, and Back leads back', asy
   assert.equal(await middle(0), kGreen.join());
   assert.equal(await middle(1), kBlue.join());
 
+  await page.evaluate(() => {
+    window.isSamePage = true;
+  });
   await page.click('#scene-list a:has-text("The other room")');
   await page.waitForFunction(() => document.title.startsWith('The other room'));
   await inState(page, 'paused');
   assert.deepEqual(await pixel(page, 0.5, 0.5), kBlue);
   assert.match(page.url(), /\?scene=other$/);
+  assert.equal(await page.evaluate(() => window.isSamePage), true, 'nothing is loaded twice');
   await page.goBack();
   await page.waitForFunction(() => document.title.startsWith('The coloured room'));
   await inState(page, 'paused');
