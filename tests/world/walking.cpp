@@ -32,6 +32,12 @@ void putCeiling(World& world, Coordinate height) {
     map.ceiling.tiles.assign(map.occupied.size(), 0);
 }
 
+World lowPassage(Coordinate height) {
+    World world = emptyWorld(8, 1, 2);
+    for (int x = 2; x < 6; ++x) putBlock(world, x, 0, height, 1.0_u);
+    return world;
+}
+
 World randomWorld(std::uint64_t seed) {
     Random random(seed);
     const int width = random.between(1, 10);

@@ -13,6 +13,7 @@ namespace slicecast {
 inline constexpr Coordinate operator""_u(long double units) {
     return toCoordinate(static_cast<double>(units));
 }
+inline constexpr int kSecond = kStepsPerSecond;
 inline constexpr Coordinate kTiny = {1};  // the smallest distance there is
 
 // One empty map.
@@ -23,6 +24,9 @@ void putBlock(World& world, int x, int y, Coordinate bottom, Coordinate top);
 
 // A ceiling over every tile.
 void putCeiling(World& world, Coordinate height);
+
+// A corridor along row 0 whose columns 2 to 5 have blocks overhead, from that height up.
+World lowPassage(Coordinate height);
 
 // Blocks of all shapes, bridges, shafts, ceilings with holes. Every seed gives another one.
 World randomWorld(std::uint64_t seed);
