@@ -1,9 +1,9 @@
 // One file per kind of fault that a person could make. broken/expected.json lists for each file the faults that loading reports, with their places, and
 // whether the schema rejects the file as well (schema.test.mjs looks at that).
+#include "scene/json_tree.h"
 #include "scene/scene_files.h"
 
 #include <gtest/gtest.h>
-#include <rapidjson/document.h>
 
 #include <algorithm>
 #include <set>
@@ -18,22 +18,30 @@ struct ExpectedScene {
 };
 
 std::vector<ExpectedScene> readExpected() {
-    rapidjson::Document document;
-    document.Parse(readText(sceneTestFolder() / "broken/expected.json").c_str());
+    const std::string text = readText(sceneTestFolder() / "broken/expected.json");
+    const SourceText source(text);
+    const ParsedJson json = parseJson(source);
+    EXPECT_FALSE(json.fault.has_value());
+    const auto word = [](JsonValue object, std::string_view key) { return std::string(object.find(key)->text()); };
+    const auto number = [](JsonValue object, std::string_view key, int otherwise) {
+        const auto value = object.find(key);
+        return value ? static_cast<int>(value->number()) : otherwise;
+    };
     std::vector<ExpectedScene> scenes;
-    if (!document.IsArray()) return scenes;
-    for (const auto& entry : document.GetArray()) {
-        ExpectedScene scene{entry["file"].GetString(), {}};
-        for (const auto& value : entry["faults"].GetArray()) {
+    if (json.fault) return scenes;
+    for (const JsonValue entry : json.tree.root()) {
+        ExpectedScene scene{word(entry, "file"), {}};
+        const JsonValue faults = *entry.find("faults");
+        for (const JsonValue value : faults) {
             Fault fault;
             fault.file = scene.file;
-            fault.pointer = value["pointer"].GetString();
-            fault.line = value["line"].GetInt();
-            fault.column = value["column"].GetInt();
-            if (value.HasMember("row")) fault.row = value["row"].GetInt();
-            if (value.HasMember("character")) fault.character = value["character"].GetInt();
-            fault.found = value["found"].GetString();
-            fault.expected = value["expected"].GetString();
+            fault.pointer = word(value, "pointer");
+            fault.line = number(value, "line", 0);
+            fault.column = number(value, "column", 0);
+            fault.row = number(value, "row", -1);
+            fault.character = number(value, "character", -1);
+            fault.found = word(value, "found");
+            fault.expected = word(value, "expected");
             scene.faults.push_back(fault);
         }
         scenes.push_back(scene);

@@ -160,15 +160,15 @@ TEST(ParseScene, ReadsNumbersWithCorrectRounding) {
 }
 
 TEST(ParseScene, ReadsTheSameFromEveryKindOfLineEnd) {
-    const std::string unix = smallScene("[[\"###\",\n\"#Q#\",\n\"###\"]]");
+    const std::string plain = smallScene("[[\"###\",\n\"#Q#\",\n\"###\"]]");
     std::string windows = "\xef\xbb\xbf";
     std::string oldMac;
-    for (const char c : unix) {
+    for (const char c : plain) {
         if (c == '\n') windows += '\r';
         windows += c;
         oldMac += c == '\n' ? '\r' : c;
     }
-    const std::vector<Fault> faults = parseScene(unix, "test.json").faults;
+    const std::vector<Fault> faults = parseScene(plain, "test.json").faults;
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_EQ(faults[0].row, 1);
     EXPECT_EQ(faults[0].character, 1);

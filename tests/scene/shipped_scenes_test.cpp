@@ -1,0 +1,22 @@
+// Every scene that is shipped loads without a fault.
+#include "scene/scene_files.h"
+
+#include <gtest/gtest.h>
+
+namespace slicecast {
+namespace {
+
+TEST(ShippedScenes, Load) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "assets/scenes")) {
+        if (entry.path().extension() != ".json") continue;
+        const LoadedScene loaded = loadFrom(entry.path());
+        EXPECT_EQ(inWords(loaded.faults), "");
+        EXPECT_TRUE(loaded.world.has_value()) << entry.path();
+        ++count;
+    }
+    EXPECT_GT(count, 0);
+}
+
+}  // namespace
+}  // namespace slicecast
