@@ -1,0 +1,159 @@
+#include "headless/hits_json.h"
+
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace slicecast {
+namespace {
+
+using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
+
+const char* nameOf(FilledRows::What what) {
+    switch (what) {
+        case FilledRows::What::side:
+            return "side";
+        case FilledRows::What::roof:
+            return "roof";
+        case FilledRows::What::underside:
+            return "underside";
+        case FilledRows::What::floor:
+            return "floor";
+        case FilledRows::What::ceiling:
+            return "ceiling";
+        case FilledRows::What::sky:
+            return "sky";
+        case FilledRows::What::haze:
+            break;
+    }
+    return "haze";
+}
+
+const char* nameOf(Face face) {
+    return kFaceNames[static_cast<std::size_t>(face)];
+}
+
+// JSON has no infinite numbers.
+void addNumber(Writer& json, double number) {
+    if (std::isfinite(number)) {
+        json.Double(number);
+    } else {
+        json.Null();
+    }
+}
+
+void add(Writer& json, const char* key, double number) {
+    json.Key(key);
+    addNumber(json, number);
+}
+
+void add(Writer& json, const char* key, int number) {
+    json.Key(key);
+    json.Int(number);
+}
+
+void add(Writer& json, const char* key, const std::string& text) {
+    json.Key(key);
+    json.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
+}
+
+void addPair(Writer& json, const char* key, double a, double b) {
+    json.Key(key);
+    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
+    json.StartArray();
+    addNumber(json, a);
+    addNumber(json, b);
+    json.EndArray();
+    json.SetFormatOptions(rapidjson::kFormatDefault);
+}
+
+void addPair(Writer& json, const char* key, int a, int b) {
+    json.Key(key);
+    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
+    json.StartArray();
+    json.Int(a);
+    json.Int(b);
+    json.EndArray();
+    json.SetFormatOptions(rapidjson::kFormatDefault);
+}
+
+// Planes need no face: the kind says it.
+void addFilled(Writer& json, const char* key, const std::vector<FilledRows>& filled, bool withFace) {
+    json.Key(key);
+    json.StartArray();
+    for (const FilledRows& rows : filled) {
+        json.StartObject();
+        add(json, "what", std::string(nameOf(rows.what)));
+        if (withFace) add(json, "face", std::string(nameOf(rows.face)));
+        add(json, "first", rows.first);
+        add(json, "last", rows.last - 1);
+        json.EndObject();
+    }
+    json.EndArray();
+}
+
+void addHit(Writer& json, const World& world, const Hit& hit) {
+    json.StartObject();
+    add(json, "map", world.maps[static_cast<std::size_t>(hit.map)].name);
+    addPair(json, "tile", hit.tileX, hit.tileY);
+    add(json, "level", hit.level);
+    add(json, "blueprint", world.blueprints[hit.blueprint].name);
+    json.Key("face");
+    if (hit.entered) {
+        json.String(nameOf(hit.face));
+    } else {
+        json.Null();
+    }
+    addPair(json, "point", hit.x, hit.y);
+    add(json, "rawDepth", hit.rawDepth);
+    add(json, "depth", hit.depth);
+    add(json, "backDepth", hit.backDepth);
+    add(json, "bottom", hit.bottom.value());
+    add(json, "top", hit.top.value());
+    add(json, "bottomFrontRow", hit.bottomFrontRow);
+    add(json, "topFrontRow", hit.topFrontRow);
+    add(json, "bottomBackRow", hit.bottomBackRow);
+    add(json, "topBackRow", hit.topBackRow);
+    addFilled(json, "filled", hit.filled, true);
+    json.EndObject();
+}
+
+}  // namespace
+
+std::string hitsJson(Session& session, const std::string& sceneName, int width, int height, int column) {
+    const World& world = session.world();
+    const Eye eye = session.eye();
+    const SliceTrace trace = session.trace(width, height, column);
+
+    rapidjson::StringBuffer text;
+    Writer json(text);
+    json.SetIndent(' ', 2);
+    json.StartObject();
+    add(json, "scene", sceneName);
+    add(json, "map", world.maps[static_cast<std::size_t>(eye.map)].name);
+    addPair(json, "size", width, height);
+    add(json, "column", trace.column);
+    json.Key("eye");
+    json.StartObject();
+    add(json, "x", eye.x.value());
+    add(json, "y", eye.y.value());
+    add(json, "z", eye.z.value());
+    add(json, "heading", eye.headingDegrees);
+    add(json, "look", eye.look);
+    json.EndObject();
+    add(json, "fov", session.options().render.fovDegrees);
+    add(json, "horizonRow", trace.horizonRow);
+    add(json, "projectionDistance", trace.projectionDistance);
+    addPair(json, "ray", trace.rayX, trace.rayY);
+    json.Key("hits");
+    json.StartArray();
+    for (const Hit& hit : trace.hits) addHit(json, world, hit);
+    json.EndArray();
+    addFilled(json, "planes", trace.planes, false);
+    json.EndObject();
+    return std::string(text.GetString(), text.GetSize()) + "\n";
+}
+
+}  // namespace slicecast

@@ -1,0 +1,40 @@
+// slicecast-check: tells all faults of scenes, or that there are none.
+
+#include "headless/scene_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+using namespace slicecast;
+
+int main(int argc, char** argv) {
+    CLI::App cli("Checks scene files and the images that they name.", "slicecast-check");
+    std::vector<std::string> scenes;
+    cli.add_option("SCENE", scenes, "scene files")->required();
+    cli.footer(
+        "Prints a line \"FILE: ok\", or one line for each fault: FILE:LINE:COLUMN (JSON POINTER): found ..., expected ...\n"
+        "The exit status is 0 if all scenes are ok, 1 if one is not, and 2 for a wrong command line.\n"
+        "\nExamples:\n"
+        "  slicecast-check castle.json\n"
+        "  slicecast-check assets/scenes/*.json\n");
+    try {
+        cli.parse(argc, argv);
+    } catch (const CLI::ParseError& fault) {
+        return cli.exit(fault) == 0 ? 0 : 2;
+    }
+
+    bool allOk = true;
+    for (const std::string& name : scenes) {
+        const SceneFromFile scene = readScene(name);
+        for (const Fault& fault : scene.faults) std::printf("%s\n", describe(fault).c_str());
+        if (scene.world) {
+            std::printf("%s: ok\n", name.c_str());
+        } else {
+            allOk = false;
+        }
+    }
+    return allOk ? 0 : 1;
+}

@@ -1,0 +1,152 @@
+// slicecast-render: draws one view of a scene into a PNG file, without a screen; or tells what one of its columns meets.
+
+#include "base/image.h"
+#include "headless/hits_json.h"
+#include "headless/scene_file.h"
+#include "headless/view_arguments.h"
+#include "headless/write_file.h"
+#include "session/session.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace slicecast;
+
+namespace {
+
+constexpr int kWrongUse = 2;  // exit status where the command line is wrong; 1 where the scene or a file is
+
+struct Arguments {
+    std::string scene;
+    std::string map;
+    std::string eye;
+    std::string size;
+    std::vector<std::string> options;  // OPTION=VALUE
+    std::string column;
+    std::string out;
+};
+
+std::string footer() {
+    constexpr std::size_t kDescriptions = 20;  // where they begin
+    std::string text = "Options for --set:\n";
+    for (const OptionInfo& option : knownOptions()) {
+        std::string name = "  " + std::string(option.name);
+        name.resize(std::max(name.size() + 1, kDescriptions), ' ');
+        text += name + option.description + " (" + option.standard + ")\n";
+    }
+    text +=
+        "\nExamples:\n"
+        "  slicecast-render castle.json --out castle.png\n"
+        "  slicecast-render castle.json --eye 8.5,3.25,0.5,90,0.1 --size 640x400 --fov 75 --out gate.png\n"
+        "  slicecast-render castle.json --map cellar --eye 4,4,0.5,0,0 --set light=off --set detail=off --out cellar.png\n"
+        "  slicecast-render castle.json --hits 640 > hits.json\n"
+        "\nAn eye is X,Y,Z in units (x to the east, y to the south, z up from the floor), a heading in degrees (0 east, 90 south) and a look\n"
+        "in screen heights (0 level, positive up). The exit status is 1 for a faulty scene and 2 for a wrong command line.\n";
+    return text;
+}
+
+void describeArguments(CLI::App& cli, Arguments& arguments) {
+    cli.add_option("SCENE", arguments.scene, "scene file")->required();
+    cli.add_option("--map", arguments.map, "map to look at; without it, the one in which the scene starts")->type_name("NAME");
+    cli.add_option("--eye", arguments.eye, "from where to look; without it, as the player sees the start")->type_name("X,Y,Z,HEADING,LOOK");
+    cli.add_option("--size", arguments.size, "size of the picture in pixels; 1280x720 without it")->type_name("WxH");
+    // The same as --set fov=DEG; the last one counts.
+    cli.add_option_function<std::string>(
+           "--fov", [&arguments](const std::string& degrees) { arguments.options.push_back("fov=" + degrees); }, "field of view from left to right, in degrees")
+        ->type_name("DEG");
+    cli.add_option("--set", arguments.options, "set an option of the view; see below")->type_name("OPTION=VALUE")->allow_extra_args(false);
+    cli.add_option("--hits", arguments.column, "print what this column of the picture meets, as JSON; 0 is the leftmost")->type_name("COLUMN");
+    cli.add_option("--out", arguments.out, "PNG file to write; may be left out with --hits")->type_name("PICTURE.png");
+    cli.footer(footer());
+}
+
+int fail(const std::string& fault, int status) {
+    std::fprintf(stderr, "slicecast-render: %s\n", fault.c_str());
+    return status;
+}
+
+// The map of that name, or that of the start where none is asked for.
+Read<int> findMap(const World& world, const std::string& name) {
+    if (name.empty()) return {world.start.map, {}};
+    std::string names;
+    for (std::size_t i = 0; i < world.maps.size(); ++i) {
+        if (world.maps[i].name == name) return {static_cast<int>(i), {}};
+        names += (i > 0 ? ", \"" : "\"") + world.maps[i].name + "\"";
+    }
+    return {std::nullopt, "--map: found \"" + name + "\", expected a map of this scene: " + names};
+}
+
+// Options and eye as the command line has them. Empty on success, else what was wrong.
+std::string arrange(Session& session, const Arguments& arguments) {
+    for (const std::string& option : arguments.options) {
+        const std::size_t equals = option.find('=');
+        if (equals == std::string::npos) return "--set: found \"" + option + "\", expected OPTION=VALUE";
+        const std::string fault = session.setOption(option.substr(0, equals), option.substr(equals + 1));
+        if (!fault.empty()) return fault;
+    }
+    const Read<int> map = findMap(session.world(), arguments.map);
+    if (!map.value) return map.fault;
+    if (arguments.eye.empty()) {
+        if (*map.value == session.world().start.map) return {};
+        return "--map: the scene does not start in \"" + arguments.map + "\"; expected --eye as well, to say from where to look";
+    }
+    const Read<Eye> eye = readEye(arguments.eye, *map.value);
+    if (!eye.value) return "--eye: " + eye.fault;
+    return session.setEye(*eye.value) ? std::string() : "--eye: found \"" + arguments.eye + "\", from where nothing can be seen";
+}
+
+std::string drawTo(const std::string& path, Session& session, const PictureSize& size) {
+    Image image(size.width, size.height);
+    if (!session.draw({image.pixels.data(), size.width, size.height, size.width})) return "the picture could not be drawn";
+    return writeWholeFile(path, encodePng(image.pixels.data(), size.width, size.height, size.width));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // The command line
+    CLI::App cli("Draws one view of a scene into a PNG file.", "slicecast-render");
+    Arguments arguments;
+    describeArguments(cli, arguments);
+    try {
+        cli.parse(argc, argv);
+    } catch (const CLI::ParseError& fault) {
+        return cli.exit(fault) == 0 ? 0 : kWrongUse;
+    }
+    if (arguments.out.empty() && arguments.column.empty()) return fail("nothing to do; expected --out PICTURE.png, --hits COLUMN or both", kWrongUse);
+    PictureSize size;
+    if (!arguments.size.empty()) {
+        const Read<PictureSize> read = readSize(arguments.size);
+        if (!read.value) return fail("--size: " + read.fault, kWrongUse);
+        size = *read.value;
+    }
+    int column = 0;
+    if (!arguments.column.empty()) {
+        const Read<int> read = readColumn(arguments.column, size.width);
+        if (!read.value) return fail("--hits: " + read.fault, kWrongUse);
+        column = *read.value;
+    }
+
+    // The scene
+    SceneFromFile scene = readScene(arguments.scene);
+    for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    if (!scene.world) return 1;
+    Session session(std::move(*scene.world));
+    const std::string wrong = arrange(session, arguments);
+    if (!wrong.empty()) return fail(wrong, kWrongUse);
+
+    // What was asked for
+    if (!arguments.out.empty()) {
+        const std::string fault = drawTo(arguments.out, session, size);
+        if (!fault.empty()) return fail(fault, 1);
+    }
+    if (!arguments.column.empty()) std::fputs(hitsJson(session, arguments.scene, size.width, size.height, column).c_str(), stdout);
+    return std::fflush(stdout) == 0 ? 0 : fail("the standard output cannot be written", 1);
+}
