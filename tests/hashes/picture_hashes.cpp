@@ -1,14 +1,25 @@
-// Prints one line per view: its name and the hash of its picture. Builds by different compilers must print the same.
+// Prints one line per view: its name and the hash of its picture, and one line per stretch of a recorded run: its name and a fingerprint of the state.
+// Builds by different compilers must print the same.
 //
 //     picture-hashes ASSETS_FOLDER
 
 #include "base/angle.h"
+#include "base/random.h"
+#include "generated_world.h"
+#include "headless/scene_file.h"
+#include "session/session.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
+namespace slicecast {
 namespace {
 
 // 64-bit FNV-1a.
@@ -19,11 +30,145 @@ std::uint64_t hashOf(const void* bytes, std::size_t count) {
     return hash;
 }
 
-}  // namespace
+void printLine(const std::string& name, std::uint64_t hash) {
+    std::printf("%s %016" PRIx64 "\n", name.c_str(), hash);
+}
 
-int main(int, char**) {
+void printAngles() {
     static double sines[3600];
-    for (int i = 0; i < 3600; ++i) sines[i] = slicecast::sinDegrees(i * 0.1) + slicecast::atanDegrees(i * 0.01);
-    std::printf("angles %016" PRIx64 "\n", hashOf(sines, sizeof sines));
+    for (int i = 0; i < 3600; ++i) sines[i] = sinDegrees(i * 0.1) + atanDegrees(i * 0.01);
+    printLine("angles", hashOf(sines, sizeof sines));
+}
+
+// A picture that the renderer refuses has no hash; that it does so must be the same everywhere too.
+template <typename Draw>
+void printPicture(const std::string& name, int width, int height, Draw&& draw) {
+    Image image(width, height);
+    const bool drawn = draw(Picture{image.pixels.data(), width, height, width});
+    printLine(name + (drawn ? "" : " refused"), hashOf(image.pixels.data(), image.pixels.size() * sizeof(Pixel)));
+}
+
+Input anyInput(Random& random) {
+    Input input;
+    input.forward = random.oneIn(4) ? 0.0 : random.between(-0.5, 1.5);
+    input.strafe = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.turn = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.look = random.oneIn(3) ? random.between(-1.0, 1.0) : 0.0;
+    input.fly = random.oneIn(2) ? random.between(-1.0, 1.0) : 0.0;
+    input.turnDegrees = random.oneIn(6) ? random.between(-3.0, 3.0) : 0.0;
+    input.lookHeights = random.oneIn(6) ? random.between(-0.02, 0.02) : 0.0;
+    input.jump = random.oneIn(4);
+    input.fast = random.oneIn(4);
+    input.slow = random.oneIn(8);
+    return input;
+}
+
+// Somebody presses keys at random, now walking, now flying.
+void printRun(const std::string& name, Session& session, std::uint64_t seed, int steps) {
+    constexpr int kStepsOfAnInput = 24;
+    constexpr int kStepsOfALine = 1000;
+    Random random(seed);
+    Input input;
+    session.reset();
+    for (int step = 0; step < steps; ++step) {
+        if (step % kStepsOfAnInput == 0) {
+            input = anyInput(random);
+            if (random.oneIn(20)) session.setFlying(!session.player().flying);
+        }
+        session.step(input);
+        if ((step + 1) % kStepsOfALine == 0) printLine(name + " after " + std::to_string(step + 1) + " steps", session.fingerprint());
+    }
+    printPicture(name + " where it ends", 320, 200, [&](const Picture& picture) { return session.draw(picture, 0.5); });
+}
+
+// Somewhere over the map, mostly at the height of a person.
+Eye anyEye(Random& random, const World& world, int map) {
+    const Map& m = world.maps[static_cast<std::size_t>(map)];
+    Eye eye;
+    eye.map = map;
+    eye.x = {random.between(0, m.width * 65536 - 1)};
+    eye.y = {random.between(0, m.depth * 65536 - 1)};
+    eye.z = {random.oneIn(2) ? 32768 : random.between(1, (m.levels + 2) * 65536)};
+    eye.headingDegrees = random.between(0.0, 360.0);
+    eye.look = random.oneIn(3) ? random.between(-1.0, 1.0) : 0.0;
+    return eye;
+}
+
+bool printScene(const std::filesystem::path& path, std::uint64_t seed) {
+    SceneFromFile scene = readScene(path.string());
+    for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    if (!scene.world) return false;
+    Session session(std::move(*scene.world));
+    const std::string name = path.stem().string();
+    const auto print = [&](const std::string& view, int width, int height) {
+        printPicture(name + " " + view, width, height, [&](const Picture& picture) { return session.draw(picture); });
+    };
+    print("start", 1280, 720);
+    print("start small", 320, 200);
+    Random random(seed);
+    for (int map = 0; map < static_cast<int>(session.world().maps.size()); ++map) {
+        for (int i = 0; i < 5; ++i) {
+            session.setEye(anyEye(random, session.world(), map));
+            print("map " + std::to_string(map) + " eye " + std::to_string(i), 320, 200);
+        }
+    }
+    session.setOption("minimap", "on");
+    print("minimap", 320, 200);
+    session.setOption("minimap", "off");
+    printRun(name + " run", session, seed, 4000);
+    return true;
+}
+
+void printGenerated(std::uint64_t seed) {
+    constexpr int kViews = 4;
+    const std::string name = "generated " + std::to_string(seed);
+    Renderer renderer;
+    World world = generatedWorld(seed);
+    for (std::uint64_t i = 0; i < kViews; ++i) {
+        const GeneratedView view = generatedView(world, seed * kViews + i);
+        printPicture(name + " view " + std::to_string(i), view.width, view.height,
+                     [&](const Picture& picture) { return renderer.draw(world, view.eye, view.options, picture); });
+    }
+    if (seed % 6 == 0) {
+        Session session(std::move(world));
+        printRun(name + " run", session, seed, 2000);
+    }
+}
+
+// Shipped scenes in the order of their names. index.json is the list of them.
+std::vector<std::filesystem::path> scenesIn(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> scenes;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        if (entry.path().extension() == ".json" && entry.path().filename() != "index.json") scenes.push_back(entry.path());
+    }
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+int printAll(const std::filesystem::path& assets) {
+    printAngles();
+    const std::vector<std::filesystem::path> scenes = scenesIn(assets / "scenes");
+    if (scenes.empty()) {
+        std::fprintf(stderr, "picture-hashes: there are no scenes in %s\n", (assets / "scenes").string().c_str());
+        return 1;
+    }
+    std::uint64_t seed = 1;
+    for (const std::filesystem::path& scene : scenes) {
+        if (!printScene(scene, seed++)) return 1;
+    }
+    constexpr std::uint64_t kWorlds = 96;
+    for (std::uint64_t i = 0; i < kWorlds; ++i) printGenerated(i);
     return 0;
+}
+
+}  // namespace
+}  // namespace slicecast
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: picture-hashes ASSETS_FOLDER\n");
+        return 2;
+    }
+    return slicecast::printAll(argv[1]);
 }

@@ -1,0 +1,25 @@
+// Worlds and views that nobody has made: every seed gives another one, the same from every compiler. They hold what shipped scenes have little of: blocks of
+// all shapes in great number, all kinds of sky, ceilings with holes, fog, a near end of the floor, eyes anywhere.
+#pragma once
+
+#include "render/eye.h"
+#include "render/options.h"
+#include "world/world.h"
+
+#include <cstdint>
+
+namespace slicecast {
+
+World generatedWorld(std::uint64_t seed);
+
+struct GeneratedView {
+    Eye eye;
+    RenderOptions options;
+    int width = 0;  // pixels
+    int height = 0;
+};
+
+// A view of that world: inside blocks, on borders, above the map and outside it too.
+GeneratedView generatedView(const World& world, std::uint64_t seed);
+
+}  // namespace slicecast
