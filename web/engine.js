@@ -47,10 +47,19 @@ export class Engine {
   }
 
   // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that was running alone. Gives null if another scene was
-  // asked for meanwhile.
-  async loadScene(source, onProgress = () => {}) {
+  // asked for meanwhile. With `keepEye` the player goes on from where they are, if the new scene has such a place. `onProgress` hears the share that has
+  // come, 0 to 1, and the number of bytes.
+  async loadScene(source, { onProgress, keepEye = false } = {}) {
     const load = ++this.#loads;
-    return loadInto(this.#module, this.#session, source, onProgress, () => load === this.#loads);
+    const names = await readNames(this.#module, this.#session, source, () => load === this.#loads);
+    if (names === null) return null;
+    if (names.faults.length > 0) return names.faults;
+    const contents = await readContents(names.files, source, onProgress);
+    if (load !== this.#loads) return null;
+    const eye = keepEye ? this.state : null;
+    const faults = startWith(this.#module, this.#session, names.files, contents);
+    if (eye !== null && faults.length === 0) this.restore(eye);
+    return faults;
   }
 
   // Begins to draw into the canvas and to listen to it. The second call does nothing.
@@ -68,8 +77,10 @@ export class Engine {
   async drawAside(source, width, height) {
     const session = this.#module._slicecast_create();
     try {
-      const faults = await loadInto(this.#module, session, source);
-      return faults.length === 0 ? this.#draw(session, width, height, 1) : null;
+      const { files, faults } = await readNames(this.#module, session, source);
+      if (faults.length > 0) return null;
+      const contents = await readContents(files, source);
+      return startWith(this.#module, session, files, contents).length === 0 ? this.#draw(session, width, height, 1) : null;
     } finally {
       this.#module._slicecast_free(session);
     }
@@ -151,33 +162,37 @@ export class Engine {
   }
 }
 
-// Text -> the list of files -> their bytes -> a world.
-async function loadInto(module, session, source, onProgress = () => {}, isWanted = () => true) {
+// A scene is loaded in three steps. The text: {files, faults}, or null if nobody wants it any more.
+async function readNames(module, session, source, isWanted = () => true) {
   const text = await source.readText();
   if (!isWanted()) return null;
-  const parsed = withBytes(module, text, (textAt) => withStrings(module, [source.name], (nameAt) =>
+  return withBytes(module, text, (textAt) => withStrings(module, [source.name], (nameAt) =>
     JSON.parse(module.UTF8ToString(module._slicecast_parse(session, textAt, text.length, nameAt)))));
-  if (parsed.faults.length > 0) return parsed.faults;
+}
 
-  const shares = new Array(parsed.files.length).fill(0);
+// The bytes of the files that it names, null for each that cannot be read.
+function readContents(files, source, onProgress = () => {}) {
+  const shares = new Array(files.length).fill(0);
   let bytesLoaded = 0;
-  const report = () => onProgress(shares.length === 0 ? 1 : shares.reduce((sum, share) => sum + share, 0) / shares.length, bytesLoaded);
+  const report = () => onProgress(shares.reduce((sum, share) => sum + share, 0) / Math.max(1, shares.length), bytesLoaded);
   report();
-  const contents = await Promise.all(parsed.files.map(async (name, index) => {
+  return Promise.all(files.map(async (name, index) => {
     let before = 0;
     const bytes = await source.readFile(name, (loaded, total) => {
       bytesLoaded += loaded - before;
       before = loaded;
-      shares[index] = total > 0 ? Math.min(1, loaded / total) : 0;
+      shares[index] = loaded / total;
       report();
     });
     shares[index] = 1;
     report();
     return bytes;
   }));
-  if (!isWanted()) return null;
-  // A file that could not be read is not supplied: the engine makes a fault of it, with the place that names it.
-  parsed.files.forEach((name, index) => {
+}
+
+// The world: the list of faults. A file that is not supplied becomes one, with the place that names it.
+function startWith(module, session, files, contents) {
+  files.forEach((name, index) => {
     const bytes = contents[index];
     if (bytes === null) return;
     withBytes(module, bytes, (at) => withStrings(module, [name], (nameAt) => module._slicecast_supply(session, nameAt, at, bytes.length)));

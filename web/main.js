@@ -4,9 +4,11 @@
 
 import { fetchEngine } from './engine-files.js';
 import { Engine } from './engine.js';
+import { listenForFiles } from './file-drop.js';
 import { showKeys } from './key-help.js';
+import { guardLeaving } from './leave-guard.js';
 import { SceneMenu } from './scene-menu.js';
-import { chosenEntries, droppedEntries, listScenes, sceneAmong, sceneAt } from './scene-source.js';
+import { listScenes, sceneAmong, sceneAt } from './scene-source.js';
 import { Settings } from './settings.js';
 import { Stage } from './stage.js';
 import { TouchPads } from './touch-pads.js';
@@ -70,7 +72,6 @@ class Page {
   // Opens a scene. With `keepEye` the player stays where they are, and no more is shown of it than need be.
   async open(scene, { keepEye = false } = {}) {
     const load = ++this.#loads;
-    const before = keepEye ? this.engine.state : null;
     const wasPlaying = this.state === 'playing' || (keepEye && this.playsAfterTrouble);
     this.current = scene;
     if (!keepEye) {
@@ -81,8 +82,11 @@ class Page {
     }
     const begin = this.hasPicture ? 0 : kEngineShare;
     try {
-      const faults = await this.engine.loadScene(scene.source, (share, bytes) => {
-        if (!keepEye) this.#showProgress(`Opening ${scene.source.name}`, begin + share * (1 - begin), bytes);
+      const faults = await this.engine.loadScene(scene.source, {
+        keepEye,
+        onProgress: (share, bytes) => {
+          if (!keepEye) this.#showProgress(`Opening ${scene.source.name}`, begin + share * (1 - begin), bytes);
+        },
       });
       if (faults === null) return;
       if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
@@ -93,7 +97,6 @@ class Page {
       this.#fail(asTrouble(error), { again: isOver ? () => location.reload() : () => this.open(scene) });
       return;
     }
-    if (before !== null && before.map < this.engine.world.maps.length) this.engine.restore(before);
     this.playsAfterTrouble = false;
     this.trouble.hide();
     this.#showTitle();
@@ -134,6 +137,8 @@ class Page {
   }
 
   async openFiles(entries) {
+    if (this.engine === null) return;
+    find('scenes').close();
     try {
       await this.open({ source: sceneAmong(await entries), reference: null, about: '' });
     } catch (error) {
@@ -264,8 +269,10 @@ class Page {
     find('standard-settings').addEventListener('click', () => this.settings.backToStandard());
     new TouchPads(find('touch'), canvas);
     this.#listenForFullScreen();
-    this.#listenForFiles();
-    this.#listenForEnds();
+    find('choose-files').addEventListener('click', () => find('files').click());
+    listenForFiles({ input: find('files'), onEntries: (entries) => this.openFiles(entries) });
+    guardLeaving(canvas);
+    this.#listenForFailures();
     if (isLive()) this.#listenForSaves();
   }
 
@@ -274,15 +281,16 @@ class Page {
     if (this.engine !== null && this.ready && (this.state === 'playing' || this.state === 'paused')) this.engine.paused = !focused;
   }
 
+  // The canvas has keys of its own; these are for when nothing has the focus.
   #keyDown(event) {
     if (event.ctrlKey || event.altKey || event.metaKey || document.querySelector('dialog[open]') !== null) return;
-    const nowhere = event.target === document.body || event.target === canvas;
-    if (event.key === 'Enter' && nowhere && this.state === 'paused') {
+    const isNowhere = event.target === document.body;
+    if (event.key === 'Enter' && (isNowhere || event.target === canvas) && this.state === 'paused') {
       event.preventDefault();
       this.play();
-    } else if (event.target !== canvas && event.target === document.body && event.code === 'KeyH') {
+    } else if (isNowhere && event.code === 'KeyH') {
       this.openDialog('keys');
-    } else if (event.target === document.body && event.code === 'KeyF') {
+    } else if (isNowhere && event.code === 'KeyF') {
       this.toggleFullScreen();
     }
   }
@@ -296,45 +304,7 @@ class Page {
     });
   }
 
-  #listenForFiles() {
-    const holdsFiles = (event) => event.dataTransfer.types.includes('Files');
-    window.addEventListener('dragover', (event) => {
-      if (!holdsFiles(event)) return;
-      event.preventDefault();
-      document.body.classList.add('dropping');
-    });
-    window.addEventListener('dragleave', (event) => {
-      if (event.relatedTarget === null) document.body.classList.remove('dropping');
-    });
-    window.addEventListener('drop', (event) => {
-      document.body.classList.remove('dropping');
-      if (!holdsFiles(event)) return;
-      event.preventDefault();
-      if (this.engine !== null) this.openFiles(droppedEntries(event.dataTransfer));
-    });
-    find('choose-files').addEventListener('click', () => find('files').click());
-    find('files').addEventListener('change', (event) => {
-      if (event.target.files.length === 0 || this.engine === null) return;
-      find('scenes').close();
-      this.openFiles(chosenEntries(event.target.files));
-      event.target.value = '';
-    });
-  }
-
-  // Ctrl walks slowly, and with W it closes the tab: while it is held the browser asks first. Ctrl and R is meant.
-  #listenForEnds() {
-    let asks = false;
-    for (const type of ['keydown', 'keyup']) {
-      canvas.addEventListener(type, (event) => {
-        asks = event.ctrlKey && event.code !== 'KeyR';
-      });
-    }
-    canvas.addEventListener('blur', () => {
-      asks = false;
-    });
-    window.addEventListener('beforeunload', (event) => {
-      if (asks) event.preventDefault();
-    });
+  #listenForFailures() {
     // The engine has failed between two calls of ours, or before its first picture.
     window.addEventListener('error', ({ error }) => {
       if (error instanceof WebAssembly.RuntimeError || (this.engine?.hasBegun && !this.ready)) this.#fail(asTrouble(error), { again: () => location.reload() });

@@ -1,0 +1,29 @@
+// Scenes from the visitor's own disk: dropped anywhere on the page, or chosen with the dialog of the browser.
+//
+//     listenForFiles({input, onEntries})        onEntries gets a promise of what scene-source.js calls entries
+
+import { chosenEntries, droppedEntries } from './scene-source.js';
+
+export function listenForFiles({ input, onEntries }) {
+  const holdsFiles = (event) => event.dataTransfer.types.includes('Files');
+  const showHint = (shown) => document.body.classList.toggle('dropping', shown);
+  window.addEventListener('dragover', (event) => {
+    if (!holdsFiles(event)) return;
+    event.preventDefault();
+    showHint(true);
+  });
+  window.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) showHint(false);
+  });
+  window.addEventListener('drop', (event) => {
+    showHint(false);
+    if (!holdsFiles(event)) return;
+    event.preventDefault();
+    onEntries(droppedEntries(event.dataTransfer));
+  });
+  input.addEventListener('change', () => {
+    if (input.files.length === 0) return;
+    onEntries(Promise.resolve(chosenEntries(input.files)));
+    input.value = ''; // the same file can be chosen again
+  });
+}
