@@ -1,0 +1,46 @@
+#include "world/texture.h"
+
+#include <gtest/gtest.h>
+
+namespace slicecast {
+namespace {
+
+TEST(Texture, LevelsHalveDownToOneTexel) {
+    const Texture texture = makeTexture("t", Image(64, 64));
+    ASSERT_EQ(texture.levels.size(), 7u);
+    for (int m = 0; m < 7; ++m) {
+        EXPECT_EQ(texture.levels[static_cast<std::size_t>(m)].size, 64 >> m);
+        EXPECT_EQ(1 << texture.levels[static_cast<std::size_t>(m)].bits, 64 >> m);
+    }
+}
+
+TEST(Texture, TexelsAreStoredColumnAfterColumn) {
+    Image image(8, 8);
+    image.at(5, 2) = toPixel({1, 2, 3, 255});
+    const Texture texture = makeTexture("t", image);
+    EXPECT_EQ(texture.levels[0].texels[5 * 8 + 2], image.at(5, 2));
+}
+
+// Four texels become one, by hand: opaque ones are averaged with halves rounded down after the half that is added first.
+TEST(Texture, OpaqueTexelsAreAveraged) {
+    Image image(8, 8);
+    for (Pixel& pixel : image.pixels) pixel = toPixel({0, 0, 0, 255});
+    image.at(0, 0) = toPixel({10, 255, 1, 255});
+    image.at(1, 0) = toPixel({20, 255, 0, 255});
+    image.at(0, 1) = toPixel({30, 255, 0, 255});
+    image.at(1, 1) = toPixel({41, 255, 1, 255});
+    const Colour mean = toColour(makeTexture("t", image).levels[1].texels[0]);
+    EXPECT_EQ(mean, (Colour{25, 255, 1, 255}));  // (101 * 255 + 510) / 1020 = 25.75; (2 * 255 + 510) / 1020 = 1
+}
+
+TEST(Texture, HolesDoNotDarkenTheirNeighbours) {
+    Image image(8, 8);
+    for (Pixel& pixel : image.pixels) pixel = toPixel({0, 0, 0, 0});
+    image.at(0, 0) = toPixel({200, 100, 50, 255});
+    const Texture texture = makeTexture("t", image);
+    EXPECT_EQ(toColour(texture.levels[1].texels[0]), (Colour{200, 100, 50, 64}));  // (255 + 2) / 4
+    EXPECT_EQ(toColour(texture.levels[1].texels[1]), (Colour{0, 0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace slicecast
