@@ -53,10 +53,11 @@ std::string counted(std::int64_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-bool Checker::isFull() const { return faults_.size() >= kMaxFaults; }
+bool Checker::isFull() const {
+    return faults_.size() >= kMaxFaults;
+}
 
-void Checker::addAt(std::size_t offset, std::string pointer, int row, int character, std::string found,
-                    std::string expected) {
+void Checker::addAt(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) {
     const Place place = source_.place(offset);
     faults_.push_back({offset,
                        {.file = file_,
@@ -94,11 +95,12 @@ void Checker::addInRow(JsonValue text, int row, int character, std::string found
     addAt(offset, text.pointer(), row, character, std::move(found), std::move(expected));
 }
 
-void Checker::addSyntax(const SyntaxFault& fault) { addAt(fault.offset, "", -1, -1, fault.found, fault.expected); }
+void Checker::addSyntax(const SyntaxFault& fault) {
+    addAt(fault.offset, "", -1, -1, fault.found, fault.expected);
+}
 
 std::vector<Fault> Checker::take() {
-    std::stable_sort(faults_.begin(), faults_.end(),
-                     [](const Placed& a, const Placed& b) { return a.offset < b.offset; });
+    std::stable_sort(faults_.begin(), faults_.end(), [](const Placed& a, const Placed& b) { return a.offset < b.offset; });
     std::vector<Fault> faults;
     for (Placed& placed : faults_) faults.push_back(std::move(placed.fault));
     if (omitted_ > 0) faults.push_back(moreFaults(file_, omitted_));
@@ -109,18 +111,22 @@ std::vector<Fault> Checker::take() {
 
 std::string Checker::shown(JsonValue value) const {
     switch (value.kind()) {
-        case JsonValue::Kind::null: return "null";
-        case JsonValue::Kind::boolean: return value.boolean() ? "true" : "false";
+        case JsonValue::Kind::null:
+            return "null";
+        case JsonValue::Kind::boolean:
+            return value.boolean() ? "true" : "false";
         case JsonValue::Kind::number: {
             // As it was typed.
             const std::string_view rest = source_.text().substr(value.offset(), 30);
             const std::size_t end = std::min(rest.find_first_not_of("0123456789+-.eE"), rest.size());
             return "the number " + std::string(rest.substr(0, end));
         }
-        case JsonValue::Kind::text: return "the text " + quoted(value.text());
+        case JsonValue::Kind::text:
+            return "the text " + quoted(value.text());
         case JsonValue::Kind::array:
             return value.count() == 0 ? "an empty array" : "an array of " + std::to_string(value.count());
-        case JsonValue::Kind::object: return "an object";
+        case JsonValue::Kind::object:
+            return "an object";
     }
     return {};
 }
@@ -139,8 +145,7 @@ std::optional<Fields> Checker::fields(JsonValue value, std::vector<std::string_v
         } else if (isFull()) {
             ++omitted_;
         } else {
-            addAtKey(member, "the unknown key " + quoted(member.key()),
-                     "one of the keys " + listed(known) + suggestion(member.key(), known));
+            addAtKey(member, "the unknown key " + quoted(member.key()), "one of the keys " + listed(known) + suggestion(member.key(), known));
             const std::string_view meant = nearestName(member.key(), known);
             if (!meant.empty()) fields.addMisspelt(meant, member);
         }
@@ -168,8 +173,7 @@ std::optional<std::string> Checker::text(JsonValue value, std::size_t longest, s
         const std::size_t length = countCharacters(value.text());
         if (length >= 1 && length <= longest) return std::string(value.text());
         if (length > longest) {
-            add(value, "a text of " + std::to_string(length) + " characters",
-                expected + " of at most " + std::to_string(longest));
+            add(value, "a text of " + std::to_string(length) + " characters", expected + " of at most " + std::to_string(longest));
             return std::nullopt;
         }
     }

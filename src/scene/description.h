@@ -25,7 +25,7 @@ struct PanoramaReference {
 
 struct SceneDescription {
     std::string fileName;
-    World world;                          // complete but for the images
+    World world;                           // complete but for the images
     std::vector<ImageReference> textures;  // in the order of TextureId; a file named twice is one texture
     std::vector<PanoramaReference> panoramas;
 };

@@ -26,8 +26,7 @@ class TreeBuilder {
 public:
     using Ch = char;
 
-    TreeBuilder(std::string_view text, const rapidjson::MemoryStream& stream, JsonTree& tree)
-        : text_(text), stream_(stream), tree_(tree) {}
+    TreeBuilder(std::string_view text, const rapidjson::MemoryStream& stream, JsonTree& tree) : text_(text), stream_(stream), tree_(tree) {}
 
     bool Null() { return addScalar(JsonValue::Kind::null); }
     bool Bool(bool value) {
@@ -105,8 +104,7 @@ private:
 
     bool open(JsonValue::Kind kind) {
         if (open_.size() >= static_cast<std::size_t>(kMaxNesting)) {
-            fault = {tokenStart(), "arrays and objects nested more than " + std::to_string(kMaxNesting) + " deep",
-                     "a scene, which needs 5"};
+            fault = {tokenStart(), "arrays and objects nested more than " + std::to_string(kMaxNesting) + " deep", "a scene, which needs 5"};
             return false;
         }
         if (!add(kind)) return false;
@@ -151,8 +149,7 @@ private:
 };
 
 bool isWordCharacter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("+-._").find(c) != std::string_view::npos;
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("+-._").find(c) != std::string_view::npos;
 }
 
 // The word or character at an offset, as a message shows it.
@@ -208,9 +205,12 @@ SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::
             return {offset, "an empty file", "a scene: an object in { }"};
         case rapidjson::kParseErrorDocumentRootNotSingular:
             return explainMissing(text, offset, "the end of the file");
-        case rapidjson::kParseErrorValueInvalid: return explainValue(text, token);
-        case rapidjson::kParseErrorObjectMissName: return explainMissing(text, offset, "a key in double quotes", "another key");
-        case rapidjson::kParseErrorObjectMissColon: return explainMissing(text, offset, "a colon between key and value");
+        case rapidjson::kParseErrorValueInvalid:
+            return explainValue(text, token);
+        case rapidjson::kParseErrorObjectMissName:
+            return explainMissing(text, offset, "a key in double quotes", "another key");
+        case rapidjson::kParseErrorObjectMissColon:
+            return explainMissing(text, offset, "a colon between key and value");
         case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
             return explainMissing(text, offset, "a comma and the next key, or } at the end of the object");
         case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
@@ -234,7 +234,8 @@ SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::
             return {token, shown(text, token), "a number with digits behind its point"};
         case rapidjson::kParseErrorNumberMissExponent:
             return {token, shown(text, token), "a number with digits in its exponent"};
-        default: return {offset, shown(text, offset), "JSON"};
+        default:
+            return {offset, shown(text, offset), "JSON"};
     }
 }
 
@@ -248,8 +249,7 @@ ParsedJson parseJson(const SourceText& source) {
     parsed.tree.characters.reserve(text.size());
 
     rapidjson::Reader reader;
-    const rapidjson::ParseResult result =
-        reader.Parse<rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag>(stream, builder);
+    const rapidjson::ParseResult result = reader.Parse<rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag>(stream, builder);
     if (builder.fault) {
         parsed.fault = builder.fault;
     } else if (result.IsError()) {

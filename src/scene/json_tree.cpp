@@ -23,11 +23,17 @@ std::string escapedKey(std::string_view key) {
 
 }  // namespace
 
-JsonValue::Kind JsonValue::kind() const { return tree_->nodes[node_].kind; }
+JsonValue::Kind JsonValue::kind() const {
+    return tree_->nodes[node_].kind;
+}
 
-bool JsonValue::boolean() const { return tree_->nodes[node_].boolean; }
+bool JsonValue::boolean() const {
+    return tree_->nodes[node_].boolean;
+}
 
-double JsonValue::number() const { return tree_->nodes[node_].number; }
+double JsonValue::number() const {
+    return tree_->nodes[node_].number;
+}
 
 std::string_view JsonValue::text() const {
     const JsonTree::Node& node = tree_->nodes[node_];
@@ -39,9 +45,13 @@ std::string_view JsonValue::key() const {
     return std::string_view(tree_->characters).substr(node.keyStart, node.keyLength);
 }
 
-std::size_t JsonValue::offset() const { return tree_->nodes[node_].offset; }
+std::size_t JsonValue::offset() const {
+    return tree_->nodes[node_].offset;
+}
 
-std::size_t JsonValue::keyOffset() const { return tree_->nodes[node_].keyOffset; }
+std::size_t JsonValue::keyOffset() const {
+    return tree_->nodes[node_].keyOffset;
+}
 
 std::string JsonValue::pointer() const {
     std::string pointer;
@@ -68,9 +78,13 @@ JsonValue::Iterator& JsonValue::Iterator::operator++() {
     return *this;
 }
 
-JsonValue::Iterator JsonValue::end() const { return {tree_, tree_->nodes[node_].end}; }
+JsonValue::Iterator JsonValue::end() const {
+    return {tree_, tree_->nodes[node_].end};
+}
 
-std::size_t JsonValue::count() const { return tree_->nodes[node_].count; }
+std::size_t JsonValue::count() const {
+    return tree_->nodes[node_].count;
+}
 
 std::optional<JsonValue> JsonValue::find(std::string_view wanted) const {
     for (const JsonValue member : *this) {

@@ -33,13 +33,13 @@ public:
     bool isArray() const { return kind() == Kind::array; }
     bool isText() const { return kind() == Kind::text; }
 
-    bool boolean() const;            // of a boolean
-    double number() const;           // of a number
-    std::string_view text() const;   // of a text, escapes resolved
-    std::string_view key() const;    // of a member of an object
-    std::size_t offset() const;      // of the value's first byte
-    std::size_t keyOffset() const;   // of the opening quote of a member's key
-    std::string pointer() const;     // JSON pointer, "" for the root
+    bool boolean() const;           // of a boolean
+    double number() const;          // of a number
+    std::string_view text() const;  // of a text, escapes resolved
+    std::string_view key() const;   // of a member of an object
+    std::size_t offset() const;     // of the value's first byte
+    std::size_t keyOffset() const;  // of the opening quote of a member's key
+    std::string pointer() const;    // JSON pointer, "" for the root
 
     // Children of an array or object, in order.
     class Iterator {

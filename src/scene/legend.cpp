@@ -73,8 +73,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         const bool isSingle = !key.empty() && end == key.size();
         const bool isReserved = key == "." || key == " ";
         if (isReserved) {
-            checker.addAtKey(member, "the key " + quoted(key),
-                             "another character; '.' and the space have a meaning of their own");
+            checker.addAtKey(member, "the key " + quoted(key), "another character; '.' and the space have a meaning of their own");
         } else if (isSingle && !isPrintable(character)) {
             checker.addAtKey(member, "a key that is " + shownCharacter(character), "a single character that can be seen");
         } else if (!isSingle) {
@@ -89,8 +88,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
     }
 }
 
-void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
-             std::vector<std::uint16_t>& ids) {
+void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend, std::vector<std::uint16_t>& ids) {
     const std::string_view text = value.text();
     std::vector<char32_t> reported;
     std::size_t offset = 0;
@@ -100,17 +98,14 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
         const std::optional<std::uint16_t> id = legend.find(character);
         if (id) {
             if (x < width) ids[static_cast<std::size_t>(x)] = *id;
-        } else if (reported.size() < kMostReportedPerRow &&
-                   std::find(reported.begin(), reported.end(), character) == reported.end()) {
+        } else if (reported.size() < kMostReportedPerRow && std::find(reported.begin(), reported.end(), character) == reported.end()) {
             // Once per row: a character that was forgotten in the legend would fill the list otherwise.
             reported.push_back(character);
-            checker.addInRow(value, row, x, shownCharacter(character),
-                             "a character of the legend: " + legend.characters());
+            checker.addInRow(value, row, x, shownCharacter(character), "a character of the legend: " + legend.characters());
         }
     }
     if (x != width) {
-        checker.addInRow(value, row, std::min(x, width), "a row of " + counted(x, "character"),
-                         counted(width, "character") + ", as in the other rows");
+        checker.addInRow(value, row, std::min(x, width), "a row of " + counted(x, "character"), counted(width, "character") + ", as in the other rows");
     }
 }
 

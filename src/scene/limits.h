@@ -17,13 +17,14 @@ inline constexpr std::size_t kMaxTitleLength = 200;        // characters
 inline constexpr std::size_t kMaxLegend = 4096;            // characters of one legend
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more help nobody
 inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
-inline constexpr std::int64_t kMaxSceneTexels = 64 << 20;  // of all images together, a panorama counted for each map that shows it: 600 MB with the levels of detail
+inline constexpr std::int64_t kMaxSceneTexels =
+    64 << 20;  // of all images together, a panorama counted for each map that shows it: 600 MB with the levels of detail
 
 // Ranges of a scene's numbers that are no limit of the world itself.
-inline constexpr double kMaxHeight = 1000.0;      // units; of a ceiling and of the start
-inline constexpr double kMaxSkySlope = 1000.0;    // height per distance
-inline constexpr double kMaxIntensity = 1000.0;   // of light
-inline constexpr double kMaxMultiplier = 1.0e6;   // of light, units
+inline constexpr double kMaxHeight = 1000.0;       // units; of a ceiling and of the start
+inline constexpr double kMaxSkySlope = 1000.0;     // height per distance
+inline constexpr double kMaxIntensity = 1000.0;    // of light
+inline constexpr double kMaxMultiplier = 1.0e6;    // of light, units
 inline constexpr double kMaxStartHeading = 360.0;  // degrees either way
 
 }  // namespace slicecast

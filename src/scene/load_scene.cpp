@@ -22,8 +22,7 @@ public:
         const bool isSquare = image.width == image.height;
         const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(image.width));
         if (!isSquare || !isPowerOfTwo || image.width < kMinTextureSize) {
-            add(reference, "which is " + sizeOf(image) + " pixels",
-                "a square texture with 8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side");
+            add(reference, "which is " + sizeOf(image) + " pixels", "a square texture with 8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side");
             return {};
         }
         return accept(reference, image) ? makeTexture(std::move(name), image) : Texture{};
@@ -41,9 +40,8 @@ public:
 
     // In the order of the text.
     std::vector<Fault> takeFaults() {
-        std::stable_sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
-            return a.line != b.line ? a.line < b.line : a.column < b.column;
-        });
+        std::stable_sort(faults_.begin(), faults_.end(),
+                         [](const Fault& a, const Fault& b) { return a.line != b.line ? a.line < b.line : a.column < b.column; });
         if (faults_.size() > kMaxFaults) {
             const std::size_t omitted = faults_.size() - kMaxFaults;
             faults_.resize(kMaxFaults);
@@ -74,8 +72,7 @@ private:
         }
         DecodedImage decoded = decodePng(file->second, maxWidth, maxHeight);
         if (!decoded.fault.empty()) {
-            add(reference, "which " + decoded.fault,
-                "a PNG file of at most " + std::to_string(maxWidth) + "x" + std::to_string(maxHeight) + " pixels");
+            add(reference, "which " + decoded.fault, "a PNG file of at most " + std::to_string(maxWidth) + "x" + std::to_string(maxHeight) + " pixels");
         }
         return std::move(decoded.image);
     }
@@ -84,20 +81,16 @@ private:
     bool take(const ImageReference& reference, const Image& image) {
         texels_ += static_cast<std::int64_t>(image.pixels.size());
         if (texels_ <= kMaxSceneTexels) return true;
-        add(reference, "with which the scene has " + std::to_string(texels_) + " pixels of images",
-            "at most " + std::to_string(kMaxSceneTexels));
+        add(reference, "with which the scene has " + std::to_string(texels_) + " pixels of images", "at most " + std::to_string(kMaxSceneTexels));
         texels_ -= static_cast<std::int64_t>(image.pixels.size());
         return false;
     }
 
     bool accept(const ImageReference& reference, const Image& image) {
-        const auto seeThrough =
-            std::find_if(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 255; });
+        const auto seeThrough = std::find_if(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 255; });
         if (seeThrough != image.pixels.end()) {
             const auto index = seeThrough - image.pixels.begin();
-            add(reference,
-                "which has a see-through pixel at column " + std::to_string(index % image.width) + ", row " +
-                    std::to_string(index / image.width),
+            add(reference, "which has a see-through pixel at column " + std::to_string(index % image.width) + ", row " + std::to_string(index / image.width),
                 "an opaque picture; see-through texels are not supported");
             return false;
         }

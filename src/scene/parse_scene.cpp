@@ -67,8 +67,7 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     Checker checker(source, fileName);
     if (source.invalidByte()) {
         const bool isUtf16 = text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff";
-        checker.addSyntax({*source.invalidByte(), isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8",
-                           "a text file saved as UTF-8"});
+        checker.addSyntax({*source.invalidByte(), isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8", "a text file saved as UTF-8"});
         parsed.faults = checker.take();
         return parsed;
     }
@@ -83,8 +82,7 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     for (const auto& [again, first] : json.tree.duplicateKeys()) {
         const Place place = source.place(first.keyOffset());
         checker.addAtKey(again, "the key " + quoted(again.key()) + " a second time",
-                         "each key once; the first is at line " + std::to_string(place.line) + ", column " +
-                             std::to_string(place.column));
+                         "each key once; the first is at line " + std::to_string(place.line) + ", column " + std::to_string(place.column));
     }
     const auto description = std::make_shared<SceneDescription>();
     description->fileName = fileName;

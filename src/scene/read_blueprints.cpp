@@ -12,14 +12,10 @@ struct FaceKey {
     std::array<bool, kFaces> faces;  // north, east, south, west, top, bottom
 };
 constexpr FaceKey kFaceKeys[] = {
-    {"all", {true, true, true, true, true, true}},
-    {"sides", {true, true, true, true, false, false}},
-    {"north", {true, false, false, false, false, false}},
-    {"east", {false, true, false, false, false, false}},
-    {"south", {false, false, true, false, false, false}},
-    {"west", {false, false, false, true, false, false}},
-    {"top", {false, false, false, false, true, false}},
-    {"bottom", {false, false, false, false, false, true}},
+    {"all", {true, true, true, true, true, true}},        {"sides", {true, true, true, true, false, false}},
+    {"north", {true, false, false, false, false, false}}, {"east", {false, true, false, false, false, false}},
+    {"south", {false, false, true, false, false, false}}, {"west", {false, false, false, true, false, false}},
+    {"top", {false, false, false, false, true, false}},   {"bottom", {false, false, false, false, false, true}},
 };
 
 // "brick" or { "texture": "brick", "light": 0.8 }. A faulty face counts as given, so that it is not reported as missing too.
@@ -30,8 +26,7 @@ FaceBlueprint readFace(Reading& reading, JsonValue value) {
         return face;
     }
     face.texture = 0;
-    const auto fields = reading.checker.fields(value, {"texture", "light"},
-                                               "a texture's name, or an object with \"texture\" and \"light\"");
+    const auto fields = reading.checker.fields(value, {"texture", "light"}, "a texture's name, or an object with \"texture\" and \"light\"");
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
         face.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
@@ -92,16 +87,14 @@ void readBlueprints(Reading& reading, JsonValue value) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxBlueprints)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "blueprint"),
-                    "at most " + std::to_string(kMaxBlueprints));
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "blueprint"), "at most " + std::to_string(kMaxBlueprints));
         reading.blueprints.takeAny();
         return;
     }
     std::vector<CellBlueprint>& blueprints = reading.description.world.blueprints;
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, "the name " + quoted(member.key()),
-                             "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+            checker.addAtKey(member, "the name " + quoted(member.key()), "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
         }
         reading.blueprints.add(member.key(), static_cast<BlueprintId>(blueprints.size()));
         blueprints.push_back(readBlueprint(reading, member));

@@ -77,8 +77,7 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxLevels)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "level"),
-                    "at most " + std::to_string(kMaxLevels));
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "level"), "at most " + std::to_string(kMaxLevels));
         return;
     }
     const std::optional<GridSize> size = measure(checker, value);

@@ -5,6 +5,7 @@ namespace slicecast {
 namespace {
 
 constexpr NumberRange kFar = {0.0, kMaxFar, true, "a number above 0 and at most 100000"};
+static_assert(kMaxFar == 1.0e5, "as the words say");
 
 void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& map) {
     const auto member = fields.require("name", "the map's name");
@@ -22,9 +23,8 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
 Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& legendOfAll) {
     Checker& checker = reading.checker;
     Map map;
-    const auto fields = checker.fields(
-        value, {"name", "legend", "levels", "floor", "ceiling", "sky", "light", "fog", "haze", "far"},
-        "a map: an object with \"name\", \"levels\" and \"floor\"");
+    const auto fields = checker.fields(value, {"name", "legend", "levels", "floor", "ceiling", "sky", "light", "fog", "haze", "far"},
+                                       "a map: an object with \"name\", \"levels\" and \"floor\"");
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
 

@@ -11,6 +11,8 @@ constexpr NumberRange kHeight = {0.0, kMaxHeight, false, "a number from 0 to 100
 constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false, "a number from -360 to 360, in degrees; 0 is east, 90 south"};
 constexpr NumberRange kLook = {-kLookLimit, kLookLimit, false, "a number from -1.5 to 1.5, in screen heights"};
 
+static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 && kMaxStartHeading == 360.0 && kLookLimit == 1.5, "as the words say");
+
 // What the body reaches into, over or through.
 std::string obstacle(const World& world, const Map& map, const Box& body) {
     for (int y = body.north.tile(); y <= body.south.tile(); ++y) {
@@ -22,8 +24,7 @@ std::string obstacle(const World& world, const Map& map, const Box& body) {
                 if (id == kEmptyCell || tileEdge(level) + block.top <= body.bottom || tileEdge(level) + block.bottom >= body.top) continue;
                 const bool isBeside = tileEdge(x) >= body.east || tileEdge(y) >= body.south;
                 if (isBeside) continue;
-                return "into the block \"" + block.name + "\" at x " + std::to_string(x) + ", y " + std::to_string(y) + ", level " +
-                       std::to_string(level);
+                return "into the block \"" + block.name + "\" at x " + std::to_string(x) + ", y " + std::to_string(y) + ", level " + std::to_string(level);
             }
         }
     }
@@ -35,23 +36,20 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     const World& world = reading.description.world;
     const Map& map = world.maps[static_cast<std::size_t>(start.map)];
     if (!map.contains(start.x.tile(), start.y.tile())) {
-        reading.checker.add(value, "a start that is not on the map",
-                            "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
+        reading.checker.add(value, "a start that is not on the map", "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
         return;
     }
     // The player starts crouched where there is no room to stand.
     const Box body = bodyBox(start.x, start.y, start.z, kCrouchedHeight);
     if (isFree(world, start.map, body)) return;
-    reading.checker.add(value, "a start that reaches " + obstacle(world, map, body),
-                        "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
+    reading.checker.add(value, "a start that reaches " + obstacle(world, map, body), "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
 }
 
 }  // namespace
 
 void readStart(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
-    const auto fields =
-        checker.fields(value, {"map", "x", "y", "z", "heading", "look"}, "the start: an object with \"x\" and \"y\"");
+    const auto fields = checker.fields(value, {"map", "x", "y", "z", "heading", "look"}, "the start: an object with \"x\" and \"y\"");
     if (!fields) return;
     const std::size_t faultsBefore = checker.count();
     Start& start = reading.description.world.start;

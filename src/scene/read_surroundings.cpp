@@ -11,10 +11,10 @@ constexpr NumberRange kIntensity = {0.0, kMaxIntensity, false, "a number from 0 
 constexpr NumberRange kMultiplier = {0.0, kMaxMultiplier, false, "a number from 0 to 1000000"};
 constexpr NumberRange kFogStart = {0.0, kMaxFar, false, "a number from 0 to 100000"};
 constexpr NumberRange kFogEnd = {0.0, kMaxFar, true, "a number above 0 and at most 100000"};
+static_assert(kMaxHeight == 1000.0 && kMaxSkySlope == 1000.0 && kMaxIntensity == 1000.0 && kMaxMultiplier == 1.0e6 && kMaxFar == 1.0e5, "as the words say");
 
 // "legend" and "tiles" of a floor or ceiling: a texture for each tile.
-void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId space, const Map& map, bool hasSize,
-               std::vector<TextureId>& tiles) {
+void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId space, const Map& map, bool hasSize, std::vector<TextureId>& tiles) {
     Checker& checker = reading.checker;
     Legend legend(own, space);
     if (const auto member = fields.find("legend")) readLegend(checker, *member, reading.textures, "texture", legend);
@@ -26,8 +26,7 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
     }
     const bool fits = rows->count() == static_cast<std::size_t>(map.depth);
     if (hasSize && !fits) {
-        checker.add(*rows, counted(static_cast<std::int64_t>(rows->count()), "row"),
-                    counted(map.depth, "row") + ", as in the map's levels");
+        checker.add(*rows, counted(static_cast<std::int64_t>(rows->count()), "row"), counted(map.depth, "row") + ", as in the map's levels");
     }
     std::vector<std::uint16_t> ids;
     int y = -1;
@@ -52,8 +51,7 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     if (value.isText()) {
         map.floor.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
     } else {
-        fields = reading.checker.fields(value, {"texture", "light", "legend", "tiles"},
-                                        "a texture's name, or an object with \"texture\"");
+        fields = reading.checker.fields(value, {"texture", "light", "legend", "tiles"}, "a texture's name, or an object with \"texture\"");
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
             map.floor.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
@@ -65,8 +63,8 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
 }
 
 void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
-    const auto fields = reading.checker.fields(value, {"height", "texture", "light", "legend", "tiles"},
-                                               "a ceiling: an object with \"height\" and \"texture\"");
+    const auto fields =
+        reading.checker.fields(value, {"height", "texture", "light", "legend", "tiles"}, "a ceiling: an object with \"height\" and \"texture\"");
     if (!fields) return;
     if (const auto height = fields->require("height", kCeilingHeight.words)) {
         map.ceiling.height = toCoordinate(reading.checker.number(*height, kCeilingHeight).value_or(1.0));
@@ -94,8 +92,7 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
         for (const JsonValue member : value) isPanorama = isPanorama || !nearestName(member.key(), {"panorama"}).empty();
     }
     const auto fields = isPanorama ? checker.fields(value, {"panorama", "slope"}, "")
-                                   : checker.fields(value, {"low", "high", "slope"},
-                                                    "a colour, an object with \"low\" and \"high\", or one with \"panorama\"");
+                                   : checker.fields(value, {"low", "high", "slope"}, "a colour, an object with \"low\" and \"high\", or one with \"panorama\"");
     if (!fields) return;
     sky.slope = fields->number("slope", kSlope, 1.0);
     if (isPanorama) {
@@ -113,8 +110,8 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
 }
 
 void readLight(Reading& reading, JsonValue value, Light& light) {
-    const auto fields = reading.checker.fields(value, {"on", "intensity", "multiplier", "darkest", "brightest"},
-                                               "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }");
+    const auto fields =
+        reading.checker.fields(value, {"on", "intensity", "multiplier", "darkest", "brightest"}, "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }");
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     const Light normal;
@@ -125,8 +122,7 @@ void readLight(Reading& reading, JsonValue value, Light& light) {
     light.brightest = fields->number("brightest", kUnitRange, normal.brightest);
     if (reading.checker.count() == faultsBefore && light.darkest > light.brightest) {
         const auto given = fields->find("darkest") ? fields->find("darkest") : fields->find("brightest");
-        reading.checker.add(*given, "a darkest light that is brighter than the brightest",
-                            "darkest <= brightest, which are 0.1 and 1 if not given");
+        reading.checker.add(*given, "a darkest light that is brighter than the brightest", "darkest <= brightest, which are 0.1 and 1 if not given");
     }
 }
 

@@ -30,8 +30,7 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value) {
     std::optional<std::string> name = checker.text(value, kMaxPathLength, expected);
     if (!name) return std::nullopt;
     if (!isPortable(*name)) {
-        checker.add(value, "the file name " + quoted(*name),
-                    expected + ", with forward slashes and none of \\ : ? # % * \" < > |");
+        checker.add(value, "the file name " + quoted(*name), expected + ", with forward slashes and none of \\ : ? # % * \" < > |");
         return std::nullopt;
     }
     if (!isPng(*name)) {
@@ -53,16 +52,14 @@ void readTextures(Reading& reading, JsonValue value) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxTextures)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "texture"),
-                    "at most " + std::to_string(kMaxTextures));
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "texture"), "at most " + std::to_string(kMaxTextures));
         reading.textures.takeAny();
         return;
     }
     std::unordered_map<std::string, TextureId> ids;
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, "the name " + quoted(member.key()),
-                             "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+            checker.addAtKey(member, "the name " + quoted(member.key()), "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
         }
         std::optional<std::string> file = readFileName(checker, member);
         // A texture with a faulty file is known by its name all the same.

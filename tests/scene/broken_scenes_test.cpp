@@ -95,8 +95,7 @@ TEST(BrokenScenes, AreDescribedInOneLine) {
     fault.character = 7;
     fault.found = "'Q'";
     fault.expected = "a character of the legend";
-    EXPECT_EQ(describe(fault),
-              "castle.json:12:5 (/maps/0/levels/1/3, row 3, character 7): found 'Q', expected a character of the legend");
+    EXPECT_EQ(describe(fault), "castle.json:12:5 (/maps/0/levels/1/3, row 3, character 7): found 'Q', expected a character of the legend");
 }
 
 }  // namespace

@@ -72,10 +72,18 @@ std::string damaged(std::string text, Random& random) {
         constexpr std::string_view kTelling = "{}[]\",:.#0123456789-+eE\\u \n\r\t\xff\xc3\xed\xf0";
         const char telling = kTelling[static_cast<std::size_t>(random.below(static_cast<int>(kTelling.size())))];
         switch (random.below(5)) {
-            case 0: text[at] = static_cast<char>(random.below(256)); break;
-            case 1: text[at] = telling; break;
-            case 2: text.insert(at, 1, telling); break;
-            case 3: text.erase(at, static_cast<std::size_t>(random.between(1, 8))); break;
+            case 0:
+                text[at] = static_cast<char>(random.below(256));
+                break;
+            case 1:
+                text[at] = telling;
+                break;
+            case 2:
+                text.insert(at, 1, telling);
+                break;
+            case 3:
+                text.erase(at, static_cast<std::size_t>(random.between(1, 8)));
+                break;
             default: {
                 const auto from = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
                 text.insert(at, text.substr(from, static_cast<std::size_t>(random.between(1, 40))));

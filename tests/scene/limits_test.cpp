@@ -2,7 +2,9 @@
 #include "scene/limits.h"
 
 #include "base/image.h"
+#include "scene/json_tree.h"
 #include "scene/scene_files.h"
+#include "world/player.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +21,9 @@ std::string level(int width, int depth) {
     return rows + "]";
 }
 
-std::vector<Fault> faultsOf(const std::string& text) { return parseScene(text, "test.json").faults; }
+std::vector<Fault> faultsOf(const std::string& text) {
+    return parseScene(text, "test.json").faults;
+}
 
 TEST(Limits, TheLargestMapIsReadInSeconds) {
     const std::string text = smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + "]");
@@ -82,7 +86,8 @@ TEST(Limits, NamesTitlesAndLegends) {
 
     const auto withLegend = [](std::size_t count) {
         std::string legend;
-        for (std::size_t i = 0; i < count; ++i) legend += (i > 0 ? ", \"" : "\"") + std::string("\xe4") + static_cast<char>(0x80 + i / 64) + static_cast<char>(0x80 + i % 64) + "\": \"wall\"";
+        for (std::size_t i = 0; i < count; ++i)
+            legend += (i > 0 ? ", \"" : "\"") + std::string("\xe4") + static_cast<char>(0x80 + i / 64) + static_cast<char>(0x80 + i % 64) + "\": \"wall\"";
         return smallScene(R"([["###", "#.#", "###"]])", R"("legend": { )" + legend + " }");
     };
     EXPECT_EQ(faultsOf(withLegend(kMaxLegend)).size(), 0u);
@@ -112,6 +117,51 @@ TEST(Limits, NoMoreMissingImagesEither) {
     ASSERT_EQ(faults.size(), kMaxFaults + 1);
     EXPECT_EQ(faults[7].pointer, "/textures/t7");
     EXPECT_EQ(faults.back().found, "201 more faults");
+}
+
+TEST(Limits, AreTheSchemasToo) {
+    const std::string text = readText(std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "assets/scene.schema.json");
+    const SourceText source(text);
+    const ParsedJson json = parseJson(source);
+    ASSERT_FALSE(json.fault.has_value());
+    // The number behind a path of keys; -1 if there is none.
+    const auto number = [&](std::initializer_list<std::string_view> path) {
+        std::optional<JsonValue> value = json.tree.root();
+        for (const std::string_view key : path) {
+            if (value) value = value->find(key);
+        }
+        return value ? value->number() : -1.0;
+    };
+    EXPECT_EQ(number({"properties", "title", "maxLength"}), kMaxTitleLength);
+    EXPECT_EQ(number({"properties", "textures", "maxProperties"}), kMaxTextures);
+    EXPECT_EQ(number({"properties", "textures", "propertyNames", "maxLength"}), kMaxNameLength);
+    EXPECT_EQ(number({"properties", "blueprints", "maxProperties"}), kMaxBlueprints);
+    EXPECT_EQ(number({"properties", "maps", "maxItems"}), kMaxMaps);
+    EXPECT_EQ(number({"definitions", "file", "maxLength"}), kMaxPathLength);
+    EXPECT_EQ(number({"definitions", "legend", "maxProperties"}), kMaxLegend);
+    EXPECT_EQ(number({"definitions", "rows", "maxItems"}), kMaxMapDepth);
+    EXPECT_EQ(number({"definitions", "rows", "items", "maxLength"}), kMaxMapWidth);
+
+    const auto ofMap = [&](std::string_view part, std::string_view key, std::string_view keyword) {
+        return number({"definitions", "map", "properties", part, "properties", key, keyword});
+    };
+    const Map normal;
+    EXPECT_EQ(number({"definitions", "map", "properties", "levels", "maxItems"}), kMaxLevels);
+    EXPECT_EQ(number({"definitions", "map", "properties", "far", "maximum"}), kMaxFar);
+    EXPECT_EQ(number({"definitions", "map", "properties", "far", "default"}), kDefaultFar);
+    EXPECT_EQ(ofMap("ceiling", "height", "maximum"), kMaxHeight);
+    EXPECT_EQ(ofMap("light", "intensity", "maximum"), kMaxIntensity);
+    EXPECT_EQ(ofMap("light", "intensity", "default"), normal.light.intensity);
+    EXPECT_EQ(ofMap("light", "multiplier", "maximum"), kMaxMultiplier);
+    EXPECT_EQ(ofMap("light", "multiplier", "default"), normal.light.multiplier);
+    EXPECT_EQ(ofMap("light", "darkest", "default"), normal.light.darkest);
+    EXPECT_EQ(ofMap("light", "brightest", "default"), normal.light.brightest);
+    EXPECT_EQ(ofMap("fog", "end", "maximum"), kMaxFar);
+    EXPECT_EQ(number({"definitions", "slope", "maximum"}), kMaxSkySlope);
+    EXPECT_EQ(number({"definitions", "slope", "default"}), normal.sky.slope);
+    EXPECT_EQ(number({"definitions", "start", "properties", "z", "maximum"}), kMaxHeight);
+    EXPECT_EQ(number({"definitions", "start", "properties", "heading", "maximum"}), kMaxStartHeading);
+    EXPECT_EQ(number({"definitions", "start", "properties", "look", "maximum"}), kLookLimit);
 }
 
 TEST(Limits, ImagesOfAllMapsTogether) {

@@ -71,12 +71,12 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(hall.width, 5);
     EXPECT_EQ(hall.depth, 4);
     EXPECT_EQ(hall.levels, 3);
-    EXPECT_EQ(hall.cell(0, 0, 0), wall);    // '+'
+    EXPECT_EQ(hall.cell(0, 0, 0), wall);  // '+'
     EXPECT_EQ(hall.cell(1, 1, 0), kEmptyCell);
     EXPECT_EQ(hall.cell(2, 1, 0), kEmptyCell);
-    EXPECT_EQ(hall.cell(3, 1, 0), slab);    // '#' means something else in this map
-    EXPECT_EQ(hall.cell(3, 2, 0), slab);    // of the scene's legend
-    EXPECT_EQ(hall.cell(2, 3, 0), wall);    // beyond 16 bits
+    EXPECT_EQ(hall.cell(3, 1, 0), slab);  // '#' means something else in this map
+    EXPECT_EQ(hall.cell(3, 2, 0), slab);  // of the scene's legend
+    EXPECT_EQ(hall.cell(2, 3, 0), wall);  // beyond 16 bits
     EXPECT_EQ(hall.cell(0, 0, 1), kEmptyCell);
     EXPECT_EQ(hall.cell(2, 1, 2), slab);
     EXPECT_EQ(hall.occupied[hall.tileIndex(0, 0)], 1u);
@@ -150,10 +150,9 @@ TEST(ParseScene, RoundsCoordinatesAndNothingElse) {
 
 TEST(ParseScene, ReadsNumbersWithCorrectRounding) {
     // Halfway cases and long digits that quick parsers get wrong.
-    for (const auto& [text, value] : {std::pair{"0.1000000000000000055511151231257827021181583404541015625", 0.1},
-                                      std::pair{"3.5844466002796428e-1", 3.5844466002796428e-1},
-                                      std::pair{"0.30000000000000004", 0.30000000000000004},
-                                      std::pair{"123456789012345678e-18", 0.123456789012345678}}) {
+    for (const auto& [text, value] :
+         {std::pair{"0.1000000000000000055511151231257827021181583404541015625", 0.1}, std::pair{"3.5844466002796428e-1", 3.5844466002796428e-1},
+          std::pair{"0.30000000000000004", 0.30000000000000004}, std::pair{"123456789012345678e-18", 0.123456789012345678}}) {
         const World world = load(replaced(smallScene(), R"("y": 1.5)", R"("y": 1.5, "look": )" + std::string(text)));
         EXPECT_EQ(world.start.look, value) << text;
     }

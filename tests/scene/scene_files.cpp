@@ -5,7 +5,9 @@
 
 namespace slicecast {
 
-std::filesystem::path sceneTestFolder() { return std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "tests/scene"; }
+std::filesystem::path sceneTestFolder() {
+    return std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "tests/scene";
+}
 
 std::string readText(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -62,8 +62,9 @@ TEST(SourceText, KnowsWhatIsUtf8) {
     for (const char* sound : {"", "plain", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80", "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"}) {
         EXPECT_FALSE(SourceText(sound).invalidByte().has_value()) << sound;
     }
-    const std::string_view faulty[] = {"ab\x80", "ab\xc3", "ab\xc0\xaf", "ab\xc1\xbf", "ab\xe2\x96", "ab\xe0\x9f\xbf", "ab\xed\xa0\x80",
-                                       "ab\xf0\x8f\xbf\xbf", "ab\xf4\x90\x80\x80", "ab\xf5\x80\x80\x80", "ab\xff", "ab\xf0\x9f\xa7 "};
+    const std::string_view faulty[] = {"ab\x80",         "ab\xc3",         "ab\xc0\xaf",         "ab\xc1\xbf",         "ab\xe2\x96",
+                                       "ab\xe0\x9f\xbf", "ab\xed\xa0\x80", "ab\xf0\x8f\xbf\xbf", "ab\xf4\x90\x80\x80", "ab\xf5\x80\x80\x80",
+                                       "ab\xff",         "ab\xf0\x9f\xa7 "};
     for (const std::string_view text : faulty) EXPECT_EQ(SourceText(text).invalidByte(), std::size_t{2}) << text;
 }
 
