@@ -1,0 +1,164 @@
+// Measures how fast fixed views of shipped scenes are drawn, beside the limit kernel and a copy of the frame. Everything takes its turn round by round, so that
+// whatever else the machine does falls on all alike; figures are medians over the rounds.
+//
+//     slicecast-bench ASSETS_FOLDER ROUNDS        prints JSON; tools/bench makes a table of it
+
+#include "headless/scene_file.h"
+#include "limit_kernel.h"
+#include "session/session.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#ifdef __EMSCRIPTEN__
+#include <emscripten.h>
+#endif
+
+namespace slicecast {
+namespace {
+
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+constexpr double kPixels = static_cast<double>(kWidth) * kHeight;
+
+// An eye in the map in which the scene starts; without one, the start itself.
+struct Place {
+    double x, y, z, headingDegrees, look;
+};
+struct View {
+    const char* scene;
+    const char* name;
+    std::optional<Place> place;
+};
+
+const std::array kViews = {
+    View{"first-walk", "start", {}},
+    View{"first-walk", "over the court", Place{12.0, 18.5, 3.2, 270.0, -0.2}},
+    View{"harbour-town", "start", {}},
+    View{"harbour-town", "turned", Place{20.5, 20.5, 0.5, 200.0, 0.0}},
+};
+
+// One of the things that take turns.
+struct Item {
+    std::string scene;  // empty for the limit and the copy
+    std::string name;
+    int frames;  // per round and measurement
+    std::function<void()> draw;
+    std::vector<double> nsPerPixel;  // by round
+};
+
+// Time that the processor has spent on this program, so that programs beside it count less.
+#ifdef __EMSCRIPTEN__
+EM_JS(double, seconds, (), {
+    const usage = process.cpuUsage();
+    return (usage.user + usage.system) * 1e-6;
+})
+#else
+double seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+#endif
+
+// The first frame brings its textures into the caches, as the frame before would have done in a game.
+double measure(const Item& item) {
+    item.draw();
+    const double begin = seconds();
+    for (int i = 0; i < item.frames; ++i) item.draw();
+    return (seconds() - begin) / item.frames * 1e9 / kPixels;
+}
+
+double quantile(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+// Median of the ratios of two things in the same round.
+double ratio(const std::vector<double>& of, const std::vector<double>& to) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < of.size(); ++i) ratios.push_back(of[i] / to[i]);
+    return quantile(ratios, 0.5);
+}
+
+std::unique_ptr<Session> openScene(const std::string& assets, const View& view) {
+    SceneFromFile scene = readScene(assets + "/scenes/" + view.scene + ".json");
+    for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    if (!scene.world) return nullptr;
+    auto session = std::make_unique<Session>(std::move(*scene.world));
+    if (view.place) {
+        const Place& p = *view.place;
+        if (!session->setEye({session->player().map, toCoordinate(p.x), toCoordinate(p.y), toCoordinate(p.z), p.headingDegrees, p.look})) return nullptr;
+    }
+    return session;
+}
+
+void printFigures(const Item& item, const Item* other, const char* end) {
+    const double median = quantile(item.nsPerPixel, 0.5);
+    const double spread = (quantile(item.nsPerPixel, 0.75) - quantile(item.nsPerPixel, 0.25)) / median;
+    std::printf("{ \"scene\": \"%s\", \"name\": \"%s\", \"nsPerPixel\": %.4f, \"spread\": %.4f", item.scene.c_str(), item.name.c_str(), median, spread);
+    if (other != nullptr) std::printf(", \"ratio\": %.4f", ratio(item.nsPerPixel, other->nsPerPixel));
+    std::printf(" }%s\n", end);
+}
+
+int run(const std::string& assets, int rounds) {
+    std::vector<Pixel> frame(static_cast<std::size_t>(kWidth) * kHeight);
+    std::vector<Pixel> copy(frame.size());
+    const Picture picture = {frame.data(), kWidth, kHeight, kWidth};
+    LimitKernel limit(kWidth, kHeight);
+
+    std::vector<Item> items;
+    items.push_back({"", "copy", 8, [&] { std::memcpy(copy.data(), frame.data(), frame.size() * sizeof(Pixel)); }, {}});
+    items.push_back({"", "limit", 2, [&] { limit.draw(frame.data()); }, {}});
+    for (const View& view : kViews) {
+        const std::shared_ptr<Session> session = openScene(assets, view);
+        if (!session || !session->draw(picture)) {
+            std::fprintf(stderr, "slicecast-bench: %s, %s cannot be drawn\n", view.scene, view.name);
+            return 1;
+        }
+        items.push_back({view.scene, view.name, 2, [session, picture] { session->draw(picture); }, {}});
+    }
+
+    // A few rounds do not count: engines of WebAssembly compile what runs often once more.
+    const int warmUp = 5 + rounds / 10;
+    for (int round = -warmUp; round < rounds; ++round) {
+        for (Item& item : items) {
+            const double nsPerPixel = measure(item);
+            if (round >= 0) item.nsPerPixel.push_back(nsPerPixel);
+        }
+    }
+
+    std::printf("{ \"width\": %d, \"height\": %d, \"rounds\": %d,\n  \"copy\": ", kWidth, kHeight, rounds);
+    printFigures(items[0], nullptr, ",");
+    std::printf("  \"limit\": ");
+    printFigures(items[1], &items[0], ",");
+    std::printf("  \"views\": [\n");
+    for (std::size_t i = 2; i < items.size(); ++i) {
+        std::printf("    ");
+        printFigures(items[i], &items[1], i + 1 < items.size() ? "," : "");
+    }
+    std::printf("  ] }\n");
+    return 0;
+}
+
+}  // namespace
+}  // namespace slicecast
+
+int main(int argc, char** argv) {
+    const int rounds = argc == 3 ? std::atoi(argv[2]) : 0;
+    if (rounds < 1) {
+        std::fprintf(stderr, "usage: slicecast-bench ASSETS_FOLDER ROUNDS\n");
+        return 2;
+    }
+    return slicecast::run(argv[1], rounds);
+}
