@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
         "The exit status is 0 if all scenes are ok, 1 if one is not, and 2 for a wrong command line.\n"
         "\nExamples:\n"
         "  slicecast-check castle.json\n"
-        "  slicecast-check assets/scenes/*.json\n");
+        "  slicecast-check castle.json harbour.json\n");
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {
