@@ -56,6 +56,11 @@ progress() {
   return "$status"
 }
 
+# oneAtATime LOCK COMMAND...: two builds in one folder would spoil it; the second one waits, where the system has flock.
+oneAtATime() {
+  if command -v flock >/dev/null; then flock "$@"; else "${@:2}"; fi
+}
+
 # buildPreset PRESET TARGET...: configures the preset where needed and builds the targets ("all" for every one).
 buildPreset() {
   local preset="$1" folder="$repo/build/$1" stamp="$repo/build/$1/.slicecast-configured" wanted
@@ -66,5 +71,6 @@ buildPreset() {
       ${SLICECAST_SDL2_WASM:+-DSLICECAST_SDL2_WASM="$SLICECAST_SDL2_WASM"}) || return 1
     printf '%s' "$wanted" >"$stamp"
   fi
-  progress "Building $preset" cmake --build "$folder" --target "$@"
+  progress "Building $preset" oneAtATime "$folder/.slicecast-lock" \
+    cmake --build "$folder" -j "$(getconf _NPROCESSORS_ONLN)" --target "$@"
 }
