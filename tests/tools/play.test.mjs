@@ -1,0 +1,56 @@
+// What tools/play and tools/setup refuse, and how they say it. Nothing here gets as far as building.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync, symlinkSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const tools = fileURLToPath(new URL('../../tools/', import.meta.url));
+
+function run(command, args, env = process.env) {
+  return spawnSync(path.join(tools, command), args, { encoding: 'utf8', env, timeout: 60000 });
+}
+
+for (const [args, message] of [
+  [['no-such-scene.json'], /there is no scene "no-such-scene\.json"/],
+  [['/'], /"\/" is not a file/],
+  [[path.join(tools, 'play')], /must end in \.json/],
+  [['a.json', 'b.json'], /one scene at a time/],
+  [['--port'], /--port wants a number/],
+  [['--port', '0'], /from 1 to 65535, not "0"/],
+  [['--port=70000'], /from 1 to 65535, not "70000"/],
+  [['--prot', '80'], /unknown option "--prot"/],
+]) {
+  test(`tools/play ${args.map((arg) => arg.replace(tools, '')).join(' ')} is refused at once`, () => {
+    const { status, stderr } = run('play', args);
+    assert.equal(status, 1);
+    assert.match(stderr, message);
+    assert.equal(stderr.trim().split('\n').length, 1, stderr);
+  });
+}
+
+test('--help tells the words and options', () => {
+  assert.match(run('play', ['--help']).stdout, /SCENE\.json.*--port/s);
+  assert.match(run('setup', ['--help']).stdout, /native.*browser/s);
+  assert.match(run('test', ['--help']).stdout, /native.*all/s);
+});
+
+test('where it cannot install, tools/setup stops with the whole list of what is missing', (t) => {
+  // A system with a shell and nothing else.
+  const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-bare-'));
+  t.after(() => rmSync(folder, { recursive: true }));
+  for (const name of ['bash', 'env', 'sed', 'grep', 'tr', 'uname', 'id', 'basename', 'dirname', 'cat', 'readlink']) {
+    const from = process.env.PATH.split(path.delimiter).map((place) => path.join(place, name)).find(existsSync);
+    symlinkSync(from, path.join(folder, name));
+  }
+  const { status, stderr } = run('setup', [], { PATH: folder, HOME: folder });
+  assert.equal(status, 1);
+  for (const name of ['cmake', 'ninja', 'emscripten', 'clang', 'npm', 'chromium']) assert.match(stderr, new RegExp(`apt-get install .*${name}`));
+  assert.match(stderr, /brew install .*emscripten/);
+  assert.match(stderr, /dnf install .*gcc-c\+\+/);
+  assert.match(stderr, /pacman -S .*ninja/);
+  assert.equal(run('setup', ['everything']).status, 1);
+});
