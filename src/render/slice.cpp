@@ -18,6 +18,9 @@ double units(std::int32_t raw) { return raw / 65536.0; }
 // and far more than a rounding.
 constexpr double kSnap = 1.0 / 17179869184.0;
 
+// A walk that stops at a border must be past it for certain: by more than roundings.
+constexpr double kBeyond = 1.0 + 1.0 / 1099511627776.0;
+
 // The column of texels at a fraction of a tile, eastward or southward.
 int texelColumn(double fraction, int size, bool reversed) {
     const int index = std::min(size - 1, static_cast<int>(std::max(0.0, fraction + kSnap) * size));
@@ -107,10 +110,10 @@ void Slice::walk() {
 double Slice::whereToStop() const {
     if (open_.none()) return 0.0;
     const int firstFalling = projection_.firstFallingRow;
-    if (open_.first() >= firstFalling) return frame_.eye.z.value() * frame_.inverseOffsets[static_cast<std::size_t>(open_.first())];
+    if (open_.first() >= firstFalling) return kBeyond * frame_.eye.z.value() * frame_.inverseOffsets[static_cast<std::size_t>(open_.first())];
     if (open_.last() > firstFalling) return kNever;
     const double rise = frame_.highest - frame_.eye.z.value();
-    return rise <= 0.0 ? 0.0 : rise * frame_.inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
+    return rise <= 0.0 ? 0.0 : kBeyond * rise * frame_.inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
 
 int Slice::collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& blocks) const {
