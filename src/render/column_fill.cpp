@@ -8,6 +8,8 @@ namespace {
 
 constexpr std::uint32_t kEvenBytes = 0x00ff00ff;
 constexpr std::uint32_t kOpaque = 0xff000000;
+constexpr std::uint32_t kFullLight = 256;  // the factor that leaves a colour as it is
+constexpr std::uint32_t kFullLightTwice = inBothHalves(kFullLight);
 
 // A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with alpha; no product or sum below exceeds 16 bits.
 // A machine without vectors leaves the vector forms unused.
@@ -52,6 +54,12 @@ inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint
     const U32x4 odd = dividedBy255((U32x4)((U16x8)((lit >> 8) & kEvenBytes) * rest + hazeOdd * fog + half));
     return even | odd << 8 | kOpaque;
 }
+
+// Full light and no fog: colours stay as they are.
+struct NoShade {
+    std::uint32_t one(std::uint32_t texel, int) const { return texel | kOpaque; }
+    U32x4 four(U32x4 texels, int) const { return texels | kOpaque; }
+};
 
 // The same light and fog for all rows: a wall is at one depth.
 template <bool foggy>
@@ -143,6 +151,25 @@ void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level
     }
 }
 
+// Splits rows in which something is so from one row on, or up to one row, into the one or two runs that they make.
+template <typename IsSo, typename Fill>
+void eachRun(int first, int last, IsSo&& isSo, Fill&& fill) {
+    const bool atFirst = isSo(first);
+    const bool atLast = isSo(last - 1);
+    if (atFirst == atLast) {
+        fill(first, last, atFirst);
+        return;
+    }
+    int same = first;  // the last row known to be like the first one; `other` is the first row known to be unlike it
+    int other = last - 1;
+    while (other - same > 1) {
+        const int middle = same + (other - same) / 2;
+        (isSo(middle) == atFirst ? same : other) = middle;
+    }
+    fill(first, other, atFirst);
+    fill(other, last, atLast);
+}
+
 template <typename ShadeRows>
 void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows shade) {
     for (int row = first; row < last; ++row) column[row] = shade.one(texel, row);
@@ -154,27 +181,47 @@ void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, 
     const Pixel* texels = level.texels.data() + (static_cast<std::size_t>(texelColumn) << level.bits);
     const int shift = kTexturePositionBits - level.bits;
     const std::uint32_t factor = inBothHalves(shade.factor);
-    if (shade.fog == 0) {
-        fillSideRows(out, rows, texels, shift, start, step, EvenShade<false>{factor, 0, haze});
-    } else {
+    if (shade.fog != 0) {
         fillSideRows(out, rows, texels, shift, start, step, EvenShade<true>{factor, inBothHalves(shade.fog), haze});
+    } else if (shade.factor == kFullLight) {
+        fillSideRows(out, rows, texels, shift, start, step, NoShade{});
+    } else {
+        fillSideRows(out, rows, texels, shift, start, step, EvenShade<false>{factor, 0, haze});
     }
 }
 
 void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze) {
-    const auto fill = [&](auto shade) {
+    const auto fill = [&](int from, int to, auto shade) {
         // A single texel needs no position (and a shift by all 32 bits has no meaning).
         if (level.bits == 0) {
-            fillOneTexel(column, first, last, level.texels[0], shade);
+            fillOneTexel(column, from, to, level.texels[0], shade);
         } else {
-            fillPlaneRows(column, first, last, level, line, rows.inverseOffsets, shade);
+            fillPlaneRows(column, from, to, level, line, rows.inverseOffsets, shade);
         }
     };
-    if (rows.fogs) {
-        fill(RowShade<true>{rows.factors, rows.fogs, haze});
-    } else {
-        fill(RowShade<false>{rows.factors, nullptr, haze});
+    // Near rows may be without fog, and some of those in full light. Depth goes one way along the rows, so each kind is a run.
+    const auto fogs = [&](int row) { return rows.fogs[row] != 0; };
+    const auto dimmed = [&](int row) { return rows.factors[row] != kFullLightTwice; };
+    const auto fillClear = [&](int from, int to) {
+        eachRun(from, to, dimmed, [&](int runFirst, int runLast, bool isDimmed) {
+            if (isDimmed) {
+                fill(runFirst, runLast, RowShade<false>{rows.factors, nullptr, haze});
+            } else {
+                fill(runFirst, runLast, NoShade{});
+            }
+        });
+    };
+    if (!rows.fogs) {
+        fillClear(first, last);
+        return;
     }
+    eachRun(first, last, fogs, [&](int runFirst, int runLast, bool isFoggy) {
+        if (isFoggy) {
+            fill(runFirst, runLast, RowShade<true>{rows.factors, rows.fogs, haze});
+        } else {
+            fillClear(runFirst, runLast);
+        }
+    });
 }
 
 std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double inverseOffset) {

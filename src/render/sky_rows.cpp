@@ -22,6 +22,8 @@ void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double he
                 toPixel({blend(sky.low.r, sky.high.r), blend(sky.low.g, sky.high.g), blend(sky.low.b, sky.high.b), 255});
         }
     } else if (sky.kind == Sky::Kind::panorama) {
+        colours_.resize(static_cast<std::size_t>(rows));
+        fetchedColumn_ = -1;
         panoramaOffsets_.resize(static_cast<std::size_t>(rows));
         for (int row = 0; row < rows; ++row) {
             const int line = std::min(sky.panorama.height - 1, static_cast<int>((1.0 - share(row)) * sky.panorama.height));
@@ -39,18 +41,36 @@ void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double he
     }
 }
 
-void SkyRows::fill(Pixel* slice, int column, int first, int last) const {
-    switch (sky_->kind) {
-        case Sky::Kind::colour: std::fill(slice + first, slice + last, toPixel(sky_->low)); break;
-        case Sky::Kind::gradient: std::copy(colours_.begin() + first, colours_.begin() + last, slice + first); break;
-        case Sky::Kind::panorama: {
-            const double turn = (headingDegrees_ + azimuths_[static_cast<std::size_t>(column)]) / 360.0;
-            const int width = sky_->panorama.width;
-            const int u = std::min(width - 1, static_cast<int>((turn - std::floor(turn)) * width));
-            const Pixel* texels = sky_->panorama.pixels.data() + u;
-            for (int row = first; row < last; ++row) slice[row] = texels[panoramaOffsets_[static_cast<std::size_t>(row)]];
-            break;
-        }
+void SkyRows::fill(Pixel* slice, int column, int first, int last) {
+    if (sky_->kind == Sky::Kind::colour) {
+        std::fill(slice + first, slice + last, toPixel(sky_->low));
+        return;
+    }
+    if (sky_->kind == Sky::Kind::panorama) {
+        const double turn = (headingDegrees_ + azimuths_[static_cast<std::size_t>(column)]) / 360.0;
+        const int width = sky_->panorama.width;
+        fetch(std::min(width - 1, static_cast<int>((turn - std::floor(turn)) * width)), first, last);
+    }
+    std::copy(colours_.begin() + first, colours_.begin() + last, slice + first);
+}
+
+// Brings rows of a panorama's column into `colours_`. The panorama lies row by row, so each pixel of a column is a long way from the next; but several slices
+// beside each other show the same column.
+void SkyRows::fetch(int panoramaColumn, int first, int last) {
+    if (panoramaColumn != fetchedColumn_) {
+        fetchedColumn_ = panoramaColumn;
+        fetchedFirst_ = fetchedLast_ = first;
+    }
+    const Pixel* const texels = sky_->panorama.pixels.data() + panoramaColumn;
+    const int* const offsets = panoramaOffsets_.data();
+    Pixel* const colours = colours_.data();
+    if (first < fetchedFirst_) {
+        for (int row = first; row < fetchedFirst_; ++row) colours[row] = texels[offsets[row]];
+        fetchedFirst_ = first;
+    }
+    if (last > fetchedLast_) {
+        for (int row = fetchedLast_; row < last; ++row) colours[row] = texels[offsets[row]];
+        fetchedLast_ = last;
     }
 }
 

@@ -17,12 +17,17 @@ public:
     void beginFrame(const Sky& sky, const Projection& projection, double headingDegrees);
 
     // Fills the rows [first, last) of the slice that starts at `slice`, all above or on the horizon.
-    void fill(Pixel* slice, int column, int first, int last) const;
+    void fill(Pixel* slice, int column, int first, int last);
 
 private:
+    void fetch(int panoramaColumn, int first, int last);
+
     const Sky* sky_ = nullptr;
     double headingDegrees_ = 0.0;
-    std::vector<Pixel> colours_;       // gradient: by row
+    std::vector<Pixel> colours_;       // by row: the gradient, or one column of the panorama
+    int fetchedColumn_ = -1;           // which column of the panorama, and which rows of it are there
+    int fetchedFirst_ = 0;
+    int fetchedLast_ = 0;
     std::vector<int> panoramaOffsets_; // panorama: where each row's texels begin
     std::vector<double> azimuths_;     // atan(k) by column, degrees
     int azimuthWidth_ = 0;             // what the azimuths were made for

@@ -50,17 +50,20 @@ void Strip::resize(int height) {
 }
 
 void Strip::copyTo(const Picture& picture, int x, int columns) const {
+    // Copies of their own, which the stores below cannot be thought to change.
+    const Pixel* const strip = pixels_.data();
+    const std::ptrdiff_t stride = stride_;
+    const std::ptrdiff_t pitch = picture.pitch;
+    const int height = height_;
+    Pixel* row = picture.pixels + x;
     int y = 0;
     if (kHasVectors && columns == kStripColumns) {
-        for (; y + 4 <= height_; y += 4) {
-            for (int c = 0; c < kStripColumns; c += 4) {
-                transposeFour(pixels_.data() + static_cast<std::ptrdiff_t>(c) * stride_ + y, stride_, picture.row(y) + x + c, picture.pitch);
-            }
+        for (; y + 4 <= height; y += 4, row += 4 * pitch) {
+            for (int c = 0; c < kStripColumns; c += 4) transposeFour(strip + c * stride + y, stride, row + c, pitch);
         }
     }
-    for (; y < height_; ++y) {
-        Pixel* row = picture.row(y) + x;
-        for (int c = 0; c < columns; ++c) row[c] = pixels_[static_cast<std::size_t>(c) * static_cast<std::size_t>(stride_) + static_cast<std::size_t>(y)];
+    for (; y < height; ++y, row += pitch) {
+        for (int c = 0; c < columns; ++c) row[c] = strip[c * stride + y];
     }
 }
 
