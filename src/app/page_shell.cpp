@@ -39,6 +39,8 @@ EM_JS(int, slicecastOpenCanvas, (), {
 });
 
 EM_JS(void, slicecastCloseCanvas, (), {
+    const canvas = Module["canvas"];
+    if (canvas.getRootNode().pointerLockElement === canvas) document.exitPointerLock();
     Module["slicecastScreen"].listeners.abort();
     delete Module["slicecastScreen"];
 });
@@ -226,6 +228,7 @@ bool beginPageProgram() {
     emscripten_set_beforeunload_callback(nullptr, nullptr);
 
     listen(true);
+    pageProgram().redraw();
     emscripten_request_animation_frame_loop(onAnimationFrame, nullptr);
     return true;
 }
@@ -233,6 +236,8 @@ bool beginPageProgram() {
 void endPageProgram() {
     if (shell().window == nullptr) return;
     listen(false);
+    pageProgram().releaseKeys();
+    pageProgram().pointerHeld(false);
     SDL_DestroyWindow(shell().window);
     shell().window = nullptr;
     SDL_Quit();

@@ -2,8 +2,6 @@
 
 #ifndef __EMSCRIPTEN__
 
-#include <rapidjson/document.h>
-
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -27,6 +25,19 @@ std::optional<std::vector<std::uint8_t>> readBytes(const std::filesystem::path& 
 
 std::string textOf(const std::vector<std::uint8_t>& bytes) {
     return {bytes.begin(), bytes.end()};
+}
+
+// The list of scenes is [{"file": "NAME.json", ...}, ...], the opening scene first; file names need no escapes. So the first text after the first "file" is
+// the one.
+std::string firstFile(const std::string& list) {
+    std::size_t at = list.find("\"file\"");
+    if (at == std::string::npos) return {};
+    at = list.find(':', at);
+    if (at == std::string::npos) return {};
+    const std::size_t begin = list.find('"', at);
+    if (begin == std::string::npos) return {};
+    const std::size_t end = list.find('"', begin + 1);
+    return end == std::string::npos ? std::string() : list.substr(begin + 1, end - begin - 1);
 }
 
 }  // namespace
@@ -54,12 +65,8 @@ std::filesystem::path findOpeningScene(const std::filesystem::path& programFolde
         const std::filesystem::path scenes = programFolder / folder;
         const auto bytes = readBytes(scenes / "index.json");
         if (!bytes) continue;
-        rapidjson::Document list;
-        const std::string text = textOf(*bytes);
-        list.Parse(text.data(), text.size());
-        if (list.HasParseError() || !list.IsArray() || list.Empty() || !list[0].IsObject()) continue;
-        const auto file = list[0].FindMember("file");
-        if (file != list[0].MemberEnd() && file->value.IsString()) return (scenes / file->value.GetString()).lexically_normal();
+        const std::string name = firstFile(textOf(*bytes));
+        if (!name.empty()) return (scenes / name).lexically_normal();
     }
     return {};
 }

@@ -28,6 +28,7 @@ TEST(SceneFile, AFileThatIsNotThereIsAFault) {
 
 TEST(SceneFile, TheOpeningSceneIsTheFirstOfTheList) {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "slicecast-opening";
+    std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "scenes");
     EXPECT_EQ(findOpeningScene(folder), std::filesystem::path());
     std::ofstream(folder / "scenes/index.json") << "[{\"file\": \"one.json\"}, {\"file\": \"two.json\"}]";
