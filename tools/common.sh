@@ -63,12 +63,17 @@ oneAtATime() {
 
 # buildPreset PRESET TARGET...: configures the preset where needed and builds the targets ("all" for every one).
 buildPreset() {
-  local preset="$1" folder="$repo/build/$1" stamp="$repo/build/$1/.slicecast-configured" wanted
+  local preset="$1" folder="$repo/build/$1" stamp="$repo/build/$1/.slicecast-configured" wanted options=()
   shift
-  wanted="$(cksum <"$repo/CMakePresets.json") ${SLICECAST_SDL2_WASM:-}"
+  wanted="$(cksum <"$repo/CMakePresets.json")"
+  if [[ "$preset" == wasm-* ]]; then
+    wanted+=" $(command -v emcc) ${SLICECAST_SDL2_WASM:-}"
+    options+=(-DSLICECAST_SDL2_WASM="${SLICECAST_SDL2_WASM:-}")
+  fi
   if [[ ! -f "$folder/build.ninja" || ! -f "$stamp" || "$(cat "$stamp")" != "$wanted" ]]; then
-    (cd "$repo" && progress "Configuring $preset" cmake --preset "$preset" \
-      ${SLICECAST_SDL2_WASM:+-DSLICECAST_SDL2_WASM="$SLICECAST_SDL2_WASM"}) || return 1
+    # Another compiler or SDL than last time: nothing that was found with the old one holds.
+    rm -rf "$folder/CMakeCache.txt" "$folder/CMakeFiles"
+    (cd "$repo" && progress "Configuring $preset" cmake --preset "$preset" ${options[@]+"${options[@]}"}) || return 1
     printf '%s' "$wanted" >"$stamp"
   fi
   progress "Building $preset" oneAtATime "$folder/.slicecast-lock" \
