@@ -1,7 +1,5 @@
 #include "render/slice.h"
 
-#include "render/column_fill.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,20 +10,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-double units(std::int32_t raw) { return raw / 65536.0; }
-
-// A point that lies on the border of two texels exactly may come out a rounding before it: positions are moved by this much of a tile, far less than a pixel
-// and far more than a rounding.
-constexpr double kSnap = 1.0 / 17179869184.0;
-
 // A walk that stops at a border must be past it for certain: by more than roundings.
 constexpr double kBeyond = 1.0 + 1.0 / 1099511627776.0;
-
-// The column of texels at a fraction of a tile, eastward or southward.
-int texelColumn(double fraction, int size, bool reversed) {
-    const int index = std::min(size - 1, static_cast<int>(std::max(0.0, fraction + kSnap) * size));
-    return reversed ? size - 1 - index : index;
-}
 
 }  // namespace
 
@@ -129,8 +115,8 @@ int Slice::collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& 
         block.level = level;
         block.bottomRaw = base + blueprint.bottom.raw;
         block.topRaw = base + blueprint.top.raw;
-        block.bottom = units(block.bottomRaw);
-        block.top = units(block.topRaw);
+        block.bottom = Coordinate{block.bottomRaw}.value();
+        block.top = Coordinate{block.topRaw}.value();
         block.hit = -1;
     }
     return count;
@@ -164,7 +150,7 @@ void Slice::drawSides(const Block* blocks, int count) {
 // Rows that look down. At depth 0 the eye may be inside a block, or on its roof: a face met at depth 0 is not drawn, so the ray is inside the block then and
 // leaves it downwards or through the far side.
 void Slice::drawFalling(const Block* blocks, int count, TextureId ceilingTexture) {
-    const double ceilingRise = units(map_.ceiling.height.raw - frame_.eye.z.raw);
+    const double ceilingRise = (map_.ceiling.height - frame_.eye.z).value();
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise < 0.0;
     const auto ceilingAbove = [&](double height) {
         if (ceilingToCome && ceilingRise > height) {
@@ -189,7 +175,7 @@ void Slice::drawFalling(const Block* blocks, int count, TextureId ceilingTexture
 
 // Rows that look up or run level; the same upside down.
 void Slice::drawRising(const Block* blocks, int count, TextureId ceilingTexture) {
-    const double ceilingRise = units(map_.ceiling.height.raw - frame_.eye.z.raw);
+    const double ceilingRise = (map_.ceiling.height - frame_.eye.z).value();
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise > 0.0;
     const auto ceilingBelow = [&](double height) {
         if (ceilingToCome && ceilingRise < height) {
@@ -210,37 +196,6 @@ void Slice::drawRising(const Block* blocks, int count, TextureId ceilingTexture)
         }
     }
     ceilingBelow(kNever);
-}
-
-void Slice::drawSide(const Block& block, Face face, const Crossing& border, RowRange rows) {
-    open_.take(rows.first, rows.last, [&](int first, int last) {
-        const FaceBlueprint& look = block.blueprint->face(face);
-        const Texture& texture = frame_.world->textures[look.texture];
-        const double depth = border.along * projection_.distance;
-        const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(depth, texture))];
-
-        // Which column of texels: along x on the northern and southern faces, along y on the others; reversed where the other end is on the left.
-        const double fraction = border.alongX ? frame_.eye.y.fraction() + (frame_.eye.y.tile() - walk_.tileY) + ray_.y * border.distance / border.speed
-                                              : frame_.eye.x.fraction() + (frame_.eye.x.tile() - walk_.tileX) + ray_.x * border.distance / border.speed;
-        const int u = texelColumn(fraction, level.size, face == Face::north || face == Face::east);
-
-        // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the block covers of the level.
-        constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
-        constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
-        const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
-        const std::int64_t end = (65536 - block.blueprint->bottom.raw) * kPositionsPerRaw;
-        const double perRow = border.along;
-        const double upperEdge = units(tileEdge(block.level + 1).raw - frame_.eye.z.raw);
-        const double v = upperEdge + (first + 0.5 - projection_.horizon) * perRow + kSnap;
-        const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : static_cast<std::int64_t>(v * kPositions), lowest, end - 1);
-        const int steps = last - first - 1;
-        std::int64_t step = steps > 0 ? static_cast<std::int64_t>(perRow * kPositions) : 0;
-        if (start + steps * step >= end) step = (end - 1 - start) / steps;
-
-        fillSide(pixels_ + first, last - first, level, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
-                 frame_.lighting.at(depth, look.light), frame_.lighting.haze);
-        note(&block, FilledRows::What::side, face, first, last);
-    });
 }
 
 void Slice::drawLevelFace(const Block& block, Face face, RowRange rows) {
@@ -270,7 +225,7 @@ void Slice::endFloor(const Crossing& border, const TileBox& box) {
 void Slice::endCeiling(const Crossing& border, const TileBox& box) {
     const std::int32_t rise = map_.ceiling.height.raw - frame_.eye.z.raw;
     if (ceiling_.texture != kNoTexture && rise != 0) {
-        const RowRange rows = planeRows(units(rise), ceiling_.from, border);
+        const RowRange rows = planeRows(Coordinate{rise}.value(), ceiling_.from, border);
         open_.take(rows.first, rows.last, [&](int first, int last) {
             fillPlaneRows(first, last, rise, {ceiling_.texture, map_.ceiling.light}, true, box);
             note(nullptr, FilledRows::What::ceiling, Face::bottom, first, last);
@@ -318,91 +273,6 @@ Slice::TileBox Slice::boxWithoutEnd(const PlaneRun& run) const {
     if (walk_.stepY > 0) box.southEnd = kNever;
     if (walk_.stepY < 0) box.south = -kNever;
     return box;
-}
-
-// Rows of a level plane, split where the level of detail changes. The first and the last row may lie within a rounding of their tiles' border: their texel is
-// held inside it, so that never a texel of the far side of the texture shows.
-void Slice::fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceBlueprint& face, bool southReversed, const TileBox& box) {
-    const Texture& texture = frame_.world->textures[face.texture];
-    const double distance = units(riseRaw < 0 ? -riseRaw : riseRaw);
-    const PlaneLine line = {frame_.eye.x.fraction(), frame_.eye.y.fraction(), distance * ray_.x, distance * ray_.y, southReversed};
-    const PlaneRows rows = frame_.planeShades.rows(riseRaw, face.light, first, last);
-    const auto levelAt = [&](int row) { return frame_.detail.levelAt(distance * projection_.distance * rows.inverseOffsets[row], texture); };
-
-    for (int row = first; row < last;) {
-        const int level = levelAt(row);
-        int end = last;
-        if (levelAt(last - 1) != level) {
-            int same = row;  // the last row known to have this level; the first known not to is `end`
-            end = last - 1;
-            while (end - same > 1) {
-                const int middle = same + (end - same) / 2;
-                (levelAt(middle) == level ? same : end) = middle;
-            }
-        }
-        fillPlane(pixels_, row, end, texture.levels[static_cast<std::size_t>(level)], line, rows, frame_.lighting.haze);
-        row = end;
-    }
-    fillClampedRow(first, texture.levels[static_cast<std::size_t>(levelAt(first))], line, rows, box);
-    if (last - first > 1) fillClampedRow(last - 1, texture.levels[static_cast<std::size_t>(levelAt(last - 1))], line, rows, box);
-}
-
-void Slice::fillClampedRow(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box) {
-    const double inverse = rows.inverseOffsets[row];
-    const double east = line.eastStart + line.eastPerInverse * inverse;
-    const double south = line.southStart + line.southPerInverse * inverse;
-    // Half a step of the fraction that is kept; nearer to the end than that, it would round up to the next tile.
-    constexpr double kHalfStep = 1.0 / 8589934592.0;
-    const bool eastInside = east >= box.east && east < box.eastEnd - kHalfStep;
-    const bool southInside = south >= box.south && south < box.southEnd - kHalfStep;
-    if (eastInside && southInside) return;
-    const auto held = [](double position, double first, double end, double start, double perInverse, double inverseOffset) {
-        if (position < first) return std::uint32_t{0};
-        if (position >= end - kHalfStep) return ~std::uint32_t{0};
-        return PlaneLine::fractionBits(start, perInverse, inverseOffset);
-    };
-    const auto texelOf = [&](std::uint32_t bits) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits)); };
-    const std::uint32_t u = texelOf(held(east, box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse));
-    std::uint32_t v = texelOf(held(south, box.south, box.southEnd, line.southStart, line.southPerInverse, inverse));
-    if (line.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, frame_.lighting.haze);
-}
-
-void Slice::note(const Block* block, FilledRows::What what, Face face, int first, int last) {
-    ++report_.spansDrawn;
-    if (!trace_) return;
-    if (block) {
-        trace_->hits[static_cast<std::size_t>(block->hit)].filled.push_back({what, face, first, last});
-    } else {
-        trace_->planes.push_back({what, face, first, last});
-    }
-}
-
-void Slice::traceTile() { trace_->tiles.push_back({walk_.tileX, walk_.tileY, walk_.enter.along * projection_.distance}); }
-
-void Slice::traceBlock(Block& block) {
-    block.hit = static_cast<int>(trace_->hits.size());
-    Hit hit;
-    hit.map = frame_.eye.map;
-    hit.tileX = walk_.tileX;
-    hit.tileY = walk_.tileY;
-    hit.level = block.level;
-    hit.blueprint = map_.cell(walk_.tileX, walk_.tileY, block.level);
-    hit.entered = walk_.enter.along > 0.0;
-    hit.face = enteredFace(walk_.enter);
-    hit.depth = walk_.enter.along * projection_.distance;
-    hit.backDepth = walk_.leave.along * projection_.distance;
-    hit.x = frame_.eye.x.value() + ray_.x * walk_.enter.along;
-    hit.y = frame_.eye.y.value() + ray_.y * walk_.enter.along;
-    hit.rawDepth = walk_.enter.along * std::sqrt(ray_.x * ray_.x + ray_.y * ray_.y);
-    hit.bottom = tileEdge(block.level) + block.blueprint->bottom;
-    hit.top = tileEdge(block.level) + block.blueprint->top;
-    const auto rowOf = [&](double rise, double depth) { return rise == 0.0 ? projection_.horizon : projection_.rowOf(rise, depth); };
-    hit.topFrontRow = rowOf(block.top, hit.depth);
-    hit.bottomFrontRow = rowOf(block.bottom, hit.depth);
-    hit.topBackRow = rowOf(block.top, hit.backDepth);
-    hit.bottomBackRow = rowOf(block.bottom, hit.backDepth);
-    trace_->hits.push_back(std::move(hit));
 }
 
 }  // namespace slicecast

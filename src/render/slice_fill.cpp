@@ -1,0 +1,101 @@
+// A slice's rows filled: which texels, which light.
+#include "render/column_fill.h"
+#include "render/slice.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+// A point that lies on the border of two texels exactly may come out a rounding before it: positions are moved by this much of a tile, far less than a pixel
+// and far more than a rounding.
+constexpr double kSnap = 1.0 / 17179869184.0;
+
+// The column of texels at a fraction of a tile, eastward or southward.
+int texelColumn(double fraction, int size, bool reversed) {
+    const int index = std::min(size - 1, static_cast<int>(std::max(0.0, fraction + kSnap) * size));
+    return reversed ? size - 1 - index : index;
+}
+
+}  // namespace
+
+void Slice::drawSide(const Block& block, Face face, const Crossing& border, RowRange rows) {
+    open_.take(rows.first, rows.last, [&](int first, int last) {
+        const FaceBlueprint& look = block.blueprint->face(face);
+        const Texture& texture = frame_.world->textures[look.texture];
+        const double depth = border.along * projection_.distance;
+        const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(depth, texture))];
+
+        // Which column of texels: along x on the northern and southern faces, along y on the others; reversed where the other end is on the left.
+        const double fraction = border.alongX ? frame_.eye.y.fraction() + (frame_.eye.y.tile() - walk_.tileY) + ray_.y * border.distance / border.speed
+                                              : frame_.eye.x.fraction() + (frame_.eye.x.tile() - walk_.tileX) + ray_.x * border.distance / border.speed;
+        const int u = texelColumn(fraction, level.size, face == Face::north || face == Face::east);
+
+        // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the block covers of the level.
+        constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
+        constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
+        const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
+        const std::int64_t end = (65536 - block.blueprint->bottom.raw) * kPositionsPerRaw;
+        const double perRow = border.along;
+        const double upperEdge = (tileEdge(block.level + 1) - frame_.eye.z).value();
+        const double v = upperEdge + (first + 0.5 - projection_.horizon) * perRow + kSnap;
+        const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : static_cast<std::int64_t>(v * kPositions), lowest, end - 1);
+        const int steps = last - first - 1;
+        std::int64_t step = steps > 0 ? static_cast<std::int64_t>(perRow * kPositions) : 0;
+        if (start + steps * step >= end) step = (end - 1 - start) / steps;
+
+        fillSide(pixels_ + first, last - first, level, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
+                 frame_.lighting.at(depth, look.light), frame_.lighting.haze);
+        note(&block, FilledRows::What::side, face, first, last);
+    });
+}
+
+// Rows of a level plane, split where the level of detail changes. The first and the last row may lie within a rounding of their tiles' border: their texel is
+// held inside it, so that never a texel of the far side of the texture shows.
+void Slice::fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceBlueprint& face, bool southReversed, const TileBox& box) {
+    const Texture& texture = frame_.world->textures[face.texture];
+    const double distance = Coordinate{riseRaw < 0 ? -riseRaw : riseRaw}.value();
+    const PlaneLine line = {frame_.eye.x.fraction(), frame_.eye.y.fraction(), distance * ray_.x, distance * ray_.y, southReversed};
+    const PlaneRows rows = frame_.planeShades.rows(riseRaw, face.light, first, last);
+    const auto levelAt = [&](int row) { return frame_.detail.levelAt(distance * projection_.distance * rows.inverseOffsets[row], texture); };
+
+    for (int row = first; row < last;) {
+        const int level = levelAt(row);
+        int end = last;
+        if (levelAt(last - 1) != level) {
+            int same = row;  // the last row known to have this level; the first known not to is `end`
+            end = last - 1;
+            while (end - same > 1) {
+                const int middle = same + (end - same) / 2;
+                (levelAt(middle) == level ? same : end) = middle;
+            }
+        }
+        fillPlane(pixels_, row, end, texture.levels[static_cast<std::size_t>(level)], line, rows, frame_.lighting.haze);
+        row = end;
+    }
+    fillClampedRow(first, texture.levels[static_cast<std::size_t>(levelAt(first))], line, rows, box);
+    if (last - first > 1) fillClampedRow(last - 1, texture.levels[static_cast<std::size_t>(levelAt(last - 1))], line, rows, box);
+}
+
+void Slice::fillClampedRow(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box) {
+    const double inverse = rows.inverseOffsets[row];
+    const double east = line.eastStart + line.eastPerInverse * inverse;
+    const double south = line.southStart + line.southPerInverse * inverse;
+    // Half a step of the fraction that is kept; nearer to the end than that, it would round up to the next tile.
+    constexpr double kHalfStep = 1.0 / 8589934592.0;
+    const bool eastInside = east >= box.east && east < box.eastEnd - kHalfStep;
+    const bool southInside = south >= box.south && south < box.southEnd - kHalfStep;
+    if (eastInside && southInside) return;
+    const auto held = [](double position, double first, double end, double start, double perInverse, double inverseOffset) {
+        if (position < first) return std::uint32_t{0};
+        if (position >= end - kHalfStep) return ~std::uint32_t{0};
+        return PlaneLine::fractionBits(start, perInverse, inverseOffset);
+    };
+    const auto texelOf = [&](std::uint32_t bits) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits)); };
+    const std::uint32_t u = texelOf(held(east, box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse));
+    std::uint32_t v = texelOf(held(south, box.south, box.southEnd, line.southStart, line.southPerInverse, inverse));
+    if (line.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
+    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, frame_.lighting.haze);
+}
+
+}  // namespace slicecast
