@@ -1,10 +1,26 @@
 #include "base/image.h"
 
+#include <cstddef>
+#include <cstdlib>
 #include <cstring>
+
+namespace {
+
+// A hostile file's compressed data may expand without end, whatever size its picture claims to have. The largest picture that is read takes 8192 x 4096 pixels
+// of 4 bytes, with a byte a row.
+constexpr std::size_t kMaxAllocation = 8192ull * 4096 * 4 + 4096;
+
+void* allocateBounded(std::size_t bytes) { return bytes > kMaxAllocation ? nullptr : std::malloc(bytes); }
+void* reallocateBounded(void* memory, std::size_t bytes) { return bytes > kMaxAllocation ? nullptr : std::realloc(memory, bytes); }
+
+}  // namespace
 
 // Only PNG is decoded; files are opened elsewhere.
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
+#define STBI_MALLOC(bytes) allocateBounded(bytes)
+#define STBI_REALLOC(memory, bytes) reallocateBounded(memory, bytes)
+#define STBI_FREE(memory) std::free(memory)
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC

@@ -47,6 +47,15 @@ TEST(Image, RefusesWhatIsTooLargeBeforeDecoding) {
     EXPECT_NE(decoded.fault.find("19x19"), std::string::npos) << decoded.fault;
 }
 
+// The largest size that worlds allow is within the bound on memory.
+TEST(Image, ReadsTheLargestPicture) {
+    const Image image(8192, 4096);
+    const std::vector<std::uint8_t> bytes = encodePng(image.pixels.data(), image.width, image.height, image.width);
+    const DecodedImage decoded = decodePng(bytes, 8192, 4096);
+    EXPECT_EQ(decoded.fault, "");
+    EXPECT_EQ(decoded.image.width, 8192);
+}
+
 TEST(Image, RefusesEveryCutOffPng) {
     const Image image = coloured(9, 9);
     const std::vector<std::uint8_t> bytes = encodePng(image.pixels.data(), 9, 9, 9);
