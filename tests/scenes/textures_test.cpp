@@ -1,0 +1,78 @@
+// Every texture that is drawn is seen somewhere, and no scene names one that it does not show.
+#include "scenes/shipped.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace slicecast {
+namespace {
+
+using Names = std::set<std::string>;
+
+// The test card: its letters show how faces are turned, and belong in no scene.
+const Names kNotForScenes = {"lettering"};
+
+// The texture files that a scene names.
+Names filesNamed(const std::string& text) {
+    static const std::regex kFile("\\.\\./textures/([a-z0-9-]+)\\.png");
+    Names names;
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), kFile); at != std::sregex_iterator(); ++at) names.insert((*at)[1]);
+    return names;
+}
+
+// The textures of a world, by the names that its scene gives them, that stand on a face, a floor or a ceiling of its maps.
+Names texturesShown(const World& world) {
+    std::set<TextureId> shown;
+    for (const Map& map : world.maps) {
+        for (const BlueprintId cell : map.cells) {
+            if (cell == kEmptyCell) continue;
+            for (const FaceBlueprint& face : world.blueprints[cell].faces) shown.insert(face.texture);
+        }
+        shown.insert(map.floor.texture);
+        shown.insert(map.floor.tiles.begin(), map.floor.tiles.end());
+        shown.insert(map.ceiling.tiles.begin(), map.ceiling.tiles.end());
+    }
+    shown.erase(kNoTexture);
+    Names names;
+    for (const TextureId id : shown) names.insert(world.textures[id].name);
+    return names;
+}
+
+TEST(Textures, EveryOneIsNamedByAScene) {
+    Names named;
+    for (const std::string& scene : shippedScenes()) named.merge(filesNamed(sceneText(scene)));
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(assetsFolder() / "textures")) {
+        if (entry.path().extension() != ".png") continue;
+        const std::string name = entry.path().stem().string();
+        EXPECT_EQ(named.count(name), kNotForScenes.count(name) == 0 ? 1u : 0u) << name;
+        ++count;
+    }
+    EXPECT_GE(count, 17);
+}
+
+TEST(Textures, EveryOneOfASceneIsShownInIt) {
+    for (const std::string& scene : shippedScenes()) {
+        const World world = shippedWorld(scene);
+        const Names shown = texturesShown(world);
+        for (const Texture& texture : world.textures) EXPECT_TRUE(shown.count(texture.name) == 1) << scene << ": " << texture.name;
+    }
+}
+
+TEST(Blueprints, EveryOneOfASceneStandsInIt) {
+    for (const std::string& scene : shippedScenes()) {
+        const World world = shippedWorld(scene);
+        std::set<BlueprintId> standing;
+        for (const Map& map : world.maps) standing.insert(map.cells.begin(), map.cells.end());
+        for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+            EXPECT_TRUE(standing.count(static_cast<BlueprintId>(i)) == 1) << scene << ": " << world.blueprints[i].name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace slicecast

@@ -1,0 +1,154 @@
+// The ways through the shipped scenes, walked: every stair, bridge, tunnel and door on them works.
+#include "scenes/shipped.h"
+
+#include "base/angle.h"
+#include "session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace slicecast {
+namespace {
+
+// Units: blocks.
+struct Place {
+    double x, y, z;
+};
+// Somewhere to go to in a straight line, and the height of the feet there.
+struct Leg {
+    double x, y, feet;
+};
+struct Walk {
+    const char* scene;
+    const char* what;
+    std::optional<Place> from;  // the feet; without a place, the scene's start
+    std::vector<Leg> legs;
+};
+
+// clang-format off
+const std::vector<Walk> kWalks = {
+    {"harbour-town", "over the bridge and into the inn", {},
+     {{18.3, 36.2, 1}, {17.5, 34.5, 1}, {12.5, 34, 1}, {12.5, 24, 1}, {14, 21.7, 1}, {16.5, 21.7, 1}, {21.5, 21.7, 2.5}, {26.5, 21.7, 1},
+      {25.5, 19, 1}, {25.5, 14.5, 1}, {28.5, 14.5, 1}, {30.5, 16.7, 1}, {31.5, 17.5, 1}, {32.5, 17.4, 1.25}, {32.5, 13.6, 2}, {29.5, 13.6, 2},
+      {26.5, 14.5, 2.25}}},
+    {"harbour-town", "up the town wall and the tower", Place{25.5, 18, 1},
+     {{25.5, 10, 1}, {34.5, 8, 1}, {39.5, 7, 1}, {39.5, 5.5, 1}, {30.5, 5.5, 3}, {30.5, 4.5, 3}, {21.5, 4.5, 3}, {21.5, 6.5, 3}, {22.5, 6.5, 3.5},
+      {22.5, 8.5, 4.5}, {20.5, 8.5, 5.5}, {20.5, 6.5, 6}, {22.5, 6.5, 6}, {22.5, 7.4, 6}}},
+    {"harbour-town", "down to the water and under the tower", Place{17.5, 12, 1},
+     {{18.5, 13.5, 1}, {18.5, 16.5, 0.25}, {20.5, 16.5, 0}, {21.5, 12, 0}, {21.5, 7.5, 0}, {24.5, 7.5, 0}, {27, 8, 0}}},
+    {"harbour-town", "from the sea up the jetty", Place{13, 44, 0},
+     {{11.5, 43.5, 0.375}, {10.5, 43.5, 0.75}, {8.5, 43.2, 1}, {8.5, 36.5, 1}, {12, 34.5, 1}}},
+    {"castle", "through the gate, over the bridge, through the keep, up the great tower", {},
+     {{44.5, 20, 1}, {43, 18.9, 1}, {30, 19.1, 2}, {22, 19.1, 3}, {22.7, 26, 3}, {22.7, 28.5, 3.25}, {15.5, 28.5, 5}, {14.5, 29.5, 5},
+      {12.5, 29.4, 5}, {12.5, 22.5, 5}, {16.5, 22.5, 5}, {16.5, 17.5, 5}, {12, 17.5, 3.4}, {11.6, 18.4, 3.25}, {15, 20, 3}, {18.5, 20, 3},
+      {18.5, 27, 3}, {12.5, 27.5, 3}, {10.5, 27.5, 3}, {9.5, 27.5, 3.5}, {8.5, 27.5, 4}, {8.5, 29.5, 5}, {10.5, 29.5, 5}, {10.5, 27.5, 6},
+      {8.5, 27.5, 7}, {8.5, 29.5, 8}, {10.5, 29.5, 9}, {10.5, 27.5, 10}, {8.5, 27.5, 11}, {8.5, 29.5, 11}}},
+    {"castle", "by the cave into the court", Place{13.5, 5, 0},
+     {{13.5, 6.5, 0}, {13.5, 9, 0.5}, {13.5, 15.3, 3}, {19, 15.3, 3}}},
+    {"castle", "around the wall walk", Place{14.5, 29.5, 5},
+     {{22, 29.5, 5}, {24.5, 29.5, 5}, {24.5, 19.5, 5}, {24.5, 10.5, 5}, {13, 10.5, 5}, {9.5, 11.5, 5}, {8.5, 13.5, 5}, {8.5, 26, 5}, {8.5, 26.8, 5},
+      {8.5, 27.5, 4}}},
+    {"library", "up the tower of books by the galleries", {},
+     {{13.9, 27, 0}, {13.7, 19.5, 0}, {13.5, 18.5, 0.25}, {11.5, 18.5, 0.75}, {11.5, 13.5, 2}, {6.5, 13.5, 2}, {6.5, 3, 2}, {8.5, 2.5, 2},
+      {8.4, 1.5, 2}, {16.5, 1.5, 4}, {24.5, 1.5, 4}, {24.5, 16.5, 4}, {16.5, 16.5, 4}, {16.5, 18.5, 4.5}, {14.5, 18.5, 5}, {14.5, 16, 5}}},
+    {"library", "up the stairs in the aisle", {},
+     {{13.9, 27, 0}, {17, 22, 0}, {20.5, 28.5, 0}, {21.5, 28.4, 0}, {21.5, 19.5, 2}, {22.5, 18.6, 2}, {22.5, 3, 2}, {12, 2.5, 2}}},
+    {"library", "over the high bridge", Place{24.5, 4, 4},
+     {{24.5, 24.9, 4}, {3.5, 24.9, 4}, {2.5, 3, 4}, {2.5, 28, 4}}},
+    {"temple", "up to the shrine, down into the gorge, out of the crypt", {},
+     {{20, 30, 2}, {20, 22, 2}, {20, 10.5, 6.5}, {20, 8.2, 6.5}, {20, 10.5, 6.5}, {20, 20.5, 2}, {28, 22.5, 2}, {30.5, 23, 2}, {30.5, 24.4, 2},
+      {15.5, 24.5, 0}, {15.5, 16.5, 0}, {17.5, 9, 0}, {19.5, 5.5, 0}, {12.5, 5.5, 3.5}, {12, 14, 3.5}, {11, 18.5, 2}}},
+    {"night-works", "through the hall, over the roofs, onto the crane", {},
+     {{20.7, 21, 1}, {20.5, 17.5, 1}, {15.9, 15, 1}, {15.9, 11, 1}, {12.5, 8.5, 1}, {9.5, 8.5, 1}, {9.5, 7.5, 1.25}, {16.4, 7.5, 3}, {16.5, 6.5, 3},
+      {22.5, 6.5, 3}, {22.5, 9.5, 3}, {29.5, 9.5, 3}, {33, 9.5, 3}, {33, 11, 3}, {31.5, 9.5, 3}, {30.5, 9.5, 3}, {30.5, 17.8, 1.25}, {20, 15, 1},
+      {15.5, 19.5, 1}, {14.5, 19.4, 1}, {14.5, 15.5, 3}, {12.5, 15.5, 3.5}, {12.5, 18.5, 5}, {14.5, 18.5, 5.5}, {14.5, 15.5, 6}, {8, 15.5, 6},
+      {8, 21, 6}, {8, 27, 6}}},
+    {"night-works", "onto the ship", {},
+     {{20.7, 27.5, 1}, {25.5, 27.5, 1.75}, {27.5, 25.5, 1.75}, {30.5, 26.5, 1.75}, {32, 26.5, 1.75}}},
+    {"garden", "through the maze, the tree and the pavilion", {},
+     {{21, 35.5, 1}, {21, 31.4, 0}, {17, 31, 0}, {16.6, 25.5, 0}, {21.5, 25.5, 0}, {21.5, 23.5, 0}, {33.5, 23.5, 0}, {33.5, 21.5, 0}, {37.5, 21.5, 0},
+      {37.5, 15.5, 0}, {35.5, 15.5, 0}, {35.5, 13.5, 0}, {37.5, 13.5, 0}, {37.5, 9.5, 0}, {35.5, 9.5, 0}, {35.5, 11.5, 0}, {31.5, 11.5, 0},
+      {31.5, 7.5, 0}, {29.5, 7.5, 0}, {29.5, 5.5, 0}, {25.5, 5.5, 0}, {25.5, 7.5, 0}, {21.5, 7.5, 0}, {21.5, 9.5, 0}, {15.5, 9.5, 0}, {15.5, 13.5, 0},
+      {14.5, 13.5, 0}, {14.5, 17.5, 0}, {12.5, 17.5, 0}, {12.5, 19.5, 0}, {11.5, 18.4, 0}, {11.5, 17.5, 0.25}, {10.5, 17.5, 0.5}, {10.5, 13.5, 1.5},
+      {14.5, 13.5, 2.5}, {14.5, 17.5, 3.5}, {12.5, 17.5, 4}, {11.3, 17.4, 4}, {10.4, 17.4, 4}, {10.4, 14, 4}, {10.5, 13.5, 4}, {18, 13.5, 4},
+      {21, 15, 4}}},
+    {"first-walk", "up the stairs into the tower", {},
+     {{20, 16.5, 0}, {12, 16.5, 0}, {11, 7, 0}, {1.6, 6.5, 0}, {1.5, 2.5, 0}, {2.5, 2.5, 0.5}, {5.5, 2.5, 2}, {13.5, 2.5, 2}, {14.5, 3.5, 2},
+      {13.5, 4.5, 2}}},
+    {"first-steps", "over the bridge", {},
+     {{6.5, 4.5, 0}, {1.5, 4.5, 0}, {1.5, 1.5, 0.33}, {7.5, 1.5, 1}, {8.5, 2.5, 0}, {8.5, 6.5, 0}}},
+};
+// clang-format on
+
+constexpr double kNear = 0.12;                  // of a leg's end
+constexpr double kSlowWithin = 0.5;             // of it
+constexpr int kPatience = 2 * kStepsPerSecond;  // steps without getting nearer
+
+double distanceTo(const Session& session, const Leg& leg) {
+    const double x = leg.x - session.player().x.value();
+    const double y = leg.y - session.player().y.value();
+    return std::sqrt(x * x + y * y);
+}
+
+void faceTowards(Session& session, const Leg& leg) {
+    const double degrees = std::atan2(leg.y - session.player().y.value(), leg.x - session.player().x.value()) * (180.0 / 3.14159265358979);
+    session.setHeading(wrapDegrees(degrees));
+}
+
+// False if something is in the way.
+bool walkTo(Session& session, const Leg& leg) {
+    double nearest = distanceTo(session, leg);
+    int waited = 0;
+    while (distanceTo(session, leg) > kNear) {
+        faceTowards(session, leg);
+        session.step({.forward = distanceTo(session, leg) < kSlowWithin ? 0.5 : 1.0});
+        waited = distanceTo(session, leg) < nearest - 0.01 ? 0 : waited + 1;
+        if (waited == 0) nearest = distanceTo(session, leg);
+        if (waited > kPatience) return false;
+    }
+    for (int i = 0; i < kStepsPerSecond && (i < kStepsPerSecond / 6 || !session.player().onGround); ++i) session.step({});
+    return true;
+}
+
+// Puts the player down; false if there is no room.
+bool putAt(Session& session, const Place& place) {
+    const Coordinate eye = toCoordinate(place.z) + kCrouchedEye;
+    if (!session.setEye({.map = session.player().map, .x = toCoordinate(place.x), .y = toCoordinate(place.y), .z = eye})) return false;
+    session.setFlying(false);
+    return !session.player().flying && !session.player().crouched;
+}
+
+TEST(Walks, EveryWayCanBeWalked) {
+    std::map<std::string, World> worlds;
+    for (const Walk& walk : kWalks) {
+        SCOPED_TRACE(std::string(walk.scene) + ", " + walk.what);
+        if (worlds.count(walk.scene) == 0) worlds.emplace(walk.scene, shippedWorld(walk.scene));
+        Session session(worlds.at(walk.scene));
+        if (walk.from) {
+            ASSERT_TRUE(putAt(session, *walk.from));
+        }
+        for (const Leg& leg : walk.legs) {
+            const bool arrived = walkTo(session, leg);
+            const Player& player = session.player();
+            ASSERT_TRUE(arrived) << "stuck at " << player.x.value() << ", " << player.y.value() << ", feet at " << player.z.value() << ", on the way to "
+                                 << leg.x << ", " << leg.y;
+            ASSERT_NEAR(player.z.value(), leg.feet, 0.01) << "at " << leg.x << ", " << leg.y;
+        }
+    }
+}
+
+TEST(Walks, EverySceneHasOne) {
+    for (const std::string& scene : shippedScenes()) {
+        EXPECT_TRUE(std::any_of(kWalks.begin(), kWalks.end(), [&](const Walk& walk) { return walk.scene == scene; })) << scene;
+    }
+}
+
+}  // namespace
+}  // namespace slicecast
