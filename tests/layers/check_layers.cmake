@@ -16,7 +16,7 @@ set(may_headless ${may_app})
 
 # The engine draws and simulates the same everywhere: no screen, no clock, no printing, and none of the library functions whose last bit differs.
 set(engine base world scene render overlay session)
-set(engineHeadersRefused "SDL[^>\"]*|emscripten[^>\"]*|chrono|ctime|time.h|iostream|fstream|filesystem|random|thread|unordered_map|unordered_set")
+set(engineHeadersRefused "SDL[^>\"]*|emscripten[^>\"]*|chrono|ctime|time.h|iostream|fstream|filesystem|random|thread")
 set(engineCallsRefused "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|pow|hypot|log|log2|log10|cbrt|sinf|cosf|tanf|fma)")
 
 get_filename_component(folder ${CMAKE_CURRENT_LIST_DIR}/../../src ABSOLUTE)
