@@ -26,6 +26,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
 endif()
 if(SLICECAST_MARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
   target_compile_options(slicecast_flags INTERFACE -march=${SLICECAST_MARCH})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # g++ 12 fuses a multiplication with an alternating addition and subtraction (vfmaddsub) although -ffp-contract=off forbids it.
+    target_compile_options(slicecast_flags INTERFACE -mno-fma)
+  endif()
 endif()
 if(NOT SLICECAST_ASSERTS)
   target_compile_definitions(slicecast_flags INTERFACE NDEBUG)
