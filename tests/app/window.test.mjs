@@ -73,6 +73,12 @@ describe('the window', { skip: noScreen }, () => {
       await shows(started, expectedPicture(kWidth, kHeight), 'the picture of the start');
     }));
 
+  test('without a scene it opens the first one of the list', () =>
+    withWindow(['--size', `${kWidth}x${kHeight}`], async (started) => {
+      const [opening] = JSON.parse(readFileSync(join(root, 'assets/scenes/index.json'), 'utf8'));
+      assert.equal(started.title, JSON.parse(readFileSync(join(root, 'assets/scenes', opening.file), 'utf8')).title);
+    }));
+
   test('the number pad turns to a heading', () =>
     withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
       started.keys('KP_8');
