@@ -27,7 +27,7 @@ inline std::uint32_t shadedOne(std::uint32_t texel, std::uint32_t factor) {
     return (even & kEven) | (odd & kOdd) | 0xff000000;
 }
 
-inline U32x4 shadedFour(U32x4 texels, U32x4 factors) {
+[[maybe_unused]] inline U32x4 shadedFour(U32x4 texels, U32x4 factors) {
     const U16x8 half = (U16x8)allLanes(0x00800080);
     const U16x8 even = ((U16x8)(texels & kEven) * (U16x8)factors + half) >> 8;
     const U16x8 odd = ((U16x8)texels >> 8) * (U16x8)factors + half;
@@ -90,7 +90,7 @@ __attribute__((noinline)) void drawPlane(Pixel* column, int first, int last, con
     }
 }
 
-inline U32x4 lowPairs(U32x4 a, U32x4 b) {
+[[maybe_unused]] inline U32x4 lowPairs(U32x4 a, U32x4 b) {
 #if defined(__clang__)
     return __builtin_shufflevector(a, b, 0, 4, 1, 5);
 #else
@@ -98,7 +98,7 @@ inline U32x4 lowPairs(U32x4 a, U32x4 b) {
 #endif
 }
 
-inline U32x4 highPairs(U32x4 a, U32x4 b) {
+[[maybe_unused]] inline U32x4 highPairs(U32x4 a, U32x4 b) {
 #if defined(__clang__)
     return __builtin_shufflevector(a, b, 2, 6, 3, 7);
 #else
