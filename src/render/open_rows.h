@@ -23,6 +23,7 @@ public:
     bool none() const { return runs_.empty(); }
     int first() const { return runs_.front().first; }
     int last() const { return runs_.back().last; }
+    const std::vector<Run>& runs() const { return runs_; }
 
     // Closes the rows [first, last) and calls fill(first, last) for each run of them that was open. Returns whether there was one.
     template <typename Fill>

@@ -61,7 +61,7 @@ void Slice::walk() {
         if (trace_) traceTile();
         const std::size_t tile = map_.tileIndex(walk_.tileX, walk_.tileY);
         const bool floorChanges = map_.floor.tiles[tile] != floor_.texture;
-        const std::uint32_t occupied = map_.occupied[tile];
+        const std::uint32_t occupied = levelsInReach(map_.occupied[tile]);
         if (ceilingTiles) {
             // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
             const TextureId texture = occupied ? kNoTexture : ceilingTiles[tile];
@@ -102,6 +102,26 @@ double Slice::whereToStop() const {
     return rise <= 0.0 ? 0.0 : kBeyond * rise * frame_.inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
 
+// Of the occupied levels of the current tile, those that an open row may meet: a run of rows passes the tile between the heights that its first and its last row
+// have at the two borders. Most blocks of a town are behind others and are left out here without a division. A trace keeps them all.
+std::uint32_t Slice::levelsInReach(std::uint32_t occupied) const {
+    if (occupied == 0 || trace_) return occupied;
+    constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
+    const double eye = frame_.eye.z.value();
+    std::uint32_t reached = 0;
+    for (const OpenRows::Run& run : open_.runs()) {
+        const double upper = projection_.horizon - (run.first + 0.5);
+        const double lower = projection_.horizon - (run.last - 0.5);
+        const double highest = eye + std::max(upper * walk_.enter.along, upper * walk_.leave.along) + kSlack;
+        const double lowest = eye + std::min(lower * walk_.enter.along, lower * walk_.leave.along) - kSlack;
+        if (highest < 0.0 || lowest >= kMaxLevels) continue;
+        const std::uint64_t upToHighest = highest >= kMaxLevels ? ~std::uint64_t{0} : (std::uint64_t{2} << static_cast<int>(highest)) - 1;
+        const std::uint64_t belowLowest = lowest <= 0.0 ? 0 : (std::uint64_t{1} << static_cast<int>(lowest)) - 1;
+        reached |= static_cast<std::uint32_t>(upToHighest & ~belowLowest);
+    }
+    return occupied & reached;
+}
+
 int Slice::collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& blocks) const {
     const BlueprintId* cells = map_.cells.data() + map_.cellIndex(walk_.tileX, walk_.tileY, 0);
     const std::int32_t eyeHeight = frame_.eye.z.raw;
@@ -139,11 +159,14 @@ void Slice::drawBlocks(std::uint32_t occupied, TextureId ceilingTexture) {
 void Slice::drawSides(const Block* blocks, int count) {
     const Crossing& border = walk_.enter;
     const Face face = enteredFace(border);
-    for (int i = 0; i < count; ++i) {
+    int upperEdge = 0;  // the row of the edge between this block and the one below, where they touch
+    for (int i = count - 1; i >= 0; --i) {
         const Block& block = blocks[i];
-        const int first = firstRowBelow(projection_, block.top, border);
+        const bool touchesUpper = i + 1 < count && blocks[i + 1].bottomRaw == block.topRaw;
+        const int first = touchesUpper ? upperEdge : firstRowBelow(projection_, block.top, border);
         const int last = firstRowBelow(projection_, block.bottom, border);
         drawSide(block, face, border, {first, last});
+        upperEdge = last;
     }
 }
 
@@ -167,6 +190,8 @@ void Slice::drawFalling(const Block* blocks, int count, TextureId ceilingTexture
             if (walk_.leave.along > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {projection_.firstFallingRow, below});
         } else if (block.top < 0.0) {
             ceilingAbove(block.top);
+            // Nothing reaches a roof on which the next block stands.
+            if (i + 1 < count && blocks[i + 1].bottomRaw == block.topRaw) continue;
             drawLevelFace(block, Face::top, planeRows(block.top, walk_.enter, walk_.leave));
         }
     }
@@ -192,6 +217,7 @@ void Slice::drawRising(const Block* blocks, int count, TextureId ceilingTexture)
             if (walk_.leave.along > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {below, projection_.firstFallingRow});
         } else if (block.bottom > 0.0) {
             ceilingBelow(block.bottom);
+            if (i > 0 && blocks[i - 1].topRaw == block.bottomRaw) continue;
             drawLevelFace(block, Face::bottom, planeRows(block.bottom, walk_.enter, walk_.leave));
         }
     }

@@ -61,6 +61,7 @@ private:
     void walk();
     double whereToStop() const;
 
+    std::uint32_t levelsInReach(std::uint32_t occupied) const;
     int collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& blocks) const;
     void drawBlocks(std::uint32_t occupied, TextureId ceilingTexture);
     void drawSides(const Block* blocks, int count);
