@@ -28,6 +28,7 @@ struct Arguments {
     std::string map;
     std::string eye;
     std::string size;
+    std::string fov;
     std::vector<std::string> options;  // OPTION=VALUE
     std::string column;
     std::string out;
@@ -57,10 +58,7 @@ void describeArguments(CLI::App& cli, Arguments& arguments) {
     cli.add_option("--map", arguments.map, "map to look at; without it, the one in which the scene starts")->type_name("NAME");
     cli.add_option("--eye", arguments.eye, "from where to look; without it, as the player sees the start")->type_name("X,Y,Z,HEADING,LOOK");
     cli.add_option("--size", arguments.size, "size of the picture in pixels; 1280x720 without it")->type_name("WxH");
-    // The same as --set fov=DEG; the last one counts.
-    cli.add_option_function<std::string>(
-           "--fov", [&arguments](const std::string& degrees) { arguments.options.push_back("fov=" + degrees); }, "field of view from left to right, in degrees")
-        ->type_name("DEG");
+    cli.add_option("--fov", arguments.fov, "field of view from left to right, in degrees")->type_name("DEG");
     cli.add_option("--set", arguments.options, "set an option of the view; see below")->type_name("OPTION=VALUE")->allow_extra_args(false);
     cli.add_option("--hits", arguments.column, "print what this column of the picture meets, as JSON; 0 is the leftmost")->type_name("COLUMN");
     cli.add_option("--out", arguments.out, "PNG file to write; may be left out with --hits")->type_name("PICTURE.png");
@@ -85,6 +83,10 @@ Read<int> findMap(const World& world, const std::string& name) {
 
 // Options and eye as the command line has them. Empty on success, else what was wrong.
 std::string arrange(Session& session, const Arguments& arguments) {
+    if (!arguments.fov.empty()) {
+        const std::string fault = session.setOption("fov", arguments.fov);
+        if (!fault.empty()) return fault;
+    }
     for (const std::string& option : arguments.options) {
         const std::size_t equals = option.find('=');
         if (equals == std::string::npos) return "--set: found \"" + option + "\", expected OPTION=VALUE";

@@ -1,0 +1,47 @@
+// slicecast-check as people run it.
+#include "headless/scene_file.h"
+#include "run_program.h"
+
+#include <gtest/gtest.h>
+
+namespace slicecast {
+namespace {
+
+const std::string kFolder = SLICECAST_SOURCE_FOLDER "/tests/scene/";
+
+std::string faultsOf(const std::string& path) {
+    std::string lines;
+    for (const Fault& fault : readScene(path).faults) lines += describe(fault) + "\n";
+    return lines;
+}
+
+TEST(CheckProgram, SaysOk) {
+    const Finished finished = runProgram(SLICECAST_CHECK, {kFolder + "everything.json"});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(finished.out, kFolder + "everything.json: ok\n");
+    EXPECT_EQ(finished.err, "");
+}
+
+TEST(CheckProgram, TellsAllFaultsOfAllScenes) {
+    const std::string several = kFolder + "broken/several-faults.json";
+    const std::string missing = kFolder + "no-such-scene.json";
+    const Finished finished = runProgram(SLICECAST_CHECK, {several, kFolder + "everything.json", missing});
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_GT(readScene(several).faults.size(), 5u);
+    EXPECT_EQ(finished.out, faultsOf(several) + kFolder + "everything.json: ok\n" + faultsOf(missing));
+}
+
+TEST(CheckProgram, NeedsAScene) {
+    const Finished finished = runProgram(SLICECAST_CHECK, {});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_NE(finished.err.find("SCENE is required"), std::string::npos);
+}
+
+TEST(CheckProgram, HasHelp) {
+    const Finished finished = runProgram(SLICECAST_CHECK, {"--help"});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_NE(finished.out.find("Examples:"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slicecast

@@ -1,0 +1,211 @@
+// slicecast-render as people run it: pictures, hits, and what it refuses.
+#include "base/image.h"
+#include "headless/scene_file.h"
+#include "run_program.h"
+#include "session/session.h"
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace slicecast {
+namespace {
+
+const std::string kScene = SLICECAST_SOURCE_FOLDER "/tests/scene/everything.json";
+
+Finished render(const std::vector<std::string>& arguments) {
+    return runProgram(SLICECAST_RENDER, arguments);
+}
+
+Image readPicture(const std::filesystem::path& path) {
+    const std::string bytes = readText(path);
+    const DecodedImage decoded = decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, 4096, 4096);
+    EXPECT_EQ(decoded.fault, "");
+    return decoded.image;
+}
+
+Image drawn(Session& session, int width, int height) {
+    Image image(width, height);
+    EXPECT_TRUE(session.draw({image.pixels.data(), width, height, width}));
+    return image;
+}
+
+// A wall across a corridor that runs east, 2.5 units before an eye in its middle.
+std::string corridor(const TestFolder& folder) {
+    const std::string path = (folder / "corridor.json").string();
+    std::filesystem::copy_file(SLICECAST_SOURCE_FOLDER "/tests/scene/broken/images/tile.png", folder / "tile.png");
+    writeText(path, R"({
+        "title": "Corridor",
+        "textures": { "tile": "tile.png" },
+        "blueprints": { "wall": { "faces": "tile" }, "step": { "bottom": 0, "top": 0.25, "faces": "tile" } },
+        "legend": { "#": "wall", "-": "step" },
+        "maps": [ { "name": "corridor", "levels": [["######", "....#.", "....#.", "-.....", "######"]], "floor": "tile" } ],
+        "start": { "map": "corridor", "x": 1.5, "y": 2.5 }
+    })");
+    return path;
+}
+
+TEST(RenderProgram, DrawsTheStartAsThePlayerSeesIt) {
+    const TestFolder folder;
+    const Finished finished = render({kScene, "--size", "97x61", "--out", (folder / "start.png").string()});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_EQ(finished.out + finished.err, "");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"start.png"});
+    SceneFromFile scene = readScene(kScene);
+    Session session(std::move(*scene.world));
+    const Image picture = readPicture(folder / "start.png");
+    EXPECT_EQ(picture.width, 97);
+    EXPECT_EQ(picture.height, 61);
+    EXPECT_EQ(picture.pixels, drawn(session, 97, 61).pixels);
+}
+
+TEST(RenderProgram, DrawsAnyEyeMapAndOptions) {
+    const TestFolder folder;
+    const Finished finished = render({kScene, "--map", "yard", "--eye", "-1.25,0.5,0.75,12.5,0.25", "--size", "64x48", "--fov", "75", "--set", "light=off",
+                                      "--set", "detail=off", "--out", (folder / "yard.png").string()});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    SceneFromFile scene = readScene(kScene);
+    Session session(std::move(*scene.world));
+    ASSERT_EQ(session.world().maps[1].name, "yard");
+    ASSERT_TRUE(session.setEye({1, toCoordinate(-1.25), toCoordinate(0.5), toCoordinate(0.75), 12.5, 0.25}));
+    const Image plain = drawn(session, 64, 48);
+    for (const auto& [name, value] : {std::pair{"fov", "75"}, {"light", "off"}, {"detail", "off"}}) EXPECT_EQ(session.setOption(name, value), "");
+    const Image picture = readPicture(folder / "yard.png");
+    EXPECT_EQ(picture.pixels, drawn(session, 64, 48).pixels);
+    EXPECT_NE(picture.pixels, plain.pixels);
+}
+
+TEST(RenderProgram, TellsTheHitsOfAColumn) {
+    const TestFolder folder;
+    const Finished finished = render({corridor(folder), "--eye", "1.5,2.5,0.5,0,0", "--fov", "90", "--size", "64x64", "--hits", "32"});
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    rapidjson::Document json;
+    ASSERT_FALSE(json.Parse<rapidjson::kParseFullPrecisionFlag>(finished.out.c_str()).HasParseError()) << finished.out;
+
+    // Half the width is the distance to the projection plane, so this column's rays run 1/64 aside.
+    EXPECT_EQ(json["map"], "corridor");
+    EXPECT_EQ(json["column"].GetInt(), 32);
+    EXPECT_EQ(json["projectionDistance"].GetDouble(), 32.0);
+    EXPECT_EQ(json["horizonRow"].GetDouble(), 32.0);
+    EXPECT_EQ(json["ray"][0].GetDouble(), 1.0);
+    EXPECT_EQ(json["ray"][1].GetDouble(), 1.0 / 64.0);
+    ASSERT_EQ(json["hits"].Size(), 1u);
+    const auto& hit = json["hits"][0];
+    EXPECT_EQ(hit["map"], "corridor");
+    EXPECT_EQ(hit["tile"][0].GetInt(), 4);
+    EXPECT_EQ(hit["tile"][1].GetInt(), 2);
+    EXPECT_EQ(hit["level"].GetInt(), 0);
+    EXPECT_EQ(hit["blueprint"], "wall");
+    EXPECT_EQ(hit["face"], "west");
+    EXPECT_EQ(hit["point"][0].GetDouble(), 4.0);
+    EXPECT_EQ(hit["point"][1].GetDouble(), 2.5 + 2.5 / 64.0);
+    EXPECT_NEAR(hit["rawDepth"].GetDouble(), 2.5 * std::sqrt(1.0 + 1.0 / 4096.0), 1e-12);
+    EXPECT_NEAR(hit["depth"].GetDouble(), 2.5, 1e-12);
+    EXPECT_NEAR(hit["backDepth"].GetDouble(), 3.5, 1e-12);
+    EXPECT_EQ(hit["bottom"].GetDouble(), 0.0);
+    EXPECT_EQ(hit["top"].GetDouble(), 1.0);
+    EXPECT_NEAR(hit["topFrontRow"].GetDouble(), 32.0 - 16.0 / 2.5, 1e-12);
+    EXPECT_NEAR(hit["bottomFrontRow"].GetDouble(), 32.0 + 16.0 / 2.5, 1e-12);
+    EXPECT_NEAR(hit["topBackRow"].GetDouble(), 32.0 - 16.0 / 3.5, 1e-12);
+    EXPECT_NEAR(hit["bottomBackRow"].GetDouble(), 32.0 + 16.0 / 3.5, 1e-12);
+    ASSERT_EQ(hit["filled"].Size(), 1u);
+    EXPECT_EQ(hit["filled"][0]["what"], "side");
+    EXPECT_EQ(hit["filled"][0]["face"], "west");
+    EXPECT_EQ(hit["filled"][0]["first"].GetInt(), 26);  // centres 26.5 to 37.5 lie between 25.6 and 38.4
+    EXPECT_EQ(hit["filled"][0]["last"].GetInt(), 37);
+    ASSERT_EQ(json["planes"].Size(), 2u);
+    EXPECT_EQ(json["planes"][0]["what"], "floor");
+    EXPECT_EQ(json["planes"][0]["first"].GetInt(), 38);
+    EXPECT_EQ(json["planes"][0]["last"].GetInt(), 63);
+    EXPECT_EQ(json["planes"][1]["what"], "sky");
+    EXPECT_EQ(json["planes"][1]["first"].GetInt(), 0);
+    EXPECT_EQ(json["planes"][1]["last"].GetInt(), 25);
+}
+
+TEST(RenderProgram, HasNullForWhatIsInfinite) {
+    const TestFolder folder;
+    const Finished finished = render({corridor(folder), "--eye", "0.5,3.5,0.5,0,0", "--size", "64x64", "--hits", "32"});
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    rapidjson::Document json;
+    ASSERT_FALSE(json.Parse(finished.out.c_str()).HasParseError()) << finished.out;
+    ASSERT_GE(json["hits"].Size(), 1u);
+    const auto& own = json["hits"][0];
+    EXPECT_EQ(own["blueprint"], "step");
+    EXPECT_TRUE(own["face"].IsNull());
+    EXPECT_EQ(own["depth"].GetDouble(), 0.0);
+    EXPECT_TRUE(own["topFrontRow"].IsNull());
+    EXPECT_TRUE(own["bottomFrontRow"].IsNull());
+    EXPECT_TRUE(own["topBackRow"].IsDouble());
+}
+
+struct WrongUse {
+    std::vector<std::string> arguments;
+    std::string says;
+};
+
+TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
+    const TestFolder folder;
+    const std::string out = (folder / "picture.png").string();
+    const std::vector<WrongUse> uses = {
+        {{}, "SCENE is required"},
+        {{kScene}, "expected --out PICTURE.png, --hits COLUMN or both"},
+        {{kScene, "--out", out, "--size", "64"}, "found \"64\", expected WxH in pixels"},
+        {{kScene, "--out", out, "--size", "0x5"}, "found \"0x5\""},
+        {{kScene, "--out", out, "--size", "8193x5"}, "8192x8192"},
+        {{kScene, "--out", out, "--size", "64x48 "}, "found \"64x48 \""},
+        {{kScene, "--out", out, "--fov", "200"}, "option fov: found \"200\", expected a number from 10 to 150"},
+        {{kScene, "--out", out, "--set", "lights=on"}, "found the option \"lights\", expected one of fov"},
+        {{kScene, "--out", out, "--set", "light"}, "found \"light\", expected OPTION=VALUE"},
+        {{kScene, "--out", out, "--map", "cellar"}, "found \"cellar\", expected a map of this scene: \"hall\", \"yard\", \"plain\""},
+        {{kScene, "--out", out, "--map", "yard"}, "expected --eye"},
+        {{kScene, "--out", out, "--eye", "1,1,0.5,0"}, "expected five numbers X,Y,Z,HEADING,LOOK"},
+        {{kScene, "--out", out, "--eye", "1,1,0.5,0,0,0"}, "expected five numbers"},
+        {{kScene, "--out", out, "--eye", "1,north,0.5,0,0"}, "Y: found \"north\", expected a number"},
+        {{kScene, "--out", out, "--eye", "1,nan,0.5,0,0"}, "Y: found \"nan\""},
+        {{kScene, "--out", out, "--eye", "1,1,0,0,0"}, "an eye at or below the floor sees nothing"},
+        {{kScene, "--out", out, "--eye", "1,1,-2,0,0"}, "found -2"},
+        {{kScene, "--out", out, "--eye", "1,1,0.5,0,4.5"}, "LOOK: found \"4.5\", expected a number from -4 to 4"},
+        {{kScene, "--hits", "64", "--size", "64x48"}, "found \"64\", expected a column of the picture, 0 to 63"},
+        {{kScene, "--hits", "-1"}, "0 to 1279"},
+        {{kScene, "--hits", "middle"}, "found \"middle\""},
+        {{kScene, "--out", out, "--quick"}, "--quick"},
+    };
+    for (const WrongUse& use : uses) {
+        const Finished finished = render(use.arguments);
+        EXPECT_EQ(finished.status, 2) << use.says;
+        EXPECT_NE(finished.err.find(use.says), std::string::npos) << use.says << "\nnot in: " << finished.err;
+        EXPECT_EQ(finished.out, "") << use.says;
+    }
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderProgram, LeavesNothingBehindWhereItCannotWrite) {
+    const TestFolder folder;
+    std::filesystem::create_directory(folder / "taken.png");
+    EXPECT_EQ(render({kScene, "--out", (folder / "taken.png").string()}).status, 1);
+    EXPECT_EQ(render({kScene, "--out", (folder / "no such folder/picture.png").string()}).status, 1);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"taken.png"});
+}
+
+TEST(RenderProgram, TellsTheFaultsOfAScene) {
+    const TestFolder folder;
+    const std::string broken = SLICECAST_SOURCE_FOLDER "/tests/scene/broken/image-missing.json";
+    const Finished finished = render({broken, "--out", (folder / "picture.png").string()});
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_EQ(finished.err.find(broken + ":"), 0u) << finished.err;
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderProgram, HasHelp) {
+    const Finished finished = render({"--help"});
+    EXPECT_EQ(finished.status, 0);
+    for (const char* word : {"--map", "--eye", "--size", "--fov", "--set", "--hits", "--out", "Examples:"}) {
+        EXPECT_NE(finished.out.find(word), std::string::npos) << word;
+    }
+    for (const OptionInfo& option : knownOptions()) EXPECT_NE(finished.out.find("  " + std::string(option.name) + " "), std::string::npos) << option.name;
+}
+
+}  // namespace
+}  // namespace slicecast
