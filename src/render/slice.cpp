@@ -138,6 +138,9 @@ int Slice::collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& 
         block.bottom = Coordinate{block.bottomRaw}.value();
         block.top = Coordinate{block.topRaw}.value();
         block.hit = -1;
+        const bool touchesLower = count > 1 && blocks[static_cast<std::size_t>(count - 2)].topRaw == block.bottomRaw;
+        block.bottomFront = touchesLower ? blocks[static_cast<std::size_t>(count - 2)].topFront : firstRowBelow(projection_, block.bottom, walk_.enter);
+        block.topFront = firstRowBelow(projection_, block.top, walk_.enter);
     }
     return count;
 }
@@ -157,17 +160,8 @@ void Slice::drawBlocks(std::uint32_t occupied, TextureId ceilingTexture) {
 }
 
 void Slice::drawSides(const Block* blocks, int count) {
-    const Crossing& border = walk_.enter;
-    const Face face = enteredFace(border);
-    int upperEdge = 0;  // the row of the edge between this block and the one below, where they touch
-    for (int i = count - 1; i >= 0; --i) {
-        const Block& block = blocks[i];
-        const bool touchesUpper = i + 1 < count && blocks[i + 1].bottomRaw == block.topRaw;
-        const int first = touchesUpper ? upperEdge : firstRowBelow(projection_, block.top, border);
-        const int last = firstRowBelow(projection_, block.bottom, border);
-        drawSide(block, face, border, {first, last});
-        upperEdge = last;
-    }
+    const Face face = enteredFace(walk_.enter);
+    for (int i = 0; i < count; ++i) drawSide(blocks[i], face, walk_.enter, {blocks[i].topFront, blocks[i].bottomFront});
 }
 
 // Rows that look down. At depth 0 the eye may be inside a block, or on its roof: a face met at depth 0 is not drawn, so the ray is inside the block then and
@@ -181,6 +175,7 @@ void Slice::drawFalling(const Block* blocks, int count, TextureId ceilingTexture
             ceilingToCome = false;
         }
     };
+    const int openFirst = open_.first();
     for (int i = count - 1; i >= 0; --i) {
         const Block& block = blocks[i];
         if (walk_.enter.along == 0.0 && block.bottom < 0.0 && block.top >= 0.0) {
@@ -191,8 +186,8 @@ void Slice::drawFalling(const Block* blocks, int count, TextureId ceilingTexture
         } else if (block.top < 0.0) {
             ceilingAbove(block.top);
             // Nothing reaches a roof on which the next block stands.
-            if (i + 1 < count && blocks[i + 1].bottomRaw == block.topRaw) continue;
-            drawLevelFace(block, Face::top, planeRows(block.top, walk_.enter, walk_.leave));
+            const bool covered = i + 1 < count && blocks[i + 1].bottomRaw == block.topRaw;
+            if (!covered && block.topFront > openFirst) drawLevelFace(block, Face::top, {firstRowBelow(projection_, block.top, walk_.leave), block.topFront});
         }
     }
     ceilingAbove(-kNever);
@@ -208,6 +203,7 @@ void Slice::drawRising(const Block* blocks, int count, TextureId ceilingTexture)
             ceilingToCome = false;
         }
     };
+    const int openLast = open_.last();
     for (int i = 0; i < count; ++i) {
         const Block& block = blocks[i];
         if (walk_.enter.along == 0.0 && block.bottom <= 0.0 && block.top > 0.0) {
@@ -217,8 +213,8 @@ void Slice::drawRising(const Block* blocks, int count, TextureId ceilingTexture)
             if (walk_.leave.along > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {below, projection_.firstFallingRow});
         } else if (block.bottom > 0.0) {
             ceilingBelow(block.bottom);
-            if (i > 0 && blocks[i - 1].topRaw == block.bottomRaw) continue;
-            drawLevelFace(block, Face::bottom, planeRows(block.bottom, walk_.enter, walk_.leave));
+            const bool covered = i > 0 && blocks[i - 1].topRaw == block.bottomRaw;
+            if (!covered && block.bottomFront < openLast) drawLevelFace(block, Face::bottom, {block.bottomFront, firstRowBelow(projection_, block.bottom, walk_.leave)});
         }
     }
     ceilingBelow(kNever);

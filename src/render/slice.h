@@ -34,6 +34,8 @@ private:
         std::int32_t topRaw;
         double bottom;           // units
         double top;
+        int topFront;            // first row below the upper edge where the walk enters the tile
+        int bottomFront;         // first row below the lower edge there
         int hit;                 // index into the trace, if there is one
     };
 
@@ -79,8 +81,12 @@ private:
     TileBox boxToPrevious(const PlaneRun& run) const;
     TileBox boxWithoutEnd(const PlaneRun& run) const;
     void fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceBlueprint& face, bool southReversed, const TileBox& box);
-    void fillClampedRow(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box);
-    void note(const Block* block, FilledRows::What what, Face face, int first, int last);
+    void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box);
+    void note(const Block* block, FilledRows::What what, Face face, int first, int last) {
+        ++report_.spansDrawn;
+        if (trace_) traceRows(block, {what, face, first, last});
+    }
+    void traceRows(const Block* block, const FilledRows& rows);
     void traceTile();
     void traceBlock(Block& block);
 

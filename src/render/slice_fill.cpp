@@ -57,27 +57,31 @@ void Slice::fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceB
     const double distance = Coordinate{riseRaw < 0 ? -riseRaw : riseRaw}.value();
     const PlaneLine line = {frame_.eye.x.fraction(), frame_.eye.y.fraction(), distance * ray_.x, distance * ray_.y, southReversed};
     const PlaneRows rows = frame_.planeShades.rows(riseRaw, face.light, first, last);
-    const auto levelAt = [&](int row) { return frame_.detail.levelAt(distance * projection_.distance * rows.inverseOffsets[row], texture); };
+    const double depthPerInverse = distance * projection_.distance;
+    const auto levelAt = [&](int row) { return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture); };
+    const auto texelsOf = [&](int level) -> const TextureLevel& { return texture.levels[static_cast<std::size_t>(level)]; };
+    const int firstLevel = levelAt(first);
+    const int lastLevel = last - first == 1 ? firstLevel : levelAt(last - 1);
 
-    for (int row = first; row < last;) {
-        const int level = levelAt(row);
-        int end = last;
-        if (levelAt(last - 1) != level) {
-            int same = row;  // the last row known to have this level; the first known not to is `end`
-            end = last - 1;
-            while (end - same > 1) {
-                const int middle = same + (end - same) / 2;
-                (levelAt(middle) == level ? same : end) = middle;
-            }
+    int row = first;
+    for (int level = firstLevel; level != lastLevel;) {
+        int same = row;  // the last row known to have this level; the first known not to is `end`
+        int end = last - 1;
+        while (end - same > 1) {
+            const int middle = same + (end - same) / 2;
+            (levelAt(middle) == level ? same : end) = middle;
         }
-        fillPlane(pixels_, row, end, texture.levels[static_cast<std::size_t>(level)], line, rows, frame_.lighting.haze);
+        fillPlane(pixels_, row, end, texelsOf(level), line, rows, frame_.lighting.haze);
         row = end;
+        level = levelAt(row);
     }
-    fillClampedRow(first, texture.levels[static_cast<std::size_t>(levelAt(first))], line, rows, box);
-    if (last - first > 1) fillClampedRow(last - 1, texture.levels[static_cast<std::size_t>(levelAt(last - 1))], line, rows, box);
+    fillPlane(pixels_, row, last, texelsOf(lastLevel), line, rows, frame_.lighting.haze);
+    holdInside(first, texelsOf(firstLevel), line, rows, box);
+    holdInside(last - 1, texelsOf(lastLevel), line, rows, box);
 }
 
-void Slice::fillClampedRow(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box) {
+// Draws a row anew if its point was rounded out of its tiles.
+void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box) {
     const double inverse = rows.inverseOffsets[row];
     const double east = line.eastStart + line.eastPerInverse * inverse;
     const double south = line.southStart + line.southPerInverse * inverse;

@@ -5,13 +5,11 @@
 
 namespace slicecast {
 
-void Slice::note(const Block* block, FilledRows::What what, Face face, int first, int last) {
-    ++report_.spansDrawn;
-    if (!trace_) return;
+void Slice::traceRows(const Block* block, const FilledRows& rows) {
     if (block) {
-        trace_->hits[static_cast<std::size_t>(block->hit)].filled.push_back({what, face, first, last});
+        trace_->hits[static_cast<std::size_t>(block->hit)].filled.push_back(rows);
     } else {
-        trace_->planes.push_back({what, face, first, last});
+        trace_->planes.push_back(rows);
     }
 }
 
