@@ -21,20 +21,26 @@ inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     return even | (odd & ~kEvenBytes) | kOpaque;
 }
 
+// Red with blue, and green with alpha.
+struct Halves {
+    U16x8 even;
+    U16x8 odd;
+};
+
+[[maybe_unused]] inline Halves shadedHalves(U32x4 texels, U32x4 factorsTwice) {
+    const U16x8 half = (U16x8)allLanes(0x00800080);
+    return {((U16x8)(texels & kEvenBytes) * (U16x8)factorsTwice + half) >> 8, (((U16x8)texels >> 8) * (U16x8)factorsTwice + half) >> 8};
+}
+
 [[maybe_unused]] inline U32x4 shaded(U32x4 texels, U32x4 factorsTwice) {
-    const U32x4 half = allLanes(0x00800080);
-    const U16x8 even = (U16x8)(texels & kEvenBytes) * (U16x8)factorsTwice + (U16x8)half;
-    const U16x8 odd = (U16x8)((texels >> 8) & kEvenBytes) * (U16x8)factorsTwice + (U16x8)half;
-    return (U32x4)(even >> 8) | ((U32x4)odd & ~kEvenBytes) | kOpaque;
+    const Halves lit = shadedHalves(texels, factorsTwice);
+    return (U32x4)lit.even | (U32x4)(lit.odd << 8) | kOpaque;
 }
 
 // x / 255 for each half, 0 <= x <= 255 * 255 + 127.
 inline std::uint32_t dividedBy255(std::uint32_t halves) { return ((halves + 0x00010001 + ((halves >> 8) & kEvenBytes)) >> 8) & kEvenBytes; }
 
-[[maybe_unused]] inline U32x4 dividedBy255(U32x4 halves) {
-    const U16x8 x = (U16x8)halves;
-    return (U32x4)((x + (std::uint16_t)1 + (x >> 8)) >> 8);
-}
+[[maybe_unused]] inline U16x8 dividedBy255(U16x8 x) { return (x + (std::uint16_t)1 + (x >> 8)) >> 8; }
 
 inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint32_t haze) {
     const std::uint32_t fog = fogTwice & 0xffff;
@@ -44,15 +50,15 @@ inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint
     return even | odd << 8 | kOpaque;
 }
 
-[[maybe_unused]] inline U32x4 fogged(U32x4 lit, U32x4 fogsTwice, std::uint32_t haze) {
+[[maybe_unused]] inline U32x4 fogged(Halves lit, U32x4 fogsTwice, std::uint32_t haze) {
     const U16x8 fog = (U16x8)fogsTwice;
     const U16x8 rest = (U16x8)allLanes(0x00ff00ff) - fog;
     const U16x8 hazeEven = (U16x8)allLanes(haze & kEvenBytes);
     const U16x8 hazeOdd = (U16x8)allLanes((haze >> 8) & kEvenBytes);
     const U16x8 half = (U16x8)allLanes(0x007f007f);
-    const U32x4 even = dividedBy255((U32x4)((U16x8)(lit & kEvenBytes) * rest + hazeEven * fog + half));
-    const U32x4 odd = dividedBy255((U32x4)((U16x8)((lit >> 8) & kEvenBytes) * rest + hazeOdd * fog + half));
-    return even | odd << 8 | kOpaque;
+    const U16x8 even = dividedBy255(lit.even * rest + (hazeEven * fog + half));
+    const U16x8 odd = dividedBy255(lit.odd * rest + (hazeOdd * fog + half));
+    return (U32x4)even | (U32x4)(odd << 8) | kOpaque;
 }
 
 // Full light and no fog: colours stay as they are.
@@ -73,8 +79,8 @@ struct EvenShade {
         return foggy ? fogged(lit, fog, haze) : lit;
     }
     U32x4 four(U32x4 texels, int) const {
-        const U32x4 lit = shaded(texels, allLanes(factor));
-        return foggy ? fogged(lit, allLanes(fog), haze) : lit;
+        if constexpr (foggy) return fogged(shadedHalves(texels, allLanes(factor)), allLanes(fog), haze);
+        return shaded(texels, allLanes(factor));
     }
 };
 
@@ -90,8 +96,8 @@ struct RowShade {
         return foggy ? fogged(lit, fogs[row], haze) : lit;
     }
     U32x4 four(U32x4 texels, int row) const {
-        const U32x4 lit = shaded(texels, loadVector<U32x4>(factors + row));
-        return foggy ? fogged(lit, loadVector<U32x4>(fogs + row), haze) : lit;
+        if constexpr (foggy) return fogged(shadedHalves(texels, loadVector<U32x4>(factors + row)), loadVector<U32x4>(fogs + row), haze);
+        return shaded(texels, loadVector<U32x4>(factors + row));
     }
 };
 

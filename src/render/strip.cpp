@@ -39,6 +39,29 @@ inline void transposeFour(const Pixel* columns, std::ptrdiff_t stride, Pixel* ro
     storeVector(rows + 3 * pitch, highPairs(acHigh, bdHigh));
 }
 
+// All whole groups of four rows of a full strip; returns how many rows those are. A function of its own, called often, so that engines of WebAssembly compile
+// it well.
+__attribute__((noinline)) int transposeRows(const Pixel* strip, std::ptrdiff_t stride, int height, Pixel* row, std::ptrdiff_t pitch) {
+    static_assert(kStripColumns == 16);
+    const Pixel* a = strip;
+    const Pixel* b = strip + 4 * stride;
+    const Pixel* c = strip + 8 * stride;
+    const Pixel* d = strip + 12 * stride;
+    int y = 0;
+    for (; y + 4 <= height; y += 4) {
+        transposeFour(a, stride, row, pitch);
+        transposeFour(b, stride, row + 4, pitch);
+        transposeFour(c, stride, row + 8, pitch);
+        transposeFour(d, stride, row + 12, pitch);
+        a += 4;
+        b += 4;
+        c += 4;
+        d += 4;
+        row += 4 * pitch;
+    }
+    return y;
+}
+
 }  // namespace
 
 void Strip::resize(int height) {
@@ -50,20 +73,12 @@ void Strip::resize(int height) {
 }
 
 void Strip::copyTo(const Picture& picture, int x, int columns) const {
-    // Copies of their own, which the stores below cannot be thought to change.
     const Pixel* const strip = pixels_.data();
-    const std::ptrdiff_t stride = stride_;
-    const std::ptrdiff_t pitch = picture.pitch;
-    const int height = height_;
-    Pixel* row = picture.pixels + x;
     int y = 0;
-    if (kHasVectors && columns == kStripColumns) {
-        for (; y + 4 <= height; y += 4, row += 4 * pitch) {
-            for (int c = 0; c < kStripColumns; c += 4) transposeFour(strip + c * stride + y, stride, row + c, pitch);
-        }
-    }
-    for (; y < height; ++y, row += pitch) {
-        for (int c = 0; c < columns; ++c) row[c] = strip[c * stride + y];
+    if (kHasVectors && columns == kStripColumns) y = transposeRows(strip, stride_, height_, picture.pixels + x, picture.pitch);
+    for (; y < height_; ++y) {
+        Pixel* row = picture.row(y) + x;
+        for (int c = 0; c < columns; ++c) row[c] = strip[static_cast<std::ptrdiff_t>(c) * stride_ + y];
     }
 }
 
