@@ -42,10 +42,10 @@ struct View {
 };
 
 const std::array kViews = {
-    View{"first-walk", "start", {}},
-    View{"first-walk", "over the court", Place{12.0, 18.5, 3.2, 270.0, -0.2}},
-    View{"harbour-town", "start", {}},
-    View{"harbour-town", "turned", Place{20.5, 20.5, 0.5, 200.0, 0.0}},
+    View{"harbour-town", "start", {}}, View{"harbour-town", "over the roofs", Place{24.0, 24.0, 6.5, 225.0, -0.3}},
+    View{"castle", "start", {}},       View{"castle", "from above", Place{44.6, 33.4, 5.5, 215.0, -0.2}},
+    View{"library", "start", {}},      View{"library", "in the gallery", Place{12.0, 10.0, 2.5, 100.0, -0.1}},
+    View{"garden", "start", {}},       View{"garden", "between hedges", Place{16.0, 16.0, 0.5, 250.0, 0.0}},
 };
 
 // One of the things that take turns.
