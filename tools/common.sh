@@ -3,6 +3,9 @@
 repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 cacheHome="${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}/slicecast"
 
+# The compiler's cache serves every clone on the machine: paths inside a clone count from its root.
+export CCACHE_BASEDIR="$repo" CCACHE_NOHASHDIR=1
+
 # One line about what happens now.
 say() { printf '%s\n' "$*" >&2; }
 
