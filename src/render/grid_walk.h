@@ -23,12 +23,6 @@ struct Crossing {
     double speed = 1.0;     // size of the ray's direction on that axis, > 0
     bool alongX = false;    // a border of constant x
     bool nearing = false;   // crossed eastward or southward
-
-    // A border that is never reached.
-    static constexpr Crossing never() {
-        constexpr double kInfinity = std::numeric_limits<double>::infinity();
-        return {kInfinity, kInfinity, 1.0, false, false};
-    }
 };
 
 // The first row whose ray passes below a height `rise` above the eye when it crosses a border; rows above it pass at or above that height.
@@ -47,24 +41,25 @@ struct GridWalk {
     int tileY = 0;
     int stepX = 0;  // -1, 0 or 1
     int stepY = 0;
-    Crossing enter;  // how the current tile was entered; at 0 in the eye's own
-    Crossing leave;  // how it will be left
-
     GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray)
         : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y) {
         findLeave();
     }
 
+    // How the current tile was entered (at 0 in the eye's own), and how it will be left.
+    const Crossing& enter() const { return borders_[entered_]; }
+    const Crossing& leave() const { return borders_[1 - entered_]; }
+
     // On to the next tile.
     void advance() {
-        if (leave.alongX) {
+        if (leave().alongX) {
             tileX += stepX;
             x_.advance();
         } else {
             tileY += stepY;
             y_.advance();
         }
-        enter = leave;
+        entered_ = 1 - entered_;
         findLeave();
     }
 
@@ -95,11 +90,13 @@ private:
     void findLeave() {
         const bool alongX = x_.along < y_.along || (x_.along == y_.along && stepX > 0);
         const Axis& axis = alongX ? x_ : y_;
-        leave = {axis.along, axis.distance, axis.speed, alongX, (alongX ? stepX : stepY) > 0};
+        borders_[1 - entered_] = {axis.along, axis.distance, axis.speed, alongX, (alongX ? stepX : stepY) > 0};
     }
 
     Axis x_;
     Axis y_;
+    Crossing borders_[2];  // the tile's two borders take turns, so that none is copied
+    int entered_ = 0;
 };
 
 }  // namespace slicecast

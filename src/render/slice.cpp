@@ -37,14 +37,14 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
 }
 
 void Slice::walk() {
-    floor_ = {map_.floor.texture, walk_.enter, walk_.tileX, walk_.tileY};
+    floor_ = startRun(map_.floor.texture, projection_.height);
     ceiling_ = {};
     const TextureId* ceilingTiles = map_.ceiling.tiles.empty() ? nullptr : map_.ceiling.tiles.data();
     double stop = whereToStop();
     bool stopped = false;
 
     while (!open_.none()) {
-        if (walk_.enter.along > stop) {
+        if (walk_.enter().along > stop) {
             stopped = true;
             break;
         }
@@ -66,14 +66,16 @@ void Slice::walk() {
             // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
             const TextureId texture = occupied ? kNoTexture : ceilingTiles[tile];
             if (texture != ceiling_.texture || floorChanges) {
-                endCeiling(walk_.enter, boxToPrevious(ceiling_));
-                ceiling_ = {texture, walk_.enter, walk_.tileX, walk_.tileY};
+                const int row = ceilingRow(walk_.enter());
+                endCeiling(row);
+                ceiling_ = startRun(texture, row);
                 stop = whereToStop();
             }
         }
         if (floorChanges) {
-            endFloor(walk_.enter, boxToPrevious(floor_));
-            floor_ = {map_.floor.tiles[tile], walk_.enter, walk_.tileX, walk_.tileY};
+            const int row = floorRow(walk_.enter());
+            endFloor(row);
+            floor_ = startRun(map_.floor.tiles[tile], row);
         }
         if (occupied) {
             drawBlocks(occupied, ceilingTiles ? ceilingTiles[tile] : kNoTexture);
@@ -83,12 +85,13 @@ void Slice::walk() {
     }
 
     // What is left beyond the walk: the ceiling ends with the grid, the floor goes on outside it.
-    endCeiling(walk_.enter, boxToPrevious(ceiling_));
+    if (ceiling_.texture != kNoTexture) endCeiling(ceilingRow(walk_.enter()));
     if (!stopped && floor_.texture != map_.floor.texture) {
-        endFloor(walk_.enter, boxToPrevious(floor_));
-        floor_ = {map_.floor.texture, walk_.enter, walk_.tileX, walk_.tileY};
+        const int row = floorRow(walk_.enter());
+        endFloor(row);
+        floor_ = startRun(map_.floor.texture, row);
     }
-    endFloor(Crossing::never(), boxWithoutEnd(floor_));
+    endFloor(frame_.firstFloorRow, true);
 }
 
 // How far along the ray to walk; beyond, nothing but the floor that is under way and the sky can be met. When all open rows look down, that at which the flattest of them
@@ -112,8 +115,8 @@ std::uint32_t Slice::levelsInReach(std::uint32_t occupied) const {
     for (const OpenRows::Run& run : open_.runs()) {
         const double upper = projection_.horizon - (run.first + 0.5);
         const double lower = projection_.horizon - (run.last - 0.5);
-        const double highest = eye + std::max(upper * walk_.enter.along, upper * walk_.leave.along) + kSlack;
-        const double lowest = eye + std::min(lower * walk_.enter.along, lower * walk_.leave.along) - kSlack;
+        const double highest = eye + std::max(upper * walk_.enter().along, upper * walk_.leave().along) + kSlack;
+        const double lowest = eye + std::min(lower * walk_.enter().along, lower * walk_.leave().along) - kSlack;
         if (highest < 0.0 || lowest >= kMaxLevels) continue;
         const std::uint64_t upToHighest = highest >= kMaxLevels ? ~std::uint64_t{0} : (std::uint64_t{2} << static_cast<int>(highest)) - 1;
         const std::uint64_t belowLowest = lowest <= 0.0 ? 0 : (std::uint64_t{1} << static_cast<int>(lowest)) - 1;
@@ -139,8 +142,8 @@ int Slice::collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& 
         block.top = Coordinate{block.topRaw}.value();
         block.hit = -1;
         const bool touchesLower = count > 1 && blocks[static_cast<std::size_t>(count - 2)].topRaw == block.bottomRaw;
-        block.bottomFront = touchesLower ? blocks[static_cast<std::size_t>(count - 2)].topFront : firstRowBelow(projection_, block.bottom, walk_.enter);
-        block.topFront = firstRowBelow(projection_, block.top, walk_.enter);
+        block.bottomFront = touchesLower ? blocks[static_cast<std::size_t>(count - 2)].topFront : firstRowBelow(projection_, block.bottom, walk_.enter());
+        block.topFront = firstRowBelow(projection_, block.top, walk_.enter());
     }
     return count;
 }
@@ -154,14 +157,14 @@ void Slice::drawBlocks(std::uint32_t occupied, TextureId ceilingTexture) {
     if (trace_) {
         for (int i = 0; i < count; ++i) traceBlock(blocks[static_cast<std::size_t>(i)]);
     }
-    if (walk_.enter.along > 0.0) drawSides(blocks.data(), count);
+    if (walk_.enter().along > 0.0) drawSides(blocks.data(), count);
     if (!open_.none() && open_.last() > projection_.firstFallingRow) drawFalling(blocks.data(), count, ceilingTexture);
     if (!open_.none() && open_.first() < projection_.firstFallingRow) drawRising(blocks.data(), count, ceilingTexture);
 }
 
 void Slice::drawSides(const Block* blocks, int count) {
-    const Face face = enteredFace(walk_.enter);
-    for (int i = 0; i < count; ++i) drawSide(blocks[i], face, walk_.enter, {blocks[i].topFront, blocks[i].bottomFront});
+    const Face face = enteredFace(walk_.enter());
+    for (int i = 0; i < count; ++i) drawSide(blocks[i], face, walk_.enter(), {blocks[i].topFront, blocks[i].bottomFront});
 }
 
 // Rows that look down. At depth 0 the eye may be inside a block, or on its roof: a face met at depth 0 is not drawn, so the ray is inside the block then and
@@ -178,16 +181,16 @@ void Slice::drawFalling(const Block* blocks, int count, TextureId ceilingTexture
     const int openFirst = open_.first();
     for (int i = count - 1; i >= 0; --i) {
         const Block& block = blocks[i];
-        if (walk_.enter.along == 0.0 && block.bottom < 0.0 && block.top >= 0.0) {
+        if (walk_.enter().along == 0.0 && block.bottom < 0.0 && block.top >= 0.0) {
             ceilingAbove(block.bottom);
-            const int below = firstRowBelow(projection_, block.bottom, walk_.leave);
+            const int below = firstRowBelow(projection_, block.bottom, walk_.leave());
             drawLevelFace(block, Face::bottom, {std::max(below, projection_.firstFallingRow), projection_.height});
-            if (walk_.leave.along > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {projection_.firstFallingRow, below});
+            if (walk_.leave().along > 0.0) drawSide(block, leftFace(walk_.leave()), walk_.leave(), {projection_.firstFallingRow, below});
         } else if (block.top < 0.0) {
             ceilingAbove(block.top);
             // Nothing reaches a roof on which the next block stands.
             const bool covered = i + 1 < count && blocks[i + 1].bottomRaw == block.topRaw;
-            if (!covered && block.topFront > openFirst) drawLevelFace(block, Face::top, {firstRowBelow(projection_, block.top, walk_.leave), block.topFront});
+            if (!covered && block.topFront > openFirst) drawLevelFace(block, Face::top, {firstRowBelow(projection_, block.top, walk_.leave()), block.topFront});
         }
     }
     ceilingAbove(-kNever);
@@ -206,15 +209,15 @@ void Slice::drawRising(const Block* blocks, int count, TextureId ceilingTexture)
     const int openLast = open_.last();
     for (int i = 0; i < count; ++i) {
         const Block& block = blocks[i];
-        if (walk_.enter.along == 0.0 && block.bottom <= 0.0 && block.top > 0.0) {
+        if (walk_.enter().along == 0.0 && block.bottom <= 0.0 && block.top > 0.0) {
             ceilingBelow(block.top);
-            const int below = firstRowBelow(projection_, block.top, walk_.leave);
+            const int below = firstRowBelow(projection_, block.top, walk_.leave());
             drawLevelFace(block, Face::top, {0, std::min(below, projection_.firstFallingRow)});
-            if (walk_.leave.along > 0.0) drawSide(block, leftFace(walk_.leave), walk_.leave, {below, projection_.firstFallingRow});
+            if (walk_.leave().along > 0.0) drawSide(block, leftFace(walk_.leave()), walk_.leave(), {below, projection_.firstFallingRow});
         } else if (block.bottom > 0.0) {
             ceilingBelow(block.bottom);
             const bool covered = i > 0 && blocks[i - 1].topRaw == block.bottomRaw;
-            if (!covered && block.bottomFront < openLast) drawLevelFace(block, Face::bottom, {block.bottomFront, firstRowBelow(projection_, block.bottom, walk_.leave)});
+            if (!covered && block.bottomFront < openLast) drawLevelFace(block, Face::bottom, {block.bottomFront, firstRowBelow(projection_, block.bottom, walk_.leave())});
         }
     }
     ceilingBelow(kNever);
@@ -230,31 +233,37 @@ void Slice::drawLevelFace(const Block& block, Face face, RowRange rows) {
 }
 
 void Slice::drawCeilingHere(TextureId texture) {
-    ceiling_ = {texture, walk_.enter, walk_.tileX, walk_.tileY};
-    endCeiling(walk_.leave, boxTo(walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY));
+    ceiling_ = startRun(texture, ceilingRow(walk_.enter()));
+    endCeiling(ceilingRow(walk_.leave()), true);
 }
 
-// Draws the floor's run up to a border. Rows beyond the map's `far` are left for the haze.
-void Slice::endFloor(const Crossing& border, const TileBox& box) {
-    const RowRange rows = planeRows(-frame_.eye.z.value(), floor_.from, border);
-    open_.take(std::max(rows.first, frame_.firstFloorRow), rows.last, [&](int first, int last) {
-        fillPlaneRows(first, last, -frame_.eye.z.raw, {floor_.texture, map_.floor.light}, false, box);
+Slice::PlaneRun Slice::startRun(TextureId texture, int row) const { return {texture, row, walk_.tileX, walk_.tileY}; }
+
+// Draws the floor's run up to a border, where `row` is the first one below it. Rows beyond the map's `far` are left for the haze.
+void Slice::endFloor(int row, bool endless) {
+    open_.take(std::max(row, frame_.firstFloorRow), floor_.row, [&](int first, int last) {
+        fillPlaneRows(first, last, -frame_.eye.z.raw, {floor_.texture, map_.floor.light}, false, endless ? boxWithoutEnd(floor_) : boxToPrevious(floor_));
         note(nullptr, FilledRows::What::floor, Face::top, first, last);
     });
 }
 
 // Draws the ceiling's run, if there is one, up to a border. At the eye's own height it cannot be seen.
-void Slice::endCeiling(const Crossing& border, const TileBox& box) {
+void Slice::endCeiling(int row, bool inThisTile) {
     const std::int32_t rise = map_.ceiling.height.raw - frame_.eye.z.raw;
     if (ceiling_.texture != kNoTexture && rise != 0) {
-        const RowRange rows = planeRows(Coordinate{rise}.value(), ceiling_.from, border);
-        open_.take(rows.first, rows.last, [&](int first, int last) {
-            fillPlaneRows(first, last, rise, {ceiling_.texture, map_.ceiling.light}, true, box);
+        open_.take(std::min(ceiling_.row, row), std::max(ceiling_.row, row), [&](int first, int last) {
+            fillPlaneRows(first, last, rise, {ceiling_.texture, map_.ceiling.light}, true,
+                          inThisTile ? boxTo(walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY) : boxToPrevious(ceiling_));
             note(nullptr, FilledRows::What::ceiling, Face::bottom, first, last);
         });
     }
     ceiling_.texture = kNoTexture;
 }
+
+// The first row below the floor, or the ceiling, where a border is crossed.
+int Slice::floorRow(const Crossing& border) const { return firstRowBelow(projection_, -frame_.eye.z.value(), border); }
+
+int Slice::ceilingRow(const Crossing& border) const { return firstRowBelow(projection_, (map_.ceiling.height - frame_.eye.z).value(), border); }
 
 void Slice::drawBackground() {
     open_.take(0, projection_.firstFallingRow, [&](int first, int last) {
@@ -267,13 +276,6 @@ void Slice::drawBackground() {
     });
 }
 
-// The rows in which the plane `rise` above the eye (below it where negative; not 0) is met between two borders.
-Slice::RowRange Slice::planeRows(double rise, const Crossing& from, const Crossing& to) const {
-    const int near = firstRowBelow(projection_, rise, from);
-    const int far = firstRowBelow(projection_, rise, to);
-    return rise < 0.0 ? RowRange{far, near} : RowRange{near, far};
-}
-
 Slice::TileBox Slice::boxTo(int fromX, int fromY, int toX, int toY) const {
     const int eyeX = frame_.eye.x.tile();
     const int eyeY = frame_.eye.y.tile();
@@ -283,7 +285,7 @@ Slice::TileBox Slice::boxTo(int fromX, int fromY, int toX, int toY) const {
 
 // A run whose last tile is the one that the walk has just left.
 Slice::TileBox Slice::boxToPrevious(const PlaneRun& run) const {
-    const bool alongX = walk_.enter.alongX;
+    const bool alongX = walk_.enter().alongX;
     return boxTo(run.fromX, run.fromY, walk_.tileX - (alongX ? walk_.stepX : 0), walk_.tileY - (alongX ? 0 : walk_.stepY));
 }
 

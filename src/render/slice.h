@@ -39,11 +39,11 @@ private:
         int hit;                 // index into the trace, if there is one
     };
 
-    // Floor or ceiling over one tile or several in a row that have the same texture: from the border `from` on.
+    // Floor or ceiling over one tile or several in a row that have the same texture, from a border on.
     struct PlaneRun {
         TextureId texture = kNoTexture;
-        Crossing from;
-        int fromX = 0;
+        int row = 0;    // the first row below the plane at that border
+        int fromX = 0;  // the tile behind it
         int fromY = 0;
     };
 
@@ -72,11 +72,13 @@ private:
     void drawSide(const Block& block, Face face, const Crossing& border, RowRange rows);
     void drawLevelFace(const Block& block, Face face, RowRange rows);
     void drawCeilingHere(TextureId texture);
-    void endFloor(const Crossing& border, const TileBox& box);
-    void endCeiling(const Crossing& border, const TileBox& box);
+    PlaneRun startRun(TextureId texture, int row) const;
+    void endFloor(int row, bool endless = false);
+    void endCeiling(int row, bool inThisTile = false);
+    int floorRow(const Crossing& border) const;
+    int ceilingRow(const Crossing& border) const;
     void drawBackground();
 
-    RowRange planeRows(double rise, const Crossing& from, const Crossing& to) const;
     TileBox boxTo(int fromX, int fromY, int toX, int toY) const;
     TileBox boxToPrevious(const PlaneRun& run) const;
     TileBox boxWithoutEnd(const PlaneRun& run) const;

@@ -13,7 +13,7 @@ void Slice::traceRows(const Block* block, const FilledRows& rows) {
     }
 }
 
-void Slice::traceTile() { trace_->tiles.push_back({walk_.tileX, walk_.tileY, walk_.enter.along * projection_.distance}); }
+void Slice::traceTile() { trace_->tiles.push_back({walk_.tileX, walk_.tileY, walk_.enter().along * projection_.distance}); }
 
 void Slice::traceBlock(Block& block) {
     block.hit = static_cast<int>(trace_->hits.size());
@@ -23,13 +23,13 @@ void Slice::traceBlock(Block& block) {
     hit.tileY = walk_.tileY;
     hit.level = block.level;
     hit.blueprint = map_.cell(walk_.tileX, walk_.tileY, block.level);
-    hit.entered = walk_.enter.along > 0.0;
-    hit.face = enteredFace(walk_.enter);
-    hit.depth = walk_.enter.along * projection_.distance;
-    hit.backDepth = walk_.leave.along * projection_.distance;
-    hit.x = frame_.eye.x.value() + ray_.x * walk_.enter.along;
-    hit.y = frame_.eye.y.value() + ray_.y * walk_.enter.along;
-    hit.rawDepth = walk_.enter.along * std::sqrt(ray_.x * ray_.x + ray_.y * ray_.y);
+    hit.entered = walk_.enter().along > 0.0;
+    hit.face = enteredFace(walk_.enter());
+    hit.depth = walk_.enter().along * projection_.distance;
+    hit.backDepth = walk_.leave().along * projection_.distance;
+    hit.x = frame_.eye.x.value() + ray_.x * walk_.enter().along;
+    hit.y = frame_.eye.y.value() + ray_.y * walk_.enter().along;
+    hit.rawDepth = walk_.enter().along * std::sqrt(ray_.x * ray_.x + ray_.y * ray_.y);
     hit.bottom = tileEdge(block.level) + block.blueprint->bottom;
     hit.top = tileEdge(block.level) + block.blueprint->top;
     const auto rowOf = [&](double rise, double depth) { return rise == 0.0 ? projection_.horizon : projection_.rowOf(rise, depth); };
