@@ -94,15 +94,21 @@ void Slice::walk() {
     endFloor(frame_.firstFloorRow, true);
 }
 
-// How far along the ray to walk; beyond, nothing but the floor that is under way and the sky can be met. When all open rows look down, that at which the flattest of them
-// meets the floor; when all look up, that at which the flattest of them is above everything.
+// How far along the ray to walk; beyond, nothing but the floor that is under way and the sky can be met. Rows that have met the floor by the current tile's far
+// border are only waiting for their run to end. When all others look down, the walk goes to where the flattest of them meets the floor; when all look up, to where
+// the flattest of them is above everything.
 double Slice::whereToStop() const {
-    if (open_.none()) return 0.0;
     const int firstFalling = projection_.firstFallingRow;
+    const int firstWaiting = floorRow(walk_.leave());
+    int last = 0;
+    for (const OpenRows::Run& run : open_.runs()) {
+        if (run.first < firstWaiting) last = std::min(run.last, firstWaiting);
+    }
+    if (last == 0) return 0.0;
     if (open_.first() >= firstFalling) return kBeyond * frame_.eye.z.value() * frame_.inverseOffsets[static_cast<std::size_t>(open_.first())];
-    if (open_.last() > firstFalling) return kNever;
+    if (last > firstFalling) return kNever;
     const double rise = frame_.highest - frame_.eye.z.value();
-    return rise <= 0.0 ? 0.0 : kBeyond * rise * frame_.inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
+    return rise <= 0.0 ? 0.0 : kBeyond * rise * frame_.inverseOffsets[static_cast<std::size_t>(last - 1)];
 }
 
 // Of the occupied levels of the current tile, those that an open row may meet: a run of rows passes the tile between the heights that its first and its last row
