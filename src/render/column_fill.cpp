@@ -21,6 +21,22 @@ inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     return even | (odd & ~kEvenBytes) | kOpaque;
 }
 
+// Shifts by a count that is not known beforehand. Clang 14 takes the spreading of the count over four lanes out of a loop, no longer sees then that all lanes
+// are shifted alike, and for WebAssembly shifts them one by one: there the count is kept from leaving.
+[[maybe_unused]] inline U32x4 shiftedRight(U32x4 value, int count) {
+#ifdef __wasm_simd128__
+    __asm__ volatile("" : "+r"(count));
+#endif
+    return value >> count;
+}
+
+[[maybe_unused]] inline U32x4 shiftedLeft(U32x4 value, int count) {
+#ifdef __wasm_simd128__
+    __asm__ volatile("" : "+r"(count));
+#endif
+    return value << count;
+}
+
 // Red with blue, and green with alpha.
 struct Halves {
     U16x8 even;
@@ -143,9 +159,9 @@ void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level
         for (; row + 4 <= last; row += 4) {
             const F64x2 inverseA = loadVector<F64x2>(inverseOffsets + row);
             const F64x2 inverseB = loadVector<F64x2>(inverseOffsets + row + 2);
-            const U32x4 u = lowHalves(east0 + eastPer * inverseA, east0 + eastPer * inverseB) >> shift;
-            const U32x4 v = lowHalves(south0 + southPer * inverseA, south0 + southPer * inverseB) >> shift;
-            const U32x4 index = (u << bits) | (v ^ reverse);
+            const U32x4 u = shiftedRight(lowHalves(east0 + eastPer * inverseA, east0 + eastPer * inverseB), shift);
+            const U32x4 v = shiftedRight(lowHalves(south0 + southPer * inverseA, south0 + southPer * inverseB), shift);
+            const U32x4 index = shiftedLeft(u, bits) | (v ^ reverse);
             const U32x4 four = {texels[index[0]], texels[index[1]], texels[index[2]], texels[index[3]]};
             storeVector(column + row, shade.four(four, row));
         }
