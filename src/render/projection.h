@@ -43,7 +43,10 @@ struct Projection {
         return {distance * forward.x + sideways * right.x, distance * forward.y + sideways * right.y};
     }
 
-    // Row (real) of a height `rise` above the eye at `depth`. Not for rise = 0 at depth 0.
+    // Row (real) of a height `rise` above the eye at `depth`; infinite at depth 0. Not for rise = 0 at depth 0.
+#if defined(__clang__)
+    __attribute__((no_sanitize("float-divide-by-zero")))
+#endif
     double rowOf(double rise, double depth) const { return horizon - rise * distance / depth; }
 
     // The first row whose centre lies below `row`, and whose centre lies on it if `tieIsBelow`; clamped to [0, height].

@@ -37,7 +37,8 @@ endif()
 if(SLICECAST_SANITIZE)
   # float-cast-overflow and float-divide-by-zero are not part of "undefined"; clang alone sees the first.
   set(sanitizers -fsanitize=address,undefined,float-cast-overflow,float-divide-by-zero)
-  target_compile_options(slicecast_flags INTERFACE ${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
+  target_compile_options(slicecast_flags INTERFACE ${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1
+    -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tools/cmake/sanitizer-ignore.txt)
   target_link_options(slicecast_flags INTERFACE ${sanitizers})
   # Long random tests take a tenth of their usual amount here.
   target_compile_definitions(slicecast_flags INTERFACE SLICECAST_SANITIZED=1)
