@@ -117,13 +117,16 @@ std::uint32_t Slice::levelsInReach(std::uint32_t occupied) const {
     if (occupied == 0 || trace_) return occupied;
     constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
     const double eye = frame_.eye.z.value();
+    const int first = std::countr_zero(occupied);
+    const int end = static_cast<int>(std::bit_width(occupied));
     std::uint32_t reached = 0;
     for (const OpenRows::Run& run : open_.runs()) {
         const double upper = projection_.horizon - (run.first + 0.5);
         const double lower = projection_.horizon - (run.last - 0.5);
-        const double highest = eye + std::max(upper * walk_.enter().along, upper * walk_.leave().along) + kSlack;
-        const double lowest = eye + std::min(lower * walk_.enter().along, lower * walk_.leave().along) - kSlack;
-        if (highest < 0.0 || lowest >= kMaxLevels) continue;
+        const double highest = eye + upper * (upper > 0.0 ? walk_.leave().along : walk_.enter().along) + kSlack;
+        const double lowest = eye + lower * (lower < 0.0 ? walk_.leave().along : walk_.enter().along) - kSlack;
+        if (highest < first || lowest >= end) continue;
+        if (lowest < first + 1 && highest >= end - 1) return occupied;
         const std::uint64_t upToHighest = highest >= kMaxLevels ? ~std::uint64_t{0} : (std::uint64_t{2} << static_cast<int>(highest)) - 1;
         const std::uint64_t belowLowest = lowest <= 0.0 ? 0 : (std::uint64_t{1} << static_cast<int>(lowest)) - 1;
         reached |= static_cast<std::uint32_t>(upToHighest & ~belowLowest);
