@@ -271,7 +271,7 @@ TEST(KnownAnswers, TheTraceOfAWall) {
     ASSERT_EQ(hit.filled.size(), 1u);
     EXPECT_EQ(hit.filled[0].first, 75);
     EXPECT_EQ(hit.filled[0].last, 125);
-    EXPECT_EQ(trace.tiles.size(), 7u) << "the sky is open above the wall, so the walk goes on to the grid's border";
+    EXPECT_EQ(trace.tiles.size(), 3u) << "behind the wall the open rows are above everything, so the walk ends";
     ASSERT_EQ(trace.planes.size(), 2u);
     EXPECT_EQ(trace.planes[0].what, FilledRows::What::floor);
     EXPECT_EQ(trace.planes[1].what, FilledRows::What::sky);
