@@ -13,14 +13,14 @@
     if (typeof WebAssembly !== 'object' || typeof WebAssembly.validate !== 'function') {
       return {
         title: 'This browser has no WebAssembly',
-        text: 'The engine is a WebAssembly program. It needs Chrome 87, Firefox 98, Safari 15.4 or newer, with WebAssembly switched on; ' +
+        text: 'The engine is a WebAssembly program. It needs a current browser with WebAssembly switched on; ' +
           'some browsers switch it off in their strictest security mode.'
       };
     }
     if (!('noModule' in HTMLScriptElement.prototype) || typeof HTMLDialogElement !== 'function') {
       return {
         title: 'This browser is too old',
-        text: 'The page needs a browser of 2022 or newer: Chrome 87, Firefox 98, Safari 15.4.'
+        text: 'The page needs JavaScript modules and dialogs, which all current browsers have.'
       };
     }
     return null;

@@ -25,11 +25,10 @@ public:
     int last() const { return runs_.back().last; }
     const std::vector<Run>& runs() const { return runs_; }
 
-    // Closes the rows [first, last) and calls fill(first, last) for each run of them that was open. Returns whether there was one.
+    // Closes the rows [first, last) and calls fill(first, last) for each run of them that was open.
     template <typename Fill>
-    bool take(int first, int last, Fill&& fill) {
-        if (first >= last || runs_.empty() || last <= runs_.front().first || first >= runs_.back().last) return false;
-        bool any = false;
+    void take(int first, int last, Fill&& fill) {
+        if (first >= last || runs_.empty() || last <= runs_.front().first || first >= runs_.back().last) return;
         for (std::size_t i = 0; i < runs_.size();) {
             const Run run = runs_[i];
             if (run.first >= last) break;
@@ -37,7 +36,6 @@ public:
                 ++i;
                 continue;
             }
-            any = true;
             const int from = run.first < first ? first : run.first;
             const int to = run.last > last ? last : run.last;
             fill(from, to);
@@ -58,7 +56,6 @@ public:
                 runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
             }
         }
-        return any;
     }
 
 private:

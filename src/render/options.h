@@ -10,7 +10,7 @@ inline constexpr double kMaxLook = 4.0;  // screen heights, either way
 struct RenderOptions {
     double fovDegrees = 60.0;       // horizontal field of view
     bool detail = true;             // levels of detail; off, every texel comes from level 0
-    double detailThreshold = 1.0;   // level 1 begins where a texel covers less than 1 / this of a pixel; each further level at twice the depth
+    double detailThreshold = 1.0;   // level 1 begins where more texels than this fall on a pixel; each further level at twice the depth
     bool textures = true;           // off, every texture shows its average colour (its last level)
     bool light = true;              // off, falloff is 1 everywhere
     bool fog = true;                // off, no map has fog (the floor still ends at its `far`)
