@@ -221,7 +221,16 @@ void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, co
             fillPlaneRows(column, from, to, level, line, rows.inverseOffsets, shade);
         }
     };
-    // Near rows may be without fog, and some of those in full light. Depth goes one way along the rows, so each kind is a run.
+    // Near rows may be without fog, and some of those in full light. Depth goes one way along the rows, so each kind is a run; a short run is not worth a look.
+    constexpr int kShort = 8;
+    if (last - first <= kShort) {
+        if (rows.fogs) {
+            fill(first, last, RowShade<true>{rows.factors, rows.fogs, haze});
+        } else {
+            fill(first, last, RowShade<false>{rows.factors, nullptr, haze});
+        }
+        return;
+    }
     const auto fogs = [&](int row) { return rows.fogs[row] != 0; };
     const auto dimmed = [&](int row) { return rows.factors[row] != kFullLightTwice; };
     const auto fillClear = [&](int from, int to) {

@@ -1,8 +1,12 @@
 // Levels of detail: which level of a texture is shown at a depth. Level m is the number of thresholds T (by default 1, 2, 4 ...) with t * N > T * d.
 #pragma once
 
+#include "base/bits.h"
 #include "render/options.h"
 #include "world/texture.h"
+
+#include <algorithm>
+#include <cstdint>
 
 namespace slicecast {
 
@@ -19,14 +23,12 @@ struct Detail {
         const int last = static_cast<int>(texture.levels.size()) - 1;
         if (!textures) return last;
         if (!levels) return 0;
+        // The exponents' difference, rounded up: a double's bits are its exponent and then its fraction, so it falls out of one subtraction. Thresholds
+        // double, N is a power of two: no rounding anywhere.
         const double reach = depth * texture.size();
-        double threshold = firstThreshold;
-        int level = 0;
-        while (level < last && reach > threshold) {
-            ++level;
-            threshold *= 2.0;
-        }
-        return level;
+        const std::int64_t over = bitCast<std::int64_t>(reach) - bitCast<std::int64_t>(firstThreshold);
+        constexpr std::int64_t kOne = std::int64_t{1} << 52;
+        return static_cast<int>(std::clamp<std::int64_t>((over + kOne - 1) >> 52, 0, last));
     }
 };
 

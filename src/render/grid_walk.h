@@ -7,13 +7,19 @@
 //           |     |          comes first and a westward one last.
 #pragma once
 
+#include "base/bits.h"
 #include "base/coordinate.h"
 #include "render/projection.h"
 #include "world/blueprint.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 
 namespace slicecast {
+
+// Finite, so that a height of 0 stays at the horizon.
+inline constexpr double kHugeRows = 1e200;
 
 // A tile border and how a ray crosses it, `along` of the ray's direction from the eye (see Projection::ray): the quotient distance / speed. Rows and points are
 // projected from those two, since the quotient is rounded.
@@ -21,15 +27,27 @@ struct Crossing {
     double along = 0.0;
     double distance = 0.0;  // units along the border's axis from the eye
     double speed = 1.0;     // size of the ray's direction on that axis, > 0
+    double rowsPerRaw = kHugeRows;  // rows that 1/65536 unit of height takes there, rounded; huge where the distance is 0
     bool alongX = false;    // a border of constant x
     bool nearing = false;   // crossed eastward or southward
 };
 
-// The first row whose ray passes below a height `rise` above the eye when it crosses a border; rows above it pass at or above that height.
-inline int firstRowBelow(const Projection& projection, double rise, const Crossing& border) {
-    if (rise == 0.0) return projection.firstFallingRow;
-    if (border.distance == 0.0) return rise > 0.0 ? 0 : projection.height;
-    return projection.firstRowBelowRow(projection.horizon - rise * border.speed / border.distance, (rise > 0.0) == border.nearing);
+// What follows from the exact quotient; rarely asked.
+inline int firstRowBelowExactly(const Projection& projection, std::int32_t rise, const Crossing& border) {
+    if (rise == 0) return projection.firstFallingRow;
+    const double height = rise / 65536.0;
+    return projection.firstRowBelowRow(projection.horizon - height * border.speed / border.distance, (rise > 0) == border.nearing);
+}
+
+// The first row whose ray passes below a height, `rise` 1/65536 units above the eye, when it crosses a border; rows above it pass at or above that height.
+inline int firstRowBelow(const Projection& projection, std::int32_t rise, const Crossing& border) {
+    const double below = std::min(std::max(projection.horizonBelow - rise * border.rowsPerRaw, 0.5), projection.heightBelow);
+    // Added to this, a number below 2^16 has 16 bits after the point at the end of the double's bits: cheaper than a conversion.
+    constexpr double kMagic = 103079215104.0;  // 1.5 * 2^36
+    const auto fixed = static_cast<std::uint32_t>(bitCast<std::uint64_t>(below + kMagic));
+    // Near the middle of a row the sum's roundings might decide; there the exact quotient does, and the tie rule.
+    if (((fixed + 1) & 0xffff) < 3) return firstRowBelowExactly(projection, rise, border);
+    return static_cast<int>(fixed >> 16);
 }
 
 // The face of the tile ahead through which a crossing leads, and the face of the tile behind.
@@ -41,29 +59,39 @@ struct GridWalk {
     int tileY = 0;
     int stepX = 0;  // -1, 0 or 1
     int stepY = 0;
-    GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray)
-        : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y) {
-        findLeave();
-    }
+    double entered = 0.0;  // `along` where the current tile was entered, 0 in the eye's own
 
-    // How the current tile was entered (at 0 in the eye's own), and how it will be left.
-    const Crossing& enter() const { return borders_[entered_]; }
-    const Crossing& leave() const { return borders_[1 - entered_]; }
+    GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray)
+        : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y) {}
+
+    // How the current tile was entered, and how it will be left.
+    Crossing enter() const {
+        if (way_ == Way::none) return {};
+        return way_ == Way::alongX ? x_.crossing(entered, x_.distance - 1.0, true, stepX > 0) : y_.crossing(entered, y_.distance - 1.0, false, stepY > 0);
+    }
+    Crossing leave() const {
+        return leavesAlongX() ? x_.crossing(x_.along, x_.distance, true, stepX > 0) : y_.crossing(y_.along, y_.distance, false, stepY > 0);
+    }
+    double left() const { return x_.along < y_.along ? x_.along : y_.along; }  // leave().along
 
     // On to the next tile.
     void advance() {
-        if (leave().alongX) {
+        if (leavesAlongX()) {
+            entered = x_.along;
+            way_ = Way::alongX;
             tileX += stepX;
             x_.advance();
         } else {
+            entered = y_.along;
+            way_ = Way::alongY;
             tileY += stepY;
             y_.advance();
         }
-        entered_ = 1 - entered_;
-        findLeave();
     }
 
 private:
+    enum class Way : std::uint8_t { none, alongX, alongY };
+
     // The next border of one axis.
     struct Axis {
         double distance;
@@ -83,20 +111,17 @@ private:
             distance += 1.0;
             along = distance / speed;
         }
+        Crossing crossing(double at, double borderDistance, bool alongX, bool nearing) const {
+            return {at, borderDistance, speed, borderDistance > 0.0 ? speed / borderDistance * (1.0 / 65536.0) : kHugeRows, alongX, nearing};
+        }
     };
 
     static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
-
-    void findLeave() {
-        const bool alongX = x_.along < y_.along || (x_.along == y_.along && stepX > 0);
-        const Axis& axis = alongX ? x_ : y_;
-        borders_[1 - entered_] = {axis.along, axis.distance, axis.speed, alongX, (alongX ? stepX : stepY) > 0};
-    }
+    bool leavesAlongX() const { return x_.along < y_.along || (x_.along == y_.along && stepX > 0); }
 
     Axis x_;
     Axis y_;
-    Crossing borders_[2];  // the tile's two borders take turns, so that none is copied
-    int entered_ = 0;
+    Way way_ = Way::none;
 };
 
 }  // namespace slicecast

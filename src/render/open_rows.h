@@ -18,17 +18,20 @@ public:
         runs_.reserve(static_cast<std::size_t>(height) / 2 + 2);
         runs_.clear();
         if (height > 0) runs_.push_back({0, height});
+        findEnds();
     }
 
-    bool none() const { return runs_.empty(); }
-    int first() const { return runs_.front().first; }
-    int last() const { return runs_.back().last; }
-    const std::vector<Run>& runs() const { return runs_; }
+    bool none() const { return first_ >= last_; }
+    int first() const { return first_; }
+    int last() const { return last_; }
+
+    // Whether any of the rows [first, last) may be open: none is outside the runs' ends.
+    bool mayHold(int first, int last) const { return first < last && last > first_ && first < last_; }
 
     // Closes the rows [first, last) and calls fill(first, last) for each run of them that was open.
     template <typename Fill>
     void take(int first, int last, Fill&& fill) {
-        if (first >= last || runs_.empty() || last <= runs_.front().first || first >= runs_.back().last) return;
+        if (!mayHold(first, last)) return;
         for (std::size_t i = 0; i < runs_.size();) {
             const Run run = runs_[i];
             if (run.first >= last) break;
@@ -56,10 +59,18 @@ public:
                 runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
             }
         }
+        findEnds();
     }
 
 private:
+    void findEnds() {
+        first_ = runs_.empty() ? 0 : runs_.front().first;
+        last_ = runs_.empty() ? 0 : runs_.back().last;
+    }
+
     std::vector<Run> runs_;
+    int first_ = 0;
+    int last_ = 0;
 };
 
 }  // namespace slicecast

@@ -10,6 +10,8 @@ Projection::Projection(const Eye& eye, const RenderOptions& options, int picture
     const SineCosine heading = sineCosineDegrees(eye.headingDegrees);
     forward = {heading.cosine, heading.sine};
     right = {-heading.sine, heading.cosine};
+    horizonBelow = horizon + 0.5;
+    heightBelow = height + 0.5;
     firstFallingRow = firstRowBelowRow(horizon, false);
 }
 

@@ -26,7 +26,9 @@ struct Projection {
     int width = 0;   // pixels
     int height = 0;  // pixels
     double distance = 1.0;    // d, pixels
-    double horizon = 0.0;     // row of the horizon, real
+    double horizon = 0.0;       // row of the horizon, real
+    double horizonBelow = 0.0;  // half a row below it, for comparing with row numbers
+    double heightBelow = 0.0;   // half a row below the last one's lower edge
     int firstFallingRow = 0;  // rows from here on look downwards (slope < 0), clamped to [0, height]
     GroundDirection forward;
     GroundDirection right;

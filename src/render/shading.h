@@ -37,11 +37,16 @@ struct Lighting {
         : lit(map.light.on && options.light), foggy(map.fog.on && options.fog), strength(map.light.intensity * map.light.multiplier), darkest(map.light.darkest),
           brightest(map.light.brightest), fogStart(map.fog.start), fogLength(map.fog.end - map.fog.start), haze(toPixel(map.haze)) {}
 
-    std::uint32_t factorAt(double depth, double faceLight) const {
+    // 256 times the light at a depth, before a face's own factor.
+    double brightnessAt(double depth) const {
         const double falloff = lit ? strength / depth : 1.0;
-        const double bright = 256.0 * std::min(std::max(falloff, darkest), brightest) * faceLight + 0.5;
+        return 256.0 * std::min(std::max(falloff, darkest), brightest);
+    }
+    static std::uint32_t factorOf(double brightness, double faceLight) {
+        const double bright = brightness * faceLight + 0.5;
         return bright >= 256.0 ? 256u : static_cast<std::uint32_t>(bright);
     }
+    std::uint32_t factorAt(double depth, double faceLight) const { return factorOf(brightnessAt(depth), faceLight); }
 
     std::uint32_t fogAt(double depth) const {
         if (!foggy) return 0;

@@ -13,10 +13,13 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // A walk that stops at a border must be past it for certain: by more than roundings.
 constexpr double kBeyond = 1.0 + 1.0 / 1099511627776.0;
 
+constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
+
 }  // namespace
 
 Slice::Slice(const Frame& frame, OpenRows& open, FrameReport& report)
-    : frame_(frame), map_(*frame.map), projection_(frame.projection), open_(open), report_(report), walk_({}, {}, {}) {}
+    : frame_(frame), map_(*frame.map), projection_(frame.projection), open_(open), report_(report),
+      floorRise_(-frame.eye.z.raw), ceilingRise_(frame.map->ceiling.height.raw - frame.eye.z.raw), walk_({}, {}, {}) {}
 
 void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     column_ = column;
@@ -33,279 +36,306 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
         trace_->projectionDistance = projection_.distance;
     }
     walk();
+    fill(falling_);
+    fill(rising_);
     drawBackground();
 }
 
 void Slice::walk() {
-    floor_ = startRun(map_.floor.texture, projection_.height);
+    floor_ = {map_.floor.texture, projection_.height, here()};
     ceiling_ = {};
-    const TextureId* ceilingTiles = map_.ceiling.tiles.empty() ? nullptr : map_.ceiling.tiles.data();
-    double stop = whereToStop();
-    bool stopped = false;
-
-    while (!open_.none()) {
-        if (walk_.enter().along > stop) {
-            stopped = true;
-            break;
-        }
-        if (!map_.contains(walk_.tileX, walk_.tileY)) {
-            // Outside the grid there is only the floor. The walk goes on while it may still come to the grid.
-            const bool leavesX = walk_.tileX < 0 ? walk_.stepX <= 0 : walk_.tileX >= map_.width && walk_.stepX >= 0;
-            const bool leavesY = walk_.tileY < 0 ? walk_.stepY <= 0 : walk_.tileY >= map_.depth && walk_.stepY >= 0;
-            if (leavesX || leavesY) break;
-            ++report_.tilesWalked;
-            walk_.advance();
-            continue;
-        }
-        ++report_.tilesWalked;
-        if (trace_) traceTile();
-        const std::size_t tile = map_.tileIndex(walk_.tileX, walk_.tileY);
-        const bool floorChanges = map_.floor.tiles[tile] != floor_.texture;
-        const std::uint32_t occupied = levelsInReach(map_.occupied[tile]);
-        if (ceilingTiles) {
-            // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
-            const TextureId texture = occupied ? kNoTexture : ceilingTiles[tile];
-            if (texture != ceiling_.texture || floorChanges) {
-                const int row = ceilingRow(walk_.enter());
-                endCeiling(row);
-                ceiling_ = startRun(texture, row);
-                stop = whereToStop();
-            }
-        }
-        if (floorChanges) {
-            const int row = floorRow(walk_.enter());
-            endFloor(row);
-            floor_ = startRun(map_.floor.tiles[tile], row);
-        }
-        if (occupied) {
-            drawBlocks(occupied, ceilingTiles ? ceilingTiles[tile] : kNoTexture);
-            stop = whereToStop();
-        }
-        walk_.advance();
+    Pass pass = passTiles(false);
+    while (pass == Pass::tile) {
+        enter_ = walk_.enter();
+        leave_ = walk_.leave();
+        enteredSideKnown_ = false;
+        drawTile();
+        if (open_.none()) break;
+        pass = passTiles(true);
     }
+    const bool stopped = pass == Pass::stopped;
+    enter_ = walk_.enter();
 
     // What is left beyond the walk: the ceiling ends with the grid, the floor goes on outside it.
-    if (ceiling_.texture != kNoTexture) endCeiling(ceilingRow(walk_.enter()));
+    if (ceiling_.texture != kNoTexture) endCeiling(rowBelow(ceilingRise_, enter_), previous());
     if (!stopped && floor_.texture != map_.floor.texture) {
-        const int row = floorRow(walk_.enter());
-        endFloor(row);
-        floor_ = startRun(map_.floor.texture, row);
+        takeFloor(rowBelow(floorRise_, enter_), previous());
+        floor_.texture = map_.floor.texture;
+        floor_.from = here();
     }
-    endFloor(frame_.firstFloorRow, true);
+    takeFloor(0, here(), true);
 }
 
-// How far along the ray to walk; beyond, nothing but the floor that is under way and the sky can be met. Rows that have met the floor by the current tile's far
-// border are only waiting for their run to end. When all others look down, the walk goes to where the flattest of them meets the floor; when all look up, to where
-// the flattest of them is above everything.
+// How far along the ray to walk: beyond, nothing but the floor that is under way and the sky can be met. When all open rows look down, that is where the
+// flattest of them meets the floor; when all look up, where the flattest of them is above everything.
 double Slice::whereToStop() const {
+    if (open_.none()) return 0.0;
     const int firstFalling = projection_.firstFallingRow;
-    const int firstWaiting = floorRow(walk_.leave());
-    int last = 0;
-    for (const OpenRows::Run& run : open_.runs()) {
-        if (run.first < firstWaiting) last = std::min(run.last, firstWaiting);
-    }
-    if (last == 0) return 0.0;
     if (open_.first() >= firstFalling) return kBeyond * frame_.eye.z.value() * frame_.inverseOffsets[static_cast<std::size_t>(open_.first())];
-    if (last > firstFalling) return kNever;
+    if (open_.last() > firstFalling) return kNever;
     const double rise = frame_.highest - frame_.eye.z.value();
-    return rise <= 0.0 ? 0.0 : kBeyond * rise * frame_.inverseOffsets[static_cast<std::size_t>(last - 1)];
+    return rise <= 0.0 ? 0.0 : kBeyond * rise * frame_.inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
 
-// Of the occupied levels of the current tile, those that an open row may meet: a run of rows passes the tile between the heights that its first and its last row
-// have at the two borders. Most blocks of a town are behind others and are left out here without a division. A trace keeps them all.
-std::uint32_t Slice::levelsInReach(std::uint32_t occupied) const {
-    if (occupied == 0 || trace_) return occupied;
+// Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open row may meet. 
+Slice::Pass Slice::passTiles(bool leaveFirst) {
     constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
-    const double eye = frame_.eye.z.value();
-    const int first = std::countr_zero(occupied);
-    const int end = static_cast<int>(std::bit_width(occupied));
+    const double stop = whereToStop();
+    const double highestEye = frame_.eye.z.value() + kSlack;
+    const double lowestEye = frame_.eye.z.value() - kSlack;
+    const double upper = projection_.horizon - open_.first();
+    const double lower = projection_.horizon - open_.last();
+    const TextureId* const floorTiles = map_.floor.tiles.data();
+    const TextureId* const ceilingTiles = map_.ceiling.tiles.empty() ? nullptr : map_.ceiling.tiles.data();
+    const std::uint32_t* const occupiedTiles = map_.occupied.data();
+    const TextureId floorTexture = floor_.texture;
+    const TextureId ceilingTexture = ceiling_.texture;
+    const auto width = static_cast<unsigned>(map_.width);
+    const auto depth = static_cast<unsigned>(map_.depth);
+    const bool trace = trace_ != nullptr;
+    GridWalk walk = walk_;
     std::uint32_t reached = 0;
-    for (const OpenRows::Run& run : open_.runs()) {
-        const double upper = projection_.horizon - (run.first + 0.5);
-        const double lower = projection_.horizon - (run.last - 0.5);
-        const double highest = eye + upper * (upper > 0.0 ? walk_.leave().along : walk_.enter().along) + kSlack;
-        const double lowest = eye + lower * (lower < 0.0 ? walk_.leave().along : walk_.enter().along) - kSlack;
-        if (highest < first || lowest >= end) continue;
-        if (lowest < first + 1 && highest >= end - 1) return occupied;
-        const std::uint64_t upToHighest = highest >= kMaxLevels ? ~std::uint64_t{0} : (std::uint64_t{2} << static_cast<int>(highest)) - 1;
-        const std::uint64_t belowLowest = lowest <= 0.0 ? 0 : (std::uint64_t{1} << static_cast<int>(lowest)) - 1;
-        reached |= static_cast<std::uint32_t>(upToHighest & ~belowLowest);
+    int tiles = 0;
+    Pass pass = Pass::tile;
+    for (bool leave = leaveFirst;; leave = true) {
+        if (leave) walk.advance();
+        if (walk.entered > stop) {
+            pass = Pass::stopped;
+            break;
+        }
+        if (static_cast<unsigned>(walk.tileX) >= width || static_cast<unsigned>(walk.tileY) >= depth) {
+            // Outside the grid there is only the floor. The walk goes on while it may still come to the grid.
+            const bool leavesX = walk.tileX < 0 ? walk.stepX <= 0 : walk.tileX >= map_.width && walk.stepX >= 0;
+            const bool leavesY = walk.tileY < 0 ? walk.stepY <= 0 : walk.tileY >= map_.depth && walk.stepY >= 0;
+            if (leavesX || leavesY) {
+                pass = Pass::left;
+                break;
+            }
+            ++tiles;
+            continue;
+        }
+        ++tiles;
+        if (trace) traceTile({walk.tileX, walk.tileY}, walk.entered);
+        const std::size_t tile = static_cast<std::size_t>(walk.tileY) * width + static_cast<std::size_t>(walk.tileX);
+        reached = occupiedTiles[tile];
+        if (reached != 0 && !trace) {
+            const double left = walk.left();
+            const double highest = highestEye + upper * (upper > 0.0 ? left : walk.entered);
+            const double lowest = lowestEye + lower * (lower < 0.0 ? left : walk.entered);
+            if (highest < 0.0 || lowest >= kMaxLevels) {
+                reached = 0;
+            } else {
+                const int top = highest >= kMaxLevels ? kMaxLevels - 1 : static_cast<int>(highest);
+                const int bottom = lowest <= 0.0 ? 0 : static_cast<int>(lowest);
+                reached &= static_cast<std::uint32_t>((std::uint64_t{2} << top) - (std::uint64_t{1} << bottom));
+            }
+        }
+        if (reached != 0 || floorTiles[tile] != floorTexture || (ceilingTiles && ceilingTiles[tile] != ceilingTexture)) break;
     }
-    return occupied & reached;
+    walk_ = walk;
+    reached_ = reached;
+    report_.tilesWalked += tiles;
+    return pass;
 }
 
-int Slice::collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& blocks) const {
-    const BlueprintId* cells = map_.cells.data() + map_.cellIndex(walk_.tileX, walk_.tileY, 0);
-    const std::int32_t eyeHeight = frame_.eye.z.raw;
-    int count = 0;
-    for (std::uint32_t rest = occupied; rest != 0; rest &= rest - 1) {
-        const int level = std::countr_zero(rest);
-        const CellBlueprint& blueprint = frame_.world->blueprints[cells[level]];
-        const std::int32_t base = tileEdge(level).raw - eyeHeight;
-        Block& block = blocks[static_cast<std::size_t>(count++)];
-        block.blueprint = &blueprint;
-        block.level = level;
-        block.bottomRaw = base + blueprint.bottom.raw;
-        block.topRaw = base + blueprint.top.raw;
-        block.bottom = Coordinate{block.bottomRaw}.value();
-        block.top = Coordinate{block.topRaw}.value();
-        block.hit = -1;
-        const bool touchesLower = count > 1 && blocks[static_cast<std::size_t>(count - 2)].topRaw == block.bottomRaw;
-        block.bottomFront = touchesLower ? blocks[static_cast<std::size_t>(count - 2)].topFront : firstRowBelow(projection_, block.bottom, walk_.enter());
-        block.topFront = firstRowBelow(projection_, block.top, walk_.enter());
+// A tile in which something changes.
+void Slice::drawTile() {
+    const std::size_t tile = map_.tileIndex(walk_.tileX, walk_.tileY);
+    const bool floorChanges = map_.floor.tiles[tile] != floor_.texture;
+    const TextureId ceilingTexture = map_.ceiling.tiles.empty() ? kNoTexture : map_.ceiling.tiles[tile];
+    // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
+    const TextureId ceilingAlone = reached_ ? kNoTexture : ceilingTexture;
+    if (ceilingAlone != ceiling_.texture || floorChanges) {
+        const int row = rowBelow(ceilingRise_, enter_);
+        endCeiling(row, previous());
+        ceiling_ = {ceilingAlone, row, here()};
     }
-    return count;
-}
-
-// Everything in one tile that holds blocks, nearest first: sides where the walk enters, then roofs from the eye's height downwards and undersides from it
-// upwards. The floor comes last, with the run that it belongs to.
-void Slice::drawBlocks(std::uint32_t occupied, TextureId ceilingTexture) {
-    std::array<Block, kMaxLevels> blocks;
-    const int count = collectBlocks(occupied, blocks);
-    report_.blocksMet += count;
-    if (trace_) {
-        for (int i = 0; i < count; ++i) traceBlock(blocks[static_cast<std::size_t>(i)]);
+    if (floorChanges) {
+        takeFloor(rowBelow(floorRise_, enter_), previous());
+        floor_.texture = map_.floor.tiles[tile];
+        floor_.from = here();
     }
-    if (walk_.enter().along > 0.0) drawSides(blocks.data(), count);
-    if (!open_.none() && open_.last() > projection_.firstFallingRow) drawFalling(blocks.data(), count, ceilingTexture);
-    if (!open_.none() && open_.first() < projection_.firstFallingRow) drawRising(blocks.data(), count, ceilingTexture);
+    if (reached_) {
+        drawBlocks(reached_, ceilingTexture);
+        takeFloor(rowBelow(floorRise_, leave_), here());
+        floor_.from = next();
+    }
 }
 
-void Slice::drawSides(const Block* blocks, int count) {
-    const Face face = enteredFace(walk_.enter());
-    for (int i = 0; i < count; ++i) drawSide(blocks[i], face, walk_.enter(), {blocks[i].topFront, blocks[i].bottomFront});
+Slice::Block Slice::blockAt(int level) const {
+    const BlueprintId id = map_.cells[map_.cellIndex(walk_.tileX, walk_.tileY, level)];
+    const CellBlueprint& blueprint = frame_.world->blueprints[id];
+    const std::int32_t base = tileEdge(level).raw - frame_.eye.z.raw;
+    return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw};
 }
 
-// Rows that look down. At depth 0 the eye may be inside a block, or on its roof: a face met at depth 0 is not drawn, so the ray is inside the block then and
-// leaves it downwards or through the far side.
-void Slice::drawFalling(const Block* blocks, int count, TextureId ceilingTexture) {
-    const double ceilingRise = (map_.ceiling.height - frame_.eye.z).value();
-    bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise < 0.0;
-    const auto ceilingAbove = [&](double height) {
-        if (ceilingToCome && ceilingRise > height) {
+// Everything in one tile that holds blocks, nearest first: for each block its side where the walk enters, then its roof or underside, from the eye's height
+// downwards and then from it upwards. The floor comes last, with the run that it belongs to.
+void Slice::drawBlocks(std::uint32_t reached, TextureId ceilingTexture) {
+    report_.blocksMet += std::popcount(reached);
+    if (trace_) traceBlocks(reached);
+    const int eyeLevel = std::min(frame_.eye.z.tile(), kMaxLevels - 1);
+    const std::uint32_t upToEye = static_cast<std::uint32_t>((std::uint64_t{2} << eyeLevel) - 1);
+    const std::uint32_t falling = reached & upToEye;
+    const std::uint32_t rising = reached & ~(upToEye >> 1);
+    if (falling != 0 || ceilingTexture != kNoTexture) drawFalling(falling, ceilingTexture);
+    if (rising != 0 || ceilingTexture != kNoTexture) drawRising(rising, ceilingTexture);
+}
+
+// Blocks that are not wholly above the eye, downwards. At depth 0 the eye may be inside a block, or on its roof: a face met at depth 0 is not drawn, so the ray
+// is inside the block then and leaves it downwards or through the far side.
+void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
+    const bool atEye = enter_.along == 0.0;
+    bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ < 0;
+    const auto ceilingAbove = [&](std::int32_t height) {
+        if (ceilingToCome && ceilingRise_ > height) {
             drawCeilingHere(ceilingTexture);
             ceilingToCome = false;
         }
     };
-    const int openFirst = open_.first();
-    for (int i = count - 1; i >= 0; --i) {
-        const Block& block = blocks[i];
-        if (walk_.enter().along == 0.0 && block.bottom < 0.0 && block.top >= 0.0) {
-            ceilingAbove(block.bottom);
-            const int below = firstRowBelow(projection_, block.bottom, walk_.leave());
-            drawLevelFace(block, Face::bottom, {std::max(below, projection_.firstFallingRow), projection_.height});
-            if (walk_.leave().along > 0.0) drawSide(block, leftFace(walk_.leave()), walk_.leave(), {projection_.firstFallingRow, below});
-        } else if (block.top < 0.0) {
+    // The lower edge of the block above, which may be this one's upper edge: nothing reaches a roof on which another block stands.
+    std::int32_t edge = kHighest;
+    int edgeRow = 0;
+    for (std::uint32_t rest = levels; rest != 0;) {
+        const int level = static_cast<int>(std::bit_width(rest)) - 1;
+        rest ^= std::uint32_t{1} << level;
+        const Block block = blockAt(level);
+        if (block.bottom > 0) continue;
+        const bool covered = block.top == edge;
+        const int topRow = covered ? edgeRow : rowBelow(block.top, enter_);
+        edge = block.bottom;
+        edgeRow = rowBelow(block.bottom, enter_);
+        if (!atEye && open_.mayHold(topRow, edgeRow)) drawEnteredSide(block, {topRow, edgeRow});
+        if (block.top < 0) {
             ceilingAbove(block.top);
-            // Nothing reaches a roof on which the next block stands.
-            const bool covered = i + 1 < count && blocks[i + 1].bottomRaw == block.topRaw;
-            if (!covered && block.topFront > openFirst) drawLevelFace(block, Face::top, {firstRowBelow(projection_, block.top, walk_.leave()), block.topFront});
+            if (!covered && topRow > open_.first()) drawRoof(block, {rowBelow(block.top, leave_), topRow});
+        } else if (atEye && block.bottom < 0) {
+            ceilingAbove(block.bottom);
+            const int below = rowBelow(block.bottom, leave_);
+            drawUnderside(block, {std::max(below, projection_.firstFallingRow), projection_.height});
+            if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), {projection_.firstFallingRow, below});
         }
     }
-    ceilingAbove(-kNever);
+    ceilingAbove(-kHighest);
 }
 
-// Rows that look up or run level; the same upside down.
-void Slice::drawRising(const Block* blocks, int count, TextureId ceilingTexture) {
-    const double ceilingRise = (map_.ceiling.height - frame_.eye.z).value();
-    bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise > 0.0;
-    const auto ceilingBelow = [&](double height) {
-        if (ceilingToCome && ceilingRise < height) {
+// Blocks that are not wholly below the eye, upwards. The side of one at the eye's height is drawn with those below.
+void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
+    const bool atEye = enter_.along == 0.0;
+    bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ > 0;
+    const auto ceilingBelow = [&](std::int32_t height) {
+        if (ceilingToCome && ceilingRise_ < height) {
             drawCeilingHere(ceilingTexture);
             ceilingToCome = false;
         }
     };
-    const int openLast = open_.last();
-    for (int i = 0; i < count; ++i) {
-        const Block& block = blocks[i];
-        if (walk_.enter().along == 0.0 && block.bottom <= 0.0 && block.top > 0.0) {
-            ceilingBelow(block.top);
-            const int below = firstRowBelow(projection_, block.top, walk_.leave());
-            drawLevelFace(block, Face::top, {0, std::min(below, projection_.firstFallingRow)});
-            if (walk_.leave().along > 0.0) drawSide(block, leftFace(walk_.leave()), walk_.leave(), {below, projection_.firstFallingRow});
-        } else if (block.bottom > 0.0) {
+    std::int32_t edge = -kHighest;
+    int edgeRow = 0;
+    for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
+        const Block block = blockAt(std::countr_zero(rest));
+        if (block.bottom > 0) {
+            const bool covered = block.bottom == edge;
+            const int bottomRow = covered ? edgeRow : rowBelow(block.bottom, enter_);
+            edge = block.top;
+            edgeRow = rowBelow(block.top, enter_);
+            if (!atEye && open_.mayHold(edgeRow, bottomRow)) drawEnteredSide(block, {edgeRow, bottomRow});
             ceilingBelow(block.bottom);
-            const bool covered = i > 0 && blocks[i - 1].topRaw == block.bottomRaw;
-            if (!covered && block.bottomFront < openLast) drawLevelFace(block, Face::bottom, {block.bottomFront, firstRowBelow(projection_, block.bottom, walk_.leave())});
+            if (!covered && bottomRow < open_.last()) drawUnderside(block, {bottomRow, rowBelow(block.bottom, leave_)});
+        } else if (atEye && block.top > 0) {
+            ceilingBelow(block.top);
+            edge = block.top;
+            const int below = edgeRow = rowBelow(block.top, leave_);
+            drawRoof(block, {0, std::min(below, projection_.firstFallingRow)});
+            if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), {below, projection_.firstFallingRow});
         }
     }
-    ceilingBelow(kNever);
+    ceilingBelow(kHighest);
 }
 
-void Slice::drawLevelFace(const Block& block, Face face, RowRange rows) {
+void Slice::drawEnteredSide(const Block& block, RowRange rows) {
+    if (!enteredSideKnown_) {
+        enteredSide_ = sideView(enter_);
+        enteredSideKnown_ = true;
+    }
+    drawSide(block, enteredFace(enter_), enter_, enteredSide_, rows);
+}
+
+void Slice::drawRoof(const Block& block, RowRange rows) {
     open_.take(rows.first, rows.last, [&](int first, int last) {
-        const bool isTop = face == Face::top;
-        fillPlaneRows(first, last, isTop ? block.topRaw : block.bottomRaw, block.blueprint->face(face), !isTop,
-                      boxTo(walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY));
-        note(&block, isTop ? FilledRows::What::roof : FilledRows::What::underside, face, first, last);
+        const FaceBlueprint& look = block.blueprint->face(Face::top);
+        gather({block.top, look.texture, look.light, false}, {first, last}, here(), here());
+        note(block.level, FilledRows::What::roof, Face::top, first, last);
+    });
+}
+
+void Slice::drawUnderside(const Block& block, RowRange rows) {
+    open_.take(rows.first, rows.last, [&](int first, int last) {
+        const FaceBlueprint& look = block.blueprint->face(Face::bottom);
+        gather({block.bottom, look.texture, look.light, true}, {first, last}, here(), here());
+        note(block.level, FilledRows::What::underside, Face::bottom, first, last);
     });
 }
 
 void Slice::drawCeilingHere(TextureId texture) {
-    ceiling_ = startRun(texture, ceilingRow(walk_.enter()));
-    endCeiling(ceilingRow(walk_.leave()), true);
+    ceiling_ = {texture, rowBelow(ceilingRise_, enter_), here()};
+    endCeiling(rowBelow(ceilingRise_, leave_), here());
 }
 
-Slice::PlaneRun Slice::startRun(TextureId texture, int row) const { return {texture, row, walk_.tileX, walk_.tileY}; }
-
-// Draws the floor's run up to a border, where `row` is the first one below it. Rows beyond the map's `far` are left for the haze.
-void Slice::endFloor(int row, bool endless) {
-    open_.take(std::max(row, frame_.firstFloorRow), floor_.row, [&](int first, int last) {
-        fillPlaneRows(first, last, -frame_.eye.z.raw, {floor_.texture, map_.floor.light}, false, endless ? boxWithoutEnd(floor_) : boxToPrevious(floor_));
-        note(nullptr, FilledRows::What::floor, Face::top, first, last);
+// Closes the rows that have met the floor by a border, where `row` is the first one below it. Rows beyond the map's `far` are left for the haze.
+void Slice::takeFloor(int row, Tile to, bool endless) {
+    open_.take(std::max(row, frame_.firstFloorRow), projection_.height, [&](int first, int last) {
+        gather({floorRise_, floor_.texture, map_.floor.light, false}, {first, last}, floor_.from, to, endless);
+        note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
     });
 }
 
-// Draws the ceiling's run, if there is one, up to a border. At the eye's own height it cannot be seen.
-void Slice::endCeiling(int row, bool inThisTile) {
-    const std::int32_t rise = map_.ceiling.height.raw - frame_.eye.z.raw;
-    if (ceiling_.texture != kNoTexture && rise != 0) {
+// Closes the rows that have met the ceiling, if there is one, up to a border. At the eye's own height it cannot be seen.
+void Slice::endCeiling(int row, Tile to) {
+    if (ceiling_.texture != kNoTexture && ceilingRise_ != 0) {
         open_.take(std::min(ceiling_.row, row), std::max(ceiling_.row, row), [&](int first, int last) {
-            fillPlaneRows(first, last, rise, {ceiling_.texture, map_.ceiling.light}, true,
-                          inThisTile ? boxTo(walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY) : boxToPrevious(ceiling_));
-            note(nullptr, FilledRows::What::ceiling, Face::bottom, first, last);
+            gather({ceilingRise_, ceiling_.texture, map_.ceiling.light, true}, {first, last}, ceiling_.from, to);
+            note(kNoLevel, FilledRows::What::ceiling, Face::bottom, first, last);
         });
     }
     ceiling_.texture = kNoTexture;
 }
 
-// The first row below the floor, or the ceiling, where a border is crossed.
-int Slice::floorRow(const Crossing& border) const { return firstRowBelow(projection_, -frame_.eye.z.value(), border); }
-
-int Slice::ceilingRow(const Crossing& border) const { return firstRowBelow(projection_, (map_.ceiling.height - frame_.eye.z).value(), border); }
-
 void Slice::drawBackground() {
     open_.take(0, projection_.firstFallingRow, [&](int first, int last) {
         frame_.skyRows.fill(pixels_, column_, first, last);
-        note(nullptr, FilledRows::What::sky, Face::top, first, last);
+        ++report_.spansDrawn;
+        note(kNoLevel, FilledRows::What::sky, Face::top, first, last);
     });
     open_.take(projection_.firstFallingRow, projection_.height, [&](int first, int last) {
         std::fill(pixels_ + first, pixels_ + last, frame_.lighting.haze);
-        note(nullptr, FilledRows::What::haze, Face::top, first, last);
+        ++report_.spansDrawn;
+        note(kNoLevel, FilledRows::What::haze, Face::top, first, last);
     });
 }
 
-Slice::TileBox Slice::boxTo(int fromX, int fromY, int toX, int toY) const {
-    const int eyeX = frame_.eye.x.tile();
-    const int eyeY = frame_.eye.y.tile();
-    return {static_cast<double>(std::min(fromX, toX) - eyeX), static_cast<double>(std::max(fromX, toX) + 1 - eyeX),
-            static_cast<double>(std::min(fromY, toY) - eyeY), static_cast<double>(std::max(fromY, toY) + 1 - eyeY)};
+// Where the walk came from, and where it will go.
+Slice::Tile Slice::previous() const {
+    const bool alongX = enter_.alongX;
+    return {walk_.tileX - (alongX ? walk_.stepX : 0), walk_.tileY - (alongX ? 0 : walk_.stepY)};
 }
 
-// A run whose last tile is the one that the walk has just left.
-Slice::TileBox Slice::boxToPrevious(const PlaneRun& run) const {
-    const bool alongX = walk_.enter().alongX;
-    return boxTo(run.fromX, run.fromY, walk_.tileX - (alongX ? walk_.stepX : 0), walk_.tileY - (alongX ? 0 : walk_.stepY));
+Slice::Tile Slice::next() const {
+    const bool alongX = leave_.alongX;
+    return {walk_.tileX + (alongX ? walk_.stepX : 0), walk_.tileY + (alongX ? 0 : walk_.stepY)};
 }
 
-// A run that goes on in the ray's direction for ever.
-Slice::TileBox Slice::boxWithoutEnd(const PlaneRun& run) const {
-    TileBox box = boxTo(run.fromX, run.fromY, run.fromX, run.fromY);
-    if (walk_.stepX > 0) box.eastEnd = kNever;
-    if (walk_.stepX < 0) box.east = -kNever;
-    if (walk_.stepY > 0) box.southEnd = kNever;
-    if (walk_.stepY < 0) box.south = -kNever;
-    return box;
+// Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the horizon, so a run grows towards it.
+void Slice::gather(const Plane& plane, RowRange rows, Tile from, Tile to, bool endless) {
+    const bool falls = plane.rise < 0;
+    PlaneRun& run = falls ? falling_ : rising_;
+    if ((falls ? run.first == rows.last : run.last == rows.first) && run.plane == plane) {
+        (falls ? run.first : run.last) = falls ? rows.first : rows.last;
+        run.to = to;
+        run.endless = endless;
+        return;
+    }
+    fill(run);
+    run = {plane, rows.first, rows.last, from, to, endless};
 }
 
 }  // namespace slicecast

@@ -26,25 +26,57 @@ public:
     void draw(int column, Pixel* pixels, SliceTrace* trace);
 
 private:
-    // A block in the current tile. Heights are relative to the eye.
+    static constexpr int kNoLevel = -1;  // rows that belong to no block
+
+    // Why a walk over tiles was interrupted: something changes in a tile, nothing more can be met, or the grid lies behind.
+    enum class Pass { tile, stopped, left };
+
+    struct Tile {
+        int x;
+        int y;
+    };
+
+    // A block in the current tile. Heights are in 1/65536 units, relative to the eye.
     struct Block {
         const CellBlueprint* blueprint;
         int level;
-        std::int32_t bottomRaw;  // 1/65536 units
-        std::int32_t topRaw;
-        double bottom;           // units
-        double top;
-        int topFront;            // first row below the upper edge where the walk enters the tile
-        int bottomFront;         // first row below the lower edge there
-        int hit;                 // index into the trace, if there is one
+        std::int32_t bottom;
+        std::int32_t top;
     };
 
-    // Floor or ceiling over one tile or several in a row that have the same texture, from a border on.
-    struct PlaneRun {
+    // What the sides at one border have in common.
+    struct SideView {
+        double fraction;    // of a tile, from its northern or western end, not negative
+        double depth;       // units
+        double brightness;  // see Lighting
+        std::uint32_t fog;
+    };
+
+    // A level plane: the floor, a ceiling, or the roofs or undersides of blocks that end at one height.
+    struct Plane {
+        std::int32_t rise = 0;  // 1/65536 units above the eye, never 0 where anything is drawn
         TextureId texture = kNoTexture;
-        int row = 0;    // the first row below the plane at that border
-        int fromX = 0;  // the tile behind it
-        int fromY = 0;
+        double light = 1.0;
+        bool southReversed = false;  // undersides and ceilings
+
+        friend bool operator==(const Plane&, const Plane&) = default;
+    };
+
+    // Rows of a plane that lie over one tile or several in a row: closed already, but filled only when something else follows.
+    struct PlaneRun {
+        Plane plane;
+        int first = -1;  // no rows where `first` is `last`
+        int last = -1;
+        Tile from = {0, 0};
+        Tile to = {0, 0};
+        bool endless = false;  // goes on in the ray's direction for ever
+    };
+
+    // Floor or ceiling from a border on, as long as it has one texture.
+    struct Cover {
+        TextureId texture = kNoTexture;
+        int row = 0;         // the first row below the plane at that border
+        Tile from = {0, 0};  // the tile behind it
     };
 
     // The tiles over which a plane's rows lie, relative to the eye's tile: its points are in [east, eastEnd) x [south, southEnd).
@@ -63,40 +95,45 @@ private:
     void walk();
     double whereToStop() const;
 
-    std::uint32_t levelsInReach(std::uint32_t occupied) const;
-    int collectBlocks(std::uint32_t occupied, std::array<Block, kMaxLevels>& blocks) const;
-    void drawBlocks(std::uint32_t occupied, TextureId ceilingTexture);
-    void drawSides(const Block* blocks, int count);
-    void drawFalling(const Block* blocks, int count, TextureId ceilingTexture);
-    void drawRising(const Block* blocks, int count, TextureId ceilingTexture);
-    void drawSide(const Block& block, Face face, const Crossing& border, RowRange rows);
-    void drawLevelFace(const Block& block, Face face, RowRange rows);
+    Pass passTiles(bool leaveFirst);
+    void drawTile();
+    Block blockAt(int level) const;
+    void drawBlocks(std::uint32_t reached, TextureId ceilingTexture);
+    void drawFalling(std::uint32_t levels, TextureId ceilingTexture);
+    void drawRising(std::uint32_t levels, TextureId ceilingTexture);
+    SideView sideView(const Crossing& border) const;
+    void drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, RowRange rows);
+    void drawEnteredSide(const Block& block, RowRange rows);
+    void drawRoof(const Block& block, RowRange rows);
+    void drawUnderside(const Block& block, RowRange rows);
     void drawCeilingHere(TextureId texture);
-    PlaneRun startRun(TextureId texture, int row) const;
-    void endFloor(int row, bool endless = false);
-    void endCeiling(int row, bool inThisTile = false);
-    int floorRow(const Crossing& border) const;
-    int ceilingRow(const Crossing& border) const;
+    void takeFloor(int row, Tile to, bool endless = false);
+    void endCeiling(int row, Tile to);
     void drawBackground();
+    int rowBelow(std::int32_t rise, const Crossing& border) const { return firstRowBelow(projection_, rise, border); }
+    Tile here() const { return {walk_.tileX, walk_.tileY}; }
+    Tile previous() const;
+    Tile next() const;
 
-    TileBox boxTo(int fromX, int fromY, int toX, int toY) const;
-    TileBox boxToPrevious(const PlaneRun& run) const;
-    TileBox boxWithoutEnd(const PlaneRun& run) const;
-    void fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceBlueprint& face, bool southReversed, const TileBox& box);
+    void gather(const Plane& plane, RowRange rows, Tile from, Tile to, bool endless = false);
+    void fill(PlaneRun& run);
+    TileBox boxAround(const PlaneRun& run) const;
     void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box);
-    void note(const Block* block, FilledRows::What what, Face face, int first, int last) {
-        ++report_.spansDrawn;
-        if (trace_) traceRows(block, {what, face, first, last});
+    void note(int level, FilledRows::What what, Face face, int first, int last) {
+        if (trace_) traceRows(level, {what, face, first, last});
     }
-    void traceRows(const Block* block, const FilledRows& rows);
-    void traceTile();
-    void traceBlock(Block& block);
+    void traceRows(int level, const FilledRows& rows);
+    void traceTile(Tile tile, double along);
+    void traceBlocks(std::uint32_t levels);
+    void traceBlock(const Block& block);
 
     const Frame& frame_;
     const Map& map_;
     const Projection& projection_;
     OpenRows& open_;
     FrameReport& report_;
+    const std::int32_t floorRise_;  // 1/65536 units above the eye
+    const std::int32_t ceilingRise_;
 
     // Of the slice that is being drawn:
     int column_ = 0;
@@ -104,8 +141,16 @@ private:
     SliceTrace* trace_ = nullptr;
     GroundDirection ray_;
     GridWalk walk_;
-    PlaneRun floor_;
-    PlaneRun ceiling_;
+    Crossing enter_;             // how the current tile was entered
+    Crossing leave_;             // and how it will be left
+    SideView enteredSide_;       // worked out where a side is seen
+    bool enteredSideKnown_ = false;
+    std::uint32_t reached_ = 0;  // its levels whose blocks an open row may meet
+    Cover floor_;
+    Cover ceiling_;
+    PlaneRun falling_;  // of a plane below the eye
+    PlaneRun rising_;   // of a plane above it
+    std::uint32_t tracedLevels_ = 0;  // of the current tile, whose blocks are the trace's last hits
 };
 
 }  // namespace slicecast

@@ -3,6 +3,7 @@
 #include "render/slice.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace slicecast {
 namespace {
@@ -11,25 +12,24 @@ namespace {
 // and far more than a rounding.
 constexpr double kSnap = 1.0 / 17179869184.0;
 
-// The column of texels at a fraction of a tile, eastward or southward.
-int texelColumn(double fraction, int size, bool reversed) {
-    const int index = std::min(size - 1, static_cast<int>(std::max(0.0, fraction + kSnap) * size));
-    return reversed ? size - 1 - index : index;
-}
-
 }  // namespace
 
-void Slice::drawSide(const Block& block, Face face, const Crossing& border, RowRange rows) {
+// What the sides at one border have in common.
+Slice::SideView Slice::sideView(const Crossing& border) const {
+    // Along x on the northern and southern sides, along y on the others.
+    const double fraction = border.alongX ? frame_.eye.y.fraction() + (frame_.eye.y.tile() - walk_.tileY) + ray_.y * border.distance / border.speed
+                                          : frame_.eye.x.fraction() + (frame_.eye.x.tile() - walk_.tileX) + ray_.x * border.distance / border.speed;
+    const double depth = border.along * projection_.distance;
+    return {std::max(0.0, fraction + kSnap), depth, frame_.lighting.brightnessAt(depth), frame_.lighting.fogAt(depth)};
+}
+
+void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, RowRange rows) {
     open_.take(rows.first, rows.last, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(face);
         const Texture& texture = frame_.world->textures[look.texture];
-        const double depth = border.along * projection_.distance;
-        const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(depth, texture))];
-
-        // Which column of texels: along x on the northern and southern faces, along y on the others; reversed where the other end is on the left.
-        const double fraction = border.alongX ? frame_.eye.y.fraction() + (frame_.eye.y.tile() - walk_.tileY) + ray_.y * border.distance / border.speed
-                                              : frame_.eye.x.fraction() + (frame_.eye.x.tile() - walk_.tileX) + ray_.x * border.distance / border.speed;
-        const int u = texelColumn(fraction, level.size, face == Face::north || face == Face::east);
+        const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(view.depth, texture))];
+        const int column = std::min(level.size - 1, static_cast<int>(view.fraction * level.size));
+        const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
 
         // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the block covers of the level.
         constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
@@ -45,18 +45,25 @@ void Slice::drawSide(const Block& block, Face face, const Crossing& border, RowR
         if (start + steps * step >= end) step = (end - 1 - start) / steps;
 
         fillSide(pixels_ + first, last - first, level, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
-                 frame_.lighting.at(depth, look.light), frame_.lighting.haze);
-        note(&block, FilledRows::What::side, face, first, last);
+                 {frame_.lighting.factorOf(view.brightness, look.light), view.fog}, frame_.lighting.haze);
+        ++report_.spansDrawn;
+        note(block.level, FilledRows::What::side, face, first, last);
     });
 }
 
-// Rows of a level plane, split where the level of detail changes. The first and the last row may lie within a rounding of their tiles' border: their texel is
-// held inside it, so that never a texel of the far side of the texture shows.
-void Slice::fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceBlueprint& face, bool southReversed, const TileBox& box) {
-    const Texture& texture = frame_.world->textures[face.texture];
-    const double distance = Coordinate{riseRaw < 0 ? -riseRaw : riseRaw}.value();
-    const PlaneLine line = {frame_.eye.x.fraction(), frame_.eye.y.fraction(), distance * ray_.x, distance * ray_.y, southReversed};
-    const PlaneRows rows = frame_.planeShades.rows(riseRaw, face.light, first, last);
+// Fills a run's rows, if there are any, split where the level of detail changes. The first and the last row may lie within a rounding of their tiles' border:
+// their texel is held inside it, so that never a texel of the far side of the texture shows.
+void Slice::fill(PlaneRun& run) {
+    const int first = run.first;
+    const int last = run.last;
+    if (first == last) return;
+    run.first = run.last = -1;
+    ++report_.spansDrawn;
+    const Plane& plane = run.plane;
+    const Texture& texture = frame_.world->textures[plane.texture];
+    const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
+    const PlaneLine line = {frame_.eye.x.fraction(), frame_.eye.y.fraction(), distance * ray_.x, distance * ray_.y, plane.southReversed};
+    const PlaneRows rows = frame_.planeShades.rows(plane.rise, plane.light, first, last);
     const double depthPerInverse = distance * projection_.distance;
     const auto levelAt = [&](int row) { return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture); };
     const auto texelsOf = [&](int level) -> const TextureLevel& { return texture.levels[static_cast<std::size_t>(level)]; };
@@ -76,8 +83,24 @@ void Slice::fillPlaneRows(int first, int last, std::int32_t riseRaw, const FaceB
         level = levelAt(row);
     }
     fillPlane(pixels_, row, last, texelsOf(lastLevel), line, rows, frame_.lighting.haze);
+    const TileBox box = boxAround(run);
     holdInside(first, texelsOf(firstLevel), line, rows, box);
-    holdInside(last - 1, texelsOf(lastLevel), line, rows, box);
+    if (last - first > 1) holdInside(last - 1, texelsOf(lastLevel), line, rows, box);
+}
+
+Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
+    const int eyeX = frame_.eye.x.tile();
+    const int eyeY = frame_.eye.y.tile();
+    TileBox box = {static_cast<double>(std::min(run.from.x, run.to.x) - eyeX), static_cast<double>(std::max(run.from.x, run.to.x) + 1 - eyeX),
+                   static_cast<double>(std::min(run.from.y, run.to.y) - eyeY), static_cast<double>(std::max(run.from.y, run.to.y) + 1 - eyeY)};
+    if (run.endless) {
+        constexpr double kNever = std::numeric_limits<double>::infinity();
+        if (walk_.stepX > 0) box.eastEnd = kNever;
+        if (walk_.stepX < 0) box.east = -kNever;
+        if (walk_.stepY > 0) box.southEnd = kNever;
+        if (walk_.stepY < 0) box.south = -kNever;
+    }
+    return box;
 }
 
 // Draws a row anew if its point was rounded out of its tiles.
