@@ -199,16 +199,17 @@ void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows sha
 
 }  // namespace
 
-void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, Shade shade, Pixel haze) {
+void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
+              Pixel haze) {
     const Pixel* texels = level.texels.data() + (static_cast<std::size_t>(texelColumn) << level.bits);
     const int shift = kTexturePositionBits - level.bits;
-    const std::uint32_t factor = inBothHalves(shade.factor);
-    if (shade.fog != 0) {
-        fillSideRows(out, rows, texels, shift, start, step, EvenShade<true>{factor, inBothHalves(shade.fog), haze});
-    } else if (shade.factor == kFullLight) {
+    const std::uint32_t factorTwice = inBothHalves(factor);
+    if (fog != 0) {
+        fillSideRows(out, rows, texels, shift, start, step, EvenShade<true>{factorTwice, inBothHalves(fog), haze});
+    } else if (factor == kFullLight) {
         fillSideRows(out, rows, texels, shift, start, step, NoShade{});
     } else {
-        fillSideRows(out, rows, texels, shift, start, step, EvenShade<false>{factor, 0, haze});
+        fillSideRows(out, rows, texels, shift, start, step, EvenShade<false>{factorTwice, 0, haze});
     }
 }
 

@@ -15,7 +15,8 @@ namespace slicecast {
 inline constexpr int kTexturePositionBits = 48;
 
 // Fills `rows` rows from one column of texels, from position `start` on, `step` further each row (both in 1/2^48 tile, start + rows * step within the tile).
-void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, Shade shade, Pixel haze);
+void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
+              Pixel haze);
 
 // How the points of a level plane that a slice sees follow from the row: east = eastStart + eastPerInverse * inverseOffset, and so for south, in tiles,
 // where only the fraction counts.

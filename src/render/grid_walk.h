@@ -67,10 +67,14 @@ struct GridWalk {
     // How the current tile was entered, and how it will be left.
     Crossing enter() const {
         if (way_ == Way::none) return {};
-        return way_ == Way::alongX ? x_.crossing(entered, x_.distance - 1.0, true, stepX > 0) : y_.crossing(entered, y_.distance - 1.0, false, stepY > 0);
+        const bool alongX = way_ == Way::alongX;
+        const Axis& axis = alongX ? x_ : y_;
+        return crossing(entered, axis.distance - 1.0, axis.speed, alongX);
     }
     Crossing leave() const {
-        return leavesAlongX() ? x_.crossing(x_.along, x_.distance, true, stepX > 0) : y_.crossing(y_.along, y_.distance, false, stepY > 0);
+        const bool alongX = leavesAlongX();
+        const Axis& axis = alongX ? x_ : y_;
+        return crossing(axis.along, axis.distance, axis.speed, alongX);
     }
     double left() const { return x_.along < y_.along ? x_.along : y_.along; }  // leave().along
 
@@ -111,11 +115,11 @@ private:
             distance += 1.0;
             along = distance / speed;
         }
-        Crossing crossing(double at, double borderDistance, bool alongX, bool nearing) const {
-            return {at, borderDistance, speed, borderDistance > 0.0 ? speed / borderDistance * (1.0 / 65536.0) : kHugeRows, alongX, nearing};
-        }
     };
 
+    Crossing crossing(double along, double distance, double speed, bool alongX) const {
+        return {along, distance, speed, distance > 0.0 ? speed / distance * (1.0 / 65536.0) : kHugeRows, alongX, (alongX ? stepX : stepY) > 0};
+    }
     static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
     bool leavesAlongX() const { return x_.along < y_.along || (x_.along == y_.along && stepX > 0); }
 

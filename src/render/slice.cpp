@@ -1,5 +1,7 @@
 #include "render/slice.h"
 
+#include "base/bits.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -42,7 +44,7 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
 }
 
 void Slice::walk() {
-    floor_ = {map_.floor.texture, projection_.height, here()};
+    floor_ = {map_.floor.texture, projection_.height, walk_.tileX, walk_.tileY};
     ceiling_ = {};
     Pass pass = passTiles(false);
     while (pass == Pass::tile) {
@@ -57,13 +59,12 @@ void Slice::walk() {
     enter_ = walk_.enter();
 
     // What is left beyond the walk: the ceiling ends with the grid, the floor goes on outside it.
-    if (ceiling_.texture != kNoTexture) endCeiling(rowBelow(ceilingRise_, enter_), previous());
+    endCeiling(Border::enter);
     if (!stopped && floor_.texture != map_.floor.texture) {
-        takeFloor(rowBelow(floorRise_, enter_), previous());
+        takeFloor(Border::enter);
         floor_.texture = map_.floor.texture;
-        floor_.from = here();
     }
-    takeFloor(0, here(), true);
+    takeFloorBeyond();
 }
 
 // How far along the ray to walk: beyond, nothing but the floor that is under way and the sky can be met. When all open rows look down, that is where the
@@ -77,7 +78,7 @@ double Slice::whereToStop() const {
     return rise <= 0.0 ? 0.0 : kBeyond * rise * frame_.inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
 
-// Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open row may meet. 
+// Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open row may meet.
 Slice::Pass Slice::passTiles(bool leaveFirst) {
     constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
     const double stop = whereToStop();
@@ -115,7 +116,7 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
             continue;
         }
         ++tiles;
-        if (trace) traceTile({walk.tileX, walk.tileY}, walk.entered);
+        if (trace) traceTile(walk.tileX, walk.tileY, walk.entered);
         const std::size_t tile = static_cast<std::size_t>(walk.tileY) * width + static_cast<std::size_t>(walk.tileX);
         reached = occupiedTiles[tile];
         if (reached != 0 && !trace) {
@@ -125,8 +126,9 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
             if (highest < 0.0 || lowest >= kMaxLevels) {
                 reached = 0;
             } else {
-                const int top = highest >= kMaxLevels ? kMaxLevels - 1 : static_cast<int>(highest);
-                const int bottom = lowest <= 0.0 ? 0 : static_cast<int>(lowest);
+                // Rounded down: what lies exactly on a level's edge is meant a little to the other side of it, by the slack.
+                const int top = highest >= kMaxLevels ? kMaxLevels - 1 : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
+                const int bottom = lowest <= 0.5 ? 0 : static_cast<int>(nearestInteger(lowest - 0.5));
                 reached &= static_cast<std::uint32_t>((std::uint64_t{2} << top) - (std::uint64_t{1} << bottom));
             }
         }
@@ -146,19 +148,16 @@ void Slice::drawTile() {
     // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
     const TextureId ceilingAlone = reached_ ? kNoTexture : ceilingTexture;
     if (ceilingAlone != ceiling_.texture || floorChanges) {
-        const int row = rowBelow(ceilingRise_, enter_);
-        endCeiling(row, previous());
-        ceiling_ = {ceilingAlone, row, here()};
+        endCeiling(Border::enter);
+        startCeiling(ceilingAlone);
     }
     if (floorChanges) {
-        takeFloor(rowBelow(floorRise_, enter_), previous());
+        takeFloor(Border::enter);
         floor_.texture = map_.floor.tiles[tile];
-        floor_.from = here();
     }
     if (reached_) {
         drawBlocks(reached_, ceilingTexture);
-        takeFloor(rowBelow(floorRise_, leave_), here());
-        floor_.from = next();
+        takeFloor(Border::leave);
     }
 }
 
@@ -205,15 +204,15 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
         const int topRow = covered ? edgeRow : rowBelow(block.top, enter_);
         edge = block.bottom;
         edgeRow = rowBelow(block.bottom, enter_);
-        if (!atEye && open_.mayHold(topRow, edgeRow)) drawEnteredSide(block, {topRow, edgeRow});
+        if (!atEye && open_.mayHold(topRow, edgeRow)) drawEnteredSide(block, topRow, edgeRow);
         if (block.top < 0) {
             ceilingAbove(block.top);
-            if (!covered && topRow > open_.first()) drawRoof(block, {rowBelow(block.top, leave_), topRow});
+            if (!covered && topRow > open_.first()) drawRoof(block, rowBelow(block.top, leave_), topRow);
         } else if (atEye && block.bottom < 0) {
             ceilingAbove(block.bottom);
             const int below = rowBelow(block.bottom, leave_);
-            drawUnderside(block, {std::max(below, projection_.firstFallingRow), projection_.height});
-            if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), {projection_.firstFallingRow, below});
+            drawUnderside(block, std::max(below, projection_.firstFallingRow), projection_.height);
+            if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), projection_.firstFallingRow, below);
         }
     }
     ceilingAbove(-kHighest);
@@ -238,62 +237,80 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
             const int bottomRow = covered ? edgeRow : rowBelow(block.bottom, enter_);
             edge = block.top;
             edgeRow = rowBelow(block.top, enter_);
-            if (!atEye && open_.mayHold(edgeRow, bottomRow)) drawEnteredSide(block, {edgeRow, bottomRow});
+            if (!atEye && open_.mayHold(edgeRow, bottomRow)) drawEnteredSide(block, edgeRow, bottomRow);
             ceilingBelow(block.bottom);
-            if (!covered && bottomRow < open_.last()) drawUnderside(block, {bottomRow, rowBelow(block.bottom, leave_)});
+            if (!covered && bottomRow < open_.last()) drawUnderside(block, bottomRow, rowBelow(block.bottom, leave_));
         } else if (atEye && block.top > 0) {
             ceilingBelow(block.top);
             edge = block.top;
             const int below = edgeRow = rowBelow(block.top, leave_);
-            drawRoof(block, {0, std::min(below, projection_.firstFallingRow)});
-            if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), {below, projection_.firstFallingRow});
+            drawRoof(block, 0, std::min(below, projection_.firstFallingRow));
+            if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), below, projection_.firstFallingRow);
         }
     }
     ceilingBelow(kHighest);
 }
 
-void Slice::drawEnteredSide(const Block& block, RowRange rows) {
+void Slice::drawEnteredSide(const Block& block, int firstRow, int lastRow) {
     if (!enteredSideKnown_) {
         enteredSide_ = sideView(enter_);
         enteredSideKnown_ = true;
     }
-    drawSide(block, enteredFace(enter_), enter_, enteredSide_, rows);
+    drawSide(block, enteredFace(enter_), enter_, enteredSide_, firstRow, lastRow);
 }
 
-void Slice::drawRoof(const Block& block, RowRange rows) {
-    open_.take(rows.first, rows.last, [&](int first, int last) {
+void Slice::drawRoof(const Block& block, int firstRow, int lastRow) {
+    open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(Face::top);
-        gather({block.top, look.texture, look.light, false}, {first, last}, here(), here());
+        gather({block.top, look.texture, look.light, false}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
         note(block.level, FilledRows::What::roof, Face::top, first, last);
     });
 }
 
-void Slice::drawUnderside(const Block& block, RowRange rows) {
-    open_.take(rows.first, rows.last, [&](int first, int last) {
+void Slice::drawUnderside(const Block& block, int firstRow, int lastRow) {
+    open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(Face::bottom);
-        gather({block.bottom, look.texture, look.light, true}, {first, last}, here(), here());
+        gather({block.bottom, look.texture, look.light, true}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
         note(block.level, FilledRows::What::underside, Face::bottom, first, last);
     });
 }
 
 void Slice::drawCeilingHere(TextureId texture) {
-    ceiling_ = {texture, rowBelow(ceilingRise_, enter_), here()};
-    endCeiling(rowBelow(ceilingRise_, leave_), here());
+    startCeiling(texture);
+    endCeiling(Border::leave);
 }
 
-// Closes the rows that have met the floor by a border, where `row` is the first one below it. Rows beyond the map's `far` are left for the haze.
-void Slice::takeFloor(int row, Tile to, bool endless) {
-    open_.take(std::max(row, frame_.firstFloorRow), projection_.height, [&](int first, int last) {
-        gather({floorRise_, floor_.texture, map_.floor.light, false}, {first, last}, floor_.from, to, endless);
+// Closes the rows that have met the floor by a border; behind it the floor goes on. Rows beyond the map's `far` are left for the haze.
+void Slice::takeFloor(Border upTo) {
+    open_.take(std::max(rowBelow(floorRise_, upTo), frame_.firstFloorRow), projection_.height, [&](int first, int last) {
+        gather({floorRise_, floor_.texture, map_.floor.light, false}, first, last, floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo));
+        note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
+    });
+    floor_.fromX = behindX(upTo);
+    floor_.fromY = behindY(upTo);
+}
+
+void Slice::takeFloorBeyond() {
+    open_.take(frame_.firstFloorRow, projection_.height, [&](int first, int last) {
+        gather({floorRise_, floor_.texture, map_.floor.light, false}, first, last, floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true);
         note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
     });
 }
 
+// From the current tile on.
+void Slice::startCeiling(TextureId texture) {
+    ceiling_.texture = texture;
+    ceiling_.row = rowBelow(ceilingRise_, enter_);
+    ceiling_.fromX = walk_.tileX;
+    ceiling_.fromY = walk_.tileY;
+}
+
 // Closes the rows that have met the ceiling, if there is one, up to a border. At the eye's own height it cannot be seen.
-void Slice::endCeiling(int row, Tile to) {
+void Slice::endCeiling(Border at) {
     if (ceiling_.texture != kNoTexture && ceilingRise_ != 0) {
+        const int row = rowBelow(ceilingRise_, at);
         open_.take(std::min(ceiling_.row, row), std::max(ceiling_.row, row), [&](int first, int last) {
-            gather({ceilingRise_, ceiling_.texture, map_.ceiling.light, true}, {first, last}, ceiling_.from, to);
+            gather({ceilingRise_, ceiling_.texture, map_.ceiling.light, true}, first, last, ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at));
             note(kNoLevel, FilledRows::What::ceiling, Face::bottom, first, last);
         });
     }
@@ -311,31 +328,6 @@ void Slice::drawBackground() {
         ++report_.spansDrawn;
         note(kNoLevel, FilledRows::What::haze, Face::top, first, last);
     });
-}
-
-// Where the walk came from, and where it will go.
-Slice::Tile Slice::previous() const {
-    const bool alongX = enter_.alongX;
-    return {walk_.tileX - (alongX ? walk_.stepX : 0), walk_.tileY - (alongX ? 0 : walk_.stepY)};
-}
-
-Slice::Tile Slice::next() const {
-    const bool alongX = leave_.alongX;
-    return {walk_.tileX + (alongX ? walk_.stepX : 0), walk_.tileY + (alongX ? 0 : walk_.stepY)};
-}
-
-// Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the horizon, so a run grows towards it.
-void Slice::gather(const Plane& plane, RowRange rows, Tile from, Tile to, bool endless) {
-    const bool falls = plane.rise < 0;
-    PlaneRun& run = falls ? falling_ : rising_;
-    if ((falls ? run.first == rows.last : run.last == rows.first) && run.plane == plane) {
-        (falls ? run.first : run.last) = falls ? rows.first : rows.last;
-        run.to = to;
-        run.endless = endless;
-        return;
-    }
-    fill(run);
-    run = {plane, rows.first, rows.last, from, to, endless};
 }
 
 }  // namespace slicecast

@@ -31,10 +31,8 @@ private:
     // Why a walk over tiles was interrupted: something changes in a tile, nothing more can be met, or the grid lies behind.
     enum class Pass { tile, stopped, left };
 
-    struct Tile {
-        int x;
-        int y;
-    };
+    // One of the current tile's two borders.
+    enum class Border { enter, leave };
 
     // A block in the current tile. Heights are in 1/65536 units, relative to the eye.
     struct Block {
@@ -46,9 +44,9 @@ private:
 
     // What the sides at one border have in common.
     struct SideView {
-        double fraction;    // of a tile, from its northern or western end, not negative
-        double depth;       // units
-        double brightness;  // see Lighting
+        std::uint32_t fraction;  // of a tile, from its northern or western end, in 1/2^32
+        double depth;            // units
+        double brightness;       // see Lighting
         std::uint32_t fog;
     };
 
@@ -67,16 +65,19 @@ private:
         Plane plane;
         int first = -1;  // no rows where `first` is `last`
         int last = -1;
-        Tile from = {0, 0};
-        Tile to = {0, 0};
+        int fromX = 0;   // the first tile, nearest to the eye
+        int fromY = 0;
+        int toX = 0;     // the last one
+        int toY = 0;
         bool endless = false;  // goes on in the ray's direction for ever
     };
 
     // Floor or ceiling from a border on, as long as it has one texture.
     struct Cover {
         TextureId texture = kNoTexture;
-        int row = 0;         // the first row below the plane at that border
-        Tile from = {0, 0};  // the tile behind it
+        int row = 0;    // the first row below the plane at that border
+        int fromX = 0;  // the tile behind it
+        int fromY = 0;
     };
 
     // The tiles over which a plane's rows lie, relative to the eye's tile: its points are in [east, eastEnd) x [south, southEnd).
@@ -85,11 +86,6 @@ private:
         double eastEnd;
         double south;
         double southEnd;
-    };
-
-    struct RowRange {
-        int first;
-        int last;
     };
 
     void walk();
@@ -102,20 +98,26 @@ private:
     void drawFalling(std::uint32_t levels, TextureId ceilingTexture);
     void drawRising(std::uint32_t levels, TextureId ceilingTexture);
     SideView sideView(const Crossing& border) const;
-    void drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, RowRange rows);
-    void drawEnteredSide(const Block& block, RowRange rows);
-    void drawRoof(const Block& block, RowRange rows);
-    void drawUnderside(const Block& block, RowRange rows);
+    void drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow);
+    void drawEnteredSide(const Block& block, int firstRow, int lastRow);
+    void drawRoof(const Block& block, int firstRow, int lastRow);
+    void drawUnderside(const Block& block, int firstRow, int lastRow);
     void drawCeilingHere(TextureId texture);
-    void takeFloor(int row, Tile to, bool endless = false);
-    void endCeiling(int row, Tile to);
+    void takeFloor(Border upTo);
+    void takeFloorBeyond();
+    void startCeiling(TextureId texture);
+    void endCeiling(Border at);
     void drawBackground();
     int rowBelow(std::int32_t rise, const Crossing& border) const { return firstRowBelow(projection_, rise, border); }
-    Tile here() const { return {walk_.tileX, walk_.tileY}; }
-    Tile previous() const;
-    Tile next() const;
+    int rowBelow(std::int32_t rise, Border border) const { return rowBelow(rise, border == Border::enter ? enter_ : leave_); }
 
-    void gather(const Plane& plane, RowRange rows, Tile from, Tile to, bool endless = false);
+    // The tile before a border of the current one, and the tile behind it.
+    int beforeX(Border border) const { return walk_.tileX - (border == Border::enter && enter_.alongX ? walk_.stepX : 0); }
+    int beforeY(Border border) const { return walk_.tileY - (border == Border::enter && !enter_.alongX ? walk_.stepY : 0); }
+    int behindX(Border border) const { return walk_.tileX + (border == Border::leave && leave_.alongX ? walk_.stepX : 0); }
+    int behindY(Border border) const { return walk_.tileY + (border == Border::leave && !leave_.alongX ? walk_.stepY : 0); }
+
+    void gather(const Plane& plane, int first, int last, int fromX, int fromY, int toX, int toY, bool endless = false);
     void fill(PlaneRun& run);
     TileBox boxAround(const PlaneRun& run) const;
     void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box);
@@ -123,7 +125,7 @@ private:
         if (trace_) traceRows(level, {what, face, first, last});
     }
     void traceRows(int level, const FilledRows& rows);
-    void traceTile(Tile tile, double along);
+    void traceTile(int x, int y, double along);
     void traceBlocks(std::uint32_t levels);
     void traceBlock(const Block& block);
 
@@ -152,5 +154,28 @@ private:
     PlaneRun rising_;   // of a plane above it
     std::uint32_t tracedLevels_ = 0;  // of the current tile, whose blocks are the trace's last hits
 };
+
+// Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the horizon, so a run grows towards it. Inlined always, and here and
+// elsewhere numbers are handed over rather than small structures: WebAssembly passes those through memory, and waits for it.
+__attribute__((always_inline)) inline void Slice::gather(const Plane& plane, int first, int last, int fromX, int fromY, int toX, int toY, bool endless) {
+    const bool falls = plane.rise < 0;
+    PlaneRun& run = falls ? falling_ : rising_;
+    if ((falls ? run.first == last : run.last == first) && run.plane == plane) {
+        (falls ? run.first : run.last) = falls ? first : last;
+    } else {
+        fill(run);
+        run.plane.rise = plane.rise;
+        run.plane.texture = plane.texture;
+        run.plane.light = plane.light;
+        run.plane.southReversed = plane.southReversed;
+        run.first = first;
+        run.last = last;
+        run.fromX = fromX;
+        run.fromY = fromY;
+    }
+    run.toX = toX;
+    run.toY = toY;
+    run.endless = endless;
+}
 
 }  // namespace slicecast

@@ -1,5 +1,6 @@
 // A slice's rows filled: which texels, which light.
 #include "render/column_fill.h"
+#include "base/bits.h"
 #include "render/slice.h"
 
 #include <algorithm>
@@ -20,15 +21,17 @@ Slice::SideView Slice::sideView(const Crossing& border) const {
     const double fraction = border.alongX ? frame_.eye.y.fraction() + (frame_.eye.y.tile() - walk_.tileY) + ray_.y * border.distance / border.speed
                                           : frame_.eye.x.fraction() + (frame_.eye.x.tile() - walk_.tileX) + ray_.x * border.distance / border.speed;
     const double depth = border.along * projection_.distance;
-    return {std::max(0.0, fraction + kSnap), depth, frame_.lighting.brightnessAt(depth), frame_.lighting.fogAt(depth)};
+    constexpr double kEnd = 4294967295.0;  // of 1 << 32
+    return {static_cast<std::uint32_t>(std::min(kEnd, std::max(0.0, fraction + kSnap) * 4294967296.0)), depth, frame_.lighting.brightnessAt(depth),
+            frame_.lighting.fogAt(depth)};
 }
 
-void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, RowRange rows) {
-    open_.take(rows.first, rows.last, [&](int first, int last) {
+void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
+    open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(face);
         const Texture& texture = frame_.world->textures[look.texture];
         const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(view.depth, texture))];
-        const int column = std::min(level.size - 1, static_cast<int>(view.fraction * level.size));
+        const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
         const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
 
         // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the block covers of the level.
@@ -39,13 +42,14 @@ void Slice::drawSide(const Block& block, Face face, const Crossing& border, cons
         const double perRow = border.along;
         const double upperEdge = (tileEdge(block.level + 1) - frame_.eye.z).value();
         const double v = upperEdge + (first + 0.5 - projection_.horizon) * perRow + kSnap;
-        const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : static_cast<std::int64_t>(v * kPositions), lowest, end - 1);
+        const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : nearestInteger(v * kPositions), lowest, end - 1);
         const int steps = last - first - 1;
-        std::int64_t step = steps > 0 ? static_cast<std::int64_t>(perRow * kPositions) : 0;
+        // A block of several rows is no higher than a tile, so a row's step is less.
+        std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
         if (start + steps * step >= end) step = (end - 1 - start) / steps;
 
         fillSide(pixels_ + first, last - first, level, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
-                 {frame_.lighting.factorOf(view.brightness, look.light), view.fog}, frame_.lighting.haze);
+                 frame_.lighting.factorOf(view.brightness, look.light), view.fog, frame_.lighting.haze);
         ++report_.spansDrawn;
         note(block.level, FilledRows::What::side, face, first, last);
     });
@@ -91,8 +95,8 @@ void Slice::fill(PlaneRun& run) {
 Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
     const int eyeX = frame_.eye.x.tile();
     const int eyeY = frame_.eye.y.tile();
-    TileBox box = {static_cast<double>(std::min(run.from.x, run.to.x) - eyeX), static_cast<double>(std::max(run.from.x, run.to.x) + 1 - eyeX),
-                   static_cast<double>(std::min(run.from.y, run.to.y) - eyeY), static_cast<double>(std::max(run.from.y, run.to.y) + 1 - eyeY)};
+    TileBox box = {static_cast<double>(std::min(run.fromX, run.toX) - eyeX), static_cast<double>(std::max(run.fromX, run.toX) + 1 - eyeX),
+                   static_cast<double>(std::min(run.fromY, run.toY) - eyeY), static_cast<double>(std::max(run.fromY, run.toY) + 1 - eyeY)};
     if (run.endless) {
         constexpr double kNever = std::numeric_limits<double>::infinity();
         if (walk_.stepX > 0) box.eastEnd = kNever;

@@ -15,7 +15,7 @@ void Slice::traceRows(int level, const FilledRows& rows) {
     trace_->hits[trace_->hits.size() - static_cast<std::size_t>(above)].filled.push_back(rows);
 }
 
-void Slice::traceTile(Tile tile, double along) { trace_->tiles.push_back({tile.x, tile.y, along * projection_.distance}); }
+void Slice::traceTile(int x, int y, double along) { trace_->tiles.push_back({x, y, along * projection_.distance}); }
 
 void Slice::traceBlocks(std::uint32_t levels) {
     tracedLevels_ = levels;
