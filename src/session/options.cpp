@@ -3,10 +3,12 @@
 #include "world/limits.h"
 #include "world/player.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <type_traits>
 #include <variant>
 
 namespace slicecast {
@@ -14,7 +16,8 @@ namespace {
 
 // Where an option is kept.
 using Place = std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*, int SessionOptions::*, double SessionOptions::*,
-                           std::optional<double> SessionOptions::*>;
+                           std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*, bool ClassicOptions::*, int ClassicOptions::*,
+                           double ClassicOptions::*, ClassicProjection ClassicOptions::*>;
 
 struct Entry {
     OptionInfo info;
@@ -35,6 +38,21 @@ constexpr std::array kEntries = {
     Entry{{"minimapLevel", OptionKind::wholeNumber, -1, kMaxLevels - 1, "-1", "level that the minimap shows, -1 for the player's"},
           &SessionOptions::minimapLevel},
     Entry{{"speed", OptionKind::number, kLeastSpeed, kGreatestSpeed, "1", "times the usual speed of moving"}, &SessionOptions::speed},
+    Entry{{"method", OptionKind::choice, 0, 0, "exact", "how pictures are made; classic is slow and shows the old ways below, for lessons", "exact classic"},
+          &SessionOptions::method},
+    Entry{{"classic.projection", OptionKind::choice, 0, 0, "plane", "how columns are aimed; equalAngles bends walls, and is a fish eye unless corrected",
+           "plane equalAngles equalAnglesCorrected"},
+          &ClassicOptions::projection},
+    Entry{{"classic.march", OptionKind::onOff, 0, 0, "off", "rays look for blocks step by step"}, &ClassicOptions::march},
+    Entry{{"classic.step", OptionKind::number, kLeastMarchStep, kGreatestMarchStep, "0.001", "size of such a step, units"}, &ClassicOptions::stepSize},
+    Entry{{"classic.reach", OptionKind::number, kLeastMarchReach, kGreatestMarchReach, "25", "distance at which they give up, units"}, &ClassicOptions::reach},
+    Entry{{"classic.stretched", OptionKind::onOff, 0, 0, "off", "one texture over the whole height of a stack of blocks"}, &ClassicOptions::stretched},
+    Entry{{"classic.painter", OptionKind::onOff, 0, 0, "off", "painter's order: all blocks, from far to near, over each other"},
+          &ClassicOptions::paintersOrder},
+    Entry{{"classic.oneLevel", OptionKind::onOff, 0, 0, "off", "the lowest level alone, all walls one unit high"}, &ClassicOptions::oneLevel},
+    Entry{{"classic.sineSteps", OptionKind::wholeNumber, 0, kMostSineSteps, "0", "steps of the sine table over the full turn, 0 for exact sines"},
+          &ClassicOptions::sineSteps},
+    Entry{{"classic.pixelSize", OptionKind::wholeNumber, 1, kMostPixelSize, "1", "pixels a side that show one colour"}, &ClassicOptions::pixelSize},
 };
 
 constexpr auto kInfos = [] {
@@ -73,6 +91,25 @@ std::optional<double> readNumber(std::string_view text) {
     return end == copy.c_str() + copy.size() && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+// The words of a choice: each, until there are none.
+std::string_view nextWord(std::string_view& words) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    const std::string_view word = words.substr(0, end);
+    words.remove_prefix(std::min(end + 1, words.size()));
+    return word;
+}
+
+// "a", "b" or "c"
+std::string listed(std::string_view words) {
+    std::string text;
+    while (!words.empty()) {
+        const std::string_view word = nextWord(words);
+        text += text.empty() ? "" : words.empty() ? " or " : ", ";
+        text += "\"" + std::string(word) + "\"";
+    }
+    return text;
+}
+
 std::string expected(const OptionInfo& info) {
     const std::string range = shortest(info.least) + " to " + shortest(info.greatest);
     switch (info.kind) {
@@ -82,6 +119,8 @@ std::string expected(const OptionInfo& info) {
             return "a whole number from " + range;
         case OptionKind::ownOrNumber:
             return "\"map\" (each map's own) or a number from " + range;
+        case OptionKind::choice:
+            return listed(info.choices);
         case OptionKind::number:
             break;
     }
@@ -94,6 +133,10 @@ auto& member(SessionOptions& options, bool RenderOptions::*place) {
 }
 auto& member(SessionOptions& options, double RenderOptions::*place) {
     return options.render.*place;
+}
+template <typename Value>
+auto& member(SessionOptions& options, Value ClassicOptions::*place) {
+    return options.classic.*place;
 }
 template <typename Value>
 auto& member(SessionOptions& options, Value SessionOptions::*place) {
@@ -132,17 +175,37 @@ bool read(const OptionInfo& info, std::string_view text, std::optional<double>& 
     return true;
 }
 
-std::string written(bool value) {
+// The words of a choice stand in the order of the values.
+template <typename Value>
+    requires std::is_enum_v<Value>
+bool read(const OptionInfo& info, std::string_view text, Value& value) {
+    std::string_view words = info.choices;
+    for (int i = 0; !words.empty(); ++i) {
+        if (nextWord(words) != text) continue;
+        value = static_cast<Value>(i);
+        return true;
+    }
+    return false;
+}
+
+std::string written(const OptionInfo&, bool value) {
     return value ? "on" : "off";
 }
-std::string written(int value) {
+std::string written(const OptionInfo&, int value) {
     return std::to_string(value);
 }
-std::string written(double value) {
+std::string written(const OptionInfo&, double value) {
     return shortest(value);
 }
-std::string written(const std::optional<double>& value) {
+std::string written(const OptionInfo&, const std::optional<double>& value) {
     return value ? shortest(*value) : "map";
+}
+template <typename Value>
+    requires std::is_enum_v<Value>
+std::string written(const OptionInfo& info, Value value) {
+    std::string_view words = info.choices;
+    for (int i = 0; i < static_cast<int>(value); ++i) nextWord(words);
+    return std::string(nextWord(words));
 }
 
 }  // namespace
@@ -167,7 +230,7 @@ std::string optionValue(const SessionOptions& options, std::string_view name) {
     const Entry* entry = findEntry(name);
     if (entry == nullptr) return {};
     SessionOptions copy = options;
-    return std::visit([&](auto place) { return written(member(copy, place)); }, entry->place);
+    return std::visit([&](auto place) { return written(entry->info, member(copy, place)); }, entry->place);
 }
 
 }  // namespace slicecast

@@ -2,8 +2,10 @@
 // the kind, the range, the default and the description of each.
 #pragma once
 
+#include "render/classic/classic_options.h"
 #include "render/options.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,8 +13,16 @@
 
 namespace slicecast {
 
+// Who makes the pictures.
+enum class DrawMethod : std::uint8_t {
+    exact,    // the fast renderer
+    classic,  // the slow one for lessons, by the old ways that ClassicOptions names
+};
+
 struct SessionOptions {
     RenderOptions render;
+    DrawMethod method = DrawMethod::exact;
+    ClassicOptions classic;
     std::optional<double> intensity;   // of the light, in all maps; each map's own when empty
     std::optional<double> multiplier;  // of the light, units; each map's own when empty
     bool minimap = false;
@@ -25,6 +35,7 @@ enum class OptionKind {
     number,       // within least and greatest
     wholeNumber,  // the same, without a fraction
     ownOrNumber,  // "map" for each map's own value, or a number
+    choice,       // one of some words
 };
 
 struct OptionInfo {
@@ -34,6 +45,7 @@ struct OptionInfo {
     double greatest;
     const char* standard;  // the default, as it would be given
     const char* description;
+    const char* choices = "";  // the words of a choice, with a space between them
 };
 
 // All options, in the order in which to list them.

@@ -3,6 +3,7 @@
 #include "base/angle.h"
 #include "base/bits.h"
 #include "overlay/minimap.h"
+#include "render/classic/draw_classic.h"
 
 #include <cmath>
 #include <utility>
@@ -71,7 +72,9 @@ void Session::step(const Input& input) {
 
 bool Session::draw(const Picture& picture, double fraction) {
     const Eye seen = eye(fraction);
-    if (!renderer_.draw(world_, seen, options_.render, picture)) return false;
+    const bool drawn = options_.method == DrawMethod::classic ? drawClassic(world_, seen, options_.render, options_.classic, picture)
+                                                              : renderer_.draw(world_, seen, options_.render, picture);
+    if (!drawn) return false;
     if (options_.minimap) drawMinimap(world_, seen, {.level = options_.minimapLevel, .fovDegrees = options_.render.fovDegrees}, picture);
     return true;
 }

@@ -66,6 +66,8 @@ const char* kindName(OptionKind kind) {
             return "wholeNumber";
         case OptionKind::ownOrNumber:
             return "ownOrNumber";
+        case OptionKind::choice:
+            return "choice";
     }
     return "";
 }
@@ -198,7 +200,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_options(SlicecastSession* session) {
     json.beginArray();
     for (const OptionInfo& option : knownOptions()) {
         json.beginObject().key("name").text(option.name).key("kind").text(kindName(option.kind));
-        json.key("least").number(option.least).key("greatest").number(option.greatest);
+        json.key("least").number(option.least).key("greatest").number(option.greatest).key("choices").text(option.choices);
         json.key("standard").text(option.standard).key("description").text(option.description);
         json.key("value").text(currentValue(*session, option.name)).endObject();
     }

@@ -84,8 +84,9 @@ const char* slicecast_setOption(SlicecastSession* session, const char* name, con
 // The value of an option; "" where there is no such option.
 const char* slicecast_option(SlicecastSession* session, const char* name);
 
-// All options, in the order in which to list them: [{"name", "kind", "least", "greatest", "standard", "description", "value"}]. `kind` is "onOff", "number",
-// "wholeNumber" or "ownOrNumber" ("map" for each map's own value); `least` and `greatest` bound the numbers.
+// All options, in the order in which to list them: [{"name", "kind", "least", "greatest", "choices", "standard", "description", "value"}]. `kind` is "onOff",
+// "number", "wholeNumber", "ownOrNumber" ("map" for each map's own value) or "choice"; `least` and `greatest` bound the numbers, `choices` are a choice's words
+// with a space between them.
 const char* slicecast_options(SlicecastSession* session);
 
 // Where the player is, after the last step: {"map", "mapName", "x", "y", "z", "feet", "heading", "look", "speed", "flying", "crouched", "onGround",

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -31,6 +32,7 @@ TEST(Options, TakeTheEndsOfTheirRangeAndNothingBeyond) {
             EXPECT_EQ(optionValue(options, info.name), other);
             continue;
         }
+        if (info.kind == OptionKind::choice) continue;  // see ChoicesTakeTheirWords
         for (const double end : {info.least, info.greatest}) {
             EXPECT_EQ(setOption(options, info.name, std::to_string(end)), "") << info.name;
             EXPECT_EQ(std::stod(optionValue(options, info.name)), end) << info.name;
@@ -59,6 +61,28 @@ TEST(Options, ComeBackExactly) {
     EXPECT_EQ(options.minimapLevel, 3);
     EXPECT_EQ(setOption(options, "textures", "off"), "");
     EXPECT_FALSE(options.render.textures);
+}
+
+TEST(Options, ChoicesTakeTheirWords) {
+    SessionOptions options;
+    EXPECT_EQ(setOption(options, "method", "classic"), "");
+    EXPECT_EQ(options.method, DrawMethod::classic);
+    EXPECT_EQ(setOption(options, "method", "exact"), "");
+    EXPECT_EQ(options.method, DrawMethod::exact);
+    const std::pair<const char*, ClassicProjection> projections[] = {{"equalAngles", ClassicProjection::equalAngles},
+                                                                     {"equalAnglesCorrected", ClassicProjection::equalAnglesCorrected},
+                                                                     {"plane", ClassicProjection::plane}};
+    for (const auto& [word, projection] : projections) {
+        EXPECT_EQ(setOption(options, "classic.projection", word), "");
+        EXPECT_EQ(options.classic.projection, projection) << word;
+        EXPECT_EQ(optionValue(options, "classic.projection"), word);
+    }
+    for (const char* value : {"", " ", "equal", "equalAngles ", "plane equalAngles", "Plane", "0"}) {
+        EXPECT_EQ(setOption(options, "classic.projection", value), "option classic.projection: found \"" + std::string(value) +
+                                                                       "\", expected \"plane\", \"equalAngles\" or \"equalAnglesCorrected\"");
+        EXPECT_EQ(options.classic.projection, ClassicProjection::plane);
+    }
+    EXPECT_EQ(setOption(options, "method", "fast"), "option method: found \"fast\", expected \"exact\" or \"classic\"");
 }
 
 TEST(Options, SayWhatWasFoundAndWhatWasExpected) {

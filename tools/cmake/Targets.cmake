@@ -1,10 +1,10 @@
 # How the project's folders become targets. A new file in a folder needs no change here or there.
 
-# slicecastPart(NAME USES PART... WITH THIRD_PARTY...): src/NAME/*.cpp as the library slicecast_NAME. USES names the parts to its right that it
-# includes, WITH the libraries that only its own sources see.
+# slicecastPart(NAME USES PART... WITH THIRD_PARTY...): src/NAME/*.cpp, and those in its folders, as the library slicecast_NAME. USES names the
+# parts to its right that it includes, WITH the libraries that only its own sources see.
 function(slicecastPart name)
   cmake_parse_arguments(part "" "" "USES;WITH" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   list(TRANSFORM part_USES PREPEND slicecast_)
   if(sources)
     add_library(slicecast_${name} STATIC ${sources})

@@ -1,0 +1,33 @@
+// Colours: of a surface in a row, and of what lies behind all surfaces, the floor and the sky. Nearest texels of the whole image, never of a smaller one.
+#pragma once
+
+#include "base/colour.h"
+#include "render/classic/column_ray.h"
+#include "render/classic/surfaces.h"
+#include "render/options.h"
+#include "render/shading.h"
+#include "world/world.h"
+
+namespace slicecast::classic {
+
+class Colouring {
+public:
+    Colouring(const World& world, const Map& map, const View& view, const RenderOptions& options);
+
+    // The row whose middle is at y, on which the surface appears.
+    Pixel ofSurface(const Surface& surface, const ColumnRay& ray, double y) const;
+    Pixel ofBackground(const ColumnRay& ray, double y) const;
+
+private:
+    Pixel texel(TextureId texture, double u, double v, bool uReversed, bool vReversed) const;
+    Pixel shaded(Pixel texel, double depth, double faceLight) const;
+    Pixel ofSky(const ColumnRay& ray, double slope) const;
+
+    const World& world_;
+    const Map& map_;
+    const View& view_;
+    Lighting lighting_;
+    bool textures_;
+};
+
+}  // namespace slicecast::classic

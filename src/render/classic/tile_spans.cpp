@@ -1,0 +1,90 @@
+#include "render/classic/tile_spans.h"
+
+#include <cmath>
+#include <limits>
+
+namespace slicecast::classic {
+namespace {
+
+// The borders of one axis: the next one, and its distance from the eye.
+struct Borders {
+    double speed = 0.0;  // along the axis, with its sign
+    double distance = 0.0;
+    int step = 0;
+
+    Borders(double eye, int tile, double direction) : speed(direction) {
+        step = direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0;
+        distance = step > 0 ? tile + 1 - eye : eye - tile;
+    }
+    double along() const { return step == 0 ? std::numeric_limits<double>::infinity() : distance / std::fabs(speed); }
+};
+
+int tileOf(double position) { return static_cast<int>(std::floor(position)); }
+
+// No tile of the grid lies further along an axis.
+bool isPast(int tile, int end, double direction) { return tile < 0 ? direction <= 0.0 : tile >= end && direction >= 0.0; }
+
+// The side of its tile that a point is nearest to.
+Face nearestSide(double fromMiddleX, double fromMiddleY) {
+    if (std::fabs(fromMiddleX) > std::fabs(fromMiddleY)) return fromMiddleX < 0.0 ? Face::west : Face::east;
+    return fromMiddleY < 0.0 ? Face::north : Face::south;
+}
+
+}  // namespace
+
+std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray, std::vector<TileSpan>& spans) {
+    spans.clear();
+    TileSpan span;
+    span.x = tileOf(view.eyeX);
+    span.y = tileOf(view.eyeY);
+    span.first = true;
+    Borders x(view.eyeX, span.x, ray.x);
+    Borders y(view.eyeY, span.y, ray.y);
+    std::int64_t samples = 0;
+    while (!isPast(span.x, map.width, ray.x) && !isPast(span.y, map.depth, ray.y)) {
+        ++samples;
+        // At a corner an eastward border comes first: the eye counts as a trifle further east.
+        const bool alongX = x.along() < y.along() || (x.along() == y.along() && x.step > 0);
+        Borders& next = alongX ? x : y;
+        span.leave = next.along();
+        span.left = alongX ? (next.step > 0 ? Face::east : Face::west) : (next.step > 0 ? Face::south : Face::north);
+        if (map.contains(span.x, span.y)) spans.push_back(span);
+
+        span.enter = span.leave;
+        span.entered = alongX ? (next.step > 0 ? Face::west : Face::east) : (next.step > 0 ? Face::north : Face::south);
+        span.first = false;
+        (alongX ? span.x : span.y) += next.step;
+        next.distance += 1.0;
+    }
+    return samples;
+}
+
+std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray, const ClassicOptions& classic, std::vector<TileSpan>& spans) {
+    spans.clear();
+    TileSpan span;
+    span.x = tileOf(view.eyeX);
+    span.y = tileOf(view.eyeY);
+    span.first = true;
+    std::int64_t samples = 0;
+    const auto strides = static_cast<std::int64_t>(classic.reach / classic.stepSize);
+    for (std::int64_t stride = 1; stride <= strides; ++stride) {
+        ++samples;
+        const double along = static_cast<double>(stride) * classic.stepSize / ray.length;
+        const double x = view.eyeX + along * ray.x;
+        const double y = view.eyeY + along * ray.y;
+        const int tileX = tileOf(x);
+        const int tileY = tileOf(y);
+        if (tileX == span.x && tileY == span.y) continue;
+        span.leave = along;
+        span.left = nearestSide(x - span.x - 0.5, y - span.y - 0.5);
+        if (map.contains(span.x, span.y)) spans.push_back(span);
+        if (isPast(tileX, map.width, ray.x) || isPast(tileY, map.depth, ray.y)) return samples;
+
+        span = {tileX, tileY, along, along, false, nearestSide(x - tileX - 0.5, y - tileY - 0.5), Face::north};
+    }
+    span.leave = static_cast<double>(strides) * classic.stepSize / ray.length;
+    if (map.contains(span.x, span.y)) spans.push_back(span);
+    return samples;
+}
+
+}  // namespace slicecast::classic
