@@ -1,7 +1,7 @@
 #include "session/session.h"
 
 #include "base/angle.h"
-#include "base/bits.h"
+#include "base/hash.h"
 #include "overlay/minimap.h"
 #include "render/classic/draw_classic.h"
 
@@ -41,21 +41,14 @@ Eye eyeOf(const Player& player) {
     return {.map = player.map, .x = player.x, .y = player.y, .z = eyeHeight(player), .headingDegrees = player.headingDegrees, .look = player.look};
 }
 
-// A hash of numbers in order: each is mixed in by the finisher of SplitMix64.
-class Hash {
-public:
-    void add(std::int64_t number) {
-        std::uint64_t z = state_ + static_cast<std::uint64_t>(number) + 0x9e3779b97f4a7c15u;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        state_ = z ^ (z >> 31);
-    }
-    void add(double number) { add(bitCast<std::int64_t>(number)); }
-    std::uint64_t value() const { return state_; }
+// On the grid of a recording.
+double recordedHeading(double degrees) {
+    return std::isfinite(degrees) ? std::floor(wrapDegrees(degrees) * kRecordedDegree + 0.5) / kRecordedDegree : 0.0;
+}
 
-private:
-    std::uint64_t state_ = 0;
-};
+double recordedLook(double look) {
+    return std::floor(look * kRecordedHeight + 0.5) / kRecordedHeight;
+}
 
 }  // namespace
 
@@ -66,7 +59,8 @@ Session::Session(World world) : world_(std::move(world)) {
 
 void Session::step(const Input& input) {
     previous_ = player_;
-    stepPlayer(world_, player_, playerInput(input, options_.speed));
+    const Input kept = recorder_ != nullptr ? recorder_->step(input) : input;
+    stepPlayer(world_, player_, playerInput(kept, options_.speed));
     ++steps_;
 }
 
@@ -80,34 +74,60 @@ bool Session::draw(const Picture& picture, double fraction) {
 }
 
 void Session::reset() {
+    if (recorder_ != nullptr) recorder_->add(RecordedReset{});
     player_ = playerAtStart(world_);
     previous_ = player_;
 }
 
 void Session::levelLook() {
+    if (recorder_ != nullptr) recorder_->add(RecordedLevelLook{});
     slicecast::levelLook(world_, player_);
     previous_ = player_;
 }
 
 void Session::setHeading(double degrees) {
-    slicecast::setHeading(player_, degrees);
+    const double kept = recorder_ != nullptr ? recordedHeading(degrees) : degrees;
+    if (recorder_ != nullptr) recorder_->add(RecordedHeading{static_cast<int>(kept * kRecordedDegree)});
+    slicecast::setHeading(player_, kept);
     previous_.headingDegrees = player_.headingDegrees;
 }
 
 void Session::setFlying(bool flying) {
+    if (recorder_ != nullptr) recorder_->add(RecordedFlying{flying});
     slicecast::setFlying(world_, player_, flying);
 }
 
 bool Session::setEye(const Eye& eye) {
     const bool exists = eye.map >= 0 && static_cast<std::size_t>(eye.map) < world_.maps.size();
     if (!exists || !isAboveFloor(eye) || !std::isfinite(eye.headingDegrees) || !(std::abs(eye.look) <= kMaxLook)) return false;
-    player_ = playerWithEye(eye.map, eye.x, eye.y, eye.z, eye.headingDegrees, eye.look);
+    double heading = eye.headingDegrees;
+    double look = eye.look;
+    if (recorder_ != nullptr) {
+        heading = recordedHeading(heading);
+        look = recordedLook(look);
+        recorder_->add(RecordedEye{.map = eye.map,
+                                   .x = eye.x.raw,
+                                   .y = eye.y.raw,
+                                   .z = eye.z.raw,
+                                   .heading = static_cast<int>(heading * kRecordedDegree),
+                                   .look = static_cast<int>(look * kRecordedHeight)});
+    }
+    player_ = playerWithEye(eye.map, eye.x, eye.y, eye.z, heading, look);
     previous_ = player_;
     return true;
 }
 
+void Session::record(Recorder* recorder) {
+    recorder_ = recorder;
+    if (recorder_ == nullptr) return;
+    for (const OptionInfo& info : knownOptions()) {
+        if (isRecordedOption(info.name)) recorder_->add(RecordedOption{info.name, option(info.name)});
+    }
+}
+
 std::string Session::setOption(std::string_view name, std::string_view value) {
     std::string fault = slicecast::setOption(options_, name, value);
+    if (recorder_ != nullptr && fault.empty() && isRecordedOption(name)) recorder_->add(RecordedOption{std::string(name), option(name)});
     applyLight();
     return fault;
 }

@@ -13,6 +13,7 @@
 #include "render/renderer.h"
 #include "session/input.h"
 #include "session/options.h"
+#include "session/recording.h"
 #include "world/player.h"
 #include "world/world.h"
 
@@ -62,6 +63,9 @@ public:
     // no such map, at or below the floor, look beyond kMaxLook, or a heading that is no number.
     bool setEye(const Eye& eye);
 
+    // From now on notes down there whatever bears on the player, until null is given. A recording is of use only if it begins with the session.
+    void record(Recorder* recorder);
+
     // Options by name ("fov", "light" ...); see options.h. An empty string on success, else what was wrong.
     std::string setOption(std::string_view name, std::string_view value);
     std::string option(std::string_view name) const;
@@ -89,6 +93,7 @@ private:
     Player previous_;  // before the last step; the same as player_ after a leap
     Renderer renderer_;
     std::int64_t steps_ = 0;
+    Recorder* recorder_ = nullptr;
 };
 
 }  // namespace slicecast

@@ -1,4 +1,5 @@
-// Prints one line per view: its name and the hash of its picture, and one line per stretch of a recorded run: its name and a fingerprint of the state.
+// Prints one line per view: its name and the hash of its picture, and one line per stretch of a run: its name and a fingerprint of the state. Of the recorded
+// tours it prints both at each mark.
 // Builds by different compilers must print the same.
 //
 //     picture-hashes ASSETS_FOLDER
@@ -7,6 +8,7 @@
 #include "base/random.h"
 #include "generated_world.h"
 #include "headless/scene_file.h"
+#include "session/recording_text.h"
 #include "session/session.h"
 
 #include <algorithm>
@@ -15,6 +17,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -135,20 +139,44 @@ void printGenerated(std::uint64_t seed) {
     }
 }
 
-// Shipped scenes in the order of their names. index.json is the list of them.
-std::vector<std::filesystem::path> scenesIn(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> scenes;
+// A recorded tour: the state and the picture at each of its marks and at its end.
+bool printTour(const std::filesystem::path& assets, const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    ReadRecording read = readRecording(std::string(std::istreambuf_iterator<char>(file), {}), path.string());
+    for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    if (!read.recording) return false;
+    SceneFromFile scene = readScene((assets / "scenes" / (read.recording->scene + ".json")).string());
+    for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    if (!scene.world) return false;
+
+    Session session(std::move(*scene.world));
+    Replay replay(std::move(*read.recording));
+    const auto print = [&](const std::string& mark) {
+        const std::string name = "tour " + path.stem().string() + " " + mark;
+        printLine(name + " after " + std::to_string(replay.stepsDone()) + " steps", session.fingerprint());
+        printPicture(name, 320, 200, [&](const Picture& picture) { return session.draw(picture, 0.5); });
+    };
+    for (std::size_t passed = 0; replay.step(session);) {
+        for (; passed < replay.marks().size(); ++passed) print(replay.marks()[passed].name);
+    }
+    print("end");
+    return true;
+}
+
+// The files of a folder with that ending, in the order of their names. index.json is the list of the scenes.
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, const char* ending) {
+    std::vector<std::filesystem::path> files;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (entry.path().extension() == ".json" && entry.path().filename() != "index.json") scenes.push_back(entry.path());
+        if (entry.path().extension() == ending && entry.path().filename() != "index.json") files.push_back(entry.path());
     }
-    std::sort(scenes.begin(), scenes.end());
-    return scenes;
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 int printAll(const std::filesystem::path& assets) {
     printAngles();
-    const std::vector<std::filesystem::path> scenes = scenesIn(assets / "scenes");
+    const std::vector<std::filesystem::path> scenes = filesIn(assets / "scenes", ".json");
     if (scenes.empty()) {
         std::fprintf(stderr, "picture-hashes: there are no scenes in %s\n", (assets / "scenes").string().c_str());
         return 1;
@@ -156,6 +184,9 @@ int printAll(const std::filesystem::path& assets) {
     std::uint64_t seed = 1;
     for (const std::filesystem::path& scene : scenes) {
         if (!printScene(scene, seed++)) return 1;
+    }
+    for (const std::filesystem::path& tour : filesIn(assets / "tours", ".txt")) {
+        if (!printTour(assets, tour)) return 1;
     }
     constexpr std::uint64_t kWorlds = 96;
     for (std::uint64_t i = 0; i < kWorlds; ++i) printGenerated(i);

@@ -1,0 +1,142 @@
+#include "session/recording.h"
+
+#include "base/hash.h"
+#include "session/session.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace slicecast {
+namespace {
+
+constexpr std::array<std::string_view, 1> kRecordedOptions = {"speed"};
+
+// The nearest whole number of units. What is no number counts as 0, as it does in a step.
+int inUnits(double value, int unitsOfOne, int most) {
+    if (!(value == value)) return 0;
+    const double bounded = std::clamp(value, -static_cast<double>(most), static_cast<double>(most));
+    return static_cast<int>(std::floor(bounded * unitsOfOne + 0.5));
+}
+
+double fromUnits(int units, int unitsOfOne) {
+    return static_cast<double>(units) / unitsOfOne;
+}
+
+// What an entry does to a session that is no step.
+struct Performer {
+    Session& session;
+
+    void operator()(const RecordedSteps&) const {}
+    void operator()(const RecordedMark&) const {}
+    void operator()(const RecordedFlying& entry) const { session.setFlying(entry.flying); }
+    void operator()(const RecordedLevelLook&) const { session.levelLook(); }
+    void operator()(const RecordedHeading& entry) const { session.setHeading(fromUnits(entry.heading, kRecordedDegree)); }
+    void operator()(const RecordedReset&) const { session.reset(); }
+    void operator()(const RecordedEye& entry) const {
+        session.setEye({entry.map, {entry.x}, {entry.y}, {entry.z}, fromUnits(entry.heading, kRecordedDegree), fromUnits(entry.look, kRecordedHeight)});
+    }
+    void operator()(const RecordedOption& entry) const { session.setOption(entry.name, entry.value); }
+};
+
+}  // namespace
+
+RecordedInput toRecorded(const Input& input) {
+    return {.forward = inUnits(input.forward, kRecordedAxis, 1),
+            .strafe = inUnits(input.strafe, kRecordedAxis, 1),
+            .turn = inUnits(input.turn, kRecordedAxis, 1),
+            .look = inUnits(input.look, kRecordedAxis, 1),
+            .fly = inUnits(input.fly, kRecordedAxis, 1),
+            .turnDegrees = inUnits(input.turnDegrees, kRecordedDegree, kMaxRecordedDegrees),
+            .lookHeights = inUnits(input.lookHeights, kRecordedHeight, kMaxRecordedHeights),
+            .jump = input.jump,
+            .fast = input.fast,
+            .slow = input.slow};
+}
+
+Input toInput(const RecordedInput& input) {
+    return {.forward = fromUnits(input.forward, kRecordedAxis),
+            .strafe = fromUnits(input.strafe, kRecordedAxis),
+            .turn = fromUnits(input.turn, kRecordedAxis),
+            .look = fromUnits(input.look, kRecordedAxis),
+            .fly = fromUnits(input.fly, kRecordedAxis),
+            .turnDegrees = fromUnits(input.turnDegrees, kRecordedDegree),
+            .lookHeights = fromUnits(input.lookHeights, kRecordedHeight),
+            .jump = input.jump,
+            .fast = input.fast,
+            .slow = input.slow};
+}
+
+bool isRecordedOption(std::string_view name) {
+    return std::find(kRecordedOptions.begin(), kRecordedOptions.end(), name) != kRecordedOptions.end();
+}
+
+std::uint64_t poseOf(const Session& session) {
+    const Eye eye = session.eye();
+    Hash hash;
+    for (const std::int64_t number : {std::int64_t{eye.map}, std::int64_t{eye.x.raw}, std::int64_t{eye.y.raw}, std::int64_t{eye.z.raw}}) hash.add(number);
+    hash.add(eye.headingDegrees);
+    hash.add(eye.look);
+    return hash.value();
+}
+
+// ----------------------------------------------------------------------------------------------------------- recorder
+
+Input Recorder::step(const Input& input) {
+    if (isFull()) return input;
+    const RecordedInput kept = toRecorded(input);
+    auto* last = recording_.entries.empty() ? nullptr : std::get_if<RecordedSteps>(&recording_.entries.back());
+    if (last != nullptr && last->input == kept) {
+        ++last->count;
+    } else {
+        recording_.entries.push_back(RecordedSteps{1, kept});
+    }
+    ++recording_.steps;
+    return toInput(kept);
+}
+
+void Recorder::add(RecordedEntry entry) {
+    if (!isFull()) recording_.entries.push_back(std::move(entry));
+}
+
+Recording Recorder::finish(const Session& session) const {
+    Recording finished = recording_;
+    finished.endPose = poseOf(session);
+    return finished;
+}
+
+// ------------------------------------------------------------------------------------------------------------- replay
+
+bool Replay::step(Session& session) {
+    // What comes before the step
+    if (isOver()) return false;
+    passMarks(session);
+    while (!isOver() && !std::holds_alternative<RecordedSteps>(recording_.entries[next_])) {
+        std::visit(Performer{session}, recording_.entries[next_++]);
+        passMarks(session);
+    }
+    if (isOver()) return false;
+
+    // The step
+    const auto& steps = std::get<RecordedSteps>(recording_.entries[next_]);
+    session.step(toInput(steps.input));
+    ++stepsDone_;
+    if (++doneOfEntry_ == steps.count) {
+        doneOfEntry_ = 0;
+        ++next_;
+    }
+    if (doneOfEntry_ == 0) passMarks(session);
+    return true;
+}
+
+void Replay::passMarks(const Session& session) {
+    for (; !isOver() && doneOfEntry_ == 0; ++next_) {
+        const auto* mark = std::get_if<RecordedMark>(&recording_.entries[next_]);
+        if (mark == nullptr) return;
+        marks_.push_back({mark->name, stepsDone_, poseOf(session) == mark->pose});
+        isSame_ = isSame_ && marks_.back().isSame;
+    }
+    if (isOver()) isSame_ = isSame_ && poseOf(session) == recording_.endPose;
+}
+
+}  // namespace slicecast

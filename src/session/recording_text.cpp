@@ -1,0 +1,442 @@
+#include "session/recording_text.h"
+
+#include "base/coordinate.h"
+#include "render/picture.h"
+#include "scene/checker.h"
+#include "scene/limits.h"
+#include "scene/source_text.h"
+#include "session/options.h"
+#include "world/limits.h"
+#include "world/player.h"
+
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+
+namespace slicecast {
+namespace {
+
+constexpr std::string_view kFirstLine = "slicecast recording ";
+
+// The words of a step, in the order in which they are written.
+struct Amount {
+    std::string_view word;
+    int RecordedInput::*member;
+    int most;
+};
+constexpr std::array kAmounts = {
+    Amount{"forward", &RecordedInput::forward, kRecordedAxis},
+    Amount{"strafe", &RecordedInput::strafe, kRecordedAxis},
+    Amount{"turn", &RecordedInput::turn, kRecordedAxis},
+    Amount{"look", &RecordedInput::look, kRecordedAxis},
+    Amount{"fly", &RecordedInput::fly, kRecordedAxis},
+    Amount{"turn-degrees", &RecordedInput::turnDegrees, kMaxRecordedDegrees* kRecordedDegree},
+    Amount{"look-heights", &RecordedInput::lookHeights, kMaxRecordedHeights* kRecordedHeight},
+};
+struct Button {
+    std::string_view word;
+    bool RecordedInput::*member;
+};
+constexpr std::array kButtons = {
+    Button{"jump", &RecordedInput::jump},
+    Button{"fast", &RecordedInput::fast},
+    Button{"slow", &RecordedInput::slow},
+};
+
+// ------------------------------------------------------------------------------------------------------------ writing
+
+std::string hexText(std::uint64_t number) {
+    char text[20];
+    std::snprintf(text, sizeof text, "%016" PRIx64, number);
+    return text;
+}
+
+struct Writer {
+    std::string& out;
+
+    void operator()(const RecordedSteps& entry) const {
+        out += std::to_string(entry.count);
+        for (const Amount& amount : kAmounts) {
+            const int value = entry.input.*amount.member;
+            if (value != 0) out += " " + std::string(amount.word) + " " + std::to_string(value);
+        }
+        for (const Button& button : kButtons) {
+            if (entry.input.*button.member) out += " " + std::string(button.word);
+        }
+    }
+    void operator()(const RecordedFlying& entry) const { out += entry.flying ? "fly on" : "fly off"; }
+    void operator()(const RecordedLevelLook&) const { out += "level"; }
+    void operator()(const RecordedHeading& entry) const { out += "heading " + std::to_string(entry.heading); }
+    void operator()(const RecordedReset&) const { out += "reset"; }
+    void operator()(const RecordedEye& entry) const {
+        out += "eye";
+        for (const int number : {entry.map, entry.x, entry.y, entry.z, entry.heading, entry.look}) out += " " + std::to_string(number);
+    }
+    void operator()(const RecordedOption& entry) const { out += "set " + entry.name + " " + entry.value; }
+    void operator()(const RecordedMark& entry) const { out += "mark " + entry.name + " " + hexText(entry.pose); }
+};
+
+// ------------------------------------------------------------------------------------------------------------ reading
+
+struct Word {
+    std::string_view text;
+    std::size_t offset = 0;  // in the whole text
+};
+
+struct Wrong {
+    std::size_t offset = 0;
+    std::string found;
+    std::string expected;
+};
+
+// A name is of letters, digits, '-', '_' and '.', so that it can stand in a line and name a file.
+bool isName(std::string_view text) {
+    if (text.empty() || text.size() > kMaxRecordedName || text[0] == '.') return false;
+    for (const char c : text) {
+        const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        if (!isPlain) return false;
+    }
+    return true;
+}
+
+std::optional<std::int64_t> wholeNumber(std::string_view text) {
+    const bool isNegative = !text.empty() && text[0] == '-';
+    const std::string_view digits = text.substr(isNegative ? 1 : 0);
+    if (digits.empty() || digits.size() > 15) return std::nullopt;
+    std::int64_t number = 0;
+    for (const char c : digits) {
+        if (c < '0' || c > '9') return std::nullopt;
+        number = number * 10 + (c - '0');
+    }
+    return isNegative ? -number : number;
+}
+
+std::optional<std::uint64_t> hexNumber(std::string_view text) {
+    if (text.size() != 16) return std::nullopt;
+    std::uint64_t number = 0;
+    for (const char c : text) {
+        const bool isDigit = c >= '0' && c <= '9';
+        if (!isDigit && !(c >= 'a' && c <= 'f')) return std::nullopt;
+        number = number * 16 + static_cast<std::uint64_t>(isDigit ? c - '0' : c - 'a' + 10);
+    }
+    return number;
+}
+
+// The words of one line, taken one after the other. The first that is wrong is remembered, and from then on nothing is found.
+class Line {
+public:
+    Line(std::vector<Word> words, std::size_t end) : words_(std::move(words)), end_(end) {}
+
+    bool hasMore() const { return !wrong_ && at_ < words_.size(); }
+    std::string_view peek() const { return words_[at_].text; }
+    const std::optional<Wrong>& wrong() const { return wrong_; }
+
+    void refuse(const std::string& expected) {
+        if (wrong_) return;
+        if (at_ < words_.size()) {
+            wrong_ = Wrong{words_[at_].offset, quoted(words_[at_].text), expected};
+        } else {
+            wrong_ = Wrong{end_, "the end of the line", expected};
+        }
+    }
+    void take() { ++at_; }
+
+    std::int64_t number(std::int64_t least, std::int64_t greatest, const std::string& what) {
+        const auto value = hasMore() ? wholeNumber(peek()) : std::nullopt;
+        if (!value || *value < least || *value > greatest) {
+            refuse(what + ", a whole number from " + std::to_string(least) + " to " + std::to_string(greatest));
+            return 0;
+        }
+        take();
+        return *value;
+    }
+    int smallNumber(std::int64_t least, std::int64_t greatest, const std::string& what) { return static_cast<int>(number(least, greatest, what)); }
+    std::uint64_t pose() {
+        const auto value = hasMore() ? hexNumber(peek()) : std::nullopt;
+        if (!value) refuse("where the eye is, 16 digits from 0 to f");
+        take();
+        return value.value_or(0);
+    }
+    std::string name(const std::string& what) {
+        if (!hasMore() || !isName(peek())) {
+            refuse(what + ", of at most " + std::to_string(kMaxRecordedName) + " letters, digits, '-', '_' and '.'");
+            return {};
+        }
+        const std::string name(peek());
+        take();
+        return name;
+    }
+    void end() {
+        if (hasMore()) refuse("the end of the line");
+    }
+
+private:
+    std::vector<Word> words_;
+    std::size_t end_;
+    std::size_t at_ = 0;
+    std::optional<Wrong> wrong_;
+};
+
+RecordedSteps readSteps(Line& line) {
+    RecordedSteps steps;
+    steps.count = line.number(1, kMaxRecordedSteps, "a number of steps");
+    std::vector<std::string_view> seen;
+    while (line.hasMore()) {
+        const std::string_view word = line.peek();
+        for (const std::string_view before : seen) {
+            if (before == word) line.refuse("each word once");
+        }
+        seen.push_back(word);
+        bool isKnown = false;
+        for (const Amount& amount : kAmounts) {
+            if (amount.word != word || !line.hasMore()) continue;
+            isKnown = true;
+            line.take();
+            steps.input.*amount.member = line.smallNumber(-amount.most, amount.most, "how much");
+        }
+        for (const Button& button : kButtons) {
+            if (button.word != word || isKnown || !line.hasMore()) continue;
+            isKnown = true;
+            line.take();
+            steps.input.*button.member = true;
+        }
+        if (!isKnown) line.refuse("forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast or slow");
+    }
+    return steps;
+}
+
+RecordedEye readEye(Line& line) {
+    constexpr int kMost = static_cast<int>(kCoordinateLimit) * kRecordedHeight;
+    constexpr int kMostLook = static_cast<int>(kMaxLook) * kRecordedHeight;
+    RecordedEye eye;
+    eye.map = line.smallNumber(0, 65535, "the map's place in the list");
+    eye.x = line.smallNumber(-kMost, kMost, "x");
+    eye.y = line.smallNumber(-kMost, kMost, "y");
+    eye.z = line.smallNumber(1, kMost, "z");
+    eye.heading = line.smallNumber(0, 360 * kRecordedDegree, "the heading");
+    eye.look = line.smallNumber(-kMostLook, kMostLook, "the look");
+    return eye;
+}
+
+RecordedOption readOption(Line& line) {
+    RecordedOption option;
+    if (!line.hasMore() || !isRecordedOption(line.peek())) {
+        line.refuse("an option that bears on steps: speed");
+        return option;
+    }
+    option.name = line.peek();
+    line.take();
+    if (line.hasMore()) {
+        option.value = line.peek();
+        SessionOptions tried;
+        if (setOption(tried, option.name, option.value).empty()) {
+            line.take();
+            return option;
+        }
+    }
+    line.refuse("a value of the option " + option.name);
+    return option;
+}
+
+// What a line says between the first two and the last one.
+std::optional<RecordedEntry> readEntry(Line& line) {
+    const std::string_view word = line.peek();
+    if (word[0] >= '0' && word[0] <= '9') return readSteps(line);
+    if (word == "fly") {
+        line.take();
+        const bool isOn = line.hasMore() && line.peek() == "on";
+        if (!isOn && !(line.hasMore() && line.peek() == "off")) line.refuse("on or off");
+        line.take();
+        return RecordedFlying{isOn};
+    }
+    if (word == "level" || word == "reset") {
+        line.take();
+        return word == "level" ? RecordedEntry(RecordedLevelLook{}) : RecordedEntry(RecordedReset{});
+    }
+    if (word == "heading") {
+        line.take();
+        return RecordedHeading{line.smallNumber(0, 360 * kRecordedDegree, "the heading")};
+    }
+    if (word == "eye") {
+        line.take();
+        return readEye(line);
+    }
+    if (word == "set") {
+        line.take();
+        return readOption(line);
+    }
+    if (word == "mark") {
+        line.take();
+        RecordedMark mark;
+        mark.name = line.name("the mark's name");
+        mark.pose = line.pose();
+        return mark;
+    }
+    line.refuse("a number of steps, fly, level, heading, eye, reset, set, mark or end");
+    return std::nullopt;
+}
+
+class Reader {
+public:
+    Reader(std::string_view text, const std::string& fileName) : source_(text), fileName_(fileName) {}
+
+    ReadRecording read() {
+        const std::string_view text = source_.text();
+        if (text.size() > kMaxRecordingBytes) {
+            add({0, std::to_string(text.size()) + " bytes", "a recording of at most " + std::to_string(kMaxRecordingBytes) + " bytes"});
+        } else if (source_.invalidByte()) {
+            add({*source_.invalidByte(), "a byte that is not UTF-8", "a recording, which is UTF-8 text"});
+        } else {
+            readLines(text);
+        }
+        ReadRecording result;
+        if (omitted_ > 0) faults_.push_back(moreFaults(fileName_, omitted_));
+        if (faults_.empty()) result.recording = std::move(recording_);
+        result.faults = std::move(faults_);
+        return result;
+    }
+
+private:
+    enum class Awaited { version, scene, entries, nothing };
+
+    void readLines(std::string_view text) {
+        std::size_t begin = source_.start();
+        while (begin < text.size()) {
+            const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+            std::vector<Word> words = wordsOf(text, begin, end);
+            if (!words.empty() && words[0].text[0] != '#') {
+                const bool goesOn = readLine(Line(std::move(words), end), text.substr(begin, end - begin));
+                if (!goesOn) return;
+            }
+            begin = end + 1;
+        }
+        if (awaited_ != Awaited::nothing) add({text.size(), "the end of the file", expectedNext()});
+    }
+
+    static std::vector<Word> wordsOf(std::string_view text, std::size_t begin, std::size_t end) {
+        std::vector<Word> words;
+        while (begin < end) {
+            const std::size_t first = text.find_first_not_of(" \t", begin);
+            if (first >= end) break;
+            const std::size_t last = std::min(text.find_first_of(" \t\r\n", first), end);
+            words.push_back({text.substr(first, last - first), first});
+            begin = last;
+        }
+        return words;
+    }
+
+    std::string expectedNext() const {
+        switch (awaited_) {
+            case Awaited::version:
+                return "\"" + std::string(kFirstLine) + std::to_string(kRecordingVersion) + "\"";
+            case Awaited::scene:
+                return "\"scene\" and its name";
+            case Awaited::entries:
+                return "\"end\", which says that the recording is whole";
+            case Awaited::nothing:
+                break;
+        }
+        return "nothing behind the end of the recording";
+    }
+
+    // False where the rest is not worth reading.
+    bool readLine(Line line, std::string_view whole) {
+        switch (awaited_) {
+            case Awaited::version:
+                if (whole != std::string(kFirstLine) + std::to_string(kRecordingVersion)) {
+                    line.refuse(expectedNext());
+                    addOf(line);
+                    return false;
+                }
+                awaited_ = Awaited::scene;
+                return true;
+            case Awaited::scene:
+                awaited_ = Awaited::entries;
+                if (line.peek() != "scene") {
+                    line.refuse("\"scene\" and its name");
+                } else {
+                    line.take();
+                    recording_.scene = line.name("the scene's name");
+                }
+                break;
+            case Awaited::entries:
+                readWithin(line);
+                break;
+            case Awaited::nothing:
+                line.refuse(expectedNext());
+                break;
+        }
+        line.end();
+        addOf(line);
+        return true;
+    }
+
+    void readWithin(Line& line) {
+        if (line.peek() == "end") {
+            awaited_ = Awaited::nothing;
+            line.take();
+            if (isSumKnown_ && line.hasMore() && wholeNumber(line.peek()) != recording_.steps) {
+                line.refuse(std::to_string(recording_.steps) + ", the sum of all steps");
+            }
+            line.take();
+            recording_.endPose = line.pose();
+            return;
+        }
+        const std::optional<RecordedEntry> entry = readEntry(line);
+        if (entry && !line.wrong()) {
+            if (const auto* steps = std::get_if<RecordedSteps>(&*entry)) recording_.steps += steps->count;
+            if (recording_.steps > kMaxRecordedSteps && isSumKnown_) {
+                isSumKnown_ = false;
+                line.refuse("at most " + std::to_string(kMaxRecordedSteps) + " steps in all");
+            }
+            recording_.entries.push_back(*entry);
+        } else {
+            isSumKnown_ = false;
+        }
+    }
+
+    void addOf(const Line& line) {
+        if (line.wrong()) add(*line.wrong());
+    }
+
+    void add(const Wrong& wrong) {
+        if (faults_.size() >= kMaxFaults) {
+            ++omitted_;
+            return;
+        }
+        const Place place = source_.place(wrong.offset);
+        Fault fault;
+        fault.file = fileName_;
+        fault.line = place.line;
+        fault.column = place.column;
+        fault.found = wrong.found;
+        fault.expected = wrong.expected;
+        faults_.push_back(std::move(fault));
+    }
+
+    SourceText source_;
+    std::string fileName_;
+    Recording recording_;
+    Awaited awaited_ = Awaited::version;
+    bool isSumKnown_ = true;
+    std::vector<Fault> faults_;
+    std::size_t omitted_ = 0;
+};
+
+}  // namespace
+
+std::string writeRecording(const Recording& recording) {
+    std::string text = std::string(kFirstLine) + std::to_string(kRecordingVersion) + "\nscene " + recording.scene + "\n";
+    for (const RecordedEntry& entry : recording.entries) {
+        std::visit(Writer{text}, entry);
+        text += "\n";
+    }
+    return text + "end " + std::to_string(recording.steps) + " " + hexText(recording.endPose) + "\n";
+}
+
+ReadRecording readRecording(std::string_view text, const std::string& fileName) {
+    return Reader(text, fileName).read();
+}
+
+}  // namespace slicecast

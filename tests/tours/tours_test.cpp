@@ -1,0 +1,103 @@
+#include "tours/tours.h"
+
+#include "scenes/shipped.h"
+#include "session/recording_text.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+namespace slicecast {
+namespace {
+
+const char* const kMakeAnew = "; if the way may change: slicecast-tours assets";
+
+std::string tourText(const std::string& name) {
+    std::ifstream file(assetsFolder() / "tours" / (name + ".txt"), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+Recording shippedTour(const std::string& name) {
+    ReadRecording read = readRecording(tourText(name), name + ".txt");
+    for (const Fault& fault : read.faults) ADD_FAILURE() << describe(fault);
+    return read.recording.value_or(Recording{});
+}
+
+TEST(Tours, AreTheGuidesOwn) {
+    for (const Tour& tour : allTours()) {
+        SCOPED_TRACE(tour.scene);
+        Guide guide(shippedWorld(tour.scene), tour.scene);
+        tour.give(guide);
+        EXPECT_EQ(guide.trouble(), "");
+        // Not EXPECT_EQ, which would print both.
+        EXPECT_TRUE(writeRecording(guide.finish()) == tourText(tour.scene)) << "the guide goes another way than assets/tours says" << kMakeAnew;
+    }
+}
+
+TEST(Tours, EveryFileIsOneOfThem) {
+    std::set<std::string> names;
+    for (const Tour& tour : allTours()) names.insert(tour.scene);
+    std::set<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(assetsFolder() / "tours")) files.insert(entry.path().stem().string());
+    EXPECT_EQ(files, names);
+    EXPECT_GE(names.size(), 5u);
+}
+
+TEST(Tours, LeadWhereTheyLed) {
+    for (const Tour& tour : allTours()) {
+        SCOPED_TRACE(tour.scene);
+        const Recording recording = shippedTour(tour.scene);
+        EXPECT_EQ(recording.scene, tour.scene);
+        Session session(shippedWorld(recording.scene));
+        Replay replay(recording);
+        while (replay.step(session)) {
+        }
+        EXPECT_EQ(replay.stepsDone(), recording.steps);
+        EXPECT_EQ(session.steps(), recording.steps);
+        EXPECT_GE(replay.marks().size(), 5u);
+        for (const PassedMark& mark : replay.marks()) EXPECT_TRUE(mark.isSame) << mark.name << kMakeAnew;
+        EXPECT_TRUE(replay.isSame()) << kMakeAnew;
+    }
+}
+
+// What a tour is for: all ways of moving are in it.
+TEST(Tours, TogetherTheyDoEverything) {
+    bool walks = false, runs = false, strafes = false, jumps = false, crouches = false, turns = false, looks = false, flies = false, climbs = false;
+    for (const Tour& tour : allTours()) {
+        Session session(shippedWorld(tour.scene));
+        Replay replay(shippedTour(tour.scene));
+        const Coordinate start = session.player().z;
+        while (replay.step(session)) {
+            const Player& player = session.player();
+            const double speed = session.state().speed;
+            walks = walks || (speed > 2.5 && speed < 3.1 && player.onGround);
+            runs = runs || (speed > 5.0 && player.onGround);
+            jumps = jumps || player.velocityZ > 3.5;
+            crouches = crouches || player.crouched;
+            flies = flies || player.flying;
+            climbs = climbs || (player.onGround && player.z.value() > start.value() + 4.0);
+        }
+        for (const RecordedEntry& entry : replay.recording().entries) {
+            const auto* steps = std::get_if<RecordedSteps>(&entry);
+            if (steps == nullptr) continue;
+            strafes = strafes || steps->input.strafe != 0;
+            turns = turns || (steps->input.turn != 0 && steps->input.turnDegrees == 0);
+            looks = looks || steps->input.lookHeights != 0;
+        }
+    }
+    EXPECT_TRUE(walks);
+    EXPECT_TRUE(runs);
+    EXPECT_TRUE(strafes);
+    EXPECT_TRUE(jumps);
+    EXPECT_TRUE(crouches);
+    EXPECT_TRUE(turns);
+    EXPECT_TRUE(looks);
+    EXPECT_TRUE(flies);
+    EXPECT_TRUE(climbs);
+}
+
+}  // namespace
+}  // namespace slicecast

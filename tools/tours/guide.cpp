@@ -1,0 +1,150 @@
+#include "tours/guide.h"
+
+#include "base/angle.h"
+
+#include <cmath>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+constexpr double kNear = 0.12;           // of a spot: it is reached
+constexpr double kSlowWithin = 0.5;      // of a spot
+constexpr int kPatience = 240;           // steps without getting nearer
+constexpr double kLookStep = 0.0078125;  // screen heights looked up in a step: 0.94 a second
+
+// From -180 to 180.
+double shortWay(double degrees) {
+    return wrapDegrees(degrees + 180.0) - 180.0;
+}
+
+double bearing(double x, double y) {
+    if (x == 0.0) return y < 0.0 ? 270.0 : 90.0;
+    const double degrees = atanDegrees(y / x);
+    return wrapDegrees(x < 0.0 ? degrees + 180.0 : degrees);
+}
+
+// Quick, then slow, then none: few different turns make a recording that can be read.
+double turnBy(double degrees) {
+    const double size = std::abs(degrees);
+    const double turn = size > 24.0 ? 1.5 : size > 6.0 ? 0.75 : size > 0.75 ? 0.25 : 0.0;
+    return degrees < 0.0 ? -turn : turn;
+}
+
+}  // namespace
+
+Guide::Guide(World world, const std::string& scene) : session_(std::move(world)), recorder_(scene) {
+    session_.record(&recorder_);
+}
+
+void Guide::walk(const std::vector<Spot>& spots) {
+    for (const Spot& spot : spots) goTo(spot, {.forward = 1.0});
+}
+
+void Guide::run(const std::vector<Spot>& spots) {
+    for (const Spot& spot : spots) goTo(spot, {.forward = 1.0, .fast = true});
+}
+
+void Guide::creep(const std::vector<Spot>& spots) {
+    for (const Spot& spot : spots) goTo(spot, {.forward = 1.0, .fly = -1.0});
+}
+
+void Guide::stepAside(double axis, int steps) {
+    step({.strafe = axis}, steps);
+    step({}, 20);
+}
+
+void Guide::jump() {
+    step({.jump = true}, 12);
+    step({}, 108);
+}
+
+void Guide::jumpAhead() {
+    step({.forward = 1.0, .jump = true}, 12);
+    step({.forward = 1.0}, 60);
+    step({}, 60);
+}
+
+void Guide::turnTo(double headingDegrees) {
+    for (int i = 0; i < 1000; ++i) {
+        const double turn = turnBy(shortWay(headingDegrees - session_.player().headingDegrees));
+        if (turn == 0.0) return;
+        step({.turnDegrees = turn});
+    }
+}
+
+void Guide::lookTo(double look) {
+    for (int i = 0; i < 1000; ++i) {
+        const double left = look - session_.player().look;
+        if (std::abs(left) < kLookStep) return;
+        step({.lookHeights = left < 0.0 ? -kLookStep : kLookStep});
+    }
+}
+
+void Guide::lookAround() {
+    step({.turn = -1.0}, 70);
+    step({.turn = 0.75, .look = 0.5}, 120);
+    step({.turn = 0.5, .look = -0.5}, 120);
+    step({.turn = -0.5}, 80);
+    step({}, 30);
+    lookTo(0.0);
+}
+
+void Guide::wait(int steps) {
+    step({}, steps);
+}
+
+void Guide::flyTo(Spot spot, double eyeHeight) {
+    for (int i = 0; i < 2400 && trouble_.empty(); ++i) {
+        const double up = eyeHeight - session_.eye().z.value();
+        if (std::abs(up) < 0.05) break;
+        step({.fly = up > 0.0 ? 1.0 : -1.0});
+    }
+    step({}, 30);
+    goTo(spot, {.forward = 1.0});
+}
+
+void Guide::step(const Input& input, int count) {
+    for (int i = 0; i < count && trouble_.empty(); ++i) session_.step(input);
+}
+
+double Guide::distanceTo(Spot spot) const {
+    const double x = spot.x - session_.player().x.value();
+    const double y = spot.y - session_.player().y.value();
+    return std::sqrt(x * x + y * y);
+}
+
+double Guide::turnTowards(Spot spot) const {
+    return shortWay(bearing(spot.x - session_.player().x.value(), spot.y - session_.player().y.value()) - session_.player().headingDegrees);
+}
+
+void Guide::goTo(Spot spot, Input pace) {
+    double nearest = distanceTo(spot) + 1.0;
+    int waited = 0;
+    while (trouble_.empty() && distanceTo(spot) > kNear) {
+        // Ahead only where it leads there
+        Input input = pace;
+        const double turn = turnTowards(spot);
+        input.turnDegrees = turnBy(turn);
+        if (std::abs(turn) > 24.0) {
+            input.forward = 0.0;
+        } else if (std::abs(turn) > 6.0 || distanceTo(spot) < kSlowWithin) {
+            input.forward = 0.5;
+            input.fast = false;
+        }
+        step(input);
+
+        // Stuck?
+        waited = distanceTo(spot) < nearest - 0.01 ? 0 : waited + 1;
+        if (waited == 0) nearest = distanceTo(spot);
+        if (waited > kPatience) {
+            const Player& player = session_.player();
+            trouble_ = "stuck at " + std::to_string(player.x.value()) + ", " + std::to_string(player.y.value()) + ", feet at " +
+                       std::to_string(player.z.value()) + ", on the way to " + std::to_string(spot.x) + ", " + std::to_string(spot.y);
+        }
+    }
+    step({.fly = pace.fly}, 20);
+    for (int i = 0; i < 120 && !session_.player().onGround && !session_.player().flying; ++i) step({.fly = pace.fly});
+}
+
+}  // namespace slicecast

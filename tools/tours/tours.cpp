@@ -1,0 +1,142 @@
+#include "tours/tours.h"
+
+#include <array>
+
+namespace slicecast {
+namespace {
+
+void throughTheHarbourTown(Guide& guide) {
+    guide.lookAround();
+    guide.mark("at-the-start");
+    guide.walk({{18.3, 36.2}, {17.5, 34.5}, {12.5, 34}});
+    guide.run({{12.5, 24}});
+    guide.mark("along-the-canal");
+    guide.walk({{14, 21.7}, {16.5, 21.7}, {21.5, 21.7}});
+    guide.turnTo(0.0);
+    guide.lookTo(-0.25);
+    guide.mark("on-the-bridge");
+    guide.lookTo(0.0);
+    guide.jump();
+    guide.walk({{26.5, 21.7}, {25.5, 19}, {25.5, 10}});
+    guide.creep({{30, 9}});
+    guide.mark("with-the-head-down");
+    guide.walk({{34.5, 8}, {39.5, 7}, {39.5, 5.5}, {30.5, 5.5}});
+    guide.mark("on-the-town-wall");
+    guide.walk({{30.5, 4.5}, {21.5, 4.5}, {21.5, 6.5}, {22.5, 6.5}, {22.5, 8.5}, {20.5, 8.5}, {20.5, 6.5}, {22.5, 6.5}, {22.5, 7.4}});
+    guide.lookAround();
+    guide.mark("on-the-tower");
+}
+
+void throughTheCastle(Guide& guide) {
+    guide.walk({{44.5, 20}});
+    guide.lookTo(0.3);
+    guide.mark("before-the-gate");
+    guide.lookTo(0.0);
+    guide.walk({{43, 18.9}, {30, 19.1}});
+    guide.mark("on-the-bridge");
+    guide.run({{22, 19.1}});
+    guide.jump();
+    guide.walk({{22.7, 26}, {22.7, 28.5}, {15.5, 28.5}});
+    guide.mark("on-the-stairs");
+    guide.walk({{14.5, 29.5}, {12.5, 29.4}, {12.5, 22.5}, {16.5, 22.5}, {16.5, 17.5}, {12, 17.5}, {11.6, 18.4}, {15, 20}});
+    guide.stepAside(0.5, 30);
+    guide.mark("in-the-court");
+    guide.walk({{18.5, 20}});
+    guide.creep({{18.5, 22}});
+    guide.walk({{18.5, 27},
+                {12.5, 27.5},
+                {10.5, 27.5},
+                {9.5, 27.5},
+                {8.5, 27.5},
+                {8.5, 29.5},
+                {10.5, 29.5},
+                {10.5, 27.5},
+                {8.5, 27.5},
+                {8.5, 29.5},
+                {10.5, 29.5},
+                {10.5, 27.5},
+                {8.5, 27.5},
+                {8.5, 29.5}});
+    guide.lookAround();
+    guide.mark("on-the-great-tower");
+}
+
+void throughTheLibrary(Guide& guide) {
+    guide.walk({{13.9, 27}, {13.7, 19.5}});
+    guide.lookTo(0.5);
+    guide.mark("below-the-tower-of-books");
+    guide.lookTo(0.0);
+    guide.walk({{13.5, 18.5}, {11.5, 18.5}, {11.5, 13.5}, {6.5, 13.5}});
+    guide.mark("first-gallery");
+    guide.jump();
+    guide.creep({{6.5, 8}});
+    guide.walk({{6.5, 3}, {8.5, 2.5}, {8.4, 1.5}, {16.5, 1.5}, {24.5, 1.5}});
+    guide.lookAround();
+    guide.mark("second-gallery");
+    guide.run({{24.5, 16.5}});
+    guide.walk({{16.5, 16.5}});
+    guide.mark("over-the-high-bridge");
+    guide.walk({{16.5, 18.5}, {14.5, 18.5}, {14.5, 16}});
+    guide.lookTo(-0.5);
+    guide.mark("on-the-tower-of-books");
+}
+
+void throughTheGarden(Guide& guide) {
+    guide.lookAround();
+    guide.walk({{21, 35.5}, {21, 31.4}});
+    guide.jump();
+    guide.mark("at-the-hedge");
+    guide.run({{17, 31}, {16.6, 25.5}, {21.5, 25.5}, {20.5, 25.5}, {20.5, 23.5}, {13.5, 23.5}});
+    guide.mark("in-the-maze");
+    guide.walk({{13.5, 21.5}, {11.5, 21.5}, {11.5, 23.5}, {5.5, 23.5}});
+    guide.creep({{5.5, 20}});
+    guide.walk({{5.5, 15.5}, {8.5, 15.5}, {8.5, 17.5}, {9.5, 17.5}, {9.5, 19.5}, {12.5, 19.5}});
+    guide.lookTo(0.4);
+    guide.mark("below-the-tree");
+    guide.lookTo(0.0);
+    guide.walk({{11.5, 18.4}, {11.5, 17.5}, {10.5, 17.5}, {10.5, 13.5}, {14.5, 13.5}, {14.5, 17.5}, {12.5, 17.5}});
+    guide.mark("in-the-tree-house");
+    guide.walk({{11.3, 17.4}, {10.4, 17.4}, {10.4, 14}, {10.5, 13.5}, {18, 13.5}});
+    guide.lookTo(-0.3);
+    guide.mark("on-the-high-bridge");
+    guide.lookTo(0.0);
+    guide.walk({{21, 15}});
+    guide.lookAround();
+    guide.mark("on-the-pavilion");
+}
+
+void throughTheTemple(Guide& guide) {
+    guide.lookAround();
+    guide.walk({{20, 30}, {20, 22}});
+    guide.jumpAhead();
+    guide.mark("at-the-great-stairs");
+    guide.walk({{20, 10.5}, {20, 8.2}});
+    guide.mark("in-the-shrine");
+    guide.creep({{20, 10.5}});
+    guide.run({{20, 20.5}, {28, 22.5}});
+    guide.walk({{30.5, 23}, {30.5, 24.4}, {15.5, 24.5}});
+    guide.lookTo(0.4);
+    guide.mark("in-the-gorge");
+    guide.lookTo(0.0);
+    guide.walk({{15.5, 16.5}, {17.5, 9}, {19.5, 5.5}});
+    guide.mark("in-the-crypt");
+    guide.walk({{12.5, 5.5}, {12, 14}});
+    guide.setFlying(true);
+    guide.flyTo({14, 18}, 8.0);
+    guide.turnTo(330.0);
+    guide.lookTo(-0.3);
+    guide.mark("above-the-canyon");
+}
+
+constexpr std::array kTours = {
+    Tour{"castle", throughTheCastle},   Tour{"garden", throughTheGarden}, Tour{"harbour-town", throughTheHarbourTown},
+    Tour{"library", throughTheLibrary}, Tour{"temple", throughTheTemple},
+};
+
+}  // namespace
+
+std::span<const Tour> allTours() {
+    return kTours;
+}
+
+}  // namespace slicecast
