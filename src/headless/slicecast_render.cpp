@@ -1,10 +1,10 @@
 // slicecast-render: draws one view of a scene into a PNG file, without a screen; or tells what one of its columns meets.
 
 #include "base/image.h"
-#include "headless/hits_json.h"
 #include "headless/scene_file.h"
 #include "headless/view_arguments.h"
 #include "headless/write_file.h"
+#include "session/hits_json.h"
 #include "session/session.h"
 
 #include <CLI/CLI.hpp>

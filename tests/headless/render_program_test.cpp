@@ -91,6 +91,11 @@ TEST(RenderProgram, TellsTheHitsOfAColumn) {
     EXPECT_EQ(json["horizonRow"].GetDouble(), 32.0);
     EXPECT_EQ(json["ray"][0].GetDouble(), 1.0);
     EXPECT_EQ(json["ray"][1].GetDouble(), 1.0 / 64.0);
+    ASSERT_GE(json["tiles"].Size(), 2u);
+    EXPECT_EQ(json["tiles"][0][0].GetInt(), 1);  // the eye's own
+    EXPECT_EQ(json["tiles"][0][1].GetInt(), 2);
+    EXPECT_EQ(json["tiles"][1][0].GetInt(), 2);
+    EXPECT_EQ(json["tiles"][1][2].GetDouble(), 0.5);
     ASSERT_EQ(json["hits"].Size(), 1u);
     const auto& hit = json["hits"][0];
     EXPECT_EQ(hit["map"], "corridor");

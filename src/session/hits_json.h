@@ -2,6 +2,7 @@
 //
 //     { "scene", "map", "size": [W, H], "column", "eye": {"x", "y", "z", "heading", "look"}, "fov", "horizonRow", "projectionDistance",
 //       "ray": [x, y],                               ground direction per unit of perpendicular depth
+//       "tiles": [ [x, y, depth] ],                  that the walk entered, in order, with the perpendicular depth on entering
 //       "hits": [ { "map", "tile": [x, y], "level", "blueprint",
 //                   "face",                          through which the ray enters the tile; null in the eye's own tile
 //                   "point": [x, y],                 where it enters, units

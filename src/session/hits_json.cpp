@@ -1,4 +1,4 @@
-#include "headless/hits_json.h"
+#include "session/hits_json.h"
 
 #include <rapidjson/prettywriter.h>
 #include <rapidjson/stringbuffer.h>
@@ -94,6 +94,16 @@ void addFilled(Writer& json, const char* key, const std::vector<FilledRows>& fil
     json.EndArray();
 }
 
+void addTile(Writer& json, const WalkedTile& tile) {
+    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
+    json.StartArray();
+    json.Int(tile.x);
+    json.Int(tile.y);
+    addNumber(json, tile.depth);
+    json.EndArray();
+    json.SetFormatOptions(rapidjson::kFormatDefault);
+}
+
 void addHit(Writer& json, const World& world, const Hit& hit) {
     json.StartObject();
     add(json, "map", world.maps[static_cast<std::size_t>(hit.map)].name);
@@ -147,6 +157,10 @@ std::string hitsJson(Session& session, const std::string& sceneName, int width, 
     add(json, "horizonRow", trace.horizonRow);
     add(json, "projectionDistance", trace.projectionDistance);
     addPair(json, "ray", trace.rayX, trace.rayY);
+    json.Key("tiles");
+    json.StartArray();
+    for (const WalkedTile& tile : trace.tiles) addTile(json, tile);
+    json.EndArray();
     json.Key("hits");
     json.StartArray();
     for (const Hit& hit : trace.hits) addHit(json, world, hit);
