@@ -15,22 +15,22 @@ enum class ClassicProjection : std::uint8_t {
 
 inline constexpr double kLeastMarchStep = 0.001;  // units
 inline constexpr double kGreatestMarchStep = 1.0;
-inline constexpr double kLeastMarchReach = 1.0;   // units
+inline constexpr double kLeastMarchReach = 1.0;       // units
 inline constexpr double kGreatestMarchReach = 100.0;  // a hundred thousand of the least steps in every column
 inline constexpr int kMostSineSteps = 360'000;
 inline constexpr int kMostPixelSize = 64;
 
 struct ClassicOptions {
     ClassicProjection projection = ClassicProjection::plane;
-    bool march = false;           // the ray looks for blocks every `stepSize` only: thin corners are missed, walls stand a little too far away and are ragged
-    double stepSize = 0.001;      // units, kLeastMarchStep to kGreatestMarchStep
-    double reach = 25.0;          // units, kLeastMarchReach to kGreatestMarchReach: where a march gives up
-    bool stretched = false;       // one texture over the whole height of a stack of blocks, not one per unit: bricks grow with the wall
-    bool paintersOrder = false;   // all blocks are painted from far to near, by the distances of their middles: most work is painted over, and where blocks
-                                  // interlock or a ceiling pierces them no such order is right
-    bool oneLevel = false;        // the lowest level only, its blocks one unit high, the first one hiding all that follows; the eye stays below their tops
-    int sineSteps = 0;            // steps of a table of sines over the full turn, looked up without rounding: columns, and turns, come in jumps. 0 for none
-    int pixelSize = 1;            // pixels a side that show one colour, 1 to kMostPixelSize
+    bool march = false;          // the ray looks for blocks every `stepSize` only: thin corners are missed, walls stand a little too far away and are ragged
+    double stepSize = 0.001;     // units, kLeastMarchStep to kGreatestMarchStep
+    double reach = 25.0;         // units, kLeastMarchReach to kGreatestMarchReach: where a march gives up
+    bool stretched = false;      // one texture over the whole height of a stack of blocks, not one per unit: bricks grow with the wall
+    bool paintersOrder = false;  // all blocks are painted from far to near, by the distances of their middles: most work is painted over, and where blocks
+                                 // interlock or a ceiling pierces them no such order is right
+    bool oneLevel = false;       // the eye's level only, as if it stood on the floor: its blocks one unit high, the first one hiding all that follows
+    int sineSteps = 0;           // steps of a table of sines over the full turn, looked up without rounding: columns, and turns, come in jumps. 0 for none
+    int pixelSize = 1;           // pixels a side that show one colour, 1 to kMostPixelSize
 };
 
 }  // namespace slicecast

@@ -9,7 +9,8 @@
 namespace slicecast::classic {
 namespace {
 
-// With one level the player walked on the floor and never saw a wall's top.
+// Where there was one level the eye never left it.
+constexpr double kLowestEyeOfOneLevel = 1.0 / 65536.0;
 constexpr double kHighestEyeOfOneLevel = 65535.0 / 65536.0;
 
 }  // namespace
@@ -24,11 +25,21 @@ double SineTable::cosine(double degrees) const {
     return cosDegrees(std::floor(wrapDegrees(degrees) * steps / 360.0) * 360.0 / steps);
 }
 
-View::View(const Eye& eye, const RenderOptions& options, const ClassicOptions& classic, int pictureWidth, int pictureHeight)
-    : width(pictureWidth), distance((pictureWidth / 2.0) / tanDegrees(options.fovDegrees / 2.0)), horizon(pictureHeight / 2.0 + eye.look * pictureHeight),
-      fovDegrees(options.fovDegrees), headingDegrees(eye.headingDegrees), eyeX(eye.x.value()), eyeY(eye.y.value()), eyeZ(eye.z.value()),
-      projection(classic.projection), table{classic.sineSteps} {
-    if (classic.oneLevel) eyeZ = std::min(eyeZ, kHighestEyeOfOneLevel);
+View::View(const Eye& eye, int levels, const RenderOptions& options, const ClassicOptions& classic, int pictureWidth, int pictureHeight)
+    : width(pictureWidth),
+      distance((pictureWidth / 2.0) / tanDegrees(options.fovDegrees / 2.0)),
+      horizon(pictureHeight / 2.0 + eye.look * pictureHeight),
+      fovDegrees(options.fovDegrees),
+      headingDegrees(eye.headingDegrees),
+      eyeX(eye.x.value()),
+      eyeY(eye.y.value()),
+      eyeZ(eye.z.value()),
+      projection(classic.projection),
+      table{classic.sineSteps} {
+    if (classic.oneLevel) {
+        storey = std::clamp(eye.z.tile(), 0, levels - 1);
+        eyeZ = std::clamp(eyeZ - storey, kLowestEyeOfOneLevel, kHighestEyeOfOneLevel);
+    }
 }
 
 ColumnRay View::rayAt(double x) const {

@@ -39,10 +39,11 @@ struct View {
     double eyeX = 0.0;
     double eyeY = 0.0;
     double eyeZ = 0.0;
+    int storey = 0;  // heights count from this level's base: the eye's level where there is one level only, else 0
     ClassicProjection projection = ClassicProjection::plane;
     SineTable table;
 
-    View(const Eye& eye, const RenderOptions& options, const ClassicOptions& classic, int pictureWidth, int pictureHeight);
+    View(const Eye& eye, int levels, const RenderOptions& options, const ClassicOptions& classic, int pictureWidth, int pictureHeight);
 
     ColumnRay rayAt(double x) const;
     double upwardSlopeAt(double y) const { return (horizon - y) / distance; }

@@ -36,7 +36,13 @@ class Column {
 public:
     Column(const World& world, const View& view, const RenderOptions& options, const ClassicOptions& classicOptions, const Map& map, const RowGrid& rows,
            ClassicReport& report)
-        : world_(world), map_(map), view_(view), options_(classicOptions), rows_(rows), colouring_(world, map, view, options), report_(report),
+        : world_(world),
+          map_(map),
+          view_(view),
+          options_(classicOptions),
+          rows_(rows),
+          colouring_(world, map, view, options),
+          report_(report),
           colours_(static_cast<std::size_t>(rows.rows)) {}
 
     const std::vector<Pixel>& draw(double x) {
@@ -111,9 +117,10 @@ bool drawClassic(const World& world, const Eye& eye, const RenderOptions& option
     if (!canSee(world, eye, options) || !canDrawInto(picture) || !areInRange(classic)) return false;
     ClassicReport counted;
     const int size = classic.pixelSize;
-    const View view(eye, options, classic, picture.width, picture.height);
+    const Map& map = world.maps[static_cast<std::size_t>(eye.map)];
+    const View view(eye, map.levels, options, classic, picture.width, picture.height);
     const RowGrid rows = {size, (picture.height + size - 1) / size};
-    Column column(world, view, options, classic, world.maps[static_cast<std::size_t>(eye.map)], rows, counted);
+    Column column(world, view, options, classic, map, rows, counted);
     for (int left = 0; left < picture.width; left += size) {
         const std::vector<Pixel>& colours = column.draw(left + size / 2.0);
         const int right = std::min(left + size, picture.width);

@@ -24,10 +24,11 @@ public:
     // False where the method looks no further.
     bool addTile(const TileSpan& span) {
         addCeiling(span);
-        const int levels = classic_.oneLevel ? 1 : map_.levels;
+        const int first = classic_.oneLevel ? view_.storey : 0;
+        const int last = classic_.oneLevel ? view_.storey : map_.levels - 1;
         bool found = false;
-        for (int level = 0; level < levels; ++level) {
-            if (map_.cell(span.x, span.y, level) == kEmptyCell) continue;
+        for (int level = first; level <= last; ++level) {
+            if (blueprintAt(span, level) == nullptr) continue;
             addBlock(span, blockAt(span, level));
             found = true;
         }
@@ -98,7 +99,8 @@ private:
         if (map_.ceiling.tiles.empty()) return;
         const TextureId texture = map_.ceiling.tiles[map_.tileIndex(span.x, span.y)];
         if (texture == kNoTexture) return;
-        const double height = map_.ceiling.height.value();
+        const double height = map_.ceiling.height.value() - view_.storey;
+        if (height <= 0.0) return;
         addPlane(span, {texture, map_.ceiling.light}, Face::bottom, height, distanceOf(span, height));
     }
 

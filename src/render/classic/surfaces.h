@@ -24,14 +24,14 @@ struct RowGrid {
 struct Surface {
     TextureId texture = kNoTexture;
     double light = 1.0;
-    Face face = Face::top;     // top and bottom are level planes, a ceiling a bottom
+    Face face = Face::top;  // top and bottom are level planes, a ceiling a bottom
     int tileX = 0;
     int tileY = 0;
-    int firstRow = 0;          // where it appears: [firstRow, lastRow)
+    int firstRow = 0;  // where it appears: [firstRow, lastRow)
     int lastRow = 0;
-    double along = 0.0;        // sides: where on the ray
-    double height = 0.0;       // level planes: units
-    double textureTop = 0.0;   // sides: heights at which the texture begins and ends
+    double along = 0.0;       // sides: where on the ray
+    double height = 0.0;      // level planes: units
+    double textureTop = 0.0;  // sides: heights at which the texture begins and ends
     double textureBottom = 0.0;
     double thingDistance = 0.0;  // of the middle of the block or ceiling tile from the eye, squared: what painter's order goes by
 

@@ -19,10 +19,14 @@ struct Borders {
     double along() const { return step == 0 ? std::numeric_limits<double>::infinity() : distance / std::fabs(speed); }
 };
 
-int tileOf(double position) { return static_cast<int>(std::floor(position)); }
+int tileOf(double position) {
+    return static_cast<int>(std::floor(position));
+}
 
 // No tile of the grid lies further along an axis.
-bool isPast(int tile, int end, double direction) { return tile < 0 ? direction <= 0.0 : tile >= end && direction >= 0.0; }
+bool isPast(int tile, int end, double direction) {
+    return tile < 0 ? direction <= 0.0 : tile >= end && direction >= 0.0;
+}
 
 // The side of its tile that a point is nearest to.
 Face nearestSide(double fromMiddleX, double fromMiddleY) {

@@ -21,9 +21,9 @@ struct TileSpan {
     int y = 0;
     double enter = 0.0;  // `along` of the ray
     double leave = 0.0;
-    bool first = false;            // the eye's own tile: nothing was entered
-    Face entered = Face::north;    // the face of this tile that the line came in through
-    Face left = Face::north;       // and goes out through
+    bool first = false;          // the eye's own tile: nothing was entered
+    Face entered = Face::north;  // the face of this tile that the line came in through
+    Face left = Face::north;     // and goes out through
 };
 
 // Replace `spans` by the tiles of the grid in the order in which they are passed, and give the number of places that were looked at.
