@@ -14,6 +14,9 @@ set(may_app session overlay render scene world base)
 set(may_wasm ${may_app} app)
 set(may_headless ${may_app})
 
+# The slow renderer of the old ways shares plain data with the fast one, which knows nothing of it.
+set(classicShares "classic/[a-z_]+|eye|options|picture|shading")
+
 # The engine draws and simulates the same everywhere: no screen, no clock, no printing, and none of the library functions whose last bit differs.
 set(engine base world scene render overlay session)
 set(engineHeadersRefused "SDL[^>\"]*|emscripten[^>\"]*|chrono|ctime|time.h|iostream|fstream|filesystem|random|thread")
@@ -41,6 +44,13 @@ foreach(source ${sources})
       set(included ${CMAKE_MATCH_1})
       if(NOT included STREQUAL part AND NOT included IN_LIST may_${part})
         list(APPEND faults "${source}: ${part} must not know ${included}: ${line}")
+      endif()
+      if(source MATCHES "^render/classic/")
+        if(included STREQUAL render AND NOT line MATCHES "\"render/(${classicShares})\\.h\"")
+          list(APPEND faults "${source}: the old ways share plain data only with the fast renderer: ${line}")
+        endif()
+      elseif(part STREQUAL render AND line MATCHES "\"render/classic/")
+        list(APPEND faults "${source}: the fast renderer knows nothing of the old ways: ${line}")
       endif()
     elseif(line MATCHES "\"")
       list(APPEND faults "${source}: an include of the project's own is rooted at src: ${line}")
