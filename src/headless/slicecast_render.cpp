@@ -35,7 +35,7 @@ struct Arguments {
 };
 
 std::string footer() {
-    constexpr std::size_t kDescriptions = 20;  // where they begin
+    constexpr std::size_t kDescriptions = 22;  // where they begin
     std::string text = "Options for --set:\n";
     for (const OptionInfo& option : knownOptions()) {
         std::string name = "  " + std::string(option.name);

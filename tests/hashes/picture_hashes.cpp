@@ -98,6 +98,27 @@ Eye anyEye(Random& random, const World& world, int map) {
     return eye;
 }
 
+// One picture of each old way of drawing, and one of several.
+void printOldWays(const std::string& name, Session& session) {
+    const std::vector<std::vector<std::pair<const char*, const char*>>> ways = {
+        {},
+        {{"classic.march", "on"}},
+        {{"classic.march", "on"}, {"classic.step", "0.3"}, {"classic.reach", "60"}},
+        {{"classic.projection", "equalAngles"}},
+        {{"classic.projection", "equalAnglesCorrected"}, {"classic.sineSteps", "3600"}},
+        {{"classic.stretched", "on"}, {"classic.painter", "on"}},
+        {{"classic.oneLevel", "on"}, {"classic.pixelSize", "3"}, {"textures", "off"}},
+    };
+    session.reset();
+    session.setOption("method", "classic");
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        for (const auto& [option, value] : ways[i]) session.setOption(option, value);
+        printPicture(name + " old way " + std::to_string(i), 160, 100, [&](const Picture& picture) { return session.draw(picture); });
+        for (const auto& [option, value] : ways[i]) session.setOption(option, optionValue({}, option));
+    }
+    session.setOption("method", "exact");
+}
+
 bool printScene(const std::filesystem::path& path, std::uint64_t seed) {
     SceneFromFile scene = readScene(path.string());
     for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
@@ -119,6 +140,7 @@ bool printScene(const std::filesystem::path& path, std::uint64_t seed) {
     session.setOption("minimap", "on");
     print("minimap", 320, 200);
     session.setOption("minimap", "off");
+    printOldWays(name, session);
     printRun(name + " run", session, seed, 4000);
     return true;
 }
