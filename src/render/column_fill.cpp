@@ -117,7 +117,33 @@ struct RowShade {
     }
 };
 
-template <typename ShadeRows>
+inline std::uint32_t laidOver(std::uint32_t there, std::uint32_t colour, std::uint32_t alpha) {
+    const std::uint32_t rest = 255 - alpha;
+    const std::uint32_t even = dividedBy255((colour & kEvenBytes) * alpha + (there & kEvenBytes) * rest + 0x007f007f);
+    const std::uint32_t odd = dividedBy255(((colour >> 8) & kEvenBytes) * alpha + ((there >> 8) & kEvenBytes) * rest + 0x007f007f);
+    return even | odd << 8 | kOpaque;
+}
+
+// What becomes of a row: `there` is its pixel, `colour` the shaded texel.
+struct Opaque {
+    static std::uint32_t one(const Pixel*, std::uint32_t, std::uint32_t colour) { return colour; }
+    static U32x4 four(const Pixel*, U32x4, U32x4 colours) { return colours; }
+};
+struct Over {
+    static std::uint32_t one(const Pixel* there, std::uint32_t texel, std::uint32_t colour) { return laidOver(*there, colour, texel >> 24); }
+    static U32x4 four(const Pixel* there, U32x4 texels, U32x4 colours) {
+        const U32x4 old = loadVector<U32x4>(there);
+        const U32x4 alphas = texels >> 24;
+        const U16x8 alpha = (U16x8)(alphas | alphas << 16);
+        const U16x8 rest = (U16x8)allLanes(0x00ff00ff) - alpha;
+        const U16x8 half = (U16x8)allLanes(0x007f007f);
+        const U16x8 even = dividedBy255((U16x8)(colours & kEvenBytes) * alpha + ((U16x8)(old & kEvenBytes) * rest + half));
+        const U16x8 odd = dividedBy255(((U16x8)colours >> 8) * alpha + (((U16x8)old >> 8) * rest + half));
+        return (U32x4)even | (U32x4)(odd << 8) | kOpaque;
+    }
+};
+
+template <typename Put, typename ShadeRows>
 void fillSideRows(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t position, std::uint64_t step, ShadeRows shade) {
     int row = 0;
     if constexpr (kHasVectors) {
@@ -126,12 +152,13 @@ void fillSideRows(Pixel* out, int rows, const Pixel* texels, int shift, std::uin
             const std::uint64_t third = second + step;
             const std::uint64_t fourth = third + step;
             const U32x4 four = {texels[position >> shift], texels[second >> shift], texels[third >> shift], texels[fourth >> shift]};
-            storeVector(out + row, shade.four(four, row));
+            storeVector(out + row, Put::four(out + row, four, shade.four(four, row)));
             position = fourth + step;
         }
     }
     for (; row < rows; ++row) {
-        out[row] = shade.one(texels[position >> shift], row);
+        const Pixel texel = texels[position >> shift];
+        out[row] = Put::one(out + row, texel, shade.one(texel, row));
         position += step;
     }
 }
@@ -142,7 +169,7 @@ constexpr double kFractionMagic = 1572864.0;
 
 inline std::uint32_t lowHalf(double value) { return static_cast<std::uint32_t>(bitCast<std::uint64_t>(value)); }
 
-template <typename ShadeRows>
+template <typename Put, typename ShadeRows>
 void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const double* inverseOffsets, ShadeRows shade) {
     const Pixel* texels = level.texels.data();
     const int bits = level.bits;
@@ -163,13 +190,14 @@ void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level
             const U32x4 v = shiftedRight(lowHalves(south0 + southPer * inverseA, south0 + southPer * inverseB), shift);
             const U32x4 index = shiftedLeft(u, bits) | (v ^ reverse);
             const U32x4 four = {texels[index[0]], texels[index[1]], texels[index[2]], texels[index[3]]};
-            storeVector(column + row, shade.four(four, row));
+            storeVector(column + row, Put::four(column + row, four, shade.four(four, row)));
         }
     }
     for (; row < last; ++row) {
         const std::uint32_t u = lowHalf(eastStart + line.eastPerInverse * inverseOffsets[row]) >> shift;
         const std::uint32_t v = lowHalf(southStart + line.southPerInverse * inverseOffsets[row]) >> shift;
-        column[row] = shade.one(texels[(u << bits) | (v ^ reverse)], row);
+        const Pixel texel = texels[(u << bits) | (v ^ reverse)];
+        column[row] = Put::one(column + row, texel, shade.one(texel, row));
     }
 }
 
@@ -192,34 +220,34 @@ void eachRun(int first, int last, IsSo&& isSo, Fill&& fill) {
     fill(other, last, atLast);
 }
 
-template <typename ShadeRows>
+template <typename Put, typename ShadeRows>
 void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows shade) {
-    for (int row = first; row < last; ++row) column[row] = shade.one(texel, row);
+    for (int row = first; row < last; ++row) column[row] = Put::one(column + row, texel, shade.one(texel, row));
 }
 
-}  // namespace
-
-void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
-              Pixel haze) {
+template <typename Put>
+void fillSideAs(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor,
+                std::uint32_t fog, Pixel haze) {
     const Pixel* texels = level.texels.data() + (static_cast<std::size_t>(texelColumn) << level.bits);
     const int shift = kTexturePositionBits - level.bits;
     const std::uint32_t factorTwice = inBothHalves(factor);
     if (fog != 0) {
-        fillSideRows(out, rows, texels, shift, start, step, EvenShade<true>{factorTwice, inBothHalves(fog), haze});
+        fillSideRows<Put>(out, rows, texels, shift, start, step, EvenShade<true>{factorTwice, inBothHalves(fog), haze});
     } else if (factor == kFullLight) {
-        fillSideRows(out, rows, texels, shift, start, step, NoShade{});
+        fillSideRows<Put>(out, rows, texels, shift, start, step, NoShade{});
     } else {
-        fillSideRows(out, rows, texels, shift, start, step, EvenShade<false>{factorTwice, 0, haze});
+        fillSideRows<Put>(out, rows, texels, shift, start, step, EvenShade<false>{factorTwice, 0, haze});
     }
 }
 
-void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze) {
+template <typename Put>
+void fillPlaneAs(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze) {
     const auto fill = [&](int from, int to, auto shade) {
         // A single texel needs no position (and a shift by all 32 bits has no meaning).
         if (level.bits == 0) {
-            fillOneTexel(column, from, to, level.texels[0], shade);
+            fillOneTexel<Put>(column, from, to, level.texels[0], shade);
         } else {
-            fillPlaneRows(column, from, to, level, line, rows.inverseOffsets, shade);
+            fillPlaneRows<Put>(column, from, to, level, line, rows.inverseOffsets, shade);
         }
     };
     // Near rows may be without fog, and some of those in full light. Depth goes one way along the rows, so each kind is a run; a short run is not worth a look.
@@ -256,13 +284,25 @@ void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, co
     });
 }
 
+}  // namespace
+
+void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
+              Pixel haze, Lay lay) {
+    (lay == Lay::opaque ? fillSideAs<Opaque> : fillSideAs<Over>)(out, rows, level, texelColumn, start, step, factor, fog, haze);
+}
+
+void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze, Lay lay) {
+    (lay == Lay::opaque ? fillPlaneAs<Opaque> : fillPlaneAs<Over>)(column, first, last, level, line, rows, haze);
+}
+
 std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double inverseOffset) {
     return lowHalf(start + kFractionMagic + perInverse * inverseOffset);
 }
 
-Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze) {
+Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay, Pixel there) {
     const std::uint32_t lit = shaded(texel, inBothHalves(factor));
-    return fog == 0 ? lit : fogged(lit, inBothHalves(fog), haze);
+    const std::uint32_t colour = fog == 0 ? lit : fogged(lit, inBothHalves(fog), haze);
+    return lay == Lay::opaque ? colour : laidOver(there, colour, texel >> 24);
 }
 
 }  // namespace slicecast

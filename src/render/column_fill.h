@@ -14,9 +14,13 @@ namespace slicecast {
 // Positions along a texture are kept in 1/2^48 of a tile: a step rounded to that is off by less than 1e-10 of a tile after 8192 rows.
 inline constexpr int kTexturePositionBits = 48;
 
+// Whether a run's texels take the place of what is there, or are laid over it by their alpha:
+//     channel = (texel * alpha + there * (255 - alpha) + 127) / 255
+enum class Lay { opaque, over };
+
 // Fills `rows` rows from one column of texels, from position `start` on, `step` further each row (both in 1/2^48 tile, start + rows * step within the tile).
 void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
-              Pixel haze);
+              Pixel haze, Lay lay = Lay::opaque);
 
 // How the points of a level plane that a slice sees follow from the row: east = eastStart + eastPerInverse * inverseOffset, and so for south, in tiles,
 // where only the fraction counts.
@@ -41,9 +45,10 @@ struct PlaneRows {
 constexpr std::uint32_t inBothHalves(std::uint32_t value) { return value | value << 16; }
 
 // Fills the rows [first, last) of the slice that starts at `column`.
-void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze);
+void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze,
+               Lay lay = Lay::opaque);
 
-// Fills one row from a texel that was found otherwise.
-Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze);
+// One row from a texel that was found otherwise; `there` is what it is laid over.
+Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay, Pixel there);
 
 }  // namespace slicecast

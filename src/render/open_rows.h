@@ -62,6 +62,16 @@ public:
         findEnds();
     }
 
+    // Calls fn(first, last) for each run of open rows within [first, last), and closes none.
+    template <typename Fn>
+    void each(int first, int last, Fn&& fn) const {
+        if (!mayHold(first, last)) return;
+        for (const Run& run : runs_) {
+            if (run.first >= last) break;
+            if (run.last > first) fn(run.first < first ? first : run.first, run.last > last ? last : run.last);
+        }
+    }
+
 private:
     void findEnds() {
         first_ = runs_.empty() ? 0 : runs_.front().first;

@@ -14,6 +14,7 @@ struct Renderer::Scratch {
     PlaneShades planeShades;
     SkyRows skyRows;
     OpenRows openRows;
+    Layers layers;
     Strip strip;
     FrameReport report;
 };
@@ -40,7 +41,7 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     s.report = {};
     s.strip.resize(picture.height);
     const Frame frame(world, eye, options, picture.width, picture.height, s.inverseOffsets, s.planeShades, s.skyRows);
-    Slice slice(frame, s.openRows, s.report);
+    Slice slice(frame, s.openRows, s.layers, s.report);
     for (int x = 0; x < picture.width; x += kStripColumns) {
         const int columns = std::min(kStripColumns, picture.width - x);
         for (int c = 0; c < columns; ++c) slice.draw(x + c, s.strip.column(c), nullptr);
@@ -58,7 +59,7 @@ SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptio
     s.strip.resize(height);
     FrameReport report;
     const Frame frame(world, eye, options, width, height, s.inverseOffsets, s.planeShades, s.skyRows);
-    Slice(frame, s.openRows, report).draw(column, s.strip.column(0), &trace);
+    Slice(frame, s.openRows, s.layers, report).draw(column, s.strip.column(0), &trace);
     for (Hit& hit : trace.hits) {
         std::sort(hit.filled.begin(), hit.filled.end(), [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });
     }

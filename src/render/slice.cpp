@@ -19,8 +19,8 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 
 }  // namespace
 
-Slice::Slice(const Frame& frame, OpenRows& open, FrameReport& report)
-    : frame_(frame), map_(*frame.map), projection_(frame.projection), open_(open), report_(report),
+Slice::Slice(const Frame& frame, OpenRows& open, Layers& layers, FrameReport& report)
+    : frame_(frame), map_(*frame.map), projection_(frame.projection), open_(open), layers_(layers), report_(report),
       floorRise_(-frame.eye.z.raw), ceilingRise_(frame.map->ceiling.height.raw - frame.eye.z.raw), walk_({}, {}, {}) {}
 
 void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
@@ -41,6 +41,7 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     fill(falling_);
     fill(rising_);
     drawBackground();
+    if (!layers_.empty()) layOver();
 }
 
 void Slice::walk() {
@@ -192,18 +193,34 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
             ceilingToCome = false;
         }
     };
-    // The lower edge of the block above, which may be this one's upper edge: nothing reaches a roof on which another block stands.
+    // The lower edge of the block above, which may be this one's upper edge: nothing reaches a roof on which an opaque block stands.
     std::int32_t edge = kHighest;
     int edgeRow = 0;
+    bool opaqueAbove = false;
     for (std::uint32_t rest = levels; rest != 0;) {
         const int level = static_cast<int>(std::bit_width(rest)) - 1;
         rest ^= std::uint32_t{1} << level;
         const Block block = blockAt(level);
         if (block.bottom > 0) continue;
-        const bool covered = block.top == edge;
-        const int topRow = covered ? edgeRow : rowBelow(block.top, enter_);
+        const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
+        const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
         edgeRow = rowBelow(block.bottom, enter_);
+        opaqueAbove = !block.blueprint->seeThrough;
+        if (block.blueprint->seeThrough) {
+            if (!atEye) enterThroughSide(block, topRow, edgeRow);
+            if (block.top < 0) {
+                ceilingAbove(block.top);
+                passThroughTop(block, rowBelow(block.top, leave_), topRow);
+            }
+            ceilingAbove(block.bottom);
+            if (block.bottom < 0) {
+                const int below = rowBelow(block.bottom, leave_);
+                passThroughBottom(block, std::max(below, projection_.firstFallingRow), edgeRow);
+                leaveThroughSide(block, std::max(rowBelow(block.top, leave_), projection_.firstFallingRow), below);
+            }
+            continue;
+        }
         if (!atEye && open_.mayHold(topRow, edgeRow)) drawEnteredSide(block, topRow, edgeRow);
         if (block.top < 0) {
             ceilingAbove(block.top);
@@ -230,20 +247,38 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
     };
     std::int32_t edge = -kHighest;
     int edgeRow = 0;
+    bool opaqueBelow = false;
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
         const Block block = blockAt(std::countr_zero(rest));
         if (block.bottom > 0) {
-            const bool covered = block.bottom == edge;
-            const int bottomRow = covered ? edgeRow : rowBelow(block.bottom, enter_);
+            const int bottomRow = block.bottom == edge ? edgeRow : rowBelow(block.bottom, enter_);
+            const bool covered = block.bottom == edge && opaqueBelow;
             edge = block.top;
             edgeRow = rowBelow(block.top, enter_);
+            opaqueBelow = !block.blueprint->seeThrough;
+            if (block.blueprint->seeThrough) {
+                if (!atEye) enterThroughSide(block, edgeRow, bottomRow);
+                ceilingBelow(block.bottom);
+                passThroughBottom(block, bottomRow, rowBelow(block.bottom, leave_));
+                ceilingBelow(block.top);
+                passThroughTop(block, edgeRow, rowBelow(block.top, leave_));
+                leaveThroughSide(block, rowBelow(block.top, leave_), rowBelow(block.bottom, leave_));
+                continue;
+            }
             if (!atEye && open_.mayHold(edgeRow, bottomRow)) drawEnteredSide(block, edgeRow, bottomRow);
             ceilingBelow(block.bottom);
             if (!covered && bottomRow < open_.last()) drawUnderside(block, bottomRow, rowBelow(block.bottom, leave_));
+        } else if (block.blueprint->seeThrough) {
+            if (block.top <= 0) continue;
+            edge = block.top;
+            edgeRow = rowBelow(block.top, enter_);
+            opaqueBelow = false;
+            ceilingBelow(block.top);
+            passThroughTop(block, edgeRow, std::min(rowBelow(block.top, leave_), projection_.firstFallingRow));
+            leaveThroughSide(block, rowBelow(block.top, leave_), std::min(rowBelow(block.bottom, leave_), projection_.firstFallingRow));
         } else if (atEye && block.top > 0) {
             ceilingBelow(block.top);
-            edge = block.top;
-            const int below = edgeRow = rowBelow(block.top, leave_);
+            const int below = rowBelow(block.top, leave_);
             drawRoof(block, 0, std::min(below, projection_.firstFallingRow));
             if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), below, projection_.firstFallingRow);
         }
@@ -309,10 +344,18 @@ void Slice::startCeiling(TextureId texture) {
 void Slice::endCeiling(Border at) {
     if (ceiling_.texture != kNoTexture && ceilingRise_ != 0) {
         const int row = rowBelow(ceilingRise_, at);
-        open_.take(std::min(ceiling_.row, row), std::max(ceiling_.row, row), [&](int first, int last) {
-            gather({ceilingRise_, ceiling_.texture, map_.ceiling.light, true}, first, last, ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at));
-            note(kNoLevel, FilledRows::What::ceiling, Face::bottom, first, last);
-        });
+        const int firstRow = std::min(ceiling_.row, row);
+        const int lastRow = std::max(ceiling_.row, row);
+        const Plane plane = {ceilingRise_, ceiling_.texture, map_.ceiling.light, true};
+        if (frame_.world->textures[ceiling_.texture].seeThrough) {
+            seeThroughPlane(kNoLevel, FilledRows::What::ceiling,
+                            {plane, firstRow, lastRow, ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at), false});
+        } else {
+            open_.take(firstRow, lastRow, [&](int first, int last) {
+                gather(plane, first, last, ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at));
+                note(kNoLevel, FilledRows::What::ceiling, Face::bottom, first, last);
+            });
+        }
     }
     ceiling_.texture = kNoTexture;
 }

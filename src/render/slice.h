@@ -10,6 +10,7 @@
 
 #include "render/frame.h"
 #include "render/grid_walk.h"
+#include "render/layers.h"
 #include "render/open_rows.h"
 #include "render/trace.h"
 
@@ -20,7 +21,7 @@ namespace slicecast {
 
 class Slice {
 public:
-    Slice(const Frame& frame, OpenRows& open, FrameReport& report);
+    Slice(const Frame& frame, OpenRows& open, Layers& layers, FrameReport& report);
 
     // Fills all rows of `column` into `pixels`, one after another. `trace`, if given, receives everything that happens.
     void draw(int column, Pixel* pixels, SliceTrace* trace);
@@ -50,28 +51,6 @@ private:
         std::uint32_t fog;
     };
 
-    // A level plane: the floor, a ceiling, or the roofs or undersides of blocks that end at one height.
-    struct Plane {
-        std::int32_t rise = 0;  // 1/65536 units above the eye, never 0 where anything is drawn
-        TextureId texture = kNoTexture;
-        double light = 1.0;
-        bool southReversed = false;  // undersides and ceilings
-
-        friend bool operator==(const Plane&, const Plane&) = default;
-    };
-
-    // Rows of a plane that lie over one tile or several in a row: closed already, but filled only when something else follows.
-    struct PlaneRun {
-        Plane plane;
-        int first = -1;  // no rows where `first` is `last`
-        int last = -1;
-        int fromX = 0;   // the first tile, nearest to the eye
-        int fromY = 0;
-        int toX = 0;     // the last one
-        int toY = 0;
-        bool endless = false;  // goes on in the ray's direction for ever
-    };
-
     // Floor or ceiling from a border on, as long as it has one texture.
     struct Cover {
         TextureId texture = kNoTexture;
@@ -98,11 +77,19 @@ private:
     void drawFalling(std::uint32_t levels, TextureId ceilingTexture);
     void drawRising(std::uint32_t levels, TextureId ceilingTexture);
     SideView sideView(const Crossing& border) const;
+    SideRun sideRun(const Block& block, Face face, const Crossing& border, const SideView& view, int first, int last) const;
     void drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow);
     void drawEnteredSide(const Block& block, int firstRow, int lastRow);
     void drawRoof(const Block& block, int firstRow, int lastRow);
     void drawUnderside(const Block& block, int firstRow, int lastRow);
     void drawCeilingHere(TextureId texture);
+    bool joins(const Block& block, int x, int y, int level) const;
+    void enterThroughSide(const Block& block, int firstRow, int lastRow);
+    void passThroughTop(const Block& block, int firstRow, int lastRow);
+    void passThroughBottom(const Block& block, int firstRow, int lastRow);
+    void leaveThroughSide(const Block& block, int firstRow, int lastRow);
+    void seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow);
+    void seeThroughPlane(int level, FilledRows::What what, const PlaneRun& run);
     void takeFloor(Border upTo);
     void takeFloorBeyond();
     void startCeiling(TextureId texture);
@@ -119,8 +106,10 @@ private:
 
     void gather(const Plane& plane, int first, int last, int fromX, int fromY, int toX, int toY, bool endless = false);
     void fill(PlaneRun& run);
+    void fillRows(const PlaneRun& run, Lay lay);
+    void layOver();
     TileBox boxAround(const PlaneRun& run) const;
-    void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box);
+    void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there);
     void note(int level, FilledRows::What what, Face face, int first, int last) {
         if (trace_) traceRows(level, {what, face, first, last});
     }
@@ -133,6 +122,7 @@ private:
     const Map& map_;
     const Projection& projection_;
     OpenRows& open_;
+    Layers& layers_;
     FrameReport& report_;
     const std::int32_t floorRise_;  // 1/65536 units above the eye
     const std::int32_t ceilingRise_;

@@ -26,42 +26,66 @@ Slice::SideView Slice::sideView(const Crossing& border) const {
             frame_.lighting.fogAt(depth)};
 }
 
+// Which texels the rows [first, last) of a side show, and in what light.
+__attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block, Face face, const Crossing& border, const SideView& view, int first,
+                                                             int last) const {
+    const FaceBlueprint& look = block.blueprint->face(face);
+    const Texture& texture = frame_.world->textures[look.texture];
+    const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(view.depth, texture))];
+    const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
+    const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
+
+    // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the block covers of the level.
+    constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
+    constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
+    const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
+    const std::int64_t end = (65536 - block.blueprint->bottom.raw) * kPositionsPerRaw;
+    const double perRow = border.along;
+    const double upperEdge = (tileEdge(block.level + 1) - frame_.eye.z).value();
+    const double v = upperEdge + (first + 0.5 - projection_.horizon) * perRow + kSnap;
+    const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : nearestInteger(v * kPositions), lowest, end - 1);
+    const int steps = last - first - 1;
+    // A block of several rows is no higher than a tile, so a row's step is less.
+    std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
+    if (start + steps * step >= end) step = (end - 1 - start) / steps;
+    return {&level, first, last, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
+            frame_.lighting.factorOf(view.brightness, look.light), view.fog};
+}
+
 void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
-        const FaceBlueprint& look = block.blueprint->face(face);
-        const Texture& texture = frame_.world->textures[look.texture];
-        const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(view.depth, texture))];
-        const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
-        const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
-
-        // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the block covers of the level.
-        constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
-        constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
-        const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
-        const std::int64_t end = (65536 - block.blueprint->bottom.raw) * kPositionsPerRaw;
-        const double perRow = border.along;
-        const double upperEdge = (tileEdge(block.level + 1) - frame_.eye.z).value();
-        const double v = upperEdge + (first + 0.5 - projection_.horizon) * perRow + kSnap;
-        const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : nearestInteger(v * kPositions), lowest, end - 1);
-        const int steps = last - first - 1;
-        // A block of several rows is no higher than a tile, so a row's step is less.
-        std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
-        if (start + steps * step >= end) step = (end - 1 - start) / steps;
-
-        fillSide(pixels_ + first, last - first, level, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
-                 frame_.lighting.factorOf(view.brightness, look.light), view.fog, frame_.lighting.haze);
+        const SideRun run = sideRun(block, face, border, view, first, last);
+        fillSide(pixels_ + first, last - first, *run.level, run.texelColumn, run.start, run.step, run.factor, run.fog, frame_.lighting.haze);
         ++report_.spansDrawn;
         note(block.level, FilledRows::What::side, face, first, last);
     });
 }
 
-// Fills a run's rows, if there are any, split where the level of detail changes. The first and the last row may lie within a rounding of their tiles' border:
-// their texel is held inside it, so that never a texel of the far side of the texture shows.
+void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
+    open_.each(firstRow, lastRow, [&](int first, int last) {
+        layers_.add(sideRun(block, face, border, view, first, last));
+        note(block.level, FilledRows::What::side, face, first, last);
+    });
+}
+
+// Fills a run's rows, if there are any, and leaves it empty.
 void Slice::fill(PlaneRun& run) {
+    if (run.first == run.last) return;
+    if (frame_.world->textures[run.plane.texture].seeThrough) {
+        // Only a floor closes its rows although it is see-through: below it there is haze.
+        std::fill(pixels_ + run.first, pixels_ + run.last, frame_.lighting.haze);
+        layers_.add(run);
+    } else {
+        fillRows(run, Lay::opaque);
+    }
+    run.first = run.last = -1;
+}
+
+// The rows are split where the level of detail changes. The first and the last row may lie within a rounding of their tiles' border: their texel is held inside
+// it, so that never a texel of the far side of the texture shows.
+void Slice::fillRows(const PlaneRun& run, Lay lay) {
     const int first = run.first;
     const int last = run.last;
-    if (first == last) return;
-    run.first = run.last = -1;
     ++report_.spansDrawn;
     const Plane& plane = run.plane;
     const Texture& texture = frame_.world->textures[plane.texture];
@@ -74,6 +98,8 @@ void Slice::fill(PlaneRun& run) {
     const int firstLevel = levelAt(first);
     const int lastLevel = last - first == 1 ? firstLevel : levelAt(last - 1);
 
+    const Pixel firstThere = pixels_[first];
+    const Pixel lastThere = pixels_[last - 1];
     int row = first;
     for (int level = firstLevel; level != lastLevel;) {
         int same = row;  // the last row known to have this level; the first known not to is `end`
@@ -82,14 +108,14 @@ void Slice::fill(PlaneRun& run) {
             const int middle = same + (end - same) / 2;
             (levelAt(middle) == level ? same : end) = middle;
         }
-        fillPlane(pixels_, row, end, texelsOf(level), line, rows, frame_.lighting.haze);
+        fillPlane(pixels_, row, end, texelsOf(level), line, rows, frame_.lighting.haze, lay);
         row = end;
         level = levelAt(row);
     }
-    fillPlane(pixels_, row, last, texelsOf(lastLevel), line, rows, frame_.lighting.haze);
+    fillPlane(pixels_, row, last, texelsOf(lastLevel), line, rows, frame_.lighting.haze, lay);
     const TileBox box = boxAround(run);
-    holdInside(first, texelsOf(firstLevel), line, rows, box);
-    if (last - first > 1) holdInside(last - 1, texelsOf(lastLevel), line, rows, box);
+    holdInside(first, texelsOf(firstLevel), line, rows, box, lay, firstThere);
+    if (last - first > 1) holdInside(last - 1, texelsOf(lastLevel), line, rows, box, lay, lastThere);
 }
 
 Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
@@ -108,7 +134,7 @@ Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
 }
 
 // Draws a row anew if its point was rounded out of its tiles.
-void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box) {
+void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there) {
     const double inverse = rows.inverseOffsets[row];
     const double east = line.eastStart + line.eastPerInverse * inverse;
     const double south = line.southStart + line.southPerInverse * inverse;
@@ -126,7 +152,8 @@ void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line
     const std::uint32_t u = texelOf(held(east, box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse));
     std::uint32_t v = texelOf(held(south, box.south, box.southEnd, line.southStart, line.southPerInverse, inverse));
     if (line.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, frame_.lighting.haze);
+    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, frame_.lighting.haze,
+                               lay, there);
 }
 
 }  // namespace slicecast

@@ -25,7 +25,7 @@ public:
             add(reference, "which is " + sizeOf(image) + " pixels", "a square texture with 8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side");
             return {};
         }
-        return accept(reference, image) ? makeTexture(std::move(name), image) : Texture{};
+        return take(reference, image) ? makeTexture(std::move(name), image) : Texture{};
     }
 
     // A file that several maps show is decoded once.
@@ -33,7 +33,7 @@ public:
         const auto known = panoramas_.find(reference.file);
         if (known != panoramas_.end()) return take(reference, known->second) ? known->second : Image{};
         Image image = decode(reference, kMaxPanoramaWidth, kMaxPanoramaHeight);
-        if (image.empty() || !accept(reference, image)) return {};
+        if (image.empty() || !isOpaque(reference, image) || !take(reference, image)) return {};
         panoramas_.emplace(reference.file, image);
         return image;
     }
@@ -86,15 +86,16 @@ private:
         return false;
     }
 
-    bool accept(const ImageReference& reference, const Image& image) {
+    // Nothing lies behind the sky.
+    bool isOpaque(const ImageReference& reference, const Image& image) {
         const auto seeThrough = std::find_if(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 255; });
         if (seeThrough != image.pixels.end()) {
             const auto index = seeThrough - image.pixels.begin();
             add(reference, "which has a see-through pixel at column " + std::to_string(index % image.width) + ", row " + std::to_string(index / image.width),
-                "an opaque picture; see-through texels are not supported");
+                "an opaque picture: nothing lies behind the sky");
             return false;
         }
-        return take(reference, image);
+        return true;
     }
 
     const SceneDescription& description_;
@@ -122,6 +123,7 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
         world.maps[panorama.map].sky.panorama = reader.panorama(panorama.image);
     }
     loaded.faults = reader.takeFaults();
+    if (loaded.faults.empty()) markSeeThrough(world);
     if (loaded.faults.empty()) loaded.world = std::move(world);
     return loaded;
 }

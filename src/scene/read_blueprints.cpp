@@ -64,7 +64,7 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
 CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     CellBlueprint blueprint;
     blueprint.name = std::string(value.key());
-    const auto fields = reading.checker.fields(value, {"bottom", "top", "faces"}, "a blueprint: an object with \"faces\"");
+    const auto fields = reading.checker.fields(value, {"bottom", "top", "faces", "join"}, "a blueprint: an object with \"faces\"");
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
     blueprint.bottom = toCoordinate(fields->number("bottom", kUnitRange, 0.0));
@@ -73,6 +73,7 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
         const auto given = fields->find("top") ? fields->find("top") : fields->find("bottom");
         reading.checker.add(*given, "a top that is not above the bottom", "bottom < top, by at least 1/65536");
     }
+    blueprint.join = fields->flag("join", true);
     if (const auto faces = fields->require("faces", "the textures of the faces")) readFaces(reading, *faces, blueprint);
     return blueprint;
 }

@@ -31,6 +31,8 @@ struct CellBlueprint {
     Coordinate bottom;               // 0 <= bottom < top
     Coordinate top = tileEdge(1);    // <= 1
     std::array<FaceBlueprint, kFaces> faces;
+    bool seeThrough = false;  // a texel of a face has alpha below 255; set by markSeeThrough
+    bool join = true;         // where two see-through blocks of this blueprint touch, the two faces between them are left out
 
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
 };

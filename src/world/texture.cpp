@@ -1,5 +1,6 @@
 #include "world/texture.h"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -45,6 +46,7 @@ Image halved(const Image& image) {
 Texture makeTexture(std::string name, Image image) {
     Texture texture;
     texture.name = std::move(name);
+    texture.seeThrough = std::any_of(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a < 255; });
     Image level = image;
     texture.image = std::move(image);
     texture.levels.push_back(columnsOf(level));

@@ -24,6 +24,7 @@ struct Texture {
     std::string name;
     Image image;                       // as it was read, rows from the top
     std::vector<TextureLevel> levels;  // levels[0] is the image, the last one is a single texel
+    bool seeThrough = false;           // a texel has alpha below 255
 
     int size() const { return image.width; }
 };

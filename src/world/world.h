@@ -29,4 +29,7 @@ struct World {
     Start start;
 };
 
+// Finds out which blueprints are see-through. For a world whose textures and faces are complete.
+void markSeeThrough(World& world);
+
 }  // namespace slicecast

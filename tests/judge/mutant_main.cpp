@@ -7,8 +7,8 @@
 int main(int argc, char** argv) {
     using namespace slicecast::judge;
     const bool sound = argc > 1 && std::string_view(argv[1]) == "sound";
-    const Verdict random = judgeAll(randomScene, 1000, 200, kSmallSizes);
-    const Verdict ties = judgeAll(tieScene, 1, 100, kSmallSizes);
+    const Verdict random = judgeAll(randomScene, 1000, 400, kSmallSizes);
+    const Verdict ties = judgeAll(tieScene, 1, 400, kSmallSizes);
     const double excused = static_cast<double>(random.excused) / static_cast<double>(random.pixels);
     const bool noticed = random.unexcused > 0 || ties.unexcused > 0 || random.crowded > 0 || excused > kExcusedShareOfSuite;
     std::printf("%lld unexcused pixels, %lld where pictures were made to tie; %.4f %% excused, %lld pictures with too many\n",

@@ -11,12 +11,18 @@ namespace {
 
 // A texture whose every texel tells where it stands: red which texture, green u, blue v. Up to 8 texels a side, neighbours differ so much that they
 // can be told apart in the dimmest light; finer textures only stand in worlds whose light never falls below a half.
-Texture codedTexture(int index, int size) {
+// See-through ones have holes, opaque texels and all between.
+Texture codedTexture(int index, int size, bool seeThrough) {
     Image image(size, size);
     const int step = 240 / size;
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             image.at(x, y) = toPixel({static_cast<std::uint8_t>(10 + index * 12), static_cast<std::uint8_t>(8 + x * step), static_cast<std::uint8_t>(8 + y * step), 255});
+            if (seeThrough && (x + y + index) % 3 != 0) {
+                Colour colour = toColour(image.at(x, y));
+                colour.a = static_cast<std::uint8_t>((x * 5 + y * 3 + index) % 4 == 0 ? 0 : 40 + (x * 31 + y * 57) % 200);
+                image.at(x, y) = toPixel(colour);
+            }
         }
     }
     return makeTexture("coded " + std::to_string(index), std::move(image));
@@ -44,6 +50,7 @@ CellBlueprint randomBlueprint(Random& random, bool coarse) {
         face.texture = anyTexture(random);
         if (random.oneIn(3)) face.light = random.between(0.5, 1.0);
     }
+    blueprint.join = !random.oneIn(4);
     return blueprint;
 }
 
@@ -113,9 +120,12 @@ Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse
 World randomWorld(Random& random, bool coarse) {
     World world;
     const bool fine = random.oneIn(3);
-    for (int i = 0; i < kTextures; ++i) world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8));
+    // In every other world some textures are see-through.
+    const int opaque = random.oneIn(2) ? kTextures : random.between(kTextures - 6, kTextures - 1);
+    for (int i = 0; i < kTextures; ++i) world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque));
     const int blueprints = random.between(1, 12);
     for (int i = 0; i < blueprints; ++i) world.blueprints.push_back(randomBlueprint(random, coarse));
+    markSeeThrough(world);
     world.maps.push_back(randomMap(random, world, fine, coarse));
     return world;
 }

@@ -79,7 +79,8 @@ Tracer::Tracer(const World& world, const View& view) : world_(world), map_(world
     }
 }
 
-Sight Tracer::look(double px, double py) const {
+void Tracer::look(double px, double py, std::vector<Sight>& sights) const {
+    sights.clear();
     const double q = px - view_.width / 2.0;
     const double horizon = view_.height / 2.0 + view_.look * view_.height;
     const double up = horizon - py;
@@ -127,14 +128,16 @@ Sight Tracer::look(double px, double py) const {
             const bool goneY = tileY < 0 ? ray.y <= 0.0 : tileY >= map_.depth && ray.y >= 0.0;
             if (falls && (goneX || goneY || crossedBefore(0.0, leave))) {
                 const Meeting floor = meetingOfHeight(0.0);
-                if (floor.along() * distance_ > map_.far) return background(ray);
+                if (floor.along() * distance_ > map_.far) return sights.push_back(background(ray));
                 // Outside, the tile is the one that the point is in.
                 Sight sight = plane(ray, Sight::Kind::floor, map_.floor.texture, map_.floor.light, static_cast<int>(std::floor(eyeX + floor.at(ray.x))),
                                     static_cast<int>(std::floor(eyeY + floor.at(ray.y))), floor);
                 sight.outsideGrid = true;
-                return sight;
+                sights.push_back(sight);
+                if (sight.seeThrough) sights.push_back(background(ray));
+                return;
             }
-            if (goneX || goneY) return background(ray);
+            if (goneX || goneY) return sights.push_back(background(ray));
         } else {
             // The heights at which something lies in this tile, in the order in which the ray meets them.
             struct Event {
@@ -162,7 +165,10 @@ Sight Tracer::look(double px, double py) const {
                 if (atEntry(bottom) && !atEntry(top)) {
                     if (!first && enter.along > 0.0) {
                         const Face entered = enter.alongX ? (ray.x > 0.0 ? Face::west : Face::east) : (ray.y > 0.0 ? Face::north : Face::south);
-                        return face(ray, block, level, entered, tileX, tileY, enter.meeting, false);
+                        const int stepX = enter.alongX ? (ray.x > 0.0 ? 1 : -1) : 0;
+                        const int stepY = enter.alongX ? 0 : (ray.y > 0.0 ? 1 : -1);
+                        if (!joined(id, tileX - stepX, tileY - stepY, level)) sights.push_back(face(ray, block, level, entered, tileX, tileY, enter.meeting, false));
+                        if (!block.seeThrough) return;
                     }
                     inside = level;
                 }
@@ -178,24 +184,38 @@ Sight Tracer::look(double px, double py) const {
                 const Event& event = events[i];
                 const Meeting meeting = meetingOfHeight(event.height);
                 if (event.level == -1) {
-                    if (meeting.along() * distance_ > map_.far) return background(ray);
-                    return plane(ray, Sight::Kind::floor, map_.floor.tiles[map_.tileIndex(tileX, tileY)], map_.floor.light, tileX, tileY, meeting);
+                    if (meeting.along() * distance_ > map_.far) return sights.push_back(background(ray));
+                    sights.push_back(plane(ray, Sight::Kind::floor, map_.floor.tiles[map_.tileIndex(tileX, tileY)], map_.floor.light, tileX, tileY, meeting));
+                    if (sights.back().seeThrough) sights.push_back(background(ray));
+                    return;
                 }
                 if (event.level == -2) {
-                    if (event.along > 0.0) return plane(ray, Sight::Kind::ceiling, ceiling, map_.ceiling.light, tileX, tileY, meeting);
+                    if (event.along <= 0.0) continue;
+                    sights.push_back(plane(ray, Sight::Kind::ceiling, ceiling, map_.ceiling.light, tileX, tileY, meeting));
+                    if (!sights.back().seeThrough) return;
                     continue;
                 }
                 const bool leaves = event.top != falls;  // upwards through the top, downwards through the bottom
                 if (event.along > 0.0) {
-                    const CellBlueprint& block = world_.blueprints[map_.cell(tileX, tileY, event.level)];
-                    return face(ray, block, event.level, event.top ? Face::top : Face::bottom, tileX, tileY, meeting, leaves);
+                    const BlueprintId id = map_.cell(tileX, tileY, event.level);
+                    const CellBlueprint& block = world_.blueprints[id];
+                    // Blocks above one another touch only if they fill their levels.
+                    const bool full = block.bottom == Coordinate{0} && block.top == tileEdge(1);
+                    if (!full || !joined(id, tileX, tileY, event.level + (event.top ? 1 : -1))) {
+                        sights.push_back(face(ray, block, event.level, event.top ? Face::top : Face::bottom, tileX, tileY, meeting, leaves));
+                    }
+                    if (!block.seeThrough) return;
                 }
                 inside = leaves ? -1 : event.level;
             }
             if (inside >= 0 && leave.along > 0.0) {
-                const CellBlueprint& block = world_.blueprints[map_.cell(tileX, tileY, inside)];
+                const BlueprintId id = map_.cell(tileX, tileY, inside);
+                const CellBlueprint& block = world_.blueprints[id];
                 const Face left = leave.alongX ? (ray.x > 0.0 ? Face::east : Face::west) : (ray.y > 0.0 ? Face::south : Face::north);
-                return face(ray, block, inside, left, tileX, tileY, leave.meeting, true);
+                const int stepX = leave.alongX ? (ray.x > 0.0 ? 1 : -1) : 0;
+                const int stepY = leave.alongX ? 0 : (ray.y > 0.0 ? 1 : -1);
+                if (!joined(id, tileX + stepX, tileY + stepY, inside)) sights.push_back(face(ray, block, inside, left, tileX, tileY, leave.meeting, true));
+                if (!block.seeThrough) return;
             }
         }
 
@@ -209,6 +229,12 @@ Sight Tracer::look(double px, double py) const {
     }
 }
 
+// Of two see-through blocks of one blueprint that touch, the faces between them are not there.
+bool Tracer::joined(BlueprintId block, int tileX, int tileY, int level) const {
+    const CellBlueprint& blueprint = world_.blueprints[block];
+    return blueprint.seeThrough && blueprint.join && map_.cell(tileX, tileY, level) == block;
+}
+
 // A point on a block's face. Seen from outside no lettering is mirrored: u runs with x on the south side, against it on the north side, with y on the west side,
 // against it on the east side; v runs downwards over the whole level. The top shows the map as from above, the bottom with its rows reversed.
 Sight Tracer::face(const Ray& ray, const CellBlueprint& block, int level, Face which, int tileX, int tileY, const Meeting& meeting, bool fromInside) const {
@@ -219,6 +245,7 @@ Sight Tracer::face(const Ray& ray, const CellBlueprint& block, int level, Face w
     Sight sight;
     sight.face = which;
     sight.fromInside = fromInside;
+    sight.seeThrough = block.seeThrough;
     sight.texture = look.texture;
     sight.faceLight = look.light;
     sight.depth = meeting.along() * distance_;
@@ -246,6 +273,7 @@ Sight Tracer::plane(const Ray& ray, Sight::Kind kind, TextureId texture, double 
     Sight sight;
     sight.kind = kind;
     sight.texture = texture;
+    sight.seeThrough = world_.textures[texture].seeThrough;
     sight.faceLight = light;
     sight.depth = meeting.along() * distance_;
     sight.u = clampTo(view_.x.value() + meeting.at(ray.x) - tileX, 0.0, 1.0);
@@ -313,7 +341,7 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
         fog = static_cast<int>(std::floor(255.0 * clampTo((depth - map_.fog.start) / (map_.fog.end - map_.fog.start), 0.0, 1.0) + 0.5));
     }
     const auto channel = [&](int c, int haze) { return static_cast<std::uint8_t>((haze * fog + ((c * q + 128) >> 8) * (255 - fog) + 127) / 255); };
-    return {channel(raw.r, map_.haze.r), channel(raw.g, map_.haze.g), channel(raw.b, map_.haze.b), 255};
+    return {channel(raw.r, map_.haze.r), channel(raw.g, map_.haze.g), channel(raw.b, map_.haze.b), raw.a};
 }
 
 }  // namespace slicecast::judge

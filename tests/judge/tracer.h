@@ -27,7 +27,7 @@ struct View {
     bool fog = true;
 };
 
-// What a ray meets first.
+// Something that a ray meets.
 struct Sight {
     enum class Kind : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze };
     Kind kind = Kind::sky;
@@ -40,16 +40,18 @@ struct Sight {
     double u = 0.0;              // fractions of the texture, 0 to 1
     double v = 0.0;
     Colour colour;               // sky: what it shows
+    bool seeThrough = false;     // what lies behind may show, depending on the texel's alpha
 };
 
 class Tracer {
 public:
     Tracer(const World& world, const View& view);
 
-    // The sight through a point of the picture plane, in pixels from its upper left; a pixel's centre is at + 0.5.
-    Sight look(double x, double y) const;
+    // The sights through a point of the picture plane, in pixels from its upper left; a pixel's centre is at + 0.5. Front to back: see-through ones and then
+    // one that is not.
+    void look(double x, double y, std::vector<Sight>& sights) const;
 
-    // Its colour. `depthFactor` is 1, or a little off to ask for the other side of a threshold on t.
+    // A sight's colour, with the texel's own alpha. `depthFactor` is 1, or a little off to ask for the other side of a threshold on t.
     Colour colour(const Sight& sight, double depthFactor = 1.0) const;
 
     // The level of detail that a sight is shown at, for asserting coverage.
@@ -60,6 +62,7 @@ private:
     struct Meeting;
     struct Ray;
 
+    bool joined(BlueprintId block, int tileX, int tileY, int level) const;
     Sight face(const Ray& ray, const CellBlueprint& block, int level, Face face, int tileX, int tileY, const Meeting& meeting, bool fromInside) const;
     Sight plane(const Ray& ray, Sight::Kind kind, TextureId texture, double light, int tileX, int tileY, const Meeting& meeting) const;
     Sight background(const Ray& ray) const;

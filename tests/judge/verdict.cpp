@@ -14,18 +14,67 @@ constexpr double kDepthFactors[] = {1.0, 1.0 - 1e-6, 1.0 + 1e-6};
 
 bool alike(Colour a, Colour b) { return std::abs(a.r - b.r) <= 1 && std::abs(a.g - b.g) <= 1 && std::abs(a.b - b.b) <= 1 && a.a == b.a; }
 
-bool shows(const Tracer& tracer, const Sight& sight, Colour found) {
-    return std::any_of(std::begin(kDepthFactors), std::end(kDepthFactors), [&](double f) { return alike(tracer.colour(sight, f), found); });
+// out = (front * a + behind * (255 - a) + 127) / 255
+Colour blended(Colour front, Colour behind) {
+    const auto channel = [&](int f, int b) { return static_cast<std::uint8_t>((f * front.a + b * (255 - front.a) + 127) / 255); };
+    return {channel(front.r, behind.r), channel(front.g, behind.g), channel(front.b, behind.b), 255};
 }
 
-bool excusable(const Tracer& tracer, double x, double y, Colour found) {
+// The colours that each layer of a pixel may have, front to back.
+using Choices = std::vector<std::vector<Colour>>;
+
+void addChoice(std::vector<Colour>& choices, Colour colour) {
+    if (std::find(choices.begin(), choices.end(), colour) == choices.end()) choices.push_back(colour);
+}
+
+void addChoices(const Tracer& tracer, const std::vector<Sight>& sights, Choices& choices) {
+    choices.resize(sights.size());
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+        for (const double factor : kDepthFactors) addChoice(choices[i], tracer.colour(sights[i], factor));
+    }
+}
+
+// Whether some choice for each layer gives the colour.
+bool canShow(const Choices& choices, Colour found) {
+    constexpr std::size_t kMost = 4096;
+    std::vector<Colour> behind = choices.back();
+    for (std::size_t i = choices.size() - 1; i-- > 0;) {
+        std::vector<Colour> sums;
+        for (const Colour front : choices[i]) {
+            for (const Colour back : behind) {
+                if (sums.size() < kMost) addChoice(sums, blended(front, back));
+            }
+        }
+        behind = std::move(sums);
+    }
+    return std::any_of(behind.begin(), behind.end(), [&](Colour colour) { return alike({colour.r, colour.g, colour.b, 255}, found); });
+}
+
+bool shows(const Tracer& tracer, const std::vector<Sight>& sights, Colour found) {
+    Choices choices;
+    addChoices(tracer, sights, choices);
+    return canShow(choices, found);
+}
+
+bool sameKinds(const std::vector<Sight>& a, const std::vector<Sight>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Sight& x, const Sight& y) { return x.kind == y.kind && x.face == y.face && x.fromInside == y.fromInside; });
+}
+
+// Where layers blend, each may take its texel from another of the points, if that point's ray meets the same kinds of layer in the same order.
+bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight>& sights, Colour found) {
+    Choices all;
+    addChoices(tracer, sights, all);
+    std::vector<Sight> around;
     for (const double radius : kRadii) {
         for (const auto& direction : kDirections) {
             const double length = direction[0] != 0 && direction[1] != 0 ? radius * kDiagonal : radius;
-            if (shows(tracer, tracer.look(x + direction[0] * length, y + direction[1] * length), found)) return true;
+            tracer.look(x + direction[0] * length, y + direction[1] * length, around);
+            if (shows(tracer, around, found)) return true;
+            if (sights.size() > 1 && sameKinds(sights, around)) addChoices(tracer, around, all);
         }
     }
-    return false;
+    return sights.size() > 1 && canShow(all, found);
 }
 
 std::string nameOf(const World& world, const Map& map, const Tracer& tracer, const Sight& sight) {
@@ -37,6 +86,7 @@ std::string nameOf(const World& world, const Map& map, const Tracer& tracer, con
     if (sight.kind == Sight::Kind::haze) return name;
     if (sight.fromInside) name += " from inside";
     if (sight.outsideGrid) name += " outside";
+    if (sight.seeThrough) return name + " see-through";
     if (tracer.level(sight) > 0) name += tracer.level(sight) + 1 == static_cast<int>(world.textures[sight.texture].levels.size()) ? " last level" : " smaller";
     return name;
 }
@@ -60,27 +110,38 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
     const Tracer tracer(world, view);
     const Map& map = world.maps[static_cast<std::size_t>(view.map)];
     Verdict verdict;
+    std::vector<Sight> sights;
     std::map<std::uint32_t, std::int64_t> counts;  // by kind, face and the like: names are made once at the end
     std::map<std::uint32_t, std::string> names;
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
             const Colour found = toColour(pixels[static_cast<std::ptrdiff_t>(y) * pitch + x]);
-            const Sight sight = tracer.look(x + 0.5, y + 0.5);
+            tracer.look(x + 0.5, y + 0.5, sights);
             ++verdict.pixels;
-            const auto key = static_cast<std::uint32_t>(static_cast<int>(sight.kind) | static_cast<int>(sight.face) << 4 | sight.fromInside << 8 |
-                                                        sight.outsideGrid << 9 | tracer.level(sight) << 12 | (sight.texture & 0xff) << 16);
-            if (++counts[key] == 1) names[key] = nameOf(world, map, tracer, sight);
-            if (shows(tracer, sight, found)) continue;
-            if (excusable(tracer, x + 0.5, y + 0.5, found)) {
+            for (const Sight& sight : sights) {
+                const auto key = static_cast<std::uint32_t>(static_cast<int>(sight.kind) | static_cast<int>(sight.face) << 4 | sight.fromInside << 8 |
+                                                            sight.outsideGrid << 9 | sight.seeThrough << 10 | tracer.level(sight) << 12 |
+                                                            (sight.texture & 0xff) << 16);
+                if (++counts[key] == 1) names[key] = nameOf(world, map, tracer, sight);
+            }
+            if (sights.size() > 1) {
+                ++verdict.coverage[std::to_string(std::min<std::size_t>(sights.size() - 1, 8)) + " layers"];
+                if (tracer.colour(sights[0]).a == 0) ++verdict.coverage["hole"];
+            }
+            if (shows(tracer, sights, found)) continue;
+            if (excusable(tracer, x + 0.5, y + 0.5, sights, found)) {
                 ++verdict.excused;
                 continue;
             }
             ++verdict.unexcused;
             if (verdict.complaints.size() < kComplaints) {
+                std::string met;
+                for (const Sight& sight : sights) {
+                    met += (met.empty() ? "" : ", then ") + nameOf(world, map, tracer, sight) + " at depth " + std::to_string(sight.depth) + ", " +
+                           words(tracer.colour(sight));
+                }
                 verdict.complaints.push_back(name + ", pixel " + std::to_string(x) + "," + std::to_string(y) + " of " + std::to_string(view.width) + "x" +
-                                             std::to_string(view.height) + ": drawn " + words(found) + ", but the ray meets " +
-                                             nameOf(world, map, tracer, sight) + " at depth " + std::to_string(sight.depth) + ", " +
-                                             words(tracer.colour(sight)));
+                                             std::to_string(view.height) + ": drawn " + words(found) + ", but the ray meets " + met);
             }
         }
     }

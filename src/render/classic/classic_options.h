@@ -28,7 +28,7 @@ struct ClassicOptions {
     bool stretched = false;      // one texture over the whole height of a stack of blocks, not one per unit: bricks grow with the wall
     bool paintersOrder = false;  // all blocks are painted from far to near, by the distances of their middles: most work is painted over, and where blocks
                                  // interlock or a ceiling pierces them no such order is right
-    bool oneLevel = false;       // the eye's level only, as if it stood on the floor: its blocks one unit high, the first one hiding all that follows
+    bool oneLevel = false;       // the eye's level only, as if it stood on the floor: its blocks one unit high, so that the first hides all that follow
     int sineSteps = 0;           // steps of a table of sines over the full turn, looked up without rounding: columns, and turns, come in jumps. 0 for none
     int pixelSize = 1;           // pixels a side that show one colour, 1 to kMostPixelSize
 };

@@ -21,18 +21,13 @@ public:
               std::vector<Surface>& surfaces)
         : world_(world), map_(map), view_(view), classic_(classic), ray_(ray), rows_(rows), surfaces_(surfaces) {}
 
-    // False where the method looks no further.
-    bool addTile(const TileSpan& span) {
+    void addTile(const TileSpan& span) {
         addCeiling(span);
         const int first = classic_.oneLevel ? view_.storey : 0;
         const int last = classic_.oneLevel ? view_.storey : map_.levels - 1;
-        bool found = false;
         for (int level = first; level <= last; ++level) {
-            if (blueprintAt(span, level) == nullptr) continue;
-            addBlock(span, blockAt(span, level));
-            found = true;
+            if (blueprintAt(span, level) != nullptr) addBlock(span, blockAt(span, level));
         }
-        return !(classic_.oneLevel && found && !span.first);
     }
 
 private:
@@ -146,9 +141,7 @@ void gatherSurfaces(const World& world, const Map& map, const View& view, const 
                     const std::vector<TileSpan>& spans, std::vector<Surface>& surfaces) {
     surfaces.clear();
     Gathering gathering(world, map, view, classic, ray, rows, surfaces);
-    for (const TileSpan& span : spans) {
-        if (!gathering.addTile(span)) break;
-    }
+    for (const TileSpan& span : spans) gathering.addTile(span);
 }
 
 }  // namespace slicecast::classic

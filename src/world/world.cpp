@@ -1,0 +1,15 @@
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace slicecast {
+
+void markSeeThrough(World& world) {
+    for (CellBlueprint& blueprint : world.blueprints) {
+        blueprint.seeThrough = std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
+            return face.texture != kNoTexture && world.textures[face.texture].seeThrough;
+        });
+    }
+}
+
+}  // namespace slicecast
