@@ -57,6 +57,18 @@ Texture squares(const std::string& name, std::uint8_t blue) {
     return makeTexture(name, std::move(image));
 }
 
+// Squares again, some of them holes and some of them half there.
+Texture lattice(const std::string& name) {
+    Image image(8, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            const std::uint8_t alpha = (x + y) % 3 == 0 ? 255 : (x + y) % 3 == 1 ? 90 : 0;
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(120 + 17 * x), 60, static_cast<std::uint8_t>(120 + 17 * y), alpha});
+        }
+    }
+    return makeTexture(name, std::move(image));
+}
+
 // The upper half of one colour, the lower of another.
 Texture halves(const std::string& name, Colour upper, Colour lower) {
     Image image(8, 8);
@@ -83,24 +95,30 @@ World wallWorld(Texture wall) {
     return world;
 }
 
-// Blocks of all kinds on several levels, ceilings over some tiles, light, fog, a gradient for a sky.
+// Blocks of all kinds on several levels, in every other world see-through ones too, ceilings over some tiles, light, fog, a gradient for a sky.
 World mixedWorld(std::uint64_t seed) {
     Random random(seed);
     World world = emptyWorld(10, 9, 4, squares("floor", 10));
     std::vector<BlueprintId> blocks;
     for (int i = 0; i < 6; ++i) {
-        const TextureId texture = addTexture(world, squares("wall", static_cast<std::uint8_t>(60 + 30 * i)));
+        const bool seeThrough = seed % 2 == 1 && i % 2 == 1;
+        const TextureId texture = addTexture(world, seeThrough ? lattice("lattice") : squares("wall", static_cast<std::uint8_t>(60 + 30 * i)));
         const int bottom = i < 2 ? 0 : random.between(0, 40000);
         const int top = i < 2 ? 65536 : random.between(bottom + 1, 65536);
         blocks.push_back(addBlock(world, texture, {bottom}, {top}));
-        for (FaceBlueprint& face : world.blueprints.back().faces) face.light = random.between(0.5, 1.0);
+        for (FaceBlueprint& face : world.blueprints.back().faces) {
+            face.light = random.between(0.5, 1.0);
+            if (seeThrough && random.oneIn(4)) face.texture = 0;
+        }
+        world.blueprints.back().join = !random.oneIn(3);
     }
+    markSeeThrough(world);
     Map& map = world.maps[0];
     map.ceiling.height = {random.between(65536, 5 * 65536)};
     map.ceiling.tiles.assign(90, kNoTexture);
     for (int y = 0; y < 9; ++y) {
         for (int x = 0; x < 10; ++x) {
-            if (random.oneIn(6)) map.ceiling.tiles[map.tileIndex(x, y)] = 1;
+            if (random.oneIn(6)) map.ceiling.tiles[map.tileIndex(x, y)] = static_cast<TextureId>(random.between(1, 2));
             for (int level = 0; level < 4; ++level) {
                 if (random.oneIn(4)) map.setCell(x, y, level, blocks[random.below(6)]);
             }

@@ -5,6 +5,13 @@
 
 namespace slicecast::classic {
 
+Pixel laidOver(Pixel colour, Pixel behind) {
+    const Colour over = toColour(colour);
+    const Colour under = toColour(behind);
+    const auto channel = [&](int c, int d) { return static_cast<std::uint8_t>((c * over.a + d * (255 - over.a) + 127) / 255); };
+    return toPixel({channel(over.r, under.r), channel(over.g, under.g), channel(over.b, under.b), 255});
+}
+
 Colouring::Colouring(const World& world, const Map& map, const View& view, const RenderOptions& options)
     : world_(world), map_(map), view_(view), lighting_(map, options), textures_(options.textures) {}
 
@@ -32,7 +39,8 @@ Pixel Colouring::ofBackground(const ColumnRay& ray, double y) const {
     const int tileX = static_cast<int>(std::floor(east));
     const int tileY = static_cast<int>(std::floor(south));
     const TextureId texture = map_.contains(tileX, tileY) ? map_.floor.tiles[map_.tileIndex(tileX, tileY)] : map_.floor.texture;
-    return shaded(texel(texture, east - tileX, south - tileY, false, false), depth, map_.floor.light);
+    const Pixel floor = shaded(texel(texture, east - tileX, south - tileY, false, false), depth, map_.floor.light);
+    return laidOver(floor, toPixel(map_.haze));  // which is what lies below it
 }
 
 Pixel Colouring::ofSky(const ColumnRay& ray, double slope) const {
@@ -52,7 +60,7 @@ Pixel Colouring::ofSky(const ColumnRay& ray, double slope) const {
 
 // A fraction just outside [0, 1], by a rounding or a march's stride, stands for the texture's edge.
 Pixel Colouring::texel(TextureId texture, double u, double v, bool uReversed, bool vReversed) const {
-    const std::vector<TextureLevel>& levels = world_.textures[texture].levels;
+    const std::vector<TextureLevel>& levels = world_.textures[texture].levelsOf(world_.textures[texture].frameAt(world_.seconds));
     const TextureLevel& level = textures_ ? levels.front() : levels.back();
     const auto index = [&](double fraction, bool reversed) {
         const int i = std::min(level.size - 1, static_cast<int>(std::clamp(fraction, 0.0, 1.0) * level.size));
@@ -69,7 +77,7 @@ Pixel Colouring::shaded(Pixel texel, double depth, double faceLight) const {
         const std::uint32_t lit = (c * shade.factor + 128) >> 8;
         return static_cast<std::uint8_t>((fogged * shade.fog + lit * (255 - shade.fog) + 127) / 255);
     };
-    return toPixel({channel(from.r, haze.r), channel(from.g, haze.g), channel(from.b, haze.b), 255});
+    return toPixel({channel(from.r, haze.r), channel(from.g, haze.g), channel(from.b, haze.b), from.a});
 }
 
 }  // namespace slicecast::classic

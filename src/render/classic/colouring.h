@@ -10,11 +10,14 @@
 
 namespace slicecast::classic {
 
+// An opaque colour with another laid over it.
+Pixel laidOver(Pixel colour, Pixel behind);
+
 class Colouring {
 public:
     Colouring(const World& world, const Map& map, const View& view, const RenderOptions& options);
 
-    // The row whose middle is at y, on which the surface appears.
+    // In the row whose middle is at y. A surface's colour keeps its texel's alpha, the background is opaque.
     Pixel ofSurface(const Surface& surface, const ColumnRay& ray, double y) const;
     Pixel ofBackground(const ColumnRay& ray, double y) const;
 

@@ -58,21 +58,44 @@ public:
     }
 
 private:
-    // Every row shows the surface with the least depth there.
+    // Every row shows the surface with the least depth there, laid over the next one where it is see-through.
     void paintNearest() {
         for (int row = 0; row < rows_.rows; ++row) {
             const double y = rows_.middle(row);
-            const Surface* nearest = nullptr;
-            double least = 0.0;
-            for (const Surface& surface : surfaces_) {
-                if (row < surface.firstRow || row >= surface.lastRow) continue;
-                const double depth = surface.depthAt(view_, ray_, y);
-                if (nearest != nullptr && !(depth < least)) continue;
-                nearest = &surface;
-                least = depth;
+            layers_.clear();
+            Place last;
+            while (layers_.empty() || toColour(layers_.back()).a < 255) {
+                const Place next = nextBehind(last, row);
+                layers_.push_back(next.surface != nullptr ? colouring_.ofSurface(*next.surface, ray_, y) : colouring_.ofBackground(ray_, y));
+                last = next;
             }
-            paint(row, nearest != nullptr ? colouring_.ofSurface(*nearest, ray_, y) : colouring_.ofBackground(ray_, y));
+            Pixel colour = layers_.back();
+            for (std::size_t i = layers_.size() - 1; i-- > 0;) colour = laidOver(layers_[i], colour);
+            paint(row, colour);
         }
+    }
+
+    // Where a ray meets a surface; nothing is before the first one. At equal depth the order is that of Passing, then that of the gathering.
+    struct Place {
+        const Surface* surface = nullptr;
+        double depth = 0.0;
+
+        bool isBefore(const Place& other) const {
+            if (depth != other.depth) return depth < other.depth;
+            if (surface->passing != other.surface->passing) return surface->passing < other.surface->passing;
+            return surface < other.surface;
+        }
+    };
+
+    Place nextBehind(const Place& last, int row) const {
+        Place next;
+        for (const Surface& surface : surfaces_) {
+            if (row < surface.firstRow || row >= surface.lastRow) continue;
+            const Place place = {&surface, surface.depthAt(view_, ray_, rows_.middle(row))};
+            const bool isBehind = last.surface == nullptr || last.isBefore(place);
+            if (isBehind && (next.surface == nullptr || place.isBefore(next))) next = place;
+        }
+        return next;
     }
 
     // Everything is painted, whole blocks by the distances of their middles; who comes later wins. No depths are compared.
@@ -87,7 +110,9 @@ private:
         });
         for (const std::size_t index : order_) {
             const Surface& surface = surfaces_[index];
-            for (int row = surface.firstRow; row < surface.lastRow; ++row) paint(row, colouring_.ofSurface(surface, ray_, rows_.middle(row)));
+            for (int row = surface.firstRow; row < surface.lastRow; ++row) {
+                paint(row, laidOver(colouring_.ofSurface(surface, ray_, rows_.middle(row)), colours_[static_cast<std::size_t>(row)]));
+            }
         }
     }
 
@@ -107,6 +132,7 @@ private:
     std::vector<TileSpan> spans_;
     std::vector<Surface> surfaces_;
     std::vector<std::size_t> order_;
+    std::vector<Pixel> layers_;
     std::vector<Pixel> colours_;
 };
 

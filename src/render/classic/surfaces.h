@@ -1,4 +1,5 @@
-// What a column could see of the blocks and ceilings on the tiles that it passes, whether or not something nearer hides it.
+// What a column could see of the blocks and ceilings on the tiles that it passes, whether or not something nearer hides it. Faces that a ray leaves a block
+// through are seen only where the eye is inside it, or the block is see-through.
 #pragma once
 
 #include "render/classic/classic_options.h"
@@ -6,6 +7,7 @@
 #include "render/classic/tile_spans.h"
 #include "world/world.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace slicecast::classic {
@@ -20,11 +22,15 @@ struct RowGrid {
     int firstBelow(double y) const;
 };
 
+// What a ray does there. At equal depth the earlier ones come first.
+enum class Passing : std::uint8_t { left, entered, ceiling };
+
 // A side, upright at one depth, or a level plane: a roof, an underside, a ceiling.
 struct Surface {
     TextureId texture = kNoTexture;
     double light = 1.0;
     Face face = Face::top;  // top and bottom are level planes, a ceiling a bottom
+    Passing passing = Passing::entered;
     int tileX = 0;
     int tileY = 0;
     int firstRow = 0;  // where it appears: [firstRow, lastRow)
@@ -39,7 +45,7 @@ struct Surface {
     double depthAt(const View& view, const ColumnRay& ray, double y) const { return isSide() ? along * ray.depthPerAlong : view.depthOfPlane(height, y); }
 };
 
-// Replaces `surfaces` by what there is on these tiles, near tiles first.
+// Replaces `surfaces` by what there is on these tiles: near tiles first, and of one block the faces that are left before those that are entered.
 void gatherSurfaces(const World& world, const Map& map, const View& view, const ClassicOptions& classic, const ColumnRay& ray, const RowGrid& rows,
                     const std::vector<TileSpan>& spans, std::vector<Surface>& surfaces);
 
