@@ -2,17 +2,22 @@
 
 #include "base/angle.h"
 #include "overlay/blend.h"
+#include "overlay/layout.h"
+#include "overlay/lines.h"
+#include "overlay/map_ray.h"
 #include "overlay/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <string>
+#include <cstdio>
+#include <string_view>
 
 namespace slicecast {
 namespace {
 
-constexpr int kLeastSide = 15;      // pixels; below it there is nothing to see
 constexpr int kTilesAcross = 17;    // about
 constexpr int kLabelledSide = 120;  // pixels from which the level's number is shown
 
@@ -28,6 +33,11 @@ constexpr double kDeepestShade = 4.0;  // units below the level at which the gro
 constexpr Colour kPlayer = {255, 214, 74, 255};
 constexpr Colour kPlayerRim = {20, 20, 20, 255};
 constexpr int kFieldAlpha = 120;  // of the field of view, at the eye
+constexpr Colour kRay = {120, 230, 140, 150};
+constexpr Colour kRayEnd = {190, 255, 200, 255};
+constexpr Colour kReach = {160, 170, 180, 60};
+constexpr Colour kReachRim = {235, 240, 245, 200};
+constexpr double kNorth = 270.0;  // degrees
 
 Colour mixed(Colour a, Colour b, double part) {
     const auto mix = [part](int from, int to) { return static_cast<std::uint8_t>(from + static_cast<int>((to - from) * part + (to < from ? -0.5 : 0.5))); };
@@ -61,7 +71,7 @@ Colour tileColour(const World& world, const Map& map, int x, int y, int level) {
     return block.bottom.raw > 0 ? mixed(ground, colour, kFloatingShade) : colour;
 }
 
-// The middle of the picture's square is the pixel in which the eye is.
+// The way from the map to the picture. The middle of the square is the pixel in which the eye is.
 struct View {
     PixelRect area;  // inside the rim
     int pixelsPerTile;
@@ -69,36 +79,110 @@ struct View {
     int eyeY;
     int centreX;  // the same pixel of the picture
     int centreY;
+    SineCosine up;  // the heading that is up in the picture
+
+    // From so many pixels to the right and down to as many east and south, and back.
+    Point toMap(Point p) const { return {-p.x * up.sine - p.y * up.cosine, p.x * up.cosine - p.y * up.sine}; }
+    Point toPicture(Point p) const { return {-p.x * up.sine + p.y * up.cosine, -p.x * up.cosine - p.y * up.sine}; }
+    // The middle of the pixel that is the eye's.
+    Point centre() const { return {centreX + 0.5, centreY + 0.5}; }
+};
+
+// The colours of the tiles around the eye, looked up once each rather than for every pixel.
+class TileColours {
+public:
+    TileColours(const World& world, const Map& map, int level, const View& view) : size_(view.pixelsPerTile) {
+        // A turned square needs the tiles within half of its diagonal.
+        const int reach = view.area.width * 3 / 4 + size_;
+        firstX_ = floorDivide(view.eyeX - reach, size_);
+        firstY_ = floorDivide(view.eyeY - reach, size_);
+        across_ = std::min(2 * reach / size_ + 2, kMostAcross);
+        for (int y = 0; y < across_; ++y) {
+            for (int x = 0; x < across_; ++x) {
+                const int tileX = firstX_ + x;
+                const int tileY = firstY_ + y;
+                Colour& colour = colours_[index(x, y)];
+                colour = map.contains(tileX, tileY) ? withAlpha(tileColour(world, map, tileX, tileY, level), 225) : Colour{0, 0, 0, 0};
+                filled_[index(x, y)] = map.cell(tileX, tileY, level) != kEmptyCell;
+            }
+        }
+    }
+
+    // Lays over a pixel of the picture what is at a pixel of the map.
+    void draw(const Picture& picture, int pictureX, int pictureY, int mapX, int mapY) const {
+        const int tileX = floorDivide(mapX, size_);
+        const int tileY = floorDivide(mapY, size_);
+        const int x = tileX - firstX_;
+        const int y = tileY - firstY_;
+        if (x < 1 || y < 1 || x >= across_ - 1 || y >= across_ - 1 || colours_[index(x, y)].a == 0) return;
+        blendPixel(picture, pictureX, pictureY, colours_[index(x, y)]);
+
+        // A fine line where blocks end
+        if (size_ < 6 || !filled_[index(x, y)]) return;
+        const int insideX = mapX - tileX * size_;
+        const int insideY = mapY - tileY * size_;
+        const bool edge = (insideX == 0 && !filled_[index(x - 1, y)]) || (insideX == size_ - 1 && !filled_[index(x + 1, y)]) ||
+                          (insideY == 0 && !filled_[index(x, y - 1)]) || (insideY == size_ - 1 && !filled_[index(x, y + 1)]);
+        if (edge) blendPixel(picture, pictureX, pictureY, kEdge);
+    }
+
+private:
+    static constexpr int kMostAcross = 64;
+    static std::size_t index(int x, int y) { return static_cast<std::size_t>(y * kMostAcross + x); }
+
+    int size_;
+    int firstX_;
+    int firstY_;
+    int across_;
+    std::array<Colour, kMostAcross * kMostAcross> colours_;
+    std::array<bool, kMostAcross * kMostAcross> filled_;
 };
 
 void drawTiles(const World& world, const Map& map, int level, const View& view, const Picture& picture) {
-    const int size = view.pixelsPerTile;
-    const int firstX = floorDivide(view.eyeX - (view.centreX - view.area.x), size);
-    const int firstY = floorDivide(view.eyeY - (view.centreY - view.area.y), size);
-    const int across = view.area.width / size + 2;
-    const auto filled = [&](int x, int y) { return map.cell(x, y, level) != kEmptyCell; };
-    for (int y = std::max(firstY, 0); y < std::min(firstY + across, map.depth); ++y) {
-        for (int x = std::max(firstX, 0); x < std::min(firstX + across, map.width); ++x) {
-            // The part of the tile that is inside the area
-            const int left = view.centreX + x * size - view.eyeX;
-            const int top = view.centreY + y * size - view.eyeY;
-            const auto blendInside = [&](PixelRect rect, Colour colour) {
-                const int x0 = std::max(rect.x, view.area.x);
-                const int y0 = std::max(rect.y, view.area.y);
-                const int x1 = std::min(rect.x + rect.width, view.area.x + view.area.width);
-                const int y1 = std::min(rect.y + rect.height, view.area.y + view.area.height);
-                blendRect(picture, {x0, y0, x1 - x0, y1 - y0}, colour);
-            };
-            blendInside({left, top, size, size}, withAlpha(tileColour(world, map, x, y, level), 225));
-
-            // A fine line where blocks end
-            if (size < 6 || !filled(x, y)) continue;
-            if (!filled(x, y - 1)) blendInside({left, top, size, 1}, kEdge);
-            if (!filled(x, y + 1)) blendInside({left, top + size - 1, size, 1}, kEdge);
-            if (!filled(x - 1, y)) blendInside({left, top, 1, size}, kEdge);
-            if (!filled(x + 1, y)) blendInside({left + size - 1, top, 1, size}, kEdge);
+    const TileColours tiles(world, map, level, view);
+    for (int y = view.area.y; y < view.area.y + view.area.height; ++y) {
+        for (int x = view.area.x; x < view.area.x + view.area.width; ++x) {
+            const Point fromEye = view.toMap({static_cast<double>(x - view.centreX), static_cast<double>(y - view.centreY)});
+            tiles.draw(picture, x, y, view.eyeX + static_cast<int>(std::floor(fromEye.x + 0.5)), view.eyeY + static_cast<int>(std::floor(fromEye.y + 0.5)));
         }
     }
+}
+
+// Level rays over the field of view, as evenly as slices are, each as far as it goes.
+void drawRays(const World& world, const Map& map, int level, const View& view, const Eye& eye, double fovDegrees, const Picture& picture) {
+    const SineCosine heading = sineCosineDegrees(eye.headingDegrees);
+    const double widest = tanDegrees(fovDegrees / 2.0);
+    const Coordinate above = eye.z - tileEdge(level);
+    const Coordinate height = above >= Coordinate{} && above < tileEdge(1) ? above : toCoordinate(0.5);
+    for (int i = 0; i < kMinimapRays; ++i) {
+        const double slope = widest * (2.0 * i / (kMinimapRays - 1) - 1.0);
+        const Point direction = {heading.cosine - slope * heading.sine, heading.sine + slope * heading.cosine};
+        const MapRayEnd end = followRay(
+            world, map,
+            {.x = eye.x.value(), .y = eye.y.value(), .directionX = direction.x, .directionY = direction.y, .level = level, .height = height},
+            2.0 * view.area.width / view.pixelsPerTile);
+        const double pixels = end.length * view.pixelsPerTile;
+        const Point onPicture = view.toPicture({direction.x * pixels, direction.y * pixels});
+        const Point to = {view.centre().x + onPicture.x, view.centre().y + onPicture.y};
+        drawLine(picture, view.area, view.centre(), to, kRay);
+        if (end.met) drawDot(picture, view.area, to, std::max(1.0, view.area.width / 120.0), kRayEnd);
+    }
+}
+
+// A translucent disc with a rim.
+void drawReach(const View& view, double reach, const Picture& picture) {
+    const double radius = reach * view.pixelsPerTile;
+    drawDot(picture, view.area, view.centre(), radius, kReach);
+    drawRing(picture, view.area, view.centre(), radius, kReachRim);
+}
+
+// Where north is, on the rim of a map that turns.
+void drawNorth(const View& view, int scale, const Picture& picture) {
+    const Point north = view.toPicture({0.0, -1.0});
+    const double radius = view.area.width / 2.0 - 7.0 * scale;
+    const Point at = {view.centre().x + north.x * radius, view.centre().y + north.y * radius};
+    drawDot(picture, view.area, at, 5.5 * scale, kPanelColour);
+    drawText(picture, static_cast<int>(at.x) - 2 * scale, static_cast<int>(at.y) - 3 * scale, "N", {.scale = scale});
 }
 
 // How much of a pixel lies inside an edge whose distance from the pixel's middle is that many pixels.
@@ -112,17 +196,17 @@ int toAlpha(double part, int most) {
 
 // The field of view, fading with distance, and the eye.
 void drawEye(const View& view, const Eye& eye, double fovDegrees, const Picture& picture) {
-    const SineCosine heading = sineCosineDegrees(eye.headingDegrees);
+    const Point forward = view.toPicture({cosDegrees(eye.headingDegrees), sinDegrees(eye.headingDegrees)});
     const SineCosine half = sineCosineDegrees(fovDegrees / 2.0);
     const double reach = view.area.width * 0.42;
     const double radius = std::max(1.0, view.area.width / 48.0);
     for (int y = view.area.y; y < view.area.y + view.area.height; ++y) {
         for (int x = view.area.x; x < view.area.x + view.area.width; ++x) {
-            const double east = x - view.centreX;
-            const double south = y - view.centreY;
-            const double ahead = east * heading.cosine + south * heading.sine;
-            const double aside = std::abs(south * heading.cosine - east * heading.sine);
-            const double distance = std::sqrt(east * east + south * south);
+            const double right = x - view.centreX;
+            const double down = y - view.centreY;
+            const double ahead = right * forward.x + down * forward.y;
+            const double aside = std::abs(down * forward.x - right * forward.y);
+            const double distance = std::sqrt(right * right + down * down);
             const double inside = coverage(ahead * half.sine - aside * half.cosine);
             const double near = std::max(0.0, 1.0 - distance / reach);
             if (inside > 0.0 && near > 0.0) blendPixel(picture, x, y, withAlpha(kPlayer, toAlpha(inside * near, kFieldAlpha)));
@@ -137,10 +221,9 @@ void drawEye(const View& view, const Eye& eye, double fovDegrees, const Picture&
 }  // namespace
 
 MinimapLayout layoutMinimap(int pictureWidth, int pictureHeight) {
-    const int margin = 2 + std::min(pictureWidth, pictureHeight) / 80;
-    const int side = std::min(pictureWidth, pictureHeight) / 3;
-    if (side < kLeastSide) return {};
-    return {.left = margin, .top = margin, .side = side, .pixelsPerTile = std::max(2, (side - 2 + kTilesAcross / 2) / kTilesAcross)};
+    const PixelRect place = layoutOverlays(pictureWidth, pictureHeight).minimap;
+    if (place.width == 0) return {};
+    return {.left = place.x, .top = place.y, .side = place.width, .pixelsPerTile = std::max(2, (place.width - 2 + kTilesAcross / 2) / kTilesAcross)};
 }
 
 int minimapLevel(const Map& map, const Eye& eye, const MinimapOptions& options) {
@@ -158,15 +241,22 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
                        .eyeX = scaled(eye.x, layout.pixelsPerTile),
                        .eyeY = scaled(eye.y, layout.pixelsPerTile),
                        .centreX = layout.left + layout.side / 2,
-                       .centreY = layout.top + layout.side / 2};
+                       .centreY = layout.top + layout.side / 2,
+                       .up = sineCosineDegrees(options.turns ? eye.headingDegrees : kNorth)};
     drawPanel(picture, {layout.left, layout.top, layout.side, layout.side});
     drawTiles(world, map, level, view, picture);
+    if (options.reach > 0.0) drawReach(view, options.reach, picture);
+    if (options.rays) drawRays(world, map, level, view, eye, options.fovDegrees, picture);
     drawEye(view, eye, options.fovDegrees, picture);
+    if (layout.side < kLabelledSide) return;
+    const int scale = readableScale(picture.width, picture.height);
+    if (options.turns) drawNorth(view, scale, picture);
 
     // Which level it is, where there are several
-    if (map.levels > 1 && layout.side >= kLabelledSide) {
-        const int scale = readableScale(picture.height);
-        const std::string label = "level " + std::to_string(level);
+    if (map.levels > 1) {
+        std::array<char, 20> text;
+        std::snprintf(text.data(), text.size(), "level %d", level);
+        const std::string_view label(text.data());
         const int height = textHeight(label, scale);
         const int x = view.area.x + 3 * scale;
         const int y = view.area.y + view.area.height - height - scale;

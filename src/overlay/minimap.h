@@ -1,12 +1,13 @@
-// The map from above, around the eye, north up, in the upper left corner of a picture. It shows one level:
+// The map from above, around the eye, in the upper left corner of a picture, north up or the way that the eye looks. It shows one level:
 //
 //     brick red, the brighter the higher      a block of part of the level's height
 //     slate blue                              a block that reaches the level's upper edge
-//     either of these, half through            a block that stands in the air
+//     either of these, half through           a block that stands in the air
 //     grey, the darker the deeper             no block: how far down the ground lies below
 //     nothing                                 outside the grid
 //
-// A yellow dot is the eye, with the field that it sees before it.
+// A yellow dot is the eye, with the field that it sees before it, and a circle about it as far as it reaches. Green lines are level rays, each to the first block
+// of the level that stands at their height.
 #pragma once
 
 #include "render/eye.h"
@@ -15,9 +16,14 @@
 
 namespace slicecast {
 
+inline constexpr int kMinimapRays = 25;  // over the field of view, as evenly as the slices of a picture
+
 struct MinimapOptions {
     int level = -1;            // the level shown, clamped to the map's; -1 for the one that the eye is on
     double fovDegrees = 60.0;  // of the field that the eye sees
+    bool rays = false;
+    bool turns = false;        // with the way that the eye looks up; else north
+    double reach = 0.0;        // radius of the circle, units; 0 for none
 };
 
 // Where the minimap stands and how large it is, in pixels.
@@ -32,7 +38,7 @@ MinimapLayout layoutMinimap(int pictureWidth, int pictureHeight);
 // The level that is shown.
 int minimapLevel(const Map& map, const Eye& eye, const MinimapOptions& options);
 
-// Draws it. Nothing for an eye in a map that does not exist.
+// Draws it, without allocating memory. Nothing for an eye in a map that does not exist.
 void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& options, const Picture& picture);
 
 }  // namespace slicecast

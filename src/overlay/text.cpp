@@ -1,6 +1,7 @@
 #include "overlay/text.h"
 
 #include "overlay/blend.h"
+#include "overlay/layout.h"
 
 #include <algorithm>
 #include <array>
@@ -148,25 +149,19 @@ void drawText(const Picture& picture, int x, int y, std::string_view text, const
     }
 }
 
-int readableScale(int pictureHeight) {
-    return 1 + pictureHeight / 480;
-}
-
 void drawTextPanel(const Picture& picture, Anchor anchor, std::string_view text) {
-    constexpr int kPadding = 4;  // dots of the font, around the text
-    constexpr int kMargin = 3;   // and around the panel
-    int scale = readableScale(picture.height);
+    const int margin = overlayMargin(picture.width, picture.height);
+    int scale = readableScale(picture.width, picture.height);
     const auto fits = [&] {
-        const int around = 2 * (kPadding + kMargin) * scale;
+        const int around = 2 * (kPanelPadding * scale + margin);
         return textWidth(text, scale) + around <= picture.width && textHeight(text, scale) + around <= picture.height;
     };
     while (scale > 1 && !fits()) --scale;
 
     // Where the panel stands
     PixelRect panel;
-    panel.width = textWidth(text, scale) + 2 * kPadding * scale;
-    panel.height = textHeight(text, scale) + 2 * kPadding * scale;
-    const int margin = kMargin * scale;
+    panel.width = textWidth(text, scale) + 2 * kPanelPadding * scale;
+    panel.height = textHeight(text, scale) + 2 * kPanelPadding * scale;
     const bool left = anchor == Anchor::topLeft || anchor == Anchor::bottomLeft;
     const bool right = anchor == Anchor::topRight || anchor == Anchor::bottomRight;
     const bool top = anchor == Anchor::topLeft || anchor == Anchor::top || anchor == Anchor::topRight;
@@ -176,7 +171,7 @@ void drawTextPanel(const Picture& picture, Anchor anchor, std::string_view text)
     panel.y = top ? margin : anchor == Anchor::middle ? freeY / 2 : freeY - margin;
 
     drawPanel(picture, panel);
-    drawText(picture, panel.x + kPadding * scale, panel.y + kPadding * scale, text, {.scale = scale});
+    drawText(picture, panel.x + kPanelPadding * scale, panel.y + kPanelPadding * scale, text, {.scale = scale});
 }
 
 }  // namespace slicecast

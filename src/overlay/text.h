@@ -31,9 +31,6 @@ void drawText(const Picture& picture, int x, int y, std::string_view text, const
 // The corner, edge or middle of the picture at which a panel stands.
 enum class Anchor { topLeft, top, topRight, middle, bottomLeft, bottom, bottomRight };
 
-// The scale at which text is readable in a picture of that height: 1 up to 479 rows, 2 up to 959 ...
-int readableScale(int pictureHeight);
-
 // Draws lines of text on a panel, at a readable scale, a smaller one if they do not fit.
 void drawTextPanel(const Picture& picture, Anchor anchor, std::string_view text);
 

@@ -1,5 +1,7 @@
 #include "session/options.h"
 
+#include "overlay/slow_drawing.h"
+#include "render/picture.h"
 #include "world/limits.h"
 #include "world/player.h"
 
@@ -16,7 +18,7 @@ namespace {
 
 // Where an option is kept.
 using Place = std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*, int SessionOptions::*, double SessionOptions::*,
-                           std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*, bool ClassicOptions::*, int ClassicOptions::*,
+                           std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*, LightPreset SessionOptions::*, std::optional<Colour> SessionOptions::*, bool ClassicOptions::*, int ClassicOptions::*,
                            double ClassicOptions::*, ClassicProjection ClassicOptions::*>;
 
 struct Entry {
@@ -34,9 +36,25 @@ constexpr std::array kEntries = {
     Entry{{"intensity", OptionKind::ownOrNumber, 0, 100, "map", "intensity of the light"}, &SessionOptions::intensity},
     Entry{{"multiplier", OptionKind::ownOrNumber, 0, 1000, "map", "reach of the light, units"}, &SessionOptions::multiplier},
     Entry{{"fog", OptionKind::onOff, 0, 0, "on", "fog in the maps that have some"}, &RenderOptions::fog},
+    Entry{{"lightPreset", OptionKind::choice, 0, 0, "map", "the time of day in all maps, or each map's own light, fog and sky", "map day dusk night fog"},
+          &SessionOptions::lightPreset},
+    Entry{{"hazeColour", OptionKind::ownOrColour, 0, 0, "map", "colour of the fog and of the far floor, #rrggbb"}, &SessionOptions::hazeColour},
     Entry{{"minimap", OptionKind::onOff, 0, 0, "off", "the map from above"}, &SessionOptions::minimap},
     Entry{{"minimapLevel", OptionKind::wholeNumber, -1, kMaxLevels - 1, "-1", "level that the minimap shows, -1 for the player's"},
           &SessionOptions::minimapLevel},
+    Entry{{"minimapRays", OptionKind::onOff, 0, 0, "off", "rays on the minimap, each to the first block that it meets"}, &SessionOptions::minimapRays},
+    Entry{{"minimapTurns", OptionKind::onOff, 0, 0, "off", "the minimap turns with the view; else north is up"}, &SessionOptions::minimapTurns},
+    Entry{{"minimapReach", OptionKind::number, 0, 100, "2", "radius of the circle about the player, units, 0 for none"}, &SessionOptions::minimapReach},
+    Entry{{"playerPanel", OptionKind::onOff, 0, 0, "off", "where the player is and looks"}, &SessionOptions::playerPanel},
+    Entry{{"processPanel", OptionKind::onOff, 0, 0, "off", "what it takes to draw the picture"}, &SessionOptions::processPanel},
+    Entry{{"inspector", OptionKind::onOff, 0, 0, "off", "one slice: its line, and what it meets seen from the side"}, &SessionOptions::inspector},
+    Entry{{"inspectorColumn", OptionKind::wholeNumber, -1, kMaxPictureSide - 1, "-1", "the slice that is inspected, -1 for the middle one"},
+          &SessionOptions::inspectorColumn},
+    Entry{{"grid", OptionKind::onOff, 0, 0, "off", "a grid of 10 and 100 pixels over the picture"}, &SessionOptions::grid},
+    Entry{{"slow", OptionKind::onOff, 0, 0, "off", "the picture builds up slice by slice"}, &SessionOptions::slow},
+    Entry{{"slowSlices", OptionKind::wholeNumber, -kMostSlicesPerPicture, kMostSlicesPerPicture, "1",
+           "slices that each picture adds; -n adds one every n pictures"},
+          &SessionOptions::slowSlices},
     Entry{{"speed", OptionKind::number, kLeastSpeed, kGreatestSpeed, "1", "times the usual speed of moving"}, &SessionOptions::speed},
     Entry{{"method", OptionKind::choice, 0, 0, "exact", "how pictures are made; classic is slow and shows the old ways below, for lessons", "exact classic"},
           &SessionOptions::method},
@@ -121,6 +139,8 @@ std::string expected(const OptionInfo& info) {
             return "\"map\" (each map's own) or a number from " + range;
         case OptionKind::choice:
             return listed(info.choices);
+        case OptionKind::ownOrColour:
+            return "\"map\" (each map's own) or a colour as \"#a0b4c8\"";
         case OptionKind::number:
             break;
     }
@@ -175,6 +195,17 @@ bool read(const OptionInfo& info, std::string_view text, std::optional<double>& 
     return true;
 }
 
+bool read(const OptionInfo&, std::string_view text, std::optional<Colour>& value) {
+    if (text == "map") {
+        value.reset();
+        return true;
+    }
+    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string_view::npos) return false;
+    const unsigned long number = std::strtoul(std::string(text.substr(1)).c_str(), nullptr, 16);
+    value = Colour{static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8), static_cast<std::uint8_t>(number), 255};
+    return true;
+}
+
 // The words of a choice stand in the order of the values.
 template <typename Value>
     requires std::is_enum_v<Value>
@@ -199,6 +230,12 @@ std::string written(const OptionInfo&, double value) {
 }
 std::string written(const OptionInfo&, const std::optional<double>& value) {
     return value ? shortest(*value) : "map";
+}
+std::string written(const OptionInfo&, const std::optional<Colour>& value) {
+    if (!value) return "map";
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", value->r, value->g, value->b);
+    return text;
 }
 template <typename Value>
     requires std::is_enum_v<Value>

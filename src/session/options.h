@@ -4,6 +4,7 @@
 
 #include "render/classic/classic_options.h"
 #include "render/options.h"
+#include "session/light_presets.h"
 
 #include <cstdint>
 #include <optional>
@@ -25,9 +26,21 @@ struct SessionOptions {
     ClassicOptions classic;
     std::optional<double> intensity;   // of the light, in all maps; each map's own when empty
     std::optional<double> multiplier;  // of the light, units; each map's own when empty
+    LightPreset lightPreset = LightPreset::map;
+    std::optional<Colour> hazeColour;  // of the fog and the far floor; each map's own when empty
     bool minimap = false;
     int minimapLevel = -1;  // the level shown; -1 for the eye's
-    double speed = 1.0;     // multiplies the player's moving speeds
+    bool minimapRays = false;
+    bool minimapTurns = false;  // with the way that the player looks up; else north
+    double minimapReach = 2.0;  // radius of the circle about the player, units; 0 for none
+    bool playerPanel = false;
+    bool processPanel = false;
+    bool inspector = false;    // the line of one slice, and that slice from the side
+    int inspectorColumn = -1;  // which slice; -1 for the middle one
+    bool grid = false;         // over the picture, in pixels
+    bool slow = false;         // the picture builds up slice by slice
+    int slowSlices = 1;        // so many more with each picture; one every n pictures where it is -n
+    double speed = 1.0;        // multiplies the player's moving speeds
 };
 
 enum class OptionKind {
@@ -36,6 +49,7 @@ enum class OptionKind {
     wholeNumber,  // the same, without a fraction
     ownOrNumber,  // "map" for each map's own value, or a number
     choice,       // one of some words
+    ownOrColour,  // "map" for each map's own value, or a colour as "#rrggbb"
 };
 
 struct OptionInfo {

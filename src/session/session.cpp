@@ -3,8 +3,13 @@
 #include "base/angle.h"
 #include "base/hash.h"
 #include "overlay/minimap.h"
+#include "overlay/panels.h"
+#include "overlay/pixel_grid.h"
+#include "overlay/slice_inspector.h"
 #include "render/classic/draw_classic.h"
+#include "session/map_entry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -50,27 +55,77 @@ double recordedLook(double look) {
     return std::floor(look * kRecordedHeight + 0.5) / kRecordedHeight;
 }
 
+double groundSpeed(const Player& player) {
+    return std::sqrt(player.velocityX * player.velocityX + player.velocityY * player.velocityY);
+}
+
 }  // namespace
 
-Session::Session(World world) : world_(std::move(world)) {
-    for (const Map& map : world_.maps) ownLights_.push_back(map.light);
+Session::Session(World world) : world_(std::move(world)), lights_(world_.maps) {
     reset();
 }
 
 void Session::step(const Input& input) {
+    clock_.begin();
     previous_ = player_;
     const Input kept = recorder_ != nullptr ? recorder_->step(input) : input;
     stepPlayer(world_, player_, playerInput(kept, options_.speed));
     ++steps_;
+    world_.seconds = static_cast<double>(steps_) * kStepSeconds;
 }
 
 bool Session::draw(const Picture& picture, double fraction) {
+    clock_.begin();
     const Eye seen = eye(fraction);
     const bool drawn = options_.method == DrawMethod::classic ? drawClassic(world_, seen, options_.render, options_.classic, picture)
                                                               : renderer_.draw(world_, seen, options_.render, picture);
     if (!drawn) return false;
-    if (options_.minimap) drawMinimap(world_, seen, {.level = options_.minimapLevel, .fovDegrees = options_.render.fovDegrees}, picture);
+    clock_.endView();
+    drawOverlays(seen, picture);
+    clock_.endOverlays();
     return true;
+}
+
+// What covers the whole picture comes first, the panels lie on it.
+void Session::drawOverlays(const Eye& seen, const Picture& picture) {
+    const SessionOptions& o = options_;
+    if (o.slow) slowDrawing_.show(picture, o.slowSlices);
+    if (o.grid) drawPixelGrid(picture);
+    if (o.inspector) {
+        const SliceTrace slice = renderer_.trace(world_, seen, o.render, picture.width, picture.height, inspectedColumn(picture.width));
+        drawSliceLine(slice, picture);
+        drawSideView(slice, world_, seen, picture);
+    }
+    if (o.minimap) {
+        const MinimapOptions minimap = {.level = o.minimapLevel,
+                                        .fovDegrees = o.render.fovDegrees,
+                                        .rays = o.minimapRays,
+                                        .turns = o.minimapTurns,
+                                        .reach = o.minimapReach};
+        drawMinimap(world_, seen, minimap, picture);
+    }
+    const Map& map = world_.maps[static_cast<std::size_t>(seen.map)];
+    if (o.playerPanel) {
+        drawPlayerPanel({.map = map.name,
+                         .x = seen.x.value(),
+                         .y = seen.y.value(),
+                         .z = seen.z.value(),
+                         .headingDegrees = seen.headingDegrees,
+                         .look = seen.look,
+                         .speed = groundSpeed(player_),
+                         .flying = player_.flying,
+                         .crouched = player_.crouched},
+                        picture);
+    }
+    if (o.processPanel) {
+        drawProcessPanel({.times = clock_.times(),
+                          .report = o.method == DrawMethod::exact ? &renderer_.report() : nullptr,
+                          .intensity = map.light.intensity,
+                          .multiplier = map.light.multiplier,
+                          .slicesPerPicture = o.slowSlices,
+                          .slow = o.slow},
+                         picture);
+    }
 }
 
 void Session::reset() {
@@ -117,6 +172,19 @@ bool Session::setEye(const Eye& eye) {
     return true;
 }
 
+bool Session::goToMap(int map) {
+    if (map < 0 || static_cast<std::size_t>(map) >= world_.maps.size()) return false;
+    if (map == world_.start.map) {
+        reset();
+        return true;
+    }
+    const MapEntry entry = findMapEntry(world_, map);
+    const Coordinate eyeZ = entry.stands ? entry.feet + kStandingEye : entry.feet;
+    if (!setEye({.map = map, .x = entry.x, .y = entry.y, .z = eyeZ, .headingDegrees = player_.headingDegrees})) return false;
+    if (entry.stands) setFlying(false);
+    return true;
+}
+
 void Session::record(Recorder* recorder) {
     recorder_ = recorder;
     if (recorder_ == nullptr) return;
@@ -128,6 +196,7 @@ void Session::record(Recorder* recorder) {
 std::string Session::setOption(std::string_view name, std::string_view value) {
     std::string fault = slicecast::setOption(options_, name, value);
     if (recorder_ != nullptr && fault.empty() && isRecordedOption(name)) recorder_->add(RecordedOption{std::string(name), option(name)});
+    if (!options_.slow) slowDrawing_.restart();
     applyLight();
     return fault;
 }
@@ -146,7 +215,7 @@ SessionState Session::state() const {
             .feet = player_.z.value(),
             .headingDegrees = player_.headingDegrees,
             .look = player_.look,
-            .speed = std::sqrt(player_.velocityX * player_.velocityX + player_.velocityY * player_.velocityY),
+            .speed = groundSpeed(player_),
             .flying = player_.flying,
             .crouched = player_.crouched,
             .onGround = player_.onGround,
@@ -186,12 +255,13 @@ std::uint64_t Session::fingerprint() const {
     return hash.value();
 }
 
+int Session::inspectedColumn(int width) const {
+    return options_.inspectorColumn < 0 ? width / 2 : std::min(options_.inspectorColumn, width - 1);
+}
+
 // The renderer takes the light from the map.
 void Session::applyLight() {
-    for (std::size_t i = 0; i < world_.maps.size(); ++i) {
-        world_.maps[i].light.intensity = options_.intensity.value_or(ownLights_[i].intensity);
-        world_.maps[i].light.multiplier = options_.multiplier.value_or(ownLights_[i].multiplier);
-    }
+    lights_.apply({.preset = options_.lightPreset, .intensity = options_.intensity, .multiplier = options_.multiplier, .haze = options_.hazeColour}, world_.maps);
 }
 
 }  // namespace slicecast

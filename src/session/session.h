@@ -7,12 +7,15 @@
 // It reads no clock, prints nothing and holds no global state: the same inputs give the same states and pictures everywhere.
 #pragma once
 
+#include "overlay/slow_drawing.h"
 #include "render/eye.h"
 #include "render/options.h"
 #include "render/picture.h"
 #include "render/renderer.h"
 #include "session/input.h"
+#include "session/light_presets.h"
 #include "session/options.h"
+#include "session/phase_clock.h"
 #include "session/recording.h"
 #include "world/player.h"
 #include "world/world.h"
@@ -20,6 +23,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace slicecast {
@@ -63,8 +67,15 @@ public:
     // no such map, at or below the floor, look beyond kMaxLook, or a heading that is no number.
     bool setEye(const Eye& eye);
 
+    // Into a map: to the scene's start if it lies in that map, else to the place that map_entry.h describes, with the same heading. At rest, walking where there
+    // is room. False, and nothing changed, if there is no such map.
+    bool goToMap(int map);
+
     // From now on notes down there whatever bears on the player, until null is given. A recording is of use only if it begins with the session.
     void record(Recorder* recorder);
+
+    // A clock to measure with what the process panel shows; without one it shows none of that. Nothing else depends on it.
+    void setClock(PhaseClock::Now now) { clock_.set(std::move(now)); }
 
     // Options by name ("fov", "light" ...); see options.h. An empty string on success, else what was wrong.
     std::string setOption(std::string_view name, std::string_view value);
@@ -80,18 +91,23 @@ public:
     Eye eye(double fraction = 1.0) const;
     // Everything that one column of a picture of that size does.
     SliceTrace trace(int width, int height, int column);
+    // The column that is inspected in a picture of that width: the option's, or the middle one.
+    int inspectedColumn(int width) const;
     // A number that two sessions share if they are in the same state: the player, the options that bear on a step, and the steps done.
     std::uint64_t fingerprint() const;
 
 private:
     void applyLight();
+    void drawOverlays(const Eye& seen, const Picture& picture);
 
     World world_;
-    std::vector<Light> ownLights_;  // as the maps came
+    MapLights lights_;
     SessionOptions options_;
     Player player_;
     Player previous_;  // before the last step; the same as player_ after a leap
     Renderer renderer_;
+    SlowDrawing slowDrawing_;
+    PhaseClock clock_;
     std::int64_t steps_ = 0;
     Recorder* recorder_ = nullptr;
 };

@@ -68,6 +68,8 @@ const char* kindName(OptionKind kind) {
             return "ownOrNumber";
         case OptionKind::choice:
             return "choice";
+        case OptionKind::ownOrColour:
+            return "ownOrColour";
     }
     return "";
 }

@@ -32,7 +32,7 @@ TEST(Options, TakeTheEndsOfTheirRangeAndNothingBeyond) {
             EXPECT_EQ(optionValue(options, info.name), other);
             continue;
         }
-        if (info.kind == OptionKind::choice) continue;  // see ChoicesTakeTheirWords
+        if (info.kind == OptionKind::choice || info.kind == OptionKind::ownOrColour) continue;  // see ChoicesTakeTheirWords, ColoursAreSixDigits
         for (const double end : {info.least, info.greatest}) {
             EXPECT_EQ(setOption(options, info.name, std::to_string(end)), "") << info.name;
             EXPECT_EQ(std::stod(optionValue(options, info.name)), end) << info.name;
@@ -83,6 +83,20 @@ TEST(Options, ChoicesTakeTheirWords) {
         EXPECT_EQ(options.classic.projection, ClassicProjection::plane);
     }
     EXPECT_EQ(setOption(options, "method", "fast"), "option method: found \"fast\", expected \"exact\" or \"classic\"");
+}
+
+TEST(Options, ColoursAreSixDigits) {
+    SessionOptions options;
+    EXPECT_EQ(setOption(options, "hazeColour", "#0a80FF"), "");
+    EXPECT_EQ(options.hazeColour, (Colour{10, 128, 255, 255}));
+    EXPECT_EQ(optionValue(options, "hazeColour"), "#0a80ff");
+    for (const char* value : {"", "#", "#0a80f", "#0a80ff0", "0a80ff", "#0a80fg", "# a80ff", "white"}) {
+        EXPECT_EQ(setOption(options, "hazeColour", value),
+                  "option hazeColour: found \"" + std::string(value) + "\", expected \"map\" (each map's own) or a colour as \"#a0b4c8\"");
+    }
+    EXPECT_EQ(options.hazeColour, (Colour{10, 128, 255, 255}));
+    EXPECT_EQ(setOption(options, "hazeColour", "map"), "");
+    EXPECT_EQ(options.hazeColour, std::nullopt);
 }
 
 TEST(Options, SayWhatWasFoundAndWhatWasExpected) {

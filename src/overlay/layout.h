@@ -1,0 +1,37 @@
+// Where the overlays stand: all on one margin, none on another in pictures of 640 x 400 pixels and more.
+//
+//     +---------+               +--------+
+//     | minimap |               | player |
+//     +---------+               +--------+
+//
+//     +--------------------+   +---------+
+//     |     side view      |   | process |
+//     +--------------------+   +---------+
+//
+// All in pixels of the picture. A rectangle without width has no room.
+#pragma once
+
+#include "overlay/blend.h"
+
+namespace slicecast {
+
+inline constexpr int kPanelPadding = 4;  // dots of the font, from a panel's edge to its text
+
+struct OverlayLayout {
+    int scale = 1;   // pixels that a dot of the font is wide and high
+    int margin = 0;  // around and between the panels
+    PixelRect minimap;
+    PixelRect player;
+    PixelRect process;
+    PixelRect sideView;
+};
+
+// The scale at which text is readable in a picture of that size: 1, or 2 from 640 x 480 on, 3 from 1280 x 960 on ...
+int readableScale(int pictureWidth, int pictureHeight);
+
+// From the picture's edge to a panel.
+int overlayMargin(int pictureWidth, int pictureHeight);
+
+OverlayLayout layoutOverlays(int pictureWidth, int pictureHeight);
+
+}  // namespace slicecast

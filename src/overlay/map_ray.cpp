@@ -1,0 +1,45 @@
+#include "overlay/map_ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slicecast {
+namespace {
+
+// The borders that a ray crosses along one axis.
+struct Borders {
+    int tile;
+    int step;
+    double next;   // length to the next border
+    double every;  // length from one to the next
+
+    Borders(double from, double direction) : tile(static_cast<int>(std::floor(from))), step(direction < 0.0 ? -1 : 1) {
+        every = direction != 0.0 ? 1.0 / std::abs(direction) : std::numeric_limits<double>::infinity();
+        const double rest = direction < 0.0 ? from - tile : tile + 1.0 - from;
+        next = direction != 0.0 ? rest * every : std::numeric_limits<double>::infinity();
+    }
+    void cross() {
+        tile += step;
+        next += every;
+    }
+};
+
+}  // namespace
+
+MapRayEnd followRay(const World& world, const Map& map, const MapRay& ray, double most) {
+    Borders alongX(ray.x, ray.directionX);
+    Borders alongY(ray.y, ray.directionY);
+    while (true) {
+        Borders& crossed = alongX.next < alongY.next ? alongX : alongY;
+        const double length = crossed.next;
+        if (!(length < most)) return {most, false};
+        crossed.cross();
+        const BlueprintId id = map.cell(alongX.tile, alongY.tile, ray.level);
+        if (id == kEmptyCell) continue;
+        const CellBlueprint& block = world.blueprints[id];
+        if (block.bottom <= ray.height && ray.height < block.top) return {length, true};
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,47 @@
+#include "session/map_entry.h"
+
+#include "world/player.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace slicecast {
+namespace {
+
+// The lowest place to stand in the middle of a tile.
+std::optional<Coordinate> lowestPlace(const World& world, int mapIndex, int tileX, int tileY) {
+    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    const Coordinate x = {tileEdge(tileX).raw + tileEdge(1).raw / 2};
+    const Coordinate y = {tileEdge(tileY).raw + tileEdge(1).raw / 2};
+    if (fitsStanding(world, mapIndex, x, y, {})) return Coordinate{};
+    for (int level = 0; level < map.levels; ++level) {
+        const BlueprintId id = map.cell(tileX, tileY, level);
+        if (id == kEmptyCell) continue;
+        const Coordinate top = tileEdge(level) + world.blueprints[id].top;
+        if (fitsStanding(world, mapIndex, x, y, top)) return top;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+MapEntry findMapEntry(const World& world, int mapIndex) {
+    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    const int middleX = map.width / 2;
+    const int middleY = map.depth / 2;
+    const Coordinate half = {tileEdge(1).raw / 2};
+    for (int ring = 0; ring <= std::max(map.width, map.depth); ++ring) {
+        for (int y = std::max(0, middleY - ring); y <= std::min(map.depth - 1, middleY + ring); ++y) {
+            const bool wholeRow = y == middleY - ring || y == middleY + ring;
+            for (int x = middleX - ring; x <= middleX + ring; x += wholeRow || ring == 0 ? 1 : 2 * ring) {
+                if (!map.contains(x, y)) continue;
+                if (const std::optional<Coordinate> feet = lowestPlace(world, mapIndex, x, y)) {
+                    return {tileEdge(x) + half, tileEdge(y) + half, *feet, true};
+                }
+            }
+        }
+    }
+    return {tileEdge(middleX) + half, tileEdge(middleY) + half, tileEdge(map.levels + 1), false};
+}
+
+}  // namespace slicecast

@@ -1,0 +1,45 @@
+// Measures how long the parts of a picture take, with a clock that somebody else reads. Without a clock it measures nothing.
+#pragma once
+
+#include "overlay/panels.h"
+
+#include <functional>
+
+namespace slicecast {
+
+class PhaseClock {
+public:
+    // Seconds on any steady clock; empty for none.
+    using Now = std::function<double()>;
+
+    void set(Now now);
+    // Null before the first averages.
+    const ProcessTimes* times() const { return known_ ? &times_ : nullptr; }
+
+    // The parts, in the order in which they come; the time since the last call counts for the part that ends.
+    void begin() { last_ = read(); }
+    void endSteps() { add(steps_); }
+    void endView() { add(view_); }
+    // The last part of a picture.
+    void endOverlays();
+
+private:
+    double read() const { return now_ ? now_() : 0.0; }
+    void add(double& part) {
+        const double now = read();
+        part += now - last_;
+        last_ = now;
+    }
+
+    Now now_;
+    ProcessTimes times_;
+    bool known_ = false;
+    double last_ = 0.0;    // seconds, of the clock
+    double period_ = 0.0;  // when the averages' time began
+    double steps_ = 0.0;   // seconds since then
+    double view_ = 0.0;
+    double overlays_ = 0.0;
+    int pictures_ = -1;  // since then; -1 before the first one
+};
+
+}  // namespace slicecast
