@@ -21,12 +21,43 @@ constexpr double kLargestMouseTurn = 0.5;  // degrees per pixel
 App::App(Shell& shell) : shell_(shell) {}
 
 void App::play(std::unique_ptr<Session> game) {
+    endReplay();
+    if (recorder_) shell_.tell(News::recording, false);
     game_ = std::move(game);
+    recorder_.reset();
     clock_.stop();
     meter_.skip();
     turnDegrees_ = lookHeights_ = 0.0;
     stale_ = true;
     tellChanges();
+}
+
+void App::endReplay() {
+    if (!replay_) return;
+    replay_.reset();
+    shell_.tell(News::replay, false);
+}
+
+void App::record(const std::string& scene) {
+    if (!game_) return;
+    recorder_.emplace(scene);
+    game_->record(&*recorder_);
+    shell_.tell(News::recording, true);
+}
+
+std::optional<Recording> App::takeRecording() {
+    if (!recorder_) return std::nullopt;
+    Recording recording = recorder_->finish(*game_);
+    game_->record(nullptr);
+    recorder_.reset();
+    shell_.tell(News::recording, false);
+    return recording;
+}
+
+void App::replay(Recording recording) {
+    if (!game_) return;
+    replay_.emplace(std::move(recording));
+    shell_.tell(News::replay, true);
 }
 
 void App::resize(int width, int height) {
@@ -73,6 +104,8 @@ void App::keyUp(const Key& key) {
 
 void App::releaseKeys() {
     keys_.releaseAll();
+    thumbs_ = {};
+    setCursorSteering(false);
 }
 
 void App::act(const Key& key) {
@@ -92,18 +125,27 @@ void App::act(const Key& key) {
         case Action::pause:
             setPaused(!paused_);
             return;
+        case Action::record:
+            shell_.tell(News::record, true);
+            return;
+        case Action::cursor:
+            setCursorSteering(!cursorSteers_);
+            return;
         default:
             break;
     }
     if (!game_) return;
     switch (key.action) {
         case Action::levelLook:
+            endReplay();
             game_->levelLook();
             break;
         case Action::heading:
+            endReplay();
             game_->setHeading(key.headingDegrees);
             break;
         case Action::fly:
+            endReplay();
             game_->setFlying(!game_->player().flying);
             break;
         case Action::minimap:
@@ -136,7 +178,16 @@ void App::changeLight(const char* option, double now, double by) {
 }
 
 void App::pointerMoved(double right, double down) {
-    if (!pointerHeld_ || paused_ || hidden_ || !game_) return;
+    if (pointerHeld_) look(right, down);
+}
+
+void App::dragged(double right, double down) {
+    look(right, down);
+}
+
+void App::look(double right, double down) {
+    // A mouse is moved by the click that begins a replay.
+    if (paused_ || hidden_ || !game_ || replay_) return;
     turnDegrees_ += right * degreesPerPixel_;
 
     // The same movement carries the middle of the picture as many pixels up or down as sideways.
@@ -150,20 +201,54 @@ void App::pointerHeld(bool held) {
     pointerHeld_ = held;
     turnDegrees_ = lookHeights_ = 0.0;
     shell_.tell(News::pointer, held);
+    if (held) setCursorSteering(false);
+}
+
+void App::setCursorSteering(bool on) {
+    cursor_ = {};
+    if (on == cursorSteers_) return;
+    cursorSteers_ = on;
+    shell_.tell(News::cursor, on);
+}
+
+void App::cursorAt(double x, double y) {
+    if (!cursorSteers_) return;
+    cursor_ = cursorInput(x, y);
+    if (invert_) cursor_.look = -cursor_.look;
+}
+
+void App::setGamepad(const Gamepad& gamepad) {
+    const unsigned pressed = gamepad.buttons & ~gamepad_.buttons;
+    gamepad_ = gamepad;
+    if ((pressed & kPadFly) != 0) act(Action::fly);
+    if ((pressed & kPadLevel) != 0) act(Action::levelLook);
+    if ((pressed & kPadMinimap) != 0) act(Action::minimap);
+    if ((pressed & kPadPause) != 0) act(Action::pause);
 }
 
 // ------------------------------------------------------------------------------------------------------------ frames
+
+Input App::takeInput() {
+    Input input = keys_.takeInput();
+    input.turnDegrees = std::exchange(turnDegrees_, 0.0);
+    input.lookHeights = std::exchange(lookHeights_, 0.0);
+    return together(together(input, thumbs_), together(cursor_, gamepadInput(gamepad_)));
+}
+
+void App::step() {
+    const Input input = takeInput();
+    if (replay_) {
+        if (!isAnything(input) && replay_->step(*game_)) return;
+        endReplay();
+    }
+    game_->step(input);
+}
 
 bool App::frame(double nowSeconds) {
     if (hidden_ || !game_) return false;
     if (!paused_) {
         const int steps = clock_.advance(nowSeconds);
-        for (int step = 0; step < steps; ++step) {
-            Input input = keys_.takeInput();
-            input.turnDegrees = std::exchange(turnDegrees_, 0.0);
-            input.lookHeights = std::exchange(lookHeights_, 0.0);
-            game_->step(input);
-        }
+        for (int i = 0; i < steps; ++i) step();
         stale_ = true;
     }
     tellChanges();

@@ -8,13 +8,17 @@
 
 #include "app/frame_meter.h"
 #include "app/keys.h"
+#include "app/pads.h"
 #include "app/shell.h"
 #include "app/step_clock.h"
+#include "session/recording.h"
 #include "session/session.h"
 
 #include <SDL2/SDL_surface.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace slicecast {
 
@@ -25,9 +29,19 @@ class App {
 public:
     explicit App(Shell& shell);
 
-    // Plays this game from now on.
+    // Plays this game from now on. What was recorded or replayed is over.
     void play(std::unique_ptr<Session> game);
     Session* game() { return game_.get(); }
+
+    // Records the game, which has just begun, under its scene's name.
+    void record(const std::string& scene);
+    bool isRecording() const { return recorder_.has_value(); }
+    // Ends it: what has been recorded, or nothing.
+    std::optional<Recording> takeRecording();
+
+    // Plays a recording in the game, which has just begun. Whoever moves takes over, but not by the mouse alone.
+    void replay(Recording recording);
+    const Replay* replayed() const { return replay_ ? &*replay_ : nullptr; }
 
     // The size of the picture, clamped to what is allowed.
     void resize(int width, int height);
@@ -52,6 +66,19 @@ public:
     void pointerHeld(bool held);
     bool holdsPointer() const { return pointerHeld_; }
 
+    // A finger has dragged the picture, in pixels of the screen: like the mouse, whether held or not.
+    void dragged(double right, double down);
+    // What thumbs on the screen hold down, until they hold down something else.
+    void setThumbs(const Input& held) { thumbs_ = held; }
+    // A gamepad as it is now. Without one, Gamepad().
+    void setGamepad(const Gamepad& gamepad);
+
+    // The cursor's place in the picture turns and looks (see cursorInput), for where the mouse cannot be held, until the focus is lost.
+    void setCursorSteering(bool on);
+    bool cursorSteers() const { return cursorSteers_; }
+    void cursorAt(double x, double y);
+    void cursorLeft() { cursor_ = {}; }
+
     // Something outside has changed what is to be seen, so a picture is drawn even while paused.
     void redraw() { stale_ = true; }
 
@@ -65,11 +92,18 @@ private:
     };
 
     void act(const Key& key);
+    void act(Action action) { act(Key{SDL_SCANCODE_UNKNOWN, {}, action}); }
+    void look(double right, double down);
+    void endReplay();
+    Input takeInput();
+    void step();
     void changeLight(const char* option, double now, double by);
     void tellChanges();
     bool draw(double nowSeconds);
 
     Shell& shell_;
+    std::optional<Recorder> recorder_;  // outlives the game, which writes to it
+    std::optional<Replay> replay_;
     std::unique_ptr<Session> game_;
     std::unique_ptr<SDL_Surface, FreeSurface> surface_;
     int width_ = 640;
@@ -81,6 +115,10 @@ private:
     bool invert_ = false;
     double turnDegrees_ = 0.0;  // by the mouse since the last step
     double lookHeights_ = 0.0;
+    Input thumbs_;
+    Input cursor_;
+    Gamepad gamepad_;
+    bool cursorSteers_ = false;
     bool paused_ = false;
     bool hidden_ = false;
     bool pointerHeld_ = false;

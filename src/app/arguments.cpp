@@ -41,7 +41,9 @@ ReadArguments readArguments(int argc, char** argv) {
     std::string fov;
     std::vector<std::string> options;
     cli.add_option("SCENE", arguments.scene, "scene file to open; without one, the opening scene that comes with the program");
-    cli.add_option("--map", arguments.map, "map to begin in, flying over its middle, instead of where the scene starts")->type_name("NAME");
+    CLI::Option* map = cli.add_option("--map", arguments.map, "map to begin in, flying over its middle, instead of where the scene starts")->type_name("NAME");
+    cli.add_option("--record", arguments.record, "file to write what is played to, when the window is closed or F9 is pressed")->type_name("FILE");
+    cli.add_option("--replay", arguments.replay, "recording to play; who moves takes over")->type_name("FILE")->excludes(map);
     cli.add_option("--size", size, "size of the picture in pixels; without it, the picture fills the window")
         ->type_name("WxH")
         ->check([](const std::string& text) { return readSize(text) ? std::string() : "\"" + text + "\" is no size; expected WxH, 1x1 to 4096x4096"; });

@@ -13,8 +13,10 @@
 namespace slicecast {
 
 struct Arguments {
-    std::string scene;  // empty: the opening scene
-    std::string map;    // empty: where the scene starts
+    std::string scene;   // empty: the opening scene, or that of the replay
+    std::string map;     // empty: where the scene starts
+    std::string record;  // file to write what is played to; empty: none
+    std::string replay;  // recording to play; empty: none
     WindowSettings window;
     std::vector<std::pair<std::string, std::string>> options;  // name and value
 };

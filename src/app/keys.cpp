@@ -44,6 +44,8 @@ constexpr auto kKeys = std::to_array<Key>({
     {SDL_SCANCODE_I, "KeyI", Action::rate},
     {SDL_SCANCODE_P, "KeyP", Action::pause},
     {SDL_SCANCODE_F, "KeyF", Action::fullscreen},
+    {SDL_SCANCODE_N, "KeyN", Action::cursor},
+    {SDL_SCANCODE_F9, "F9", Action::record},
     {SDL_SCANCODE_ESCAPE, "Escape", Action::leave},
 });
 
@@ -52,6 +54,7 @@ constexpr auto kHelp = std::to_array<KeyHelp>({
     {"A D, Q E", "step left and right"},
     {"Arrows", "turn and look up and down"},
     {"Click", "look with the mouse"},
+    {"N", "steer by the mouse's place in the picture"},
     {"Space", "jump"},
     {"Page Down, C", "crouch; sink when flying"},
     {"Page Up", "rise when flying"},
@@ -65,6 +68,7 @@ constexpr auto kHelp = std::to_array<KeyHelp>({
     {"I", "frame rate"},
     {"P", "pause"},
     {"F", "full screen"},
+    {"F9", "record from the start; again: save"},
     {"Escape", "leave the mouse, then the program"},
 });
 

@@ -38,6 +38,8 @@ enum class Action {
     rate,
     pause,
     fullscreen,
+    cursor,
+    record,
     leave,
     // Once for each press, again and again while held.
     intensityUp,

@@ -14,10 +14,13 @@ int main(int, char**) {
 #include "app/arguments.h"
 #include "app/scene_file.h"
 #include "app/window_shell.h"
+#include "session/recording_text.h"
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 using namespace slicecast;
 
@@ -57,6 +60,51 @@ int fail(const std::string& fault) {
     return 1;
 }
 
+// The recording to play, or nothing with all faults printed.
+std::optional<Recording> openRecording(const std::filesystem::path& file) {
+    const std::optional<std::string> text = readText(file);
+    if (!text) {
+        std::fprintf(stderr, "%s: found no file that can be read, expected a recording\n", file.string().c_str());
+        return std::nullopt;
+    }
+    ReadRecording read = readRecording(*text, file.string());
+    for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    return std::move(read.recording);
+}
+
+std::filesystem::path programFolder() {
+    char* folder = SDL_GetBasePath();
+    std::filesystem::path path = folder != nullptr ? folder : "";
+    SDL_free(folder);
+    return path;
+}
+
+// What the command line or the key asks to be recorded, and where it goes.
+class RecordingFile {
+public:
+    RecordingFile(App& app, std::string file) : app_(app), file_(std::move(file)) {}
+
+    void begin(const std::filesystem::path& scene) {
+        scene_ = scene.stem().string();
+        app_.record(scene_);
+    }
+    // Writes what was recorded, if anything was. False if it cannot.
+    bool save() {
+        const std::optional<Recording> recording = app_.takeRecording();
+        if (!recording) return true;
+        const std::string file = file_.empty() ? scene_ + "-recording.txt" : file_;
+        const std::string fault = writeText(file, writeRecording(*recording));
+        if (!fault.empty()) return fail(fault) == 0;
+        std::printf("%s: %lld steps\n", file.c_str(), static_cast<long long>(recording->steps));
+        return true;
+    }
+
+private:
+    App& app_;
+    std::string file_;
+    std::string scene_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -66,30 +114,55 @@ int main(int argc, char** argv) {
 
     // The scene
     std::filesystem::path scene = arguments.scene;
+    std::optional<Recording> replay;
+    if (!arguments.replay.empty()) {
+        replay = openRecording(arguments.replay);
+        if (!replay) return 1;
+        if (scene.empty()) scene = findScene(replay->scene, arguments.replay, programFolder());
+        if (scene.empty()) return fail("the recording's scene, \"" + replay->scene + "\", is nowhere; name its file: slicecast SCENE.json --replay FILE");
+        if (scene.stem() != replay->scene) {
+            return fail("--replay: found a recording of the scene \"" + replay->scene + "\", expected one of \"" + scene.stem().string() + "\"");
+        }
+    }
     if (scene.empty()) {
-        char* folder = SDL_GetBasePath();
-        scene = findOpeningScene(folder != nullptr ? folder : "");
-        SDL_free(folder);
+        scene = findOpeningScene(programFolder());
         if (scene.empty()) return fail("the scenes that come with it are not there; give it one: slicecast SCENE.json");
     }
     std::unique_ptr<Session> game = openGame(scene);
     if (!game) return 1;
-    const std::string fault = applyArguments(*game, arguments);
-    if (!fault.empty()) return fail(fault);
 
     // The window
     WindowShell shell(arguments.window);
     App app(shell);
-    const std::string noWindow = shell.open(app, windowTitle(*game));
-    if (!noWindow.empty()) return fail(noWindow);
+    RecordingFile file(app, arguments.record);
+    const std::string title = windowTitle(*game);
+    Session& first = *game;
     app.play(std::move(game));
-    shell.run([&](const std::filesystem::path& dropped) {
-        std::unique_ptr<Session> next = openGame(dropped);
-        if (!next) return;
+    if (!arguments.record.empty()) file.begin(scene);
+    const std::string fault = applyArguments(first, arguments);
+    if (!fault.empty()) return fail(fault);
+    const std::string noWindow = shell.open(app, title);
+    if (!noWindow.empty()) return fail(noWindow);
+    if (replay) app.replay(std::move(*replay));
+
+    const auto open = [&](const std::filesystem::path& path) {
+        std::unique_ptr<Session> next = openGame(path);
+        if (!next) return false;
+        file.save();
+        scene = path;
         shell.setTitle(windowTitle(*next));
         app.play(std::move(next));
-    });
-    return 0;
+        return true;
+    };
+    shell.run([&](const std::filesystem::path& dropped) { open(dropped); },
+              [&] {
+                  if (app.isRecording()) {
+                      file.save();
+                  } else if (open(scene)) {
+                      file.begin(scene);
+                  }
+              });
+    return file.save() ? 0 : 1;
 }
 
 #endif

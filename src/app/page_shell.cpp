@@ -23,18 +23,28 @@ EM_JS(int, slicecastOpenCanvas, (), {
     specialHTMLTargets["#no-keys"] = document.createElement("div");
     if (!canvas.hasAttribute("tabindex")) canvas.tabIndex = 0;
 
-    // A press gives the focus without scrolling; a click asks for the pointer, and a refusal is no error.
+    // A press gives the focus without scrolling; a click asks for the pointer. Where that is refused, the cursor's place steers. A browser also refuses for
+    // a moment after Escape, which means nothing.
     const listeners = new AbortController();
     const until = {signal: listeners.signal};
     canvas.addEventListener("pointerdown", () => canvas.focus({preventScroll: true}), until);
     canvas.addEventListener("click", (event) => {
         if (event.pointerType && event.pointerType !== "mouse") return;
-        if (!canvas.requestPointerLock || canvas.getRootNode().pointerLockElement === canvas) return;
+        if (canvas.getRootNode().pointerLockElement === canvas) return;
+        const refused = () => {
+            const screen = Module["slicecastScreen"];
+            if (screen && screen.asks && performance.now() - screen.lockEnd > 2000) _slicecast_steerByCursor(1);
+            if (screen) screen.asks = false;
+        };
+        Module["slicecastScreen"].asks = true;
+        document.addEventListener("pointerlockerror", refused, {once: true, signal: listeners.signal});
+        if (!canvas.requestPointerLock) return refused();
         const asked = canvas.requestPointerLock();
-        if (asked && asked.catch) asked.catch(() => {});
+        if (asked && asked.catch) asked.catch(refused);
     }, until);
 
-    Module["slicecastScreen"] = {context: canvas.getContext("2d", {alpha: false}), image: null, listeners};
+    const screen = {context: canvas.getContext("2d", {alpha: false}), image: null, listeners, asks: false, lockEnd: -Infinity};
+    Module["slicecastScreen"] = screen;
     return 1;
 });
 
@@ -58,7 +68,12 @@ EM_JS(void, slicecastShowPixels, (uint32_t address, int width, int height), {
 
 EM_JS(int, slicecastHoldsPointer, (), {
     const canvas = Module["canvas"];
-    return canvas.getRootNode().pointerLockElement === canvas ? 1 : 0;
+    const holds = canvas.getRootNode().pointerLockElement === canvas;
+    const screen = Module["slicecastScreen"];
+    if (holds) screen.asks = false;
+    else if (screen.held) screen.lockEnd = performance.now();
+    screen.held = holds;
+    return holds ? 1 : 0;
 });
 
 EM_JS(void, slicecastLeaveCanvas, (), { Module["canvas"].blur(); });
@@ -89,6 +104,14 @@ const char* nameOf(News news) {
             return "pause";
         case News::pointer:
             return "pointer";
+        case News::cursor:
+            return "cursor";
+        case News::recording:
+            return "recording";
+        case News::replay:
+            return "replay";
+        case News::record:
+            return "record";
         case News::fly:
             return "fly";
         case News::minimap:
@@ -160,7 +183,18 @@ EM_BOOL onBlur(int, const EmscriptenFocusEvent*, void*) {
 }
 
 EM_BOOL onMouseMove(int, const EmscriptenMouseEvent* event, void*) {
-    pageProgram().pointerMoved(static_cast<double>(event->movementX), static_cast<double>(event->movementY));
+    App& app = pageProgram();
+    app.pointerMoved(static_cast<double>(event->movementX), static_cast<double>(event->movementY));
+    double width = 0.0;
+    double height = 0.0;
+    if (app.cursorSteers() && emscripten_get_element_css_size("#canvas", &width, &height) == EMSCRIPTEN_RESULT_SUCCESS && width > 0.0 && height > 0.0) {
+        app.cursorAt(2.0 * static_cast<double>(event->targetX) / width - 1.0, 2.0 * static_cast<double>(event->targetY) / height - 1.0);
+    }
+    return EM_FALSE;
+}
+
+EM_BOOL onMouseLeave(int, const EmscriptenMouseEvent*, void*) {
+    pageProgram().cursorLeft();
     return EM_FALSE;
 }
 
@@ -182,6 +216,7 @@ void listen(bool on) {
     emscripten_set_keyup_callback(canvas, app, EM_TRUE, on ? onKeyUp : nullptr);
     emscripten_set_blur_callback(canvas, app, EM_TRUE, on ? onBlur : nullptr);
     emscripten_set_mousemove_callback(canvas, app, EM_TRUE, on ? onMouseMove : nullptr);
+    emscripten_set_mouseleave_callback(canvas, app, EM_TRUE, on ? onMouseLeave : nullptr);
     emscripten_set_pointerlockchange_callback(EMSCRIPTEN_EVENT_TARGET_DOCUMENT, app, EM_TRUE, on ? onPointerLockChange : nullptr);
     emscripten_set_visibilitychange_callback(app, EM_TRUE, on ? onVisibilityChange : nullptr);
 }

@@ -15,6 +15,9 @@ namespace slicecast {
 
 namespace {
 
+// Seen from the program's folder: where it is installed, and where it is built.
+const std::array<std::filesystem::path, 2> kShippedScenes = {"scenes", "../../../assets/scenes"};
+
 std::optional<std::vector<std::uint8_t>> readBytes(const std::filesystem::path& path) {
     std::error_code fault;
     if (std::filesystem::is_directory(path, fault)) return std::nullopt;
@@ -60,8 +63,30 @@ LoadedScene readSceneFile(const std::filesystem::path& scene) {
     return loadScene(parsed, files);
 }
 
+std::filesystem::path findScene(const std::string& name, const std::filesystem::path& recording, const std::filesystem::path& programFolder) {
+    std::error_code fault;
+    const std::filesystem::path beside = recording.parent_path() / ".." / "scenes";
+    for (const std::filesystem::path& folder : {beside, programFolder / kShippedScenes[0], programFolder / kShippedScenes[1]}) {
+        const std::filesystem::path scene = folder / (name + ".json");
+        if (std::filesystem::is_regular_file(scene, fault)) return scene.lexically_normal();
+    }
+    return {};
+}
+
+std::optional<std::string> readText(const std::filesystem::path& file) {
+    const auto bytes = readBytes(file);
+    return bytes ? std::optional(textOf(*bytes)) : std::nullopt;
+}
+
+std::string writeText(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary | std::ios::trunc);
+    out << text;
+    out.close();
+    return out ? std::string() : file.string() + " cannot be written";
+}
+
 std::filesystem::path findOpeningScene(const std::filesystem::path& programFolder) {
-    for (const std::filesystem::path& folder : std::to_array<std::filesystem::path>({"scenes", "../../../assets/scenes"})) {
+    for (const std::filesystem::path& folder : kShippedScenes) {
         const std::filesystem::path scenes = programFolder / folder;
         const auto bytes = readBytes(scenes / "index.json");
         if (!bytes) continue;

@@ -13,11 +13,15 @@ enum class News {
     ready,       // the first picture is on the screen
     pause,       // play stands still, or goes on
     pointer,     // the mouse looks around, or is free
+    cursor,      // the cursor's place in the picture steers, or not
+    recording,   // what is done is recorded, or no more
+    replay,      // a recording is played, or it is over
     fly,         // fly mode, or walk mode
     minimap,     // is shown, or not
     help,        // its key was pressed
     rate,        // the same
     fullscreen,  // the same
+    record,      // the same
 };
 
 class Shell {

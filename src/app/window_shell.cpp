@@ -5,6 +5,7 @@
 #include "overlay/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -18,6 +19,26 @@ constexpr int kUsualRate = 60;           // pictures per second where the screen
 constexpr Uint32 kIdleMillis = 10;       // between looks for events while nothing moves
 constexpr std::size_t kHelpColumn = 19;  // characters, where the text beside the keys begins
 
+// The buttons of SDL's controllers and the web's numbers for them.
+struct PadButton {
+    SDL_GameControllerButton button;
+    GamepadButton meaning;
+};
+constexpr auto kPadButtons = std::to_array<PadButton>({
+    {SDL_CONTROLLER_BUTTON_A, kPadJump},
+    {SDL_CONTROLLER_BUTTON_B, kPadCrouch},
+    {SDL_CONTROLLER_BUTTON_X, kPadLevel},
+    {SDL_CONTROLLER_BUTTON_Y, kPadFly},
+    {SDL_CONTROLLER_BUTTON_LEFTSHOULDER, kPadSlow},
+    {SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, kPadFast},
+    {SDL_CONTROLLER_BUTTON_BACK, kPadMinimap},
+    {SDL_CONTROLLER_BUTTON_START, kPadPause},
+    {SDL_CONTROLLER_BUTTON_DPAD_UP, kPadUp},
+    {SDL_CONTROLLER_BUTTON_DPAD_DOWN, kPadDown},
+    {SDL_CONTROLLER_BUTTON_DPAD_LEFT, kPadLeft},
+    {SDL_CONTROLLER_BUTTON_DPAD_RIGHT, kPadRight},
+});
+
 std::string sdlFault(const char* what) {
     return std::string(what) + ": " + SDL_GetError();
 }
@@ -25,6 +46,7 @@ std::string sdlFault(const char* what) {
 }  // namespace
 
 WindowShell::~WindowShell() {
+    gamepad_.reset();
     window_.reset();
     SDL_Quit();
 }
@@ -38,12 +60,14 @@ std::string WindowShell::open(App& app, const std::string& title) {
     if (!window_) return sdlFault("no window could be opened");
     if (SDL_GetWindowSurface(window_.get()) == nullptr) return sdlFault("the window cannot be drawn on");
     SDL_StopTextInput();
+    // Without gamepads there are the keys.
+    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
     setTitle(title);
     fitPicture();
     return {};
 }
 
-void WindowShell::run(const std::function<void(const std::filesystem::path&)>& dropped) {
+void WindowShell::run(const std::function<void(const std::filesystem::path&)>& dropped, const std::function<void()>& record) {
     SDL_DisplayMode mode = {};
     const int display = std::max(0, SDL_GetWindowDisplayIndex(window_.get()));
     const int rate = SDL_GetCurrentDisplayMode(display, &mode) == 0 && mode.refresh_rate > 0 ? mode.refresh_rate : kUsualRate;
@@ -54,6 +78,8 @@ void WindowShell::run(const std::function<void(const std::filesystem::path&)>& d
         SDL_Event event;
         while (SDL_PollEvent(&event) != 0) handle(event);
         if (!dropped_.empty()) dropped(std::exchange(dropped_, {}));
+        if (std::exchange(recordAsked_, false)) record();
+        if (gamepad_) readGamepad();
 
         // A picture, and the time until the next one is due
         const double now = nowSeconds();
@@ -70,7 +96,11 @@ void WindowShell::run(const std::function<void(const std::filesystem::path&)>& d
 
 void WindowShell::setTitle(const std::string& title) {
     title_ = title;
-    const std::string shown = app_->paused() ? title + " (paused)" : title;
+    if (!window_) return;
+    std::string shown = title;
+    if (app_->isRecording()) shown += " (recording)";
+    if (app_->replayed() != nullptr) shown += " (replay)";
+    if (app_->paused()) shown += " (paused)";
     SDL_SetWindowTitle(window_.get(), shown.c_str());
 }
 
@@ -125,7 +155,12 @@ void WindowShell::show(SDL_Surface& picture) {
 void WindowShell::tell(News news, bool yes) {
     switch (news) {
         case News::pause:
+        case News::recording:
+        case News::replay:
             setTitle(title_);
+            break;
+        case News::record:
+            recordAsked_ = true;
             break;
         case News::fullscreen: {
             const bool full = (SDL_GetWindowFlags(window_.get()) & kFullscreen) == kFullscreen;
@@ -141,6 +176,7 @@ void WindowShell::tell(News news, bool yes) {
         }
         case News::ready:
         case News::pointer:
+        case News::cursor:
         case News::fly:
         case News::minimap:
             break;
@@ -152,13 +188,19 @@ void WindowShell::tell(News news, bool yes) {
 void WindowShell::leave() {
     if (app_->holdsPointer()) {
         holdPointer(false);
+    } else if (app_->cursorSteers()) {
+        app_->setCursorSteering(false);
     } else {
         running_ = false;
     }
 }
 
 void WindowShell::holdPointer(bool hold) {
-    if (SDL_SetRelativeMouseMode(hold ? SDL_TRUE : SDL_FALSE) == 0) app_->pointerHeld(hold);
+    if (SDL_SetRelativeMouseMode(hold ? SDL_TRUE : SDL_FALSE) == 0) {
+        app_->pointerHeld(hold);
+    } else if (hold) {
+        app_->setCursorSteering(true);
+    }
 }
 
 void WindowShell::handle(const SDL_Event& event) {
@@ -182,6 +224,16 @@ void WindowShell::handle(const SDL_Event& event) {
             break;
         case SDL_MOUSEMOTION:
             app_->pointerMoved(event.motion.xrel, event.motion.yrel);
+            app_->cursorAt(2.0 * event.motion.x / windowSize().width - 1.0, 2.0 * event.motion.y / windowSize().height - 1.0);
+            break;
+        case SDL_CONTROLLERDEVICEADDED:
+            gamepad_.reset(SDL_GameControllerOpen(event.cdevice.which));
+            break;
+        case SDL_CONTROLLERDEVICEREMOVED:
+            if (gamepad_ && !SDL_GameControllerGetAttached(gamepad_.get())) {
+                gamepad_.reset();
+                app_->setGamepad({});
+            }
             break;
         case SDL_DROPFILE:
             dropped_ = event.drop.file;
@@ -190,6 +242,19 @@ void WindowShell::handle(const SDL_Event& event) {
         default:
             break;
     }
+}
+
+void WindowShell::readGamepad() {
+    const auto axis = [&](SDL_GameControllerAxis which) { return std::max(-1.0, SDL_GameControllerGetAxis(gamepad_.get(), which) / 32767.0); };
+    Gamepad now;
+    now.left = {axis(SDL_CONTROLLER_AXIS_LEFTX), axis(SDL_CONTROLLER_AXIS_LEFTY)};
+    now.right = {axis(SDL_CONTROLLER_AXIS_RIGHTX), axis(SDL_CONTROLLER_AXIS_RIGHTY)};
+    now.leftTrigger = axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT);
+    now.rightTrigger = axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
+    for (const PadButton& pad : kPadButtons) {
+        if (SDL_GameControllerGetButton(gamepad_.get(), pad.button) != 0) now.buttons |= pad.meaning;
+    }
+    app_->setGamepad(now);
 }
 
 void WindowShell::handleWindow(const SDL_WindowEvent& event) {
@@ -203,6 +268,9 @@ void WindowShell::handleWindow(const SDL_WindowEvent& event) {
         case SDL_WINDOWEVENT_FOCUS_LOST:
             app_->releaseKeys();
             if (app_->holdsPointer()) holdPointer(false);
+            break;
+        case SDL_WINDOWEVENT_LEAVE:
+            app_->cursorLeft();
             break;
         case SDL_WINDOWEVENT_HIDDEN:
         case SDL_WINDOWEVENT_MINIMIZED:

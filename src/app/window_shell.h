@@ -32,8 +32,8 @@ public:
     // Opens the window. Empty on success, else what was wrong.
     std::string open(App& app, const std::string& title);
 
-    // Plays until the window is closed. `dropped` is called with a file that was dropped on the window.
-    void run(const std::function<void(const std::filesystem::path&)>& dropped);
+    // Plays until the window is closed. `dropped` is called with a file that was dropped on the window, `record` when its key was pressed.
+    void run(const std::function<void(const std::filesystem::path&)>& dropped, const std::function<void()>& record);
 
     void setTitle(const std::string& title);
 
@@ -49,21 +49,28 @@ private:
         void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
     };
 
+    struct CloseGamepad {
+        void operator()(SDL_GameController* gamepad) const { SDL_GameControllerClose(gamepad); }
+    };
+
     Size windowSize() const;
     void fitPicture();
     void holdPointer(bool hold);
     void handle(const SDL_Event& event);
     void handleWindow(const SDL_WindowEvent& event);
+    void readGamepad();
     void drawPanels(SDL_Surface& picture) const;
 
     WindowSettings settings_;
     App* app_ = nullptr;
     std::unique_ptr<SDL_Window, DestroyWindow> window_;
+    std::unique_ptr<SDL_GameController, CloseGamepad> gamepad_;  // the last one that was connected
     std::string title_;
     SDL_Rect place_ = {};
     std::filesystem::path dropped_;
     FrameRates rates_;
     bool running_ = false;
+    bool recordAsked_ = false;
     bool showsHelp_ = false;
     bool showsRate_ = false;
 };

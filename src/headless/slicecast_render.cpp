@@ -1,6 +1,7 @@
 // slicecast-render: draws one view of a scene into a PNG file, without a screen; or tells what one of its columns meets.
 
 #include "base/image.h"
+#include "headless/replay_file.h"
 #include "headless/scene_file.h"
 #include "headless/view_arguments.h"
 #include "headless/write_file.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,6 +32,8 @@ struct Arguments {
     std::string size;
     std::string fov;
     std::vector<std::string> options;  // OPTION=VALUE
+    std::string replay;
+    std::string at;
     std::string column;
     std::string out;
 };
@@ -48,6 +52,7 @@ std::string footer() {
         "  slicecast-render castle.json --eye 8.5,3.25,0.5,90,0.1 --size 640x400 --fov 75 --out gate.png\n"
         "  slicecast-render castle.json --map cellar --eye 4,4,0.5,0,0 --set light=off --set detail=off --out cellar.png\n"
         "  slicecast-render castle.json --hits 640 > hits.json\n"
+        "  slicecast-render castle.json --replay castle.txt --at on-the-bridge --out bridge.png\n"
         "\nAn eye is X,Y,Z in units (x to the east, y to the south, z up from the floor), a heading in degrees (0 east, 90 south) and a look\n"
         "in screen heights (0 level, positive up). The exit status is 1 for a faulty scene and 2 for a wrong command line.\n";
     return text;
@@ -60,6 +65,8 @@ void describeArguments(CLI::App& cli, Arguments& arguments) {
     cli.add_option("--size", arguments.size, "size of the picture in pixels; 1280x720 without it")->type_name("WxH");
     cli.add_option("--fov", arguments.fov, "field of view from left to right, in degrees")->type_name("DEG");
     cli.add_option("--set", arguments.options, "set an option of the view; see below")->type_name("OPTION=VALUE")->allow_extra_args(false);
+    CLI::Option* replay = cli.add_option("--replay", arguments.replay, "recording to play first, from the scene's start")->type_name("FILE");
+    cli.add_option("--at", arguments.at, "how much of it: a number of steps (1/120 s) or the name of a mark; without it, all")->type_name("STEP")->needs(replay);
     cli.add_option("--hits", arguments.column, "print what this column of the picture meets, as JSON; 0 is the leftmost")->type_name("COLUMN");
     cli.add_option("--out", arguments.out, "PNG file to write; may be left out with --hits")->type_name("PICTURE.png");
     cli.footer(footer());
@@ -104,6 +111,23 @@ std::string arrange(Session& session, const Arguments& arguments) {
     return session.setEye(*eye.value) ? std::string() : "--eye: found \"" + arguments.eye + "\", from where nothing can be seen";
 }
 
+// Plays the recording. 0 on success, else the exit status, and what was wrong has been said.
+int play(Session& session, const Arguments& arguments) {
+    if (!arguments.eye.empty() || !arguments.map.empty()) return fail("--replay: a recording says where the player is; expected no --eye and no --map", kWrongUse);
+    ReadRecording read = readRecordingFile(arguments.replay);
+    for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    if (!read.recording) return 1;
+    const std::string scene = std::filesystem::path(arguments.scene).stem().string();
+    if (read.recording->scene != scene) {
+        return fail("--replay: found a recording of the scene \"" + read.recording->scene + "\", expected one of \"" + scene + "\"", kWrongUse);
+    }
+    Replay replay(std::move(*read.recording));
+    const std::string fault = replayUpTo(session, replay, arguments.at);
+    if (!fault.empty()) return fail("--at: " + fault, kWrongUse);
+    if (!replay.isSame()) return fail("--replay: the way leads elsewhere than when it was recorded; the scene or the engine is another one", 1);
+    return 0;
+}
+
 std::string drawTo(const std::string& path, Session& session, const PictureSize& size) {
     Image image(size.width, size.height);
     if (!session.draw({image.pixels.data(), size.width, size.height, size.width})) return "the picture could not be drawn";
@@ -143,6 +167,10 @@ int main(int argc, char** argv) {
     Session session(std::move(*scene.world));
     const std::string wrong = arrange(session, arguments);
     if (!wrong.empty()) return fail(wrong, kWrongUse);
+    if (!arguments.replay.empty()) {
+        const int status = play(session, arguments);
+        if (status != 0) return status;
+    }
 
     // What was asked for
     if (!arguments.out.empty()) {

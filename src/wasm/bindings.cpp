@@ -4,6 +4,7 @@
 #include "app/page_shell.h"
 #include "base/image.h"
 #include "scene/scene.h"
+#include "session/recording_text.h"
 #include "session/session.h"
 #include "wasm/json_text.h"
 
@@ -17,6 +18,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 using namespace slicecast;
@@ -26,7 +28,10 @@ struct SlicecastSession {
     bool ofProgram = false;
     ParsedScene parsed;
     SceneFiles files;
+    std::optional<Recorder> recorder;  // of the own game, which writes to it
+    std::optional<Replay> replay;
     std::unique_ptr<Session> own;
+    std::optional<Recording> recording;  // read, and not yet played
     SessionOptions waiting;  // options set before there is a game
     Image picture;
     std::string answer;
@@ -77,6 +82,12 @@ const char* kindName(OptionKind kind) {
 std::string currentValue(const SlicecastSession& session, std::string_view name) {
     const Session* game = session.game();
     return game != nullptr ? game->option(name) : optionValue(session.waiting, name);
+}
+
+void takeButtons(Input& input, int32_t buttons) {
+    input.jump = (buttons & 1) != 0;
+    input.fast = (buttons & 2) != 0;
+    input.slow = (buttons & 4) != 0;
 }
 
 }  // namespace
@@ -136,6 +147,8 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
         pageProgram().play(std::move(game));
     } else {
         session->own = std::move(game);
+        session->recorder.reset();
+        session->replay.reset();
     }
     session->parsed = {};
     return session->give(json.str());
@@ -167,9 +180,7 @@ EMSCRIPTEN_KEEPALIVE void slicecast_step(SlicecastSession* session, double forwa
     input.fly = fly;
     input.turnDegrees = turnDegrees;
     input.lookHeights = lookHeights;
-    input.jump = (buttons & 1) != 0;
-    input.fast = (buttons & 2) != 0;
-    input.slow = (buttons & 4) != 0;
+    takeButtons(input, buttons);
     game->step(input);
     session->changed();
 }
@@ -247,6 +258,78 @@ EMSCRIPTEN_KEEPALIVE void slicecast_reset(SlicecastSession* session) {
     session->changed();
 }
 
+// -------------------------------------------------------------------------------------------------------- recordings
+
+EMSCRIPTEN_KEEPALIVE void slicecast_record(SlicecastSession* session, const char* sceneName) {
+    if (session->game() == nullptr) return;
+    if (session->ofProgram) {
+        pageProgram().record(sceneName);
+    } else {
+        session->own->record(nullptr);
+        session->recorder.emplace(sceneName);
+        session->own->record(&*session->recorder);
+    }
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_takeRecording(SlicecastSession* session) {
+    std::optional<Recording> recording;
+    if (session->ofProgram) {
+        recording = pageProgram().takeRecording();
+    } else if (session->recorder) {
+        recording = session->recorder->finish(*session->own);
+        session->own->record(nullptr);
+        session->recorder.reset();
+    }
+    return session->give(recording ? writeRecording(*recording) : std::string());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_readRecording(SlicecastSession* session, const char* text, int32_t textBytes, const char* fileName) {
+    ReadRecording read = readRecording(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
+    JsonText json;
+    json.beginObject();
+    writeFaults(json, read.faults);
+    session->recording = std::move(read.recording);
+    if (session->recording) {
+        json.key("scene").text(session->recording->scene).key("steps").number(static_cast<double>(session->recording->steps));
+        json.key("marks").beginArray();
+        std::int64_t steps = 0;
+        for (const RecordedEntry& entry : session->recording->entries) {
+            if (const auto* played = std::get_if<RecordedSteps>(&entry)) steps += played->count;
+            const auto* mark = std::get_if<RecordedMark>(&entry);
+            if (mark != nullptr) json.beginObject().key("name").text(mark->name).key("step").number(static_cast<double>(steps)).endObject();
+        }
+        json.endArray();
+    }
+    return session->give(json.endObject().str());
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_replay(SlicecastSession* session) {
+    if (session->game() == nullptr || !session->recording) return 0;
+    if (session->ofProgram) {
+        pageProgram().replay(std::move(*session->recording));
+    } else {
+        session->replay.emplace(std::move(*session->recording));
+    }
+    session->recording.reset();
+    session->changed();
+    return 1;
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_replayStep(SlicecastSession* session, int32_t count) {
+    int32_t done = 0;
+    while (session->own && session->replay && done < count && session->replay->step(*session->own)) ++done;
+    return done;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_replayState(SlicecastSession* session) {
+    const Replay* replay = session->ofProgram ? pageProgram().replayed() : session->replay ? &*session->replay : nullptr;
+    if (replay == nullptr) return session->give("null");
+    JsonText json;
+    json.beginObject().key("steps").number(static_cast<double>(replay->recording().steps));
+    json.key("stepsDone").number(static_cast<double>(replay->stepsDone())).key("isSame").yesNo(replay->isSame());
+    return session->give(json.endObject().str());
+}
+
 // -------------------------------------------------------------------------------------------------- program in a page
 
 EMSCRIPTEN_KEEPALIVE void slicecast_resize(int32_t width, int32_t height) {
@@ -263,6 +346,32 @@ EMSCRIPTEN_KEEPALIVE int32_t slicecast_paused(void) {
 
 EMSCRIPTEN_KEEPALIVE void slicecast_setMouse(double degreesPerPixel, int32_t invert) {
     pageProgram().setMouse(degreesPerPixel, invert != 0);
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_gamepad(double leftX, double leftY, double rightX, double rightY, double leftTrigger, double rightTrigger,
+                                            int32_t buttons) {
+    pageProgram().setGamepad({.left = {leftX, leftY},
+                              .right = {rightX, rightY},
+                              .leftTrigger = leftTrigger,
+                              .rightTrigger = rightTrigger,
+                              .buttons = static_cast<unsigned>(buttons)});
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_thumbs(double forward, double strafe, double fly, int32_t buttons) {
+    Input input;
+    input.forward = forward;
+    input.strafe = strafe;
+    input.fly = fly;
+    takeButtons(input, buttons);
+    pageProgram().setThumbs(input);
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_drag(double right, double down) {
+    pageProgram().dragged(right, down);
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_steerByCursor(int32_t on) {
+    pageProgram().setCursorSteering(on != 0);
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_keys(void) {

@@ -18,11 +18,15 @@
 //     "ready"       true          the first picture is on the canvas
 //     "pause"       true, false   play stands still or goes on (P, slicecast_pause); a hidden tab stands still without this event
 //     "pointer"     true, false   the canvas holds the pointer (a click) or has lost it (Escape)
+//     "cursor"      true, false   the cursor's place in the picture steers (N, or a refusal to hold the pointer), or not
+//     "recording"   true, false   the game is recorded, or no more
+//     "replay"      true, false   a recording is played, or it is over: it has ended, or somebody moves
 //     "fly"         true, false   fly or walk mode (V), after every change; false in the beginning
 //     "minimap"     true, false   the minimap is shown or not (M), after every change; false in the beginning
 //     "help"        true          H was pressed: the page shows or hides the keys
 //     "rate"        true          I was pressed: the page shows or hides the frame rate
 //     "fullscreen"  true          F was pressed: the page enters or leaves full screen
+//     "record"      true          F9 was pressed: the page opens the scene anew and records it, or saves what was recorded
 //     "frames"      {"framesPerSecond", "drawMilliseconds", "longestMilliseconds"}   twice a second, over the time since the last one
 //     "size"        {"width", "height"}   pixels of the picture, after every change
 //
@@ -94,6 +98,27 @@ const char* slicecast_options(SlicecastSession* session);
 // 90 = south), look in screen heights, speed in units per second. The fingerprint is the same text for the same state on every machine. null without a game.
 const char* slicecast_state(SlicecastSession* session);
 
+// Records the game, which has just begun, under the name of the scene's file without its ending. Nothing without a game.
+void slicecast_record(SlicecastSession* session, const char* sceneName);
+
+// Ends the recording and gives it as text; "" where nothing was recorded.
+const char* slicecast_takeRecording(SlicecastSession* session);
+
+// Checks the text of a recording, and keeps it if it has no faults: {"scene", "steps", "marks": [{"name", "step"}], "faults": [...]}. `fileName` stands in
+// the faults.
+const char* slicecast_readRecording(SlicecastSession* session, const char* text, int32_t textBytes, const char* fileName);
+
+// Plays the recording that was read in the game, which has just begun. The program does so by itself from now on; another session step by step, by
+// slicecast_replayStep. 1 on success, 0 without a game or a recording.
+int32_t slicecast_replay(SlicecastSession* session);
+
+// Up to `count` steps of the replay. Gives how many there were; fewer at its end.
+int32_t slicecast_replayStep(SlicecastSession* session, int32_t count);
+
+// {"steps", "stepsDone", "isSame"}: how far a replay has come, and whether the eye was, at every mark so far, where it was when the recording was made. null
+// where none is played.
+const char* slicecast_replayState(SlicecastSession* session);
+
 // Puts the player's eye somewhere else, flying; inside blocks and outside the grid too. 1 on success, 0 if such an eye cannot see (no such map, not above the
 // floor).
 int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees, double look);
@@ -117,6 +142,19 @@ int32_t slicecast_paused(void);
 
 // Mouse look: degrees turned per CSS pixel of movement (0.15 until set), and whether moving the mouse forward looks down (1) rather than up (0).
 void slicecast_setMouse(double degreesPerPixel, int32_t invert);
+
+// A gamepad as it is now, by the web's standard mapping: sticks -1 to 1 to the right and down, triggers 0 to 1, bit n of the buttons for button n. Dead
+// zones are the program's. All zero where there is none.
+void slicecast_gamepad(double leftX, double leftY, double rightX, double rightY, double leftTrigger, double rightTrigger, int32_t buttons);
+
+// What thumbs on the screen hold, until the next call or the focus is lost: forward, strafe (right) and fly (up) from -1 to 1; buttons as in slicecast_step.
+void slicecast_thumbs(double forward, double strafe, double fly, int32_t buttons);
+
+// A finger has dragged the picture by so many CSS pixels: it turns and looks as the mouse does.
+void slicecast_drag(double right, double down);
+
+// Lets the cursor's place in the picture turn and look (1), or not (0): beyond a fifth of the way from the middle to an edge, more the further out.
+void slicecast_steerByCursor(int32_t on);
 
 // The keys for a help text: [{"keys", "does"}] in the order in which to show them. Never freed.
 const char* slicecast_keys(void);

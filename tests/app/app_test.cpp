@@ -259,6 +259,137 @@ TEST_F(AppTest, MovementDuringAPauseIsForgotten) {
     EXPECT_EQ(heading(), 0.0);
 }
 
+TEST_F(AppTest, APadWalksTurnsAndActsOnceForEachPress) {
+    Gamepad gamepad;
+    gamepad.left = {0.0, -1.0};
+    gamepad.buttons = kPadFly;
+    app.setGamepad(gamepad);
+    play(0.5);
+    app.setGamepad(gamepad);
+    play(0.1);
+    EXPECT_TRUE(app.game()->player().flying) << "held, not pressed again";
+    EXPECT_GT(x(), 21.0);
+    app.setGamepad({});
+    app.setGamepad(gamepad);
+    EXPECT_FALSE(app.game()->player().flying);
+    gamepad = {};
+    gamepad.right = {1.0, 0.0};
+    app.setGamepad(gamepad);
+    play(0.5);
+    EXPECT_GT(heading(), 10.0);
+    app.setGamepad({});
+    play(0.5);
+    const double rested = heading();
+    play(0.5);
+    EXPECT_EQ(heading(), rested);
+    gamepad.buttons = kPadPause;
+    app.setGamepad(gamepad);
+    EXPECT_TRUE(app.paused());
+}
+
+TEST_F(AppTest, ThumbsWalkAndDrag) {
+    app.setThumbs({.forward = 1.0});
+    app.dragged(100.0, 0.0);
+    play(0.5);
+    EXPECT_GT(x(), 21.0);
+    EXPECT_NEAR(heading(), 100.0 * kDefaultDegreesPerPixel, 1e-9);
+    app.releaseKeys();
+    play(0.5);
+    const double stopped = x();
+    play(0.5);
+    EXPECT_EQ(x(), stopped);
+}
+
+TEST_F(AppTest, TheCursorSteersWhileItIsAskedTo) {
+    app.cursorAt(1.0, 0.0);
+    play(0.2);
+    EXPECT_EQ(heading(), 0.0);
+    press(SDL_SCANCODE_N);
+    EXPECT_TRUE(app.cursorSteers());
+    EXPECT_EQ(shell.news.back(), (std::pair{News::cursor, true}));
+    app.cursorAt(0.2, -0.2);
+    play(0.2);
+    EXPECT_EQ(heading(), 0.0) << "within the dead zone";
+    EXPECT_EQ(app.game()->player().look, 0.0);
+    app.cursorAt(1.0, -1.0);
+    play(0.5);
+    EXPECT_GT(heading(), 10.0);
+    EXPECT_GT(app.game()->player().look, 0.05);
+    app.cursorLeft();
+    play(0.5);
+    const double rested = heading();
+    app.cursorAt(-1.0, 0.0);
+    app.pointerHeld(true);
+    EXPECT_FALSE(app.cursorSteers()) << "the mouse is held, it has no place";
+    play(0.5);
+    EXPECT_EQ(heading(), rested);
+    app.setCursorSteering(true);
+    app.releaseKeys();
+    EXPECT_FALSE(app.cursorSteers());
+}
+
+TEST_F(AppTest, WhatIsRecordedIsPlayedAgain) {
+    app.play(std::make_unique<Session>(makeField()));
+    app.record("field");
+    EXPECT_TRUE(app.isRecording());
+    press(SDL_SCANCODE_W);
+    play(0.5);
+    release(SDL_SCANCODE_W);
+    press(SDL_SCANCODE_V);
+    app.pointerHeld(true);
+    app.pointerMoved(37.0, -11.0);
+    play(0.5);
+    app.pointerHeld(false);
+    const std::uint64_t end = app.game()->fingerprint();
+    const std::optional<Recording> recording = app.takeRecording();
+    EXPECT_FALSE(app.isRecording());
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(recording->scene, "field");
+    EXPECT_NEAR(static_cast<double>(recording->steps), 120.0, 4.0);
+    EXPECT_FALSE(app.takeRecording());
+    play(0.2);
+
+    app.play(std::make_unique<Session>(makeField()));
+    app.replay(*recording);
+    EXPECT_EQ(shell.news.back(), (std::pair{News::replay, true}));
+    while (app.game()->steps() < recording->steps) {
+        shell.now += 1.0 / 250.0;
+        app.frame(shell.now);
+    }
+    EXPECT_EQ(app.game()->steps(), recording->steps);
+    EXPECT_EQ(app.game()->fingerprint(), end);
+    play(0.5);
+    EXPECT_EQ(app.replayed(), nullptr);
+    EXPECT_EQ(shell.news.back(), (std::pair{News::replay, false}));
+}
+
+TEST_F(AppTest, WhoMovesTakesOver) {
+    Recording recording;
+    recording.scene = "field";
+    recording.entries = {RecordedSteps{1000, {.forward = 256}}};
+    recording.steps = 1000;
+    app.replay(recording);
+    play(0.5);
+    EXPECT_GT(x(), 21.0);
+    ASSERT_NE(app.replayed(), nullptr);
+    press(SDL_SCANCODE_LSHIFT);
+    play(0.1);
+    EXPECT_NE(app.replayed(), nullptr) << "faster is no way";
+    press(SDL_SCANCODE_RIGHT);
+    play(0.1);
+    EXPECT_EQ(app.replayed(), nullptr);
+    play(0.5);
+    const double stopped = x();
+    play(0.5);
+    EXPECT_EQ(x(), stopped);
+
+    app.replay(recording);
+    press(SDL_SCANCODE_V);
+    EXPECT_EQ(app.replayed(), nullptr);
+    press(SDL_SCANCODE_F9);
+    EXPECT_EQ(count(News::record), 1);
+}
+
 TEST_F(AppTest, SizesAreClamped) {
     app.resize(0, 1 << 20);
     EXPECT_EQ(app.width(), 1);
