@@ -1,25 +1,40 @@
 #include "catalogue.h"
 
+#include "animals.h"
+#include "arch.h"
 #include "banners.h"
 #include "brickwork.h"
 #include "carving.h"
 #include "foliage.h"
+#include "fountain.h"
 #include "furnishings.h"
+#include "gates.h"
+#include "glazing.h"
+#include "glow.h"
 #include "ground.h"
 #include "lettering.h"
+#include "liquids.h"
+#include "loops.h"
 #include "metalwork.h"
 #include "openings.h"
 #include "plaster.h"
+#include "railings.h"
 #include "roofs.h"
 #include "skies.h"
+#include "statue.h"
 #include "stonework.h"
+#include "street.h"
 #include "tiling.h"
+#include "trees.h"
+#include "walker.h"
 #include "woodwork.h"
 
 namespace slicecast::textures {
 
-const std::vector<Entry>& catalogue() {
-    static const std::vector<Entry> entries = {
+namespace {
+
+std::vector<Entry> opaqueTextures() {
+    return {
         {"brick", Use::Wall, paintBrick},
         {"brick-weathered", Use::Wall, paintBrickWeathered},
         {"brick-mossy", Use::Wall, paintBrickMossy},
@@ -75,6 +90,84 @@ const std::vector<Entry>& catalogue() {
         {"sky-night", Use::Sky, paintSkyNight},
         {"lettering", Use::Test, paintLettering},
     };
+}
+
+std::vector<Entry> seeThroughTextures() {
+    return {
+        {.name = "glass-pane", .use = Use::SeeThrough, .paint = paintGlassPane, .alpha = Alpha::Blended},
+        {.name = "stained-glass", .use = Use::SeeThrough, .paint = paintStainedGlass, .wall = "stone-blocks", .alpha = Alpha::Blended},
+        {.name = "shop-window", .use = Use::SeeThrough, .paint = paintShopWindow, .repeatsUpwards = false, .alpha = Alpha::Blended},
+        {.name = "iron-bars", .use = Use::SeeThrough, .paint = paintIronBars, .alpha = Alpha::Holes},
+        {.name = "grate", .use = Use::SeeThrough, .paint = paintGrate, .alpha = Alpha::Holes},
+        {.name = "fence", .use = Use::SeeThrough, .paint = paintFence, .repeatsUpwards = false, .alpha = Alpha::Holes},
+        {.name = "net", .use = Use::SeeThrough, .paint = paintNet, .alpha = Alpha::Holes},
+        {.name = "rope-railing", .use = Use::SeeThrough, .paint = paintRopeRailing, .repeatsUpwards = false, .alpha = Alpha::Holes},
+        {.name = "leaves", .use = Use::SeeThrough, .paint = paintLeaves, .alpha = Alpha::Holes},
+        {.name = "archway", .use = Use::SeeThrough, .paint = paintArchway, .wall = "stone-blocks", .repeatsUpwards = false, .alpha = Alpha::Holes},
+    };
+}
+
+std::vector<Entry> sheets() {
+    return {
+        {.name = "portcullis", .use = Use::Sheet, .paint = paintPortcullis, .repeatsUpwards = false, .alpha = Alpha::Holes, .frames = kGateFrames},
+        {.name = "double-door", .use = Use::Sheet, .paint = paintDoubleDoor, .repeatsUpwards = false, .alpha = Alpha::Holes, .frames = kGateFrames},
+        {.name = "lava", .use = Use::Sheet, .paint = paintLava, .frames = kLoopFrames, .loops = true},
+        {.name = "water-surface", .use = Use::Sheet, .paint = paintWaterSurface, .frames = kLoopFrames, .loops = true},
+        {.name = "water-clear", .use = Use::Sheet, .paint = paintWaterClear, .alpha = Alpha::Blended, .frames = kLoopFrames, .loops = true},
+        {.name = "waterfall", .use = Use::Sheet, .paint = paintWaterfall, .frames = kLoopFrames, .loops = true},
+        {.name = "rune-panel", .use = Use::Sheet, .paint = paintRunePanel, .frames = kLoopFrames, .loops = true},
+        {.name = "brazier",
+         .use = Use::Sheet,
+         .paint = paintBrazier,
+         .repeatsUpwards = false,
+         .repeatsSideways = false,
+         .alpha = Alpha::Blended,
+         .frames = kLoopFrames,
+         .loops = true},
+    };
+}
+
+Entry sprite(const char* name, Picture (*paint)(), int frames = 1, bool stands = true) {
+    return {.name = name,
+            .use = Use::Sprite,
+            .paint = paint,
+            .repeatsUpwards = false,
+            .repeatsSideways = false,
+            .alpha = Alpha::Blended,
+            .frames = frames,
+            .loops = frames > 1,
+            .stands = stands};
+}
+
+std::vector<Entry> sprites() {
+    return {
+        sprite("oak", paintOak),
+        sprite("pine", paintPine),
+        sprite("birch", paintBirch),
+        sprite("bush", paintBush),
+        sprite("flower-bush", paintFlowerBush),
+        sprite("street-lamp", paintStreetLamp),
+        sprite("standing-barrel", paintStandingBarrel),
+        sprite("crate-stack", paintCrateStack),
+        sprite("market-stall", paintMarketStall),
+        sprite("statue", paintStatue),
+        sprite("walker", paintWalker, kWalkFrames),
+        sprite("cat", paintCat, kCatFrames),
+        sprite("gull", paintBird, kBirdFrames, false),
+        sprite("fountain", paintFountain, kFountainFrames),
+    };
+}
+
+}  // namespace
+
+const std::vector<Entry>& catalogue() {
+    static const std::vector<Entry> entries = [] {
+        std::vector<Entry> all = opaqueTextures();
+        for (const std::vector<Entry>& more : {seeThroughTextures(), sheets(), sprites()}) {
+            all.insert(all.end(), more.begin(), more.end());
+        }
+        return all;
+    }();
     return entries;
 }
 
@@ -92,8 +185,27 @@ const char* nameOf(Use use) {
             return "sky";
         case Use::Test:
             return "test";
+        case Use::SeeThrough:
+            return "window";
+        case Use::Sheet:
+            return "sheet";
+        case Use::Sprite:
+            return "sprite";
     }
     return "";
+}
+
+const char* folderOf(Use use) {
+    switch (use) {
+        case Use::SeeThrough:
+            return "see-through";
+        case Use::Sheet:
+            return "sheets";
+        case Use::Sprite:
+            return "sprites";
+        default:
+            return "textures";
+    }
 }
 
 }  // namespace slicecast::textures

@@ -8,18 +8,29 @@
 
 namespace slicecast::textures {
 
-enum class Use { Wall, Floor, Roof, Ceiling, Sky, Test };
+enum class Use { Wall, Floor, Roof, Ceiling, Sky, Test, SeeThrough, Sheet, Sprite };
+
+// Which alphas a picture has: 255 alone; holes (0) and 255; or blends between as well.
+enum class Alpha { Opaque, Holes, Blended };
 
 struct Entry {
     std::string name;  // the file is name.png
     Use use;
     Picture (*paint)();
-    std::string wall = {};       // what it is painted on: its borders continue that texture
-    bool repeatsUpwards = true;  // false: its upper and lower borders meet other things than its own copies
+    std::string wall = {};        // what it is painted on: its borders continue that texture
+    bool repeatsUpwards = true;   // false: its upper and lower borders meet other things than its own copies
+    bool repeatsSideways = true;  // the same for its left and right borders
+    Alpha alpha = Alpha::Opaque;
+    int frames = 1;      // side by side, equally wide; a sheet's are square
+    bool loops = false;  // the first frame follows the last as any frame follows the one before
+    bool stands = true;  // a sprite with its feet on the lowest row
 };
 
 const std::vector<Entry>& catalogue();
 
 const char* nameOf(Use use);
+
+// The folder of assets in which its files are.
+const char* folderOf(Use use);
 
 }  // namespace slicecast::textures

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "cutout.h"
+#include "leaves.h"
 #include "noise.h"
 #include "pieces.h"
 #include "stonework.h"
@@ -13,47 +15,6 @@ namespace slicecast::textures {
 namespace {
 
 constexpr std::uint32_t kSeed = 1600;
-
-struct Direction {
-    double x;
-    double y;
-};
-
-// Ways for a leaf to point: mostly down and to the sides, as leaves hang
-constexpr std::array<Direction, 7> kHanging = {{{1.0, 0.2}, {0.83, 0.55}, {0.45, 0.9}, {0.0, 1.0}, {-0.45, 0.9}, {-0.83, 0.55}, {-1.0, 0.2}}};
-
-struct Leaf {
-    double x;
-    double y;
-    Direction direction;
-    double length;
-    double width;
-    double height;
-    double tone;
-};
-
-// A pointed oval with a light upper half, a dark lower half and a rib between them.
-void drawLeaf(Surface& surface, const Leaf& leaf) {
-    const int reach = static_cast<int>(leaf.length) + 1;
-    const int fromX = static_cast<int>(std::floor(leaf.x));
-    const int fromY = static_cast<int>(std::floor(leaf.y));
-    everyTexelIn(fromX - reach, fromY - reach, fromX + reach + 1, fromY + reach + 1, [&](int x, int y) {
-        const double dx = x + 0.5 - leaf.x;
-        const double dy = y + 0.5 - leaf.y;
-        const double along = dx * leaf.direction.x + dy * leaf.direction.y;
-        const double across = dy * leaf.direction.x - dx * leaf.direction.y;
-        const double share = along / leaf.length;
-        if (share < 0.0 || share > 1.0) {
-            return;
-        }
-        const double half = leaf.width * 2.0 * std::sqrt(share * (1.0 - share)) * (1.15 - 0.45 * share);
-        if (std::abs(across) > half) {
-            return;
-        }
-        const bool towardsLight = leaf.direction.x >= 0.0 ? across < 0.0 : across > 0.0;
-        surface.at(x, y) = {.height = leaf.height, .tone = leaf.tone + (towardsLight ? 0.5 : -0.5), .ramp = &kMossRamp};
-    });
-}
 
 }  // namespace
 
@@ -105,6 +66,34 @@ Picture paintHedge() {
         }
     }
     return lit(surface, {.gain = 0.1, .lightest = 0.3, .darkest = 0.3, .shadowReach = 2, .shadowSlope = 0.7, .shadowDepth = 0.6, .hollowDepth = 0.05});
+}
+
+// The outermost leaves of a hedge or a tree, with the sky between them.
+Picture paintLeaves() {
+    Surface surface = Surface::empty();
+    Random random(kSeed + 60U);
+    constexpr int kLayers = 3;
+    for (int layer = 0; layer < kLayers; ++layer) {
+        for (int number = 0; number < 190; ++number) {
+            const double x = random.between(0.0, kSide);
+            const double y = random.between(0.0, kSide);
+            const double spray = fractalNoise(x / 21.34, y / 21.34, 6, 6, 2, kSeed + 61U);
+            const Direction direction = kHanging[static_cast<std::size_t>(random.below(7))];
+            const double length = random.between(7.0, 11.0);
+            if (spray < 0.33 + 0.05 * layer) {
+                continue;
+            }
+            drawLeaf(surface, {.x = x,
+                               .y = y,
+                               .direction = direction,
+                               .length = length,
+                               .width = 0.3 * length,
+                               .height = 1.6 * (layer + 1),
+                               .tone = 2.2 + 0.8 * layer + 1.4 * (spray - 0.5)});
+        }
+    }
+    const Lighting lighting = {.gain = 0.1, .lightest = 0.3, .darkest = 0.3, .shadowReach = 2, .shadowSlope = 0.7, .shadowDepth = 0.6, .hollowDepth = 0.05};
+    return holesFilled(lit(surface, lighting), Border::Repeats);
 }
 
 Picture paintIvy() {

@@ -8,5 +8,6 @@ namespace slicecast::textures {
 Picture paintBark();
 Picture paintHedge();
 Picture paintIvy();
+Picture paintLeaves();  // see-through
 
 }  // namespace slicecast::textures

@@ -1,4 +1,4 @@
-// slicecast-textures: draws all textures and skies of the project into a folder, always the same to the byte.
+// slicecast-textures: draws all textures, skies, sheets and sprites of the project into the folder of assets, always the same to the byte.
 
 #include <CLI/CLI.hpp>
 
@@ -54,12 +54,12 @@ bool write(const std::string& path, const slicecast::textures::Picture& picture)
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Draws the textures and skies of Slicecast as PNG files."};
+    CLI::App app{"Draws the textures, skies, sheets and sprites of Slicecast as PNG files."};
     std::string folder;
     std::string sheet;
     std::vector<std::string> only;
     bool list = false;
-    app.add_option("FOLDER", folder, "where the files go; made if missing");
+    app.add_option("FOLDER", folder, "the folder of assets: files go to textures, see-through, sheets and sprites in it; made if missing");
     app.add_option("--only", only, "draw only these names, separated by commas")->delimiter(',')->check(checkName);
     app.add_option("--sheet", sheet, "also write a contact sheet to this PNG file, to judge them by");
     app.add_flag("--list", list, "list every name with its use, and draw nothing");
@@ -78,10 +78,11 @@ int main(int argc, char** argv) {
 
     bool written = true;
     if (!folder.empty()) {
-        std::error_code failure;
-        std::filesystem::create_directories(folder, failure);
         for (const Entry& entry : chosen(only)) {
-            written = write(folder + "/" + entry.name + ".png", entry.paint()) && written;
+            const std::string place = folder + "/" + slicecast::textures::folderOf(entry.use);
+            std::error_code failure;
+            std::filesystem::create_directories(place, failure);
+            written = write(place + "/" + entry.name + ".png", entry.paint()) && written;
         }
     }
     if (!sheet.empty()) {

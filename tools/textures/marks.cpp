@@ -41,6 +41,7 @@ void drawStud(Surface& surface, const Stud& stud) {
             texel.height += stud.height * std::sqrt(rest) / stud.radius;
             texel.tone = stud.tone;
             texel.ramp = stud.ramp;
+            texel.alpha = 255;
         }
     });
 }
@@ -66,6 +67,7 @@ void drawSlab(Surface& surface, const Slab& slab) {
         texel.height = slab.height * std::min(1.0, (inside + 1.0) / slab.bevel);
         texel.tone = slab.tone;
         texel.ramp = slab.ramp;
+        texel.alpha = 255;
     });
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "arch.h"
 #include "brickwork.h"
 #include "marks.h"
 #include "noise.h"
@@ -76,59 +77,15 @@ Picture paintBrickWindow(bool lamp) {
 }  // namespace
 
 Picture paintDoor() {
-    constexpr double kMiddle = 63.5;
-    constexpr double kSpring = 54.0;  // where the arch begins
-    constexpr double kRadius = 37.0;
-    constexpr double kRing = 12.0;
     constexpr int kBoard = 15;
-    // Joints of the arch's wedges: directions every 22.5 degrees, upwards half
-    static constexpr std::array<std::array<double, 2>, 9> kJoints = {{{-1.0, 0.0},
-                                                                      {-0.9239, -0.3827},
-                                                                      {-0.7071, -0.7071},
-                                                                      {-0.3827, -0.9239},
-                                                                      {0.0, -1.0},
-                                                                      {0.3827, -0.9239},
-                                                                      {0.7071, -0.7071},
-                                                                      {0.9239, -0.3827},
-                                                                      {1.0, 0.0}}};
     const Surface wall = ashlarSurface();
     Surface surface = wall;
     everyTexel([&](int x, int y) {
-        const double dx = x - kMiddle;
-        const double dy = y - kSpring;
-        const bool inArch = dy < 0.0;
-        const double outside = (inArch ? std::sqrt(dx * dx + dy * dy) : std::abs(dx)) - kRadius;
-        if (outside > kRing) {
+        const double outside = outsideArch(x, y);
+        if (outside > 0.0) {
             return;
         }
         Texel& texel = surface.at(x, y);
-        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 10U) - 0.5;
-        if (outside > 0.0) {
-            // The stone surround: wedges above, quoins below
-            double joint = 9.0;
-            int stone = 0;
-            if (inArch) {
-                // Shifted by half a wedge, so that a keystone stands in the middle
-                for (std::size_t index = 0; index + 1 < kJoints.size(); ++index) {
-                    const double x0 = kJoints[index][0] + kJoints[index + 1][0];
-                    const double y0 = kJoints[index][1] + kJoints[index + 1][1];
-                    const double length = std::sqrt(x0 * x0 + y0 * y0);
-                    const double side = (x0 * dy - y0 * dx) / length;
-                    joint = std::min(joint, std::abs(side) + 0.4);
-                    stone += side > 0.0 ? 1 : 0;
-                }
-            } else {
-                const int down = y - static_cast<int>(kSpring);
-                const int local = down % 18;
-                joint = std::min(local, 17 - local) + 0.5;
-                stone = 20 + down / 18 + (dx > 0.0 ? 10 : 0);
-            }
-            const double inside = std::min({joint, outside, kRing - outside});
-            texel.ramp = &kStoneRamp;
-            texel.height = std::clamp((inside - 0.4) * 0.9, 0.0, 2.2) + 1.5;
-            texel.tone = inside < 0.8 ? 1.6 : 4.4 + 0.8 * (randomAt(stone, 1, kSeed + 11U) - 0.5) + 0.9 * blotch;
-            return;
-        }
         // The boards, set back
         const int along = x - 26;
         const int board = along / kBoard;
@@ -139,6 +96,7 @@ Picture paintDoor() {
         texel.tone = inside == 0 ? texel.tone - 1.2 : texel.tone;
         texel.tone -= outside > -2.5 ? 0.8 : 0.0;
     });
+    drawArch(surface);
     // Iron straps with pointed ends, nails, and a ring to pull
     for (const int top : {46, 98}) {
         everyTexelIn(27, top, 96, top + 9, [&](int x, int y) {

@@ -122,6 +122,10 @@ inline constexpr Ramp kFlintRamp{{kInk, blend(kSlate0, kStone0, 128), blend(kSla
                                  8};
 inline constexpr Ramp kRockRamp{{kInk, kNight, kSlate0, kSlate1, kSlate2, kStone3, kStone4}, 7};
 inline constexpr Ramp kLichenRamp{{kStone1, kMoss2, kStone2, kMoss3, kStone3, kMoss4, kStone4}, 7};
+inline constexpr Ramp kFireRamp{{kInk, kClay0, kClay1, kClay2, kClay3, kCoral, kBrass2, kCream}, 8};
+inline constexpr Ramp kPineRamp{{kInk, kMoss0, blend(kMoss0, kMoss1, 160), kMoss1, blend(kMoss1, kMoss2, 128), kMoss2, blend(kMoss2, kSlate3, 110)}, 7};
+inline constexpr Ramp kBlossomRamp{{kClay1, kPlum, blend(kPlum, kCoral, 128), blend(kPlum, kCream, 130), blend(kPlum, kCream, 200), kCream}, 6};
+inline constexpr Ramp kSkinRamp{{kClay1, kClay2, kClay3, kClay4, kClay5, blend(kClay5, kSand2, 128), kSand2}, 7};
 inline constexpr Ramp kCrimsonRamp{{kInk, kClay0, kClay1, kClay2, kClay3, kCoral}, 6};
 
 // The colour at a tone of a ramp, rounded to half steps and held inside the ramp.

@@ -62,9 +62,86 @@ Picture grey(const Picture& texture) {
     return result;
 }
 
+constexpr int kSheetWidth = 1560;
+
+Colour over(const Colour& colour, const Colour& ground) {
+    return blend(ground, colour, (colour.a * 256 + 127) / 255);
+}
+
+enum class Ground { Checker, Dark, Light };
+
+Colour groundAt(Ground ground, int x, int y) {
+    if (ground == Ground::Checker) {
+        return (x / 8 + y / 8) % 2 == 0 ? kSlate3 : kSlate4;
+    }
+    return ground == Ground::Dark ? kNight : kSea4;
+}
+
+void copyOver(Picture& sheet, const Picture& picture, int fromColumn, Ground ground, int left, int top, int width, int height, int zoom) {
+    for (int y = 0; y < zoom * height; ++y) {
+        for (int x = 0; x < zoom * width; ++x) {
+            sheet.at(left + x, top + y) = over(picture.at(fromColumn + x / zoom, y / zoom), groundAt(ground, x, y));
+        }
+    }
+}
+
+Picture groundsSheet(const Entry& entry) {
+    const Picture picture = entry.paint();
+    const int frameWidth = picture.width / entry.frames;
+    const bool tiled = entry.frames == 1 && entry.use != Use::Sprite;
+    // What is shown once for each ground: a texture and its copies, or one frame
+    const int width = tiled && entry.repeatsSideways ? 2 * frameWidth : frameWidth;
+    const int height = tiled && entry.repeatsUpwards ? 2 * picture.height : picture.height;
+    const int zoom = std::clamp(kSheetWidth / 3 / width, 1, entry.frames > 1 ? (height > 64 ? 2 : 3) : 4);
+    const int perLine = kSheetWidth / (zoom * width + kMargin);
+    const int grounds = entry.alpha == Alpha::Opaque ? 1 : 3;
+    const int pieces = entry.frames * grounds;
+    Picture sheet(kSheetWidth, (pieces + perLine - 1) / perLine * (zoom * height + kMargin));
+    std::fill(sheet.pixels.begin(), sheet.pixels.end(), kInk);
+    for (int piece = 0; piece < pieces; ++piece) {
+        const auto ground = static_cast<Ground>(piece / entry.frames);
+        const int left = piece % perLine * (zoom * width + kMargin);
+        const int top = piece / perLine * (zoom * height + kMargin);
+        copyOver(sheet, picture, piece % entry.frames * frameWidth, ground, left, top, width, height, zoom);
+    }
+    return sheet;
+}
+
+void append(Picture& sheet, const Picture& below) {
+    Picture both(std::max(sheet.width, below.width), sheet.height + below.height);
+    std::fill(both.pixels.begin(), both.pixels.end(), kNight);
+    int top = 0;
+    for (const Picture* part : {static_cast<const Picture*>(&sheet), &below}) {
+        for (int y = 0; y < part->height; ++y) {
+            for (int x = 0; x < part->width; ++x) {
+                both.at(x, top + y) = part->at(x, y);
+            }
+        }
+        top += part->height;
+    }
+    sheet = both;
+}
+
+Picture tilesSheet(const std::vector<Entry>& entries);
+
 }  // namespace
 
 Picture contactSheet(const std::vector<Entry>& entries) {
+    std::vector<Entry> tiles;
+    std::vector<Entry> others;
+    for (const Entry& entry : entries) {
+        (entry.alpha == Alpha::Opaque && entry.frames == 1 ? tiles : others).push_back(entry);
+    }
+    Picture sheet = tiles.empty() ? Picture(0, 0) : tilesSheet(tiles);
+    for (const Entry& entry : others) {
+        append(sheet, groundsSheet(entry));
+    }
+    return sheet;
+}
+
+namespace {
+
+Picture tilesSheet(const std::vector<Entry>& entries) {
     const int perRow = std::min(2, static_cast<int>(entries.size()));
     const int cellWidth = kTiled + kMargin + kTiled + kMargin + kSide + 2 * kMargin;
     const int cellHeight = kTiled + kMargin;
@@ -95,5 +172,7 @@ Picture contactSheet(const std::vector<Entry>& entries) {
     }
     return sheet;
 }
+
+}  // namespace
 
 }  // namespace slicecast::textures

@@ -34,15 +34,24 @@ double hollow(const Surface& surface, int x, int y) {
 
 }  // namespace
 
+Surface Surface::empty(int w, int h) {
+    Surface surface(w, h);
+    for (Texel& texel : surface.texels_) {
+        texel.alpha = 0;
+    }
+    return surface;
+}
+
 Picture lit(const Surface& surface, const Lighting& lighting) {
-    Picture picture(kSide, kSide);
-    everyTexel([&](int x, int y) {
+    Picture picture(surface.width, surface.height);
+    everyTexelIn(0, 0, surface.width, surface.height, [&](int x, int y) {
         const Texel& texel = surface.at(x, y);
         double tone = texel.tone;
         tone += std::clamp(lighting.gain * slopeToLight(surface, x, y), -lighting.darkest, lighting.lightest);
         tone -= inShadow(surface, x, y, lighting) ? lighting.shadowDepth : 0.0;
         tone -= lighting.hollowDepth * hollow(surface, x, y);
         picture.at(x, y) = colourAt(*texel.ramp, tone);
+        picture.at(x, y).a = texel.alpha;
     });
     return picture;
 }

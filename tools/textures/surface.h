@@ -3,8 +3,11 @@
 // Painters set heights and tones; `lit` then paints every surface with the same light from the upper left, so that
 // all materials agree: slopes that face the light gain tone, others lose it, what stands out throws a short shadow,
 // and hollows are darker. Heights are in texels, tones in steps of the ramp.
+//
+// A surface is a block texture unless its size is given. Texels may be see-through: alpha 0 is a hole, 255 is opaque.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "picture.h"
@@ -15,19 +18,28 @@ struct Texel {
     double height = 0.0;
     double tone = 3.0;
     const Ramp* ramp = &kStoneRamp;
+    std::uint8_t alpha = 255;
 
     friend bool operator==(const Texel&, const Texel&) = default;
 };
 
 class Surface {
 public:
-    Surface() : texels_(static_cast<std::size_t>(kSide) * kSide) {}
+    explicit Surface(int w = kSide, int h = kSide) : width(w), height(h), texels_(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+
+    // One in which nothing has been drawn yet: all of it a hole.
+    static Surface empty(int w = kSide, int h = kSide);
 
     Texel& at(int x, int y) { return texels_[indexOf(x, y)]; }
     const Texel& at(int x, int y) const { return texels_[indexOf(x, y)]; }
 
+    int width;
+    int height;
+
 private:
-    static std::size_t indexOf(int x, int y) { return static_cast<std::size_t>(wrap(y, kSide)) * kSide + static_cast<std::size_t>(wrap(x, kSide)); }
+    std::size_t indexOf(int x, int y) const {
+        return static_cast<std::size_t>(wrap(y, height)) * static_cast<std::size_t>(width) + static_cast<std::size_t>(wrap(x, width));
+    }
 
     std::vector<Texel> texels_;
 };

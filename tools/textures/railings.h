@@ -1,0 +1,14 @@
+// What keeps one out but lets one look: bars, grates, fences, nets.
+#pragma once
+
+#include "picture.h"
+
+namespace slicecast::textures {
+
+Picture paintIronBars();
+Picture paintGrate();  // seen from above, to walk on
+Picture paintFence();
+Picture paintNet();
+Picture paintRopeRailing();
+
+}  // namespace slicecast::textures
