@@ -131,19 +131,41 @@ World mixedWorld(std::uint64_t seed) {
     return world;
 }
 
-TEST(Classic, DrawsTheRenderersPictureWithoutAnOldWay) {
-    Random random(7);
+// Glass and lattices that touch each other and solid blocks, on a floor with holes.
+World glassWorld(std::uint64_t seed) {
+    Random random(seed);
+    World world = emptyWorld(6, 6, 3, lattice("floor"));
+    const TextureId pane = addTexture(world, lattice("pane"));
+    const BlueprintId blocks[] = {addBlock(world, pane), addBlock(world, pane, {}, toCoordinate(0.5)), addBlock(world, pane),
+                                  addBlock(world, addTexture(world, squares("solid", 60)))};
+    world.blueprints[blocks[2]].join = false;
+    markSeeThrough(world);
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 0; x < 6; ++x) {
+            for (int level = 0; level < 3; ++level) {
+                if (random.oneIn(2)) world.maps[0].setCell(x, y, level, blocks[random.below(4)]);
+            }
+        }
+    }
+    return world;
+}
+
+// How many of a number of views' pixels are not the renderer's.
+template <typename MakeWorld>
+void expectTheRenderersPictures(std::uint64_t seed, MakeWorld&& makeWorld) {
+    Random random(seed);
     std::int64_t pixels = 0;
     std::int64_t different = 0;
     std::set<Pixel> colours;
     for (std::uint64_t i = 0; i < 60; ++i) {
-        const World world = mixedWorld(i);
-        Eye eye = {.map = 0,
-                   .x = {random.between(-3 * 65536, 13 * 65536)},
-                   .y = {random.between(-3 * 65536, 12 * 65536)},
-                   .z = {random.between(1, 6 * 65536)},
-                   .headingDegrees = random.between(0.0, 360.0),
-                   .look = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0)};
+        const World world = makeWorld(i);
+        const Map& map = world.maps[0];
+        const Eye eye = {.map = 0,
+                         .x = {random.between(-3 * 65536, (map.width + 3) * 65536)},
+                         .y = {random.between(-3 * 65536, (map.depth + 3) * 65536)},
+                         .z = {random.between(1, (map.levels + 2) * 65536)},
+                         .headingDegrees = random.between(0.0, 360.0),
+                         .look = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0)};
         const RenderOptions options = {.fovDegrees = random.between(30.0, 120.0), .detail = false, .textures = !random.oneIn(8), .fog = !random.oneIn(4)};
         const Image exact = draw(world, eye, 97, 61, options);
         const Drawn old = drawOld(world, eye, 97, 61, {}, options);
@@ -161,6 +183,14 @@ TEST(Classic, DrawsTheRenderersPictureWithoutAnOldWay) {
     EXPECT_GT(colours.size(), 2000u) << "there was something to see";
     // Where a ray meets an edge within a rounding.
     EXPECT_LE(different, pixels / 10000) << different << " of " << pixels;
+}
+
+TEST(Classic, DrawsTheRenderersPictureWithoutAnOldWay) {
+    expectTheRenderersPictures(7, mixedWorld);
+}
+
+TEST(Classic, SeesThroughGlassAsTheRenderer) {
+    expectTheRenderersPictures(8, glassWorld);
 }
 
 // Two blocks that touch in a corner: nothing is seen between them, and the eastern one comes first.

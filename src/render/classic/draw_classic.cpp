@@ -63,12 +63,11 @@ private:
         for (int row = 0; row < rows_.rows; ++row) {
             const double y = rows_.middle(row);
             layers_.clear();
-            Place last;
-            while (layers_.empty() || toColour(layers_.back()).a < 255) {
-                const Place next = nextBehind(last, row);
-                layers_.push_back(next.surface != nullptr ? colouring_.ofSurface(*next.surface, ray_, y) : colouring_.ofBackground(ray_, y));
-                last = next;
-            }
+            Place at;
+            do {
+                at = nextBehind(at, row);
+                layers_.push_back(at.surface != nullptr ? colouring_.ofSurface(*at.surface, ray_, y) : colouring_.ofBackground(ray_, y));
+            } while (at.surface != nullptr && toColour(layers_.back()).a < 255);
             Pixel colour = layers_.back();
             for (std::size_t i = layers_.size() - 1; i-- > 0;) colour = laidOver(layers_[i], colour);
             paint(row, colour);
