@@ -1,9 +1,14 @@
 #include "app/app.h"
 
 #include "base/angle.h"
+#include "overlay/minimap.h"
+#include "overlay/slow_drawing.h"
+#include "session/hits_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <string>
 #include <utility>
 
 namespace slicecast {
@@ -15,6 +20,19 @@ constexpr double kMultiplierStep = 0.5;  // units
 constexpr double kFastFactor = 3.0;      // for the light's keys, as for moving
 constexpr double kSlowFactor = 0.2;
 constexpr double kLargestMouseTurn = 0.5;  // degrees per pixel
+constexpr int kFastSlices = 10;            // by which the inspected slice moves
+
+// Keys that switch an option on and off.
+constexpr auto kSwitches = std::to_array<std::pair<Action, const char*>>({
+    {Action::minimap, "minimap"},
+    {Action::minimapTurns, "minimapTurns"},
+    {Action::minimapRays, "minimapRays"},
+    {Action::playerPanel, "playerPanel"},
+    {Action::processPanel, "processPanel"},
+    {Action::inspector, "inspector"},
+    {Action::grid, "grid"},
+    {Action::slowDrawing, "slow"},
+});
 
 }  // namespace
 
@@ -24,6 +42,7 @@ void App::play(std::unique_ptr<Session> game) {
     endReplay();
     if (recorder_) shell_.tell(News::recording, false);
     game_ = std::move(game);
+    game_->setClock([this] { return shell_.nowSeconds(); });
     recorder_.reset();
     clock_.stop();
     meter_.skip();
@@ -148,8 +167,32 @@ void App::act(const Key& key) {
             endReplay();
             game_->setFlying(!game_->player().flying);
             break;
-        case Action::minimap:
-            game_->setOption("minimap", game_->options().minimap ? "off" : "on");
+        case Action::map:
+            game_->goToMap(key.map);
+            break;
+        case Action::lightPreset:
+            game_->setOption("lightPreset", nextChoice("lightPreset", game_->option("lightPreset")));
+            break;
+        case Action::hits:
+            shell_.tellHits(hitsJson(*game_, game_->world().title, width_, height_, game_->inspectedColumn(width_)));
+            break;
+        case Action::minimapLevelDown:
+            changeMinimapLevel(-1);
+            break;
+        case Action::minimapLevelUp:
+            changeMinimapLevel(1);
+            break;
+        case Action::sliceLeft:
+            changeNumber("inspectorColumn", game_->inspectedColumn(width_), keys_.isDown(Action::fast) ? -kFastSlices : -1, 0, width_ - 1);
+            break;
+        case Action::sliceRight:
+            changeNumber("inspectorColumn", game_->inspectedColumn(width_), keys_.isDown(Action::fast) ? kFastSlices : 1, 0, width_ - 1);
+            break;
+        case Action::slowerSlices:
+            changeNumber("slowSlices", game_->options().slowSlices, -1, -kMostSlicesPerPicture, kMostSlicesPerPicture);
+            break;
+        case Action::fasterSlices:
+            changeNumber("slowSlices", game_->options().slowSlices, 1, -kMostSlicesPerPicture, kMostSlicesPerPicture);
             break;
         case Action::intensityUp:
             changeLight("intensity", game_->state().intensity, kIntensityStep);
@@ -164,9 +207,31 @@ void App::act(const Key& key) {
             changeLight("multiplier", game_->state().multiplier, -kMultiplierStep);
             break;
         default:
-            return;
+            if (!toggle(key.action)) return;
+            break;
     }
     stale_ = true;
+}
+
+// Switches the option of an action on or off. False if it has none.
+bool App::toggle(Action action) {
+    for (const auto& [switched, option] : kSwitches) {
+        if (switched != action) continue;
+        game_->setOption(option, game_->option(option) == "on" ? "off" : "on");
+        return true;
+    }
+    return false;
+}
+
+void App::changeNumber(const char* option, int now, int by, int least, int greatest) {
+    game_->setOption(option, std::to_string(std::clamp(now + by, least, greatest)));
+}
+
+// Below the lowest level comes whichever level the player is on.
+void App::changeMinimapLevel(int by) {
+    const Eye eye = game_->eye();
+    const Map& map = game_->world().maps[static_cast<std::size_t>(eye.map)];
+    changeNumber("minimapLevel", minimapLevel(map, eye, {.level = game_->options().minimapLevel}), by, -1, map.levels - 1);
 }
 
 // Goes on from the map's own light where the option has not been set.

@@ -98,6 +98,9 @@ private:
     Input takeInput();
     void step();
     void changeLight(const char* option, double now, double by);
+    bool toggle(Action action);
+    void changeNumber(const char* option, int now, int by, int least, int greatest);
+    void changeMinimapLevel(int by);
     void tellChanges();
     bool draw(double nowSeconds);
 

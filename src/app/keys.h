@@ -34,6 +34,16 @@ enum class Action {
     heading,
     fly,
     minimap,
+    minimapTurns,
+    minimapRays,
+    playerPanel,
+    processPanel,
+    inspector,
+    hits,
+    grid,
+    slowDrawing,
+    lightPreset,
+    map,
     help,
     rate,
     pause,
@@ -46,6 +56,12 @@ enum class Action {
     intensityDown,
     multiplierUp,
     multiplierDown,
+    minimapLevelDown,
+    minimapLevelUp,
+    sliceLeft,
+    sliceRight,
+    slowerSlices,
+    fasterSlices,
 };
 inline constexpr int kHeldActions = static_cast<int>(Action::slow) + 1;
 
@@ -61,6 +77,7 @@ struct Key {
     std::string_view code;  // the same key in a page: KeyboardEvent.code
     Action action;
     double headingDegrees = 0.0;  // for Action::heading
+    int map = 0;                  // for Action::map, its number
 };
 
 // One line of the help: "W S" "walk ahead and back".

@@ -90,6 +90,10 @@ EM_JS(void, slicecastTellSize, (int width, int height), {
     if (Module["onSlicecast"]) Module["onSlicecast"]("size", {width, height});
 });
 
+EM_JS(void, slicecastTellHits, (const char* json), {
+    if (Module["onSlicecast"]) Module["onSlicecast"]("hits", JSON.parse(UTF8ToString(json)));
+});
+
 // clang-format on
 
 namespace slicecast {
@@ -138,6 +142,7 @@ public:
         SDL_SetWindowSize(window, width, height);
         slicecastTellSize(width, height);
     }
+    void tellHits(const std::string& json) override { slicecastTellHits(json.c_str()); }
     void leave() override { slicecastLeaveCanvas(); }
 
     SDL_Window* window = nullptr;  // null unless the program runs

@@ -6,6 +6,8 @@
 
 #include <SDL2/SDL_surface.h>
 
+#include <string>
+
 namespace slicecast {
 
 // What happens in the program, each with a yes or no.
@@ -37,6 +39,9 @@ public:
     virtual void tell(News news, bool yes) = 0;
     virtual void tellRates(const FrameRates& rates) = 0;
     virtual void tellSize(int width, int height) = 0;
+
+    // What the inspected slice meets, as JSON (see session/hits_json.h).
+    virtual void tellHits(const std::string& json) = 0;
 
     // Escape: frees the mouse, or, where it is free, leaves.
     virtual void leave() = 0;

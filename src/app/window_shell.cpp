@@ -128,7 +128,7 @@ void WindowShell::drawPanels(SDL_Surface& surface) const {
     if (showsRate_) {
         char text[64];
         std::snprintf(text, sizeof text, "%.0f frames/s\n%.1f ms to draw", rates_.framesPerSecond, rates_.drawMilliseconds);
-        drawTextPanel(picture, Anchor::topRight, text);
+        drawTextPanel(picture, Anchor::top, text);
     }
     if (showsHelp_) {
         std::string text;
@@ -150,6 +150,12 @@ void WindowShell::show(SDL_Surface& picture) {
     SDL_Rect place = place_;
     SDL_BlitScaled(&picture, nullptr, screen, &place);
     SDL_UpdateWindowSurface(window_.get());
+}
+
+// Alone on the standard output, for whatever reads it.
+void WindowShell::tellHits(const std::string& json) {
+    std::fwrite(json.data(), 1, json.size(), stdout);
+    std::fflush(stdout);
 }
 
 void WindowShell::tell(News news, bool yes) {

@@ -42,6 +42,7 @@ public:
     void tell(News news, bool yes) override;
     void tellRates(const FrameRates& rates) override { rates_ = rates; }
     void tellSize(int, int) override {}
+    void tellHits(const std::string& json) override;
     void leave() override;
 
 private:

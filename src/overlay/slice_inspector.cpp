@@ -89,16 +89,11 @@ struct SideRay {
     }
 };
 
-// The depth at which the ray through a row meets what fills it.
-double depthOf(const Hit& hit, FilledRows::What what, double eyeZ, double slope) {
-    const double level = (what == FilledRows::What::roof ? hit.top : hit.bottom).value();
-    if (what == FilledRows::What::roof || what == FilledRows::What::underside) {
-        return slope != 0.0 ? std::clamp((level - eyeZ) / slope, hit.depth, hit.backDepth) : hit.backDepth;
-    }
-    // A side is met where the tile is entered, unless only the far side is there.
-    const double entered = eyeZ + slope * hit.depth;
-    const bool front = hit.entered && entered >= hit.bottom.value() - 0.01 && entered <= hit.top.value() + 0.01;
-    return front ? hit.depth : hit.backDepth;
+// The depth at which the ray of that slope meets what fills its row.
+double depthOf(const Hit& hit, const FilledRows& rows, double eyeZ, double slope) {
+    if (rows.what == FilledRows::What::side) return hit.entered && rows.face == hit.face ? hit.depth : hit.backDepth;
+    const double level = (rows.what == FilledRows::What::roof ? hit.top : hit.bottom).value();
+    return slope != 0.0 ? std::clamp((level - eyeZ) / slope, hit.depth, hit.backDepth) : hit.backDepth;
 }
 
 void drawAxes(const Plot& plot, double eyeZ, int scale, const Picture& picture) {
@@ -252,7 +247,7 @@ void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye, c
     }
     for (const Hit& hit : trace.hits) {
         for (const FilledRows& rows : hit.filled) {
-            drawRays(trace, rows, plot, eyeZ, [&](double slope) { return depthOf(hit, rows.what, eyeZ, slope); }, picture);
+            drawRays(trace, rows, plot, eyeZ, [&](double slope) { return depthOf(hit, rows, eyeZ, slope); }, picture);
         }
     }
     drawDot(picture, panel, {plot.x(0.0), plot.y(eyeZ)}, 2.5 * scale + 1.0, {20, 20, 20, 200});

@@ -27,8 +27,8 @@ constexpr Preset kDusk = {.light = {.on = true, .intensity = 1.0, .multiplier = 
                           .low = {232, 150, 98, 255},
                           .high = {58, 56, 104, 255},
                           .slope = 0.7};
-constexpr Preset kNight = {.light = {.on = true, .intensity = 0.7, .multiplier = 4.0, .darkest = 0.1, .brightest = 0.8},
-                           .fog = {.on = true, .start = 5.0, .end = 50.0},
+constexpr Preset kNight = {.light = {.on = true, .intensity = 0.8, .multiplier = 5.0, .darkest = 0.2, .brightest = 0.8},
+                           .fog = {.on = true, .start = 8.0, .end = 80.0},
                            .haze = {14, 18, 33, 255},
                            .low = {26, 33, 58, 255},
                            .high = {6, 8, 20, 255},

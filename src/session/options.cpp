@@ -263,6 +263,17 @@ std::string setOption(SessionOptions& options, std::string_view name, std::strin
     return "option " + std::string(name) + ": found \"" + std::string(value) + "\", expected " + expected(entry->info);
 }
 
+std::string nextChoice(std::string_view name, std::string_view value) {
+    const Entry* entry = findEntry(name);
+    if (entry == nullptr) return {};
+    std::string_view words = entry->info.choices;
+    const std::string first(nextWord(words));
+    for (std::string_view word = first; !word.empty(); word = nextWord(words)) {
+        if (word == value) return words.empty() ? first : std::string(nextWord(words));
+    }
+    return {};
+}
+
 std::string optionValue(const SessionOptions& options, std::string_view name) {
     const Entry* entry = findEntry(name);
     if (entry == nullptr) return {};

@@ -68,6 +68,9 @@ std::span<const OptionInfo> knownOptions();
 // Sets one option. An empty string on success; else what was found and what was expected, and nothing has changed.
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
 
+// The word after `value` among those of a choice, the first one after the last; empty if there is no such choice or word.
+std::string nextChoice(std::string_view name, std::string_view value);
+
 // The value as setOption would take it; empty for an unknown name.
 std::string optionValue(const SessionOptions& options, std::string_view name);
 

@@ -1,6 +1,7 @@
 #include "app/app.h"
 
 #include "base/random.h"
+#include "session/hits_json.h"
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,7 @@ public:
     void tell(News what, bool yes) override { news.emplace_back(what, yes); }
     void tellRates(const FrameRates& told) override { rates.push_back(told); }
     void tellSize(int width, int height) override { sizes.emplace_back(width, height); }
+    void tellHits(const std::string& json) override { hits.push_back(json); }
     void leave() override { ++left; }
 
     double now = 100.0;
@@ -32,6 +34,7 @@ public:
     std::vector<Pixel> last;
     std::vector<std::pair<News, bool>> news;
     std::vector<FrameRates> rates;
+    std::vector<std::string> hits;
     std::vector<std::pair<int, int>> sizes;
 };
 
@@ -432,6 +435,90 @@ TEST(App, WithoutAGameThereIsNothingToDo) {
     app.pointerMoved(1.0, 1.0);
     EXPECT_FALSE(app.frame(1.0));
     EXPECT_EQ(shell.shown, 0);
+}
+
+TEST_F(AppTest, KeysSwitchTheOverlaysOnAndOff) {
+    const std::pair<SDL_Scancode, const char*> switches[] = {{SDL_SCANCODE_M, "minimap"},     {SDL_SCANCODE_B, "minimapTurns"}, {SDL_SCANCODE_O, "minimapRays"},
+                                                             {SDL_SCANCODE_J, "playerPanel"}, {SDL_SCANCODE_U, "processPanel"}, {SDL_SCANCODE_G, "inspector"},
+                                                             {SDL_SCANCODE_K, "grid"},        {SDL_SCANCODE_Y, "slow"}};
+    for (const auto& [scancode, option] : switches) {
+        EXPECT_EQ(app.game()->option(option), "off") << option;
+        press(scancode);
+        press(scancode, true);
+        EXPECT_EQ(app.game()->option(option), "on") << option;
+        press(scancode);
+        EXPECT_EQ(app.game()->option(option), "off") << option;
+    }
+}
+
+TEST_F(AppTest, AKeyGoesRoundTheTimesOfDay) {
+    for (const char* preset : {"day", "dusk", "night", "fog", "map", "day"}) {
+        press(SDL_SCANCODE_L);
+        EXPECT_EQ(app.game()->option("lightPreset"), preset);
+    }
+}
+
+TEST_F(AppTest, TheNumberRowGoesToMaps) {
+    World world = makeField();
+    world.maps.push_back(makeMap("cellar", 9, 5, 1, 0));
+    app.play(std::make_unique<Session>(std::move(world)));
+    press(SDL_SCANCODE_1);
+    EXPECT_EQ(app.game()->player().map, 1);
+    EXPECT_EQ(x(), 4.5);
+    press(SDL_SCANCODE_2);
+    EXPECT_EQ(app.game()->player().map, 1) << "there is no such map";
+    press(SDL_SCANCODE_0);
+    EXPECT_EQ(app.game()->player().map, 0);
+    EXPECT_EQ(x(), 20.5);
+}
+
+TEST_F(AppTest, KeysMoveTheInspectedSlice) {
+    press(SDL_SCANCODE_F2);
+    EXPECT_EQ(app.game()->option("inspectorColumn"), "41") << "from the middle";
+    press(SDL_SCANCODE_F1);
+    press(SDL_SCANCODE_F1, true);
+    EXPECT_EQ(app.game()->option("inspectorColumn"), "39");
+    press(SDL_SCANCODE_LSHIFT);
+    press(SDL_SCANCODE_F2, true);
+    EXPECT_EQ(app.game()->option("inspectorColumn"), "49");
+    for (int i = 0; i < 10; ++i) press(SDL_SCANCODE_F2, true);
+    EXPECT_EQ(app.game()->option("inspectorColumn"), "79") << "the last one";
+}
+
+TEST_F(AppTest, AKeyTellsWhatTheInspectedSliceMeets) {
+    app.game()->setOption("inspectorColumn", "7");
+    press(SDL_SCANCODE_T);
+    ASSERT_EQ(shell.hits.size(), 1u);
+    EXPECT_EQ(shell.hits[0], hitsJson(*app.game(), "", 80, 50, 7));
+    EXPECT_NE(shell.hits[0].find("\"column\": 7,"), std::string::npos);
+}
+
+TEST_F(AppTest, KeysChooseTheLevelOfTheMinimap) {
+    const auto level = [&] { return app.game()->option("minimapLevel"); };
+    press(SDL_SCANCODE_RIGHTBRACKET);
+    EXPECT_EQ(level(), "1") << "above the player's";
+    press(SDL_SCANCODE_RIGHTBRACKET);
+    EXPECT_EQ(level(), "1") << "the highest of the map";
+    press(SDL_SCANCODE_LEFTBRACKET);
+    EXPECT_EQ(level(), "0");
+    press(SDL_SCANCODE_LEFTBRACKET);
+    EXPECT_EQ(level(), "-1") << "the player's";
+}
+
+TEST_F(AppTest, KeysChangeTheRateOfSlowDrawing) {
+    press(SDL_SCANCODE_F4);
+    EXPECT_EQ(app.game()->option("slowSlices"), "2");
+    for (int i = 0; i < 4; ++i) press(SDL_SCANCODE_F3, true);
+    EXPECT_EQ(app.game()->option("slowSlices"), "-2");
+}
+
+TEST_F(AppTest, TheProcessPanelGetsAClock) {
+    press(SDL_SCANCODE_U);
+    app.resize(320, 200);
+    play(0.3);
+    const std::vector<Pixel> before = shell.last;
+    play(0.4);
+    EXPECT_NE(shell.last, before) << "times instead of dashes";
 }
 
 }  // namespace
