@@ -104,7 +104,9 @@ Picture paintDoubleDoor() {
     constexpr int kHeight = kSide - kLintel;
     constexpr double kDistance = 260.0;  // of the eye, in texels, for the perspective of a turned leaf
     std::vector<Picture> frames;
-    for (const auto& [cosine, sine] : kTurns) {
+    for (const std::array<double, 2>& turn : kTurns) {
+        const double cosine = turn[0];
+        const double sine = turn[1];
         Surface surface = Surface::empty();
         everyTexelIn(kPost, kLintel, kSide - kPost, kSide, [&](int x, int y) {
             const bool right = x >= kSide / 2;
