@@ -73,6 +73,25 @@ describe('the window', { skip: noScreen }, () => {
       await shows(started, expectedPicture(kWidth, kHeight), 'the picture of the start');
     }));
 
+  test('a recording is played, and recorded again as far as it came', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'slicecast-'));
+    try {
+      const again = join(folder, 'again.txt');
+      const tour = join(root, 'assets/tours/temple.txt');
+      await withWindow(['--size', `${kWidth}x${kHeight}`, '--replay', tour, '--record', again], async (started) => {
+        assert.equal(started.title, 'The temple in the canyon (recording) (replay)');
+        await new Promise((resolve) => setTimeout(resolve, 1500));
+      });
+      // Whole lines but for the last stretch, which was cut.
+      const played = readFileSync(again, 'utf8').trimEnd().split('\n').slice(3, -2);
+      const wanted = readFileSync(tour, 'utf8').split('\n').slice(2);
+      assert.ok(played.length > 2, played.join('\n'));
+      assert.deepEqual(played, wanted.slice(0, played.length));
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  });
+
   test('without a scene it opens the first one of the list', () =>
     withWindow(['--size', `${kWidth}x${kHeight}`], async (started) => {
       const [opening] = JSON.parse(readFileSync(join(root, 'assets/scenes/index.json'), 'utf8'));

@@ -2,6 +2,7 @@
 #include "base/image.h"
 #include "headless/scene_file.h"
 #include "run_program.h"
+#include "session/recording_text.h"
 #include "session/session.h"
 
 #include <gtest/gtest.h>
@@ -210,6 +211,81 @@ TEST(RenderProgram, HasHelp) {
         EXPECT_NE(finished.out.find(word), std::string::npos) << word;
     }
     for (const OptionInfo& option : knownOptions()) EXPECT_NE(finished.out.find("  " + std::string(option.name) + " "), std::string::npos) << option.name;
+}
+
+// A recording of the corridor: ahead until the wall, then about.
+std::string corridorWalk(const TestFolder& folder) {
+    SceneFromFile scene = readScene(corridor(folder));
+    Session session(std::move(*scene.world));
+    Recorder recorder("corridor");
+    session.record(&recorder);
+    for (int i = 0; i < 50; ++i) session.step({.forward = 1.0});
+    recorder.mark("half-way", session);
+    for (int i = 0; i < 50; ++i) session.step({.turnDegrees = 1.5});
+    const std::string path = (folder / "walk.txt").string();
+    writeText(path, writeRecording(recorder.finish(session)));
+    return path;
+}
+
+TEST(RenderProgram, PlaysARecordingUpToAStepOrAMark) {
+    const TestFolder folder;
+    const std::string walk = corridorWalk(folder);
+    const std::string scene = (folder / "corridor.json").string();
+    const std::string out = (folder / "view.png").string();
+    const auto viewAfter = [&](int ahead, int turned) {
+        SceneFromFile read = readScene(scene);
+        Session session(std::move(*read.world));
+        for (int i = 0; i < ahead; ++i) session.step({.forward = 1.0});
+        for (int i = 0; i < turned; ++i) session.step({.turnDegrees = 1.5});
+        return drawn(session, 64, 40);
+    };
+    const auto view = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments = {scene, "--replay", walk, "--size", "64x40", "--out", out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Finished finished = render(arguments);
+        EXPECT_EQ(finished.status, 0) << finished.err;
+        EXPECT_EQ(finished.out + finished.err, "");
+        return readPicture(out);
+    };
+    EXPECT_EQ(view({}).pixels, viewAfter(50, 50).pixels);
+    EXPECT_EQ(view({"--at", "0"}).pixels, viewAfter(0, 0).pixels);
+    EXPECT_EQ(view({"--at", "31"}).pixels, viewAfter(31, 0).pixels);
+    EXPECT_EQ(view({"--at", "half-way"}).pixels, viewAfter(50, 0).pixels);
+    EXPECT_EQ(view({"--at", "99"}).pixels, viewAfter(50, 49).pixels);
+}
+
+TEST(RenderProgram, RefusesARecordingThatDoesNotFit) {
+    const TestFolder folder;
+    const std::string walk = corridorWalk(folder);
+    const std::string scene = (folder / "corridor.json").string();
+    const std::string out = (folder / "view.png").string();
+    struct Refusal {
+        std::vector<std::string> arguments;
+        int status;
+        std::string words;
+    };
+    const std::string broken = (folder / "broken.txt").string();
+    writeText(broken, "slicecast recording 1\nscene corridor\n5 run\nend 5 0123456789abcdef\n");
+    const std::string elsewhere = (folder / "elsewhere.txt").string();
+    writeText(elsewhere, "slicecast recording 1\nscene corridor\n5\nend 5 0123456789abcdef\n");
+    const std::vector<Refusal> refusals = {
+        {{scene, "--replay", walk, "--at", "101"}, 2, "--at: found \"101\", expected a step from 0 to 100 or one of the marks half-way"},
+        {{scene, "--replay", walk, "--at", "there"}, 2, "--at: found \"there\""},
+        {{scene, "--at", "7"}, 2, "--replay"},
+        {{scene, "--replay", walk, "--eye", "1.5,2.5,0.5,0,0"}, 2, "expected no --eye and no --map"},
+        {{kScene, "--replay", walk}, 2, "found a recording of the scene \"corridor\", expected one of \"everything\""},
+        {{scene, "--replay", (folder / ".").string()}, 1, "found no file that can be read, expected a recording"},
+        {{scene, "--replay", broken}, 1, "broken.txt:3:3: found \"run\""},
+        {{scene, "--replay", elsewhere}, 1, "leads elsewhere"},
+    };
+    for (const Refusal& refusal : refusals) {
+        std::vector<std::string> arguments = refusal.arguments;
+        arguments.insert(arguments.end(), {"--out", out});
+        const Finished finished = render(arguments);
+        EXPECT_EQ(finished.status, refusal.status) << finished.err;
+        EXPECT_NE((finished.out + finished.err).find(refusal.words), std::string::npos) << finished.out << finished.err;
+        EXPECT_FALSE(std::filesystem::exists(out));
+    }
 }
 
 }  // namespace

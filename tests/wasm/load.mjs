@@ -17,6 +17,8 @@ export const shippedScenes = readdirSync(join(root, 'assets/scenes'))
   .filter((name) => name.endsWith('.json') && name !== 'index.json')
   .map((name) => join(root, 'assets/scenes', name));
 
+export const shippedTours = readdirSync(join(root, 'assets/tours')).map((name) => join(root, 'assets/tours', name));
+
 const engineFolder = join(root, 'build/web/engine');
 const loaded = new Map();
 
@@ -127,6 +129,32 @@ export class Session {
 
   setEye({ map = 0, x, y, z, heading = 0, look = 0 }) {
     return this.module._slicecast_setEye(this.address, map, x, y, z, heading, look) === 1;
+  }
+
+  record(sceneName) {
+    this.withMemory([cString(sceneName)], (nameAt) => this.module._slicecast_record(this.address, nameAt));
+  }
+
+  takeRecording() {
+    return this.module.UTF8ToString(this.module._slicecast_takeRecording(this.address));
+  }
+
+  readRecording(text, name) {
+    const bytes = Buffer.from(text);
+    return this.withMemory([bytes, cString(name)], (textAt, nameAt) =>
+      this.json(this.module._slicecast_readRecording(this.address, textAt, bytes.length, nameAt)));
+  }
+
+  replay() {
+    return this.module._slicecast_replay(this.address) === 1;
+  }
+
+  replayStep(count) {
+    return this.module._slicecast_replayStep(this.address, count);
+  }
+
+  replayState() {
+    return this.json(this.module._slicecast_replayState(this.address));
   }
 
   json(at) {
