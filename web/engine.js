@@ -127,6 +127,16 @@ export class Engine {
     return true;
   }
 
+  // Into a map by its number. False if there is no such map.
+  goToMap(map) {
+    return this.#module._slicecast_goToMap(this.#session, map) === 1;
+  }
+
+  // Everything that one column of a picture of that size meets (src/session/hits_json.h), or null.
+  hits(width, height, column) {
+    return this.#json(this.#module._slicecast_hits(this.#session, width, height, column));
+  }
+
   reset() {
     this.#module._slicecast_reset(this.#session);
   }

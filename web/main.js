@@ -182,6 +182,9 @@ class Page {
       case 'fullscreen':
         this.toggleFullScreen();
         break;
+      case 'hits':
+        console.info('slice %d', value.column, value);
+        break;
       case 'frames':
         find('rate').textContent = `${Math.round(value.framesPerSecond)} fps · ${value.drawMilliseconds.toFixed(1)} ms`;
         break;

@@ -4,6 +4,7 @@
 #include "app/page_shell.h"
 #include "base/image.h"
 #include "scene/scene.h"
+#include "session/hits_json.h"
 #include "session/recording_text.h"
 #include "session/session.h"
 #include "wasm/json_text.h"
@@ -242,6 +243,20 @@ EMSCRIPTEN_KEEPALIVE int32_t slicecast_setEye(SlicecastSession* session, int32_t
     if (game == nullptr) return 0;
     session->changed();
     return game->setEye({map, toCoordinate(x), toCoordinate(y), toCoordinate(z), headingDegrees, look}) ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_goToMap(SlicecastSession* session, int32_t map) {
+    Session* game = session->game();
+    if (game == nullptr) return 0;
+    session->changed();
+    return game->goToMap(map) ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height, int32_t column) {
+    Session* game = session->game();
+    const bool exists = width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide && column >= 0 && column < width;
+    if (game == nullptr || !exists) return session->give("null");
+    return session->give(hitsJson(*game, game->world().title, width, height, column));
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecast_setFlying(SlicecastSession* session, int32_t flying) {

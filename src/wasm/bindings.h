@@ -27,6 +27,7 @@
 //     "rate"        true          I was pressed: the page shows or hides the frame rate
 //     "fullscreen"  true          F was pressed: the page enters or leaves full screen
 //     "record"      true          F9 was pressed: the page opens the scene anew and records it, or saves what was recorded
+//     "hits"        {...}         T was pressed: what the inspected slice meets, as slicecast_hits gives it
 //     "frames"      {"framesPerSecond", "drawMilliseconds", "longestMilliseconds"}   twice a second, over the time since the last one
 //     "size"        {"width", "height"}   pixels of the picture, after every change
 //
@@ -89,8 +90,8 @@ const char* slicecast_setOption(SlicecastSession* session, const char* name, con
 const char* slicecast_option(SlicecastSession* session, const char* name);
 
 // All options, in the order in which to list them: [{"name", "kind", "least", "greatest", "choices", "standard", "description", "value"}]. `kind` is "onOff",
-// "number", "wholeNumber", "ownOrNumber" ("map" for each map's own value) or "choice"; `least` and `greatest` bound the numbers, `choices` are a choice's words
-// with a space between them.
+// "number", "wholeNumber", "ownOrNumber" ("map" for each map's own value), "ownOrColour" ("map" or "#rrggbb") or "choice"; `least` and `greatest` bound the
+// numbers, `choices` are a choice's words with a space between them.
 const char* slicecast_options(SlicecastSession* session);
 
 // Where the player is, after the last step: {"map", "mapName", "x", "y", "z", "feet", "heading", "look", "speed", "flying", "crouched", "onGround",
@@ -122,6 +123,14 @@ const char* slicecast_replayState(SlicecastSession* session);
 // Puts the player's eye somewhere else, flying; inside blocks and outside the grid too. 1 on success, 0 if such an eye cannot see (no such map, not above the
 // floor).
 int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees, double look);
+
+// Into a map by its number: to the scene's start if it lies in that map, else to the free tile nearest to the map's middle. 1 on success, 0 if there is no such
+// map.
+int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
+
+// Everything that one column of a picture of that size meets, as session/hits_json.h describes it: eye, tiles walked, blocks with their depths and rows, planes.
+// "scene" is the scene's title. null without a game or such a column.
+const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height, int32_t column);
 
 // Fly mode (1) or walk mode (0).
 void slicecast_setFlying(SlicecastSession* session, int32_t flying);

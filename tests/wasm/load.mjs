@@ -131,6 +131,14 @@ export class Session {
     return this.module._slicecast_setEye(this.address, map, x, y, z, heading, look) === 1;
   }
 
+  goToMap(map) {
+    return this.module._slicecast_goToMap(this.address, map) === 1;
+  }
+
+  hits(width, height, column) {
+    return this.json(this.module._slicecast_hits(this.address, width, height, column));
+  }
+
   record(sceneName) {
     this.withMemory([cString(sceneName)], (nameAt) => this.module._slicecast_record(this.address, nameAt));
   }
