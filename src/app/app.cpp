@@ -168,6 +168,7 @@ void App::act(const Key& key) {
             game_->setFlying(!game_->player().flying);
             break;
         case Action::map:
+            endReplay();
             game_->goToMap(key.map);
             break;
         case Action::lightPreset:
