@@ -74,13 +74,13 @@ Picture paintLeaves() {
     Random random(kSeed + 60U);
     constexpr int kLayers = 3;
     for (int layer = 0; layer < kLayers; ++layer) {
-        for (int number = 0; number < 190; ++number) {
+        for (int number = 0; number < 170; ++number) {
             const double x = random.between(0.0, kSide);
             const double y = random.between(0.0, kSide);
             const double spray = fractalNoise(x / 21.34, y / 21.34, 6, 6, 2, kSeed + 61U);
             const Direction direction = kHanging[static_cast<std::size_t>(random.below(7))];
             const double length = random.between(7.0, 11.0);
-            if (spray < 0.33 + 0.05 * layer) {
+            if (spray < 0.24 + 0.09 * layer) {
                 continue;
             }
             drawLeaf(surface, {.x = x,

@@ -215,9 +215,11 @@ Picture paintShopWindow() {
     drawBox(surface, 60, 66, 67, 75, {.ramp = &kSeaRamp, .tone = 2.4, .height = -3.0, .bulge = 0.7});
     drawBox(surface, 58, 64, 69, 67, {.ramp = &kSeaRamp, .tone = 3.4, .height = -2.5, .bulge = 0.4});
     everyTexelIn(56, 79, 71, 82, [&](int x, int y) { surface.at(x, y).tone = y == 80 ? 4.8 : 3.6; });
+    int number = 0;
     for (const Place apple : {Place{86.0, 86.0}, Place{94.0, 86.0}, Place{102.0, 86.0}, Place{90.0, 80.0}, Place{98.0, 80.0}, Place{94.0, 74.5}}) {
-        const bool red = static_cast<int>(apple.x) % 4 == 2;
-        drawBall(surface, apple, 4.4, 4.2, {.ramp = red ? &kCrimsonRamp : &kMossRamp, .tone = red ? 3.2 : 4.2, .height = -3.0, .bulge = 0.6});
+        const bool red = number % 3 != 1;
+        drawBall(surface, apple, 4.4, 4.2, {.ramp = red ? &kCrimsonRamp : &kMossRamp, .tone = red ? 3.8 : 4.6, .height = -3.0 + number / 3, .bulge = 0.6});
+        ++number;
     }
     // Posts at the sides, half of each in this tile; sill; panels
     everyTexel([&](int x, int y) {

@@ -99,8 +99,10 @@ Picture paintStatue() {
     drawOutline(surface, {{29.0, 28.0}, {54.0, 28.0}, {57.0, 46.0}, {41.5, 52.0}, {26.0, 46.0}}, {.ramp = stone, .tone = 4.4, .height = 20.0});
     drawBall(surface, {41.5, 27.0}, 8.0, 10.5, {.ramp = stone, .tone = 2.0, .height = 20.0, .bulge = 0.0});
     drawBall(surface, {41.5, 28.0}, 6.4, 8.6, {.ramp = stone, .tone = 4.6, .height = 20.0, .bulge = 0.6});
-    drawBox(surface, 38, 26, 40, 28, {.ramp = stone, .tone = 2.4, .height = 25.0, .bulge = 0.0});
-    drawBox(surface, 43, 26, 45, 28, {.ramp = stone, .tone = 2.4, .height = 25.0, .bulge = 0.0});
+    // Eyes in the shade of the brows
+    for (const int x : {36, 43}) {
+        everyTexelIn(x, 25, x + 4, 28, [&](int eyeX, int eyeY) { surface.at(eyeX, eyeY).tone -= eyeY == 25 ? 1.8 : 0.9; });
+    }
     drawOutline(surface, {{41.0, 26.0}, {43.0, 26.0}, {43.5, 31.5}, {40.0, 31.5}}, {.ramp = stone, .tone = 5.4, .height = 26.0});
     drawOutline(surface, {{36.0, 32.0}, {47.0, 32.0}, {45.0, 42.0}, {41.5, 46.0}, {38.0, 42.0}}, {.ramp = stone, .tone = 4.4, .height = 25.0});
     // Weather: streaks from above, and moss where water stays

@@ -175,8 +175,10 @@ Picture paintMarketStall() {
             }
         } else {
             for (int stem = 0; stem < 9; ++stem) {
-                drawLimb(surface, {x, 60.0}, 1.2, {x + random.between(-5.0, 5.0), 60.0 + random.between(12.0, 19.0)}, 1.8,
-                         {.ramp = &kMossRamp, .tone = random.between(2.0, 4.0), .height = 2.0, .bulge = 0.6});
+                const double lean = random.between(-5.0, 5.0);
+                const double length = random.between(12.0, 19.0);
+                const double tone = random.between(2.0, 4.0);
+                drawLimb(surface, {x, 60.0}, 1.2, {x + lean, 60.0 + length}, 1.8, {.ramp = &kMossRamp, .tone = tone, .height = 2.0, .bulge = 0.6});
             }
         }
     }
@@ -198,8 +200,9 @@ Picture paintMarketStall() {
             for (int fruit = 0; fruit < count; ++fruit) {
                 const double x = 0.5 * (heap.left + heap.right) + (fruit - 0.5 * (count - 1)) * step;
                 const double y = kCounter - 12.0 - row * heap.size * 1.25 + random.between(-0.8, 0.8);
-                drawBall(surface, {x + random.between(-0.6, 0.6), y}, heap.size, 0.95 * heap.size,
-                         {.ramp = heap.ramp, .tone = heap.tone + random.between(-0.5, 0.3), .height = 2.0 + row, .bulge = 0.8});
+                const double aside = random.between(-0.6, 0.6);
+                const double own = random.between(-0.5, 0.3);
+                drawBall(surface, {x + aside, y}, heap.size, 0.95 * heap.size, {.ramp = heap.ramp, .tone = heap.tone + own, .height = 2.0 + row, .bulge = 0.8});
             }
         }
         drawBox(surface, heap.left, kCounter - 11, heap.right, kCounter, {.ramp = &kTimberRamp, .tone = 3.4, .height = 6.0, .bulge = 0.0});
