@@ -5,6 +5,7 @@
 #include "banners.h"
 #include "brickwork.h"
 #include "carving.h"
+#include "cutout.h"
 #include "foliage.h"
 #include "fountain.h"
 #include "furnishings.h"
@@ -103,6 +104,7 @@ std::vector<Entry> seeThroughTextures() {
         {.name = "net", .use = Use::SeeThrough, .paint = paintNet, .alpha = Alpha::Holes},
         {.name = "rope-railing", .use = Use::SeeThrough, .paint = paintRopeRailing, .repeatsUpwards = false, .alpha = Alpha::Holes},
         {.name = "leaves", .use = Use::SeeThrough, .paint = paintLeaves, .alpha = Alpha::Holes},
+        {.name = "nothing", .use = Use::SeeThrough, .paint = paintNothing, .alpha = Alpha::Nothing},
         {.name = "archway", .use = Use::SeeThrough, .paint = paintArchway, .wall = "stone-blocks", .repeatsUpwards = false, .alpha = Alpha::Holes},
     };
 }

@@ -10,8 +10,8 @@ namespace slicecast::textures {
 
 enum class Use { Wall, Floor, Roof, Ceiling, Sky, Test, SeeThrough, Sheet, Sprite };
 
-// Which alphas a picture has: 255 alone; holes (0) and 255; or blends between as well.
-enum class Alpha { Opaque, Holes, Blended };
+// Which alphas a picture has: 255 alone; holes (0) and 255; blends between as well; or nothing but a hole.
+enum class Alpha { Opaque, Holes, Blended, Nothing };
 
 struct Entry {
     std::string name;  // the file is name.png

@@ -105,6 +105,12 @@ Picture edgesSoftened(const Picture& picture) {
     return soft;
 }
 
+Picture paintNothing() {
+    Picture picture(kSide, kSide);
+    std::fill(picture.pixels.begin(), picture.pixels.end(), Colour{kSlate3.r, kSlate3.g, kSlate3.b, 0});
+    return picture;
+}
+
 Picture inARow(const std::vector<Picture>& frames) {
     const int width = frames.front().width;
     Picture row(width * static_cast<int>(frames.size()), frames.front().height);

@@ -16,6 +16,9 @@ Picture holesFilled(Picture picture, Border border);
 // Edges blended over about a texel. The lowest row stands on the ground and stays whole.
 Picture edgesSoftened(const Picture& picture);
 
+// A block texture of which nothing is seen, for faces that a block goes without: the top of a fence.
+Picture paintNothing();
+
 // Frames of equal size side by side.
 Picture inARow(const std::vector<Picture>& frames);
 
