@@ -3,7 +3,6 @@
 
 #include "base/bits.h"
 #include "render/options.h"
-#include "world/texture.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -19,13 +18,13 @@ struct Detail {
     Detail(const RenderOptions& options, double projectionDistance)
         : textures(options.textures), levels(options.detail), firstThreshold(options.detailThreshold * projectionDistance) {}
 
-    int levelAt(double depth, const Texture& texture) const {
-        const int last = static_cast<int>(texture.levels.size()) - 1;
+    // `size` is the texture's, in texels a side; `last` its last level.
+    int levelAt(double depth, int size, int last) const {
         if (!textures) return last;
         if (!levels) return 0;
         // The exponents' difference, rounded up: a double's bits are its exponent and then its fraction, so it falls out of one subtraction. Thresholds
         // double, N is a power of two: no rounding anywhere.
-        const double reach = depth * texture.size();
+        const double reach = depth * size;
         const std::int64_t over = bitCast<std::int64_t>(reach) - bitCast<std::int64_t>(firstThreshold);
         constexpr std::int64_t kOne = std::int64_t{1} << 52;
         return static_cast<int>(std::clamp<std::int64_t>((over + kOne - 1) >> 52, 0, last));

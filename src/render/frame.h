@@ -14,6 +14,14 @@
 
 namespace slicecast {
 
+// A texture as it stands at the time of a frame.
+struct FrameTexture {
+    const TextureLevel* levels = nullptr;
+    int size = 0;  // texels a side
+    int last = 0;  // index of the last level
+    bool seeThrough = false;
+};
+
 struct Frame {
     const World* world = nullptr;
     const Map* map = nullptr;
@@ -24,10 +32,12 @@ struct Frame {
     int firstFloorRow = 0;               // rows above it, down to the horizon, look beyond the map's `far`
     double highest = 0.0;                // no block and no ceiling lies higher, units
     std::vector<double>& inverseOffsets;  // 1 / |horizon - (row + 0.5)| by row
+    std::vector<FrameTexture>& textures;  // by TextureId
     PlaneShades& planeShades;
     SkyRows& skyRows;
 
-    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<double>& slopes, PlaneShades& shades, SkyRows& sky);
+    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<double>& slopes, std::vector<FrameTexture>& current,
+          PlaneShades& shades, SkyRows& sky);
 };
 
 }  // namespace slicecast

@@ -16,6 +16,7 @@ struct Plane {
     std::int32_t rise = 0;  // 1/65536 units above the eye, never 0 where anything is drawn
     TextureId texture = kNoTexture;
     double light = 1.0;
+    bool glow = false;
     bool southReversed = false;  // undersides and ceilings
 
     friend bool operator==(const Plane&, const Plane&) = default;

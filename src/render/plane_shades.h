@@ -16,20 +16,23 @@ public:
     void beginFrame(const Lighting& lighting, double projectionDistance, const double* inverseOffsets, int height);
 
     // The tables of the plane that lies `rise` (in 1/65536 units, not 0) above the eye, good for the rows [first, last).
-    PlaneRows rows(std::int32_t rise, double faceLight, int first, int last);
+    PlaneRows rows(std::int32_t rise, double faceLight, bool glow, int first, int last);
 
 private:
     struct Table {
         std::uint64_t frame = 0;
         std::int32_t rise = 0;
         double faceLight = 0.0;
+        bool glow = false;
         int first = 0;  // rows that are filled
         int last = 0;
         std::vector<std::uint32_t> factors;
         std::vector<std::uint32_t> fogs;
+
+        bool isFor(std::int32_t r, double light, bool glows) const { return rise == r && faceLight == light && glow == glows; }
     };
 
-    Table& find(std::int32_t rise, double faceLight);
+    Table& find(std::int32_t rise, double faceLight, bool glow);
     void grow();
     void fill(Table& table, int first, int last) const;
 

@@ -1,4 +1,4 @@
-// Light and fog at a depth.
+// Light and fog at a depth. For what glows the clamped falloff is 1.
 //
 //     falloff = intensity * multiplier / t                                      1 where the light is off
 //     factor  = min(256, floor(256 * clamp(falloff, darkest, brightest) * faceLight + 0.5))
@@ -15,6 +15,8 @@
 #include <cstdint>
 
 namespace slicecast {
+
+inline constexpr double kFullBrightness = 256.0;
 
 struct Shade {
     std::uint32_t factor = 256;  // 0 to 256
@@ -46,7 +48,7 @@ struct Lighting {
         const double bright = brightness * faceLight + 0.5;
         return bright >= 256.0 ? 256u : static_cast<std::uint32_t>(bright);
     }
-    std::uint32_t factorAt(double depth, double faceLight) const { return factorOf(brightnessAt(depth), faceLight); }
+    std::uint32_t factorAt(double depth, double faceLight, bool glow) const { return factorOf(glow ? kFullBrightness : brightnessAt(depth), faceLight); }
 
     std::uint32_t fogAt(double depth) const {
         if (!foggy) return 0;
@@ -54,7 +56,7 @@ struct Lighting {
         return static_cast<std::uint32_t>(255.0 * std::min(std::max(share, 0.0), 1.0) + 0.5);
     }
 
-    Shade at(double depth, double faceLight) const { return {factorAt(depth, faceLight), fogAt(depth)}; }
+    Shade at(double depth, double faceLight, bool glow = false) const { return {factorAt(depth, faceLight, glow), fogAt(depth)}; }
 };
 
 }  // namespace slicecast

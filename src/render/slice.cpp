@@ -297,7 +297,7 @@ void Slice::drawEnteredSide(const Block& block, int firstRow, int lastRow) {
 void Slice::drawRoof(const Block& block, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(Face::top);
-        gather({block.top, look.texture, look.light, false}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
+        gather({block.top, look.texture, look.light, look.glow, false}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
         note(block.level, FilledRows::What::roof, Face::top, first, last);
     });
 }
@@ -305,7 +305,7 @@ void Slice::drawRoof(const Block& block, int firstRow, int lastRow) {
 void Slice::drawUnderside(const Block& block, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(Face::bottom);
-        gather({block.bottom, look.texture, look.light, true}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
+        gather({block.bottom, look.texture, look.light, look.glow, true}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
         note(block.level, FilledRows::What::underside, Face::bottom, first, last);
     });
 }
@@ -318,7 +318,7 @@ void Slice::drawCeilingHere(TextureId texture) {
 // Closes the rows that have met the floor by a border; behind it the floor goes on. Rows beyond the map's `far` are left for the haze.
 void Slice::takeFloor(Border upTo) {
     open_.take(std::max(rowBelow(floorRise_, upTo), frame_.firstFloorRow), projection_.height, [&](int first, int last) {
-        gather({floorRise_, floor_.texture, map_.floor.light, false}, first, last, floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo));
+        gather({floorRise_, floor_.texture, map_.floor.light, map_.floor.glow, false}, first, last, floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo));
         note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
     });
     floor_.fromX = behindX(upTo);
@@ -327,7 +327,7 @@ void Slice::takeFloor(Border upTo) {
 
 void Slice::takeFloorBeyond() {
     open_.take(frame_.firstFloorRow, projection_.height, [&](int first, int last) {
-        gather({floorRise_, floor_.texture, map_.floor.light, false}, first, last, floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true);
+        gather({floorRise_, floor_.texture, map_.floor.light, map_.floor.glow, false}, first, last, floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true);
         note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
     });
 }
@@ -346,8 +346,8 @@ void Slice::endCeiling(Border at) {
         const int row = rowBelow(ceilingRise_, at);
         const int firstRow = std::min(ceiling_.row, row);
         const int lastRow = std::max(ceiling_.row, row);
-        const Plane plane = {ceilingRise_, ceiling_.texture, map_.ceiling.light, true};
-        if (frame_.world->textures[ceiling_.texture].seeThrough) {
+        const Plane plane = {ceilingRise_, ceiling_.texture, map_.ceiling.light, map_.ceiling.glow, true};
+        if (frame_.textures[ceiling_.texture].seeThrough) {
             seeThroughPlane(kNoLevel, FilledRows::What::ceiling,
                             {plane, firstRow, lastRow, ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at), false});
         } else {

@@ -157,6 +157,7 @@ __attribute__((always_inline)) inline void Slice::gather(const Plane& plane, int
         run.plane.rise = plane.rise;
         run.plane.texture = plane.texture;
         run.plane.light = plane.light;
+        run.plane.glow = plane.glow;
         run.plane.southReversed = plane.southReversed;
         run.first = first;
         run.last = last;

@@ -30,8 +30,8 @@ Slice::SideView Slice::sideView(const Crossing& border) const {
 __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block, Face face, const Crossing& border, const SideView& view, int first,
                                                              int last) const {
     const FaceBlueprint& look = block.blueprint->face(face);
-    const Texture& texture = frame_.world->textures[look.texture];
-    const TextureLevel& level = texture.levels[static_cast<std::size_t>(frame_.detail.levelAt(view.depth, texture))];
+    const FrameTexture& texture = frame_.textures[look.texture];
+    const TextureLevel& level = texture.levels[frame_.detail.levelAt(view.depth, texture.size, texture.last)];
     const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
     const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
 
@@ -49,7 +49,7 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
     if (start + steps * step >= end) step = (end - 1 - start) / steps;
     return {&level, first, last, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
-            frame_.lighting.factorOf(view.brightness, look.light), view.fog};
+            frame_.lighting.factorOf(look.glow ? kFullBrightness : view.brightness, look.light), view.fog};
 }
 
 void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
@@ -71,7 +71,7 @@ void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border
 // Fills a run's rows, if there are any, and leaves it empty.
 void Slice::fill(PlaneRun& run) {
     if (run.first == run.last) return;
-    if (frame_.world->textures[run.plane.texture].seeThrough) {
+    if (frame_.textures[run.plane.texture].seeThrough) {
         // Only a floor closes its rows although it is see-through: below it there is haze.
         std::fill(pixels_ + run.first, pixels_ + run.last, frame_.lighting.haze);
         layers_.add(run);
@@ -88,13 +88,13 @@ void Slice::fillRows(const PlaneRun& run, Lay lay) {
     const int last = run.last;
     ++report_.spansDrawn;
     const Plane& plane = run.plane;
-    const Texture& texture = frame_.world->textures[plane.texture];
+    const FrameTexture& texture = frame_.textures[plane.texture];
     const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
     const PlaneLine line = {frame_.eye.x.fraction(), frame_.eye.y.fraction(), distance * ray_.x, distance * ray_.y, plane.southReversed};
-    const PlaneRows rows = frame_.planeShades.rows(plane.rise, plane.light, first, last);
+    const PlaneRows rows = frame_.planeShades.rows(plane.rise, plane.light, plane.glow, first, last);
     const double depthPerInverse = distance * projection_.distance;
-    const auto levelAt = [&](int row) { return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture); };
-    const auto texelsOf = [&](int level) -> const TextureLevel& { return texture.levels[static_cast<std::size_t>(level)]; };
+    const auto levelAt = [&](int row) { return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture.size, texture.last); };
+    const auto texelsOf = [&](int level) -> const TextureLevel& { return texture.levels[level]; };
     const int firstLevel = levelAt(first);
     const int lastLevel = last - first == 1 ? firstLevel : levelAt(last - 1);
 

@@ -27,7 +27,7 @@ void Slice::passThroughTop(const Block& block, int firstRow, int lastRow) {
     if (!open_.mayHold(firstRow, lastRow) || (full && joins(block, walk_.tileX, walk_.tileY, block.level + 1))) return;
     const FaceBlueprint& look = block.blueprint->face(Face::top);
     seeThroughPlane(block.level, FilledRows::What::roof,
-                    {{block.top, look.texture, look.light, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
+                    {{block.top, look.texture, look.light, look.glow, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
 }
 
 void Slice::passThroughBottom(const Block& block, int firstRow, int lastRow) {
@@ -35,7 +35,7 @@ void Slice::passThroughBottom(const Block& block, int firstRow, int lastRow) {
     if (!open_.mayHold(firstRow, lastRow) || (full && joins(block, walk_.tileX, walk_.tileY, block.level - 1))) return;
     const FaceBlueprint& look = block.blueprint->face(Face::bottom);
     seeThroughPlane(block.level, FilledRows::What::underside,
-                    {{block.bottom, look.texture, look.light, true}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
+                    {{block.bottom, look.texture, look.light, look.glow, true}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
 }
 
 void Slice::seeThroughPlane(int level, FilledRows::What what, const PlaneRun& run) {

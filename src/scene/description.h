@@ -23,10 +23,17 @@ struct PanoramaReference {
     ImageReference image;
 };
 
+// A texture's file, which may be a sheet of frames side by side.
+struct TextureReference {
+    ImageReference image;
+    int frames = 1;
+    double rate = 0.0;  // frames per second
+};
+
 struct SceneDescription {
     std::string fileName;
     World world;                           // complete but for the images
-    std::vector<ImageReference> textures;  // in the order of TextureId; a file named twice is one texture
+    std::vector<TextureReference> textures;  // in the order of TextureId; a file named twice in the same way is one texture
     std::vector<PanoramaReference> panoramas;
 };
 

@@ -16,16 +16,20 @@ class ImageReader {
 public:
     ImageReader(const SceneDescription& description, const SceneFiles& files) : description_(description), files_(files) {}
 
-    Texture texture(const ImageReference& reference, std::string name) {
-        const Image image = decode(reference, kMaxTextureSize, kMaxTextureSize);
+    Texture texture(const TextureReference& texture, std::string name) {
+        const ImageReference& reference = texture.image;
+        const Image image = decode(reference, kMaxTextureSize * texture.frames, kMaxTextureSize);
         if (image.empty()) return {};
-        const bool isSquare = image.width == image.height;
-        const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(image.width));
-        if (!isSquare || !isPowerOfTwo || image.width < kMinTextureSize) {
-            add(reference, "which is " + sizeOf(image) + " pixels", "a square texture with 8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side");
+        const bool fits = image.width == image.height * texture.frames;
+        const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(image.height));
+        if (!fits || !isPowerOfTwo || image.height < kMinTextureSize) {
+            const std::string sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
+            add(reference, "which is " + sizeOf(image) + " pixels",
+                texture.frames == 1 ? "a square texture with " + sizes
+                                    : "a sheet of " + std::to_string(texture.frames) + " square frames side by side, with " + sizes);
             return {};
         }
-        return take(reference, image) ? makeTexture(std::move(name), image) : Texture{};
+        return take(reference, image) ? makeTexture(std::move(name), image, texture.frames, texture.rate) : Texture{};
     }
 
     // A file that several maps show is decoded once.

@@ -44,7 +44,7 @@ std::vector<std::string> filesOf(const SceneDescription& description) {
     const auto add = [&](const ImageReference& image) {
         if (known.insert(image.file).second) files.push_back(image.file);
     };
-    for (const ImageReference& texture : description.textures) add(texture);
+    for (const TextureReference& texture : description.textures) add(texture.image);
     for (const PanoramaReference& panorama : description.panoramas) add(panorama.image);
     return files;
 }

@@ -18,7 +18,7 @@ constexpr FaceKey kFaceKeys[] = {
     {"top", {false, false, false, false, true, false}},   {"bottom", {false, false, false, false, false, true}},
 };
 
-// "brick" or { "texture": "brick", "light": 0.8 }. A faulty face counts as given, so that it is not reported as missing too.
+// "brick" or { "texture": "brick", "light": 0.8 } or { "texture": "lava", "glow": true }. A faulty face counts as given, so that it is not reported as missing too.
 FaceBlueprint readFace(Reading& reading, JsonValue value) {
     FaceBlueprint face;
     if (value.isText()) {
@@ -26,12 +26,13 @@ FaceBlueprint readFace(Reading& reading, JsonValue value) {
         return face;
     }
     face.texture = 0;
-    const auto fields = reading.checker.fields(value, {"texture", "light"}, "a texture's name, or an object with \"texture\" and \"light\"");
+    const auto fields = reading.checker.fields(value, {"texture", "light", "glow"}, "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
         face.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
     }
     face.light = fields->number("light", kUnitRange, 1.0);
+    face.glow = fields->flag("glow", false);
     return face;
 }
 

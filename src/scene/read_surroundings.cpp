@@ -51,12 +51,13 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     if (value.isText()) {
         map.floor.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
     } else {
-        fields = reading.checker.fields(value, {"texture", "light", "legend", "tiles"}, "a texture's name, or an object with \"texture\"");
+        fields = reading.checker.fields(value, {"texture", "light", "glow", "legend", "tiles"}, "a texture's name, or an object with \"texture\"");
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
             map.floor.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
         }
         map.floor.light = fields->number("light", kUnitRange, 1.0);
+        map.floor.glow = fields->flag("glow", false);
     }
     map.floor.tiles.assign(map.floor.tiles.size(), map.floor.texture);
     if (fields) readTiles(reading, *fields, map.floor.texture, map.floor.texture, map, hasSize, map.floor.tiles);
@@ -64,7 +65,7 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
 
 void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     const auto fields =
-        reading.checker.fields(value, {"height", "texture", "light", "legend", "tiles"}, "a ceiling: an object with \"height\" and \"texture\"");
+        reading.checker.fields(value, {"height", "texture", "light", "glow", "legend", "tiles"}, "a ceiling: an object with \"height\" and \"texture\"");
     if (!fields) return;
     if (const auto height = fields->require("height", kCeilingHeight.words)) {
         map.ceiling.height = toCoordinate(reading.checker.number(*height, kCeilingHeight).value_or(1.0));
@@ -74,6 +75,7 @@ void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
         own = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
     }
     map.ceiling.light = fields->number("light", kUnitRange, 1.0);
+    map.ceiling.glow = fields->flag("glow", false);
     if (hasSize) map.ceiling.tiles.assign(map.floor.tiles.size(), own);
     readTiles(reading, *fields, own, kNoTexture, map, hasSize, map.ceiling.tiles);
 }

@@ -1,7 +1,9 @@
 #include "scene/limits.h"
 #include "scene/readers.h"
 
-#include <unordered_map>
+#include <cmath>
+#include <map>
+#include <tuple>
 
 namespace slicecast {
 namespace {
@@ -44,6 +46,31 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
     return {std::move(file), value.pointer(), checker.source().place(value.offset())};
 }
 
+namespace {
+
+// "brick.png" or { "file": "lava.png", "frames": 8, "rate": 10 }
+TextureReference readTexture(Checker& checker, JsonValue value) {
+    TextureReference texture;
+    if (!value.isObject()) {
+        texture.image = referTo(checker, value, readFileName(checker, value).value_or(""));
+        return texture;
+    }
+    const auto fields = checker.fields(value, {"file", "frames", "rate"}, "a PNG file's name, or an object with \"file\", \"frames\" and \"rate\"");
+    if (!fields) return texture;
+    if (const auto file = fields->require("file", "the name of a PNG file")) texture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
+    constexpr NumberRange kFrames = {2.0, kMaxFrames, false, "a whole number of frames, from 2 to 64"};
+    constexpr NumberRange kRate = {0.0, kMaxFrameRate, true, "a number of frames per second, above 0 and at most 120"};
+    if (const auto frames = fields->require("frames", kFrames.words)) {
+        const double count = checker.number(*frames, kFrames).value_or(2.0);
+        if (count != std::floor(count)) checker.add(*frames, checker.shown(*frames), kFrames.words);
+        texture.frames = static_cast<int>(count);
+    }
+    if (const auto rate = fields->require("rate", kRate.words)) texture.rate = checker.number(*rate, kRate).value_or(1.0);
+    return texture;
+}
+
+}  // namespace
+
 void readTextures(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
@@ -56,19 +83,20 @@ void readTextures(Reading& reading, JsonValue value) {
         reading.textures.takeAny();
         return;
     }
-    std::unordered_map<std::string, TextureId> ids;
+    std::map<std::tuple<std::string, int, double>, TextureId> ids;
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
             checker.addAtKey(member, "the name " + quoted(member.key()), "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
         }
-        std::optional<std::string> file = readFileName(checker, member);
-        // A texture with a faulty file is known by its name all the same.
-        const auto [known, isNew] = ids.emplace(file.value_or(""), static_cast<TextureId>(reading.description.textures.size()));
+        // A faulty texture is known by its name all the same.
+        TextureReference reference = readTexture(checker, member);
+        const auto [known, isNew] = ids.emplace(std::tuple(reference.image.file, reference.frames, reference.rate),
+                                                static_cast<TextureId>(reading.description.textures.size()));
         if (isNew) {
             Texture texture;
             texture.name = std::string(member.key());
             reading.description.world.textures.push_back(std::move(texture));
-            reading.description.textures.push_back(referTo(checker, member, file.value_or("")));
+            reading.description.textures.push_back(std::move(reference));
         }
         reading.textures.add(member.key(), known->second);
     }

@@ -25,7 +25,7 @@ struct Reading {
     std::int64_t cells = 0;  // of all maps so far
 };
 
-// "textures": { NAME: FILE }
+// "textures": { NAME: FILE or { file, frames, rate } }
 void readTextures(Reading& reading, JsonValue value);
 
 // A PNG file's name, relative to the scene.
@@ -34,7 +34,7 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value);
 // Where an image is named.
 ImageReference referTo(const Checker& checker, JsonValue value, std::string file);
 
-// "blueprints": { NAME: { bottom, top, faces } }
+// "blueprints": { NAME: { bottom, top, faces, join } }
 void readBlueprints(Reading& reading, JsonValue value);
 
 // "maps": [ { name, legend, levels, floor, ceiling, sky, light, fog, haze, far } ]; `legend` is the one of all maps.

@@ -23,6 +23,7 @@ inline constexpr BlueprintId kEmptyCell = 0;
 struct FaceBlueprint {
     TextureId texture = kNoTexture;
     double light = 1.0;  // factor on the map's light, 0 to 1
+    bool glow = false;   // the factor is all: as bright as that at any distance, whatever the map's light
 };
 
 // A filled cell: the box between `bottom` and `top` above its level's base.

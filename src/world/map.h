@@ -26,6 +26,7 @@ struct Floor {
     TextureId texture = kNoTexture;
     std::vector<TextureId> tiles;  // [y * width + x]
     double light = 1.0;            // factor on the map's light, 0 to 1
+    bool glow = false;             // see FaceBlueprint
 };
 
 // A plane above some or all tiles of the grid, seen from both sides. There is none where no tile has a texture.
@@ -33,6 +34,7 @@ struct Ceiling {
     Coordinate height;             // units, > 0
     std::vector<TextureId> tiles;  // [y * width + x], kNoTexture where the tile is open to the sky; empty when the map has no ceiling
     double light = 1.0;
+    bool glow = false;
 };
 
 // What is seen where nothing else is: rays that rise or run level. Never lit, never in fog.

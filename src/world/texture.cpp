@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 namespace slicecast {
@@ -41,20 +42,40 @@ Image halved(const Image& image) {
     return half;
 }
 
+std::vector<TextureLevel> levelsOf(Image image) {
+    std::vector<TextureLevel> levels = {columnsOf(image)};
+    while (image.width > 1) {
+        image = halved(image);
+        levels.push_back(columnsOf(image));
+    }
+    return levels;
+}
+
+Image frameOf(const Image& sheet, int frame) {
+    Image image(sheet.height, sheet.height);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) image.at(x, y) = sheet.at(frame * image.width + x, y);
+    }
+    return image;
+}
+
 }  // namespace
 
-Texture makeTexture(std::string name, Image image) {
+Texture makeTexture(std::string name, Image image, int frames, double rate) {
     Texture texture;
     texture.name = std::move(name);
+    texture.rate = frames > 1 ? rate : 0.0;
     texture.seeThrough = std::any_of(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a < 255; });
-    Image level = image;
+    texture.levels = levelsOf(frames > 1 ? frameOf(image, 0) : image);
+    for (int frame = 1; frame < frames; ++frame) texture.laterFrames.push_back(levelsOf(frameOf(image, frame)));
     texture.image = std::move(image);
-    texture.levels.push_back(columnsOf(level));
-    while (level.width > 1) {
-        level = halved(level);
-        texture.levels.push_back(columnsOf(level));
-    }
     return texture;
+}
+
+int Texture::frameAt(double seconds) const {
+    if (laterFrames.empty() || !(seconds > 0.0)) return 0;
+    const double count = frames();
+    return std::min(frames() - 1, static_cast<int>(std::fmod(std::floor(seconds * rate), count)));
 }
 
 }  // namespace slicecast

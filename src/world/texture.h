@@ -22,14 +22,21 @@ struct TextureLevel {
 
 struct Texture {
     std::string name;
-    Image image;                       // as it was read, rows from the top
-    std::vector<TextureLevel> levels;  // levels[0] is the image, the last one is a single texel
+    Image image;                       // as it was read, rows from the top; a sheet holds its frames side by side
+    std::vector<TextureLevel> levels;  // levels[0] is the image, or a sheet's first frame, the last one is a single texel
+    std::vector<std::vector<TextureLevel>> laterFrames;
+    double rate = 0.0;                 // frames per second, for ever around; 0 where there is one frame
     bool seeThrough = false;           // a texel has alpha below 255
 
-    int size() const { return image.width; }
+    int size() const { return image.height; }
+    int frames() const { return 1 + static_cast<int>(laterFrames.size()); }
+
+    // The frame shown at a time: floor(seconds * rate) modulo their number.
+    int frameAt(double seconds) const;
+    const std::vector<TextureLevel>& levelsOf(int frame) const { return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)]; }
 };
 
-// The levels of a square image whose side is a power of two.
-Texture makeTexture(std::string name, Image image);
+// The levels of a square image whose side is a power of two, or of a sheet of `frames` such images side by side.
+Texture makeTexture(std::string name, Image image, int frames = 1, double rate = 0.0);
 
 }  // namespace slicecast

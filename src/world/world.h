@@ -27,6 +27,7 @@ struct World {
     std::vector<CellBlueprint> blueprints = {CellBlueprint{}};  // [0] stands for the empty cell and is never drawn
     std::vector<Map> maps;
     Start start;
+    double seconds = 0.0;  // since the world began; animated textures follow it
 };
 
 // Finds out which blueprints are see-through. For a world whose textures and faces are complete.

@@ -85,6 +85,8 @@ TEST(Judge, SmallPictures) {
                          {"underside from inside see-through", 10000},
                          {"floor see-through", 20000},
                          {"ceiling see-through", 10000},
+                         {"glow", 100000},
+                         {"animated", 500000},
                          {"hole", 20000},
                          {"1 layers", 100000},
                          {"2 layers", 100000},

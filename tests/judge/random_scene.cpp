@@ -11,21 +11,22 @@ namespace {
 
 // A texture whose every texel tells where it stands: red which texture, green u, blue v. Up to 8 texels a side, neighbours differ so much that they
 // can be told apart in the dimmest light; finer textures only stand in worlds whose light never falls below a half.
-// See-through ones have holes, opaque texels and all between.
-Texture codedTexture(int index, int size, bool seeThrough) {
-    Image image(size, size);
+// Where there are two frames, red tells which one. See-through ones have holes, opaque texels and all between.
+Texture codedTexture(int index, int size, bool seeThrough, int frames, double rate) {
+    Image image(size * frames, size);
     const int step = 240 / size;
     for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            image.at(x, y) = toPixel({static_cast<std::uint8_t>(10 + index * 12), static_cast<std::uint8_t>(8 + x * step), static_cast<std::uint8_t>(8 + y * step), 255});
+        for (int column = 0; column < size * frames; ++column) {
+            const int x = column % size;
+            image.at(column, y) = toPixel({static_cast<std::uint8_t>(10 + index * 12 + 6 * (column / size)), static_cast<std::uint8_t>(8 + x * step), static_cast<std::uint8_t>(8 + y * step), 255});
             if (seeThrough && (x + y + index) % 3 != 0) {
-                Colour colour = toColour(image.at(x, y));
+                Colour colour = toColour(image.at(column, y));
                 colour.a = static_cast<std::uint8_t>((x * 5 + y * 3 + index) % 4 == 0 ? 0 : 40 + (x * 31 + y * 57) % 200);
-                image.at(x, y) = toPixel(colour);
+                image.at(column, y) = toPixel(colour);
             }
         }
     }
-    return makeTexture("coded " + std::to_string(index), std::move(image));
+    return makeTexture("coded " + std::to_string(index), std::move(image), frames, rate);
 }
 
 constexpr int kTextures = 20;
@@ -49,6 +50,7 @@ CellBlueprint randomBlueprint(Random& random, bool coarse) {
     for (FaceBlueprint& face : blueprint.faces) {
         face.texture = anyTexture(random);
         if (random.oneIn(3)) face.light = random.between(0.5, 1.0);
+        face.glow = random.oneIn(8);
     }
     blueprint.join = !random.oneIn(4);
     return blueprint;
@@ -96,6 +98,8 @@ Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse
         map.ceiling.tiles.resize(map.floor.tiles.size());
         for (TextureId& tile : map.ceiling.tiles) tile = open > 0 && random.oneIn(2 * open) ? kNoTexture : random.oneIn(4) ? anyTexture(random) : texture;
     }
+    map.floor.glow = random.oneIn(8);
+    map.ceiling.glow = random.oneIn(8);
     map.sky = randomSky(random);
     map.light.on = !random.oneIn(4);
     map.light.intensity = random.between(0.5, 3.0);
@@ -122,7 +126,8 @@ World randomWorld(Random& random, bool coarse) {
     const bool fine = random.oneIn(3);
     // In every other world some textures are see-through.
     const int opaque = random.oneIn(2) ? kTextures : random.between(kTextures - 6, kTextures - 1);
-    for (int i = 0; i < kTextures; ++i) world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque));
+    for (int i = 0; i < kTextures; ++i) world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque, random.oneIn(4) ? 2 : 1, random.between(0.5, 20.0)));
+    world.seconds = random.between(0.0, 100.0);
     const int blueprints = random.between(1, 12);
     for (int i = 0; i < blueprints; ++i) world.blueprints.push_back(randomBlueprint(random, coarse));
     markSeeThrough(world);

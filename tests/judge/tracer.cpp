@@ -73,7 +73,15 @@ Tracer::Tracer(const World& world, const View& view) : world_(world), map_(world
     forwardX_ = cosDegrees(view.headingDegrees);
     forwardY_ = sinDegrees(view.headingDegrees);
     for (const Texture& texture : world.textures) {
-        std::vector<Image> levels = {texture.image};
+        // A sheet's frames follow one another for ever.
+        const int n = texture.image.height;
+        const int frames = texture.image.width / n;
+        const int frame = frames == 1 ? 0 : static_cast<int>(static_cast<std::int64_t>(std::floor(world.seconds * texture.rate)) % frames);
+        Image shown(n, n);
+        for (int y = 0; y < n; ++y) {
+            for (int x = 0; x < n; ++x) shown.at(x, y) = texture.image.at(frame * n + x, y);
+        }
+        std::vector<Image> levels = {shown};
         while (levels.back().width % 2 == 0 && levels.back().height % 2 == 0) levels.push_back(nextLevel(levels.back()));
         levels_.push_back(std::move(levels));
     }
@@ -248,6 +256,7 @@ Sight Tracer::face(const Ray& ray, const CellBlueprint& block, int level, Face w
     sight.seeThrough = block.seeThrough;
     sight.texture = look.texture;
     sight.faceLight = look.light;
+    sight.glow = look.glow;
     sight.depth = meeting.along() * distance_;
     switch (which) {
         case Face::south: sight.u = x; break;
@@ -275,6 +284,7 @@ Sight Tracer::plane(const Ray& ray, Sight::Kind kind, TextureId texture, double 
     sight.texture = texture;
     sight.seeThrough = world_.textures[texture].seeThrough;
     sight.faceLight = light;
+    sight.glow = kind == Sight::Kind::floor ? map_.floor.glow : map_.ceiling.glow;
     sight.depth = meeting.along() * distance_;
     sight.u = clampTo(view_.x.value() + meeting.at(ray.x) - tileX, 0.0, 1.0);
     const double y = clampTo(view_.y.value() + meeting.at(ray.y) - tileY, 0.0, 1.0);
@@ -334,7 +344,7 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
     const Colour raw = toColour(image.at(texel(sight.u, image.width), texel(sight.v, image.height)));
 
     const double falloff = map_.light.on && view_.light ? map_.light.intensity * map_.light.multiplier / depth : 1.0;
-    const double bright = clampTo(falloff, map_.light.darkest, map_.light.brightest) * sight.faceLight;
+    const double bright = (sight.glow ? 1.0 : clampTo(falloff, map_.light.darkest, map_.light.brightest)) * sight.faceLight;
     const int q = std::min(256, static_cast<int>(std::floor(256.0 * bright + 0.5)));
     int fog = 0;
     if (map_.fog.on && view_.fog) {

@@ -36,6 +36,7 @@ struct Sight {
     bool outsideGrid = false;    // floor
     TextureId texture = kNoTexture;
     double faceLight = 1.0;
+    bool glow = false;
     double depth = 0.0;          // t
     double u = 0.0;              // fractions of the texture, 0 to 1
     double v = 0.0;

@@ -122,6 +122,8 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
                 const auto key = static_cast<std::uint32_t>(static_cast<int>(sight.kind) | static_cast<int>(sight.face) << 4 | sight.fromInside << 8 |
                                                             sight.outsideGrid << 9 | sight.seeThrough << 10 | tracer.level(sight) << 12 |
                                                             (sight.texture & 0xff) << 16);
+                if (sight.glow) ++verdict.coverage["glow"];
+                if (sight.texture != kNoTexture && world.textures[sight.texture].frames() > 1) ++verdict.coverage["animated"];
                 if (++counts[key] == 1) names[key] = nameOf(world, map, tracer, sight);
             }
             if (sights.size() > 1) {

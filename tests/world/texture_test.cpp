@@ -42,5 +42,28 @@ TEST(Texture, HolesDoNotDarkenTheirNeighbours) {
     EXPECT_EQ(toColour(texture.levels[1].texels[1]), (Colour{0, 0, 0, 0}));
 }
 
+TEST(Texture, ASheetsFramesFollowOneAnotherForEver) {
+    Image sheet(24, 8);
+    for (int frame = 0; frame < 3; ++frame) sheet.at(8 * frame + 2, 5) = toPixel({static_cast<std::uint8_t>(frame + 1), 0, 0, 255});
+    const Texture texture = makeTexture("t", sheet, 3, 4.0);
+    EXPECT_EQ(texture.size(), 8);
+    EXPECT_EQ(texture.frames(), 3);
+    for (int frame = 0; frame < 3; ++frame) EXPECT_EQ(toColour(texture.levelsOf(frame)[0].texels[2 * 8 + 5]).r, frame + 1);
+    EXPECT_EQ(texture.frameAt(0.0), 0);
+    EXPECT_EQ(texture.frameAt(0.2499), 0);
+    EXPECT_EQ(texture.frameAt(0.25), 1);
+    EXPECT_EQ(texture.frameAt(0.75), 0);
+    EXPECT_EQ(texture.frameAt(1.0e9), 1);  // 4e9 = 3 * 1333333333 + 1
+    EXPECT_EQ(texture.frameAt(-1.0), 0);
+}
+
+TEST(Texture, KnowsWhetherItIsSeeThrough) {
+    Image image(8, 8);
+    for (Pixel& pixel : image.pixels) pixel = toPixel({9, 9, 9, 255});
+    EXPECT_FALSE(makeTexture("t", image).seeThrough);
+    image.at(7, 7) = toPixel({9, 9, 9, 254});
+    EXPECT_TRUE(makeTexture("t", image).seeThrough);
+}
+
 }  // namespace
 }  // namespace slicecast

@@ -20,12 +20,12 @@ Pixel Colouring::ofSurface(const Surface& surface, const ColumnRay& ray, double 
     const double along = surface.isSide() ? surface.along : depth / ray.depthPerAlong;
     const double east = view_.eyeX + along * ray.x - surface.tileX;
     const double south = view_.eyeY + along * ray.y - surface.tileY;
-    if (!surface.isSide()) return shaded(texel(surface.texture, east, south, false, surface.face == Face::bottom), depth, surface.light);
+    if (!surface.isSide()) return shaded(texel(surface.texture, east, south, false, surface.face == Face::bottom), depth, surface.light, surface.glow);
 
     const double height = view_.eyeZ + depth * view_.upwardSlopeAt(y);
     const double u = surface.face == Face::north || surface.face == Face::south ? east : south;
     const double v = (surface.textureTop - height) / (surface.textureTop - surface.textureBottom);
-    return shaded(texel(surface.texture, u, v, surface.face == Face::north || surface.face == Face::east, false), depth, surface.light);
+    return shaded(texel(surface.texture, u, v, surface.face == Face::north || surface.face == Face::east, false), depth, surface.light, surface.glow);
 }
 
 Pixel Colouring::ofBackground(const ColumnRay& ray, double y) const {
@@ -39,7 +39,7 @@ Pixel Colouring::ofBackground(const ColumnRay& ray, double y) const {
     const int tileX = static_cast<int>(std::floor(east));
     const int tileY = static_cast<int>(std::floor(south));
     const TextureId texture = map_.contains(tileX, tileY) ? map_.floor.tiles[map_.tileIndex(tileX, tileY)] : map_.floor.texture;
-    const Pixel floor = shaded(texel(texture, east - tileX, south - tileY, false, false), depth, map_.floor.light);
+    const Pixel floor = shaded(texel(texture, east - tileX, south - tileY, false, false), depth, map_.floor.light, map_.floor.glow);
     return laidOver(floor, toPixel(map_.haze));  // which is what lies below it
 }
 
@@ -69,8 +69,8 @@ Pixel Colouring::texel(TextureId texture, double u, double v, bool uReversed, bo
     return level.texels[static_cast<std::size_t>((index(u, uReversed) << level.bits) + index(v, vReversed))];
 }
 
-Pixel Colouring::shaded(Pixel texel, double depth, double faceLight) const {
-    const Shade shade = lighting_.at(depth, faceLight);
+Pixel Colouring::shaded(Pixel texel, double depth, double faceLight, bool glow) const {
+    const Shade shade = lighting_.at(depth, faceLight, glow);
     const Colour from = toColour(texel);
     const Colour haze = toColour(lighting_.haze);
     const auto channel = [&](std::uint32_t c, std::uint32_t fogged) {

@@ -23,7 +23,7 @@ public:
 
 private:
     Pixel texel(TextureId texture, double u, double v, bool uReversed, bool vReversed) const;
-    Pixel shaded(Pixel texel, double depth, double faceLight) const;
+    Pixel shaded(Pixel texel, double depth, double faceLight, bool glow) const;
     Pixel ofSky(const ColumnRay& ray, double slope) const;
 
     const World& world_;

@@ -120,13 +120,14 @@ private:
         if (texture == kNoTexture) return;
         const double height = map_.ceiling.height.value() - view_.storey;
         if (height <= 0.0) return;
-        addLevel(span, surfaceOf(span, {texture, map_.ceiling.light}, Face::bottom, Passing::ceiling, distanceOf(span, height)), height);
+        addLevel(span, surfaceOf(span, {texture, map_.ceiling.light, map_.ceiling.glow}, Face::bottom, Passing::ceiling, distanceOf(span, height)), height);
     }
 
     Surface surfaceOf(const TileSpan& span, const FaceBlueprint& look, Face face, Passing passing, double distance) const {
         Surface surface;
         surface.texture = look.texture;
         surface.light = look.light;
+        surface.glow = look.glow;
         surface.face = face;
         surface.passing = passing;
         surface.tileX = span.x;

@@ -29,6 +29,7 @@ enum class Passing : std::uint8_t { left, entered, ceiling };
 struct Surface {
     TextureId texture = kNoTexture;
     double light = 1.0;
+    bool glow = false;
     Face face = Face::top;  // top and bottom are level planes, a ceiling a bottom
     Passing passing = Passing::entered;
     int tileX = 0;
