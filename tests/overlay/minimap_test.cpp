@@ -154,5 +154,70 @@ TEST(Minimap, TheFieldOfViewPointsWhereTheEyeLooks) {
     EXPECT_GT(yellow(Seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = -1, .fovDegrees = 110.0}).tile(1, 1)), 40);
 }
 
+TEST(Minimap, TurnsWithTheViewWhenAsked) {
+    const World world = smallWorld();
+    const Seen north(world, eyeAt(20.5, 15.5, 0.5, 225.0));
+    // What lies ahead is up: two tiles ahead, to the right, behind and to the left, by the heading.
+    const int ahead[4][2] = {{2, 0}, {0, 2}, {-2, 0}, {0, -2}};
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const Seen turned(world, eyeAt(20.5, 15.5, 0.5, 90.0 * quarter), {.fovDegrees = 10.0, .turns = true});
+        const auto tileAt = [&](int side) { return north.tile(ahead[(quarter + side) % 4][0], ahead[(quarter + side) % 4][1]); };
+        EXPECT_EQ(turned.tile(2, 0), tileAt(1)) << quarter;
+        EXPECT_EQ(turned.tile(0, 2), tileAt(2)) << quarter;
+        EXPECT_EQ(turned.tile(-2, 0), tileAt(3)) << quarter;
+    }
+    // At any heading the field of view is up.
+    const Seen slanted(world, eyeAt(20.5, 15.5, 0.5, 77.0), {.turns = true});
+    const Colour before = slanted.tile(0, -1);
+    EXPECT_GT(before.r + before.g - 2 * before.b, 60);
+}
+
+TEST(Minimap, TurnedItMarksWhereNorthIs) {
+    const World world = smallWorld();
+    // Heading east, north is on the left.
+    Canvas canvas(640, 400);
+    drawMinimap(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.turns = true}, canvas.picture);
+    const MinimapLayout layout = layoutMinimap(640, 400);
+    int bright = 0;
+    for (int y = -6; y <= 6; ++y) {
+        for (int x = 2; x <= 14; ++x) bright += brightness(toColour(canvas.at(layout.left + x, layout.top + layout.side / 2 + y))) > 700;
+    }
+    EXPECT_GT(bright, 12) << "the letter";
+}
+
+TEST(Minimap, RaysEndAtTheFirstBlockAtTheEyesHeight) {
+    const World world = smallWorld();
+    const auto differs = [&](double height, int east, int south) {
+        const Eye eye = eyeAt(20.5, 15.5, height, 90.0);
+        const Seen with(world, eye, {.rays = true});
+        const Seen without(world, eye);
+        return with.tile(east, south) != without.tile(east, south);
+    };
+    // Towards the block of 0.75 that stands two tiles south
+    EXPECT_TRUE(differs(0.5, 0, 1));
+    EXPECT_FALSE(differs(0.5, 0, 3)) << "behind the block";
+    EXPECT_TRUE(differs(0.9, 0, 3)) << "over it";
+    EXPECT_FALSE(differs(0.5, 0, -1)) << "behind the eye";
+}
+
+TEST(Minimap, TheCircleReachesAsFarAsItSays) {
+    const World world = smallWorld();
+    const Eye eye = eyeAt(20.5, 15.5, 0.5, 225.0);
+    const Seen without(world, eye);
+    const Seen small(world, eye, {.reach = 1.5});
+    const Seen large(world, eye, {.reach = 4.5});
+    EXPECT_NE(small.tile(1, 0), without.tile(1, 0));
+    EXPECT_EQ(small.tile(2, 0), without.tile(2, 0));
+    EXPECT_NE(large.tile(4, 0), without.tile(4, 0));
+    EXPECT_EQ(large.tile(4, 4), without.tile(4, 4)) << "it is round";
+    // Its rim, a radius away to every side
+    const int middle = small.layout.side / 2;
+    const int radius = small.layout.pixelsPerTile * 3 / 2;
+    for (const auto& [x, y] : {std::pair{radius, 0}, {-radius, 0}, {0, radius}, {0, -radius}}) {
+        const Colour rim = toColour(small.canvas.at(small.layout.left + middle + x, small.layout.top + middle + y));
+        EXPECT_GT(brightness(rim), brightness(without.tile(1, 0)) + 150);
+    }
+}
+
 }  // namespace
 }  // namespace slicecast

@@ -1,0 +1,56 @@
+#include "overlay/map_ray.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+// Ten tiles a side. On level 1 a whole block at (7, 5), the lower half of one at (5, 2), the upper half of one at (5, 8).
+World rayWorld() {
+    World world;
+    for (const auto& [bottom, top] : {std::pair{0.0, 1.0}, {0.0, 0.5}, {0.5, 1.0}}) {
+        CellBlueprint block;
+        block.bottom = toCoordinate(bottom);
+        block.top = toCoordinate(top);
+        world.blueprints.push_back(block);
+    }
+    world.maps.push_back(makeMap("map", 10, 10, 2, kNoTexture));
+    world.maps[0].setCell(7, 5, 1, 1);
+    world.maps[0].setCell(5, 2, 1, 2);
+    world.maps[0].setCell(5, 8, 1, 3);
+    return world;
+}
+
+MapRayEnd follow(double directionX, double directionY, double height = 0.25, int level = 1) {
+    static const World world = rayWorld();
+    return followRay(world, world.maps[0], {.x = 5.25, .y = 5.5, .directionX = directionX, .directionY = directionY, .level = level, .height = toCoordinate(height)},
+                     100.0);
+}
+
+TEST(MapRay, EndsAtTheFirstBlockOfItsLevel) {
+    EXPECT_EQ(follow(1.0, 0.0).length, 1.75);
+    EXPECT_TRUE(follow(1.0, 0.0).met);
+    EXPECT_EQ(follow(2.0, 0.0).length, 0.875) << "in multiples of the direction";
+    EXPECT_FALSE(follow(1.0, 0.0, 0.25, 0).met) << "nothing on level 0";
+    EXPECT_FALSE(follow(-1.0, 0.0).met);
+    EXPECT_EQ(follow(-1.0, 0.0).length, 100.0);
+}
+
+TEST(MapRay, EndsOnlyAtBlocksThatStandAtItsHeight) {
+    EXPECT_EQ(follow(0.0, -1.0, 0.25).length, 2.5);
+    EXPECT_FALSE(follow(0.0, -1.0, 0.5).met) << "a top is not part of its block";
+    EXPECT_FALSE(follow(0.0, 1.0, 0.25).met);
+    EXPECT_EQ(follow(0.0, 1.0, 0.5).length, 2.5);
+}
+
+TEST(MapRay, GoesSlantwiseFromTileToTile) {
+    const MapRayEnd end = follow(1.0, -0.25);
+    EXPECT_TRUE(end.met);
+    EXPECT_EQ(end.length, 1.75);
+    EXPECT_FALSE(follow(1.0, -0.5).met) << "passes north of the block";
+}
+
+}  // namespace
+}  // namespace slicecast
