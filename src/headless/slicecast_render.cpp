@@ -44,7 +44,9 @@ std::string footer() {
     for (const OptionInfo& option : knownOptions()) {
         std::string name = "  " + std::string(option.name);
         name.resize(std::max(name.size() + 1, kDescriptions), ' ');
-        text += name + option.description + " (" + option.standard + ")\n";
+        std::string words = option.choices[0] != '\0' ? std::string(": ") : std::string();
+        for (const char* letter = option.choices; *letter != '\0'; ++letter) words += *letter == ' ' ? std::string(", ") : std::string(1, *letter);
+        text += name + option.description + words + " (" + option.standard + ")\n";
     }
     text +=
         "\nExamples:\n"

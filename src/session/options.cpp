@@ -58,7 +58,7 @@ constexpr std::array kEntries = {
     Entry{{"speed", OptionKind::number, kLeastSpeed, kGreatestSpeed, "1", "times the usual speed of moving"}, &SessionOptions::speed},
     Entry{{"method", OptionKind::choice, 0, 0, "exact", "how pictures are made; classic is slow and shows the old ways below, for lessons", "exact classic"},
           &SessionOptions::method},
-    Entry{{"classic.projection", OptionKind::choice, 0, 0, "plane", "how columns are aimed; equalAngles bends walls, and is a fish eye unless corrected",
+    Entry{{"classic.projection", OptionKind::choice, 0, 0, "plane", "how columns are aimed; equal angles bend walls, and are a fish eye unless corrected",
            "plane equalAngles equalAnglesCorrected"},
           &ClassicOptions::projection},
     Entry{{"classic.march", OptionKind::onOff, 0, 0, "off", "rays look for blocks step by step"}, &ClassicOptions::march},

@@ -211,6 +211,7 @@ TEST(RenderProgram, HasHelp) {
         EXPECT_NE(finished.out.find(word), std::string::npos) << word;
     }
     for (const OptionInfo& option : knownOptions()) EXPECT_NE(finished.out.find("  " + std::string(option.name) + " "), std::string::npos) << option.name;
+    EXPECT_NE(finished.out.find(": plane, equalAngles, equalAnglesCorrected (plane)\n"), std::string::npos) << "the words of a choice";
 }
 
 // A recording of the corridor: ahead until the wall, then about.
