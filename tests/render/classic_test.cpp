@@ -69,6 +69,15 @@ Texture lattice(const std::string& name) {
     return makeTexture(name, std::move(image));
 }
 
+// Two frames of squares, three a second.
+Texture flicker(const std::string& name) {
+    Image image(16, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 16; ++x) image.at(x, y) = toPixel({static_cast<std::uint8_t>(120 + 8 * x), static_cast<std::uint8_t>(120 + 17 * y), 200, 255});
+    }
+    return makeTexture(name, std::move(image), 2, 3.0);
+}
+
 // The upper half of one colour, the lower of another.
 Texture halves(const std::string& name, Colour upper, Colour lower) {
     Image image(8, 8);
@@ -95,19 +104,22 @@ World wallWorld(Texture wall) {
     return world;
 }
 
-// Blocks of all kinds on several levels, in every other world see-through ones too, ceilings over some tiles, light, fog, a gradient for a sky.
+// Blocks of all kinds on several levels, some glowing or flickering, in every other world some see-through, ceilings over some tiles, light, fog, a gradient for a sky.
 World mixedWorld(std::uint64_t seed) {
     Random random(seed);
     World world = emptyWorld(10, 9, 4, squares("floor", 10));
     std::vector<BlueprintId> blocks;
     for (int i = 0; i < 6; ++i) {
         const bool seeThrough = seed % 2 == 1 && i % 2 == 1;
-        const TextureId texture = addTexture(world, seeThrough ? lattice("lattice") : squares("wall", static_cast<std::uint8_t>(60 + 30 * i)));
+        const TextureId texture = addTexture(world, seeThrough ? lattice("lattice")
+                                                    : i == 4   ? flicker("flicker")
+                                                               : squares("wall", static_cast<std::uint8_t>(60 + 30 * i)));
         const int bottom = i < 2 ? 0 : random.between(0, 40000);
         const int top = i < 2 ? 65536 : random.between(bottom + 1, 65536);
         blocks.push_back(addBlock(world, texture, {bottom}, {top}));
         for (FaceBlueprint& face : world.blueprints.back().faces) {
             face.light = random.between(0.5, 1.0);
+            face.glow = random.oneIn(8);
             if (seeThrough && random.oneIn(4)) face.texture = 0;
         }
         world.blueprints.back().join = !random.oneIn(3);
@@ -124,6 +136,7 @@ World mixedWorld(std::uint64_t seed) {
             }
         }
     }
+    world.seconds = 0.2 * static_cast<double>(seed);
     map.light.on = random.oneIn(2);
     map.fog = {.on = random.oneIn(2), .start = 1.0, .end = 20.0};
     map.sky = {.kind = Sky::Kind::gradient, .low = kRed, .high = kGreen, .slope = 0.5, .panorama = {}};
