@@ -98,6 +98,29 @@ TEST(Textures, TheyRepeatUpwardsWithoutASeam) {
     }
 }
 
+// Where most of a picture is holes, its strongest step is no measure of a seam: the steps close by are.
+TEST(Textures, ThoseWithHolesCrossTheirBordersAsTheyRunBesideThem) {
+    constexpr int kNear = 5;
+    constexpr double kTolerance = 1.5;
+    for (const Entry& entry : catalogue()) {
+        for (int frame = 0; entry.alpha == Alpha::Holes && frame < entry.frames; ++frame) {
+            const Image image = frameOf(entry, frame);
+            double beside = 0.0;
+            double above = 0.0;
+            for (int near = 0; near < kNear; ++near) {
+                beside = std::max({beside, columnStep(image, near, near + 1), columnStep(image, image.width - 2 - near, image.width - 1 - near)});
+                above = std::max({above, rowStep(image, near, near + 1), rowStep(image, image.height - 2 - near, image.height - 1 - near)});
+            }
+            if (entry.repeatsSideways) {
+                EXPECT_LE(columnStep(image, image.width - 1, 0), kTolerance * beside + 0.5) << entry.name << " frame " << frame;
+            }
+            if (entry.repeatsUpwards) {
+                EXPECT_LE(rowStep(image, image.height - 1, 0), kTolerance * above + 0.5) << entry.name << " frame " << frame;
+            }
+        }
+    }
+}
+
 TEST(Textures, WhatIsPaintedOnAWallContinuesIt) {
     constexpr int kBorder = 6;
     int painted = 0;
