@@ -104,7 +104,8 @@ World wallWorld(Texture wall) {
     return world;
 }
 
-// Blocks of all kinds on several levels, some glowing or flickering, in every other world some see-through, ceilings over some tiles, light, fog, a gradient for a sky.
+// Blocks of all kinds on several levels, some glowing or flickering, in every other world some see-through; ceilings over some tiles, light, fog, a gradient
+// for a sky.
 World mixedWorld(std::uint64_t seed) {
     Random random(seed);
     World world = emptyWorld(10, 9, 4, squares("floor", 10));
