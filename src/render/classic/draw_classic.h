@@ -1,5 +1,5 @@
-// The slow renderer for lessons: draws a world's blocks, floor, ceiling and sky by the old ways that ClassicOptions names. It works out every pixel by itself and
-// shares nothing with the fast renderer but plain data: the eye, the options, the light, the picture.
+// The slow renderer for lessons: draws a world's blocks, floor, ceiling and sky by the old ways that ClassicOptions names. It works out every pixel by itself
+// and shares nothing with the fast renderer but plain data: the eye, the options, the light, the picture.
 //
 //     column_ray       how a column of the picture looks into the world
 //     tile_spans       which tiles it passes: exactly, or by marching
