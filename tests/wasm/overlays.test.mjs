@@ -17,12 +17,18 @@ async function open(flavour, path = scene) {
   return session;
 }
 
+function nativeHits(column) {
+  const program = join(root, 'build/native/bin/slicecast-render');
+  const result = spawnSync(program, [scene, '--size', `${kWidth}x${kHeight}`, '--hits', `${column}`], { encoding: 'utf8' });
+  assert.equal(result.status, 0, result.stderr ?? String(result.error));
+  return JSON.parse(result.stdout);
+}
+
 for (const flavour of flavours) {
   test(`the hits of a column are the same as slicecast-render's (${flavour})`, async () => {
     const session = await open(flavour);
     for (const column of [0, 200, kWidth - 1]) {
-      const { stdout } = spawnSync(join(root, 'build/native/bin/slicecast-render'), [scene, '--size', `${kWidth}x${kHeight}`, '--hits', `${column}`], { encoding: 'utf8' });
-      const { scene: path, ...native } = JSON.parse(stdout);
+      const { scene: path, ...native } = nativeHits(column);
       const { scene: title, ...hits } = session.hits(kWidth, kHeight, column);
       assert.equal(path, scene);
       assert.equal(title, session.world().title);
