@@ -113,10 +113,10 @@ Picture paintStatue() {
         }
         texel.tone +=
             1.1 * (fractalNoise(x / 16.0, y / 16.0, 8, 16, 3, kSeed + 1U) - 0.5) - (valueNoise(x / 3.0, y / 40.0, 64, 8, kSeed + 2U) > 0.78 ? 0.5 : 0.0);
-        const double moss = fractalNoise(x / 8.0, y / 8.0, 16, 32, 3, kSeed + 3U) + (y > 130 ? 0.12 : 0.0) + (y > 180 ? 0.08 : 0.0);
+        const double moss = fractalNoise(x / 8.0, y / 8.0, 16, 32, 3, kSeed + 3U) + (y > 128 && y < 144 ? 0.1 : 0.0);
         if (moss > 0.74 && y > 66) {
             texel.ramp = &kMossRamp;
-            texel.tone = 3.2 + 2.0 * (moss - 0.74);
+            texel.tone = 2.4 + 2.0 * (moss - 0.74);
         }
     });
     return spriteOf(surface, {.gain = 0.4, .lightest = 1.1, .darkest = 1.7, .shadowReach = 4, .shadowSlope = 0.8, .shadowDepth = 0.9, .hollowDepth = 0.06});
