@@ -120,6 +120,37 @@ export class Engine {
     return this.#json(this.#module._slicecast_state(this.#session));
   }
 
+  // Fly mode, or walk mode.
+  set flying(flying) {
+    this.#module._slicecast_setFlying(this.#session, flying ? 1 : 0);
+  }
+
+  // Records the game that has just been loaded, under the name of its scene's file.
+  record(sceneName) {
+    withStrings(this.#module, [sceneName], (nameAt) => this.#module._slicecast_record(this.#session, nameAt));
+  }
+
+  // Ends the recording: its text, or '' if there was none.
+  takeRecording() {
+    return this.#module.UTF8ToString(this.#module._slicecast_takeRecording(this.#session));
+  }
+
+  // Checks a recording's bytes: {scene, steps, marks: [{name, step}], faults}. One without faults is kept for replay().
+  readRecording(bytes, name) {
+    return withBytes(this.#module, bytes, (at) => withStrings(this.#module, [name], (nameAt) =>
+      this.#json(this.#module._slicecast_readRecording(this.#session, at, bytes.length, nameAt))));
+  }
+
+  // Plays the recording that was read in the game that has just been loaded; whoever moves takes over. False if there is none.
+  replay() {
+    return this.#module._slicecast_replay(this.#session) === 1;
+  }
+
+  // {steps, stepsDone, isSame}, or null while no recording is played.
+  get replayState() {
+    return this.#json(this.#module._slicecast_replayState(this.#session));
+  }
+
   // Puts the eye back where a state says, walking or flying as it was. False if it may not be there.
   restore({ map, x, y, z, heading, look, flying }) {
     if (this.#module._slicecast_setEye(this.#session, map, x, y, z, heading, look) === 0) return false;
@@ -156,6 +187,21 @@ export class Engine {
 
   setMouse({ degreesPerPixel, invert }) {
     this.#module._slicecast_setMouse(degreesPerPixel, invert ? 1 : 0);
+  }
+
+  // A gamepad as gamepads.js describes it.
+  setGamepad({ leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons }) {
+    this.#module._slicecast_gamepad(leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons);
+  }
+
+  // What thumbs hold on the screen, until they hold something else.
+  setThumbs({ forward = 0, strafe = 0, fly = 0, jump = false, fast = false }) {
+    this.#module._slicecast_thumbs(forward, strafe, fly, (jump ? 1 : 0) + (fast ? 2 : 0));
+  }
+
+  // A finger has dragged the picture, in CSS pixels.
+  drag(right, down) {
+    this.#module._slicecast_drag(right, down);
   }
 
   // [{keys, does}], for a help text.

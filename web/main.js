@@ -1,21 +1,30 @@
 // The page: loads the engine and a scene, and carries messages between the engine, the address line, the settings and what is to be seen.
 //
-// Parameters of the address: scene=NAME or a path, live=1 (tools/play says when the scene was saved), engine=simd or scalar.
+// Parameters of the address: scene=NAME or a path, tour=NAME (a recording of the folder tours, which names its scene), live=1 (tools/play says when the
+// scene was saved), engine=simd or scalar.
 
 import { fetchEngine } from './engine-files.js';
 import { Engine } from './engine.js';
 import { listenForFiles } from './file-drop.js';
+import { Gamepads } from './gamepads.js';
 import { showKeys } from './key-help.js';
 import { guardLeaving } from './leave-guard.js';
 import { SceneMenu } from './scene-menu.js';
 import { listScenes, sceneAmong, sceneAt } from './scene-source.js';
 import { Settings } from './settings.js';
 import { Stage } from './stage.js';
-import { TouchPads } from './touch-pads.js';
+import { Thumbs } from './thumbs.js';
+import { readTour, saveText } from './tours.js';
 import { Trouble, TroubleSheet, asTrouble } from './trouble.js';
 
 const kEngineShare = 0.5; // of the loading bar
 const kUsualDegreesPerPixel = 0.15; // mouse
+
+const kModes = {
+  recording: 'Recording; F9 saves it',
+  replay: 'A recorded tour; move to take over',
+  cursor: "The mouse's place steers; Escape ends it",
+};
 
 const find = (id) => document.getElementById(id);
 const canvas = find('picture');
@@ -28,6 +37,7 @@ class Page {
   current = null; // what is open or being opened: {source, reference, about}; the reference is null for dropped files
   #loads = 0;
   #played = false;
+  #modes = new Set();
 
   constructor() {
     this.stage = new Stage(find('stage'), find('frame'), (width, height) => this.engine?.resize(width, height));
@@ -59,9 +69,30 @@ class Page {
   // ---- Scenes
 
   async openFromAddress() {
+    const tour = parameters().get('tour');
+    if (tour !== null) return this.openTour(tour);
     const reference = parameters().get('scene') ?? this.scenes[0]?.file;
     if (reference === undefined) throw new Trouble('There is no scene to open', 'The address names none, and the list of scenes could not be loaded.');
     await this.open(this.#inAddress(reference));
+  }
+
+  // A recording of the page's, played in its scene from the start.
+  async openTour(name) {
+    const bytes = await readTour(name);
+    const { scene, faults } = this.engine.readRecording(bytes, `${name}.txt`);
+    if (faults.length > 0) throw faultsTrouble(`${name}.txt`, faults);
+    if (await this.open(this.#inAddress(scene))) this.engine.replay();
+  }
+
+  // F9: begins the scene anew and records it, or hands out what was recorded.
+  async #record() {
+    const text = this.engine.takeRecording();
+    const name = this.current.source.name.replace(/\.json$/i, '');
+    if (text !== '') saveText(`${name}-recording.txt`, text);
+    else if (await this.open(this.current)) {
+      this.engine.record(name);
+      this.play();
+    }
   }
 
   #inAddress(reference) {
@@ -69,7 +100,7 @@ class Page {
     return { source: sceneAt(reference), reference: listed?.file ?? reference, about: listed?.about ?? '' };
   }
 
-  // Opens a scene. With `keepEye` the player stays where they are, and no more is shown of it than need be.
+  // Opens a scene; true if it can be played now. With `keepEye` the player stays where they are, and no more is shown of it than need be.
   async open(scene, { keepEye = false } = {}) {
     const load = ++this.#loads;
     const wasPlaying = this.state === 'playing' || (keepEye && this.playsAfterTrouble);
@@ -88,14 +119,14 @@ class Page {
           if (!keepEye) this.#showProgress(`Opening ${scene.source.name}`, begin + share * (1 - begin), bytes);
         },
       });
-      if (faults === null) return;
+      if (faults === null) return false;
       if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
     } catch (error) {
-      if (load !== this.#loads) return;
+      if (load !== this.#loads) return false;
       this.playsAfterTrouble = wasPlaying;
       const isOver = error instanceof WebAssembly.RuntimeError;
       this.#fail(asTrouble(error), { again: isOver ? () => location.reload() : () => this.open(scene) });
-      return;
+      return false;
     }
     this.playsAfterTrouble = false;
     this.trouble.hide();
@@ -103,6 +134,7 @@ class Page {
     this.engine.begin();
     if (keepEye && wasPlaying) this.play();
     else if (this.ready) this.#setState('paused'); // else the first picture is still to come
+    return true;
   }
 
   get hasPicture() {
@@ -173,6 +205,20 @@ class Page {
         if (value) document.exitPointerLock?.();
         if (this.ready && this.state !== 'loading' && this.state !== 'trouble') this.#setState(value ? 'paused' : 'playing');
         break;
+      case 'fly':
+        this.thumbs.flying = value;
+        break;
+      case 'cursor':
+        document.body.classList.toggle('steering', value);
+        this.#showMode('cursor', value);
+        break;
+      case 'recording':
+      case 'replay':
+        this.#showMode(event, value);
+        break;
+      case 'record':
+        this.#record();
+        break;
       case 'help':
         this.openDialog('keys');
         break;
@@ -191,12 +237,23 @@ class Page {
     }
   }
 
+  // One line for what goes on, the weightiest first.
+  #showMode(mode, isOn) {
+    if (isOn) this.#modes.add(mode);
+    else this.#modes.delete(mode);
+    const shown = Object.keys(kModes).find((known) => this.#modes.has(known));
+    find('mode').hidden = shown === undefined;
+    find('mode').dataset.mode = shown ?? '';
+    find('mode').textContent = kModes[shown] ?? '';
+  }
+
   get state() {
     return document.body.dataset.state;
   }
 
   #setState(state) {
     if (state === 'playing') this.#played = true;
+    else if (this.state === 'playing') this.thumbs.release();
     find('play').textContent = this.#played ? 'Continue' : 'Play';
     document.body.dataset.state = state;
   }
@@ -251,9 +308,13 @@ class Page {
   #listen() {
     canvas.addEventListener('focus', () => this.#canvasFocused(true));
     canvas.addEventListener('blur', () => this.#canvasFocused(false));
-    canvas.addEventListener('pointerdown', () => {
-      if (this.engine !== null && this.state === 'paused') this.play();
-    });
+    // A finger may scroll what the page stands in; only its tap plays.
+    for (const type of ['pointerdown', 'click']) {
+      canvas.addEventListener(type, (event) => {
+        if (type === 'pointerdown' && event.pointerType === 'touch') return;
+        if (this.engine !== null && this.state === 'paused') this.play();
+      });
+    }
     document.addEventListener('keydown', (event) => this.#keyDown(event));
     window.addEventListener('popstate', () => this.engine !== null && this.openFromAddress().catch((error) => this.#fail(asTrouble(error), { again: null })));
 
@@ -270,7 +331,21 @@ class Page {
       if (event.code === 'KeyH') find('keys').close();
     });
     find('standard-settings').addEventListener('click', () => this.settings.backToStandard());
-    new TouchPads(find('touch'), canvas);
+    this.thumbs = new Thumbs(find('touch'), {
+      hold: (held) => this.engine?.setThumbs(held),
+      drag: (right, down) => this.engine?.drag(right, down),
+      fly: () => {
+        this.engine.flying = !this.engine.state.flying;
+      },
+    });
+    new Gamepads({
+      change: (pad) => this.engine?.setGamepad(pad),
+      // The first press begins the game, as a click would.
+      press: () => {
+        const canPlay = this.ready && (this.state === 'paused' || this.state === 'playing') && document.querySelector('dialog[open]') === null;
+        if (canPlay && document.activeElement !== canvas) this.play();
+      },
+    });
     this.#listenForFullScreen();
     find('choose-files').addEventListener('click', () => find('files').click());
     listenForFiles({ input: find('files'), onEntries: (entries) => this.openFiles(entries) });

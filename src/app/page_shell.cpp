@@ -23,12 +23,13 @@ EM_JS(int, slicecastOpenCanvas, (), {
     specialHTMLTargets["#no-keys"] = document.createElement("div");
     if (!canvas.hasAttribute("tabindex")) canvas.tabIndex = 0;
 
-    // A press gives the focus without scrolling; a click asks for the pointer. Where that is refused, the cursor's place steers. A browser also refuses for
+    // A press of the mouse gives the focus without scrolling, and so does a tap: a finger that moves on scrolls the page. A click asks for the pointer. Where that is refused, the cursor's place steers. A browser also refuses for
     // a moment after Escape, which means nothing.
     const listeners = new AbortController();
     const until = {signal: listeners.signal};
-    canvas.addEventListener("pointerdown", () => canvas.focus({preventScroll: true}), until);
+    canvas.addEventListener("pointerdown", (event) => event.pointerType !== "touch" && canvas.focus({preventScroll: true}), until);
     canvas.addEventListener("click", (event) => {
+        canvas.focus({preventScroll: true});
         if (event.pointerType && event.pointerType !== "mouse") return;
         if (canvas.getRootNode().pointerLockElement === canvas) return;
         const refused = () => {

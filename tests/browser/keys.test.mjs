@@ -301,30 +301,3 @@ test('Ctrl walks slowly; with W it would close the tab, so the browser asks firs
   await page.evaluate(() => document.activeElement.blur());
   assert.equal(await asked([]), false);
 });
-
-test('thumbs walk and look on a touch screen', async (t) => {
-  const { page, context } = await openScene(t, browser, { viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true } });
-  assert.equal(await page.isVisible('#touch'), false);
-  await page.tap('#play');
-  await inState(page, 'playing');
-  const session = await context.newCDPSession(page);
-  const boxes = await page.$$eval('.pad', (pads) => pads.map((pad) => pad.getBoundingClientRect().toJSON()));
-  const point = (id, shareX, shareY) => ({ id, x: boxes[id].x + shareX * boxes[id].width, y: boxes[id].y + shareY * boxes[id].height });
-  const touch = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
-
-  // Both thumbs at once: ahead, and to the right
-  const before = await player(page);
-  await touch('touchStart', point(0, 0.5, 0.1), point(1, 0.9, 0.5));
-  await untilPlayer(page, (now, { x, heading }) => now.x > x + 0.3 && now.heading > heading + 10 && now.heading < 180, before);
-  // One slides across to the other side, the other goes
-  await touch('touchMove', point(0, 0.5, 0.5), point(1, 0.1, 0.5));
-  const there = await player(page);
-  await untilPlayer(page, (now, heading) => now.heading < heading, there.heading);
-  await touch('touchEnd');
-  const { steps } = await player(page);
-  await untilPlayer(page, (now, last) => now.steps > last + 120, steps);
-  const rested = await player(page);
-  await untilPlayer(page, (now, last) => now.steps > last + 30, rested.steps);
-  const end = await player(page);
-  assert.deepEqual([end.x, end.y, end.heading], [rested.x, rested.y, rested.heading]);
-});

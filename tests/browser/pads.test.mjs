@@ -1,0 +1,123 @@
+// Gamepads, and the cursor that steers by its place in the picture. There is no gamepad here: the page is given one by its own interface.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { frames, inState, launch, openPage, openScene, play, player, untilPlayer } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+// window.pad(axes, pressed buttons) sets it; the first call connects it, window.unplug() takes it away.
+async function withPad(page) {
+  await page.addInitScript(() => {
+    let pad = null;
+    navigator.getGamepads = () => [null, pad];
+    window.pad = (axes = [0, 0, 0, 0], pressed = [], mapping = 'standard') => {
+      const isNew = pad === null;
+      const buttons = Array.from({ length: 17 }, (_, index) => ({ pressed: pressed.includes(index), value: pressed.includes(index) ? 1 : 0 }));
+      pad = { connected: true, mapping, axes, buttons, index: 1, id: 'fake', timestamp: 0 };
+      if (isNew) window.dispatchEvent(new Event('gamepadconnected'));
+    };
+    window.unplug = () => {
+      pad = null;
+    };
+  });
+}
+
+const setPad = (page, ...state) => page.evaluate((given) => window.pad(...given), state);
+
+async function stands(page) {
+  const { steps } = await player(page);
+  const before = await untilPlayer(page, (now, last) => now.steps > last + 60, steps);
+  const now = await untilPlayer(page, (state, last) => state.steps > last + 20, before.steps);
+  return ['x', 'y', 'z', 'heading', 'look'].every((key) => before[key] === now[key]);
+}
+
+test('a gamepad begins the game, walks, turns, jumps and flies', async (t) => {
+  const { page } = await openScene(t, browser, { prepare: withPad });
+  await setPad(page);
+  await frames(page, 5);
+  await inState(page, 'paused');
+  await setPad(page, [0, 0, 0, 0], [0]);
+  await inState(page, 'playing');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'picture');
+
+  await setPad(page, [0.1, -0.1, 0.1, 0]);
+  await untilPlayer(page, (now) => now.onGround);
+  assert.ok(await stands(page), 'within the dead zones');
+  const begin = await player(page);
+  await setPad(page, [0, -1, 0, 0]);
+  await untilPlayer(page, (now, { x }) => now.x > x + 0.5, begin);
+  await setPad(page, [1, 0, 0, 0]);
+  await untilPlayer(page, (now, { y }) => now.y > y + 0.5, begin);
+  await setPad(page, [0, 0, 1, -1]);
+  await untilPlayer(page, (now) => now.heading > 10 && now.heading < 180 && now.look > 0.05);
+  await setPad(page);
+  assert.ok(await stands(page));
+  await setPad(page, [0, 0, 0, 0], [0]);
+  await untilPlayer(page, (now, { z }) => now.z > z + 0.1, begin);
+  await setPad(page, [0, 0, 0, 0], [3]);
+  await untilPlayer(page, (now) => now.flying);
+  await setPad(page, [0, 0, 0, 0], [7]);
+  await untilPlayer(page, (now) => now.z > 1.2);
+
+  // Unplugged with the trigger down
+  await page.evaluate(() => window.unplug());
+  assert.ok(await stands(page));
+  await setPad(page, [0, 0, 0, 0], [9]);
+  await inState(page, 'paused');
+});
+
+test('a gamepad of another kind is left alone', async (t) => {
+  const { page } = await openScene(t, browser, { prepare: withPad });
+  await play(page);
+  await setPad(page, [1, 1, 1, 1], [0], '');
+  assert.ok(await stands(page));
+});
+
+test("N steers by the cursor's place, with rest in the middle", async (t) => {
+  const { page } = await openScene(t, browser);
+  await play(page);
+  await page.mouse.move(320, 180);
+  await page.keyboard.press('n');
+  await page.waitForFunction(() => document.body.classList.contains('steering'));
+  assert.equal(await page.textContent('#mode'), "The mouse's place steers; Escape ends it");
+
+  // 640 x 360: the dead zone reaches from 256 to 384 and from 144 to 216
+  await page.mouse.move(380, 148);
+  assert.ok(await stands(page));
+  await page.mouse.move(600, 180);
+  await untilPlayer(page, (now) => now.heading > 10 && now.heading < 180);
+  assert.equal((await player(page)).look, 0);
+  await page.mouse.move(320, 60);
+  await untilPlayer(page, (now) => now.look > 0.1);
+  await page.mouse.move(320, 180);
+  assert.ok(await stands(page));
+  await page.keyboard.press('n');
+  await page.waitForFunction(() => !document.body.classList.contains('steering'));
+  await page.mouse.move(600, 180);
+  assert.ok(await stands(page));
+});
+
+test('where the browser refuses to hold the pointer, a click steers by its place', async (t) => {
+  // A sandbox without allow-pointer-lock
+  const files = { 'frame.html': '<!doctype html><body style="margin:0"><iframe sandbox="allow-scripts allow-same-origin" src="./" style="border:0;width:640px;height:360px">' };
+  const { page } = await openPage(t, browser, { server: { files }, query: 'frame.html', expectErrors: true });
+  const frame = await (await page.waitForSelector('iframe')).contentFrame();
+  await frame.waitForFunction(() => document.body.dataset.state === 'paused');
+  const state = () => frame.evaluate(() => window.slicecast.engine.state);
+  await page.mouse.click(320, 100);
+  await frame.waitForFunction(() => document.body.classList.contains('steering'));
+  assert.equal(await frame.evaluate(() => document.pointerLockElement), null);
+  await page.mouse.move(40, 180);
+  await frame.waitForFunction(() => window.slicecast.engine.state.heading > 180 && window.slicecast.engine.state.heading < 350);
+  await page.mouse.move(320, 180);
+  const { steps } = await state();
+  await frame.waitForFunction((last) => window.slicecast.engine.state.steps > last + 60, steps);
+  const rested = await state();
+  await frame.waitForFunction((last) => window.slicecast.engine.state.steps > last + 20, rested.steps);
+  assert.equal((await state()).heading, rested.heading);
+});

@@ -1,0 +1,78 @@
+// Recordings in the page: a tour is played, somebody takes over, and what is played is recorded and saved.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { inState, launch, openPage, openScene, play, player, untilPlayer } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const tour = 'slicecast recording 1\nscene other\n100 forward 256\nmark there 0123456789abcdef\n4000 turn 128\nend 4100 0123456789abcdef\n';
+
+const shown = (page) => page.evaluate(() => (document.getElementById('mode').hidden ? '' : document.getElementById('mode').textContent));
+
+test('a tour of the address opens its scene and plays, until somebody moves', async (t) => {
+  const { page } = await openScene(t, browser, { query: '?tour=mine', server: { files: { 'tours/mine.txt': tour } } });
+  assert.equal(await page.title(), 'The other room · Slicecast');
+  assert.match(await shown(page), /recorded tour/);
+  assert.equal((await player(page)).steps, 0);
+  await play(page);
+  await untilPlayer(page, (now) => now.y > 4.5 && now.heading > 100);
+  assert.equal((await page.evaluate(() => window.slicecast.engine.replayState)).steps, 4100);
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => window.slicecast.engine.replayState === null);
+  assert.equal(await shown(page), '');
+  const { steps } = await player(page);
+  const rested = await untilPlayer(page, (now, last) => now.steps > last + 90, steps);
+  assert.equal((await untilPlayer(page, (now, last) => now.steps > last + 30, rested.steps)).heading, rested.heading);
+});
+
+test('the tours that are shipped play in the page, to the same place as anywhere', async (t) => {
+  const { page } = await openScene(t, browser, { query: '?tour=library', server: { files: { 'scenes/index.json': '[]' } } });
+  assert.equal(await page.title(), 'The library · Slicecast');
+  await play(page);
+  await page.waitForFunction(() => window.slicecast.engine.replayState.stepsDone > 240);
+  const { isSame } = await page.evaluate(() => window.slicecast.engine.replayState);
+  assert.equal(isSame, true);
+});
+
+test('a faulty tour is refused with its faults, one that is not there with its address', async (t) => {
+  const files = { 'tours/mine.txt': 'slicecast recording 1\nscene other\n12 forwards 1\n' };
+  const faulty = await openPage(t, browser, { query: '?tour=mine', server: { files } });
+  await inState(faulty.page, 'trouble');
+  assert.equal(await faulty.page.textContent('#trouble-title'), '2 faults in mine.txt');
+  assert.match(await faulty.page.textContent('#trouble-faults'), /mine\.txt:3:4/);
+  const missing = await openPage(t, browser, { query: '?tour=nowhere', expectErrors: true });
+  await inState(missing.page, 'trouble');
+  assert.match(await missing.page.textContent('#trouble-text'), /tours\/nowhere\.txt/);
+  const strange = await openPage(t, browser, { query: '?tour=../x' });
+  await inState(strange.page, 'trouble');
+  assert.match(await strange.page.textContent('#trouble-text'), /tour=\.\.\/x/);
+});
+
+test('F9 begins the scene anew and records it, F9 saves what was played', async (t) => {
+  const { page } = await openScene(t, browser, { context: { acceptDownloads: true } });
+  await play(page);
+  await page.keyboard.down('w');
+  await untilPlayer(page, (now) => now.x > 4);
+  await page.keyboard.up('w');
+  await page.keyboard.press('F9');
+  await page.waitForFunction(() => !document.getElementById('mode').hidden && document.body.dataset.state === 'playing');
+  assert.match(await shown(page), /Recording/);
+  assert.ok((await player(page)).x < 3.6, 'from the start');
+  await page.keyboard.down('d');
+  await untilPlayer(page, (now) => now.y > 4);
+  await page.keyboard.up('d');
+  const downloading = page.waitForEvent('download');
+  await page.keyboard.press('F9');
+  const download = await downloading;
+  assert.equal(download.suggestedFilename(), 'room-recording.txt');
+  const text = readFileSync(await download.path(), 'utf8');
+  assert.match(text, /^slicecast recording 1\nscene room\nset speed 1\n(\d+\n)?\d+ strafe 256\n(\d+\n)?end \d+ [0-9a-f]{16}\n$/);
+  assert.equal(await shown(page), '');
+  assert.equal(await page.evaluate((bytes) => window.slicecast.engine.readRecording(new TextEncoder().encode(bytes), 'x').faults.length, text), 0);
+});

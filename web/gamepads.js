@@ -1,0 +1,55 @@
+// Hands gamepads to the engine. A browser says that there is one once a button of it was pressed, and tells its state only when asked: each frame while one
+// is connected.
+//
+//     new Gamepads({change(pad), press()})
+//     pad: {leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons}, as slicecast_gamepad takes it; press: a button went down
+
+const kNone = { leftX: 0, leftY: 0, rightX: 0, rightY: 0, leftTrigger: 0, rightTrigger: 0, buttons: 0 };
+const kTriggers = 6; // the first of the two among the buttons, which are axes here
+
+export class Gamepads {
+  #before = kNone;
+  #asks = false;
+
+  constructor(actions) {
+    this.actions = actions;
+    window.addEventListener('gamepadconnected', () => this.#begin());
+    if (connected().length > 0) this.#begin();
+  }
+
+  #begin() {
+    if (this.#asks) return;
+    this.#asks = true;
+    const look = () => {
+      const pads = connected();
+      const now = pads.length > 0 ? stateOf(pads) : kNone;
+      if (Object.keys(kNone).some((key) => now[key] !== this.#before[key])) {
+        const isPress = (now.buttons & ~this.#before.buttons) !== 0;
+        this.#before = now;
+        this.actions.change(now);
+        if (isPress) this.actions.press();
+      }
+      this.#asks = pads.length > 0;
+      if (this.#asks) requestAnimationFrame(look);
+    };
+    look();
+  }
+}
+
+function connected() {
+  return [...(navigator.getGamepads?.() ?? [])].filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
+}
+
+// Several gamepads play as one: of each axis what is furthest out, of the buttons what is down on any.
+export function stateOf(pads) {
+  const furthest = (values) => values.reduce((most, value) => (Math.abs(value) > Math.abs(most) ? value : most), 0);
+  const axis = (index) => furthest(pads.map((pad) => pad.axes[index] ?? 0));
+  const trigger = (index) => furthest(pads.map((pad) => pad.buttons[index]?.value ?? 0));
+  let buttons = 0;
+  for (const pad of pads) {
+    pad.buttons.forEach(({ pressed }, index) => {
+      if (pressed && index !== kTriggers && index !== kTriggers + 1) buttons |= 1 << index;
+    });
+  }
+  return { leftX: axis(0), leftY: axis(1), rightX: axis(2), rightY: axis(3), leftTrigger: trigger(kTriggers), rightTrigger: trigger(kTriggers + 1), buttons };
+}

@@ -1,0 +1,165 @@
+// Thumbs on the picture. On its left half a stick appears under the thumb and walks; beyond its rim it runs. Dragging on the right half looks around, and
+// two taps there jump. Buttons jump, crouch and fly; while flying the first two rise and sink.
+//
+//     const thumbs = new Thumbs(root, {hold({forward, strafe, fly, jump, fast}), drag(right, down), fly()});
+//     thumbs.flying = true;
+
+const kRadius = 56; // CSS pixels from the middle of the stick to its rim
+const kDeadZone = 0.15; // of the radius: a thumb that rests in the middle does nothing
+const kRunning = 1.5; // radii from which on the stick runs
+const kTapMilliseconds = 250; // a longer touch is no tap
+const kTapPixels = 12; // nor one that moves more
+const kBetweenTaps = 350; // milliseconds
+const kJumpMilliseconds = 120; // that two taps hold the button
+
+// Where a thumb is, seen from the stick's middle, as axes to the right and down of -1 to 1, and whether it runs.
+export function stickAt(x, y) {
+  const distance = Math.hypot(x, y) / kRadius;
+  if (distance <= kDeadZone) return { right: 0, down: 0, runs: false };
+  const scale = Math.min(1, (distance - kDeadZone) / (1 - kDeadZone)) / (distance * kRadius);
+  return { right: x * scale, down: y * scale, runs: distance >= kRunning };
+}
+
+export class Thumbs {
+  #held = { forward: 0, strafe: 0, jump: false, crouch: false, fast: false };
+  #flying = false;
+  #jumpTimer = 0;
+
+  constructor(root, actions) {
+    this.actions = actions;
+    this.find = (name) => root.querySelector(`[data-thumb="${name}"]`);
+    this.#listenToStick(this.find('walk'), this.find('stick'));
+    this.#listenToLook(this.find('look'));
+    for (const name of ['jump', 'crouch']) this.#listenToButton(this.find(name), name);
+    this.find('fly').addEventListener('pointerdown', (event) => {
+      event.preventDefault();
+      actions.fly();
+    });
+    // The canvas keeps the focus, and with it the game its keys; nothing is zoomed or marked.
+    for (const type of ['mousedown', 'touchstart', 'contextmenu']) root.addEventListener(type, (event) => event.preventDefault(), { passive: false });
+  }
+
+  set flying(flying) {
+    this.#flying = flying;
+    this.find('fly').classList.toggle('on', flying);
+    this.find('jump').querySelector('span').textContent = flying ? 'Rise' : 'Jump';
+    this.find('crouch').querySelector('span').textContent = flying ? 'Sink' : 'Crouch';
+    this.#send();
+  }
+
+  // Lets go of everything.
+  release() {
+    clearTimeout(this.#jumpTimer);
+    this.#hold({ forward: 0, strafe: 0, jump: false, crouch: false, fast: false });
+  }
+
+  #hold(change) {
+    Object.assign(this.#held, change);
+    this.#send();
+  }
+
+  #send() {
+    const { forward, strafe, jump, crouch, fast } = this.#held;
+    const rises = this.#flying && jump;
+    this.actions.hold({ forward, strafe, fast, jump: jump && !rises, fly: (rises ? 1 : 0) - (crouch ? 1 : 0) });
+  }
+
+  #listenToStick(zone, stick) {
+    const knob = stick.querySelector('.knob');
+    let middle = null;
+    listen(zone, {
+      begin: (event) => {
+        middle = { x: event.clientX, y: event.clientY };
+        const box = zone.getBoundingClientRect();
+        stick.style.setProperty('--x', `${middle.x - box.left}px`);
+        stick.style.setProperty('--y', `${middle.y - box.top}px`);
+        stick.classList.add('held');
+      },
+      move: (event) => {
+        const x = event.clientX - middle.x;
+        const y = event.clientY - middle.y;
+        const reach = Math.min(1, kRadius / Math.max(1, Math.hypot(x, y)));
+        knob.style.transform = `translate(${x * reach}px, ${y * reach}px)`;
+        const { right, down, runs } = stickAt(x, y);
+        stick.classList.toggle('runs', runs);
+        this.#hold({ forward: -down, strafe: right, fast: runs });
+      },
+      end: () => {
+        stick.classList.remove('held', 'runs');
+        for (const name of ['--x', '--y']) stick.style.removeProperty(name);
+        knob.style.transform = '';
+        this.#hold({ forward: 0, strafe: 0, fast: false });
+      },
+    });
+  }
+
+  #listenToLook(zone) {
+    let at = null;
+    let moved = 0;
+    let begun = 0;
+    let lastTap = -Infinity;
+    listen(zone, {
+      begin: (event) => {
+        at = { x: event.clientX, y: event.clientY };
+        moved = 0;
+        begun = event.timeStamp;
+      },
+      move: (event) => {
+        const right = event.clientX - at.x;
+        const down = event.clientY - at.y;
+        at = { x: event.clientX, y: event.clientY };
+        moved += Math.hypot(right, down);
+        this.actions.drag(right, down);
+      },
+      end: (event) => {
+        if (event.type !== 'pointerup' || moved > kTapPixels || event.timeStamp - begun > kTapMilliseconds) return;
+        if (event.timeStamp - lastTap < kBetweenTaps) {
+          lastTap = -Infinity;
+          this.#hold({ jump: true });
+          clearTimeout(this.#jumpTimer);
+          this.#jumpTimer = setTimeout(() => this.#hold({ jump: false }), kJumpMilliseconds);
+        } else {
+          lastTap = event.timeStamp;
+        }
+      },
+    });
+  }
+
+  #listenToButton(button, name) {
+    listen(button, {
+      begin: () => {
+        clearTimeout(this.#jumpTimer);
+        button.classList.add('on');
+        this.#hold({ [name]: true });
+      },
+      move: () => {},
+      end: () => {
+        button.classList.remove('on');
+        this.#hold({ [name]: false });
+      },
+    });
+  }
+}
+
+// Follows one touch at a time on an element, also beyond its edges.
+function listen(element, { begin, move, end }) {
+  let pointer = null;
+  element.addEventListener('pointerdown', (event) => {
+    if (pointer !== null) return;
+    event.preventDefault();
+    pointer = event.pointerId;
+    element.setPointerCapture(pointer);
+    begin(event);
+    move(event);
+  });
+  element.addEventListener('pointermove', (event) => {
+    if (event.pointerId === pointer) move(event);
+  });
+  for (const type of ['pointerup', 'pointercancel', 'lostpointercapture']) {
+    element.addEventListener(type, (event) => {
+      if (event.pointerId !== pointer) return;
+      pointer = null;
+      end(event);
+    });
+  }
+}
