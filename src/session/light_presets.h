@@ -20,9 +20,9 @@ enum class LightPreset : std::uint8_t {
 
 struct LightWishes {
     LightPreset preset = LightPreset::map;
-    std::optional<double> intensity;   // instead of the preset's or the map's
-    std::optional<double> multiplier;  // units
-    std::optional<Colour> haze;        // colour of fog and far floor; with the fog preset of the sky too
+    std::optional<double> intensity = std::nullopt;   // instead of the preset's or the map's
+    std::optional<double> multiplier = std::nullopt;  // units
+    std::optional<Colour> haze = std::nullopt;        // colour of fog and far floor; with the fog preset of the sky too
 };
 
 // Keeps what the maps came with, so that it comes back.

@@ -85,6 +85,15 @@ TEST(Options, ChoicesTakeTheirWords) {
     EXPECT_EQ(setOption(options, "method", "fast"), "option method: found \"fast\", expected \"exact\" or \"classic\"");
 }
 
+TEST(Options, ChoicesGoRound) {
+    EXPECT_EQ(nextChoice("lightPreset", "map"), "day");
+    EXPECT_EQ(nextChoice("lightPreset", "night"), "fog");
+    EXPECT_EQ(nextChoice("lightPreset", "fog"), "map");
+    EXPECT_EQ(nextChoice("lightPreset", "noon"), "");
+    EXPECT_EQ(nextChoice("fov", "60"), "");
+    EXPECT_EQ(nextChoice("noSuchOption", ""), "");
+}
+
 TEST(Options, ColoursAreSixDigits) {
     SessionOptions options;
     EXPECT_EQ(setOption(options, "hazeColour", "#0a80FF"), "");

@@ -307,5 +307,115 @@ TEST(Session, TheFingerprintTellsStatesApart) {
     EXPECT_NE(session.fingerprint(), start);
 }
 
+TEST(Session, GoesIntoEveryMap) {
+    Session session(yards());
+    session.setHeading(123.0);
+    EXPECT_FALSE(session.goToMap(2));
+    EXPECT_FALSE(session.goToMap(-1));
+    EXPECT_EQ(session.state().map, "first");
+    ASSERT_TRUE(session.goToMap(1));
+    // The middle of the second yard holds a half block: they stand on it.
+    SessionState state = session.state();
+    EXPECT_EQ(state.map, "second");
+    EXPECT_EQ(state.x, 6.5);
+    EXPECT_EQ(state.y, 4.5);
+    EXPECT_EQ(state.feet, 0.5);
+    EXPECT_EQ(state.headingDegrees, 123.0);
+    EXPECT_FALSE(state.flying);
+    for (int i = 0; i < 30; ++i) session.step({});
+    EXPECT_EQ(session.state().feet, 0.5);
+    EXPECT_TRUE(session.state().onGround);
+    ASSERT_TRUE(session.goToMap(0));
+    state = session.state();
+    EXPECT_EQ(state.map, "first");
+    EXPECT_EQ(state.x, 2.5);
+    EXPECT_EQ(state.headingDegrees, 0.0) << "as at the start";
+}
+
+TEST(Session, AnInspectedColumnIsOneOfThePicture) {
+    Session session(yards());
+    EXPECT_EQ(session.inspectedColumn(96), 48);
+    session.setOption("inspectorColumn", "7");
+    EXPECT_EQ(session.inspectedColumn(96), 7);
+    session.setOption("inspectorColumn", "500");
+    EXPECT_EQ(session.inspectedColumn(96), 95);
+}
+
+// The pixels that an option changes are these, and it can be taken back.
+TEST(Session, OverlaysAreDrawnWhenAsked) {
+    Session session(yards());
+    const Image plain = drawn(session, 1.0, 640, 400);
+    const auto changed = [&](const char* option) {
+        EXPECT_EQ(session.setOption(option, "on"), "");
+        const Image with = drawn(session, 1.0, 640, 400);
+        session.setOption(option, "off");
+        EXPECT_EQ(drawn(session, 1.0, 640, 400).pixels, plain.pixels) << option;
+        int left = 0;
+        int right = 0;
+        for (int y = 0; y < 400; ++y) {
+            for (int x = 0; x < 640; ++x) (x < 320 ? left : right) += with.at(x, y) != plain.at(x, y);
+        }
+        return std::pair{left, right};
+    };
+    EXPECT_GT(changed("playerPanel").second, 10'000);
+    EXPECT_EQ(changed("playerPanel").first, 0);
+    EXPECT_GT(changed("processPanel").second, 14'000);
+    EXPECT_EQ(changed("processPanel").first, 0);
+    EXPECT_GT(changed("inspector").first, 30'000);
+    EXPECT_GT(changed("grid").first, 10'000);
+    EXPECT_GT(changed("grid").second, 10'000);
+    EXPECT_GT(changed("slow").second, 100'000);
+}
+
+TEST(Session, SlowDrawingGivesTheSamePictureInTheEnd) {
+    Session session(yards());
+    const Image plain = drawn(session);
+    session.setOption("slow", "on");
+    session.setOption("slowSlices", "12");
+    Image slow;
+    for (int i = 0; i < 96 / 12; ++i) {
+        slow = drawn(session);
+        EXPECT_EQ(slow.at(12 * (i + 1) - 1, 30), plain.at(12 * (i + 1) - 1, 30));
+        EXPECT_EQ(slow.at(95, 30) == toPixel(kNotYetDrawn), i < 7);
+    }
+    for (int y = 0; y < 60; ++y) {
+        for (int x = 1; x < 96; ++x) ASSERT_EQ(slow.at(x, y), plain.at(x, y));
+    }
+    // Switched off and on, it begins again.
+    session.setOption("slow", "off");
+    session.setOption("slow", "on");
+    EXPECT_EQ(drawn(session).at(95, 30), toPixel(kNotYetDrawn));
+}
+
+TEST(Session, TimesOfDayChangeThePictureAndGoBack) {
+    Session session(yards());
+    const Image own = drawn(session);
+    EXPECT_EQ(session.setOption("lightPreset", "night"), "");
+    const Image night = drawn(session);
+    EXPECT_NE(night.pixels, own.pixels);
+    session.setOption("lightPreset", "fog");
+    session.setOption("hazeColour", "#c80a14");
+    const Image fog = drawn(session);
+    EXPECT_EQ(toColour(fog.at(95, 2)), (Colour{200, 10, 20, 255})) << "the sky";
+    session.setOption("hazeColour", "map");
+    session.setOption("lightPreset", "map");
+    EXPECT_EQ(drawn(session).pixels, own.pixels);
+}
+
+TEST(Session, AClockChangesNothingButTheProcessPanel) {
+    Session with(yards());
+    Session without(yards());
+    double now = 0.0;
+    with.setClock([&now] { return now += 0.02; });
+    for (int i = 0; i < 60; ++i) {
+        with.step({.forward = 1.0});
+        without.step({.forward = 1.0});
+        EXPECT_EQ(drawn(with).pixels, drawn(without).pixels);
+    }
+    EXPECT_EQ(with.fingerprint(), without.fingerprint());
+    for (Session* session : {&with, &without}) session->setOption("processPanel", "on");
+    EXPECT_NE(drawn(with, 1.0, 640, 400).pixels, drawn(without, 1.0, 640, 400).pixels);
+}
+
 }  // namespace
 }  // namespace slicecast

@@ -1,0 +1,95 @@
+#include "session/light_presets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace slicecast {
+namespace {
+
+std::vector<Map> twoMaps() {
+    std::vector<Map> maps = {makeMap("first", 4, 4, 1, kNoTexture), makeMap("second", 5, 5, 1, kNoTexture)};
+    maps[0].light.intensity = 0.75;
+    maps[0].haze = {1, 2, 3, 255};
+    maps[1].fog = {.on = true, .start = 3.0, .end = 9.0};
+    maps[1].sky.kind = Sky::Kind::panorama;
+    maps[1].sky.panorama = Image(64, 16);
+    return maps;
+}
+
+TEST(LightPresets, TakeThePlaceOfLightFogHazeAndSkyInAllMaps) {
+    std::vector<Map> maps = twoMaps();
+    MapLights lights(maps);
+    lights.apply({.preset = LightPreset::night}, maps);
+    for (const Map& map : maps) {
+        EXPECT_LT(map.light.brightest, 1.0);
+        EXPECT_TRUE(map.fog.on);
+        EXPECT_EQ(map.sky.kind, Sky::Kind::gradient);
+        EXPECT_LT(map.sky.high.r + map.sky.high.g + map.sky.high.b, 60) << "dark above";
+    }
+    EXPECT_EQ(maps[0].haze, maps[1].haze);
+    EXPECT_EQ(maps[0].light.intensity, maps[1].light.intensity);
+    lights.apply({.preset = LightPreset::day}, maps);
+    EXPECT_GT(maps[1].light.darkest, 0.5);
+    EXPECT_FALSE(maps[1].fog.on);
+}
+
+TEST(LightPresets, GetDarkerFromDayToNight) {
+    std::vector<Map> maps = twoMaps();
+    MapLights lights(maps);
+    double before = 2.0;
+    for (const LightPreset preset : {LightPreset::day, LightPreset::dusk, LightPreset::night}) {
+        lights.apply({.preset = preset}, maps);
+        const Light& light = maps[0].light;
+        const double at10 = std::min(std::max(light.intensity * light.multiplier / 10.0, light.darkest), light.brightest);
+        EXPECT_LT(at10, before);
+        before = at10;
+    }
+}
+
+TEST(LightPresets, GiveBackEachMapsOwn) {
+    std::vector<Map> maps = twoMaps();
+    const Pixel* panorama = maps[1].sky.panorama.pixels.data();
+    MapLights lights(maps);
+    for (const LightPreset preset : {LightPreset::dusk, LightPreset::fog, LightPreset::map, LightPreset::map, LightPreset::day, LightPreset::map}) {
+        lights.apply({.preset = preset}, maps);
+    }
+    EXPECT_EQ(maps[0].light.intensity, 0.75);
+    EXPECT_EQ(maps[0].haze, (Colour{1, 2, 3, 255}));
+    EXPECT_EQ(maps[0].sky.kind, Sky::Kind::colour);
+    EXPECT_FALSE(maps[0].fog.on);
+    EXPECT_TRUE(maps[1].fog.on);
+    EXPECT_EQ(maps[1].fog.end, 9.0);
+    EXPECT_EQ(maps[1].sky.kind, Sky::Kind::panorama);
+    EXPECT_EQ(maps[1].sky.panorama.pixels.data(), panorama) << "moved, not copied";
+}
+
+TEST(LightPresets, WishesForTheLightGoBeforeThePresets) {
+    std::vector<Map> maps = twoMaps();
+    MapLights lights(maps);
+    lights.apply({.preset = LightPreset::dusk, .intensity = 0.25, .multiplier = 3.0}, maps);
+    EXPECT_EQ(maps[1].light.intensity, 0.25);
+    EXPECT_EQ(maps[1].light.multiplier, 3.0);
+    lights.apply({.preset = LightPreset::dusk}, maps);
+    EXPECT_NE(maps[1].light.intensity, 0.25);
+}
+
+TEST(LightPresets, TheFogHasTheColourThatIsWishedFor) {
+    std::vector<Map> maps = twoMaps();
+    MapLights lights(maps);
+    const Colour red = {200, 10, 20, 255};
+    lights.apply({.preset = LightPreset::fog, .haze = red}, maps);
+    EXPECT_TRUE(maps[0].fog.on);
+    EXPECT_EQ(maps[0].haze, red);
+    EXPECT_EQ(maps[0].sky.low, red) << "the world fades into one colour";
+    EXPECT_EQ(maps[0].sky.high, red);
+    lights.apply({.haze = red}, maps);
+    EXPECT_EQ(maps[0].haze, red) << "without a preset too";
+    EXPECT_NE(maps[0].sky.low, red);
+    lights.apply({}, maps);
+    EXPECT_EQ(maps[0].haze, (Colour{1, 2, 3, 255}));
+}
+
+}  // namespace
+}  // namespace slicecast
