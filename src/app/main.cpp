@@ -141,9 +141,9 @@ int main(int argc, char** argv) {
     if (!arguments.record.empty()) file.begin(scene);
     const std::string fault = applyArguments(first, arguments);
     if (!fault.empty()) return fail(fault);
+    if (replay) app.replay(std::move(*replay));
     const std::string noWindow = shell.open(app, title);
     if (!noWindow.empty()) return fail(noWindow);
-    if (replay) app.replay(std::move(*replay));
 
     const auto open = [&](const std::filesystem::path& path) {
         std::unique_ptr<Session> next = openGame(path);
