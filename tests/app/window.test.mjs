@@ -77,9 +77,9 @@ describe('the window', { skip: noScreen }, () => {
     const folder = mkdtempSync(join(tmpdir(), 'slicecast-'));
     try {
       const again = join(folder, 'again.txt');
-      const tour = join(root, 'assets/tours/temple.txt');
+      const tour = join(root, 'assets/tours/castle.txt');
       await withWindow(['--size', `${kWidth}x${kHeight}`, '--replay', tour, '--record', again], async (started) => {
-        assert.equal(started.title, 'The temple in the canyon (recording) (replay)');
+        assert.equal(started.title, 'The castle in the lake (recording) (replay)');
         await new Promise((resolve) => setTimeout(resolve, 1500));
       });
       // Whole lines but for the last stretch, which was cut.
