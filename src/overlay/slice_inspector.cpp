@@ -131,10 +131,10 @@ void drawBlocks(const SliceTrace& trace, const Plot& plot, const Picture& pictur
         const int right = std::max(left + 1, static_cast<int>(plot.x(hit.backDepth)));
         const int top = static_cast<int>(plot.y(hit.top.value()));
         const int bottom = std::max(top + 1, static_cast<int>(plot.y(hit.bottom.value())));
-        const PixelRect box = shared({left, top, right - left, bottom - top}, plot.area);
-        blendRect(picture, box, hit.filled.empty() ? kUnseenBlock : kSeenBlock);
-        blendRect(picture, {box.x, box.y, box.width, 1}, kBlockEdge);
-        blendRect(picture, {box.x, box.y, 1, box.height}, kBlockEdge);
+        const auto blendInside = [&](PixelRect rect, Colour colour) { blendRect(picture, shared(rect, plot.area), colour); };
+        blendInside({left, top, right - left, bottom - top}, hit.filled.empty() ? kUnseenBlock : kSeenBlock);
+        blendInside({left, top, right - left, 1}, kBlockEdge);
+        blendInside({left, top, 1, bottom - top}, kBlockEdge);
     }
 }
 
