@@ -56,13 +56,13 @@ std::string WindowShell::open(App& app, const std::string& title) {
     if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdlFault("there is no screen to draw on");
     const Size size = settings_.picture.value_or(kFirstWindow);
     const Uint32 flags = SDL_WINDOW_RESIZABLE | (settings_.fullscreen ? kFullscreen : 0u);
-    window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width, size.height, flags));
+    title_ = title;
+    window_.reset(SDL_CreateWindow(shownTitle().c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width, size.height, flags));
     if (!window_) return sdlFault("no window could be opened");
     if (SDL_GetWindowSurface(window_.get()) == nullptr) return sdlFault("the window cannot be drawn on");
     SDL_StopTextInput();
     // Without gamepads there are the keys.
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
-    setTitle(title);
     fitPicture();
     return {};
 }
@@ -97,11 +97,15 @@ void WindowShell::run(const std::function<void(const std::filesystem::path&)>& d
 void WindowShell::setTitle(const std::string& title) {
     title_ = title;
     if (!window_) return;
-    std::string shown = title;
+    SDL_SetWindowTitle(window_.get(), shownTitle().c_str());
+}
+
+std::string WindowShell::shownTitle() const {
+    std::string shown = title_;
     if (app_->isRecording()) shown += " (recording)";
     if (app_->replayed() != nullptr) shown += " (replay)";
     if (app_->paused()) shown += " (paused)";
-    SDL_SetWindowTitle(window_.get(), shown.c_str());
+    return shown;
 }
 
 double WindowShell::nowSeconds() const {

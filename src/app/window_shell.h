@@ -54,6 +54,7 @@ private:
         void operator()(SDL_GameController* gamepad) const { SDL_GameControllerClose(gamepad); }
     };
 
+    std::string shownTitle() const;
     Size windowSize() const;
     void fitPicture();
     void holdPointer(bool hold);
