@@ -31,6 +31,7 @@ struct Arguments {
     std::string eye;
     std::string size;
     std::string fov;
+    std::string time;
     std::vector<std::string> options;  // OPTION=VALUE
     std::string replay;
     std::string at;
@@ -53,6 +54,7 @@ std::string footer() {
         "  slicecast-render castle.json --out castle.png\n"
         "  slicecast-render castle.json --eye 8.5,3.25,0.5,90,0.1 --size 640x400 --fov 75 --out gate.png\n"
         "  slicecast-render castle.json --map cellar --eye 4,4,0.5,0,0 --set light=off --set detail=off --out cellar.png\n"
+        "  slicecast-render castle.json --time 2.5 --out later.png\n"
         "  slicecast-render castle.json --hits 640 > hits.json\n"
         "  slicecast-render castle.json --replay castle.txt --at on-the-bridge --out bridge.png\n"
         "\nAn eye is X,Y,Z in units (x to the east, y to the south, z up from the floor), a heading in degrees (0 east, 90 south) and a look\n"
@@ -66,8 +68,9 @@ void describeArguments(CLI::App& cli, Arguments& arguments) {
     cli.add_option("--eye", arguments.eye, "from where to look; without it, as the player sees the start")->type_name("X,Y,Z,HEADING,LOOK");
     cli.add_option("--size", arguments.size, "size of the picture in pixels; 1280x720 without it")->type_name("WxH");
     cli.add_option("--fov", arguments.fov, "field of view from left to right, in degrees")->type_name("DEG");
+    CLI::Option* time = cli.add_option("--time", arguments.time, "how long the world has gone on when it is drawn; 0 without it")->type_name("SECONDS");
     cli.add_option("--set", arguments.options, "set an option of the view; see below")->type_name("OPTION=VALUE")->allow_extra_args(false);
-    CLI::Option* replay = cli.add_option("--replay", arguments.replay, "recording to play first, from the scene's start")->type_name("FILE");
+    CLI::Option* replay = cli.add_option("--replay", arguments.replay, "recording to play first, from the scene's start")->type_name("FILE")->excludes(time);
     cli.add_option("--at", arguments.at, "how much of it: a number of steps (1/120 s) or the name of a mark; without it, all")->type_name("STEP")->needs(replay);
     cli.add_option("--hits", arguments.column, "print what this column of the picture meets, as JSON; 0 is the leftmost")->type_name("COLUMN");
     cli.add_option("--out", arguments.out, "PNG file to write; may be left out with --hits")->type_name("PICTURE.png");
@@ -101,6 +104,11 @@ std::string arrange(Session& session, const Arguments& arguments) {
         if (equals == std::string::npos) return "--set: found \"" + option + "\", expected OPTION=VALUE";
         const std::string fault = session.setOption(option.substr(0, equals), option.substr(equals + 1));
         if (!fault.empty()) return fault;
+    }
+    if (!arguments.time.empty()) {
+        const Read<int> steps = readTime(arguments.time);
+        if (!steps.value) return "--time: " + steps.fault;
+        for (int i = 0; i < *steps.value; ++i) session.step(Input{});
     }
     const Read<int> map = findMap(session.world(), arguments.map);
     if (!map.value) return map.fault;

@@ -2,6 +2,7 @@
 
 #include "render/options.h"
 #include "render/picture.h"
+#include "world/player.h"
 
 #include <array>
 #include <cmath>
@@ -62,6 +63,13 @@ Read<int> readColumn(const std::string& text, int width) {
     const std::optional<int> column = readWhole(text, 0, width - 1);
     if (column) return {column, {}};
     return {std::nullopt, "found " + quoted(text) + ", expected a column of the picture, 0 to " + std::to_string(width - 1)};
+}
+
+Read<int> readTime(const std::string& text) {
+    constexpr double kLongest = 3600.0;
+    const std::optional<double> seconds = readNumber(text);
+    if (seconds && *seconds >= 0.0 && *seconds <= kLongest) return {static_cast<int>(std::floor(*seconds / kStepSeconds + 0.5)), {}};
+    return {std::nullopt, "found " + quoted(text) + ", expected seconds, from 0 to 3600"};
 }
 
 Read<Eye> readEye(const std::string& text, int map) {

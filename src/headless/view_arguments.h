@@ -29,6 +29,9 @@ Read<PictureSize> readSize(const std::string& text);
 Read<int> readColumn(const std::string& text, int width);
 
 // The eye in the map with index `map`. One that sees nothing, at or below the floor, is refused.
+// Seconds, to the nearest step of the simulation: how many steps (1/120 s) that is.
+Read<int> readTime(const std::string& text);
+
 Read<Eye> readEye(const std::string& text, int map);
 
 }  // namespace slicecast

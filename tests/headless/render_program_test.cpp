@@ -33,6 +33,24 @@ Image drawn(Session& session, int width, int height) {
     return image;
 }
 
+// A floor of two frames, four of them a second: red for a quarter of a second, then green.
+std::string blinking(const TestFolder& folder) {
+    Image sheet(16, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 16; ++x) sheet.at(x, y) = toPixel(x < 8 ? Colour{200, 0, 0, 255} : Colour{0, 200, 0, 255});
+    }
+    const std::vector<std::uint8_t> png = encodePng(sheet.pixels.data(), sheet.width, sheet.height, sheet.width);
+    writeText(folder / "sheet.png", std::string(png.begin(), png.end()));
+    const std::string path = (folder / "blinking.json").string();
+    writeText(path, R"({
+        "title": "Blinking",
+        "textures": { "floor": { "file": "sheet.png", "frames": 2, "rate": 4 } },
+        "maps": [ { "name": "room", "levels": [["...", "...", "..."]], "floor": "floor", "light": { "on": false } } ],
+        "start": { "map": "room", "x": 1.5, "y": 1.5 }
+    })");
+    return path;
+}
+
 // A wall across a corridor that runs east, 2.5 units before an eye in its middle.
 std::string corridor(const TestFolder& folder) {
     const std::string path = (folder / "corridor.json").string();
@@ -60,6 +78,21 @@ TEST(RenderProgram, DrawsTheStartAsThePlayerSeesIt) {
     EXPECT_EQ(picture.width, 97);
     EXPECT_EQ(picture.height, 61);
     EXPECT_EQ(picture.pixels, drawn(session, 97, 61).pixels);
+}
+
+TEST(RenderProgram, DrawsTheWorldAtATime) {
+    const TestFolder folder;
+    const std::string scene = blinking(folder);
+    const auto floorAt = [&](const char* seconds) {
+        const std::string out = (folder / "floor.png").string();
+        const Finished finished = render({scene, "--time", seconds, "--size", "8x8", "--out", out});
+        EXPECT_EQ(finished.status, 0) << finished.err;
+        return toColour(readPicture(out).at(4, 7));
+    };
+    EXPECT_EQ(floorAt("0"), (Colour{200, 0, 0, 255}));
+    EXPECT_EQ(floorAt("0.24"), (Colour{200, 0, 0, 255}));
+    EXPECT_EQ(floorAt("0.25"), (Colour{0, 200, 0, 255}));
+    EXPECT_EQ(floorAt("60.5"), (Colour{200, 0, 0, 255}));
 }
 
 TEST(RenderProgram, DrawsAnyEyeMapAndOptions) {
@@ -173,6 +206,9 @@ TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
         {{kScene, "--out", out, "--eye", "1,1,0,0,0"}, "an eye at or below the floor sees nothing"},
         {{kScene, "--out", out, "--eye", "1,1,-2,0,0"}, "found -2"},
         {{kScene, "--out", out, "--eye", "1,1,0.5,0,4.5"}, "LOOK: found \"4.5\", expected a number from -4 to 4"},
+        {{kScene, "--out", out, "--time", "-1"}, "found \"-1\", expected seconds, from 0 to 3600"},
+        {{kScene, "--out", out, "--time", "3601"}, "found \"3601\""},
+        {{kScene, "--out", out, "--time", "soon"}, "found \"soon\""},
         {{kScene, "--hits", "64", "--size", "64x48"}, "found \"64\", expected a column of the picture, 0 to 63"},
         {{kScene, "--hits", "-1"}, "0 to 1279"},
         {{kScene, "--hits", "middle"}, "found \"middle\""},
@@ -207,7 +243,7 @@ TEST(RenderProgram, TellsTheFaultsOfAScene) {
 TEST(RenderProgram, HasHelp) {
     const Finished finished = render({"--help"});
     EXPECT_EQ(finished.status, 0);
-    for (const char* word : {"--map", "--eye", "--size", "--fov", "--set", "--hits", "--out", "Examples:"}) {
+    for (const char* word : {"--map", "--eye", "--time", "--size", "--fov", "--set", "--hits", "--out", "Examples:"}) {
         EXPECT_NE(finished.out.find(word), std::string::npos) << word;
     }
     for (const OptionInfo& option : knownOptions()) EXPECT_NE(finished.out.find("  " + std::string(option.name) + " "), std::string::npos) << option.name;

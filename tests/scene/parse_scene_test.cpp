@@ -27,7 +27,7 @@ TEST(ParseScene, NamesTheFilesThatItNeeds) {
     const ParsedScene parsed = parseScene(readText(sceneTestFolder() / "everything.json"), "everything.json");
     EXPECT_EQ(inWords(parsed.faults), "");
     ASSERT_NE(parsed.description, nullptr);
-    EXPECT_EQ(parsed.files, (std::vector<std::string>{"broken/images/brick.png", "broken/images/tile.png", "broken/images/sky.png"}));
+    EXPECT_EQ(parsed.files, (std::vector<std::string>{"broken/images/brick.png", "broken/images/tile.png", "broken/images/sheet.png", "broken/images/sky.png"}));
 }
 
 TEST(ParseScene, ReadsEveryKey) {
@@ -38,23 +38,40 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.title, "Everything \xe2\x80\x94 ein W\xc3\xbcrfel");
 
     // Two names of one file are one texture.
-    ASSERT_EQ(world.textures.size(), 2u);
+    ASSERT_EQ(world.textures.size(), 3u);
     EXPECT_EQ(world.textures[0].size(), 8);
     EXPECT_EQ(world.textures[0].levels.size(), 4u);
     EXPECT_EQ(world.textures[1].size(), 16);
     EXPECT_EQ(world.textures[1].name, "tile");
     const TextureId brick = 0;
     const TextureId tile = 1;
+    const TextureId flame = 2;
+    EXPECT_EQ(world.textures[flame].size(), 8);
+    EXPECT_EQ(world.textures[flame].frames(), 3);
+    EXPECT_EQ(world.textures[flame].rate, 7.5);
+    EXPECT_TRUE(world.textures[flame].seeThrough);
+    EXPECT_FALSE(world.textures[tile].seeThrough);
 
-    ASSERT_EQ(world.blueprints.size(), 3u);
+    ASSERT_EQ(world.blueprints.size(), 4u);
     const BlueprintId wall = 1;
     const BlueprintId slab = 2;
+    const BlueprintId brazier = 3;
+    EXPECT_FALSE(world.blueprints[brazier].join);
+    EXPECT_TRUE(world.blueprints[brazier].seeThrough);
+    EXPECT_TRUE(world.blueprints[slab].join);
+    EXPECT_FALSE(world.blueprints[slab].seeThrough);
+    for (const FaceBlueprint& face : world.blueprints[brazier].faces) {
+        EXPECT_EQ(face.texture, flame);
+        EXPECT_EQ(face.light, 0.9);
+        EXPECT_TRUE(face.glow);
+    }
     EXPECT_EQ(world.blueprints[wall].name, "wall");
     EXPECT_EQ(world.blueprints[wall].bottom.raw, 0);
     EXPECT_EQ(world.blueprints[wall].top.raw, 65536);
     for (const FaceBlueprint& face : world.blueprints[wall].faces) {
         EXPECT_EQ(face.texture, brick);
         EXPECT_EQ(face.light, 1.0);
+        EXPECT_FALSE(face.glow);
     }
     EXPECT_EQ(world.blueprints[slab].bottom.raw, 16384);
     EXPECT_EQ(world.blueprints[slab].top.raw, 49152);
@@ -85,6 +102,8 @@ TEST(ParseScene, ReadsEveryKey) {
 
     EXPECT_EQ(hall.floor.texture, brick);
     EXPECT_EQ(hall.floor.light, 0.5);
+    EXPECT_TRUE(hall.floor.glow);
+    EXPECT_TRUE(hall.ceiling.glow);
     EXPECT_EQ(hall.floor.tiles, (std::vector<TextureId>{0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
     EXPECT_EQ(hall.ceiling.height.raw, 98304);
     EXPECT_EQ(hall.ceiling.light, 0.25);
