@@ -140,10 +140,18 @@ private:
 
 void drawTiles(const World& world, const Map& map, int level, const View& view, const Picture& picture) {
     const TileColours tiles(world, map, level, view);
+    // Along a row the place on the map goes on by the same step, in 1/65536 pixels.
+    const Point step = view.toMap({1.0, 0.0});
+    const int stepX = toCoordinate(step.x).raw;
+    const int stepY = toCoordinate(step.y).raw;
     for (int y = view.area.y; y < view.area.y + view.area.height; ++y) {
+        const Point first = view.toMap({static_cast<double>(view.area.x - view.centreX), static_cast<double>(y - view.centreY)});
+        int fromEyeX = toCoordinate(first.x + 0.5).raw;
+        int fromEyeY = toCoordinate(first.y + 0.5).raw;
         for (int x = view.area.x; x < view.area.x + view.area.width; ++x) {
-            const Point fromEye = view.toMap({static_cast<double>(x - view.centreX), static_cast<double>(y - view.centreY)});
-            tiles.draw(picture, x, y, view.eyeX + static_cast<int>(std::floor(fromEye.x + 0.5)), view.eyeY + static_cast<int>(std::floor(fromEye.y + 0.5)));
+            tiles.draw(picture, x, y, view.eyeX + (fromEyeX >> 16), view.eyeY + (fromEyeY >> 16));
+            fromEyeX += stepX;
+            fromEyeY += stepY;
         }
     }
 }
@@ -206,7 +214,9 @@ void drawEye(const View& view, const Eye& eye, double fovDegrees, const Picture&
             const double down = y - view.centreY;
             const double ahead = right * forward.x + down * forward.y;
             const double aside = std::abs(down * forward.x - right * forward.y);
-            const double distance = std::sqrt(right * right + down * down);
+            const double squared = right * right + down * down;
+            if (squared > reach * reach || (ahead < -1.0 && squared > (radius + 2.0) * (radius + 2.0))) continue;
+            const double distance = std::sqrt(squared);
             const double inside = coverage(ahead * half.sine - aside * half.cosine);
             const double near = std::max(0.0, 1.0 - distance / reach);
             if (inside > 0.0 && near > 0.0) blendPixel(picture, x, y, withAlpha(kPlayer, toAlpha(inside * near, kFieldAlpha)));

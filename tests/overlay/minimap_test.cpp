@@ -200,6 +200,17 @@ TEST(Minimap, RaysEndAtTheFirstBlockAtTheEyesHeight) {
     EXPECT_FALSE(differs(0.5, 0, -1)) << "behind the eye";
 }
 
+TEST(Minimap, RaysOnAnotherLevelEndAtItsBlocks) {
+    const World world = smallWorld();
+    for (const double height : {0.5, 2.5}) {
+        const Eye eye = eyeAt(20.5, 15.5, height, 180.0);
+        const Seen with(world, eye, {.level = 1, .rays = true});
+        const Seen without(world, eye, {.level = 1});
+        EXPECT_NE(with.tile(-1, 0), without.tile(-1, 0)) << height;
+        EXPECT_EQ(with.tile(-4, 0), without.tile(-4, 0)) << height << ": behind the block two tiles west";
+    }
+}
+
 TEST(Minimap, TheCircleReachesAsFarAsItSays) {
     const World world = smallWorld();
     const Eye eye = eyeAt(20.5, 15.5, 0.5, 225.0);

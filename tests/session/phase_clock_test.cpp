@@ -39,6 +39,8 @@ TEST(PhaseClock, APauseDoesNotCount) {
     clock.set([&] { return now; });
     for (int i = 0; i < 30; ++i) picture(clock, now);
     now += 100.0;
+    picture(clock, now);
+    EXPECT_NEAR(clock.times()->framesPerSecond, 50.0, 1e-3) << "as before the pause";
     for (int i = 0; i < 60; ++i) picture(clock, now);
     EXPECT_NEAR(clock.times()->framesPerSecond, 50.0, 1e-3);
 }
