@@ -59,6 +59,11 @@ void throughTheCastle(Guide& guide) {
                 {8.5, 29.5}});
     guide.lookAround();
     guide.mark("on-the-great-tower");
+    guide.setFlying(true);
+    guide.flyTo({7, 31}, 15.5);
+    guide.turnTo(320.0);
+    guide.lookTo(-0.25);
+    guide.mark("above-the-castle");
 }
 
 void throughTheLibrary(Guide& guide) {
