@@ -1,5 +1,5 @@
 // Hands gamepads to the engine. A browser says that there is one once a button of it was pressed, and tells its state only when asked: each frame while one
-// is connected.
+// is connected. SDL could ask too, but its gamepads would add 35 KB to the engine.
 //
 //     new Gamepads({change(pad), press()})
 //     pad: {leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons}, as slicecast_gamepad takes it; press: a button went down
