@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -16,11 +17,18 @@ using Names = std::set<std::string>;
 // The test card: its letters show how faces are turned, and belong in no scene.
 const Names kNotForScenes = {"lettering"};
 
-// The texture files that a scene names.
-Names filesNamed(const std::string& text) {
-    static const std::regex kFile("\\.\\./textures/([a-z0-9-]+)\\.png");
+// The folders that hold textures for faces, floors and ceilings, and about how many are in each.
+struct Folder {
+    const char* name;
+    int atLeast;
+};
+constexpr Folder kFolders[] = {{"textures", 17}, {"see-through", 11}, {"sheets", 8}};
+
+// The files of a folder that a scene names.
+Names filesNamed(const std::string& text, const std::string& folder) {
+    const std::regex file("\\.\\./" + folder + "/([a-z0-9-]+)\\.png");
     Names names;
-    for (auto at = std::sregex_iterator(text.begin(), text.end(), kFile); at != std::sregex_iterator(); ++at) names.insert((*at)[1]);
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), file); at != std::sregex_iterator(); ++at) names.insert((*at)[1]);
     return names;
 }
 
@@ -42,17 +50,24 @@ Names texturesShown(const World& world) {
     return names;
 }
 
+bool isVisible(const Texture& texture) {
+    const std::vector<Pixel>& pixels = texture.image.pixels;
+    return std::any_of(pixels.begin(), pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 0; });
+}
+
 TEST(Textures, EveryOneIsNamedByAScene) {
-    Names named;
-    for (const std::string& scene : shippedScenes()) named.merge(filesNamed(sceneText(scene)));
-    int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(assetsFolder() / "textures")) {
-        if (entry.path().extension() != ".png") continue;
-        const std::string name = entry.path().stem().string();
-        EXPECT_EQ(named.count(name), kNotForScenes.count(name) == 0 ? 1u : 0u) << name;
-        ++count;
+    for (const Folder& folder : kFolders) {
+        Names named;
+        for (const std::string& scene : shippedScenes()) named.merge(filesNamed(sceneText(scene), folder.name));
+        int count = 0;
+        for (const auto& entry : std::filesystem::directory_iterator(assetsFolder() / folder.name)) {
+            if (entry.path().extension() != ".png") continue;
+            const std::string name = entry.path().stem().string();
+            EXPECT_EQ(named.count(name), kNotForScenes.count(name) == 0 ? 1u : 0u) << folder.name << ": " << name;
+            ++count;
+        }
+        EXPECT_GE(count, folder.atLeast) << folder.name;
     }
-    EXPECT_GE(count, 17);
 }
 
 TEST(Textures, EveryOneOfASceneIsShownInIt) {
@@ -70,6 +85,18 @@ TEST(Blueprints, EveryOneOfASceneStandsInIt) {
         for (const Map& map : world.maps) standing.insert(map.cells.begin(), map.cells.end());
         for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
             EXPECT_TRUE(standing.count(static_cast<BlueprintId>(i)) == 1) << scene << ": " << world.blueprints[i].name;
+        }
+    }
+}
+
+// A block of which nothing is seen would be a wall that one runs into without knowing why.
+TEST(Blueprints, NoneIsInvisible) {
+    for (const std::string& scene : shippedScenes()) {
+        const World world = shippedWorld(scene);
+        for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+            const auto& faces = world.blueprints[i].faces;
+            EXPECT_TRUE(std::any_of(faces.begin(), faces.end(), [&](const FaceBlueprint& face) { return isVisible(world.textures[face.texture]); }))
+                << scene << ": " << world.blueprints[i].name;
         }
     }
 }
