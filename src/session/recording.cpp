@@ -42,16 +42,18 @@ struct Performer {
 }  // namespace
 
 RecordedInput toRecorded(const Input& input) {
-    return {.forward = inUnits(input.forward, kRecordedAxis, 1),
-            .strafe = inUnits(input.strafe, kRecordedAxis, 1),
-            .turn = inUnits(input.turn, kRecordedAxis, 1),
-            .look = inUnits(input.look, kRecordedAxis, 1),
-            .fly = inUnits(input.fly, kRecordedAxis, 1),
-            .turnDegrees = inUnits(input.turnDegrees, kRecordedDegree, kMaxRecordedDegrees),
-            .lookHeights = inUnits(input.lookHeights, kRecordedHeight, kMaxRecordedHeights),
-            .jump = input.jump,
-            .fast = input.fast,
-            .slow = input.slow};
+    // A new field of Input is missed here by the compiler, and belongs into the recording.
+    const auto& [forward, strafe, turn, look, fly, turnDegrees, lookHeights, jump, fast, slow] = input;
+    return {.forward = inUnits(forward, kRecordedAxis, 1),
+            .strafe = inUnits(strafe, kRecordedAxis, 1),
+            .turn = inUnits(turn, kRecordedAxis, 1),
+            .look = inUnits(look, kRecordedAxis, 1),
+            .fly = inUnits(fly, kRecordedAxis, 1),
+            .turnDegrees = inUnits(turnDegrees, kRecordedDegree, kMaxRecordedDegrees),
+            .lookHeights = inUnits(lookHeights, kRecordedHeight, kMaxRecordedHeights),
+            .jump = jump,
+            .fast = fast,
+            .slow = slow};
 }
 
 Input toInput(const RecordedInput& input) {
