@@ -363,12 +363,12 @@ void Slice::endCeiling(Border at) {
 void Slice::drawBackground() {
     open_.take(0, projection_.firstFallingRow, [&](int first, int last) {
         frame_.skyRows.fill(pixels_, column_, first, last);
-        ++report_.spansDrawn;
+        count(first, last);
         note(kNoLevel, FilledRows::What::sky, Face::top, first, last);
     });
     open_.take(projection_.firstFallingRow, projection_.height, [&](int first, int last) {
         std::fill(pixels_ + first, pixels_ + last, frame_.lighting.haze);
-        ++report_.spansDrawn;
+        count(first, last);
         note(kNoLevel, FilledRows::What::haze, Face::top, first, last);
     });
 }

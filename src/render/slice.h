@@ -110,6 +110,10 @@ private:
     void layOver();
     TileBox boxAround(const PlaneRun& run) const;
     void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there);
+    void count(int first, int last) {
+        ++report_.spansDrawn;
+        report_.rowsFilled += last - first;
+    }
     void note(int level, FilledRows::What what, Face face, int first, int last) {
         if (trace_) traceRows(level, {what, face, first, last});
     }

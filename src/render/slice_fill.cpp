@@ -56,7 +56,7 @@ void Slice::drawSide(const Block& block, Face face, const Crossing& border, cons
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const SideRun run = sideRun(block, face, border, view, first, last);
         fillSide(pixels_ + first, last - first, *run.level, run.texelColumn, run.start, run.step, run.factor, run.fog, frame_.lighting.haze);
-        ++report_.spansDrawn;
+        count(first, last);
         note(block.level, FilledRows::What::side, face, first, last);
     });
 }
@@ -74,6 +74,7 @@ void Slice::fill(PlaneRun& run) {
     if (frame_.textures[run.plane.texture].seeThrough) {
         // Only a floor closes its rows although it is see-through: below it there is haze.
         std::fill(pixels_ + run.first, pixels_ + run.last, frame_.lighting.haze);
+        count(run.first, run.last);
         layers_.add(run);
     } else {
         fillRows(run, Lay::opaque);
@@ -86,7 +87,7 @@ void Slice::fill(PlaneRun& run) {
 void Slice::fillRows(const PlaneRun& run, Lay lay) {
     const int first = run.first;
     const int last = run.last;
-    ++report_.spansDrawn;
+    count(first, last);
     const Plane& plane = run.plane;
     const FrameTexture& texture = frame_.textures[plane.texture];
     const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();

@@ -52,7 +52,7 @@ void Slice::seeThroughPlane(int level, FilledRows::What what, const PlaneRun& ru
 void Slice::layOver() {
     layers_.fromBack(
         [&](const SideRun& run) {
-            ++report_.spansDrawn;
+            count(run.first, run.last);
             fillSide(pixels_ + run.first, run.last - run.first, *run.level, run.texelColumn, run.start, run.step, run.factor, run.fog, frame_.lighting.haze,
                      Lay::over);
         },

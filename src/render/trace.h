@@ -66,6 +66,7 @@ struct FrameReport {
     std::int64_t tilesWalked = 0;
     std::int64_t blocksMet = 0;   // blocks whose rows were looked at
     std::int64_t spansDrawn = 0;  // runs of rows that were filled
+    std::int64_t rowsFilled = 0;  // rows of slices: each once, and again for each see-through layer over it
 };
 
 }  // namespace slicecast
