@@ -19,7 +19,7 @@ PixelRect ifInside(PixelRect rect, int pictureWidth, int pictureHeight) {
 }  // namespace
 
 int readableScale(int pictureWidth, int pictureHeight) {
-    return 1 + std::min(pictureWidth / 640, pictureHeight / 480);
+    return 1 + std::min(pictureWidth / 800, pictureHeight / 480);
 }
 
 int overlayMargin(int pictureWidth, int pictureHeight) {

@@ -26,7 +26,7 @@ struct OverlayLayout {
     PixelRect sideView;
 };
 
-// The scale at which text is readable in a picture of that size: 1, or 2 from 640 x 480 on, 3 from 1280 x 960 on ...
+// The scale at which text is readable in a picture of that size: 1, or 2 from 800 x 480 on, 3 from 1600 x 960 on ...
 int readableScale(int pictureWidth, int pictureHeight);
 
 // From the picture's edge to a panel.

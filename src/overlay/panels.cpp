@@ -85,8 +85,6 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
     const auto count = [&](const char* label, std::int64_t FrameReport::* value) {
         return process.report != nullptr ? row(label, "%lld", static_cast<long long>(process.report->*value)) : row(label, "-");
     };
-    // Every row of every slice is filled, once.
-    const long long rowsFilled = static_cast<long long>(picture.width) * picture.height;
     const int slices = process.slicesPerPicture;
     const std::array<Row, kProcessPanelRows> rows = {
         row("picture", "%d x %d", picture.width, picture.height),
@@ -97,7 +95,7 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
         count("tiles walked", &FrameReport::tilesWalked),
         count("blocks met", &FrameReport::blocksMet),
         count("spans drawn", &FrameReport::spansDrawn),
-        process.report != nullptr ? row("rows filled", "%lld", rowsFilled) : row("rows filled", "-"),
+        count("rows filled", &FrameReport::rowsFilled),
         row("light", "%.2f x %.1f", process.intensity, process.multiplier),
         !process.slow ? row("slices", "all") : slices < 0 ? row("slices", "1 in %d frames", -slices) : row("slices", "%d a frame", slices),
     };

@@ -172,7 +172,9 @@ bool isSeen(const SliceTrace& trace, FilledRows::What what) {
 void drawTitle(const SliceTrace& trace, PixelRect panel, int scale, const Picture& picture) {
     std::array<char, 64> text;
     std::snprintf(text.data(), text.size(), "slice %d   %zu blocks   %zu tiles", trace.column, trace.hits.size(), trace.tiles.size());
-    const std::string_view title(text.data());
+    std::string_view title(text.data());
+    const int room = panel.width - 2 * kPanelPadding * scale;
+    while (textWidth(title, scale) > room) title.remove_suffix(1);
     int x = panel.x + kPanelPadding * scale;
     const int y = panel.y + kPanelPadding * scale;
     drawText(picture, x, y, title, {.scale = scale});

@@ -45,7 +45,8 @@ TEST(Layout, TextGrowsWithThePicture) {
     EXPECT_EQ(readableScale(320, 200), 1);
     EXPECT_EQ(readableScale(640, 400), 1);
     EXPECT_EQ(readableScale(1280, 720), 2);
-    EXPECT_EQ(readableScale(640, 2000), 2);
+    EXPECT_EQ(readableScale(640, 480), 1);
+    EXPECT_EQ(readableScale(800, 2000), 2);
     EXPECT_EQ(readableScale(1920, 1080), 3);
 }
 

@@ -256,6 +256,17 @@ TEST(Session, RefusesPicturesThatCannotBeDrawn) {
     EXPECT_EQ(pixel >> 24, 255u);
 }
 
+TEST(Session, EveryRowOfEverySliceIsFilledOnce) {
+    Session session(yards());
+    for (int i = 0; i < 40; ++i) {
+        session.step({.forward = 1.0, .turn = 1.0, .look = i < 20 ? 1.0 : -1.0});
+        drawn(session);
+        EXPECT_EQ(session.report().rowsFilled, 96 * 60);
+        EXPECT_GT(session.report().spansDrawn, 96);
+        EXPECT_LE(session.report().spansDrawn, 96 * 60);
+    }
+}
+
 TEST(Session, TracesAColumnOfWhatItDraws) {
     Session session(yards());
     const SliceTrace trace = session.trace(96, 60, 48);
