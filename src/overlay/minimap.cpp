@@ -166,8 +166,7 @@ void drawRays(const World& world, const Map& map, int level, const View& view, c
         const double slope = widest * (2.0 * i / (kMinimapRays - 1) - 1.0);
         const Point direction = {heading.cosine - slope * heading.sine, heading.sine + slope * heading.cosine};
         const MapRayEnd end = followRay(
-            world, map,
-            {.x = eye.x.value(), .y = eye.y.value(), .directionX = direction.x, .directionY = direction.y, .level = level, .height = height},
+            world, map, {.x = eye.x.value(), .y = eye.y.value(), .directionX = direction.x, .directionY = direction.y, .level = level, .height = height},
             2.0 * view.area.width / view.pixelsPerTile);
         const double pixels = end.length * view.pixelsPerTile;
         const Point onPicture = view.toPicture({direction.x * pixels, direction.y * pixels});

@@ -6,8 +6,8 @@
 //     grey, the darker the deeper             no block: how far down the ground lies below
 //     nothing                                 outside the grid
 //
-// A yellow dot is the eye, with the field that it sees before it, and a circle about it as far as it reaches. Green lines are level rays, each to the first block
-// of the level that stands at their height.
+// A yellow dot is the eye, with the field that it sees before it, and a circle about it as far as it reaches. Green lines are level rays, each to the first
+// block of the level that stands at their height.
 #pragma once
 
 #include "render/eye.h"
@@ -22,8 +22,8 @@ struct MinimapOptions {
     int level = -1;            // the level shown, clamped to the map's; -1 for the one that the eye is on
     double fovDegrees = 60.0;  // of the field that the eye sees
     bool rays = false;
-    bool turns = false;        // with the way that the eye looks up; else north
-    double reach = 0.0;        // radius of the circle, units; 0 for none
+    bool turns = false;  // with the way that the eye looks up; else north
+    double reach = 0.0;  // radius of the circle, units; 0 for none
 };
 
 // Where the minimap stands and how large it is, in pixels.

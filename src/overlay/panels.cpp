@@ -72,17 +72,20 @@ void drawPlayerPanel(const PlayerFigures& player, const Picture& picture) {
         row("heading", "%s %5.1f", windOf(player.headingDegrees), player.headingDegrees),
         row("look", "%+.3f", player.look),
         row("speed", "%.2f /s", player.speed),
-        row("mode", "%s", player.flying ? "flying" : player.crouched ? "crouching" : "walking"),
+        row("mode", "%s",
+            player.flying     ? "flying"
+            : player.crouched ? "crouching"
+                              : "walking"),
     };
     drawRows(picture, layout.player, layout.scale, rows);
 }
 
 void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
     const OverlayLayout layout = layoutOverlays(picture.width, picture.height);
-    const auto milliseconds = [&](const char* label, double ProcessTimes::* value) {
+    const auto milliseconds = [&](const char* label, double ProcessTimes::*value) {
         return process.times != nullptr ? row(label, "%.2f ms", process.times->*value) : row(label, "-");
     };
-    const auto count = [&](const char* label, std::int64_t FrameReport::* value) {
+    const auto count = [&](const char* label, std::int64_t FrameReport::*value) {
         return process.report != nullptr ? row(label, "%lld", static_cast<long long>(process.report->*value)) : row(label, "-");
     };
     const int slices = process.slicesPerPicture;
@@ -97,7 +100,9 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
         count("spans drawn", &FrameReport::spansDrawn),
         count("rows filled", &FrameReport::rowsFilled),
         row("light", "%.2f x %.1f", process.intensity, process.multiplier),
-        !process.slow ? row("slices", "all") : slices < 0 ? row("slices", "1 in %d frames", -slices) : row("slices", "%d a frame", slices),
+        !process.slow ? row("slices", "all")
+        : slices < 0  ? row("slices", "1 in %d frames", -slices)
+                      : row("slices", "%d a frame", slices),
     };
     drawRows(picture, layout.process, layout.scale, rows);
 }

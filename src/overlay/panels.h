@@ -18,8 +18,8 @@ int panelWidthDots();
 int panelHeightDots(int rows);
 
 struct PlayerFigures {
-    std::string_view map;         // its name
-    double x = 0.0;               // the eye, units
+    std::string_view map;  // its name
+    double x = 0.0;        // the eye, units
     double y = 0.0;
     double z = 0.0;               // its height
     double headingDegrees = 0.0;  // 0 = east, 90 = south

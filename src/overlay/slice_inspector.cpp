@@ -245,11 +245,13 @@ void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye, c
     for (const FilledRows& rows : trace.planes) {
         const bool isPlane = rows.what == FilledRows::What::floor || rows.what == FilledRows::What::ceiling;
         const double level = rows.what == FilledRows::What::ceiling ? ceiling : 0.0;
-        drawRays(trace, rows, plot, eyeZ, [&](double slope) { return isPlane && slope != 0.0 ? std::abs((level - eyeZ) / slope) : plot.depth; }, picture);
+        drawRays(
+            trace, rows, plot, eyeZ, [&](double slope) { return isPlane && slope != 0.0 ? std::abs((level - eyeZ) / slope) : plot.depth; }, picture);
     }
     for (const Hit& hit : trace.hits) {
         for (const FilledRows& rows : hit.filled) {
-            drawRays(trace, rows, plot, eyeZ, [&](double slope) { return depthOf(hit, rows, eyeZ, slope); }, picture);
+            drawRays(
+                trace, rows, plot, eyeZ, [&](double slope) { return depthOf(hit, rows, eyeZ, slope); }, picture);
         }
     }
     drawDot(picture, panel, {plot.x(0.0), plot.y(eyeZ)}, 2.5 * scale + 1.0, {20, 20, 20, 200});

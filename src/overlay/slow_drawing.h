@@ -10,7 +10,7 @@
 
 namespace slicecast {
 
-inline constexpr int kMostSlicesPerPicture = 200;     // or so many pictures for one slice, as a negative number
+inline constexpr int kMostSlicesPerPicture = 200;  // or so many pictures for one slice, as a negative number
 inline constexpr Colour kNotYetDrawn = {20, 22, 26, 255};
 
 class SlowDrawing {

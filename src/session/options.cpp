@@ -17,9 +17,10 @@ namespace slicecast {
 namespace {
 
 // Where an option is kept.
-using Place = std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*, int SessionOptions::*, double SessionOptions::*,
-                           std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*, LightPreset SessionOptions::*, std::optional<Colour> SessionOptions::*, bool ClassicOptions::*, int ClassicOptions::*,
-                           double ClassicOptions::*, ClassicProjection ClassicOptions::*>;
+using Place =
+    std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*, int SessionOptions::*, double SessionOptions::*,
+                 std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*, LightPreset SessionOptions::*, std::optional<Colour> SessionOptions::*,
+                 bool ClassicOptions::*, int ClassicOptions::*, double ClassicOptions::*, ClassicProjection ClassicOptions::*>;
 
 struct Entry {
     OptionInfo info;
@@ -67,7 +68,8 @@ constexpr std::array kEntries = {
     Entry{{"classic.stretched", OptionKind::onOff, 0, 0, "off", "one texture over the whole height of a stack of blocks"}, &ClassicOptions::stretched},
     Entry{{"classic.painter", OptionKind::onOff, 0, 0, "off", "painter's order: all blocks, from far to near, over each other"},
           &ClassicOptions::paintersOrder},
-    Entry{{"classic.oneLevel", OptionKind::onOff, 0, 0, "off", "the eye's level alone, as if on the floor, all blocks one unit high"}, &ClassicOptions::oneLevel},
+    Entry{{"classic.oneLevel", OptionKind::onOff, 0, 0, "off", "the eye's level alone, as if on the floor, all blocks one unit high"},
+          &ClassicOptions::oneLevel},
     Entry{{"classic.sineSteps", OptionKind::wholeNumber, 0, kMostSineSteps, "0", "steps of the sine table over the full turn, 0 for exact sines"},
           &ClassicOptions::sineSteps},
     Entry{{"classic.pixelSize", OptionKind::wholeNumber, 1, kMostPixelSize, "1", "pixels a side that show one colour"}, &ClassicOptions::pixelSize},

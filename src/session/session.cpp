@@ -97,11 +97,8 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
         drawSideView(slice, world_, seen, picture);
     }
     if (o.minimap) {
-        const MinimapOptions minimap = {.level = o.minimapLevel,
-                                        .fovDegrees = o.render.fovDegrees,
-                                        .rays = o.minimapRays,
-                                        .turns = o.minimapTurns,
-                                        .reach = o.minimapReach};
+        const MinimapOptions minimap = {
+            .level = o.minimapLevel, .fovDegrees = o.render.fovDegrees, .rays = o.minimapRays, .turns = o.minimapTurns, .reach = o.minimapReach};
         drawMinimap(world_, seen, minimap, picture);
     }
     const Map& map = world_.maps[static_cast<std::size_t>(seen.map)];
@@ -261,7 +258,8 @@ int Session::inspectedColumn(int width) const {
 
 // The renderer takes the light from the map.
 void Session::applyLight() {
-    lights_.apply({.preset = options_.lightPreset, .intensity = options_.intensity, .multiplier = options_.multiplier, .haze = options_.hazeColour}, world_.maps);
+    lights_.apply({.preset = options_.lightPreset, .intensity = options_.intensity, .multiplier = options_.multiplier, .haze = options_.hazeColour},
+                  world_.maps);
 }
 
 }  // namespace slicecast

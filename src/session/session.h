@@ -67,8 +67,8 @@ public:
     // no such map, at or below the floor, look beyond kMaxLook, or a heading that is no number.
     bool setEye(const Eye& eye);
 
-    // Into a map: to the scene's start if it lies in that map, else to the place that map_entry.h describes, with the same heading. At rest, walking where there
-    // is room. False, and nothing changed, if there is no such map.
+    // Into a map: to the scene's start if it lies in that map, else to the place that map_entry.h describes, with the same heading. At rest, walking where
+    // there is room. False, and nothing changed, if there is no such map.
     bool goToMap(int map);
 
     // From now on notes down there whatever bears on the player, until null is given. A recording is of use only if it begins with the session.

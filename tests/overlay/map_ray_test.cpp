@@ -25,8 +25,8 @@ World rayWorld() {
 
 MapRayEnd follow(double directionX, double directionY, double height = 0.25, int level = 1) {
     static const World world = rayWorld();
-    return followRay(world, world.maps[0], {.x = 5.25, .y = 5.5, .directionX = directionX, .directionY = directionY, .level = level, .height = toCoordinate(height)},
-                     100.0);
+    return followRay(world, world.maps[0],
+                     {.x = 5.25, .y = 5.5, .directionX = directionX, .directionY = directionY, .level = level, .height = toCoordinate(height)}, 100.0);
 }
 
 TEST(MapRay, EndsAtTheFirstBlockOfItsLevel) {

@@ -47,16 +47,9 @@ std::vector<std::string> valuesOf(const Canvas& canvas, PixelRect panel, int sca
 TEST(Panels, ThePlayersTellsWhereAndHow) {
     for (const auto& [width, height] : {std::pair{640, 400}, {1280, 720}}) {
         Canvas canvas(width, height);
-        drawPlayerPanel({.map = "castle yard",
-                         .x = 12.345,
-                         .y = 3.5,
-                         .z = 0.5,
-                         .headingDegrees = 88.25,
-                         .look = -0.125,
-                         .speed = 2.998,
-                         .flying = false,
-                         .crouched = true},
-                        canvas.picture);
+        drawPlayerPanel(
+            {.map = "castle yard", .x = 12.345, .y = 3.5, .z = 0.5, .headingDegrees = 88.25, .look = -0.125, .speed = 2.998, .flying = false, .crouched = true},
+            canvas.picture);
         const OverlayLayout layout = layoutOverlays(width, height);
         EXPECT_EQ(valuesOf(canvas, layout.player, layout.scale, kPlayerPanelRows),
                   (std::vector<std::string>{"castle yard", "12.35", "3.50", "0.50", "S  88.2", "-0.125", "3.00 /s", "crouching"}));
@@ -79,8 +72,9 @@ TEST(Panels, TheProcessTellsTimesAndCounts) {
     const OverlayLayout layout = layoutOverlays(640, 400);
     Canvas canvas(640, 400);
     drawProcessPanel({.times = &times, .report = &report, .intensity = 1.5, .multiplier = 5.0, .slicesPerPicture = -3, .slow = true}, canvas.picture);
-    EXPECT_EQ(valuesOf(canvas, layout.process, layout.scale, kProcessPanelRows),
-              (std::vector<std::string>{"640 x 400", "59.9 /s", "0.01 ms", "4.50 ms", "0.25 ms", "12345", "678", "90", "256001", "1.50 x 5.0", "1 in 3 frames"}));
+    EXPECT_EQ(
+        valuesOf(canvas, layout.process, layout.scale, kProcessPanelRows),
+        (std::vector<std::string>{"640 x 400", "59.9 /s", "0.01 ms", "4.50 ms", "0.25 ms", "12345", "678", "90", "256001", "1.50 x 5.0", "1 in 3 frames"}));
 
     Canvas without(640, 400);
     drawProcessPanel({.intensity = 0.5, .multiplier = 10.0}, without.picture);

@@ -78,8 +78,8 @@ TEST(Options, ChoicesTakeTheirWords) {
         EXPECT_EQ(optionValue(options, "classic.projection"), word);
     }
     for (const char* value : {"", " ", "equal", "equalAngles ", "plane equalAngles", "Plane", "0"}) {
-        EXPECT_EQ(setOption(options, "classic.projection", value), "option classic.projection: found \"" + std::string(value) +
-                                                                       "\", expected \"plane\", \"equalAngles\" or \"equalAnglesCorrected\"");
+        EXPECT_EQ(setOption(options, "classic.projection", value),
+                  "option classic.projection: found \"" + std::string(value) + "\", expected \"plane\", \"equalAngles\" or \"equalAnglesCorrected\"");
         EXPECT_EQ(options.classic.projection, ClassicProjection::plane);
     }
     EXPECT_EQ(setOption(options, "method", "fast"), "option method: found \"fast\", expected \"exact\" or \"classic\"");
