@@ -343,6 +343,22 @@ TEST(Session, GoesIntoEveryMap) {
     EXPECT_EQ(state.headingDegrees, 0.0) << "as at the start";
 }
 
+TEST(Session, TheWayIntoAMapIsRecorded) {
+    Session played(yards());
+    Recorder recorder("yards");
+    played.record(&recorder);
+    for (int i = 0; i < 30; ++i) played.step({.forward = 1.0, .turn = 0.3});
+    played.goToMap(1);
+    for (int i = 0; i < 30; ++i) played.step({.forward = 1.0});
+    Session again(yards());
+    Replay replay(recorder.finish(played));
+    while (replay.step(again)) {
+    }
+    EXPECT_TRUE(replay.isSame());
+    EXPECT_EQ(again.state().map, "second");
+    EXPECT_EQ(again.fingerprint(), played.fingerprint());
+}
+
 TEST(Session, AnInspectedColumnIsOneOfThePicture) {
     Session session(yards());
     EXPECT_EQ(session.inspectedColumn(96), 48);
