@@ -23,28 +23,27 @@ EM_JS(int, slicecastOpenCanvas, (), {
     specialHTMLTargets["#no-keys"] = document.createElement("div");
     if (!canvas.hasAttribute("tabindex")) canvas.tabIndex = 0;
 
-    // A press of the mouse gives the focus without scrolling, and so does a tap: a finger that moves on scrolls the page. A click asks for the pointer. Where that is refused, the cursor's place steers. A browser also refuses for
-    // a moment after Escape, which means nothing.
+    // A press of the mouse gives the focus without scrolling, and so does a tap; a finger that moves on scrolls the page. A click asks for the pointer; where
+    // that is refused, the cursor's place steers. A browser also refuses for a moment after Escape, which means nothing.
     const listeners = new AbortController();
     const until = {signal: listeners.signal};
     canvas.addEventListener("pointerdown", (event) => event.pointerType !== "touch" && canvas.focus({preventScroll: true}), until);
+    const screen = {context: canvas.getContext("2d", {alpha: false}), image: null, listeners, asks: false, lockEnd: -Infinity};
+    const refused = () => {
+        if (screen.asks && !listeners.signal.aborted && performance.now() - screen.lockEnd > 2000) _slicecast_steerByCursor(1);
+        screen.asks = false;
+    };
+    document.addEventListener("pointerlockerror", refused, until);
     canvas.addEventListener("click", (event) => {
         canvas.focus({preventScroll: true});
         if (event.pointerType && event.pointerType !== "mouse") return;
         if (canvas.getRootNode().pointerLockElement === canvas) return;
-        const refused = () => {
-            const screen = Module["slicecastScreen"];
-            if (screen && screen.asks && performance.now() - screen.lockEnd > 2000) _slicecast_steerByCursor(1);
-            if (screen) screen.asks = false;
-        };
-        Module["slicecastScreen"].asks = true;
-        document.addEventListener("pointerlockerror", refused, {once: true, signal: listeners.signal});
+        screen.asks = true;
         if (!canvas.requestPointerLock) return refused();
         const asked = canvas.requestPointerLock();
         if (asked && asked.catch) asked.catch(refused);
     }, until);
 
-    const screen = {context: canvas.getContext("2d", {alpha: false}), image: null, listeners, asks: false, lockEnd: -Infinity};
     Module["slicecastScreen"] = screen;
     return 1;
 });
