@@ -226,10 +226,8 @@ void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows sha
 }
 
 template <typename Put>
-void fillSideAs(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor,
-                std::uint32_t fog, Pixel haze) {
-    const Pixel* texels = level.texels.data() + (static_cast<std::size_t>(texelColumn) << level.bits);
-    const int shift = kTexturePositionBits - level.bits;
+void fillSideAs(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
+                Pixel haze) {
     const std::uint32_t factorTwice = inBothHalves(factor);
     if (fog != 0) {
         fillSideRows<Put>(out, rows, texels, shift, start, step, EvenShade<true>{factorTwice, inBothHalves(fog), haze});
@@ -286,9 +284,9 @@ void fillPlaneAs(Pixel* column, int first, int last, const TextureLevel& level, 
 
 }  // namespace
 
-void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
-              Pixel haze, Lay lay) {
-    (lay == Lay::opaque ? fillSideAs<Opaque> : fillSideAs<Over>)(out, rows, level, texelColumn, start, step, factor, fog, haze);
+void fillSide(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze,
+              Lay lay) {
+    (lay == Lay::opaque ? fillSideAs<Opaque> : fillSideAs<Over>)(out, rows, texels, shift, start, step, factor, fog, haze);
 }
 
 void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze, Lay lay) {

@@ -18,9 +18,10 @@ inline constexpr int kTexturePositionBits = 48;
 //     channel = (texel * alpha + there * (255 - alpha) + 127) / 255
 enum class Lay { opaque, over };
 
-// Fills `rows` rows from one column of texels, from position `start` on, `step` further each row (both in 1/2^48 tile, start + rows * step within the tile).
-void fillSide(Pixel* out, int rows, const TextureLevel& level, int texelColumn, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
-              Pixel haze, Lay lay = Lay::opaque);
+// Fills `rows` rows from one column of texels, from position `start` on, `step` further each row: texels[position >> shift], within the column throughout. On a
+// side positions are in 1/2^48 of a tile.
+void fillSide(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze,
+              Lay lay = Lay::opaque);
 
 // How the points of a level plane that a slice sees follow from the row: east = eastStart + eastPerInverse * inverseOffset, and so for south, in tiles,
 // where only the fraction counts.

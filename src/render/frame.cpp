@@ -7,9 +7,9 @@
 namespace slicecast {
 
 Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<double>& slopes,
-             std::vector<FrameTexture>& current, PlaneShades& shades, SkyRows& sky)
+             std::vector<FrameTexture>& current, FrameObjects& seenObjects, PlaneShades& shades, SkyRows& sky)
     : world(&w), map(&w.maps[static_cast<std::size_t>(e.map)]), eye(e), projection(e, options, width, height), lighting(*map, options),
-      detail(options, projection.distance), inverseOffsets(slopes), textures(current), planeShades(shades), skyRows(sky) {
+      detail(options, projection.distance), inverseOffsets(slopes), textures(current), objects(seenObjects), planeShades(shades), skyRows(sky) {
     inverseOffsets.resize(static_cast<std::size_t>(height));
     for (int row = 0; row < height; ++row) {
         const double offset = std::fabs(projection.horizon - (row + 0.5));
@@ -26,6 +26,9 @@ Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int wid
         const std::vector<TextureLevel>& levels = texture.levelsOf(texture.frameAt(w.seconds));
         textures[i] = {levels.data(), texture.size(), static_cast<int>(levels.size()) - 1, texture.seeThrough};
     }
+
+    objects.beginFrame(w, *map, eye, projection, detail, lighting);
+    highest = std::max(highest, objects.highest());
 
     planeShades.beginFrame(lighting, projection.distance, inverseOffsets.data(), height);
     skyRows.beginFrame(map->sky, projection, eye.headingDegrees);

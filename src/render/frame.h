@@ -3,6 +3,7 @@
 
 #include "render/detail.h"
 #include "render/eye.h"
+#include "render/frame_objects.h"
 #include "render/options.h"
 #include "render/plane_shades.h"
 #include "render/projection.h"
@@ -33,10 +34,11 @@ struct Frame {
     double highest = 0.0;                // no block and no ceiling lies higher, units
     std::vector<double>& inverseOffsets;  // 1 / |horizon - (row + 0.5)| by row
     std::vector<FrameTexture>& textures;  // by TextureId
+    FrameObjects& objects;
     PlaneShades& planeShades;
     SkyRows& skyRows;
 
-    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<double>& slopes, std::vector<FrameTexture>& current,
+    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<double>& slopes, std::vector<FrameTexture>& current, FrameObjects& seenObjects,
           PlaneShades& shades, SkyRows& sky);
 };
 

@@ -30,6 +30,7 @@ struct Crossing {
     double rowsPerRaw = kHugeRows;  // rows that 1/65536 unit of height takes there, rounded; huge where the distance is 0
     bool alongX = false;    // a border of constant x
     bool nearing = false;   // crossed eastward or southward
+    bool border = true;     // false where an object stands and no tile ends
 };
 
 // What follows from the exact quotient; rarely asked.

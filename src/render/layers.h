@@ -34,13 +34,13 @@ struct PlaneRun {
     bool endless = false;  // goes on in the ray's direction for ever
 };
 
-// Rows of a side.
+// Rows of a side or of an object: one column of texels.
 struct SideRun {
-    const TextureLevel* level = nullptr;
+    const Pixel* texels = nullptr;  // see fillSide
+    int shift = 0;
     int first = 0;
     int last = 0;
-    int texelColumn = 0;
-    std::uint64_t start = 0;  // see fillSide
+    std::uint64_t start = 0;
     std::uint64_t step = 0;
     std::uint32_t factor = 256;
     std::uint32_t fog = 0;

@@ -12,6 +12,7 @@ namespace slicecast {
 struct Renderer::Scratch {
     std::vector<double> inverseOffsets;
     std::vector<FrameTexture> textures;
+    FrameObjects objects;
     PlaneShades planeShades;
     SkyRows skyRows;
     OpenRows openRows;
@@ -41,7 +42,7 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     Scratch& s = *scratch_;
     s.report = {};
     s.strip.resize(picture.height);
-    const Frame frame(world, eye, options, picture.width, picture.height, s.inverseOffsets, s.textures, s.planeShades, s.skyRows);
+    const Frame frame(world, eye, options, picture.width, picture.height, s.inverseOffsets, s.textures, s.objects, s.planeShades, s.skyRows);
     Slice slice(frame, s.openRows, s.layers, s.report);
     for (int x = 0; x < picture.width; x += kStripColumns) {
         const int columns = std::min(kStripColumns, picture.width - x);
@@ -59,7 +60,7 @@ SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptio
     Scratch& s = *scratch_;
     s.strip.resize(height);
     FrameReport report;
-    const Frame frame(world, eye, options, width, height, s.inverseOffsets, s.textures, s.planeShades, s.skyRows);
+    const Frame frame(world, eye, options, width, height, s.inverseOffsets, s.textures, s.objects, s.planeShades, s.skyRows);
     Slice(frame, s.openRows, s.layers, report).draw(column, s.strip.column(0), &trace);
     for (Hit& hit : trace.hits) {
         std::sort(hit.filled.begin(), hit.filled.end(), [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });

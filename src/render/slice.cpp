@@ -47,6 +47,12 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
 void Slice::walk() {
     floor_ = {map_.floor.texture, projection_.height, walk_.tileX, walk_.tileY};
     ceiling_ = {};
+    object_ = objectsEnd_ = nullptr;
+    if (!frame_.objects.none()) {
+        const std::vector<int>& objects = frame_.objects.inColumn(column_);
+        object_ = objects.data();
+        objectsEnd_ = object_ + objects.size();
+    }
     Pass pass = passTiles(false);
     while (pass == Pass::tile) {
         enter_ = walk_.enter();
@@ -65,7 +71,8 @@ void Slice::walk() {
         takeFloor(Border::enter);
         floor_.texture = map_.floor.texture;
     }
-    takeFloorBeyond();
+    if (pass == Pass::left) drawObjectsBeyond();
+    takeFloorBeyond(0);
 }
 
 // How far along the ray to walk: beyond, nothing but the floor that is under way and the sky can be met. When all open rows look down, that is where the
@@ -94,6 +101,7 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
     const TextureId ceilingTexture = ceiling_.texture;
     const auto width = static_cast<unsigned>(map_.width);
     const auto depth = static_cast<unsigned>(map_.depth);
+    const double objectAlong = object_ == objectsEnd_ ? kNever : frame_.objects[*object_].depth / projection_.distance;
     const bool trace = trace_ != nullptr;
     GridWalk walk = walk_;
     std::uint32_t reached = 0;
@@ -114,6 +122,7 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
                 break;
             }
             ++tiles;
+            if (walk.left() > objectAlong) break;
             continue;
         }
         ++tiles;
@@ -133,7 +142,9 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
                 reached &= static_cast<std::uint32_t>((std::uint64_t{2} << top) - (std::uint64_t{1} << bottom));
             }
         }
-        if (reached != 0 || floorTiles[tile] != floorTexture || (ceilingTiles && ceilingTiles[tile] != ceilingTexture)) break;
+        if (reached != 0 || floorTiles[tile] != floorTexture || (ceilingTiles && ceilingTiles[tile] != ceilingTexture) || walk.left() > objectAlong) {
+            break;
+        }
     }
     walk_ = walk;
     reached_ = reached;
@@ -143,9 +154,20 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
 
 // A tile in which something changes.
 void Slice::drawTile() {
-    const std::size_t tile = map_.tileIndex(walk_.tileX, walk_.tileY);
-    const bool floorChanges = map_.floor.tiles[tile] != floor_.texture;
-    const TextureId ceilingTexture = map_.ceiling.tiles.empty() ? kNoTexture : map_.ceiling.tiles[tile];
+    if (object_ != objectsEnd_ && frame_.objects[*object_].depth / projection_.distance < leave_.along) {
+        drawTileWithObjects();
+    } else {
+        drawStretch();
+    }
+}
+
+// What lies in the current tile between `enter_` and `leave_`.
+void Slice::drawStretch() {
+    const bool inGrid = map_.contains(walk_.tileX, walk_.tileY);
+    const std::size_t tile = inGrid ? map_.tileIndex(walk_.tileX, walk_.tileY) : 0;
+    const TextureId floorTexture = inGrid ? map_.floor.tiles[tile] : map_.floor.texture;
+    const TextureId ceilingTexture = !inGrid || map_.ceiling.tiles.empty() ? kNoTexture : map_.ceiling.tiles[tile];
+    const bool floorChanges = floorTexture != floor_.texture;
     // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
     const TextureId ceilingAlone = reached_ ? kNoTexture : ceilingTexture;
     if (ceilingAlone != ceiling_.texture || floorChanges) {
@@ -154,12 +176,12 @@ void Slice::drawTile() {
     }
     if (floorChanges) {
         takeFloor(Border::enter);
-        floor_.texture = map_.floor.tiles[tile];
+        floor_.texture = floorTexture;
     }
-    if (reached_) {
-        drawBlocks(reached_, ceilingTexture);
-        takeFloor(Border::leave);
-    }
+    if (reached_) drawBlocks(reached_, ceilingTexture);
+    // An object may stand behind: what lies before it is closed first, the ceiling before the floor.
+    if (!leave_.border) endCeiling(Border::leave);
+    if (reached_ || !leave_.border) takeFloor(Border::leave);
 }
 
 Slice::Block Slice::blockAt(int level) const {
@@ -185,7 +207,7 @@ void Slice::drawBlocks(std::uint32_t reached, TextureId ceilingTexture) {
 // Blocks that are not wholly above the eye, downwards. At depth 0 the eye may be inside a block, or on its roof: a face met at depth 0 is not drawn, so the ray
 // is inside the block then and leaves it downwards or through the far side.
 void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
-    const bool atEye = enter_.along == 0.0;
+    const bool atEye = walk_.entered == 0.0;
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ < 0;
     const auto ceilingAbove = [&](std::int32_t height) {
         if (ceilingToCome && ceilingRise_ > height) {
@@ -208,7 +230,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
         edgeRow = rowBelow(block.bottom, enter_);
         opaqueAbove = !block.blueprint->seeThrough;
         if (block.blueprint->seeThrough) {
-            if (!atEye) enterThroughSide(block, topRow, edgeRow);
+            if (!atEye && enter_.border) enterThroughSide(block, topRow, edgeRow);
             if (block.top < 0) {
                 ceilingAbove(block.top);
                 passThroughTop(block, rowBelow(block.top, leave_), topRow);
@@ -221,15 +243,15 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
             }
             continue;
         }
-        if (!atEye && open_.mayHold(topRow, edgeRow)) drawEnteredSide(block, topRow, edgeRow);
+        if (!atEye && enter_.border && open_.mayHold(topRow, edgeRow)) drawEnteredSide(block, topRow, edgeRow);
         if (block.top < 0) {
             ceilingAbove(block.top);
             if (!covered && topRow > open_.first()) drawRoof(block, rowBelow(block.top, leave_), topRow);
         } else if (atEye && block.bottom < 0) {
             ceilingAbove(block.bottom);
             const int below = rowBelow(block.bottom, leave_);
-            drawUnderside(block, std::max(below, projection_.firstFallingRow), projection_.height);
-            if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), projection_.firstFallingRow, below);
+            drawUnderside(block, std::max(below, projection_.firstFallingRow), edgeRow);
+            if (leave_.border && leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), projection_.firstFallingRow, below);
         }
     }
     ceilingAbove(-kHighest);
@@ -237,7 +259,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
 
 // Blocks that are not wholly below the eye, upwards. The side of one at the eye's height is drawn with those below.
 void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
-    const bool atEye = enter_.along == 0.0;
+    const bool atEye = walk_.entered == 0.0;
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ > 0;
     const auto ceilingBelow = [&](std::int32_t height) {
         if (ceilingToCome && ceilingRise_ < height) {
@@ -257,7 +279,7 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
             edgeRow = rowBelow(block.top, enter_);
             opaqueBelow = !block.blueprint->seeThrough;
             if (block.blueprint->seeThrough) {
-                if (!atEye) enterThroughSide(block, edgeRow, bottomRow);
+                if (!atEye && enter_.border) enterThroughSide(block, edgeRow, bottomRow);
                 ceilingBelow(block.bottom);
                 passThroughBottom(block, bottomRow, rowBelow(block.bottom, leave_));
                 ceilingBelow(block.top);
@@ -265,7 +287,7 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
                 leaveThroughSide(block, rowBelow(block.top, leave_), rowBelow(block.bottom, leave_));
                 continue;
             }
-            if (!atEye && open_.mayHold(edgeRow, bottomRow)) drawEnteredSide(block, edgeRow, bottomRow);
+            if (!atEye && enter_.border && open_.mayHold(edgeRow, bottomRow)) drawEnteredSide(block, edgeRow, bottomRow);
             ceilingBelow(block.bottom);
             if (!covered && bottomRow < open_.last()) drawUnderside(block, bottomRow, rowBelow(block.bottom, leave_));
         } else if (block.blueprint->seeThrough) {
@@ -279,8 +301,8 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
         } else if (atEye && block.top > 0) {
             ceilingBelow(block.top);
             const int below = rowBelow(block.top, leave_);
-            drawRoof(block, 0, std::min(below, projection_.firstFallingRow));
-            if (leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), below, projection_.firstFallingRow);
+            drawRoof(block, rowBelow(block.top, enter_), std::min(below, projection_.firstFallingRow));
+            if (leave_.border && leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), below, projection_.firstFallingRow);
         }
     }
     ceilingBelow(kHighest);
@@ -325,8 +347,9 @@ void Slice::takeFloor(Border upTo) {
     floor_.fromY = behindY(upTo);
 }
 
-void Slice::takeFloorBeyond() {
-    open_.take(frame_.firstFloorRow, projection_.height, [&](int first, int last) {
+// From the current tile on without end, down to where `row` is the first one below the floor.
+void Slice::takeFloorBeyond(int row) {
+    open_.take(std::max(row, frame_.firstFloorRow), projection_.height, [&](int first, int last) {
         gather({floorRise_, floor_.texture, map_.floor.light, map_.floor.glow, false}, first, last, floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true);
         note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
     });

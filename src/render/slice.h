@@ -72,6 +72,11 @@ private:
 
     Pass passTiles(bool leaveFirst);
     void drawTile();
+    void drawStretch();
+    void drawTileWithObjects();
+    void drawObjectsBeyond();
+    Crossing crossingAt(const FrameObject& object) const;
+    void drawObject(const FrameObject& object);
     Block blockAt(int level) const;
     void drawBlocks(std::uint32_t reached, TextureId ceilingTexture);
     void drawFalling(std::uint32_t levels, TextureId ceilingTexture);
@@ -91,7 +96,7 @@ private:
     void seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow);
     void seeThroughPlane(int level, FilledRows::What what, const PlaneRun& run);
     void takeFloor(Border upTo);
-    void takeFloorBeyond();
+    void takeFloorBeyond(int row);
     void startCeiling(TextureId texture);
     void endCeiling(Border at);
     void drawBackground();
@@ -99,10 +104,10 @@ private:
     int rowBelow(std::int32_t rise, Border border) const { return rowBelow(rise, border == Border::enter ? enter_ : leave_); }
 
     // The tile before a border of the current one, and the tile behind it.
-    int beforeX(Border border) const { return walk_.tileX - (border == Border::enter && enter_.alongX ? walk_.stepX : 0); }
-    int beforeY(Border border) const { return walk_.tileY - (border == Border::enter && !enter_.alongX ? walk_.stepY : 0); }
-    int behindX(Border border) const { return walk_.tileX + (border == Border::leave && leave_.alongX ? walk_.stepX : 0); }
-    int behindY(Border border) const { return walk_.tileY + (border == Border::leave && !leave_.alongX ? walk_.stepY : 0); }
+    int beforeX(Border border) const { return walk_.tileX - (border == Border::enter && enter_.border && enter_.alongX ? walk_.stepX : 0); }
+    int beforeY(Border border) const { return walk_.tileY - (border == Border::enter && enter_.border && !enter_.alongX ? walk_.stepY : 0); }
+    int behindX(Border border) const { return walk_.tileX + (border == Border::leave && leave_.border && leave_.alongX ? walk_.stepX : 0); }
+    int behindY(Border border) const { return walk_.tileY + (border == Border::leave && leave_.border && !leave_.alongX ? walk_.stepY : 0); }
 
     void gather(const Plane& plane, int first, int last, int fromX, int fromY, int toX, int toY, bool endless = false);
     void fill(PlaneRun& run);
@@ -138,7 +143,9 @@ private:
     GroundDirection ray_;
     GridWalk walk_;
     Crossing enter_;             // how the current tile was entered
-    Crossing leave_;             // and how it will be left
+    Crossing leave_;             // and how it will be left; where objects stand in it, the stretch between two of them
+    const int* object_ = nullptr;  // the next object that may cover the column
+    const int* objectsEnd_ = nullptr;
     SideView enteredSide_;       // worked out where a side is seen
     bool enteredSideKnown_ = false;
     std::uint32_t reached_ = 0;  // its levels whose blocks an open row may meet

@@ -48,14 +48,14 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     // A block of several rows is no higher than a tile, so a row's step is less.
     std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
     if (start + steps * step >= end) step = (end - 1 - start) / steps;
-    return {&level, first, last, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
+    return {level.texels.data() + (static_cast<std::size_t>(u) << level.bits), kTexturePositionBits - level.bits, first, last, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
             frame_.lighting.factorOf(look.glow ? kFullBrightness : view.brightness, look.light), view.fog};
 }
 
 void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const SideRun run = sideRun(block, face, border, view, first, last);
-        fillSide(pixels_ + first, last - first, *run.level, run.texelColumn, run.start, run.step, run.factor, run.fog, frame_.lighting.haze);
+        fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step, run.factor, run.fog, frame_.lighting.haze);
         count(first, last);
         note(block.level, FilledRows::What::side, face, first, last);
     });

@@ -2,7 +2,10 @@
 // lies behind when the walk is done. Its far faces count as much as its near ones.
 #include "render/slice.h"
 
+#include "base/bits.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace slicecast {
 
@@ -18,7 +21,7 @@ void Slice::enterThroughSide(const Block& block, int firstRow, int lastRow) {
 }
 
 void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow) || joins(block, behindX(Border::leave), behindY(Border::leave), block.level)) return;
+    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow) || joins(block, behindX(Border::leave), behindY(Border::leave), block.level)) return;
     seeThroughSide(block, leftFace(leave_), leave_, sideView(leave_), firstRow, lastRow);
 }
 
@@ -48,13 +51,73 @@ void Slice::seeThroughPlane(int level, FilledRows::What what, const PlaneRun& ru
     });
 }
 
+// Objects that this column's ray passes, in the current tile: each splits the tile's stretch of the ray in two, for what the tile holds may lie before it or
+// behind it.
+void Slice::drawTileWithObjects() {
+    const Crossing leave = leave_;
+    for (; object_ != objectsEnd_ && frame_.objects[*object_].depth < leave.along * projection_.distance; ++object_) {
+        const FrameObject& object = frame_.objects[*object_];
+        leave_ = crossingAt(object);
+        drawStretch();
+        drawObject(object);
+        enter_ = leave_;
+    }
+    leave_ = leave;
+    drawStretch();
+}
+
+// Objects outside the grid, where there is only the floor.
+void Slice::drawObjectsBeyond() {
+    for (; object_ != objectsEnd_ && !open_.none(); ++object_) {
+        const FrameObject& object = frame_.objects[*object_];
+        leave_ = crossingAt(object);
+        takeFloorBeyond(rowBelow(floorRise_, leave_));
+        drawObject(object);
+    }
+}
+
+// The ray where it comes to an object's depth; no border of a tile.
+Crossing Slice::crossingAt(const FrameObject& object) const {
+    Crossing at;
+    at.along = object.depth / projection_.distance;
+    at.distance = object.depth;
+    at.speed = projection_.distance;
+    at.rowsPerRaw = projection_.distance / object.depth * (1.0 / 65536.0);
+    at.border = false;
+    return at;
+}
+
+// An object's column of texels that this slice shows, if it does. A row through the lower edge's height is on the object, one through the upper edge's is not.
+void Slice::drawObject(const FrameObject& object) {
+    const SpriteLevel& level = *object.level;
+    const double across = (projection_.sidewaysSlope(column_) * object.depth - object.left) / object.width;
+    if (across < 0.0 || across >= 1.0) return;
+    const int u = std::min(level.width - 1, static_cast<int>(across * level.width));
+    const auto rowOf = [&](std::int32_t rise) {
+        return projection_.firstRowBelowRow(projection_.horizon - rise / 65536.0 * projection_.distance / object.depth, false);
+    };
+    // Positions are in texels from the upper edge, with 32 bits after the point.
+    constexpr double kTexel = 4294967296.0;
+    const double perUnit = level.height * kTexel / ((object.top - object.bottom) / 65536.0);
+    const double perRow = object.depth / projection_.distance;
+    const auto end = static_cast<std::int64_t>(level.height) << 32;
+    open_.each(rowOf(object.top), rowOf(object.bottom), [&](int first, int last) {
+        const double down = object.top / 65536.0 - (projection_.horizon - (first + 0.5)) * perRow;
+        const std::int64_t start = std::clamp<std::int64_t>(nearestInteger(std::clamp(down * perUnit, 0.0, static_cast<double>(end))), 0, end - 1);
+        const int steps = last - first - 1;
+        std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow * perUnit, static_cast<double>(end))) : 0;
+        if (start + steps * step >= end) step = (end - 1 - start) / steps;
+        layers_.add({level.texels.data() + static_cast<std::size_t>(u) * static_cast<std::size_t>(level.height), 32, first, last, static_cast<std::uint64_t>(start),
+                     static_cast<std::uint64_t>(step), object.factor, object.fog});
+    });
+}
+
 // Lays what was seen through over the finished rows, from back to front.
 void Slice::layOver() {
     layers_.fromBack(
         [&](const SideRun& run) {
             count(run.first, run.last);
-            fillSide(pixels_ + run.first, run.last - run.first, *run.level, run.texelColumn, run.start, run.step, run.factor, run.fog, frame_.lighting.haze,
-                     Lay::over);
+            fillSide(pixels_ + run.first, run.last - run.first, run.texels, run.shift, run.start, run.step, run.factor, run.fog, frame_.lighting.haze, Lay::over);
         },
         [&](const PlaneRun& run) { fillRows(run, Lay::over); });
     layers_.clear();

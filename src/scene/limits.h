@@ -22,6 +22,7 @@ inline constexpr std::int64_t kMaxSceneTexels =
 
 // Ranges of a scene's numbers that are no limit of the world itself.
 inline constexpr double kMaxHeight = 1000.0;       // units; of a ceiling and of the start
+inline constexpr double kMaxObjectSize = 64.0;     // units, either way
 inline constexpr double kMaxSkySlope = 1000.0;     // height per distance
 inline constexpr double kMaxIntensity = 1000.0;    // of light
 inline constexpr double kMaxMultiplier = 1.0e6;    // of light, units

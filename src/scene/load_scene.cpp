@@ -32,6 +32,17 @@ public:
         return take(reference, image) ? makeTexture(std::move(name), image, texture.frames, texture.rate) : Texture{};
     }
 
+    Sprite sprite(const TextureReference& sprite, std::string name) {
+        const ImageReference& reference = sprite.image;
+        const Image image = decode(reference, kMaxSpriteSide * sprite.frames, kMaxSpriteSide);
+        if (image.empty()) return {};
+        if (image.width % sprite.frames != 0) {
+            add(reference, "which is " + sizeOf(image) + " pixels", "a sheet of " + std::to_string(sprite.frames) + " frames of one width side by side");
+            return {};
+        }
+        return take(reference, image) ? makeSprite(std::move(name), image, sprite.frames, sprite.rate) : Sprite{};
+    }
+
     // A file that several maps show is decoded once.
     Image panorama(const ImageReference& reference) {
         const auto known = panoramas_.find(reference.file);
@@ -109,6 +120,15 @@ private:
     std::int64_t texels_ = 0;
 };
 
+// Objects without a width of their own are as wide as their sprite's shape makes them.
+void widenObjects(const World& world, Map& map) {
+    for (Object& object : map.objects) {
+        if (object.width > Coordinate{0}) continue;
+        const SpriteLevel& shape = world.sprites[object.sprite].frames[0][0];
+        object.width = std::max(Coordinate{1}, toCoordinate(object.height.value() * shape.width / shape.height));
+    }
+}
+
 }  // namespace
 
 LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
@@ -123,11 +143,15 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
     for (std::size_t i = 0; i < world.textures.size(); ++i) {
         world.textures[i] = reader.texture(description.textures[i], std::move(world.textures[i].name));
     }
+    for (std::size_t i = 0; i < world.sprites.size(); ++i) world.sprites[i] = reader.sprite(description.sprites[i], std::move(world.sprites[i].name));
     for (const PanoramaReference& panorama : description.panoramas) {
         world.maps[panorama.map].sky.panorama = reader.panorama(panorama.image);
     }
     loaded.faults = reader.takeFaults();
-    if (loaded.faults.empty()) markSeeThrough(world);
+    if (loaded.faults.empty()) {
+        markSeeThrough(world);
+        for (Map& map : world.maps) widenObjects(world, map);
+    }
     if (loaded.faults.empty()) loaded.world = std::move(world);
     return loaded;
 }

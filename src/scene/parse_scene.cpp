@@ -10,7 +10,7 @@ namespace {
 // The whole tree: every part is read, whatever was wrong with the ones before.
 void readScene(Reading& reading, JsonValue root) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(root, {"$schema", "title", "textures", "blueprints", "legend", "maps", "start"},
+    const auto fields = checker.fields(root, {"$schema", "title", "textures", "sprites", "blueprints", "legend", "maps", "start"},
                                        "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
     if (!fields) return;
     if (const auto schema = fields->find("$schema")) checker.text(*schema, kMaxPathLength, "the address of the schema");
@@ -24,6 +24,7 @@ void readScene(Reading& reading, JsonValue root) {
     } else {
         reading.textures.takeAny();
     }
+    if (const auto sprites = fields->find("sprites")) readSprites(reading, *sprites);
     if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
     Legend legend(kEmptyCell, kEmptyCell);
     if (const auto own = fields->find("legend")) readLegend(checker, *own, reading.blueprints, "blueprint", legend);
@@ -45,6 +46,7 @@ std::vector<std::string> filesOf(const SceneDescription& description) {
         if (known.insert(image.file).second) files.push_back(image.file);
     };
     for (const TextureReference& texture : description.textures) add(texture.image);
+    for (const TextureReference& sprite : description.sprites) add(sprite.image);
     for (const PanoramaReference& panorama : description.panoramas) add(panorama.image);
     return files;
 }
@@ -86,7 +88,7 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     }
     const auto description = std::make_shared<SceneDescription>();
     description->fileName = fileName;
-    Reading reading{checker, *description, {}, {}, {}, false, {}, 0};
+    Reading reading{checker, *description, {}, {}, {}, {}, false, {}, 0};
     readScene(reading, json.tree.root());
     parsed.faults = checker.take();
     if (parsed.faults.empty()) {

@@ -46,8 +46,6 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
     return {std::move(file), value.pointer(), checker.source().place(value.offset())};
 }
 
-namespace {
-
 // "brick.png" or { "file": "lava.png", "frames": 8, "rate": 10 }
 TextureReference readTexture(Checker& checker, JsonValue value) {
     TextureReference texture;
@@ -68,8 +66,6 @@ TextureReference readTexture(Checker& checker, JsonValue value) {
     if (const auto rate = fields->require("rate", kRate.words)) texture.rate = checker.number(*rate, kRate).value_or(1.0);
     return texture;
 }
-
-}  // namespace
 
 void readTextures(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;

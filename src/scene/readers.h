@@ -18,6 +18,7 @@ struct Reading {
     Checker& checker;
     SceneDescription& description;
     NameTable textures;    // TextureId
+    NameTable sprites;     // SpriteId
     NameTable blueprints;  // BlueprintId
     NameTable maps;        // index into World::maps
     bool areBlueprintsSound = false;
@@ -28,6 +29,15 @@ struct Reading {
 // "textures": { NAME: FILE or { file, frames, rate } }
 void readTextures(Reading& reading, JsonValue value);
 
+// A file or a sheet of frames.
+TextureReference readTexture(Checker& checker, JsonValue value);
+
+// "sprites": { NAME: FILE or { file, frames, rate } }
+void readSprites(Reading& reading, JsonValue value);
+
+// "objects" of a map: [ { sprite, x, y, z, width, height, light, glow } ]; they are checked to be on the map where `hasSize`.
+void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map);
+
 // A PNG file's name, relative to the scene.
 std::optional<std::string> readFileName(Checker& checker, JsonValue value);
 
@@ -37,7 +47,7 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
 // "blueprints": { NAME: { bottom, top, faces, join } }
 void readBlueprints(Reading& reading, JsonValue value);
 
-// "maps": [ { name, legend, levels, floor, ceiling, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
+// "maps": [ { name, legend, levels, floor, ceiling, objects, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
 void readMaps(Reading& reading, JsonValue value, const Legend& legend);
 
 // "levels" of a map: its size and cells.

@@ -20,6 +20,8 @@ inline constexpr int kMaxPanoramaHeight = 4096;
 inline constexpr double kDefaultFar = 10'000.0;  // units; beyond it the floor is plain haze
 inline constexpr double kMaxFar = 100'000.0;     // units; floor positions up to here keep their full precision
 
+inline constexpr int kMaxSpriteSide = 1024;       // texels
+inline constexpr int kMaxObjects = 1'000'000;    // of a map
 inline constexpr int kMaxFrames = 64;           // of an animated texture
 inline constexpr double kMaxFrameRate = 120.0;  // frames per second; one each step
 

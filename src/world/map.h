@@ -13,6 +13,7 @@
 #include "base/image.h"
 #include "world/blueprint.h"
 #include "world/limits.h"
+#include "world/object.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -69,6 +70,7 @@ struct Map {
     int depth = 0;   // tiles southward
     int levels = 0;  // stacked levels
     std::vector<BlueprintId> cells;       // [(y * width + x) * levels + level]
+    std::vector<Object> objects;          // the order decides where two are at one depth
     std::vector<std::uint32_t> occupied;  // [y * width + x]: bit n is set where level n holds a block
     Floor floor;
     Ceiling ceiling;

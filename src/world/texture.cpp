@@ -19,6 +19,17 @@ TextureLevel columnsOf(const Image& image) {
     return level;
 }
 
+std::vector<TextureLevel> levelsOf(Image image) {
+    std::vector<TextureLevel> levels = {columnsOf(image)};
+    while (image.width > 1) {
+        image = halved(image);
+        levels.push_back(columnsOf(image));
+    }
+    return levels;
+}
+
+}  // namespace
+
 Image halved(const Image& image) {
     Image half(image.width / 2, image.height / 2);
     for (int y = 0; y < half.height; ++y) {
@@ -42,40 +53,30 @@ Image halved(const Image& image) {
     return half;
 }
 
-std::vector<TextureLevel> levelsOf(Image image) {
-    std::vector<TextureLevel> levels = {columnsOf(image)};
-    while (image.width > 1) {
-        image = halved(image);
-        levels.push_back(columnsOf(image));
-    }
-    return levels;
-}
-
-Image frameOf(const Image& sheet, int frame) {
-    Image image(sheet.height, sheet.height);
+Image frameOf(const Image& sheet, int frame, int width) {
+    Image image(width, sheet.height);
     for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) image.at(x, y) = sheet.at(frame * image.width + x, y);
+        for (int x = 0; x < width; ++x) image.at(x, y) = sheet.at(frame * width + x, y);
     }
     return image;
 }
 
-}  // namespace
+int frameAt(double seconds, double rate, int frames) {
+    if (frames <= 1 || !(seconds > 0.0)) return 0;
+    return std::min(frames - 1, static_cast<int>(std::fmod(std::floor(seconds * rate), static_cast<double>(frames))));
+}
 
 Texture makeTexture(std::string name, Image image, int frames, double rate) {
     Texture texture;
     texture.name = std::move(name);
     texture.rate = frames > 1 ? rate : 0.0;
     texture.seeThrough = std::any_of(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a < 255; });
-    texture.levels = levelsOf(frames > 1 ? frameOf(image, 0) : image);
-    for (int frame = 1; frame < frames; ++frame) texture.laterFrames.push_back(levelsOf(frameOf(image, frame)));
+    texture.levels = levelsOf(frames > 1 ? frameOf(image, 0, image.height) : image);
+    for (int frame = 1; frame < frames; ++frame) texture.laterFrames.push_back(levelsOf(frameOf(image, frame, image.height)));
     texture.image = std::move(image);
     return texture;
 }
 
-int Texture::frameAt(double seconds) const {
-    if (laterFrames.empty() || !(seconds > 0.0)) return 0;
-    const double count = frames();
-    return std::min(frames() - 1, static_cast<int>(std::fmod(std::floor(seconds * rate), count)));
-}
+int Texture::frameAt(double seconds) const { return slicecast::frameAt(seconds, rate, frames()); }
 
 }  // namespace slicecast

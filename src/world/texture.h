@@ -36,6 +36,15 @@ struct Texture {
     const std::vector<TextureLevel>& levelsOf(int frame) const { return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)]; }
 };
 
+// The next level of detail of an image whose sides are even.
+Image halved(const Image& image);
+
+// A frame of a sheet, `width` pixels wide.
+Image frameOf(const Image& sheet, int frame, int width);
+
+// floor(seconds * rate) modulo `frames`; 0 before the beginning.
+int frameAt(double seconds, double rate, int frames);
+
 // The levels of a square image whose side is a power of two, or of a sheet of `frames` such images side by side.
 Texture makeTexture(std::string name, Image image, int frames = 1, double rate = 0.0);
 

@@ -4,6 +4,7 @@
 #include "base/coordinate.h"
 #include "world/blueprint.h"
 #include "world/map.h"
+#include "world/sprite.h"
 #include "world/texture.h"
 
 #include <string>
@@ -24,6 +25,7 @@ struct Start {
 struct World {
     std::string title;
     std::vector<Texture> textures;
+    std::vector<Sprite> sprites;
     std::vector<CellBlueprint> blueprints = {CellBlueprint{}};  // [0] stands for the empty cell and is never drawn
     std::vector<Map> maps;
     Start start;

@@ -87,6 +87,8 @@ TEST(Judge, SmallPictures) {
                          {"ceiling see-through", 10000},
                          {"glow", 100000},
                          {"animated", 500000},
+                         {"object", 100000},
+                         {"object smaller", 1000},
                          {"hole", 20000},
                          {"1 layers", 100000},
                          {"2 layers", 100000},

@@ -121,6 +121,50 @@ Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse
     return map;
 }
 
+// A sprite of any size, coded like the textures, with holes and blended texels.
+Sprite codedSprite(Random& random, int index) {
+    // Most have levels of detail, which takes even sides.
+    const int width = random.oneIn(4) ? random.between(1, 8) : 8;
+    const int height = random.oneIn(4) ? random.between(1, 8) : 8;
+    const int frames = random.oneIn(3) ? 2 : 1;
+    Image image(width * frames, height);
+    for (int y = 0; y < height; ++y) {
+        for (int column = 0; column < image.width; ++column) {
+            const int x = column % width;
+            const int alpha = (x + 2 * y + index) % 4 == 0 ? 0 : (x + y) % 3 == 0 ? 60 + x * 15 + y * 9 : 255;
+            image.at(column, y) = toPixel({static_cast<std::uint8_t>(70 + 24 * index + 12 * (column / width)), static_cast<std::uint8_t>(20 + x * 30),
+                                           static_cast<std::uint8_t>(20 + y * 30), static_cast<std::uint8_t>(alpha)});
+        }
+    }
+    return makeSprite("coded " + std::to_string(index), std::move(image), frames, random.between(0.5, 20.0));
+}
+
+constexpr int kSprites = 6;
+
+// In every third world objects stand about, at any height, in one another and in blocks.
+void addObjects(Random& random, World& world, bool coarse) {
+    if (!random.oneIn(3)) return;
+    for (int i = 0; i < kSprites; ++i) world.sprites.push_back(codedSprite(random, i));
+    Map& map = world.maps[0];
+    const int count = random.oneIn(4) ? random.between(20, 60) : random.between(1, 12);
+    for (int i = 0; i < count; ++i) {
+        Object object;
+        object.sprite = static_cast<SpriteId>(random.below(kSprites));
+        object.x = {random.between(0, map.width * 65536 - 1)};
+        object.y = {random.between(0, map.depth * 65536 - 1)};
+        object.z = random.oneIn(2) ? Coordinate{random.between(0, map.levels) * 65536} : Coordinate{random.between(0, map.levels * 65536)};
+        if (coarse) {
+            object.x = {object.x.raw >> 13 << 13};
+            object.y = {object.y.raw >> 13 << 13};
+        }
+        object.width = {random.between(2000, 3 * 65536)};
+        object.height = {random.between(2000, 3 * 65536)};
+        object.light = random.between(0.5, 1.0);
+        object.glow = random.oneIn(6);
+        map.objects.push_back(object);
+    }
+}
+
 World randomWorld(Random& random, bool coarse) {
     World world;
     const bool fine = random.oneIn(3);
@@ -132,6 +176,7 @@ World randomWorld(Random& random, bool coarse) {
     for (int i = 0; i < blueprints; ++i) world.blueprints.push_back(randomBlueprint(random, coarse));
     markSeeThrough(world);
     world.maps.push_back(randomMap(random, world, fine, coarse));
+    addObjects(random, world, coarse);
     return world;
 }
 

@@ -72,23 +72,68 @@ Tracer::Tracer(const World& world, const View& view) : world_(world), map_(world
     distance_ = (view.width / 2.0) / tanDegrees(view.fovDegrees / 2.0);
     forwardX_ = cosDegrees(view.headingDegrees);
     forwardY_ = sinDegrees(view.headingDegrees);
-    for (const Texture& texture : world.textures) {
-        // A sheet's frames follow one another for ever.
-        const int n = texture.image.height;
-        const int frames = texture.image.width / n;
-        const int frame = frames == 1 ? 0 : static_cast<int>(static_cast<std::int64_t>(std::floor(world.seconds * texture.rate)) % frames);
-        Image shown(n, n);
-        for (int y = 0; y < n; ++y) {
-            for (int x = 0; x < n; ++x) shown.at(x, y) = texture.image.at(frame * n + x, y);
+    // A sheet's frames follow one another for ever.
+    const auto levelsOf = [&](const Image& sheet, int frames, double rate) {
+        const int width = sheet.width / frames;
+        const int frame = frames == 1 ? 0 : static_cast<int>(static_cast<std::int64_t>(std::floor(world.seconds * rate)) % frames);
+        Image shown(width, sheet.height);
+        for (int y = 0; y < shown.height; ++y) {
+            for (int x = 0; x < width; ++x) shown.at(x, y) = sheet.at(frame * width + x, y);
         }
         std::vector<Image> levels = {shown};
         while (levels.back().width % 2 == 0 && levels.back().height % 2 == 0) levels.push_back(nextLevel(levels.back()));
-        levels_.push_back(std::move(levels));
+        return levels;
+    };
+    for (const Texture& texture : world.textures) levels_.push_back(levelsOf(texture.image, texture.image.width / texture.image.height, texture.rate));
+    for (const Sprite& sprite : world.sprites) spriteLevels_.push_back(levelsOf(sprite.image, static_cast<int>(sprite.frames.size()), sprite.rate));
+}
+
+void Tracer::look(double x, double y, std::vector<Sight>& sights) const {
+    sights.clear();
+    lookAtMap(x, y, sights);
+    if (!map_.objects.empty()) addObjects(x, y, sights);
+}
+
+// Every object is a rectangle at one depth t, that of its middle to the nearest 1/65536; it comes after whatever else is at that depth.
+void Tracer::addObjects(double px, double py, std::vector<Sight>& sights) const {
+    const double k = (px - view_.width / 2.0) / distance_;
+    const double slope = (view_.height / 2.0 + view_.look * view_.height - py) / distance_;
+    std::vector<Sight> met;
+    for (const Object& object : map_.objects) {
+        const double dx = (object.x - view_.x).value();
+        const double dy = (object.y - view_.y).value();
+        const double t = std::floor(65536.0 * (forwardX_ * dx + forwardY_ * dy) + 0.5) / 65536.0;
+        if (t <= 0.0) continue;
+        const double left = -forwardY_ * dx + forwardX_ * dy - object.width.value() / 2.0;
+        const double across = (k * t - left) / object.width.value();
+        const double height = (view_.z - object.z).value() + slope * t;
+        const double down = 1.0 - height / object.height.value();
+        if (across < 0.0 || across >= 1.0 || height < 0.0 || height >= object.height.value()) continue;
+        Sight sight;
+        sight.kind = Sight::Kind::object;
+        sight.seeThrough = true;
+        sight.texture = object.sprite;
+        sight.faceLight = object.light;
+        sight.glow = object.glow;
+        sight.depth = t;
+        sight.u = across;
+        sight.v = clampTo(down, 0.0, 1.0);
+        met.push_back(sight);
+    }
+    std::stable_sort(met.begin(), met.end(), [](const Sight& a, const Sight& b) { return a.depth < b.depth; });
+    const double end = sights.back().kind == Sight::Kind::sky ? kNever : sights.back().depth;
+    for (const Sight& object : met) {
+        if (object.depth >= end) break;
+        const auto behind = std::find_if(sights.begin(), sights.end(), [&](const Sight& s) { return s.kind == Sight::Kind::sky || s.depth > object.depth; });
+        sights.insert(behind, object);
     }
 }
 
-void Tracer::look(double px, double py, std::vector<Sight>& sights) const {
-    sights.clear();
+const Image& Tracer::imageOf(const Sight& sight, int level) const {
+    return (sight.kind == Sight::Kind::object ? spriteLevels_ : levels_)[sight.texture][static_cast<std::size_t>(level)];
+}
+
+void Tracer::lookAtMap(double px, double py, std::vector<Sight>& sights) const {
     const double q = px - view_.width / 2.0;
     const double horizon = view_.height / 2.0 + view_.look * view_.height;
     const double up = horizon - py;
@@ -325,9 +370,10 @@ Sight Tracer::background(const Ray& ray) const {
 
 int Tracer::level(const Sight& sight, double depthFactor) const {
     if (!view_.detail || sight.texture == kNoTexture) return 0;
-    const int last = static_cast<int>(levels_[sight.texture].size()) - 1;
+    const int last = static_cast<int>((sight.kind == Sight::Kind::object ? spriteLevels_ : levels_)[sight.texture].size()) - 1;
+    const int texels = imageOf(sight, 0).height;
     int level = 0;
-    for (double threshold = 1.0; level < last && sight.depth * depthFactor * levels_[sight.texture][0].height > threshold * distance_; threshold *= 2.0) ++level;
+    for (double threshold = 1.0; level < last && sight.depth * depthFactor * texels > threshold * distance_; threshold *= 2.0) ++level;
     return level;
 }
 
@@ -335,7 +381,7 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
     if (sight.kind == Sight::Kind::sky || sight.kind == Sight::Kind::haze) return sight.colour;
     const double depth = sight.depth * depthFactor;
     if (sight.kind == Sight::Kind::floor && depth > map_.far) return map_.haze;
-    const Image& image = levels_[sight.texture][static_cast<std::size_t>(level(sight, depthFactor))];
+    const Image& image = imageOf(sight, level(sight, depthFactor));
     // A negative fraction stands for a reversed one: texel N - 1 - i.
     const auto texel = [](double fraction, int n) {
         const int i = std::min(n - 1, static_cast<int>(std::floor(std::fabs(fraction) * n)));

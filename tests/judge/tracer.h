@@ -29,12 +29,12 @@ struct View {
 
 // Something that a ray meets.
 struct Sight {
-    enum class Kind : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze };
+    enum class Kind : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze, object };
     Kind kind = Kind::sky;
     Face face = Face::top;       // side, roof, underside
     bool fromInside = false;     // the ray left the block through this face
     bool outsideGrid = false;    // floor
-    TextureId texture = kNoTexture;
+    TextureId texture = kNoTexture;  // of an object its sprite
     double faceLight = 1.0;
     bool glow = false;
     double depth = 0.0;          // t
@@ -63,6 +63,9 @@ private:
     struct Meeting;
     struct Ray;
 
+    void lookAtMap(double x, double y, std::vector<Sight>& sights) const;
+    void addObjects(double x, double y, std::vector<Sight>& sights) const;
+    const Image& imageOf(const Sight& sight, int level) const;
     bool joined(BlueprintId block, int tileX, int tileY, int level) const;
     Sight face(const Ray& ray, const CellBlueprint& block, int level, Face face, int tileX, int tileY, const Meeting& meeting, bool fromInside) const;
     Sight plane(const Ray& ray, Sight::Kind kind, TextureId texture, double light, int tileX, int tileY, const Meeting& meeting) const;
@@ -74,7 +77,8 @@ private:
     double distance_;
     double forwardX_;
     double forwardY_;
-    std::vector<std::vector<Image>> levels_;  // of each texture
+    std::vector<std::vector<Image>> levels_;        // of each texture
+    std::vector<std::vector<Image>> spriteLevels_;  // of each sprite
 };
 
 }  // namespace slicecast::judge

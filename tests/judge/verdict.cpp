@@ -78,7 +78,7 @@ bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight
 }
 
 std::string nameOf(const World& world, const Map& map, const Tracer& tracer, const Sight& sight) {
-    static const char* const kKinds[] = {"side", "roof", "underside", "floor", "ceiling", "sky", "haze"};
+    static const char* const kKinds[] = {"side", "roof", "underside", "floor", "ceiling", "sky", "haze", "object"};
     static const char* const kSkies[] = {"colour", "gradient", "panorama"};
     std::string name = kKinds[static_cast<int>(sight.kind)];
     if (sight.kind == Sight::Kind::side) name = kFaceNames[static_cast<std::size_t>(sight.face)];
@@ -86,6 +86,7 @@ std::string nameOf(const World& world, const Map& map, const Tracer& tracer, con
     if (sight.kind == Sight::Kind::haze) return name;
     if (sight.fromInside) name += " from inside";
     if (sight.outsideGrid) name += " outside";
+    if (sight.kind == Sight::Kind::object) return name + (tracer.level(sight) > 0 ? " smaller" : "");
     if (sight.seeThrough) return name + " see-through";
     if (tracer.level(sight) > 0) name += tracer.level(sight) + 1 == static_cast<int>(world.textures[sight.texture].levels.size()) ? " last level" : " smaller";
     return name;
@@ -123,7 +124,7 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
                                                             sight.outsideGrid << 9 | sight.seeThrough << 10 | tracer.level(sight) << 12 |
                                                             (sight.texture & 0xff) << 16);
                 if (sight.glow) ++verdict.coverage["glow"];
-                if (sight.texture != kNoTexture && world.textures[sight.texture].frames() > 1) ++verdict.coverage["animated"];
+                if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture && world.textures[sight.texture].frames() > 1) ++verdict.coverage["animated"];
                 if (++counts[key] == 1) names[key] = nameOf(world, map, tracer, sight);
             }
             if (sights.size() > 1) {

@@ -110,6 +110,27 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(hall.ceiling.tiles[0], kNoTexture);
     EXPECT_EQ(hall.ceiling.tiles[4], tile);
     EXPECT_EQ(hall.ceiling.tiles[9], brick);
+    ASSERT_EQ(world.sprites.size(), 2u);
+    EXPECT_EQ(world.sprites[0].frames.size(), 1u);
+    EXPECT_EQ(world.sprites[1].frames.size(), 3u);
+    EXPECT_EQ(world.sprites[1].rate, 4.0);
+    ASSERT_EQ(hall.objects.size(), 2u);
+    const Object& bush = hall.objects[0];
+    EXPECT_EQ(bush.sprite, 0);
+    EXPECT_EQ(bush.x.raw, 98304);
+    EXPECT_EQ(bush.y.raw, 163840);
+    EXPECT_EQ(bush.z.raw, 0);
+    EXPECT_EQ(bush.height.raw, 49152);
+    EXPECT_EQ(bush.width.raw, 49152);  // the sprite is square
+    EXPECT_EQ(bush.light, 1.0);
+    EXPECT_FALSE(bush.glow);
+    const Object& bird = hall.objects[1];
+    EXPECT_EQ(bird.sprite, 1);
+    EXPECT_EQ(bird.z.raw, 81920);
+    EXPECT_EQ(bird.width.raw, 32768);
+    EXPECT_EQ(bird.height.raw, 16384);
+    EXPECT_EQ(bird.light, 0.5);
+    EXPECT_TRUE(bird.glow);
     EXPECT_EQ(hall.sky.kind, Sky::Kind::gradient);
     EXPECT_EQ(hall.sky.low, (Colour{255, 128, 0, 255}));
     EXPECT_EQ(hall.sky.high, (Colour{16, 32, 64, 255}));

@@ -1,0 +1,52 @@
+#include "render/frame_objects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slicecast {
+
+void FrameObjects::beginFrame(const World& world, const Map& map, const Eye& eye, const Projection& projection, const Detail& detail, const Lighting& lighting) {
+    objects_.clear();
+    highest_ = 0.0;
+    const auto groups = static_cast<std::size_t>((projection.width + kGroup - 1) / kGroup);
+    if (groups_.size() != groups) groups_.resize(groups);
+    for (std::vector<int>& group : groups_) group.clear();
+
+    // A column's ray is `sideways * depth / distance` units to the right of the eye.
+    const auto columnOf = [&](double right, double depth) { return right * projection.distance / depth + projection.width / 2.0; };
+    for (std::size_t i = 0; i < map.objects.size(); ++i) {
+        const Object& object = map.objects[i];
+        const double dx = (object.x - eye.x).value();
+        const double dy = (object.y - eye.y).value();
+        const double depth = std::floor(65536.0 * (projection.forward.x * dx + projection.forward.y * dy) + 0.5) / 65536.0;
+        if (depth <= 0.0) continue;
+        const double left = projection.right.x * dx + projection.right.y * dy - object.width.value() / 2.0;
+        if (columnOf(left, depth) > projection.width + 1.0 || columnOf(left + object.width.value(), depth) < -1.0) continue;
+        FrameObject seen;
+        seen.depth = depth;
+        seen.left = left;
+        seen.width = object.width.value();
+        seen.bottom = (object.z - eye.z).raw;
+        seen.top = seen.bottom + object.height.raw;
+        const std::vector<SpriteLevel>& levels = world.sprites[object.sprite].levelsAt(world.seconds);
+        seen.level = &levels[static_cast<std::size_t>(detail.levelAt(depth, levels[0].height, static_cast<int>(levels.size()) - 1))];
+        const Shade shade = lighting.at(depth, object.light, object.glow);
+        seen.factor = shade.factor;
+        seen.fog = shade.fog;
+        seen.index = static_cast<int>(i);
+        objects_.push_back(seen);
+        highest_ = std::max(highest_, (object.z + object.height).value());
+    }
+    std::sort(objects_.begin(), objects_.end(),
+              [](const FrameObject& a, const FrameObject& b) { return a.depth != b.depth ? a.depth < b.depth : a.index < b.index; });
+
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        const FrameObject& object = objects_[i];
+        const double width = projection.width;
+        const int first = static_cast<int>(std::clamp(columnOf(object.left, object.depth) - 1.0, 0.0, width - 1.0));
+        const int last = static_cast<int>(std::clamp(columnOf(object.left + object.width, object.depth) + 1.0, 0.0, width - 1.0));
+        for (int group = first / kGroup; group <= last / kGroup; ++group) groups_[static_cast<std::size_t>(group)].push_back(static_cast<int>(i));
+    }
+}
+
+}  // namespace slicecast

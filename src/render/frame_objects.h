@@ -1,0 +1,46 @@
+// The objects of a frame: which of a map's objects may be seen, at which depth, and in which columns; worked out once for all slices.
+#pragma once
+
+#include "render/detail.h"
+#include "render/eye.h"
+#include "render/projection.h"
+#include "render/shading.h"
+#include "world/world.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace slicecast {
+
+struct FrameObject {
+    double depth = 0.0;  // t, units, a multiple of 1/65536, > 0
+    double left = 0.0;   // of its left edge, units to the right of the eye
+    double width = 0.0;  // units
+    std::int32_t bottom = 0;  // 1/65536 units above the eye
+    std::int32_t top = 0;
+    const SpriteLevel* level = nullptr;
+    std::uint32_t factor = 256;
+    std::uint32_t fog = 0;
+    int index = 0;  // in the map
+};
+
+class FrameObjects {
+public:
+    void beginFrame(const World& world, const Map& map, const Eye& eye, const Projection& projection, const Detail& detail, const Lighting& lighting);
+
+    // The objects that may cover a column, nearest first; those of one depth in the map's order.
+    const std::vector<int>& inColumn(int column) const { return groups_[static_cast<std::size_t>(column / kGroup)]; }
+    const FrameObject& operator[](int i) const { return objects_[static_cast<std::size_t>(i)]; }
+
+    bool none() const { return objects_.empty(); }
+    double highest() const { return highest_; }  // of their upper edges above the map's floor, units; 0 if there are none
+
+private:
+    static constexpr int kGroup = 16;  // columns that share a list
+
+    std::vector<FrameObject> objects_;
+    std::vector<std::vector<int>> groups_;
+    double highest_ = 0.0;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,78 @@
+// Sprites and the objects that show them.
+#include "scene/limits.h"
+#include "scene/readers.h"
+
+namespace slicecast {
+namespace {
+
+constexpr NumberRange kAcross = {0.0, 4096.0, false, "a number from 0 to 4096, on the map"};
+constexpr NumberRange kFeet = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
+constexpr NumberRange kSize = {0.0, kMaxObjectSize, true, "a number above 0 and at most 64, in units"};
+static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 && kMaxObjectSize == 64.0, "as the words say");
+
+// { "sprite", "x", "y", "z", "width", "height", "light", "glow" }; a width of 0 is found from the sprite later.
+std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize, const Map& map) {
+    Checker& checker = reading.checker;
+    const auto fields = checker.fields(value, {"sprite", "x", "y", "z", "width", "height", "light", "glow"},
+                                       "an object: an object with \"sprite\", \"x\", \"y\" and \"height\"");
+    if (!fields) return std::nullopt;
+    const std::size_t faultsBefore = checker.count();
+    Object object;
+    if (const auto sprite = fields->require("sprite", "the name of a sprite")) object.sprite = checker.name(*sprite, reading.sprites, "sprite").value_or(0);
+    for (const std::string_view key : {"x", "y"}) fields->require(key, kAcross.words);
+    fields->require("height", kSize.words);
+    object.x = toCoordinate(fields->number("x", kAcross, 0.0));
+    object.y = toCoordinate(fields->number("y", kAcross, 0.0));
+    object.z = toCoordinate(fields->number("z", kFeet, 0.0));
+    object.height = toCoordinate(fields->number("height", kSize, 1.0));
+    object.width = toCoordinate(fields->number("width", kSize, 0.0));
+    object.light = fields->number("light", kUnitRange, 1.0);
+    object.glow = fields->flag("glow", false);
+    if (checker.count() == faultsBefore && hasSize && !map.contains(object.x.tile(), object.y.tile())) {
+        checker.add(value, "an object that is not on the map", "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
+    }
+    return checker.count() == faultsBefore ? std::optional(object) : std::nullopt;
+}
+
+}  // namespace
+
+void readSprites(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    if (!value.isObject()) {
+        checker.add(value, checker.shown(value), "the sprites: an object with a PNG file for each name");
+        reading.sprites.takeAny();
+        return;
+    }
+    if (value.count() > static_cast<std::size_t>(kMaxTextures)) {
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "sprite"), "at most " + std::to_string(kMaxTextures));
+        reading.sprites.takeAny();
+        return;
+    }
+    for (const JsonValue member : value) {
+        if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
+            checker.addAtKey(member, "the name " + quoted(member.key()), "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+        }
+        reading.sprites.add(member.key(), static_cast<SpriteId>(reading.description.sprites.size()));
+        Sprite sprite;
+        sprite.name = std::string(member.key());
+        reading.description.world.sprites.push_back(std::move(sprite));
+        reading.description.sprites.push_back(readTexture(checker, member));
+    }
+}
+
+void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map) {
+    Checker& checker = reading.checker;
+    if (!value.isArray()) {
+        checker.add(value, checker.shown(value), "an array of objects");
+        return;
+    }
+    if (value.count() > static_cast<std::size_t>(kMaxObjects)) {
+        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "object"), "at most " + std::to_string(kMaxObjects));
+        return;
+    }
+    for (const JsonValue element : value) {
+        if (const auto object = readObject(reading, element, hasSize, map)) map.objects.push_back(*object);
+    }
+}
+
+}  // namespace slicecast

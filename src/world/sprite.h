@@ -1,0 +1,30 @@
+// Sprites: the pictures of objects, of any size up to kMaxSpriteSide a side, with levels of detail. As with textures each level is made from the one before,
+// 2 x 2 texels at a time, but only while both sides are even. A sheet holds frames side by side.
+#pragma once
+
+#include "base/image.h"
+
+#include <string>
+#include <vector>
+
+namespace slicecast {
+
+struct SpriteLevel {
+    int width = 0;   // texels
+    int height = 0;
+    std::vector<Pixel> texels;  // column after column: texel (u, v) is texels[u * height + v]
+};
+
+struct Sprite {
+    std::string name;
+    Image image;  // as it was read
+    std::vector<std::vector<SpriteLevel>> frames;
+    double rate = 0.0;  // frames per second, for ever around; 0 where there is one frame
+
+    // The frame shown at a time: floor(seconds * rate) modulo their number.
+    const std::vector<SpriteLevel>& levelsAt(double seconds) const;
+};
+
+Sprite makeSprite(std::string name, Image image, int frames = 1, double rate = 0.0);
+
+}  // namespace slicecast
