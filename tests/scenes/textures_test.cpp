@@ -1,4 +1,4 @@
-// Every texture that is drawn is seen somewhere, and no scene names one that it does not show.
+// Every texture and sprite that is drawn is seen somewhere, and no scene names one that it does not show.
 #include "scenes/shipped.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +17,12 @@ using Names = std::set<std::string>;
 // The test card: its letters show how faces are turned, and belong in no scene.
 const Names kNotForScenes = {"lettering"};
 
-// The folders that hold textures for faces, floors and ceilings, and about how many are in each.
+// The folders that hold textures for faces, floors and ceilings, and sprites for objects, and about how many are in each.
 struct Folder {
     const char* name;
     int atLeast;
 };
-constexpr Folder kFolders[] = {{"textures", 17}, {"see-through", 11}, {"sheets", 8}};
+constexpr Folder kFolders[] = {{"textures", 17}, {"see-through", 11}, {"sheets", 8}, {"sprites", 14}};
 
 // The files of a folder that a scene names.
 Names filesNamed(const std::string& text, const std::string& folder) {
@@ -75,6 +75,19 @@ TEST(Textures, EveryOneOfASceneIsShownInIt) {
         const World world = shippedWorld(scene);
         const Names shown = texturesShown(world);
         for (const Texture& texture : world.textures) EXPECT_TRUE(shown.count(texture.name) == 1) << scene << ": " << texture.name;
+    }
+}
+
+TEST(Sprites, EveryOneOfASceneStandsInIt) {
+    for (const std::string& scene : shippedScenes()) {
+        const World world = shippedWorld(scene);
+        std::set<SpriteId> standing;
+        for (const Map& map : world.maps) {
+            for (const Object& object : map.objects) standing.insert(object.sprite);
+        }
+        for (std::size_t i = 0; i < world.sprites.size(); ++i) {
+            EXPECT_TRUE(standing.count(static_cast<SpriteId>(i)) == 1) << scene << ": " << world.sprites[i].name;
+        }
     }
 }
 
