@@ -46,6 +46,7 @@ const std::array kViews = {
     View{"castle", "start", {}},       View{"castle", "from above", Place{44.6, 33.4, 5.5, 215.0, -0.2}},
     View{"library", "start", {}},      View{"library", "in the gallery", Place{12.0, 10.0, 2.5, 100.0, -0.1}},
     View{"garden", "start", {}},       View{"garden", "between hedges", Place{16.0, 16.0, 0.5, 250.0, 0.0}},
+    View{"glassworks", "start", {}},  // see-through, animated and glowing faces, objects
 };
 
 // One of the things that take turns.
