@@ -24,6 +24,7 @@ void FrameObjects::beginFrame(const World& world, const Map& map, const Eye& eye
         if (columnOf(left, depth) > projection.width + 1.0 || columnOf(left + object.width.value(), depth) < -1.0) continue;
         FrameObject seen;
         seen.depth = depth;
+        seen.along = depth / projection.distance;
         seen.left = left;
         seen.width = object.width.value();
         seen.bottom = (object.z - eye.z).raw;

@@ -14,6 +14,7 @@ namespace slicecast {
 
 struct FrameObject {
     double depth = 0.0;  // t, units, a multiple of 1/65536, > 0
+    double along = 0.0;  // the same as a Crossing counts it: the one number that is compared with borders
     double left = 0.0;   // of its left edge, units to the right of the eye
     double width = 0.0;  // units
     std::int32_t bottom = 0;  // 1/65536 units above the eye

@@ -52,6 +52,7 @@ void Slice::walk() {
         const std::vector<int>& objects = frame_.objects.inColumn(column_);
         object_ = objects.data();
         objectsEnd_ = object_ + objects.size();
+        skipObjectsBeside();
     }
     Pass pass = passTiles(false);
     while (pass == Pass::tile) {
@@ -101,7 +102,7 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
     const TextureId ceilingTexture = ceiling_.texture;
     const auto width = static_cast<unsigned>(map_.width);
     const auto depth = static_cast<unsigned>(map_.depth);
-    const double objectAlong = object_ == objectsEnd_ ? kNever : frame_.objects[*object_].depth / projection_.distance;
+    const double objectAlong = object_ == objectsEnd_ ? kNever : frame_.objects[*object_].along;
     const bool trace = trace_ != nullptr;
     GridWalk walk = walk_;
     std::uint32_t reached = 0;
@@ -154,7 +155,7 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
 
 // A tile in which something changes.
 void Slice::drawTile() {
-    if (object_ != objectsEnd_ && frame_.objects[*object_].depth / projection_.distance < leave_.along) {
+    if (object_ != objectsEnd_ && frame_.objects[*object_].along < leave_.along) {
         drawTileWithObjects();
     } else {
         drawStretch();

@@ -75,6 +75,8 @@ private:
     void drawStretch();
     void drawTileWithObjects();
     void drawObjectsBeyond();
+    void skipObjectsBeside();
+    double across(const FrameObject& object) const;
     Crossing crossingAt(const FrameObject& object) const;
     void drawObject(const FrameObject& object);
     Block blockAt(int level) const;
@@ -144,7 +146,7 @@ private:
     GridWalk walk_;
     Crossing enter_;             // how the current tile was entered
     Crossing leave_;             // and how it will be left; where objects stand in it, the stretch between two of them
-    const int* object_ = nullptr;  // the next object that may cover the column
+    const int* object_ = nullptr;  // the next object that covers the column
     const int* objectsEnd_ = nullptr;
     SideView enteredSide_;       // worked out where a side is seen
     bool enteredSideKnown_ = false;

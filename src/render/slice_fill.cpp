@@ -1,6 +1,6 @@
 // A slice's rows filled: which texels, which light.
-#include "render/column_fill.h"
 #include "base/bits.h"
+#include "render/column_fill.h"
 #include "render/slice.h"
 
 #include <algorithm>
@@ -48,7 +48,8 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     // A block of several rows is no higher than a tile, so a row's step is less.
     std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
     if (start + steps * step >= end) step = (end - 1 - start) / steps;
-    return {level.texels.data() + (static_cast<std::size_t>(u) << level.bits), kTexturePositionBits - level.bits, first, last, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
+    return {level.texels.data() + (static_cast<std::size_t>(u) << level.bits), kTexturePositionBits - level.bits, first, last,
+            static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
             frame_.lighting.factorOf(look.glow ? kFullBrightness : view.brightness, look.light), view.fog};
 }
 

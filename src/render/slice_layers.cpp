@@ -5,7 +5,6 @@
 #include "base/bits.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace slicecast {
 
@@ -21,7 +20,8 @@ void Slice::enterThroughSide(const Block& block, int firstRow, int lastRow) {
 }
 
 void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow) || joins(block, behindX(Border::leave), behindY(Border::leave), block.level)) return;
+    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow)) return;
+    if (joins(block, behindX(Border::leave), behindY(Border::leave), block.level)) return;
     seeThroughSide(block, leftFace(leave_), leave_, sideView(leave_), firstRow, lastRow);
 }
 
@@ -55,12 +55,14 @@ void Slice::seeThroughPlane(int level, FilledRows::What what, const PlaneRun& ru
 // behind it.
 void Slice::drawTileWithObjects() {
     const Crossing leave = leave_;
-    for (; object_ != objectsEnd_ && frame_.objects[*object_].depth < leave.along * projection_.distance; ++object_) {
+    while (object_ != objectsEnd_ && frame_.objects[*object_].along < leave.along) {
         const FrameObject& object = frame_.objects[*object_];
         leave_ = crossingAt(object);
         drawStretch();
         drawObject(object);
         enter_ = leave_;
+        ++object_;
+        skipObjectsBeside();
     }
     leave_ = leave;
     drawStretch();
@@ -68,18 +70,31 @@ void Slice::drawTileWithObjects() {
 
 // Objects outside the grid, where there is only the floor.
 void Slice::drawObjectsBeyond() {
-    for (; object_ != objectsEnd_ && !open_.none(); ++object_) {
+    while (object_ != objectsEnd_ && !open_.none()) {
         const FrameObject& object = frame_.objects[*object_];
         leave_ = crossingAt(object);
         takeFloorBeyond(rowBelow(floorRise_, leave_));
         drawObject(object);
+        ++object_;
+        skipObjectsBeside();
     }
+}
+
+// Several columns share a list of objects; those that this one passes by split nothing.
+void Slice::skipObjectsBeside() {
+    const auto isBeside = [&](double share) { return share < 0.0 || share >= 1.0; };
+    while (object_ != objectsEnd_ && isBeside(across(frame_.objects[*object_]))) ++object_;
+}
+
+// Where the ray passes an object, as a share of its width from the left.
+double Slice::across(const FrameObject& object) const {
+    return (projection_.sidewaysSlope(column_) * object.depth - object.left) / object.width;
 }
 
 // The ray where it comes to an object's depth; no border of a tile.
 Crossing Slice::crossingAt(const FrameObject& object) const {
     Crossing at;
-    at.along = object.depth / projection_.distance;
+    at.along = object.along;
     at.distance = object.depth;
     at.speed = projection_.distance;
     at.rowsPerRaw = projection_.distance / object.depth * (1.0 / 65536.0);
@@ -87,19 +102,17 @@ Crossing Slice::crossingAt(const FrameObject& object) const {
     return at;
 }
 
-// An object's column of texels that this slice shows, if it does. A row through the lower edge's height is on the object, one through the upper edge's is not.
+// An object's column of texels that this slice shows. A row through the lower edge's height is on the object, one through the upper edge's is not.
 void Slice::drawObject(const FrameObject& object) {
     const SpriteLevel& level = *object.level;
-    const double across = (projection_.sidewaysSlope(column_) * object.depth - object.left) / object.width;
-    if (across < 0.0 || across >= 1.0) return;
-    const int u = std::min(level.width - 1, static_cast<int>(across * level.width));
+    const int u = std::min(level.width - 1, static_cast<int>(across(object) * level.width));
     const auto rowOf = [&](std::int32_t rise) {
         return projection_.firstRowBelowRow(projection_.horizon - rise / 65536.0 * projection_.distance / object.depth, false);
     };
     // Positions are in texels from the upper edge, with 32 bits after the point.
     constexpr double kTexel = 4294967296.0;
     const double perUnit = level.height * kTexel / ((object.top - object.bottom) / 65536.0);
-    const double perRow = object.depth / projection_.distance;
+    const double perRow = object.along;
     const auto end = static_cast<std::int64_t>(level.height) << 32;
     open_.each(rowOf(object.top), rowOf(object.bottom), [&](int first, int last) {
         const double down = object.top / 65536.0 - (projection_.horizon - (first + 0.5)) * perRow;
@@ -107,8 +120,8 @@ void Slice::drawObject(const FrameObject& object) {
         const int steps = last - first - 1;
         std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow * perUnit, static_cast<double>(end))) : 0;
         if (start + steps * step >= end) step = (end - 1 - start) / steps;
-        layers_.add({level.texels.data() + static_cast<std::size_t>(u) * static_cast<std::size_t>(level.height), 32, first, last, static_cast<std::uint64_t>(start),
-                     static_cast<std::uint64_t>(step), object.factor, object.fog});
+        layers_.add({level.texels.data() + static_cast<std::size_t>(u) * static_cast<std::size_t>(level.height), 32, first, last,
+                     static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step), object.factor, object.fog});
     });
 }
 
