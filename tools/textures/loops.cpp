@@ -18,20 +18,9 @@ double loopNoise(double x, double y, int cellsX, int cellsY, double time, int ce
     return 0.5 + (first - 0.5 + share * (second - first)) / kept;
 }
 
-double loopFractal(double x, double y, int cellsX, int cellsY, double time, int cellsT, int octaves, std::uint32_t seed) {
-    double sum = 0.0;
-    double whole = 0.0;
-    double strength = 1.0;
-    for (int octave = 0; octave < octaves; ++octave) {
-        sum += strength * loopNoise(x, y, cellsX, cellsY, time, cellsT, seed + static_cast<std::uint32_t>(octave) * 101U);
-        whole += strength;
-        strength *= 0.5;
-        x *= 2.0;
-        y *= 2.0;
-        cellsX *= 2;
-        cellsY *= 2;
-    }
-    return sum / whole;
+double loopFractal(double x, double y, int cellsX, int cellsY, double time, int cellsT, int count, std::uint32_t seed) {
+    return octaves(x, y, cellsX, cellsY, count, seed,
+                   [&](double u, double v, int wide, int high, std::uint32_t own) { return loopNoise(u, v, wide, high, time, cellsT, own); });
 }
 
 }  // namespace slicecast::textures

@@ -47,20 +47,8 @@ double valueNoise(double x, double y, int cellsX, int cellsY, std::uint32_t seed
     return upper * (1.0 - v) + lower * v;
 }
 
-double fractalNoise(double x, double y, int cellsX, int cellsY, int octaves, std::uint32_t seed) {
-    double sum = 0.0;
-    double whole = 0.0;
-    double strength = 1.0;
-    for (int octave = 0; octave < octaves; ++octave) {
-        sum += strength * valueNoise(x, y, cellsX, cellsY, seed + static_cast<std::uint32_t>(octave) * 101U);
-        whole += strength;
-        strength *= 0.5;
-        x *= 2.0;
-        y *= 2.0;
-        cellsX *= 2;
-        cellsY *= 2;
-    }
-    return sum / whole;
+double fractalNoise(double x, double y, int cellsX, int cellsY, int count, std::uint32_t seed) {
+    return octaves(x, y, cellsX, cellsY, count, seed, valueNoise);
 }
 
 double wave(double phase) {

@@ -34,8 +34,26 @@ double smoothStep(double low, double high, double value);
 // Smooth noise in [0, 1).
 double valueNoise(double x, double y, int cellsX, int cellsY, std::uint32_t seed);
 
-// Several octaves of it, each twice as fine and half as strong, scaled to [0, 1).
-double fractalNoise(double x, double y, int cellsX, int cellsY, int octaves, std::uint32_t seed);
+// Several octaves of a noise in [0, 1), each twice as fine and half as strong, scaled to [0, 1): noise(x, y, cellsX, cellsY, seed).
+template <typename Noise>
+double octaves(double x, double y, int cellsX, int cellsY, int count, std::uint32_t seed, Noise&& noise) {
+    double sum = 0.0;
+    double whole = 0.0;
+    double strength = 1.0;
+    for (int octave = 0; octave < count; ++octave) {
+        sum += strength * noise(x, y, cellsX, cellsY, seed + static_cast<std::uint32_t>(octave) * 101U);
+        whole += strength;
+        strength *= 0.5;
+        x *= 2.0;
+        y *= 2.0;
+        cellsX *= 2;
+        cellsY *= 2;
+    }
+    return sum / whole;
+}
+
+// Octaves of the smooth noise.
+double fractalNoise(double x, double y, int cellsX, int cellsY, int count, std::uint32_t seed);
 
 // A smooth wave of period 1 in [-1, 1], in place of a sine.
 double wave(double phase);
