@@ -90,7 +90,8 @@ private:
     void drawRoof(const Block& block, int firstRow, int lastRow);
     void drawUnderside(const Block& block, int firstRow, int lastRow);
     void drawCeilingHere(TextureId texture);
-    bool joins(const Block& block, int x, int y, int level) const;
+    bool joinsBeside(const Block& block, Border border) const;
+    bool joinsAbove(int level) const;
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
     void passThroughTop(const Block& block, int firstRow, int lastRow);
     void passThroughBottom(const Block& block, int firstRow, int lastRow);

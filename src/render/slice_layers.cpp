@@ -9,33 +9,42 @@
 namespace slicecast {
 
 // Of two touching see-through blocks of one blueprint the faces between them are left out.
-bool Slice::joins(const Block& block, int x, int y, int level) const {
+bool Slice::joinsBeside(const Block& block, Border border) const {
     if (!block.blueprint->join) return false;
-    return &frame_.world->blueprints[map_.cell(x, y, level)] == block.blueprint;
+    const bool before = border == Border::enter;
+    const int x = before ? beforeX(border) : behindX(border);
+    const int y = before ? beforeY(border) : behindY(border);
+    return &frame_.world->blueprints[map_.cell(x, y, block.level)] == block.blueprint;
+}
+
+// Whether the blocks of a level and the next in the current tile touch, and are of one blueprint or parts of one thing that moves.
+bool Slice::joinsAbove(int level) const {
+    const std::vector<CellBlueprint>& blueprints = frame_.world->blueprints;
+    const CellBlueprint& lower = blueprints[map_.cell(walk_.tileX, walk_.tileY, level)];
+    const CellBlueprint& upper = blueprints[map_.cell(walk_.tileX, walk_.tileY, level + 1)];
+    const bool touch = lower.top == tileEdge(1) && upper.bottom == Coordinate{0};
+    return touch && lower.join && (&lower == &upper || (lower.mover >= 0 && lower.mover == upper.mover));
 }
 
 void Slice::enterThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || joins(block, beforeX(Border::enter), beforeY(Border::enter), block.level)) return;
+    if (!open_.mayHold(firstRow, lastRow) || joinsBeside(block, Border::enter)) return;
     seeThroughSide(block, enteredFace(enter_), enter_, sideView(enter_), firstRow, lastRow);
 }
 
 void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow)) return;
-    if (joins(block, behindX(Border::leave), behindY(Border::leave), block.level)) return;
+    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow) || joinsBeside(block, Border::leave)) return;
     seeThroughSide(block, leftFace(leave_), leave_, sideView(leave_), firstRow, lastRow);
 }
 
 void Slice::passThroughTop(const Block& block, int firstRow, int lastRow) {
-    const bool full = block.top - block.bottom == tileEdge(1).raw;
-    if (!open_.mayHold(firstRow, lastRow) || (full && joins(block, walk_.tileX, walk_.tileY, block.level + 1))) return;
+    if (!open_.mayHold(firstRow, lastRow) || joinsAbove(block.level)) return;
     const FaceBlueprint& look = block.blueprint->face(Face::top);
     seeThroughPlane(block.level, FilledRows::What::roof,
                     {{block.top, look.texture, look.light, look.glow, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
 }
 
 void Slice::passThroughBottom(const Block& block, int firstRow, int lastRow) {
-    const bool full = block.top - block.bottom == tileEdge(1).raw;
-    if (!open_.mayHold(firstRow, lastRow) || (full && joins(block, walk_.tileX, walk_.tileY, block.level - 1))) return;
+    if (!open_.mayHold(firstRow, lastRow) || joinsAbove(block.level - 1)) return;
     const FaceBlueprint& look = block.blueprint->face(Face::bottom);
     seeThroughPlane(block.level, FilledRows::What::underside,
                     {{block.bottom, look.texture, look.light, look.glow, true}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});

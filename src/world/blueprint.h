@@ -20,13 +20,19 @@ inline constexpr TextureId kNoTexture = 0xffff;
 using BlueprintId = std::uint16_t;  // index into World::blueprints; 0 is the empty cell
 inline constexpr BlueprintId kEmptyCell = 0;
 
+using PortalId = std::uint16_t;  // index into World::portals
+inline constexpr PortalId kNoPortal = 0xffff;
+
 struct FaceBlueprint {
     TextureId texture = kNoTexture;
     double light = 1.0;  // factor on the map's light, 0 to 1
     bool glow = false;   // the factor is all: as bright as that at any distance, whatever the map's light
+    std::uint8_t mirror = 0;      // of a top face: how much of what is above shows in it, of 255
+    PortalId portal = kNoPortal;  // who or what comes in through this face is elsewhere
 };
 
-// A filled cell: the box between `bottom` and `top` above its level's base.
+// A filled cell: the box between `bottom` and `top` above its level's base. What moves, opens, or leads elsewhere has blueprints of its own, made when the
+// world is: its edges and textures may change with every step. While top <= bottom its cells are empty (see Map::occupied).
 struct CellBlueprint {
     std::string name;
     Coordinate bottom;               // 0 <= bottom < top
@@ -34,6 +40,10 @@ struct CellBlueprint {
     std::array<FaceBlueprint, kFaces> faces;
     bool seeThrough = false;  // a texel of a face has alpha below 255; set by markSeeThrough
     bool join = true;         // where two see-through blocks of this blueprint touch, the two faces between them are left out
+
+    bool passable = false;    // bodies go through it: an open gate
+    bool hasPortals = false;  // a face has one; set by markPortals
+    int mover = -1;           // the thing that moves as one, of which this block is a part; -1 for none
 
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
 };

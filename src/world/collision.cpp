@@ -31,6 +31,7 @@ void visitTile(const World& world, const Map& map, int x, int y, Coordinate low,
     for (int level = first; level <= last; ++level) {
         if ((map.occupied[tile] >> level & 1u) == 0) continue;
         const CellBlueprint& block = world.blueprints[map.cells[map.cellIndex(x, y, level)]];
+        if (block.passable) continue;
         visit(tileEdge(level) + block.bottom, tileEdge(level) + block.top);
     }
     if (!map.ceiling.tiles.empty() && map.ceiling.tiles[tile] != kNoTexture) visit(map.ceiling.height, map.ceiling.height);

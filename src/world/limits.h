@@ -22,6 +22,9 @@ inline constexpr double kMaxFar = 100'000.0;     // units; floor positions up to
 
 inline constexpr int kMaxSpriteSide = 1024;       // texels
 inline constexpr int kMaxObjects = 1'000'000;    // of a map
+inline constexpr int kMaxPortals = 65'535;       // a PortalId has 16 bits, the last value means none
+inline constexpr int kDefaultPortalLimit = 8;    // portals that one ray passes
+inline constexpr int kMaxPortalLimit = 32;
 inline constexpr int kMaxFrames = 64;           // of an animated texture
 inline constexpr double kMaxFrameRate = 120.0;  // frames per second; one each step
 

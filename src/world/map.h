@@ -28,6 +28,7 @@ struct Floor {
     std::vector<TextureId> tiles;  // [y * width + x]
     double light = 1.0;            // factor on the map's light, 0 to 1
     bool glow = false;             // see FaceBlueprint
+    std::uint8_t mirror = 0;       // see FaceBlueprint
 };
 
 // A plane above some or all tiles of the grid, seen from both sides. There is none where no tile has a texture.
@@ -72,6 +73,7 @@ struct Map {
     std::vector<BlueprintId> cells;       // [(y * width + x) * levels + level]
     std::vector<Object> objects;          // the order decides where two are at one depth
     std::vector<std::uint32_t> occupied;  // [y * width + x]: bit n is set where level n holds a block
+    std::vector<PortalId> tilePortals;    // [y * width + x], kNoPortal where there is none; empty when the map has none
     Floor floor;
     Ceiling ceiling;
     Sky sky;
@@ -86,10 +88,12 @@ struct Map {
         return tileIndex(x, y) * static_cast<std::size_t>(levels) + static_cast<std::size_t>(level);
     }
 
-    // The blueprint at a cell; empty outside the grid and outside the levels.
-    BlueprintId cell(int x, int y, int level) const {
-        return contains(x, y) && level >= 0 && level < levels ? cells[cellIndex(x, y, level)] : kEmptyCell;
+    bool isOccupied(int x, int y, int level) const {
+        return contains(x, y) && level >= 0 && level < levels && (occupied[tileIndex(x, y)] >> level & 1u) != 0;
     }
+    // The blueprint at a cell; empty where no block is at the moment, outside the grid and outside the levels.
+    BlueprintId cell(int x, int y, int level) const { return isOccupied(x, y, level) ? cells[cellIndex(x, y, level)] : kEmptyCell; }
+    PortalId tilePortal(int x, int y) const { return tilePortals.empty() || !contains(x, y) ? kNoPortal : tilePortals[tileIndex(x, y)]; }
     void setCell(int x, int y, int level, BlueprintId blueprint);
 };
 

@@ -12,4 +12,10 @@ void markSeeThrough(World& world) {
     }
 }
 
+void markPortals(World& world) {
+    for (CellBlueprint& blueprint : world.blueprints) {
+        blueprint.hasPortals = std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [](const FaceBlueprint& face) { return face.portal != kNoPortal; });
+    }
+}
+
 }  // namespace slicecast

@@ -4,6 +4,7 @@
 #include "base/coordinate.h"
 #include "world/blueprint.h"
 #include "world/map.h"
+#include "world/portal.h"
 #include "world/sprite.h"
 #include "world/texture.h"
 
@@ -28,11 +29,16 @@ struct World {
     std::vector<Sprite> sprites;
     std::vector<CellBlueprint> blueprints = {CellBlueprint{}};  // [0] stands for the empty cell and is never drawn
     std::vector<Map> maps;
+    std::vector<Portal> portals;
+    int portalLimit = kDefaultPortalLimit;  // a ray passes at most that many
     Start start;
     double seconds = 0.0;  // since the world began; animated textures follow it
 };
 
 // Finds out which blueprints are see-through. For a world whose textures and faces are complete.
 void markSeeThrough(World& world);
+
+// Finds out which blueprints have portals. For a world whose portals are complete.
+void markPortals(World& world);
 
 }  // namespace slicecast
