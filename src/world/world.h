@@ -4,6 +4,7 @@
 #include "base/coordinate.h"
 #include "world/blueprint.h"
 #include "world/map.h"
+#include "world/object_motion.h"
 #include "world/portal.h"
 #include "world/sprite.h"
 #include "world/texture.h"
@@ -29,6 +30,7 @@ struct World {
     std::vector<Sprite> sprites;
     std::vector<CellBlueprint> blueprints = {CellBlueprint{}};  // [0] stands for the empty cell and is never drawn
     std::vector<Map> maps;
+    MovingObjects movingObjects;
     std::vector<Portal> portals;
     int portalLimit = kDefaultPortalLimit;  // a ray passes at most that many
     Start start;
