@@ -223,7 +223,7 @@ SessionState Session::state() const {
 
 Eye Session::eye(double fraction) const {
     const Eye now = eyeOf(player_);
-    if (!(fraction < 1.0) || previous_.map != player_.map) return now;
+    if (!(fraction < 1.0) || previous_.map != player_.map || previous_.leaps != player_.leaps) return now;
     const Eye before = eyeOf(previous_);
     const double part = fraction > 0.0 ? fraction : 0.0;
     return {.map = now.map,

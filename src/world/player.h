@@ -104,6 +104,7 @@ struct Player {
     bool jumpHeld = false;
     int lateJumpSteps = 0;   // left to jump after the ground has gone
     int earlyJumpSteps = 0;  // left for a remembered jump
+    int leaps = 0;           // portals passed so far: what is between the places before and after one cannot be drawn
 
     friend bool operator==(const Player&, const Player&) = default;
 };
