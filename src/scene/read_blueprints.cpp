@@ -18,27 +18,32 @@ constexpr FaceKey kFaceKeys[] = {
     {"top", {false, false, false, false, true, false}},   {"bottom", {false, false, false, false, false, true}},
 };
 
-// "brick" or { "texture": "brick", "light": 0.8 } or { "texture": "lava", "glow": true }. A faulty face counts as given, so that it is not reported as missing too.
-FaceBlueprint readFace(Reading& reading, JsonValue value) {
+// "brick" or { "texture": "brick", "light": 0.8 } or { "texture": "lava", "glow": true }; what is or has a roof may have a "mirror". A faulty face counts as
+// given, so that it is not reported as missing too.
+FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     FaceBlueprint face;
     if (value.isText()) {
         face.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
         return face;
     }
     face.texture = 0;
-    const auto fields = reading.checker.fields(value, {"texture", "light", "glow"}, "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
+    const auto fields = reading.checker.fields(value, {"texture", "light", "glow", "mirror"}, "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
         face.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
     }
     face.light = fields->number("light", kUnitRange, 1.0);
     face.glow = fields->flag("glow", false);
+    face.mirror = readMirror(*fields);
+    if (const auto mirror = fields->find("mirror"); mirror && !isRoof) {
+        reading.checker.addAtKey(*mirror, "a mirror that is no roof", "\"mirror\" at \"top\" or \"all\": only what is seen from above reflects");
+    }
     return face;
 }
 
 void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     if (value.isText()) {
-        blueprint.faces.fill(readFace(reading, value));
+        blueprint.faces.fill(readFace(reading, value, true));
         return;
     }
     std::vector<std::string_view> keys;
@@ -48,9 +53,12 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     for (const FaceKey& faceKey : kFaceKeys) {
         const auto member = fields->find(faceKey.key);
         if (!member) continue;
-        const FaceBlueprint face = readFace(reading, *member);
+        constexpr std::size_t kRoof = static_cast<std::size_t>(Face::top);
+        const FaceBlueprint face = readFace(reading, *member, faceKey.faces[kRoof]);
         for (std::size_t i = 0; i < blueprint.faces.size(); ++i) {
-            if (faceKey.faces[i]) blueprint.faces[i] = face;
+            if (!faceKey.faces[i]) continue;
+            blueprint.faces[i] = face;
+            if (i != kRoof) blueprint.faces[i].mirror = 0;
         }
     }
     std::string missing;

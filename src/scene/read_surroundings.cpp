@@ -45,19 +45,24 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
 
 }  // namespace
 
+std::uint8_t readMirror(const Fields& fields) {
+    return static_cast<std::uint8_t>(255.0 * fields.number("mirror", kUnitRange, 0.0) + 0.5);
+}
+
 void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     std::optional<Fields> fields;
     map.floor.texture = 0;
     if (value.isText()) {
         map.floor.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
     } else {
-        fields = reading.checker.fields(value, {"texture", "light", "glow", "legend", "tiles"}, "a texture's name, or an object with \"texture\"");
+        fields = reading.checker.fields(value, {"texture", "light", "glow", "mirror", "legend", "tiles"}, "a texture's name, or an object with \"texture\"");
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
             map.floor.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
         }
         map.floor.light = fields->number("light", kUnitRange, 1.0);
         map.floor.glow = fields->flag("glow", false);
+        map.floor.mirror = readMirror(*fields);
     }
     map.floor.tiles.assign(map.floor.tiles.size(), map.floor.texture);
     if (fields) readTiles(reading, *fields, map.floor.texture, map.floor.texture, map, hasSize, map.floor.tiles);

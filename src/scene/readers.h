@@ -53,6 +53,9 @@ void readMaps(Reading& reading, JsonValue value, const Legend& legend);
 // "levels" of a map: its size and cells.
 void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map);
 
+// "mirror" of a roof or floor: how much of what is above shows in it, from 0 to 1, as a share of 255.
+std::uint8_t readMirror(const Fields& fields);
+
 // The surroundings of a map whose size is known; a grid of tiles is only looked at where `hasSize`.
 void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map);
 void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map);

@@ -78,6 +78,9 @@ TEST(ParseScene, ReadsEveryKey) {
     const TextureId textures[kFaces] = {tile, tile, brick, brick, brick, tile};
     const double lights[kFaces] = {0.5, 1, 1, 1, 1, 0};
     for (int face = 0; face < kFaces; ++face) {
+        const bool isRoof = face == static_cast<int>(Face::top);
+        EXPECT_EQ(world.blueprints[slab].faces[face].mirror, isRoof ? 128 : 0) << kFaceNames[face];
+        EXPECT_EQ(world.blueprints[brazier].faces[face].mirror, isRoof ? 255 : 0) << kFaceNames[face];
         EXPECT_EQ(world.blueprints[slab].faces[face].texture, textures[face]) << kFaceNames[face];
         EXPECT_EQ(world.blueprints[slab].faces[face].light, lights[face]) << kFaceNames[face];
     }
@@ -103,6 +106,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(hall.floor.texture, brick);
     EXPECT_EQ(hall.floor.light, 0.5);
     EXPECT_TRUE(hall.floor.glow);
+    EXPECT_EQ(hall.floor.mirror, 77);  // 76.5
     EXPECT_TRUE(hall.ceiling.glow);
     EXPECT_EQ(hall.floor.tiles, (std::vector<TextureId>{0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
     EXPECT_EQ(hall.ceiling.height.raw, 98304);
