@@ -44,6 +44,8 @@ struct CellBlueprint {
     bool passable = false;    // bodies go through it: an open gate
     bool hasPortals = false;  // a face has one; set by markPortals
     int mover = -1;           // the thing that moves as one, of which this block is a part; -1 for none
+    int motion = -1;          // index into World::motions; -1 for what stands still
+    int gate = -1;            // index into World::gateKinds; -1 for what is no gate
 
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
 };

@@ -25,11 +25,13 @@ struct Texture {
     Image image;                       // as it was read, rows from the top; a sheet holds its frames side by side
     std::vector<TextureLevel> levels;  // levels[0] is the image, or a sheet's first frame, the last one is a single texel
     std::vector<std::vector<TextureLevel>> laterFrames;
-    double rate = 0.0;                 // frames per second, for ever around; 0 where there is one frame
+    double rate = 0.0;                 // frames per second, for ever around; 0 where there is one frame, or the first is held
     bool seeThrough = false;           // a texel has alpha below 255
 
     int size() const { return image.height; }
     int frames() const { return 1 + static_cast<int>(laterFrames.size()); }
+    // A sheet without a rate: it shows its first frame, and on a gate the one of its progress.
+    bool isHeld() const { return frames() > 1 && rate == 0.0; }
 
     // The frame shown at a time: floor(seconds * rate) modulo their number.
     int frameAt(double seconds) const;

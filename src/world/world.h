@@ -3,7 +3,10 @@
 
 #include "base/coordinate.h"
 #include "world/blueprint.h"
+#include "world/gate.h"
 #include "world/map.h"
+#include "world/motion.h"
+#include "world/mover.h"
 #include "world/object_motion.h"
 #include "world/portal.h"
 #include "world/sprite.h"
@@ -33,6 +36,10 @@ struct World {
     MovingObjects movingObjects;
     std::vector<Portal> portals;
     int portalLimit = kDefaultPortalLimit;  // a ray passes at most that many
+    std::vector<Motion> motions;
+    std::vector<Mover> movers;  // see makeMovers
+    std::vector<GateKind> gateKinds;
+    std::vector<Gate> gates;  // see makeGates
     Start start;
     double seconds = 0.0;  // since the world began; animated textures follow it
 };

@@ -1,0 +1,100 @@
+#include "world/gate.h"
+
+#include "world/body.h"
+#include "world/collision.h"
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+void show(World& world, const Gate& gate, const GateKind& kind) {
+    for (const BlueprintId part : gate.parts) world.blueprints[part].passable = gate.progress == kind.steps;
+    for (const GateFace& face : gate.faces) {
+        const int frame = static_cast<int>(std::min<std::int64_t>(face.frames - 1, std::int64_t{gate.progress} * face.frames / kind.steps));
+        world.blueprints[face.part].faces[static_cast<std::size_t>(face.face)].texture =
+            frame == 0 ? face.first : static_cast<TextureId>(face.later + frame - 1);
+    }
+}
+
+// Between two intervals, 0 where they meet.
+std::int64_t gap(Coordinate low, Coordinate high, Coordinate otherLow, Coordinate otherHigh) {
+    const std::int64_t below = std::int64_t{otherLow.raw} - high.raw;
+    const std::int64_t above = std::int64_t{low.raw} - otherHigh.raw;
+    return std::max({below, above, std::int64_t{0}});
+}
+
+bool isWithin(const Gate& gate, const Box& box, Coordinate distance) {
+    const std::int64_t reach = std::int64_t{distance.raw} * distance.raw;
+    return std::any_of(gate.boxes.begin(), gate.boxes.end(), [&](const GateBox& block) {
+        const std::int64_t x = gap(box.west, box.east, tileEdge(block.x), tileEdge(block.x + 1));
+        const std::int64_t y = gap(box.north, box.south, tileEdge(block.y), tileEdge(block.y + 1));
+        const std::int64_t z = gap(box.bottom, box.top, block.bottom, block.top);
+        return x * x + y * y + z * z <= reach;
+    });
+}
+
+void obey(Gate& gate, const GateKind& kind, const GateAsk& ask) {
+    if (ask.wish == GateAsk::Wish::nothing || !kind.keyed || ask.map != gate.map) return;
+    if (!isWithin(gate, {ask.x, ask.x, ask.y, ask.y, ask.z, ask.z}, kind.reach)) return;
+    gate.wantsOpen = ask.wish == GateAsk::Wish::open || (ask.wish == GateAsk::Wish::change && !gate.wantsOpen);
+}
+
+// Only who comes opens it, and only when all have gone it closes; between, it is as the keys have left it.
+void lookOut(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
+    const bool wasNear = gate.isNear;
+    gate.isNear = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.map == gate.map && isWithin(gate, body.box, kind.approach); });
+    if (gate.isNear) {
+        gate.awaySteps = 0;
+        if (!wasNear) gate.wantsOpen = true;
+    } else if (gate.awaySteps < kind.holdSteps && ++gate.awaySteps == kind.holdSteps) {
+        gate.wantsOpen = false;
+    }
+}
+
+// True if a body that was free would not be with the gate shut, which it is not yet.
+bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
+    for (Body& body : bodies) {
+        body.isMet = (body.straddles || (body.map == gate.map && isWithin(gate, body.box, {}))) && isFree(world, body.map, body.box);
+    }
+    for (const BlueprintId part : gate.parts) world.blueprints[part].passable = false;
+    const bool isEntered = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.isMet && !isFree(world, body.map, body.box); });
+    for (const BlueprintId part : gate.parts) world.blueprints[part].passable = true;
+    return isEntered;
+}
+
+void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& ask) {
+    const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+    obey(gate, kind, ask);
+    if (kind.opensOnApproach) lookOut(gate, kind, bodies);
+    if (gate.progress == (gate.wantsOpen ? kind.steps : 0)) return;
+    if (gate.progress == kind.steps && isInUse(world, gate, bodies)) return;
+    gate.progress += gate.wantsOpen ? 1 : -1;
+    show(world, gate, kind);
+}
+
+}  // namespace
+
+void stepGates(World& world, std::span<Body> bodies, const GateAsk& ask) {
+    for (Gate& gate : world.gates) stepGate(world, gate, bodies, ask);
+}
+
+void resetGates(World& world) {
+    for (Gate& gate : world.gates) {
+        const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+        gate.wantsOpen = kind.startsOpen;
+        gate.progress = kind.startsOpen ? kind.steps : 0;
+        gate.isNear = false;
+        gate.awaySteps = kind.holdSteps;
+        show(world, gate, kind);
+    }
+}
+
+GateState stateOf(const Gate& gate, const GateKind& kind) {
+    if (gate.progress == kind.steps) return GateState::open;
+    if (gate.wantsOpen) return GateState::opening;
+    return gate.progress == 0 ? GateState::closed : GateState::closing;
+}
+
+}  // namespace slicecast

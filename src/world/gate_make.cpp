@@ -1,0 +1,106 @@
+// Finding the gates of a world, and giving each of them blueprints of its own.
+#include "world/gate.h"
+#include "world/mover.h"
+#include "world/moving_cells.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
+    Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    Gate gate;
+    gate.map = mapIndex;
+    gate.kind = world.blueprints[map.cell(group[0].x, group[0].y, group[0].level)].gate;
+    std::vector<std::pair<BlueprintId, BlueprintId>> partOf;  // by the blueprint in the text
+    for (const CellPlace& at : group) {
+        const BlueprintId id = map.cell(at.x, at.y, at.level);
+        auto known = std::find_if(partOf.begin(), partOf.end(), [id](const auto& pair) { return pair.first == id; });
+        if (known == partOf.end()) {
+            partOf.emplace_back(id, static_cast<BlueprintId>(world.blueprints.size()));
+            known = partOf.end() - 1;
+            gate.parts.push_back(known->second);
+            CellBlueprint part = world.blueprints[id];
+            world.blueprints.push_back(std::move(part));
+        }
+        map.setCell(at.x, at.y, at.level, known->second);
+        const CellBlueprint& part = world.blueprints[known->second];
+        gate.boxes.push_back({at.x, at.y, tileEdge(at.level) + part.bottom, tileEdge(at.level) + part.top});
+    }
+    return gate;
+}
+
+// The texture of the sheet's second frame, the others behind it. The sheet itself keeps its first one, which it shows wherever it is no gate.
+TextureId framesOf(World& world, TextureId sheet) {
+    const auto later = static_cast<TextureId>(world.textures.size());
+    const std::vector<std::vector<TextureLevel>> frames = std::move(world.textures[sheet].laterFrames);
+    world.textures[sheet].laterFrames.clear();
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        Texture texture;
+        texture.name = world.textures[sheet].name;
+        texture.image = frameOf(world.textures[sheet].image, static_cast<int>(i) + 1, world.textures[sheet].size());
+        texture.levels = frames[i];
+        texture.seeThrough = world.textures[sheet].seeThrough;
+        world.textures.push_back(std::move(texture));
+    }
+    return later;
+}
+
+}  // namespace
+
+std::vector<PlacingFault> makeGates(World& world) {
+    const std::vector<BlueprintId> kinds = kindsOf(world, &CellBlueprint::gate);
+    if (std::all_of(kinds.begin(), kinds.end(), [](BlueprintId kind) { return kind == kEmptyCell; })) return {};
+    std::vector<PlacingFault> faults;
+    std::size_t cells = kMaxMovingCells;
+    for (std::size_t map = 0; map < world.maps.size(); ++map) {
+        std::vector<std::vector<CellPlace>> groups;
+        if (!groupCells(world.maps[map], kinds, cells, groups)) {
+            faults.push_back({static_cast<int>(map), 0, 0, 0, "more than " + std::to_string(kMaxMovingCells) + " cells of gates", "fewer or smaller ones"});
+            break;
+        }
+        for (const std::vector<CellPlace>& group : groups) {
+            // A gate has at most as many parts as cells.
+            if (world.blueprints.size() + group.size() > static_cast<std::size_t>(kMaxBlueprints)) {
+                faults.push_back({static_cast<int>(map), group[0].x, group[0].y, group[0].level,
+                                  "a gate with which there are more than " + std::to_string(kMaxBlueprints) + " blueprints", "fewer gates"});
+                return faults;
+            }
+            world.gates.push_back(makeGate(world, static_cast<int>(map), group));
+        }
+    }
+    if (faults.empty()) resetGates(world);
+    return faults;
+}
+
+void makeGateFrames(World& world) {
+    std::vector<GateFace> known;  // by the sheet
+    for (Gate& gate : world.gates) {
+        for (const BlueprintId part : gate.parts) {
+            for (int side = 0; side < kFaces; ++side) {
+                GateFace face;
+                face.part = part;
+                face.face = static_cast<Face>(side);
+                face.first = world.blueprints[part].face(face.face).texture;
+                const auto before = std::find_if(known.begin(), known.end(), [&](const GateFace& other) { return other.first == face.first; });
+                if (before != known.end()) {
+                    face.later = before->later;
+                    face.frames = before->frames;
+                } else {
+                    if (face.first == kNoTexture || !world.textures[face.first].isHeld()) continue;
+                    face.frames = world.textures[face.first].frames();
+                    face.later = framesOf(world, face.first);
+                    known.push_back(face);
+                }
+                gate.faces.push_back(face);
+            }
+        }
+    }
+    resetGates(world);
+}
+
+}  // namespace slicecast

@@ -1,0 +1,149 @@
+#include "world/mover.h"
+
+#include "world/body.h"
+#include "world/collision.h"
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+struct Extent {
+    Coordinate low;
+    Coordinate high;
+
+    bool isEmpty() const { return high <= low; }
+};
+
+Extent extentOf(const Shaft& shaft, MovingEdges edges, Coordinate offset) {
+    return {edges == MovingEdges::top ? shaft.low : shaft.low + offset, edges == MovingEdges::bottom ? shaft.high : shaft.high + offset};
+}
+
+// What stands on the shaft, or would if it were not empty. A top that does not move carries nothing.
+Coordinate groundOf(const Extent& extent) {
+    return std::max(extent.low, extent.high);
+}
+
+constexpr Coordinate withinLevel(Coordinate height, int level) {
+    return std::clamp(height - tileEdge(level), Coordinate{0}, tileEdge(1));
+}
+
+void placeShaft(World& world, Map& map, const Shaft& shaft, const Extent& extent) {
+    for (int level = shaft.firstLevel; level <= shaft.lastLevel; ++level) {
+        CellBlueprint& part = world.blueprints[static_cast<std::size_t>(shaft.firstPart + (level - shaft.firstLevel))];
+        const bool wasEmpty = part.top <= part.bottom;
+        part.bottom = withinLevel(extent.low, level);
+        part.top = withinLevel(extent.high, level);
+        const bool isEmpty = part.top <= part.bottom;
+        if (isEmpty == wasEmpty) continue;
+        for (const std::size_t tile : shaft.tiles) map.occupied[tile] ^= 1u << level;
+    }
+}
+
+void place(World& world, const Mover& mover, Coordinate offset) {
+    const MovingEdges edges = world.motions[static_cast<std::size_t>(mover.motion)].edges;
+    Map& map = world.maps[static_cast<std::size_t>(mover.map)];
+    for (const Shaft& shaft : mover.shafts) placeShaft(world, map, shaft, extentOf(shaft, edges, offset));
+}
+
+// One mover that is about to move.
+struct Move {
+    const World& world;
+    const Mover& mover;
+    Coordinate offset;
+
+    // The push that a body gets, if it stands above the mover or beside, and whether the mover has anything to do with it.
+    void meet(Body& body) const;
+};
+
+void Move::meet(Body& body) const {
+    body.isMet = body.straddles;
+    body.push = {};
+    const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
+    const Box& box = body.box;
+    if (body.map == mover.map) {
+        const MovingEdges edges = world.motions[static_cast<std::size_t>(mover.motion)].edges;
+        const int west = std::max(mover.west, box.west.tile());
+        const int east = std::min(mover.east, Coordinate{box.east.raw - 1}.tile());
+        const int north = std::max(mover.north, box.north.tile());
+        const int south = std::min(mover.south, Coordinate{box.south.raw - 1}.tile());
+        for (int y = north; y <= south; ++y) {
+            for (int x = west; x <= east; ++x) {
+                for (const Shaft& shaft : mover.shafts) {
+                    if (map.cells[map.cellIndex(x, y, shaft.firstLevel)] != shaft.firstPart) continue;
+                    body.isMet = true;
+                    if (edges == MovingEdges::bottom) continue;
+                    const Extent before = extentOf(shaft, edges, mover.offset);
+                    const Extent after = extentOf(shaft, edges, offset);
+                    const Coordinate rise = groundOf(after) - groundOf(before);
+                    const Coordinate above = box.bottom - groundOf(before);
+                    if (rise > Coordinate{0} && above >= Coordinate{0} && above < rise) body.push = std::max(body.push, rise - above);
+                    const bool stands = body.rides && above == Coordinate{0} && !before.isEmpty();
+                    if (rise < Coordinate{0} && stands && body.push <= Coordinate{0}) body.push = std::min(body.push, rise);
+                }
+            }
+        }
+    }
+    body.isMet = body.isMet && isFree(world, body.map, box);
+}
+
+// Where a body that is met ends; the mover has moved.
+Box carried(const World& world, const Body& body) {
+    const Coordinate way = body.push < Coordinate{0} ? sweepZ(world, body.map, body.box, body.push) : body.push;
+    return moved(body.box, {.x = {}, .y = {}, .z = way});
+}
+
+void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
+    mover.previousOffset = mover.offset;
+    const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
+    const int clock = (mover.clock + 1) % motion.periodSteps;
+    const Coordinate offset = offsetAt(motion, clock);
+    if (offset == mover.offset) {
+        mover.clock = clock;
+        return;
+    }
+    // Tried out: it moves, and everybody with it
+    for (Body& body : bodies) Move{world, mover, offset}.meet(body);
+    place(world, mover, offset);
+    const bool isInTheWay = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+        return body.isMet && !isFree(world, body.map, carried(world, body));
+    });
+    if (isInTheWay) {
+        place(world, mover, mover.offset);
+        return;
+    }
+    for (Body& body : bodies) {
+        if (!body.isMet || body.push == Coordinate{0}) continue;
+        const Box box = carried(world, body);
+        body.lift = body.lift + (box.bottom - body.box.bottom);
+        body.box = box;
+    }
+    mover.clock = clock;
+    mover.offset = offset;
+}
+
+}  // namespace
+
+void stepMovers(World& world, std::span<Body> bodies) {
+    for (Mover& mover : world.movers) stepMover(world, mover, bodies);
+}
+
+void resetMovers(World& world) {
+    for (Mover& mover : world.movers) {
+        mover.clock = 0;
+        mover.offset = mover.previousOffset = offsetAt(world.motions[static_cast<std::size_t>(mover.motion)], 0);
+        place(world, mover, mover.offset);
+    }
+}
+
+void showMovers(World& world, double fraction) {
+    const double part = fraction < 1.0 ? std::max(fraction, 0.0) : 1.0;
+    for (const Mover& mover : world.movers) {
+        if (mover.offset == mover.previousOffset) continue;
+        const Coordinate way = mover.offset - mover.previousOffset;
+        place(world, mover, mover.previousOffset + toCoordinate(way.value() * part));
+    }
+}
+
+}  // namespace slicecast

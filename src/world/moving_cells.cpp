@@ -1,0 +1,52 @@
+#include "world/moving_cells.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace slicecast {
+namespace {
+
+constexpr CellPlace kNeighbours[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+
+}  // namespace
+
+std::vector<BlueprintId> kindsOf(const World& world, int CellBlueprint::*index) {
+    std::vector<BlueprintId> kinds(world.blueprints.size(), kEmptyCell);
+    std::unordered_map<std::string, BlueprintId> firstOf;
+    for (std::size_t id = 1; id < kinds.size(); ++id) {
+        if (world.blueprints[id].*index >= 0) kinds[id] = firstOf.emplace(world.blueprints[id].name, static_cast<BlueprintId>(id)).first->second;
+    }
+    return kinds;
+}
+
+bool groupCells(const Map& map, const std::vector<BlueprintId>& kinds, std::size_t& limit, std::vector<std::vector<CellPlace>>& groups) {
+    std::vector<bool> seen(map.cells.size());
+    for (int x = 0; x < map.width; ++x) {
+        for (int y = 0; y < map.depth; ++y) {
+            for (int level = 0; level < map.levels; ++level) {
+                const BlueprintId kind = kinds[map.cell(x, y, level)];
+                if (kind == kEmptyCell || seen[map.cellIndex(x, y, level)]) continue;
+                std::vector<CellPlace> group = {{x, y, level}};
+                seen[map.cellIndex(x, y, level)] = true;
+                for (std::size_t i = 0; i < group.size(); ++i) {
+                    if (group.size() > limit) return false;
+                    const CellPlace at = group[i];
+                    for (const CellPlace& step : kNeighbours) {
+                        const CellPlace next = {at.x + step.x, at.y + step.y, at.level + step.level};
+                        if (kinds[map.cell(next.x, next.y, next.level)] != kind) continue;
+                        const std::size_t index = map.cellIndex(next.x, next.y, next.level);
+                        if (seen[index]) continue;
+                        seen[index] = true;
+                        group.push_back(next);
+                    }
+                }
+                limit -= group.size();
+                std::sort(group.begin(), group.end());
+                groups.push_back(std::move(group));
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace slicecast

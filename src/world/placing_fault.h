@@ -1,0 +1,17 @@
+// What is wrong with a cell of a map that moves or opens.
+#pragma once
+
+#include <string>
+
+namespace slicecast {
+
+struct PlacingFault {
+    int map = 0;  // index into World::maps
+    int x = 0;    // the cell
+    int y = 0;
+    int level = 0;
+    std::string found;
+    std::string expected;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,54 @@
+#include "world/world_step.h"
+
+#include "base/hash.h"
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+// True if a tile that the body reaches into leads elsewhere, so that a part of it may be there.
+bool reachesIntoPortal(const World& world, const Body& body) {
+    const Map& map = world.maps[static_cast<std::size_t>(body.map)];
+    for (int y = body.box.north.tile(); y <= body.box.south.tile(); ++y) {
+        for (int x = body.box.west.tile(); x <= body.box.east.tile(); ++x) {
+            if (map.tilePortal(x, y) != kNoPortal) return true;
+            const int last = std::min(map.levels - 1, body.box.top.tile());
+            for (int level = std::max(0, body.box.bottom.tile()); level <= last; ++level) {
+                if (world.blueprints[map.cell(x, y, level)].hasPortals) return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+bool isStill(const World& world) {
+    return world.movers.empty() && world.gates.empty();
+}
+
+void stepWorld(World& world, std::span<Body> bodies, const GateAsk& ask) {
+    if (isStill(world)) return;
+    for (Body& body : bodies) {
+        body.lift = {};
+        body.straddles = !world.portals.empty() && reachesIntoPortal(world, body);
+    }
+    stepMovers(world, bodies);
+    stepGates(world, bodies, ask);
+}
+
+void resetWorld(World& world) {
+    resetMovers(world);
+    resetGates(world);
+}
+
+void addTo(Hash& hash, const World& world) {
+    for (const Mover& mover : world.movers) hash.add(std::int64_t{mover.clock});
+    for (const Gate& gate : world.gates) {
+        for (const int number : {gate.progress, int{gate.wantsOpen}, int{gate.isNear}, gate.awaySteps}) hash.add(std::int64_t{number});
+    }
+}
+
+}  // namespace slicecast
