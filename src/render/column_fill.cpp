@@ -293,6 +293,10 @@ void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, co
     (lay == Lay::opaque ? fillPlaneAs<Opaque> : fillPlaneAs<Over>)(column, first, last, level, line, rows, haze);
 }
 
+void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength) {
+    for (int row = 0; row < rows; ++row) out[row] = laidOver(out[row], colours[rows - 1 - row], strength);
+}
+
 std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double inverseOffset) {
     return lowHalf(start + kFractionMagic + perInverse * inverseOffset);
 }

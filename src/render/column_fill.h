@@ -49,6 +49,9 @@ constexpr std::uint32_t inBothHalves(std::uint32_t value) { return value | value
 void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze,
                Lay lay = Lay::opaque);
 
+// Blends `rows` pixels over what is there, out = (there * (255 - strength) + colour * strength + 127) / 255, taking the last of them first.
+void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength);
+
 // One row from a texel that was found otherwise; `there` is what it is laid over.
 Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay, Pixel there);
 

@@ -3,12 +3,8 @@
 
 #include "render/detail.h"
 #include "render/eye.h"
-#include "render/frame_objects.h"
 #include "render/options.h"
-#include "render/plane_shades.h"
-#include "render/projection.h"
-#include "render/shading.h"
-#include "render/sky_rows.h"
+#include "render/vista.h"
 #include "world/world.h"
 
 #include <vector>
@@ -25,21 +21,13 @@ struct FrameTexture {
 
 struct Frame {
     const World* world = nullptr;
-    const Map* map = nullptr;
-    Eye eye;
-    Projection projection;
-    Lighting lighting;
     Detail detail;
-    int firstFloorRow = 0;               // rows above it, down to the horizon, look beyond the map's `far`
-    double highest = 0.0;                // no block and no ceiling lies higher, units
-    std::vector<double>& inverseOffsets;  // 1 / |horizon - (row + 0.5)| by row
+    double mirrors = 1.0;                 // see RenderOptions
     std::vector<FrameTexture>& textures;  // by TextureId
-    FrameObjects& objects;
-    PlaneShades& planeShades;
-    SkyRows& skyRows;
+    Vistas& vistas;
 
-    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<double>& slopes, std::vector<FrameTexture>& current, FrameObjects& seenObjects,
-          PlaneShades& shades, SkyRows& sky);
+    // The vectors and vistas are the caller's, which keeps them from frame to frame. The eye and the options must outlive the frame.
+    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<FrameTexture>& current, Vistas& seen);
 };
 
 }  // namespace slicecast

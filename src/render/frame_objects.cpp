@@ -5,7 +5,8 @@
 
 namespace slicecast {
 
-void FrameObjects::beginFrame(const World& world, const Map& map, const Eye& eye, const Projection& projection, const Detail& detail, const Lighting& lighting) {
+void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY, GroundDirection forward, GroundDirection right,
+                              const Projection& projection, const Detail& detail, const Lighting& lighting) {
     objects_.clear();
     highest_ = 0.0;
     const auto groups = static_cast<std::size_t>((projection.width + kGroup - 1) / kGroup);
@@ -13,21 +14,21 @@ void FrameObjects::beginFrame(const World& world, const Map& map, const Eye& eye
     for (std::vector<int>& group : groups_) group.clear();
 
     // A column's ray is `sideways * depth / distance` units to the right of the eye.
-    const auto columnOf = [&](double right, double depth) { return right * projection.distance / depth + projection.width / 2.0; };
+    const auto columnOf = [&](double aside, double depth) { return aside * projection.distance / depth + projection.width / 2.0; };
     for (std::size_t i = 0; i < map.objects.size(); ++i) {
         const Object& object = map.objects[i];
-        const double dx = (object.x - eye.x).value();
-        const double dy = (object.y - eye.y).value();
-        const double depth = std::floor(65536.0 * (projection.forward.x * dx + projection.forward.y * dy) + 0.5) / 65536.0;
+        const double dx = static_cast<double>(object.x.raw - eyeX) / 65536.0;
+        const double dy = static_cast<double>(object.y.raw - eyeY) / 65536.0;
+        const double depth = std::floor(65536.0 * (forward.x * dx + forward.y * dy) + 0.5) / 65536.0;
         if (depth <= 0.0) continue;
-        const double left = projection.right.x * dx + projection.right.y * dy - object.width.value() / 2.0;
+        const double left = right.x * dx + right.y * dy - object.width.value() / 2.0;
         if (columnOf(left, depth) > projection.width + 1.0 || columnOf(left + object.width.value(), depth) < -1.0) continue;
         FrameObject seen;
         seen.depth = depth;
         seen.along = depth / projection.distance;
         seen.left = left;
         seen.width = object.width.value();
-        seen.bottom = (object.z - eye.z).raw;
+        seen.bottom = object.z.raw;
         seen.top = seen.bottom + object.height.raw;
         const std::vector<SpriteLevel>& levels = world.sprites[object.sprite].levelsAt(world.seconds);
         seen.level = &levels[static_cast<std::size_t>(detail.levelAt(depth, levels[0].height, static_cast<int>(levels.size()) - 1))];

@@ -17,7 +17,7 @@ struct FrameObject {
     double along = 0.0;  // the same as a Crossing counts it: the one number that is compared with borders
     double left = 0.0;   // of its left edge, units to the right of the eye
     double width = 0.0;  // units
-    std::int32_t bottom = 0;  // 1/65536 units above the eye
+    std::int32_t bottom = 0;  // 1/65536 units above the map's floor
     std::int32_t top = 0;
     const SpriteLevel* level = nullptr;
     std::uint32_t factor = 256;
@@ -27,7 +27,9 @@ struct FrameObject {
 
 class FrameObjects {
 public:
-    void beginFrame(const World& world, const Map& map, const Eye& eye, const Projection& projection, const Detail& detail, const Lighting& lighting);
+    // The eye's place (1/65536 units), `forward` and `right` are in the map's coordinates.
+    void beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY, GroundDirection forward, GroundDirection right,
+                    const Projection& projection, const Detail& detail, const Lighting& lighting);
 
     // The objects that may cover a column, nearest first; those of one depth in the map's order.
     const std::vector<int>& inColumn(int column) const { return groups_[static_cast<std::size_t>(column / kGroup)]; }

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace slicecast {
 
@@ -30,6 +31,7 @@ struct Crossing {
     double rowsPerRaw = kHugeRows;  // rows that 1/65536 unit of height takes there, rounded; huge where the distance is 0
     bool alongX = false;    // a border of constant x
     bool nearing = false;   // crossed eastward or southward
+    bool early = false;     // the same in the coordinates of the eye's map: met sooner where it ties (see projection.h)
     bool border = true;     // false where an object stands and no tile ends
 };
 
@@ -37,7 +39,7 @@ struct Crossing {
 inline int firstRowBelowExactly(const Projection& projection, std::int32_t rise, const Crossing& border) {
     if (rise == 0) return projection.firstFallingRow;
     const double height = rise / 65536.0;
-    return projection.firstRowBelowRow(projection.horizon - height * border.speed / border.distance, (rise > 0) == border.nearing);
+    return projection.firstRowBelowRow(projection.horizon - height * border.speed / border.distance, (rise > 0) == border.early);
 }
 
 // The first row whose ray passes below a height, `rise` 1/65536 units above the eye, when it crosses a border; rows above it pass at or above that height.
@@ -63,19 +65,23 @@ struct GridWalk {
     double entered = 0.0;  // `along` where the current tile was entered, 0 in the eye's own
 
     GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray)
-        : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y) {}
+        : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y), tieAlongX_(stepX > 0) {}
 
     // How the current tile was entered, and how it will be left.
     Crossing enter() const {
-        if (way_ == Way::none) return {};
+        if (way_ == Way::none) {
+            Crossing none;
+            none.border = false;
+            return none;
+        }
         const bool alongX = way_ == Way::alongX;
         const Axis& axis = alongX ? x_ : y_;
-        return crossing(entered, axis.distance - 1.0, axis.speed, alongX);
+        return crossing(entered, axis.distance - 1.0, axis, alongX);
     }
     Crossing leave() const {
         const bool alongX = leavesAlongX();
         const Axis& axis = alongX ? x_ : y_;
-        return crossing(axis.along, axis.distance, axis.speed, alongX);
+        return crossing(axis.along, axis.distance, axis, alongX);
     }
     double left() const { return x_.along < y_.along ? x_.along : y_.along; }  // leave().along
 
@@ -94,6 +100,23 @@ struct GridWalk {
         }
     }
 
+    bool hasEntered() const { return way_ != Way::none; }  // false in the eye's own tile
+
+    // The same walk where the current tile is another one, turned clockwise by quarter turns: what is ahead changes, the borders' depths do not.
+    GridWalk turned(int quarterTurns, int toX, int toY) const {
+        GridWalk walk = *this;
+        for (int i = 0; i < quarterTurns; ++i) {
+            std::swap(walk.x_, walk.y_);
+            walk.stepX = std::exchange(walk.stepY, walk.stepX);
+            walk.stepX = -walk.stepX;
+            walk.tieAlongX_ = !walk.tieAlongX_;
+            if (walk.way_ != Way::none) walk.way_ = walk.way_ == Way::alongX ? Way::alongY : Way::alongX;
+        }
+        walk.tileX = toX;
+        walk.tileY = toY;
+        return walk;
+    }
+
 private:
     enum class Way : std::uint8_t { none, alongX, alongY };
 
@@ -102,8 +125,9 @@ private:
         double distance;
         double speed;
         double along;
+        bool early;  // see Crossing
 
-        Axis(Coordinate eye, double direction) : speed(direction < 0.0 ? -direction : direction) {
+        Axis(Coordinate eye, double direction) : speed(direction < 0.0 ? -direction : direction), early(direction > 0.0) {
             if (direction == 0.0) {
                 distance = along = std::numeric_limits<double>::infinity();
                 speed = 1.0;
@@ -118,14 +142,16 @@ private:
         }
     };
 
-    Crossing crossing(double along, double distance, double speed, bool alongX) const {
-        return {along, distance, speed, distance > 0.0 ? speed / distance * (1.0 / 65536.0) : kHugeRows, alongX, (alongX ? stepX : stepY) > 0};
+    Crossing crossing(double along, double distance, const Axis& axis, bool alongX) const {
+        return {along,  distance, axis.speed, distance > 0.0 ? axis.speed / distance * (1.0 / 65536.0) : kHugeRows, alongX, (alongX ? stepX : stepY) > 0,
+                axis.early};
     }
     static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
-    bool leavesAlongX() const { return x_.along < y_.along || (x_.along == y_.along && stepX > 0); }
+    bool leavesAlongX() const { return x_.along < y_.along || (x_.along == y_.along && tieAlongX_); }
 
     Axis x_;
     Axis y_;
+    bool tieAlongX_;  // which of two borders at one depth comes first
     Way way_ = Way::none;
 };
 

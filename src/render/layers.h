@@ -18,6 +18,7 @@ struct Plane {
     double light = 1.0;
     bool glow = false;
     bool southReversed = false;  // undersides and ceilings
+    bool mirror = false;         // its texels count as opaque
 
     friend bool operator==(const Plane&, const Plane&) = default;
 };
@@ -44,6 +45,15 @@ struct SideRun {
     std::uint64_t step = 0;
     std::uint32_t factor = 256;
     std::uint32_t fog = 0;
+    Pixel haze = 0;
+};
+
+class Vista;
+
+// Rows of a plane, and where they were seen.
+struct LayerPlane {
+    PlaneRun run;
+    Vista* vista = nullptr;
 };
 
 // At most this many runs of one slice are seen through; the farthest beyond are left out.
@@ -52,6 +62,7 @@ inline constexpr std::size_t kMaxLayers = 4096;
 class Layers {
 public:
     bool empty() const { return order_.empty(); }
+    std::size_t count() const { return order_.size(); }
     void clear() {
         order_.clear();
         sides_.clear();
@@ -62,9 +73,9 @@ public:
         sides_.push_back(run);
         order_.push_back(true);
     }
-    void add(const PlaneRun& run) {
+    void add(const PlaneRun& run, Vista& vista) {
         if (order_.size() >= kMaxLayers) return;
-        planes_.push_back(run);
+        planes_.push_back({run, &vista});
         order_.push_back(false);
     }
 
@@ -85,7 +96,7 @@ public:
 private:
     std::vector<char> order_;  // front to back: whether a side comes next
     std::vector<SideRun> sides_;
-    std::vector<PlaneRun> planes_;
+    std::vector<LayerPlane> planes_;
 };
 
 }  // namespace slicecast

@@ -13,11 +13,11 @@ public:
         int last;  // one past the end
     };
 
-    // Opens all rows of a slice. No run is ever added beyond half the rows, so nothing is allocated after the first slice of a height.
-    void openAll(int height) {
+    // Opens some of a slice's rows, in order from the top, and no others. No run is ever added beyond half the rows, so nothing is allocated after the first
+    // slice of a height.
+    void openOnly(const std::vector<Run>& rows, int height) {
         runs_.reserve(static_cast<std::size_t>(height) / 2 + 2);
-        runs_.clear();
-        if (height > 0) runs_.push_back({0, height});
+        runs_.assign(rows.begin(), rows.end());
         findEnds();
     }
 

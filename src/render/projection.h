@@ -35,6 +35,9 @@ struct Projection {
 
     Projection(const Eye& eye, const RenderOptions& options, int pictureWidth, int pictureHeight);
 
+    // The same upside down: row r of it has the slope of row height - 1 - r, the other way. Reflected rays are drawn so.
+    Projection mirrored() const;
+
     double sidewaysSlope(int column) const { return (column + 0.5 - width / 2.0) / distance; }
     double upwardSlope(int row) const { return (horizon - (row + 0.5)) / distance; }
 
@@ -59,6 +62,9 @@ struct Projection {
         const int whole = static_cast<int>(above);
         return tieIsBelow && static_cast<double>(whole) == above ? whole - 1 : whole;
     }
+
+private:
+    void setHorizon(double row);
 };
 
 }  // namespace slicecast

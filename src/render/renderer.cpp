@@ -1,7 +1,6 @@
 #include "render/renderer.h"
 
 #include "render/frame.h"
-#include "render/open_rows.h"
 #include "render/slice.h"
 #include "render/strip.h"
 
@@ -10,13 +9,9 @@
 namespace slicecast {
 
 struct Renderer::Scratch {
-    std::vector<double> inverseOffsets;
     std::vector<FrameTexture> textures;
-    FrameObjects objects;
-    PlaneShades planeShades;
-    SkyRows skyRows;
-    OpenRows openRows;
-    Layers layers;
+    Vistas vistas;
+    SliceMemory slice;
     Strip strip;
     FrameReport report;
 };
@@ -32,7 +27,7 @@ namespace {
 bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, int width, int height) {
     return isAboveFloor(eye) && eye.map >= 0 && eye.map < static_cast<int>(world.maps.size()) && options.fovDegrees >= kMinFovDegrees &&
            options.fovDegrees <= kMaxFovDegrees && eye.look >= -kMaxLook && eye.look <= kMaxLook && eye.headingDegrees - eye.headingDegrees == 0.0 &&
-           options.detailThreshold > 0.0 && width > 0 && height > 0 && width <= kMaxPictureSide && height <= kMaxPictureSide;
+           options.detailThreshold > 0.0 && options.mirrors >= 0.0 && options.mirrors <= kMaxMirrors && width > 0 && height > 0 && width <= kMaxPictureSide && height <= kMaxPictureSide;
 }
 
 }  // namespace
@@ -42,8 +37,8 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     Scratch& s = *scratch_;
     s.report = {};
     s.strip.resize(picture.height);
-    const Frame frame(world, eye, options, picture.width, picture.height, s.inverseOffsets, s.textures, s.objects, s.planeShades, s.skyRows);
-    Slice slice(frame, s.openRows, s.layers, s.report);
+    const Frame frame(world, eye, options, picture.width, picture.height, s.textures, s.vistas);
+    Slice slice(frame, s.slice, s.report);
     for (int x = 0; x < picture.width; x += kStripColumns) {
         const int columns = std::min(kStripColumns, picture.width - x);
         for (int c = 0; c < columns; ++c) slice.draw(x + c, s.strip.column(c), nullptr);
@@ -60,8 +55,8 @@ SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptio
     Scratch& s = *scratch_;
     s.strip.resize(height);
     FrameReport report;
-    const Frame frame(world, eye, options, width, height, s.inverseOffsets, s.textures, s.objects, s.planeShades, s.skyRows);
-    Slice(frame, s.openRows, s.layers, report).draw(column, s.strip.column(0), &trace);
+    const Frame frame(world, eye, options, width, height, s.textures, s.vistas);
+    Slice(frame, s.slice, report).draw(column, s.strip.column(0), &trace);
     for (Hit& hit : trace.hits) {
         std::sort(hit.filled.begin(), hit.filled.end(), [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });
     }

@@ -19,39 +19,85 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 
 }  // namespace
 
-Slice::Slice(const Frame& frame, OpenRows& open, Layers& layers, FrameReport& report)
-    : frame_(frame), map_(*frame.map), projection_(frame.projection), open_(open), layers_(layers), report_(report),
-      floorRise_(-frame.eye.z.raw), ceilingRise_(frame.map->ceiling.height.raw - frame.eye.z.raw), walk_({}, {}, {}) {}
+Slice::Slice(const Frame& frame, SliceMemory& memory, FrameReport& report)
+    : frame_(frame), memory_(memory), open_(memory.open), report_(report), walk_({}, {}, {}) {}
 
 void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     column_ = column;
     pixels_ = pixels;
     trace_ = trace;
-    ray_ = projection_.ray(column);
-    walk_ = GridWalk(frame_.eye.x, frame_.eye.y, ray_);
-    open_.openAll(projection_.height);
+    layers_ = &memory_.layers;
+    parts_ = &memory_.parts;
+    parts_->clear();
+    memory_.mirrors.clear();
+    Vista& vista = frame_.vistas.ofEye();
+    const Viewpoint& eye = vista.viewpoint;
+    const GroundDirection ray = vista.ray(column);
+    Part& whole = parts_->find(vista, GridWalk({static_cast<std::int32_t>(eye.x)}, {static_cast<std::int32_t>(eye.y)}, ray), {}, 0, 0);
+    whole.rows.assign(1, {0, vista.projection->height});
     if (trace_) {
         trace_->column = column;
-        trace_->rayX = ray_.x / projection_.distance;
-        trace_->rayY = ray_.y / projection_.distance;
-        trace_->horizonRow = projection_.horizon;
-        trace_->projectionDistance = projection_.distance;
+        trace_->rayX = ray.x / vista.projection->distance;
+        trace_->rayY = ray.y / vista.projection->distance;
+        trace_->horizonRow = vista.projection->horizon;
+        trace_->projectionDistance = vista.projection->distance;
     }
-    walk();
-    fill(falling_);
-    fill(rising_);
-    drawBackground();
-    if (!layers_.empty()) layOver();
+    drawParts();
+    if (!memory_.mirrors.empty()) reflect();
+    if (!layers_->empty()) layOver();
+}
+
+// Each part may add further ones.
+void Slice::drawParts() {
+    for (part_ = 0; part_ < parts_->count(); ++part_) {
+        begin((*parts_)[part_]);
+        walk();
+        fill(falling_);
+        fill(rising_);
+        drawBackground();
+    }
+}
+
+void Slice::begin(const Part& part) {
+    lookInto(*part.vista);
+    open_.openOnly(part.rows, projection_->height);
+    walk_ = part.walk;
+    clip_ = part.clip;
+    clipped_ = clip_.any();
+    portals_ = part.portals;
+    startX_ = walk_.tileX;
+    startY_ = walk_.tileY;
+    const bool ceilingMet = !clipped_ || (clip_.isMirror ? ceilingRise_ > clip_.low : ceilingRise_ >= clip_.low && ceilingRise_ <= clip_.high);
+    ceilingTiles_ = map_->ceiling.tiles.empty() || !ceilingMet ? nullptr : map_->ceiling.tiles.data();
+    floorMirror_ = mirrorStrength(map_->floor.mirror);
+    report_.deepestPortal = std::max(report_.deepestPortal, portals_);
+    if (portals_ > 0) ++report_.partsBehindPortals;
+}
+
+void Slice::lookInto(Vista& vista) {
+    vista_ = &vista;
+    map_ = vista.map;
+    projection_ = vista.projection;
+    ray_ = vista.ray(column_);
+    eyeTileX_ = vista.viewpoint.tileX();
+    eyeTileY_ = vista.viewpoint.tileY();
+    eyeFractionX_ = vista.viewpoint.fractionX();
+    eyeFractionY_ = vista.viewpoint.fractionY();
+    eyeZ_ = vista.viewpoint.z;
+    eyeHeight_ = Coordinate{eyeZ_}.value();
+    floorRise_ = -eyeZ_;
+    ceilingRise_ = map_->ceiling.height.raw - eyeZ_;
 }
 
 void Slice::walk() {
-    floor_ = {map_.floor.texture, projection_.height, walk_.tileX, walk_.tileY};
+    floor_ = {map_->floor.texture, projection_->height, walk_.tileX, walk_.tileY};
     ceiling_ = {};
     object_ = objectsEnd_ = nullptr;
-    if (!frame_.objects.none()) {
-        const std::vector<int>& objects = frame_.objects.inColumn(column_);
+    if (!vista_->objects.none()) {
+        const std::vector<int>& objects = vista_->objects.inColumn(column_);
         object_ = objects.data();
         objectsEnd_ = object_ + objects.size();
+        while (object_ != objectsEnd_ && vista_->objects[*object_].along < walk_.entered) ++object_;
         skipObjectsBeside();
     }
     Pass pass = passTiles(false);
@@ -68,9 +114,10 @@ void Slice::walk() {
 
     // What is left beyond the walk: the ceiling ends with the grid, the floor goes on outside it.
     endCeiling(Border::enter);
-    if (!stopped && floor_.texture != map_.floor.texture) {
+    if (pass == Pass::portal) return enterPortalTile();
+    if (!stopped && floor_.texture != map_->floor.texture) {
         takeFloor(Border::enter);
-        floor_.texture = map_.floor.texture;
+        floor_.texture = map_->floor.texture;
     }
     if (pass == Pass::left) drawObjectsBeyond();
     takeFloorBeyond(0);
@@ -80,29 +127,30 @@ void Slice::walk() {
 // flattest of them meets the floor; when all look up, where the flattest of them is above everything.
 double Slice::whereToStop() const {
     if (open_.none()) return 0.0;
-    const int firstFalling = projection_.firstFallingRow;
-    if (open_.first() >= firstFalling) return kBeyond * frame_.eye.z.value() * frame_.inverseOffsets[static_cast<std::size_t>(open_.first())];
+    const int firstFalling = projection_->firstFallingRow;
+    if (open_.first() >= firstFalling) return kBeyond * eyeHeight_ * vista_->inverseOffsets[static_cast<std::size_t>(open_.first())];
     if (open_.last() > firstFalling) return kNever;
-    const double rise = frame_.highest - frame_.eye.z.value();
-    return rise <= 0.0 ? 0.0 : kBeyond * rise * frame_.inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
+    const double rise = vista_->highest - eyeHeight_;
+    return rise <= 0.0 ? 0.0 : kBeyond * rise * vista_->inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
 
 // Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open row may meet.
 Slice::Pass Slice::passTiles(bool leaveFirst) {
     constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
     const double stop = whereToStop();
-    const double highestEye = frame_.eye.z.value() + kSlack;
-    const double lowestEye = frame_.eye.z.value() - kSlack;
-    const double upper = projection_.horizon - open_.first();
-    const double lower = projection_.horizon - open_.last();
-    const TextureId* const floorTiles = map_.floor.tiles.data();
-    const TextureId* const ceilingTiles = map_.ceiling.tiles.empty() ? nullptr : map_.ceiling.tiles.data();
-    const std::uint32_t* const occupiedTiles = map_.occupied.data();
+    const double highestEye = eyeHeight_ + kSlack;
+    const double lowestEye = eyeHeight_ - kSlack;
+    const double upper = projection_->horizon - open_.first();
+    const double lower = projection_->horizon - open_.last();
+    const TextureId* const floorTiles = map_->floor.tiles.data();
+    const TextureId* const ceilingTiles = ceilingTiles_;
+    const PortalId* const tilePortals = map_->tilePortals.empty() ? nullptr : map_->tilePortals.data();
+    const std::uint32_t* const occupiedTiles = map_->occupied.data();
     const TextureId floorTexture = floor_.texture;
     const TextureId ceilingTexture = ceiling_.texture;
-    const auto width = static_cast<unsigned>(map_.width);
-    const auto depth = static_cast<unsigned>(map_.depth);
-    const double objectAlong = object_ == objectsEnd_ ? kNever : frame_.objects[*object_].along;
+    const auto width = static_cast<unsigned>(map_->width);
+    const auto depth = static_cast<unsigned>(map_->depth);
+    const double objectAlong = object_ == objectsEnd_ ? kNever : vista_->objects[*object_].along;
     const bool trace = trace_ != nullptr;
     GridWalk walk = walk_;
     std::uint32_t reached = 0;
@@ -116,8 +164,8 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
         }
         if (static_cast<unsigned>(walk.tileX) >= width || static_cast<unsigned>(walk.tileY) >= depth) {
             // Outside the grid there is only the floor. The walk goes on while it may still come to the grid.
-            const bool leavesX = walk.tileX < 0 ? walk.stepX <= 0 : walk.tileX >= map_.width && walk.stepX >= 0;
-            const bool leavesY = walk.tileY < 0 ? walk.stepY <= 0 : walk.tileY >= map_.depth && walk.stepY >= 0;
+            const bool leavesX = walk.tileX < 0 ? walk.stepX <= 0 : walk.tileX >= map_->width && walk.stepX >= 0;
+            const bool leavesY = walk.tileY < 0 ? walk.stepY <= 0 : walk.tileY >= map_->depth && walk.stepY >= 0;
             if (leavesX || leavesY) {
                 pass = Pass::left;
                 break;
@@ -129,6 +177,10 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
         ++tiles;
         if (trace) traceTile(walk.tileX, walk.tileY, walk.entered);
         const std::size_t tile = static_cast<std::size_t>(walk.tileY) * width + static_cast<std::size_t>(walk.tileX);
+        if (tilePortals && leave && tilePortals[tile] != kNoPortal) {
+            pass = Pass::portal;
+            break;
+        }
         reached = occupiedTiles[tile];
         if (reached != 0 && !trace) {
             const double left = walk.left();
@@ -155,7 +207,7 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
 
 // A tile in which something changes.
 void Slice::drawTile() {
-    if (object_ != objectsEnd_ && frame_.objects[*object_].along < leave_.along) {
+    if (object_ != objectsEnd_ && vista_->objects[*object_].along < leave_.along) {
         drawTileWithObjects();
     } else {
         drawStretch();
@@ -164,10 +216,10 @@ void Slice::drawTile() {
 
 // What lies in the current tile between `enter_` and `leave_`.
 void Slice::drawStretch() {
-    const bool inGrid = map_.contains(walk_.tileX, walk_.tileY);
-    const std::size_t tile = inGrid ? map_.tileIndex(walk_.tileX, walk_.tileY) : 0;
-    const TextureId floorTexture = inGrid ? map_.floor.tiles[tile] : map_.floor.texture;
-    const TextureId ceilingTexture = !inGrid || map_.ceiling.tiles.empty() ? kNoTexture : map_.ceiling.tiles[tile];
+    const bool inGrid = map_->contains(walk_.tileX, walk_.tileY);
+    const std::size_t tile = inGrid ? map_->tileIndex(walk_.tileX, walk_.tileY) : 0;
+    const TextureId floorTexture = inGrid ? map_->floor.tiles[tile] : map_->floor.texture;
+    const TextureId ceilingTexture = !inGrid || !ceilingTiles_ ? kNoTexture : ceilingTiles_[tile];
     const bool floorChanges = floorTexture != floor_.texture;
     // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
     const TextureId ceilingAlone = reached_ ? kNoTexture : ceilingTexture;
@@ -186,10 +238,10 @@ void Slice::drawStretch() {
 }
 
 Slice::Block Slice::blockAt(int level) const {
-    const BlueprintId id = map_.cells[map_.cellIndex(walk_.tileX, walk_.tileY, level)];
+    const BlueprintId id = map_->cells[map_->cellIndex(walk_.tileX, walk_.tileY, level)];
     const CellBlueprint& blueprint = frame_.world->blueprints[id];
-    const std::int32_t base = tileEdge(level).raw - frame_.eye.z.raw;
-    return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw};
+    const std::int32_t base = tileEdge(level).raw - eyeZ_;
+    return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw, false};
 }
 
 // Everything in one tile that holds blocks, nearest first: for each block its side where the walk enters, then its roof or underside, from the eye's height
@@ -197,8 +249,8 @@ Slice::Block Slice::blockAt(int level) const {
 void Slice::drawBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     report_.blocksMet += std::popcount(reached);
     if (trace_) traceBlocks(reached);
-    const int eyeLevel = std::min(frame_.eye.z.tile(), kMaxLevels - 1);
-    const std::uint32_t upToEye = static_cast<std::uint32_t>((std::uint64_t{2} << eyeLevel) - 1);
+    const int eyeLevel = std::min(eyeZ_ >> 16, kMaxLevels - 1);
+    const std::uint32_t upToEye = eyeLevel < 0 ? 0 : static_cast<std::uint32_t>((std::uint64_t{2} << eyeLevel) - 1);
     const std::uint32_t falling = reached & upToEye;
     const std::uint32_t rising = reached & ~(upToEye >> 1);
     if (falling != 0 || ceilingTexture != kNoTexture) drawFalling(falling, ceilingTexture);
@@ -223,24 +275,27 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
     for (std::uint32_t rest = levels; rest != 0;) {
         const int level = static_cast<int>(std::bit_width(rest)) - 1;
         rest ^= std::uint32_t{1} << level;
-        const Block block = blockAt(level);
-        if (block.bottom > 0) continue;
+        Block block = blockAt(level);
+        if (block.bottom > 0 || (clipped_ && !cutToClip(block))) continue;
         const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
         edgeRow = rowBelow(block.bottom, enter_);
-        opaqueAbove = !block.blueprint->seeThrough;
-        if (block.blueprint->seeThrough) {
-            if (!atEye && enter_.border) enterThroughSide(block, topRow, edgeRow);
-            if (block.top < 0) {
-                ceilingAbove(block.top);
-                passThroughTop(block, rowBelow(block.top, leave_), topRow);
+        const bool isPlain = !block.blueprint->seeThrough && !block.blueprint->hasPortals && !block.cut;
+        opaqueAbove = isPlain;
+        if (!isPlain) {
+            enterSide(block, topRow, edgeRow);
+            ceilingAbove(block.top);
+            if (!block.cut && !covered && block.top < 0) enterTop(block, rowBelow(block.top, leave_), topRow);
+            // Whoever stands exactly on a portal falls in at once.
+            if (block.top == 0 && !walk_.hasEntered() && acts(block.blueprint->face(Face::top).portal)) {
+                enterTop(block, projection_->firstFallingRow, projection_->height);
             }
-            ceilingAbove(block.bottom);
-            if (block.bottom < 0) {
+            if (block.bottom < 0 && (block.blueprint->seeThrough || block.cut || (atEye && block.top >= 0))) {
+                ceilingAbove(block.bottom);
                 const int below = rowBelow(block.bottom, leave_);
-                passThroughBottom(block, std::max(below, projection_.firstFallingRow), edgeRow);
-                leaveThroughSide(block, std::max(rowBelow(block.top, leave_), projection_.firstFallingRow), below);
+                leaveBottom(block, std::max(below, projection_->firstFallingRow), edgeRow);
+                leaveSide(block, std::max(rowBelow(block.top, leave_), projection_->firstFallingRow), below);
             }
             continue;
         }
@@ -251,8 +306,8 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
         } else if (atEye && block.bottom < 0) {
             ceilingAbove(block.bottom);
             const int below = rowBelow(block.bottom, leave_);
-            drawUnderside(block, std::max(below, projection_.firstFallingRow), edgeRow);
-            if (leave_.border && leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), projection_.firstFallingRow, below);
+            leaveBottom(block, std::max(below, projection_->firstFallingRow), edgeRow);
+            leaveSide(block, projection_->firstFallingRow, below);
         }
     }
     ceilingAbove(-kHighest);
@@ -272,38 +327,38 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
     int edgeRow = 0;
     bool opaqueBelow = false;
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
-        const Block block = blockAt(std::countr_zero(rest));
+        Block block = blockAt(std::countr_zero(rest));
+        if (clipped_ && !cutToClip(block)) continue;
+        const bool isPlain = !block.blueprint->seeThrough && !block.blueprint->hasPortals && !block.cut;
         if (block.bottom > 0) {
             const int bottomRow = block.bottom == edge ? edgeRow : rowBelow(block.bottom, enter_);
             const bool covered = block.bottom == edge && opaqueBelow;
             edge = block.top;
             edgeRow = rowBelow(block.top, enter_);
-            opaqueBelow = !block.blueprint->seeThrough;
-            if (block.blueprint->seeThrough) {
-                if (!atEye && enter_.border) enterThroughSide(block, edgeRow, bottomRow);
+            opaqueBelow = isPlain;
+            if (!isPlain) {
+                enterSide(block, edgeRow, bottomRow);
                 ceilingBelow(block.bottom);
-                passThroughBottom(block, bottomRow, rowBelow(block.bottom, leave_));
-                ceilingBelow(block.top);
-                passThroughTop(block, edgeRow, rowBelow(block.top, leave_));
-                leaveThroughSide(block, rowBelow(block.top, leave_), rowBelow(block.bottom, leave_));
+                if (!block.cut && !covered) enterBottom(block, bottomRow, rowBelow(block.bottom, leave_));
+                if (block.blueprint->seeThrough || block.cut) {
+                    ceilingBelow(block.top);
+                    const int below = rowBelow(block.top, leave_);
+                    leaveTop(block, edgeRow, below);
+                    leaveSide(block, below, rowBelow(block.bottom, leave_));
+                }
                 continue;
             }
             if (!atEye && enter_.border && open_.mayHold(edgeRow, bottomRow)) drawEnteredSide(block, edgeRow, bottomRow);
             ceilingBelow(block.bottom);
             if (!covered && bottomRow < open_.last()) drawUnderside(block, bottomRow, rowBelow(block.bottom, leave_));
-        } else if (block.blueprint->seeThrough) {
-            if (block.top <= 0) continue;
+        } else if (block.top > 0 && (block.blueprint->seeThrough || atEye)) {
             edge = block.top;
             edgeRow = rowBelow(block.top, enter_);
             opaqueBelow = false;
             ceilingBelow(block.top);
-            passThroughTop(block, edgeRow, std::min(rowBelow(block.top, leave_), projection_.firstFallingRow));
-            leaveThroughSide(block, rowBelow(block.top, leave_), std::min(rowBelow(block.bottom, leave_), projection_.firstFallingRow));
-        } else if (atEye && block.top > 0) {
-            ceilingBelow(block.top);
             const int below = rowBelow(block.top, leave_);
-            drawRoof(block, rowBelow(block.top, enter_), std::min(below, projection_.firstFallingRow));
-            if (leave_.border && leave_.along > 0.0) drawSide(block, leftFace(leave_), leave_, sideView(leave_), below, projection_.firstFallingRow);
+            leaveTop(block, edgeRow, std::min(below, projection_->firstFallingRow));
+            leaveSide(block, below, std::min(rowBelow(block.bottom, leave_), projection_->firstFallingRow));
         }
     }
     ceilingBelow(kHighest);
@@ -317,10 +372,12 @@ void Slice::drawEnteredSide(const Block& block, int firstRow, int lastRow) {
     drawSide(block, enteredFace(enter_), enter_, enteredSide_, firstRow, lastRow);
 }
 
-void Slice::drawRoof(const Block& block, int firstRow, int lastRow) {
+void Slice::drawRoof(const Block& block, int firstRow, int lastRow, bool fromInside) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(Face::top);
-        gather({block.top, look.texture, look.light, look.glow, false}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
+        const int strength = fromInside ? 0 : mirrorStrength(look.mirror);
+        gather({block.top, look.texture, look.light, look.glow, false, strength > 0}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
+        if (strength > 0) mirror(block.top, first, last, strength);
         note(block.level, FilledRows::What::roof, Face::top, first, last);
     });
 }
@@ -328,7 +385,7 @@ void Slice::drawRoof(const Block& block, int firstRow, int lastRow) {
 void Slice::drawUnderside(const Block& block, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(Face::bottom);
-        gather({block.bottom, look.texture, look.light, look.glow, true}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
+        gather({block.bottom, look.texture, look.light, look.glow, true, false}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
         note(block.level, FilledRows::What::underside, Face::bottom, first, last);
     });
 }
@@ -340,8 +397,9 @@ void Slice::drawCeilingHere(TextureId texture) {
 
 // Closes the rows that have met the floor by a border; behind it the floor goes on. Rows beyond the map's `far` are left for the haze.
 void Slice::takeFloor(Border upTo) {
-    open_.take(std::max(rowBelow(floorRise_, upTo), frame_.firstFloorRow), projection_.height, [&](int first, int last) {
-        gather({floorRise_, floor_.texture, map_.floor.light, map_.floor.glow, false}, first, last, floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo));
+    open_.take(std::max(rowBelow(floorRise_, upTo), vista_->firstFloorRow), projection_->height, [&](int first, int last) {
+        if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
+        gather({floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false, floorMirror_ > 0}, first, last, floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo));
         note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
     });
     floor_.fromX = behindX(upTo);
@@ -350,8 +408,9 @@ void Slice::takeFloor(Border upTo) {
 
 // From the current tile on without end, down to where `row` is the first one below the floor.
 void Slice::takeFloorBeyond(int row) {
-    open_.take(std::max(row, frame_.firstFloorRow), projection_.height, [&](int first, int last) {
-        gather({floorRise_, floor_.texture, map_.floor.light, map_.floor.glow, false}, first, last, floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true);
+    open_.take(std::max(row, vista_->firstFloorRow), projection_->height, [&](int first, int last) {
+        if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
+        gather({floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false, floorMirror_ > 0}, first, last, floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true);
         note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
     });
 }
@@ -370,7 +429,7 @@ void Slice::endCeiling(Border at) {
         const int row = rowBelow(ceilingRise_, at);
         const int firstRow = std::min(ceiling_.row, row);
         const int lastRow = std::max(ceiling_.row, row);
-        const Plane plane = {ceilingRise_, ceiling_.texture, map_.ceiling.light, map_.ceiling.glow, true};
+        const Plane plane = {ceilingRise_, ceiling_.texture, map_->ceiling.light, map_->ceiling.glow, true, false};
         if (frame_.textures[ceiling_.texture].seeThrough) {
             seeThroughPlane(kNoLevel, FilledRows::What::ceiling,
                             {plane, firstRow, lastRow, ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at), false});
@@ -385,13 +444,13 @@ void Slice::endCeiling(Border at) {
 }
 
 void Slice::drawBackground() {
-    open_.take(0, projection_.firstFallingRow, [&](int first, int last) {
-        frame_.skyRows.fill(pixels_, column_, first, last);
+    open_.take(0, projection_->firstFallingRow, [&](int first, int last) {
+        vista_->skyRows.fill(pixels_, column_, first, last);
         count(first, last);
         note(kNoLevel, FilledRows::What::sky, Face::top, first, last);
     });
-    open_.take(projection_.firstFallingRow, projection_.height, [&](int first, int last) {
-        std::fill(pixels_ + first, pixels_ + last, frame_.lighting.haze);
+    open_.take(projection_->firstFallingRow, projection_->height, [&](int first, int last) {
+        std::fill(pixels_ + first, pixels_ + last, vista_->lighting.haze);
         count(first, last);
         note(kNoLevel, FilledRows::What::haze, Face::top, first, last);
     });

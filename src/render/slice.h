@@ -12,16 +12,31 @@
 #include "render/grid_walk.h"
 #include "render/layers.h"
 #include "render/open_rows.h"
+#include "render/parts.h"
 #include "render/trace.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace slicecast {
 
+// What slices need while they are drawn; kept from slice to slice and from frame to frame, so that nothing is allocated again and again.
+struct SliceMemory {
+    OpenRows open;
+    Layers layers;
+    Parts parts;
+    std::vector<MirrorRun> mirrors;
+    // Of what shows in mirrors. The column stands upside down.
+    Layers reflectedLayers;
+    Parts reflectedParts;
+    std::vector<Pixel> reflected;
+};
+
 class Slice {
 public:
-    Slice(const Frame& frame, OpenRows& open, Layers& layers, FrameReport& report);
+    Slice(const Frame& frame, SliceMemory& memory, FrameReport& report);
 
     // Fills all rows of `column` into `pixels`, one after another. `trace`, if given, receives everything that happens.
     void draw(int column, Pixel* pixels, SliceTrace* trace);
@@ -29,8 +44,8 @@ public:
 private:
     static constexpr int kNoLevel = -1;  // rows that belong to no block
 
-    // Why a walk over tiles was interrupted: something changes in a tile, nothing more can be met, or the grid lies behind.
-    enum class Pass { tile, stopped, left };
+    // Why a walk over tiles was interrupted: something changes in a tile, the tile is a portal, nothing more can be met, or the grid lies behind.
+    enum class Pass { tile, portal, stopped, left };
 
     // One of the current tile's two borders.
     enum class Border { enter, leave };
@@ -41,6 +56,7 @@ private:
         int level;
         std::int32_t bottom;
         std::int32_t top;
+        bool cut = false;  // by the part's height clip: there is no face at that end, and rays that begin there are inside
     };
 
     // What the sides at one border have in common.
@@ -67,8 +83,21 @@ private:
         double southEnd;
     };
 
+    void drawParts();
+    void begin(const Part& part);
+    void lookInto(Vista& vista);
     void walk();
     double whereToStop() const;
+
+    // What a portal leads away, and what a mirror shows.
+    bool acts(PortalId portal) const;
+    void sendThrough(const Portal& portal, int firstRow, int lastRow, const HeightClip& clip);
+    void enterPortalTile();
+    void mirror(std::int32_t rise, int first, int last, int strength);
+    void reflect();
+    int mirrorStrength(std::uint8_t strength) const {
+        return strength == 0 ? 0 : static_cast<int>(std::min(255.0, std::floor(strength * frame_.mirrors + 0.5)));
+    }
 
     Pass passTiles(bool leaveFirst);
     void drawTile();
@@ -87,7 +116,14 @@ private:
     SideRun sideRun(const Block& block, Face face, const Crossing& border, const SideView& view, int first, int last) const;
     void drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow);
     void drawEnteredSide(const Block& block, int firstRow, int lastRow);
-    void drawRoof(const Block& block, int firstRow, int lastRow);
+    bool cutToClip(Block& block) const;
+    void enterSide(const Block& block, int firstRow, int lastRow);
+    void enterTop(const Block& block, int firstRow, int lastRow);
+    void enterBottom(const Block& block, int firstRow, int lastRow);
+    void leaveSide(const Block& block, int firstRow, int lastRow);
+    void leaveTop(const Block& block, int firstRow, int lastRow);
+    void leaveBottom(const Block& block, int firstRow, int lastRow);
+    void drawRoof(const Block& block, int firstRow, int lastRow, bool fromInside = false);
     void drawUnderside(const Block& block, int firstRow, int lastRow);
     void drawCeilingHere(TextureId texture);
     bool joinsBeside(const Block& block, Border border) const;
@@ -103,7 +139,7 @@ private:
     void startCeiling(TextureId texture);
     void endCeiling(Border at);
     void drawBackground();
-    int rowBelow(std::int32_t rise, const Crossing& border) const { return firstRowBelow(projection_, rise, border); }
+    int rowBelow(std::int32_t rise, const Crossing& border) const { return firstRowBelow(*projection_, rise, border); }
     int rowBelow(std::int32_t rise, Border border) const { return rowBelow(rise, border == Border::enter ? enter_ : leave_); }
 
     // The tile before a border of the current one, and the tile behind it.
@@ -131,19 +167,39 @@ private:
     void traceBlock(const Block& block);
 
     const Frame& frame_;
-    const Map& map_;
-    const Projection& projection_;
+    SliceMemory& memory_;
     OpenRows& open_;
-    Layers& layers_;
     FrameReport& report_;
-    const std::int32_t floorRise_;  // 1/65536 units above the eye
-    const std::int32_t ceilingRise_;
 
     // Of the slice that is being drawn:
     int column_ = 0;
     Pixel* pixels_ = nullptr;
     SliceTrace* trace_ = nullptr;
+    Layers* layers_ = nullptr;
+    Parts* parts_ = nullptr;
+
+    // Of its part that is being drawn, in the coordinates of the part's map (see vista.h):
+    Vista* vista_ = nullptr;
+    const Map* map_ = nullptr;
+    const Projection* projection_ = nullptr;
     GroundDirection ray_;
+    int eyeTileX_ = 0;
+    int eyeTileY_ = 0;
+    double eyeFractionX_ = 0.0;
+    double eyeFractionY_ = 0.0;
+    std::int32_t eyeZ_ = 0;       // 1/65536 units; may be below the floor behind a portal or in a mirror
+    double eyeHeight_ = 0.0;      // the same in units
+    std::int32_t floorRise_ = 0;  // 1/65536 units above the eye
+    std::int32_t ceilingRise_ = 0;
+    const TextureId* ceilingTiles_ = nullptr;  // null where no ceiling can be met
+    int floorMirror_ = 0;         // strength
+    HeightClip clip_;
+    bool clipped_ = false;
+    std::size_t part_ = 0;  // its number
+    int portals_ = 0;       // passed so far
+    int startX_ = 0;        // the tile in which it began
+    int startY_ = 0;
+
     GridWalk walk_;
     Crossing enter_;             // how the current tile was entered
     Crossing leave_;             // and how it will be left; where objects stand in it, the stretch between two of them
@@ -173,6 +229,7 @@ __attribute__((always_inline)) inline void Slice::gather(const Plane& plane, int
         run.plane.light = plane.light;
         run.plane.glow = plane.glow;
         run.plane.southReversed = plane.southReversed;
+        run.plane.mirror = plane.mirror;
         run.first = first;
         run.last = last;
         run.fromX = fromX;

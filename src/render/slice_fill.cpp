@@ -18,12 +18,12 @@ constexpr double kSnap = 1.0 / 17179869184.0;
 // What the sides at one border have in common.
 Slice::SideView Slice::sideView(const Crossing& border) const {
     // Along x on the northern and southern sides, along y on the others.
-    const double fraction = border.alongX ? frame_.eye.y.fraction() + (frame_.eye.y.tile() - walk_.tileY) + ray_.y * border.distance / border.speed
-                                          : frame_.eye.x.fraction() + (frame_.eye.x.tile() - walk_.tileX) + ray_.x * border.distance / border.speed;
-    const double depth = border.along * projection_.distance;
+    const double fraction = border.alongX ? eyeFractionY_ + (eyeTileY_ - walk_.tileY) + ray_.y * border.distance / border.speed
+                                          : eyeFractionX_ + (eyeTileX_ - walk_.tileX) + ray_.x * border.distance / border.speed;
+    const double depth = border.along * projection_->distance;
     constexpr double kEnd = 4294967295.0;  // of 1 << 32
-    return {static_cast<std::uint32_t>(std::min(kEnd, std::max(0.0, fraction + kSnap) * 4294967296.0)), depth, frame_.lighting.brightnessAt(depth),
-            frame_.lighting.fogAt(depth)};
+    return {static_cast<std::uint32_t>(std::min(kEnd, std::max(0.0, fraction + kSnap) * 4294967296.0)), depth, vista_->lighting.brightnessAt(depth),
+            vista_->lighting.fogAt(depth)};
 }
 
 // Which texels the rows [first, last) of a side show, and in what light.
@@ -41,8 +41,8 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
     const std::int64_t end = (65536 - block.blueprint->bottom.raw) * kPositionsPerRaw;
     const double perRow = border.along;
-    const double upperEdge = (tileEdge(block.level + 1) - frame_.eye.z).value();
-    const double v = upperEdge + (first + 0.5 - projection_.horizon) * perRow + kSnap;
+    const double upperEdge = Coordinate{tileEdge(block.level + 1).raw - eyeZ_}.value();
+    const double v = upperEdge + (first + 0.5 - projection_->horizon) * perRow + kSnap;
     const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : nearestInteger(v * kPositions), lowest, end - 1);
     const int steps = last - first - 1;
     // A block of several rows is no higher than a tile, so a row's step is less.
@@ -50,13 +50,14 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     if (start + steps * step >= end) step = (end - 1 - start) / steps;
     return {level.texels.data() + (static_cast<std::size_t>(u) << level.bits), kTexturePositionBits - level.bits, first, last,
             static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
-            frame_.lighting.factorOf(look.glow ? kFullBrightness : view.brightness, look.light), view.fog};
+            vista_->lighting.factorOf(look.glow ? kFullBrightness : view.brightness, look.light), view.fog,
+            vista_->lighting.haze};
 }
 
 void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const SideRun run = sideRun(block, face, border, view, first, last);
-        fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step, run.factor, run.fog, frame_.lighting.haze);
+        fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step, run.factor, run.fog, vista_->lighting.haze);
         count(first, last);
         note(block.level, FilledRows::What::side, face, first, last);
     });
@@ -64,7 +65,7 @@ void Slice::drawSide(const Block& block, Face face, const Crossing& border, cons
 
 void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
-        layers_.add(sideRun(block, face, border, view, first, last));
+        layers_->add(sideRun(block, face, border, view, first, last));
         note(block.level, FilledRows::What::side, face, first, last);
     });
 }
@@ -72,11 +73,11 @@ void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border
 // Fills a run's rows, if there are any, and leaves it empty.
 void Slice::fill(PlaneRun& run) {
     if (run.first == run.last) return;
-    if (frame_.textures[run.plane.texture].seeThrough) {
+    if (frame_.textures[run.plane.texture].seeThrough && !run.plane.mirror) {
         // Only a floor closes its rows although it is see-through: below it there is haze.
-        std::fill(pixels_ + run.first, pixels_ + run.last, frame_.lighting.haze);
+        std::fill(pixels_ + run.first, pixels_ + run.last, vista_->lighting.haze);
         count(run.first, run.last);
-        layers_.add(run);
+        layers_->add(run, *vista_);
     } else {
         fillRows(run, Lay::opaque);
     }
@@ -92,9 +93,9 @@ void Slice::fillRows(const PlaneRun& run, Lay lay) {
     const Plane& plane = run.plane;
     const FrameTexture& texture = frame_.textures[plane.texture];
     const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
-    const PlaneLine line = {frame_.eye.x.fraction(), frame_.eye.y.fraction(), distance * ray_.x, distance * ray_.y, plane.southReversed};
-    const PlaneRows rows = frame_.planeShades.rows(plane.rise, plane.light, plane.glow, first, last);
-    const double depthPerInverse = distance * projection_.distance;
+    const PlaneLine line = {eyeFractionX_, eyeFractionY_, distance * ray_.x, distance * ray_.y, plane.southReversed};
+    const PlaneRows rows = vista_->planeShades.rows(plane.rise, plane.light, plane.glow, first, last);
+    const double depthPerInverse = distance * projection_->distance;
     const auto levelAt = [&](int row) { return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture.size, texture.last); };
     const auto texelsOf = [&](int level) -> const TextureLevel& { return texture.levels[level]; };
     const int firstLevel = levelAt(first);
@@ -110,27 +111,27 @@ void Slice::fillRows(const PlaneRun& run, Lay lay) {
             const int middle = same + (end - same) / 2;
             (levelAt(middle) == level ? same : end) = middle;
         }
-        fillPlane(pixels_, row, end, texelsOf(level), line, rows, frame_.lighting.haze, lay);
+        fillPlane(pixels_, row, end, texelsOf(level), line, rows, vista_->lighting.haze, lay);
         row = end;
         level = levelAt(row);
     }
-    fillPlane(pixels_, row, last, texelsOf(lastLevel), line, rows, frame_.lighting.haze, lay);
+    fillPlane(pixels_, row, last, texelsOf(lastLevel), line, rows, vista_->lighting.haze, lay);
     const TileBox box = boxAround(run);
     holdInside(first, texelsOf(firstLevel), line, rows, box, lay, firstThere);
     if (last - first > 1) holdInside(last - 1, texelsOf(lastLevel), line, rows, box, lay, lastThere);
 }
 
 Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
-    const int eyeX = frame_.eye.x.tile();
-    const int eyeY = frame_.eye.y.tile();
+    const int eyeX = eyeTileX_;
+    const int eyeY = eyeTileY_;
     TileBox box = {static_cast<double>(std::min(run.fromX, run.toX) - eyeX), static_cast<double>(std::max(run.fromX, run.toX) + 1 - eyeX),
                    static_cast<double>(std::min(run.fromY, run.toY) - eyeY), static_cast<double>(std::max(run.fromY, run.toY) + 1 - eyeY)};
     if (run.endless) {
         constexpr double kNever = std::numeric_limits<double>::infinity();
-        if (walk_.stepX > 0) box.eastEnd = kNever;
-        if (walk_.stepX < 0) box.east = -kNever;
-        if (walk_.stepY > 0) box.southEnd = kNever;
-        if (walk_.stepY < 0) box.south = -kNever;
+        if (ray_.x > 0.0) box.eastEnd = kNever;
+        if (ray_.x < 0.0) box.east = -kNever;
+        if (ray_.y > 0.0) box.southEnd = kNever;
+        if (ray_.y < 0.0) box.south = -kNever;
     }
     return box;
 }
@@ -154,7 +155,7 @@ void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line
     const std::uint32_t u = texelOf(held(east, box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse));
     std::uint32_t v = texelOf(held(south, box.south, box.southEnd, line.southStart, line.southPerInverse, inverse));
     if (line.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, frame_.lighting.haze,
+    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, vista_->lighting.haze,
                                lay, there);
 }
 

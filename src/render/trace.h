@@ -22,6 +22,7 @@ struct FilledRows {
 // "Front" is where the line enters the block's tile, "back" where it leaves it. In the eye's own tile the front depth is 0 and the front rows are infinite.
 struct Hit {
     int map = 0;
+    int portals = 0;  // that the line has passed before
     int tileX = 0;
     int tileY = 0;
     int level = 0;
@@ -44,9 +45,28 @@ struct Hit {
 
 // One tile that the walk entered.
 struct WalkedTile {
+    int map = 0;
     int x = 0;
     int y = 0;
     double depth = 0.0;  // perpendicular depth on entering
+};
+
+// Rows [first, last) of a slice whose rays went through a portal.
+struct PassedPortal {
+    PortalId portal = kNoPortal;
+    int portals = 0;     // that the rays had passed before
+    double depth = 0.0;  // perpendicular depth of the tile's border; of what falls or rises through a roof or an underside, where the line enters the tile
+    int first = 0;
+    int last = 0;
+};
+
+// Rows [first, last) of a slice that show something in a mirror.
+struct MirroredRows {
+    int map = 0;
+    int strength = 0;   // 1 to 255
+    Coordinate height;  // of the mirror
+    int first = 0;
+    int last = 0;
 };
 
 // Everything that one slice did, in the order in which it happened.
@@ -59,6 +79,8 @@ struct SliceTrace {
     std::vector<WalkedTile> tiles;
     std::vector<Hit> hits;
     std::vector<FilledRows> planes;  // floor, ceiling, sky and haze
+    std::vector<PassedPortal> portals;
+    std::vector<MirroredRows> mirrors;  // what is seen in them is not told
 };
 
 // Sums over a frame.
@@ -66,6 +88,11 @@ struct FrameReport {
     std::int64_t tilesWalked = 0;
     std::int64_t blocksMet = 0;   // blocks whose rows were looked at
     std::int64_t spansDrawn = 0;  // runs of rows that were filled
+    std::int64_t partsBehindPortals = 0;  // walks that went on behind a portal
+    int deepestPortal = 0;                // portals passed by one ray, at most
+    std::int64_t mirroredRows = 0;
+    std::int64_t layers = 0;        // runs of rows that were seen through, objects among them
+    std::int64_t objectSlices = 0;  // columns of objects that were drawn
     std::int64_t rowsFilled = 0;  // rows of slices: each once, and again for each see-through layer over it
 };
 

@@ -1,0 +1,161 @@
+// Where a slice goes on elsewhere: rays that enter a portal, and rays that a mirror throws back. Their rows become parts of their own.
+#include "render/slice.h"
+
+#include <algorithm>
+
+namespace slicecast {
+
+// The faces of blocks that are see-through, hold portals, or are cut by the part's height clip. A portal acts on what comes in through it; from inside the block
+// nothing is drawn there.
+void Slice::enterSide(const Block& block, int firstRow, int lastRow) {
+    if (!enter_.border || !open_.mayHold(firstRow, lastRow)) return;
+    const PortalId portal = block.blueprint->face(enteredFace(enter_)).portal;
+    if (acts(portal)) {
+        sendThrough(frame_.world->portals[portal], firstRow, lastRow, {});
+    } else if (walk_.entered > 0.0) {
+        if (block.blueprint->seeThrough) {
+            enterThroughSide(block, firstRow, lastRow);
+        } else {
+            drawEnteredSide(block, firstRow, lastRow);
+        }
+    }
+}
+
+void Slice::enterTop(const Block& block, int firstRow, int lastRow) {
+    const FaceBlueprint& look = block.blueprint->face(Face::top);
+    if (acts(look.portal)) {
+        HeightClip below;
+        below.high = block.top;
+        sendThrough(frame_.world->portals[look.portal], firstRow, lastRow, below);
+    } else if (block.blueprint->seeThrough && mirrorStrength(look.mirror) == 0) {
+        passThroughTop(block, firstRow, lastRow);
+    } else {
+        drawRoof(block, firstRow, lastRow);
+    }
+}
+
+void Slice::enterBottom(const Block& block, int firstRow, int lastRow) {
+    const PortalId portal = block.blueprint->face(Face::bottom).portal;
+    if (acts(portal)) {
+        HeightClip above;
+        above.low = block.bottom;
+        sendThrough(frame_.world->portals[portal], firstRow, lastRow, above);
+    } else if (block.blueprint->seeThrough) {
+        passThroughBottom(block, firstRow, lastRow);
+    } else {
+        drawUnderside(block, firstRow, lastRow);
+    }
+}
+
+void Slice::leaveSide(const Block& block, int firstRow, int lastRow) {
+    if (!leave_.border || leave_.along <= 0.0 || block.blueprint->face(leftFace(leave_)).portal != kNoPortal) return;
+    if (block.blueprint->seeThrough) {
+        leaveThroughSide(block, firstRow, lastRow);
+    } else {
+        drawSide(block, leftFace(leave_), leave_, sideView(leave_), firstRow, lastRow);
+    }
+}
+
+void Slice::leaveTop(const Block& block, int firstRow, int lastRow) {
+    if (block.blueprint->face(Face::top).portal != kNoPortal) return;
+    if (block.blueprint->seeThrough) {
+        passThroughTop(block, firstRow, lastRow);
+    } else {
+        drawRoof(block, firstRow, lastRow, true);
+    }
+}
+
+void Slice::leaveBottom(const Block& block, int firstRow, int lastRow) {
+    if (block.blueprint->face(Face::bottom).portal != kNoPortal) return;
+    if (block.blueprint->seeThrough) {
+        passThroughBottom(block, firstRow, lastRow);
+    } else {
+        drawUnderside(block, firstRow, lastRow);
+    }
+}
+
+// What is left of a block between the heights at which this part's rays run; false if that is nothing.
+bool Slice::cutToClip(Block& block) const {
+    if (block.top <= clip_.low || block.bottom >= clip_.high) return false;
+    block.cut = block.bottom < clip_.low || block.top > clip_.high;
+    block.bottom = std::max(block.bottom, clip_.low);
+    block.top = std::min(block.top, clip_.high);
+    return true;
+}
+
+// The portals of the tile in which a ray has come out do not act on it.
+bool Slice::acts(PortalId portal) const {
+    if (portal == kNoPortal || portals_ >= frame_.world->portalLimit) return false;
+    return portals_ == 0 || walk_.tileX != startX_ || walk_.tileY != startY_;
+}
+
+// Closes rows here and opens them behind the portal, in a part that goes on from this tile. Those whose rays come out below the floor end in the haze.
+void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const HeightClip& clip) {
+    if (!open_.mayHold(firstRow, lastRow)) return;
+    Vista& beyond = frame_.vistas.through(*vista_, portal);
+    const std::int32_t floorRise = -beyond.viewpoint.z;
+    // Through a roof or an underside all rays come at one height, that of the clip.
+    const std::int32_t height = clip.high != HeightClip{}.high ? clip.high : clip.low;
+    const int hazeRow = !clip.any() ? rowBelow(floorRise, enter_) : height < floorRise ? 0 : projection_->height;
+    const GridWalk onward = walk_.turned(portal.turn, portal.toX, portal.toY);
+    open_.take(firstRow, lastRow, [&](int first, int last) {
+        if (first < hazeRow) Parts::addRows(parts_->find(beyond, onward, clip, portals_ + 1, part_ + 1), first, std::min(last, hazeRow));
+        if (last > hazeRow) {
+            std::fill(pixels_ + std::max(first, hazeRow), pixels_ + last, beyond.lighting.haze);
+            count(std::max(first, hazeRow), last);
+        }
+        if (trace_) {
+            const auto id = static_cast<PortalId>(&portal - frame_.world->portals.data());
+            trace_->portals.push_back({id, portals_, enter_.along * projection_->distance, first, last});
+        }
+    });
+}
+
+// All that is still open goes through; or, where a ray has passed as many portals as it may, ends in the haze of the map that it is in.
+void Slice::enterPortalTile() {
+    takeFloor(Border::enter);
+    const PortalId id = map_->tilePortal(walk_.tileX, walk_.tileY);
+    if (acts(id)) return sendThrough(frame_.world->portals[id], 0, projection_->height, {});
+    open_.take(0, projection_->height, [&](int first, int last) {
+        std::fill(pixels_ + first, pixels_ + last, vista_->lighting.haze);
+        count(first, last);
+        note(kNoLevel, FilledRows::What::haze, Face::top, first, last);
+    });
+}
+
+void Slice::mirror(std::int32_t rise, int first, int last, int strength) {
+    memory_.mirrors.push_back({part_, rise, first, last, static_cast<std::uint32_t>(strength)});
+    report_.mirroredRows += last - first;
+    if (trace_) trace_->mirrors.push_back({vista_->viewpoint.map, strength, {eyeZ_ + rise}, first, last});
+}
+
+// Draws what the mirrors of this slice show into a column that stands upside down, and blends it over them.
+void Slice::reflect() {
+    Pixel* const pixels = pixels_;
+    SliceTrace* const trace = trace_;
+    const int height = frame_.vistas.projection().height;
+    memory_.reflected.resize(static_cast<std::size_t>(height));
+    memory_.reflectedParts.clear();
+    for (const MirrorRun& run : memory_.mirrors) {
+        const Part& met = memory_.parts[run.part];
+        HeightClip above;
+        above.low = -run.height;
+        above.isMirror = true;
+        Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + run.height);
+        Parts::addRows(memory_.reflectedParts.find(vista, met.walk, above, met.portals, 0), height - run.last, height - run.first);
+    }
+    pixels_ = memory_.reflected.data();
+    layers_ = &memory_.reflectedLayers;
+    parts_ = &memory_.reflectedParts;
+    trace_ = nullptr;
+    drawParts();
+    if (!layers_->empty()) layOver();
+    pixels_ = pixels;
+    layers_ = &memory_.layers;
+    trace_ = trace;
+    for (const MirrorRun& run : memory_.mirrors) {
+        blendReversed(pixels_ + run.first, run.last - run.first, memory_.reflected.data() + (height - run.last), run.strength);
+    }
+}
+
+}  // namespace slicecast

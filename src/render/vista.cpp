@@ -1,0 +1,94 @@
+#include "render/vista.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+constexpr std::int64_t kUnit = 65536;
+
+// 1 / |horizon - (row + 0.5)| by row.
+void fillInverseOffsets(const Projection& projection, std::vector<double>& inverseOffsets) {
+    inverseOffsets.resize(static_cast<std::size_t>(projection.height));
+    for (int row = 0; row < projection.height; ++row) {
+        const double offset = std::fabs(projection.horizon - (row + 0.5));
+        inverseOffsets[static_cast<std::size_t>(row)] = offset > 0.0 ? 1.0 / offset : std::numeric_limits<double>::infinity();
+    }
+}
+
+}  // namespace
+
+GroundDirection turned(GroundDirection direction, int quarterTurns) {
+    for (int i = 0; i < quarterTurns; ++i) direction = {-direction.y, direction.x};
+    return direction;
+}
+
+Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
+    // Relative to the middle of the portal's tile, then from the middle of the exit tile.
+    std::int64_t x = from.x - portal.fromX * kUnit - kUnit / 2;
+    std::int64_t y = from.y - portal.fromY * kUnit - kUnit / 2;
+    for (int i = 0; i < portal.turn; ++i) x = std::exchange(y, x), x = -x;
+    Viewpoint to = from;
+    to.map = portal.toMap;
+    to.turn = (from.turn + portal.turn) % 4;
+    to.x = x + portal.toX * kUnit + kUnit / 2;
+    to.y = y + portal.toY * kUnit + kUnit / 2;
+    to.z = from.z + portal.levels * static_cast<std::int32_t>(kUnit);
+    return to;
+}
+
+void Vista::begin(const World& world, const Eye& eye, const RenderOptions& options, const Detail& detail, const Viewpoint& from, FrameRays rays) {
+    viewpoint = from;
+    map = &world.maps[static_cast<std::size_t>(from.map)];
+    projection = &rays.projection;
+    inverseOffsets = rays.inverseOffsets;
+    lighting = Lighting(*map, options);
+    const double height = Coordinate{from.z}.value();
+    const double farRow = projection->rowOf(-height, map->far);
+    firstFloorRow = std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
+    objects.beginFrame(world, *map, from.x, from.y, turned(projection->forward, from.turn), turned(projection->right, from.turn), *projection, detail, lighting);
+    highest = std::max({static_cast<double>(map->levels), map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(), objects.highest()});
+    planeShades.beginFrame(lighting, projection->distance, inverseOffsets, projection->height);
+    skyRows.beginFrame(map->sky, *projection, eye.headingDegrees + 90.0 * from.turn);
+}
+
+void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width, int height) {
+    world_ = &world;
+    eye_ = &eye;
+    options_ = &options;
+    eyeView_ = {.map = eye.map, .turn = 0, .x = eye.x.raw, .y = eye.y.raw, .z = eye.z.raw, .upsideDown = false};
+    const Projection upright(eye, options, width, height);
+    if (!projection_) {
+        projection_ = std::make_unique<Projection>(upright);
+        mirroredProjection_ = std::make_unique<Projection>(upright);
+    }
+    *projection_ = upright;
+    *mirroredProjection_ = upright.mirrored();
+    detail_ = Detail(options, upright.distance);
+    fillInverseOffsets(*projection_, inverseOffsets_);
+    mirroredInverseOffsets_.assign(inverseOffsets_.rbegin(), inverseOffsets_.rend());
+    used_ = 0;
+}
+
+Vista& Vistas::mirrored(const Vista& from, std::int32_t height) {
+    Viewpoint below = from.viewpoint;
+    below.z = 2 * height - below.z;
+    below.upsideDown = true;
+    return find(below);
+}
+
+Vista& Vistas::find(const Viewpoint& from) {
+    for (std::size_t i = 0; i < used_; ++i) {
+        if (vistas_[i]->viewpoint == from) return *vistas_[i];
+    }
+    if (used_ == vistas_.size()) vistas_.push_back(std::make_unique<Vista>());
+    Vista& vista = *vistas_[used_++];
+    vista.begin(*world_, *eye_, *options_, detail_, from,
+                from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()} : FrameRays{*projection_, inverseOffsets_.data()});
+    return vista;
+}
+
+}  // namespace slicecast
