@@ -15,6 +15,7 @@ inline constexpr std::size_t kMaxNameLength = 100;         // characters of the 
 inline constexpr std::size_t kMaxPathLength = 1000;        // characters of a file's name
 inline constexpr std::size_t kMaxTitleLength = 200;        // characters
 inline constexpr std::size_t kMaxLegend = 4096;            // characters of one legend
+inline constexpr int kMaxSowings = 64;                     // kinds of objects sown over one map: each looks at all of its tiles
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more help nobody
 inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
 inline constexpr std::int64_t kMaxSceneTexels =
@@ -23,6 +24,8 @@ inline constexpr std::int64_t kMaxSceneTexels =
 // Ranges of a scene's numbers that are no limit of the world itself.
 inline constexpr double kMaxHeight = 1000.0;       // units; of a ceiling and of the start
 inline constexpr double kMaxObjectSize = 64.0;     // units, either way
+inline constexpr double kMaxObjectSpeed = 16.0;    // units per second
+inline constexpr double kMaxObjectReach = 1000.0;  // units
 inline constexpr double kMaxSkySlope = 1000.0;     // height per distance
 inline constexpr double kMaxIntensity = 1000.0;    // of light
 inline constexpr double kMaxMultiplier = 1.0e6;    // of light, units

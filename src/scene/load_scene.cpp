@@ -151,6 +151,7 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
     if (loaded.faults.empty()) {
         markSeeThrough(world);
         for (Map& map : world.maps) widenObjects(world, map);
+        startObjects(world);
     }
     if (loaded.faults.empty()) loaded.world = std::move(world);
     return loaded;

@@ -36,6 +36,7 @@ void readScene(Reading& reading, JsonValue root) {
         reading.maps.takeAny();
     }
     if (const auto start = fields->require("start", "where the player starts")) readStart(reading, *start);
+    placeObjects(reading);
 }
 
 // The files that a scene names, each once, in the order of the text.

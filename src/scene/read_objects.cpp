@@ -10,10 +10,20 @@ constexpr NumberRange kFeet = {0.0, kMaxHeight, false, "a number from 0 to 1000"
 constexpr NumberRange kSize = {0.0, kMaxObjectSize, true, "a number above 0 and at most 64, in units"};
 static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 && kMaxObjectSize == 64.0, "as the words say");
 
-// { "sprite", "x", "y", "z", "width", "height", "light", "glow" }; a width of 0 is found from the sprite later.
+// The next object of the map that is being read moves. Where it stands among all that move gives it random numbers of its own.
+void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int object) {
+    std::vector<ObjectMotion>& motions = reading.description.world.movingObjects.motions;
+    motion.map = static_cast<int>(reading.description.world.maps.size());
+    motion.object = object;
+    motion.random = Random(motions.size());
+    reading.placedMotions.push_back({value, motions.size()});
+    motions.push_back(motion);
+}
+
+// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "motion" }; a width of 0 is found from the sprite later.
 std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize, const Map& map) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(value, {"sprite", "x", "y", "z", "width", "height", "light", "glow"},
+    const auto fields = checker.fields(value, {"sprite", "x", "y", "z", "width", "height", "light", "glow", "motion"},
                                        "an object: an object with \"sprite\", \"x\", \"y\" and \"height\"");
     if (!fields) return std::nullopt;
     const std::size_t faultsBefore = checker.count();
@@ -28,10 +38,14 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     object.width = toCoordinate(fields->number("width", kSize, 0.0));
     object.light = fields->number("light", kUnitRange, 1.0);
     object.glow = fields->flag("glow", false);
+    std::optional<ReadMotion> moves;
+    if (const auto motion = fields->find("motion")) moves = readObjectMotion(reading, *motion);
     if (checker.count() == faultsBefore && hasSize && !map.contains(object.x.tile(), object.y.tile())) {
         checker.add(value, "an object that is not on the map", "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
     }
-    return checker.count() == faultsBefore ? std::optional(object) : std::nullopt;
+    if (checker.count() != faultsBefore) return std::nullopt;
+    if (moves) addMotion(reading, value, moves->motion, static_cast<int>(map.objects.size()));
+    return object;
 }
 
 }  // namespace

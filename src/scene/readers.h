@@ -5,6 +5,7 @@
 #include "scene/description.h"
 #include "scene/legend.h"
 #include "scene/names.h"
+#include "world/object_sowing.h"
 
 #include <cstdint>
 #include <optional>
@@ -12,6 +13,19 @@
 #include <vector>
 
 namespace slicecast {
+
+// What is to be sown over a map, and where it says so.
+struct SowingOrder {
+    JsonValue value;
+    std::size_t map;
+    Sowing sowing;
+};
+
+// Where an object stands that moves.
+struct PlacedMotion {
+    JsonValue value;
+    std::size_t motion;  // index into the world's
+};
 
 // What the readers hand on to each other.
 struct Reading {
@@ -24,6 +38,8 @@ struct Reading {
     bool areBlueprintsSound = false;
     std::vector<bool> isMapSound;
     std::int64_t cells = 0;  // of all maps so far
+    std::vector<PlacedMotion> placedMotions = {};
+    std::vector<SowingOrder> sowings = {};
 };
 
 // "textures": { NAME: FILE or { file, frames, rate } }
@@ -35,8 +51,21 @@ TextureReference readTexture(Checker& checker, JsonValue value);
 // "sprites": { NAME: FILE or { file, frames, rate } }
 void readSprites(Reading& reading, JsonValue value);
 
-// "objects" of a map: [ { sprite, x, y, z, width, height, light, glow } ]; they are checked to be on the map where `hasSize`.
+// "objects" of a map: [ { sprite, x, y, z, width, height, light, glow, motion } ]; they are checked to be on the map where `hasSize`.
 void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map);
+
+// "motion" of an object: { kind, speed, heading, reach }
+struct ReadMotion {
+    ObjectMotion motion;
+    bool hasHeading = false;
+};
+ReadMotion readObjectMotion(Reading& reading, JsonValue value);
+
+// "sow" of a map: [ { sprite, density, seed, height, width, above, on, textures, clear, light, glow, motion } ]
+void readSowing(Reading& reading, JsonValue value);
+
+// Sows, and checks that what moves has room. For when everything else has been read.
+void placeObjects(Reading& reading);
 
 // A PNG file's name, relative to the scene.
 std::optional<std::string> readFileName(Checker& checker, JsonValue value);
@@ -47,7 +76,7 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
 // "blueprints": { NAME: { bottom, top, faces, join } }
 void readBlueprints(Reading& reading, JsonValue value);
 
-// "maps": [ { name, legend, levels, floor, ceiling, objects, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
+// "maps": [ { name, legend, levels, floor, ceiling, objects, sow, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
 void readMaps(Reading& reading, JsonValue value, const Legend& legend);
 
 // "levels" of a map: its size and cells.

@@ -122,15 +122,14 @@ void pace(const World& world, ObjectMotion& motion, Object& object) {
     if (motion.back ? motion.steps <= 0 : length >= motion.reach.value()) turnBack(motion);
 }
 
-struct Spot {
-    Coordinate x;
-    Coordinate y;
-};
-
-Spot onCircle(const ObjectMotion& motion, std::uint32_t phase) {
+GroundPoint onCircle(GroundPoint centre, Coordinate radius, std::uint32_t phase) {
     const SineCosine at = sineCosineDegrees(phase * (360.0 / kPhases));
-    const double radius = motion.reach.value();
-    return {toCoordinate(motion.homeX.value() + radius * at.cosine), toCoordinate(motion.homeY.value() + radius * at.sine)};
+    return {toCoordinate(centre.x.value() + radius.value() * at.cosine), toCoordinate(centre.y.value() + radius.value() * at.sine)};
+}
+
+// Of one that flies clockwise along that heading.
+std::uint32_t phaseOf(double headingDegrees) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(wrapDegrees(headingDegrees - 90.0) / 360.0 * kPhases));
 }
 
 void faceAlongCircle(ObjectMotion& motion) {
@@ -141,7 +140,7 @@ void circle(const World& world, ObjectMotion& motion, Object& object) {
     const double turns = motion.speed * kStepSeconds / (2.0 * kPi * motion.reach.value());
     const auto turned = static_cast<std::uint32_t>(std::min(turns, 0.25) * kPhases);
     const std::uint32_t phase = motion.back ? motion.phase - turned : motion.phase + turned;
-    const Spot next = onCircle(motion, phase);
+    const GroundPoint next = onCircle({motion.homeX, motion.homeY}, motion.reach, phase);
     const Slide way = slide(world, motion.map, objectBody(object), next.x - object.x, next.y - object.y, {});
     if (way.stoppedX || way.stoppedY) {
         motion.back = !motion.back;
@@ -159,6 +158,10 @@ Box objectBody(const Object& object) {
     return {object.x - half, object.x + half, object.y - half, object.y + half, object.z, object.z + object.height};
 }
 
+GroundPoint beginning(const ObjectMotion& motion, GroundPoint put) {
+    return motion.kind == ObjectMotion::Kind::circle ? onCircle(put, motion.reach, phaseOf(motion.headingDegrees)) : put;
+}
+
 void startObjects(World& world) {
     MovingObjects& moving = world.movingObjects;
     if (moving.motions.empty()) return;
@@ -166,11 +169,11 @@ void startObjects(World& world) {
         Object& object = movedObject(world, motion);
         motion.homeX = object.x;
         motion.homeY = object.y;
+        const GroundPoint begins = beginning(motion, {object.x, object.y});
+        object.x = begins.x;
+        object.y = begins.y;
         if (motion.kind == ObjectMotion::Kind::circle) {
-            motion.phase = static_cast<std::uint32_t>(static_cast<std::int64_t>(wrapDegrees(motion.headingDegrees - 90.0) / 360.0 * kPhases));
-            const Spot spot = onCircle(motion, motion.phase);
-            object.x = spot.x;
-            object.y = spot.y;
+            motion.phase = phaseOf(motion.headingDegrees);
             faceAlongCircle(motion);
         } else {
             face(motion, motion.headingDegrees);

@@ -62,6 +62,15 @@ struct MovingObjects {
 // The space that an object's body takes up.
 Box objectBody(const Object& object);
 
+// A place on a map.
+struct GroundPoint {
+    Coordinate x;
+    Coordinate y;
+};
+
+// Where an object begins that was put there: in the same place, or to fly in a circle on it.
+GroundPoint beginning(const ObjectMotion& motion, GroundPoint put);
+
 // Puts those that fly in circles onto them (their x and y being the middle), and notes how everything stands.
 void startObjects(World& world);
 

@@ -118,7 +118,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.sprites[0].frames.size(), 1u);
     EXPECT_EQ(world.sprites[1].frames.size(), 3u);
     EXPECT_EQ(world.sprites[1].rate, 4.0);
-    ASSERT_EQ(hall.objects.size(), 2u);
+    ASSERT_GT(hall.objects.size(), 7u);
     const Object& bush = hall.objects[0];
     EXPECT_EQ(bush.sprite, 0);
     EXPECT_EQ(bush.x.raw, 98304);
@@ -135,6 +135,51 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(bird.height.raw, 16384);
     EXPECT_EQ(bird.light, 0.5);
     EXPECT_TRUE(bird.glow);
+
+    // Three that were put there move, then come the bushes and the birds that are sown.
+    const std::vector<ObjectMotion>& motions = world.movingObjects.motions;
+    ASSERT_EQ(motions.size(), hall.objects.size() - 4);
+    EXPECT_EQ(motions[0].kind, ObjectMotion::Kind::pace);
+    EXPECT_EQ(motions[0].map, 0);
+    EXPECT_EQ(motions[0].object, 2);
+    EXPECT_EQ(motions[0].speed, 0.5);
+    EXPECT_EQ(motions[0].headingDegrees, 0.0) << "once round";
+    EXPECT_EQ(motions[0].reach.raw, 65536);
+    EXPECT_EQ(motions[1].kind, ObjectMotion::Kind::wander);
+    EXPECT_EQ(motions[1].object, 3);
+    EXPECT_EQ(motions[1].headingDegrees, 0.0);
+    EXPECT_EQ(motions[1].reach.raw, 0);
+    EXPECT_EQ(motions[2].kind, ObjectMotion::Kind::circle);
+    EXPECT_EQ(motions[2].homeX.raw, 131072);
+    EXPECT_EQ(hall.objects[4].y.raw, 65536) << "on its circle";
+    for (const std::size_t i : {5u, 6u}) {
+        const Object& sown = hall.objects[i];
+        EXPECT_EQ(sown.sprite, 0);
+        EXPECT_EQ(sown.x.tile(), static_cast<int>(i) - 4);
+        EXPECT_EQ(sown.y.tile(), 1);
+        EXPECT_EQ(sown.z.raw, 0);
+        EXPECT_GE(sown.height.raw, 16384);
+        EXPECT_LE(sown.height.raw, 32768);
+        EXPECT_EQ(sown.width.raw, 32768);
+        EXPECT_EQ(sown.light, 0.5);
+        EXPECT_TRUE(sown.glow);
+    }
+    bool onFloor = false;
+    bool onWall = false;
+    for (std::size_t i = 7; i < hall.objects.size(); ++i) {
+        const Object& sown = hall.objects[i];
+        EXPECT_EQ(sown.sprite, 1);
+        EXPECT_EQ(sown.height.raw, 16384);
+        EXPECT_EQ(sown.width.raw, 16384) << "from its square picture";
+        EXPECT_FALSE(sown.glow);
+        onFloor = onFloor || (sown.z.raw >= 16384 && sown.z.raw <= 32768);
+        onWall = onWall || (sown.z.raw >= 65536 + 16384 && sown.z.raw <= 65536 + 32768);
+        EXPECT_EQ(motions[i - 4].object, static_cast<int>(i));
+        EXPECT_EQ(motions[i - 4].headingDegrees, 90.0);
+        EXPECT_EQ(motions[i - 4].reach.raw, 131072);
+    }
+    EXPECT_TRUE(onFloor);
+    EXPECT_TRUE(onWall);
     EXPECT_EQ(hall.sky.kind, Sky::Kind::gradient);
     EXPECT_EQ(hall.sky.low, (Colour{255, 128, 0, 255}));
     EXPECT_EQ(hall.sky.high, (Colour{16, 32, 64, 255}));
