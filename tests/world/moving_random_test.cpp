@@ -1,0 +1,191 @@
+// Random players in random worlds whose blocks move and whose gates open and close: whoever was free stays free, and it all happens the same way twice.
+#include "moving.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+#ifdef SLICECAST_SANITIZED
+constexpr int kWorlds = 200;
+#else
+constexpr int kWorlds = 2000;
+#endif
+constexpr int kPlayersPerWorld = 2;
+constexpr int kStepsPerPlayer = 600;
+
+Motion randomMotion(Random& random, Coordinate bottom, Coordinate top, int level, int levels) {
+    Motion motion;
+    motion.edges = static_cast<MovingEdges>(random.below(3));
+    motion.shape = static_cast<MotionShape>(random.below(3));
+    const double low = level + bottom.value();
+    const double high = level + top.value();
+    // Somewhat less than all the room that there is, and now and then through nothing
+    const double least = motion.edges == MovingEdges::top ? -1.2 * (high - low) : -low;
+    const double most = motion.edges == MovingEdges::bottom ? 1.2 * (high - low) : levels - high;
+    motion.from = toCoordinate(random.between(0.0, 1.0) * least);
+    motion.to = toCoordinate(random.between(0.0, 1.0) * most);
+    if (random.oneIn(2)) std::swap(motion.from, motion.to);
+    const double distance = std::abs((motion.to - motion.from).value());
+    const double speed = random.oneIn(4) ? kFastestMotion : random.between(0.3, kFastestMotion);
+    const double period = std::max(kShortestPeriod, fastestSpeed(motion.shape, distance, 1.0) / speed);
+    motion.periodSteps = static_cast<int>(period * kSecond) + 1;
+    motion.phaseSteps = random.below(motion.periodSteps);
+    return motion;
+}
+
+GateKind randomKind(Random& random) {
+    GateKind kind;
+    kind.steps = random.between(1, 60);
+    kind.reach = toCoordinate(random.between(0.5, 4.0));
+    kind.opensOnApproach = random.oneIn(2);
+    kind.approach = toCoordinate(random.between(0.1, 2.0));
+    kind.holdSteps = random.between(0, 60);
+    kind.startsOpen = random.oneIn(3);
+    return kind;
+}
+
+// A random world with columns of its own for movers and gates.
+World randomMovingWorld(std::uint64_t seed) {
+    World world = randomWorld(seed);
+    Random random(seed + 77);
+    Map& map = world.maps[0];
+    const int things = random.between(1, 6);
+    for (int thing = 0; thing < things; ++thing) {
+        const int level = random.below(map.levels);
+        const int stacked = random.oneIn(3) && level + 1 < map.levels ? 2 : 1;
+        const Coordinate bottom = stacked == 1 && random.oneIn(2) ? Coordinate{random.below(60000)} : Coordinate{0};
+        const Coordinate top = stacked == 1 && random.oneIn(2) ? Coordinate{random.between(bottom.raw + 1000, 65536)} : tileEdge(1);
+        const bool isGate = random.oneIn(3);
+        BlueprintId id = kEmptyCell;
+        if (isGate) {
+            id = addGate(world, randomKind(random));
+            world.blueprints[id].bottom = bottom;
+            world.blueprints[id].top = top;
+        } else {
+            id = addMoving(world, bottom, top, randomMotion(random, bottom, stacked == 2 ? tileEdge(2) : top, level, map.levels));
+        }
+        const int x0 = random.below(map.width);
+        const int y0 = random.below(map.depth);
+        for (int y = y0; y < std::min(map.depth, y0 + random.between(1, 3)); ++y) {
+            for (int x = x0; x < std::min(map.width, x0 + random.between(1, 3)); ++x) {
+                for (int other = 0; other < map.levels; ++other) {
+                    if (!isGate) map.setCell(x, y, other, kEmptyCell);
+                }
+                for (int part = 0; part < stacked; ++part) map.setCell(x, y, level + part, id);
+            }
+        }
+    }
+    // What a later thing has cut or built into leaves no room here and there.
+    if (!makeMovers(world).empty()) return randomMovingWorld(seed + 0x10000);
+    EXPECT_TRUE(makeGates(world).empty());
+    return world;
+}
+
+PlayerInput randomInput(Random& random) {
+    PlayerInput input;
+    input.forward = random.between(-1.0, 1.0);
+    input.strafe = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.turn = random.between(-1.0, 1.0);
+    input.fly = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.jump = random.oneIn(4);
+    input.fast = random.oneIn(3);
+    if (random.oneIn(3)) input.forward = input.strafe = 0.0;
+    return input;
+}
+
+bool isInside(const World& world, const Player& player) {
+    const Coordinate eye = eyeHeight(player);
+    return reachesIntoSolid(world, 0, bodyBox(player)) || reachesIntoSolid(world, 0, {player.x, player.x, player.y, player.y, eye, eye});
+}
+
+TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
+    std::int64_t steps = 0;
+    std::int64_t lifted = 0;
+    std::int64_t lowered = 0;
+    std::int64_t rodeThere = 0;
+    std::int64_t waits = 0;
+    std::int64_t gatesMoved = 0;
+    std::int64_t inOpenGate = 0;
+    std::int64_t gatesHeld = 0;
+    for (int seed = 1; seed <= kWorlds; ++seed) {
+        World world = randomMovingWorld(static_cast<std::uint64_t>(seed));
+        Random random(static_cast<std::uint64_t>(seed) << 20);
+        for (int i = 0; i < kPlayersPerWorld; ++i) {
+            Player player;
+            if (!placeRandomly(world, random, player) || isInside(world, player)) continue;
+            PlayerInput input = randomInput(random);
+            for (int step = 0; step < kStepsPerPlayer; ++step) {
+                if (random.oneIn(40)) input = randomInput(random);
+                if (random.oneIn(200)) setFlying(world, player, !player.flying);
+                GateAsk ask = asks(player, GateAsk::Wish::nothing);
+                if (random.oneIn(20)) ask.wish = static_cast<GateAsk::Wish>(random.below(4));
+                std::vector<int> clocks;
+                for (const Mover& mover : world.movers) clocks.push_back(mover.clock);
+                for (const Gate& gate : world.gates) clocks.push_back(gate.progress);
+
+                Body body = {.map = 0, .box = bodyBox(player), .rides = player.onGround};
+                stepWorld(world, {&body, 1}, ask);
+                player.z = player.z + body.lift;
+                ASSERT_EQ(bodyBox(player), body.box);
+                ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player)) && !isFree(world, 0, bodyBox(player)))
+                    << "world " << seed << ", player " << i << ", step " << step << " of the world";
+                ASSERT_FALSE(reachesIntoSolid(world, 0, bodyBox(player))) << "world " << seed << ", player " << i << ", step " << step << " of the world";
+                const bool rode = body.lift != Coordinate{0};
+                rodeThere += rode && player.onGround && isSupported(world, 0, bodyBox(player));
+                stepPlayer(world, player, input);
+                ASSERT_FALSE(isInside(world, player)) << "world " << seed << ", player " << i << ", step " << step;
+
+                ++steps;
+                lifted += body.lift > Coordinate{0};
+                lowered += body.lift < Coordinate{0};
+                std::size_t k = 0;
+                for (const Mover& mover : world.movers) waits += mover.clock == clocks[k++];
+                for (const Gate& gate : world.gates) {
+                    const int whole = world.gateKinds[static_cast<std::size_t>(gate.kind)].steps;
+                    gatesMoved += gate.progress != clocks[k];
+                    gatesHeld += gate.progress == clocks[k] && gate.progress == whole && !gate.wantsOpen;
+                    ++k;
+                }
+                inOpenGate += reachesIntoSomething(world, bodyBox(player));
+            }
+        }
+    }
+    // All of it came up.
+    EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer * 8 / 10);
+    for (const std::int64_t kind : {lifted, lowered, rodeThere, waits, gatesMoved, inOpenGate}) EXPECT_GT(kind, steps / 400);
+    EXPECT_GT(gatesHeld, steps / 4000);
+}
+
+std::uint64_t hashOfManySteps() {
+    std::uint64_t hash = 0;
+    const auto add = [&hash](std::int64_t number) { hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x100000001b3u + (hash >> 29); };
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        World world = randomMovingWorld(seed);
+        Random random(seed << 20);
+        Player player;
+        if (!placeRandomly(world, random, player)) continue;
+        PlayerInput input;
+        for (int step = 0; step < 400; ++step) {
+            if (step % 15 == 0) input = randomInput(random);
+            stepBoth(world, player, input, asks(player, step % 50 == 0 ? GateAsk::Wish::change : GateAsk::Wish::nothing));
+        }
+        for (const Coordinate coordinate : {player.x, player.y, player.z}) add(coordinate.raw);
+        for (const CellBlueprint& block : world.blueprints) {
+            add(block.bottom.raw);
+            add(block.top.raw);
+            add(block.passable);
+        }
+    }
+    return hash;
+}
+
+TEST(RandomMovingWorlds, GoTheSameWayEverywhere) {
+    EXPECT_EQ(hashOfManySteps(), hashOfManySteps());
+    EXPECT_EQ(hashOfManySteps(), 0xbc70c579dfe84c1au);
+}
+
+}  // namespace
+}  // namespace slicecast
