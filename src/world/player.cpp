@@ -83,13 +83,28 @@ Coordinate eyeAboveFeet(const Player& player) {
     return player.flying || player.crouched ? kCrouchedEye : kStandingEye;
 }
 
-// Keeps the eye above the feet, and below what is above the body.
-void limitEyeLag(const World& world, Player& player) {
-    Coordinate lag = std::max(player.eyeLag, kLowestEye - eyeAboveFeet(player));
-    if (lag.raw > 0) lag = sweepZ(world, player.map, bodyBox(player), lag);
-    if (lag == player.eyeLag) return;
-    player.eyeLag = lag;
-    player.eyeLagRate = 0.0;
+// The player where the body has come to, maybe through portals: everything that has a direction turns with it.
+void put(Player& player, const Traveller& body) {
+    player.map = body.map;
+    player.x = body.eye.x;
+    player.y = body.eye.y;
+    player.z = body.box.bottom;
+    player.eyeLag = body.eye.z - body.box.bottom - eyeAboveFeet(player);
+    player.behind = body.behind;
+    player.leaps += body.leaps;
+    if (body.turn == 0) return;
+    player.headingDegrees = wrapDegrees(player.headingDegrees + 90.0 * body.turn);
+    turnArrow(body.turn, player.velocityX, player.velocityY);
+}
+
+// Moves the eye to its place, but keeps it above the feet, and below what is above the body.
+void moveEyeTo(const World& world, Player& player, Coordinate wantedLag) {
+    Traveller body = travellerOf(player);
+    Coordinate lag = std::max(wantedLag, kLowestEye - eyeAboveFeet(player));
+    if (lag.raw > 0) lag = sweepZ(world, body, lag);
+    const bool arrived = moveEye(world, body, lag - player.eyeLag);
+    put(player, body);
+    if (!arrived || lag != wantedLag) player.eyeLagRate = 0.0;
 }
 
 // One step of a critically damped spring, by the implicit Euler method, which never overshoots.
@@ -97,40 +112,41 @@ void easeEye(const World& world, Player& player) {
     constexpr double kPart = kEyeResponse * kStepSeconds;
     const double lag = player.eyeLag.value();
     player.eyeLagRate = (player.eyeLagRate - kPart * kEyeResponse * lag) / (1.0 + 2.0 * kPart + kPart * kPart);
-    player.eyeLag = toCoordinate(lag + player.eyeLagRate * kStepSeconds);
+    Coordinate wantedLag = toCoordinate(lag + player.eyeLagRate * kStepSeconds);
     if (std::abs(lag) < kEyeAtRest && std::abs(player.eyeLagRate) < kEyeAtRest * kEyeResponse) {
-        player.eyeLag = {};
+        wantedLag = {};
         player.eyeLagRate = 0.0;
     }
-    limitEyeLag(world, player);
+    moveEyeTo(world, player, wantedLag);
 }
 
-void putBody(Player& player, const Box& box) {
-    player.x = box.west + kBodyHalfWidth;
-    player.y = box.north + kBodyHalfWidth;
-    player.z = box.bottom;
-}
-
-// Slides along the ground by the velocity; what stops it takes the velocity along that axis away. Gives the rise over steps.
-Coordinate slidePlayer(const World& world, Player& player, Coordinate step) {
-    const Slide result =
-        slide(world, player.map, bodyBox(player), toCoordinate(player.velocityX * kStepSeconds), toCoordinate(player.velocityY * kStepSeconds), step);
-    if (result.stoppedX) player.velocityX = 0.0;
-    if (result.stoppedY) player.velocityY = 0.0;
-    putBody(player, result.box);
-    return result.rise;
+// Slides along the ground by the velocity; what stops it takes the velocity along that axis away. Over steps the eye stays behind.
+void slidePlayer(const World& world, Player& player, Coordinate step) {
+    Traveller body = travellerOf(player);
+    const Travelled way = slide(world, body, toCoordinate(player.velocityX * kStepSeconds), toCoordinate(player.velocityY * kStepSeconds), step);
+    put(player, body);
+    if (way.stoppedX) player.velocityX = 0.0;
+    if (way.stoppedY) player.velocityY = 0.0;
 }
 
 // Moves up or down by at most `distance`. False if something stopped it.
 bool rise(const World& world, Player& player, Coordinate distance) {
-    const Coordinate risen = sweepZ(world, player.map, bodyBox(player), distance);
-    player.z = player.z + risen;
-    return risen == distance;
+    Traveller body = travellerOf(player);
+    const bool arrived = rise(world, body, distance);
+    put(player, body);
+    return arrived;
+}
+
+// True if there is room to stand with the feet at a height, the eye being where it is.
+bool canStand(const World& world, const Player& player, Coordinate feet) {
+    Traveller body = travellerOf(player);
+    body.box = bodyBox(player.x, player.y, feet, kStandingHeight);
+    return isFree(world, body);
 }
 
 void crouchOrStand(const World& world, Player& player, bool crouch) {
     if (crouch == player.crouched) return;
-    if (!crouch && !fitsStanding(world, player.map, player.x, player.y, player.z)) return;
+    if (!crouch && !canStand(world, player, player.z)) return;
     player.crouched = crouch;
     player.eyeLag = crouch ? player.eyeLag + kEyeDrop : player.eyeLag - kEyeDrop;
 }
@@ -153,11 +169,10 @@ void jumpIfAsked(Player& player, bool pressed) {
 
 // A body on the ground follows it downwards over steps, and begins to fall where it goes deeper.
 void followGround(const World& world, Player& player) {
-    const Box box = bodyBox(player);
-    const Coordinate drop = sweepZ(world, player.map, box, {-kStepHeight.raw});
-    if (isSupported(world, player.map, moved(box, {.x = {}, .y = {}, .z = drop}))) {
-        player.z = player.z + drop;
-        player.eyeLag = player.eyeLag - drop;
+    Traveller body = travellerOf(player);
+    body.box = moved(body.box, {.x = {}, .y = {}, .z = sweepZ(world, body, {-kStepHeight.raw})});
+    if (isSupported(world, body)) {
+        put(player, body);
     } else {
         player.onGround = false;
         player.velocityZ = 0.0;
@@ -185,7 +200,7 @@ void walk(const World& world, Player& player, const PlayerInput& wish) {
     player.velocityX = velocity.x;
     player.velocityY = velocity.y;
 
-    player.eyeLag = player.eyeLag - slidePlayer(world, player, player.onGround ? kStepHeight : Coordinate{0});
+    slidePlayer(world, player, player.onGround ? kStepHeight : Coordinate{0});
     if (player.onGround) followGround(world, player);
     if (!player.onGround) fall(world, player);
 }
@@ -213,6 +228,7 @@ void drift(Player& player) {
     player.z = std::max(toCoordinate(player.z.value() + player.velocityZ * kStepSeconds), kLowestEye - kCrouchedEye);
     player.eyeLag = {};
     player.eyeLagRate = 0.0;
+    player.behind = {};
 }
 
 // The flying body, around the eye. It lies within the space that a free body and its eye have.
@@ -235,8 +251,12 @@ Box bodyBox(const Player& player) {
     return bodyBox(player.x, player.y, player.z, player.flying || player.crouched ? kCrouchedHeight : kStandingHeight);
 }
 
+Traveller travellerOf(const Player& player) {
+    return {.map = player.map, .box = bodyBox(player), .eye = {player.x, player.y, eyeHeight(player)}, .behind = player.behind};
+}
+
 bool fitsStanding(const World& world, int map, Coordinate x, Coordinate y, Coordinate feet) {
-    return isFree(world, map, bodyBox(x, y, feet, kStandingHeight));
+    return isFree(world, {.map = map, .box = bodyBox(x, y, feet, kStandingHeight), .eye = {x, y, feet + kStandingEye}, .behind = {}});
 }
 
 Coordinate eyeHeight(const Player& player) {
@@ -253,9 +273,9 @@ Player playerAtStart(const World& world) {
     player.crouched = !fitsStanding(world, start.map, start.x, start.y, start.z);
     setHeading(player, start.headingDegrees);
     player.look = within(start.look, -kLookLimit, kLookLimit, 0.0);
-    const Box box = bodyBox(player);
-    if (isFree(world, start.map, box)) {
-        player.onGround = isSupported(world, start.map, box);
+    const Traveller body = travellerOf(player);
+    if (isFree(world, body)) {
+        player.onGround = isSupported(world, body);
     } else {
         player.crouched = false;
         player.flying = true;
@@ -278,7 +298,7 @@ Player playerWithEye(int map, Coordinate x, Coordinate y, Coordinate eyeZ, doubl
 void stepPlayer(const World& world, Player& player, const PlayerInput& input) {
     const PlayerInput wish = withinRanges(input);
     turnAndLook(player, wish);
-    const bool free = isFree(world, player.map, bodyBox(player));
+    const bool free = isFree(world, travellerOf(player));
     if (free && !player.flying) {
         walk(world, player, wish);
     } else {
@@ -298,27 +318,27 @@ void setFlying(const World& world, Player& player, bool flying) {
         player.velocityZ = 0.0;
         return;
     }
-    if (!isFree(world, player.map, bodyBox(player))) return;
+    if (!isFree(world, travellerOf(player))) return;
     const Coordinate eye = eyeHeight(player);
     bringBodyToEye(player);
     // Let the legs down as far as there is room for them; stay crouched if that is not enough to stand.
-    const Coordinate legs = sweepZ(world, player.map, bodyBox(player), {-kEyeDrop.raw});
-    player.crouched = !fitsStanding(world, player.map, player.x, player.y, player.z + legs);
+    const Coordinate legs = sweepZ(world, travellerOf(player), {-kEyeDrop.raw});
+    player.crouched = !canStand(world, player, player.z + legs);
     if (!player.crouched) player.z = player.z + legs;
     player.flying = false;
     player.earlyJumpSteps = 0;
     player.lateJumpSteps = 0;
     player.eyeLag = eye - player.z - eyeAboveFeet(player);
-    limitEyeLag(world, player);
+    moveEyeTo(world, player, player.eyeLag);
 }
 
 void levelLook(const World& world, Player& player) {
     player.look = 0.0;
     player.lookRate = 0.0;
-    if (!player.flying || !isFree(world, player.map, bodyBox(player))) return;
+    if (!player.flying || !isFree(world, travellerOf(player))) return;
     player.velocityZ = 0.0;
-    player.eyeLag = {};
     player.eyeLagRate = 0.0;
+    moveEyeTo(world, player, {});
     rise(world, player, {-kMaxBodyHeight.raw});
     rise(world, player, kEyeDrop);
 }

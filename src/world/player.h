@@ -9,10 +9,13 @@
 // Walking has weight: gravity, acceleration, jumps, steps up to 0.5 at once while the eye follows smoothly. Flying has none and stops at blocks too. A body
 // that is free stays free: no step and no change of mode puts it into something solid (see collision.h). One that is not free to begin with (a tool may put
 // an eye anywhere) flies through everything until it is.
+//
+// The player goes through portals the moment that the eye does, with the same speed and the same view (see traveller.h).
 #pragma once
 
 #include "base/coordinate.h"
 #include "world/collision.h"
+#include "world/traveller.h"
 #include "world/world.h"
 
 #include <cstdint>
@@ -105,6 +108,7 @@ struct Player {
     int lateJumpSteps = 0;   // left to jump after the ground has gone
     int earlyJumpSteps = 0;  // left for a remembered jump
     int leaps = 0;           // portals passed so far: what is between the places before and after one cannot be drawn
+    Threshold behind;        // of the portal that the body still reaches back through
 
     friend bool operator==(const Player&, const Player&) = default;
 };
@@ -112,6 +116,9 @@ struct Player {
 // A body of the given height with the middle of its feet at a place.
 Box bodyBox(Coordinate x, Coordinate y, Coordinate feet, Coordinate height);
 Box bodyBox(const Player& player);
+
+// The body with its eye, as it goes through portals.
+Traveller travellerOf(const Player& player);
 
 // True if a player can stand with the feet there.
 bool fitsStanding(const World& world, int map, Coordinate x, Coordinate y, Coordinate feet);

@@ -164,7 +164,8 @@ TEST(Collision, RandomSweepsAreTight) {
             ASSERT_TRUE(isFree(world, 0, box)) << "seed " << seed;
             const Coordinate distance = {random.between(-3 * 65536, 3 * 65536)};
             for (const auto axis : {&Offset::x, &Offset::y, &Offset::z}) {
-                const auto sweep = axis == &Offset::x ? sweepX : axis == &Offset::y ? sweepY : sweepZ;
+                using Sweep = Coordinate(const World&, int, const Box&, Coordinate);
+                Sweep* const sweep = axis == &Offset::x ? sweepX : axis == &Offset::y ? sweepY : static_cast<Sweep*>(sweepZ);
                 Offset way;
                 way.*axis = sweep(world, 0, box, distance);
                 EXPECT_FALSE(reachesIntoSomething(world, moved(box, way))) << "seed " << seed;

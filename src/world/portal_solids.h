@@ -1,0 +1,158 @@
+// What is solid around a body among portals, while its eye stays before, behind or beside the same ones (see traveller.h); in the coordinates of its map.
+//
+// Each tile is put together from up to three stretches of height: what is behind the threshold that the body has come over, what is seen through a portal
+// face, and the map's own. A tile behind a threshold or with a portal of its own is of one piece.
+#pragma once
+
+#include "world/solids.h"
+#include "world/traveller.h"
+#include "world/world.h"
+
+namespace slicecast {
+
+// Heights low .. high that show what a portal leads to.
+struct Opening {
+    const Portal* portal = nullptr;  // null for none
+    Coordinate low = kBoundless;
+    Coordinate high = kBoundless;
+};
+
+// What an eye is right in front of above one tile: in it upwards and downwards, beside it at most one.
+struct Openings {
+    Opening below;   // or beside
+    Opening above;
+};
+
+inline const Portal* portalOf(const World& world, PortalId id) {
+    return id == kNoPortal ? nullptr : &world.portals[id];
+}
+
+// The block of a cell if it has portals.
+inline const CellBlueprint* portalBlock(const World& world, const Map& map, int x, int y, int level) {
+    const BlueprintId id = map.cell(x, y, level);
+    return id != kEmptyCell && world.blueprints[id].hasPortals ? &world.blueprints[id] : nullptr;
+}
+
+// The side of a tile that faces another one beside it; nothing for tiles that have no side in common.
+inline std::optional<Face> sideTowards(GridTile tile, GridTile other) {
+    const int x = other.x - tile.x;
+    const int y = other.y - tile.y;
+    if (x == 0 && y == -1) return Face::north;
+    if (x == 1 && y == 0) return Face::east;
+    if (x == 0 && y == 1) return Face::south;
+    if (x == -1 && y == 0) return Face::west;
+    return std::nullopt;
+}
+
+class PortalSolids {
+public:
+    PortalSolids(const World& world, const Traveller& body)
+        : world_(world), map_(mapAt(body.map)), behind_(body.behind), eye_(body.eye), eyeTile_{body.eye.x.tile(), body.eye.y.tile()} {}
+
+    template <typename Met>
+    void visit(int x, int y, Coordinate low, Coordinate high, Met met) const {
+        // Behind the threshold
+        Coordinate from = {-kBoundless.raw};
+        Coordinate to = kBoundless;
+        if (behind_.isOn) {
+            if (isBehind(x, y)) return visitThrough(behind_.back, x, y, from, to, low, high, met);
+            if (behind_.side == Face::top) {
+                to = behind_.height;
+                visitThrough(behind_.back, x, y, to, kBoundless, low, high, met);
+            } else if (behind_.side == Face::bottom) {
+                from = behind_.height;
+                visitThrough(behind_.back, x, y, Coordinate{-kBoundless.raw}, from, low, high, met);
+            }
+        }
+        // Through a tile
+        const GridTile tile = {x, y};
+        const Portal* portal = tile == eyeTile_ ? nullptr : portalOf(world_, map_.tilePortal(x, y));
+        if (portal != nullptr) return visitThrough(*portal, x, y, from, to, low, high, met);
+        // Through faces
+        const Openings openings = openingsAbove(tile);
+        const auto clipped = [&](Coordinate bottom, Coordinate top) {
+            const Opening& a = openings.below;
+            const Opening& b = openings.above;
+            if (a.portal == nullptr && b.portal == nullptr) return meet(bottom, top, from, to, met);
+            if (a.portal != nullptr) meet(bottom, top, from, std::min(to, a.low), met);
+            const Coordinate middle = a.portal != nullptr ? std::max(from, a.high) : from;
+            meet(bottom, top, middle, b.portal != nullptr ? std::min(to, b.low) : to, met);
+            if (b.portal != nullptr) meet(bottom, top, std::max(from, b.high), to, met);
+        };
+        MapSolids(world_, map_).visit(x, y, low, high, clipped);
+        for (const Opening& opening : {openings.below, openings.above}) {
+            if (opening.portal == nullptr) continue;
+            visitThrough(*opening.portal, x, y, std::max(from, opening.low), std::min(to, opening.high), low, high, met);
+        }
+    }
+
+private:
+    const Map& mapAt(int map) const { return world_.maps[static_cast<std::size_t>(map)]; }
+
+    bool isBehind(int x, int y) const {
+        switch (behind_.side) {
+            case Face::north: return y < behind_.back.fromY;
+            case Face::east: return x > behind_.back.fromX;
+            case Face::south: return y > behind_.back.fromY;
+            case Face::west: return x < behind_.back.fromX;
+            default: return false;
+        }
+    }
+
+    // What of a thing lies between two heights; planes at these heights too.
+    template <typename Met>
+    static void meet(Coordinate bottom, Coordinate top, Coordinate low, Coordinate high, Met& met) {
+        const Coordinate from = std::max(bottom, low);
+        const Coordinate to = std::min(top, high);
+        if (from < to || (bottom == top && from == to)) met(from, to);
+    }
+
+    template <typename Met>
+    void visitThrough(const Portal& portal, int x, int y, Coordinate from, Coordinate to, Coordinate low, Coordinate high, Met& met) const {
+        if (from >= to) return;
+        const GridTile tile = carried(portal, GridTile{x, y});
+        const Coordinate shift = tileEdge(portal.levels);
+        MapSolids(world_, mapAt(portal.toMap)).visit(tile.x, tile.y, low + shift, high + shift, [&](Coordinate bottom, Coordinate top) {
+            meet(bottom - shift, top - shift, from, to, met);
+        });
+    }
+
+    Openings openingsAbove(GridTile tile) const {
+        Openings openings;
+        if (tile == eyeTile_) {
+            // Down to the next block and up to the next one.
+            for (int level = std::min(eye_.z.tile(), map_.levels - 1); level >= 0; --level) {
+                if (!map_.isOccupied(tile.x, tile.y, level)) continue;
+                const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
+                const Coordinate top = tileEdge(level) + block.top;
+                if (top > eye_.z) continue;
+                openings.below = {portalOf(world_, block.face(Face::top).portal), {-kBoundless.raw}, top};
+                break;
+            }
+            for (int level = std::max(eye_.z.tile(), 0); level < map_.levels; ++level) {
+                if (!map_.isOccupied(tile.x, tile.y, level)) continue;
+                const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
+                const Coordinate bottom = tileEdge(level) + block.bottom;
+                if (bottom <= eye_.z) continue;
+                openings.above = {portalOf(world_, block.face(Face::bottom).portal), bottom, kBoundless};
+                break;
+            }
+        } else if (const std::optional<Face> side = sideTowards(tile, eyeTile_)) {
+            const int level = eye_.z.tile();
+            if (const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, level)) {
+                const Coordinate bottom = tileEdge(level) + block->bottom;
+                const Coordinate top = tileEdge(level) + block->top;
+                if (bottom <= eye_.z && eye_.z < top) openings.below = {portalOf(world_, block->face(*side).portal), bottom, top};
+            }
+        }
+        return openings;
+    }
+
+    const World& world_;
+    const Map& map_;
+    const Threshold& behind_;
+    Position eye_;
+    GridTile eyeTile_;
+};
+
+}  // namespace slicecast
