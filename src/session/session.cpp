@@ -249,6 +249,12 @@ std::uint64_t Session::fingerprint() const {
     for (const double number : {p.velocityX, p.velocityY, p.velocityZ, p.headingDegrees, p.look, p.turnRate, p.lookRate, p.eyeLagRate, options_.speed}) {
         hash.add(number);
     }
+    if (p.behind.isOn) {
+        const Portal& back = p.behind.back;
+        for (const int number : {back.toMap, back.fromX, back.fromY, back.toX, back.toY, back.turn, back.levels, static_cast<int>(p.behind.side), p.behind.height.raw}) {
+            hash.add(std::int64_t{number});
+        }
+    }
     return hash.value();
 }
 
