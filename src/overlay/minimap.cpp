@@ -3,8 +3,9 @@
 #include "base/angle.h"
 #include "overlay/blend.h"
 #include "overlay/layout.h"
-#include "overlay/lines.h"
 #include "overlay/map_ray.h"
+#include "overlay/minimap_objects.h"
+#include "overlay/minimap_view.h"
 #include "overlay/text.h"
 
 #include <algorithm>
@@ -37,6 +38,8 @@ constexpr Colour kRay = {120, 230, 140, 150};
 constexpr Colour kRayEnd = {190, 255, 200, 255};
 constexpr Colour kReach = {160, 170, 180, 60};
 constexpr Colour kReachRim = {235, 240, 245, 200};
+constexpr Colour kPortal = {64, 224, 208, 255};
+constexpr double kPortalTint = 0.45;  // of a tile that is one
 constexpr double kNorth = 270.0;  // degrees
 
 Colour mixed(Colour a, Colour b, double part) {
@@ -61,7 +64,7 @@ Coordinate groundBelow(const World& world, const Map& map, int x, int y, int lev
     return {};
 }
 
-Colour tileColour(const World& world, const Map& map, int x, int y, int level) {
+Colour groundColour(const World& world, const Map& map, int x, int y, int level) {
     const double drop = (tileEdge(level) - groundBelow(world, map, x, y, level)).value();
     const Colour ground = mixed(kNearGround, kDeepGround, drop > 0.0 ? std::min(kLeastShade + (1.0 - kLeastShade) * drop / kDeepestShade, 1.0) : 0.0);
     const BlueprintId id = map.cell(x, y, level);
@@ -71,27 +74,23 @@ Colour tileColour(const World& world, const Map& map, int x, int y, int level) {
     return block.bottom.raw > 0 ? mixed(ground, colour, kFloatingShade) : colour;
 }
 
-// The way from the map to the picture. The middle of the square is the pixel in which the eye is.
-struct View {
-    PixelRect area;  // inside the rim
-    int pixelsPerTile;
-    int eyeX;  // the eye's pixel, counted from the map's corner
-    int eyeY;
-    int centreX;  // the same pixel of the picture
-    int centreY;
-    SineCosine up;  // the heading that is up in the picture
+bool isPortal(const World& world, const Map& map, int x, int y, int level, Face face) {
+    const BlueprintId id = map.cell(x, y, level);
+    return id != kEmptyCell && world.blueprints[id].face(face).portal != kNoPortal;
+}
 
-    // From so many pixels to the right and down to as many east and south, and back.
-    Point toMap(Point p) const { return {-p.x * up.sine - p.y * up.cosine, p.x * up.cosine - p.y * up.sine}; }
-    Point toPicture(Point p) const { return {-p.x * up.sine + p.y * up.cosine, -p.x * up.cosine - p.y * up.sine}; }
-    // The middle of the pixel that is the eye's.
-    Point centre() const { return {centreX + 0.5, centreY + 0.5}; }
-};
+// What leads elsewhere as a whole, or from above or below, is tinted.
+Colour tileColour(const World& world, const Map& map, int x, int y, int level) {
+    const Colour colour = groundColour(world, map, x, y, level);
+    const bool leads =
+        map.tilePortal(x, y) != kNoPortal || isPortal(world, map, x, y, level, Face::top) || isPortal(world, map, x, y, level, Face::bottom);
+    return leads ? mixed(colour, kPortal, kPortalTint) : colour;
+}
 
 // The colours of the tiles around the eye, looked up once each rather than for every pixel.
 class TileColours {
 public:
-    TileColours(const World& world, const Map& map, int level, const View& view) : size_(view.pixelsPerTile) {
+    TileColours(const World& world, const Map& map, int level, const MinimapView& view) : size_(view.pixelsPerTile) {
         // A turned square needs the tiles within half of its diagonal.
         const int reach = view.area.width * 3 / 4 + size_;
         firstX_ = floorDivide(view.eyeX - reach, size_);
@@ -104,6 +103,8 @@ public:
                 Colour& colour = colours_[index(x, y)];
                 colour = map.contains(tileX, tileY) ? withAlpha(tileColour(world, map, tileX, tileY, level), 225) : Colour{0, 0, 0, 0};
                 filled_[index(x, y)] = map.cell(tileX, tileY, level) != kEmptyCell;
+                portals_[index(x, y)] = {isPortal(world, map, tileX, tileY, level, Face::west), isPortal(world, map, tileX, tileY, level, Face::east),
+                                         isPortal(world, map, tileX, tileY, level, Face::north), isPortal(world, map, tileX, tileY, level, Face::south)};
             }
         }
     }
@@ -117,10 +118,18 @@ public:
         if (x < 1 || y < 1 || x >= across_ - 1 || y >= across_ - 1 || colours_[index(x, y)].a == 0) return;
         blendPixel(picture, pictureX, pictureY, colours_[index(x, y)]);
 
-        // A fine line where blocks end
-        if (size_ < 6 || !filled_[index(x, y)]) return;
+        // A broad line along faces that are portals, a fine one where blocks end
+        if (!filled_[index(x, y)]) return;
         const int insideX = mapX - tileX * size_;
         const int insideY = mapY - tileY * size_;
+        const PortalSides& portals = portals_[index(x, y)];
+        const int broad = std::max(1, size_ / 4);
+        if ((portals.west && insideX < broad) || (portals.east && insideX >= size_ - broad) || (portals.north && insideY < broad) ||
+            (portals.south && insideY >= size_ - broad)) {
+            blendPixel(picture, pictureX, pictureY, kPortal);
+            return;
+        }
+        if (size_ < 6) return;
         const bool edge = (insideX == 0 && !filled_[index(x - 1, y)]) || (insideX == size_ - 1 && !filled_[index(x + 1, y)]) ||
                           (insideY == 0 && !filled_[index(x, y - 1)]) || (insideY == size_ - 1 && !filled_[index(x, y + 1)]);
         if (edge) blendPixel(picture, pictureX, pictureY, kEdge);
@@ -128,6 +137,9 @@ public:
 
 private:
     static constexpr int kMostAcross = 64;
+    struct PortalSides {
+        bool west, east, north, south;
+    };
     static std::size_t index(int x, int y) { return static_cast<std::size_t>(y * kMostAcross + x); }
 
     int size_;
@@ -136,9 +148,10 @@ private:
     int across_;
     std::array<Colour, kMostAcross * kMostAcross> colours_;
     std::array<bool, kMostAcross * kMostAcross> filled_;
+    std::array<PortalSides, kMostAcross * kMostAcross> portals_;
 };
 
-void drawTiles(const World& world, const Map& map, int level, const View& view, const Picture& picture) {
+void drawTiles(const World& world, const Map& map, int level, const MinimapView& view, const Picture& picture) {
     const TileColours tiles(world, map, level, view);
     // Along a row the place on the map goes on by the same step, in 1/65536 pixels.
     const Point step = view.toMap({1.0, 0.0});
@@ -157,7 +170,7 @@ void drawTiles(const World& world, const Map& map, int level, const View& view, 
 }
 
 // Level rays over the field of view, as evenly as slices are, each as far as it goes.
-void drawRays(const World& world, const Map& map, int level, const View& view, const Eye& eye, double fovDegrees, const Picture& picture) {
+void drawRays(const World& world, const Map& map, int level, const MinimapView& view, const Eye& eye, double fovDegrees, const Picture& picture) {
     const SineCosine heading = sineCosineDegrees(eye.headingDegrees);
     const double widest = tanDegrees(fovDegrees / 2.0);
     const Coordinate above = eye.z - tileEdge(level);
@@ -177,14 +190,14 @@ void drawRays(const World& world, const Map& map, int level, const View& view, c
 }
 
 // A translucent disc with a rim.
-void drawReach(const View& view, double reach, const Picture& picture) {
+void drawReach(const MinimapView& view, double reach, const Picture& picture) {
     const double radius = reach * view.pixelsPerTile;
     drawDot(picture, view.area, view.centre(), radius, kReach);
     drawRing(picture, view.area, view.centre(), radius, kReachRim);
 }
 
 // Where north is, on the rim of a map that turns.
-void drawNorth(const View& view, int scale, const Picture& picture) {
+void drawNorth(const MinimapView& view, int scale, const Picture& picture) {
     const Point north = view.toPicture({0.0, -1.0});
     const double radius = view.area.width / 2.0 - 7.0 * scale;
     const Point at = {view.centre().x + north.x * radius, view.centre().y + north.y * radius};
@@ -202,7 +215,7 @@ int toAlpha(double part, int most) {
 }
 
 // The field of view, fading with distance, and the eye.
-void drawEye(const View& view, const Eye& eye, double fovDegrees, const Picture& picture) {
+void drawEye(const MinimapView& view, const Eye& eye, double fovDegrees, const Picture& picture) {
     const Point forward = view.toPicture({cosDegrees(eye.headingDegrees), sinDegrees(eye.headingDegrees)});
     const SineCosine half = sineCosineDegrees(fovDegrees / 2.0);
     const double reach = view.area.width * 0.42;
@@ -245,7 +258,7 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
     const Map& map = world.maps[static_cast<std::size_t>(eye.map)];
     const int level = minimapLevel(map, eye, options);
 
-    const View view = {.area = {layout.left + 1, layout.top + 1, layout.side - 2, layout.side - 2},
+    const MinimapView view = {.area = {layout.left + 1, layout.top + 1, layout.side - 2, layout.side - 2},
                        .pixelsPerTile = layout.pixelsPerTile,
                        .eyeX = scaled(eye.x, layout.pixelsPerTile),
                        .eyeY = scaled(eye.y, layout.pixelsPerTile),
@@ -254,6 +267,7 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
                        .up = sineCosineDegrees(options.turns ? eye.headingDegrees : kNorth)};
     drawPanel(picture, {layout.left, layout.top, layout.side, layout.side});
     drawTiles(world, map, level, view, picture);
+    drawMinimapObjects(world, eye.map, level, view, picture);
     if (options.reach > 0.0) drawReach(view, options.reach, picture);
     if (options.rays) drawRays(world, map, level, view, eye, options.fovDegrees, picture);
     drawEye(view, eye, options.fovDegrees, picture);

@@ -5,6 +5,8 @@
 //     either of these, half through           a block that stands in the air
 //     grey, the darker the deeper             no block: how far down the ground lies below
 //     nothing                                 outside the grid
+//     turquoise                               portals: a block's side, or a whole tile
+//     pale, or magenta with a line ahead      objects that stand still, and that move (see minimap_objects.h)
 //
 // A yellow dot is the eye, with the field that it sees before it, and a circle about it as far as it reaches. Green lines are level rays, each to the first
 // block of the level that stands at their height.

@@ -230,5 +230,87 @@ TEST(Minimap, TheCircleReachesAsFarAsItSays) {
     }
 }
 
+// An object in the middle of the tile that is so many tiles east and south of (20, 15).
+Object objectAt(int east, int south, double z, double height) {
+    Object object;
+    object.x = toCoordinate(20.5 + east);
+    object.y = toCoordinate(15.5 + south);
+    object.z = toCoordinate(z);
+    object.width = toCoordinate(0.5);
+    object.height = toCoordinate(height);
+    return object;
+}
+
+TEST(Minimap, ShowsObjectsThatReachIntoTheLevelBrightlyAndThoseBelowFaintly) {
+    World world = smallWorld();
+    const Eye eye = eyeAt(20.5, 15.5, 1.5, 225.0);
+    const Colour ground = Seen(world, eye).tile(3, 3);
+    world.maps[0].objects = {objectAt(3, 3, 1.0, 0.5), objectAt(4, 3, 0.0, 1.25), objectAt(5, 3, 0.0, 1.0), objectAt(3, 4, 2.0, 1.0)};
+    const Seen seen(world, eye);
+    EXPECT_GT(brightness(seen.tile(3, 3)), brightness(ground) + 300);
+    EXPECT_EQ(seen.tile(4, 3), seen.tile(3, 3));
+    EXPECT_GT(brightness(seen.tile(5, 3)), brightness(ground) + 50);
+    EXPECT_LT(brightness(seen.tile(5, 3)), brightness(seen.tile(3, 3)) - 150);
+    EXPECT_EQ(seen.tile(3, 4), ground) << "above the level";
+    EXPECT_EQ(seen.tile(4, 4), ground);
+}
+
+TEST(Minimap, ShowsWhereObjectsGo) {
+    World world = smallWorld();
+    world.maps[0].objects = {objectAt(3, 3, 0.0, 0.5), objectAt(-4, 3, 0.0, 0.5)};
+    ObjectMotion motion;
+    motion.object = 1;
+    motion.speed = 2.0;
+    motion.headingDegrees = 90.0;
+    world.movingObjects.motions.push_back(motion);
+    const Eye eye = eyeAt(20.5, 15.5, 0.5, 225.0);
+    const Seen seen(world, eye);
+    const auto magenta = [](Colour colour) { return colour.r + colour.b - 2 * colour.g; };
+    EXPECT_LT(magenta(seen.tile(3, 3)), 60);
+    EXPECT_GT(magenta(seen.tile(-4, 3)), 200);
+    const auto ahead = [&](int east, int south, double tiles) {
+        const int middle = seen.layout.side / 2;
+        const int size = seen.layout.pixelsPerTile;
+        const int off = static_cast<int>(tiles * size);
+        return magenta(toColour(seen.canvas.at(seen.layout.left + middle - 4 * size + east * off, seen.layout.top + middle + 3 * size + south * off)));
+    };
+    EXPECT_GT(ahead(0, 1, 0.8), 40) << "a line to the south";
+    EXPECT_LT(ahead(0, -1, 0.8), 20);
+    EXPECT_LT(ahead(1, 0, 0.8), 20);
+    EXPECT_LT(ahead(0, 1, 1.5), 20) << "no longer than that";
+}
+
+TEST(Minimap, ShowsPortals) {
+    World world = smallWorld();
+    Map& map = world.maps[0];
+    world.blueprints.push_back(world.blueprints[1]);
+    const auto leading = static_cast<BlueprintId>(world.blueprints.size() - 1);
+    world.blueprints[leading].faces[static_cast<std::size_t>(Face::north)].portal = 0;
+    world.blueprints.push_back(world.blueprints[1]);
+    const auto shaft = static_cast<BlueprintId>(world.blueprints.size() - 1);
+    world.blueprints[shaft].faces[static_cast<std::size_t>(Face::top)].portal = 0;
+    map.setCell(24, 18, 0, leading);
+    map.setCell(16, 18, 0, shaft);
+    map.tilePortals.assign(map.occupied.size(), kNoPortal);
+    map.tilePortals[map.tileIndex(20, 19)] = 0;
+    const auto turquoise = [](Colour colour) { return colour.g + colour.b - 2 * colour.r; };
+    const Eye eye = eyeAt(20.5, 15.5, 0.5, 225.0);
+    const Seen seen(world, eye);
+    const int whole = turquoise(seen.tile(0, -2));
+    EXPECT_GT(turquoise(seen.tile(0, 4)), whole + 40) << "a tile";
+    EXPECT_GT(turquoise(seen.tile(-4, 3)), whole + 40) << "a block's top";
+    EXPECT_LT(turquoise(seen.tile(4, 3)), whole + 20) << "not the block's middle";
+    const int half = seen.layout.pixelsPerTile / 2;
+    const auto edge = [&](int east, int south) {
+        const int middle = seen.layout.side / 2;
+        const int size = seen.layout.pixelsPerTile;
+        return turquoise(toColour(seen.canvas.at(seen.layout.left + middle + 4 * size + east, seen.layout.top + middle + 3 * size + south)));
+    };
+    EXPECT_GT(edge(0, -half + 1), 200) << "its north side";
+    EXPECT_LT(edge(0, half - 1), 120);
+    EXPECT_LT(edge(-half + 1, 0), 120);
+    EXPECT_LT(edge(half - 1, 0), 120);
+}
+
 }  // namespace
 }  // namespace slicecast
