@@ -1,0 +1,159 @@
+// A portal to a copy of the place that it stands in changes nothing: who goes through walks the same way as without it, in the copy.
+#include "portal_worlds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace slicecast {
+namespace {
+
+#ifdef SLICECAST_SANITIZED
+constexpr int kSeeds = 60;
+#else
+constexpr int kSeeds = 600;
+#endif
+
+// Headings on a grid on which quarter turns are exact.
+double gridDegrees(Random& random, double range) {
+    return random.between(static_cast<int>(-range * 64), static_cast<int>(range * 64)) / 64.0;
+}
+
+PlayerInput randomInput(Random& random) {
+    PlayerInput input;
+    input.forward = random.oneIn(4) ? random.between(-1.0, 1.0) : 1.0;
+    input.strafe = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.fly = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.turnDegrees = random.oneIn(2) ? 0.0 : gridDegrees(random, 3.0);
+    input.jump = random.oneIn(4);
+    input.fast = random.oneIn(3);
+    input.slow = random.oneIn(6);
+    input.speed = random.oneIn(3) ? random.between(kLeastSpeed, kGreatestSpeed) : 1.0;
+    return input;
+}
+
+// The player of a world with portals as seen from the world without.
+Player broughtBack(const Player& player, const Portal& toCopy) {
+    Player back = player;
+    back.behind = {};
+    back.leaps = 0;
+    if (player.map == toCopy.fromMap) return back;
+    const Portal portal = reversed(toCopy);
+    const Position place = carried(portal, {player.x, player.y, player.z});
+    back.map = portal.toMap;
+    back.x = place.x;
+    back.y = place.y;
+    back.z = place.z;
+    back.headingDegrees = carriedHeading(portal, player.headingDegrees);
+    turnArrow(portal.turn, back.velocityX, back.velocityY);
+    return back;
+}
+
+struct Counts {
+    std::int64_t steps = 0;
+    std::int64_t leaps = 0;
+    std::int64_t straddling = 0;
+    int turned[4] = {};
+    int rejoined = 0;
+};
+
+bool slidesAlongSomething(const Player& player) {
+    return player.velocityX == 0.0 || player.velocityY == 0.0;
+}
+
+// What a turn may change. Who ends a step exactly on a border may be put 1/65536 inside the tile. And steps go by x and then by y, in the copy too: where a
+// quarter turn changes which comes first, one who slides around the end of a wall may do so a part of a step earlier or later.
+bool mayPart(const Portal& toCopy, const Player& before, const Player& a, const Player& b) {
+    const int x = std::abs(a.x.raw - b.x.raw);
+    const int y = std::abs(a.y.raw - b.y.raw);
+    const bool isOnBorder = a.x.fraction() == 0.0 || a.y.fraction() == 0.0;
+    if (toCopy.turn != 0 && isOnBorder && a.z == b.z && std::max(x, y) <= 1) return true;
+    const bool isAtCorner = slidesAlongSomething(before) || slidesAlongSomething(a) || slidesAlongSomething(b);
+    return toCopy.turn % 2 != 0 && isAtCorner && std::max(x, y) < 65536 / 8;
+}
+
+// Two players with the same inputs, one of them with portals. False if their ways part.
+bool walkBoth(const World& plain, const World& portals, const Portal& toCopy, const Player& start, Random& random, int steps, Counts& counts) {
+    Player without = start;
+    Player with = start;
+    PlayerInput input = randomInput(random);
+    for (int step = 0; step < steps; ++step) {
+        if (random.oneIn(25)) input = randomInput(random);
+        if (random.oneIn(100)) {
+            setFlying(plain, without, !without.flying);
+            setFlying(portals, with, !with.flying);
+        }
+        const Player before = without;
+        stepPlayer(plain, without, input);
+        stepPlayer(portals, with, input);
+        ++counts.steps;
+        counts.straddling += with.behind.isOn;
+        const Player back = broughtBack(with, toCopy);
+        if (back == without) continue;
+        if (!mayPart(toCopy, before, without, back)) return false;
+        ++counts.rejoined;
+        without = back;
+    }
+    counts.leaps += with.leaps;
+    counts.turned[toCopy.turn] += with.leaps;
+    return true;
+}
+
+// Tiles of both maps lead to their places in the other one.
+World withTilePortals(const World& plain, int turn, int levels, Random& random, Portal& toCopy) {
+    World world = plain;
+    toCopy = appendCopy(world, 0, turn, levels);
+    const int width = world.maps[0].width;
+    const int depth = world.maps[0].depth;
+    const int density = random.between(1, 6);
+    for (int y = 0; y < depth; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const Portal portal = portalAt(toCopy, x, y);
+            if (random.oneIn(density)) putTilePortal(world, portal);
+            if (random.oneIn(density)) putTilePortal(world, reversed(portal));
+        }
+    }
+    return world;
+}
+
+// How far the copy can be raised without more levels than a map may have.
+int liftOf(const World& world, Random& random) {
+    return random.between(0, std::min(2, kMaxLevels - world.maps[0].levels));
+}
+
+TEST(PortalIdentity, TilesThatLeadToACopyChangeNoWay) {
+    Counts counts;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) * 7919);
+        const World plain = randomWorld(static_cast<std::uint64_t>(seed));
+        Portal toCopy;
+        const World world = withTilePortals(plain, 0, liftOf(plain, random), random, toCopy);
+        Player player;
+        if (!placeRandomly(plain, random, player)) continue;
+        player.headingDegrees = gridDegrees(random, 180.0) + 180.0;
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 600, counts)) << "seed " << seed;
+    }
+    EXPECT_GT(counts.leaps, counts.steps / 200);
+    EXPECT_GT(counts.straddling, counts.steps / 100);
+}
+
+TEST(PortalIdentity, TurnedToo) {
+    Counts counts;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) * 104729);
+        const World plain = randomWorld(static_cast<std::uint64_t>(seed));
+        Portal toCopy;
+        const World world = withTilePortals(plain, 1 + seed % 3, liftOf(plain, random), random, toCopy);
+        Player player;
+        if (!placeRandomly(plain, random, player)) continue;
+        player.headingDegrees = gridDegrees(random, 180.0) + 180.0;
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 600, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+    }
+    for (const int turn : {1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 2) << turn;
+    EXPECT_GT(counts.straddling, counts.steps / 100);
+    EXPECT_LT(counts.rejoined, counts.steps / 1000);
+}
+
+}  // namespace
+}  // namespace slicecast
