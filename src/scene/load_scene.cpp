@@ -149,6 +149,7 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
     }
     loaded.faults = reader.takeFaults();
     if (loaded.faults.empty()) {
+        makeGateFrames(world);
         markSeeThrough(world);
         for (Map& map : world.maps) widenObjects(world, map);
         startObjects(world);

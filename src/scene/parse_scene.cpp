@@ -10,7 +10,7 @@ namespace {
 // The whole tree: every part is read, whatever was wrong with the ones before.
 void readScene(Reading& reading, JsonValue root) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(root, {"$schema", "title", "textures", "sprites", "blueprints", "legend", "maps", "start"},
+    const auto fields = checker.fields(root, {"$schema", "title", "textures", "sprites", "motions", "blueprints", "legend", "maps", "start"},
                                        "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
     if (!fields) return;
     if (const auto schema = fields->find("$schema")) checker.text(*schema, kMaxPathLength, "the address of the schema");
@@ -25,6 +25,7 @@ void readScene(Reading& reading, JsonValue root) {
         reading.textures.takeAny();
     }
     if (const auto sprites = fields->find("sprites")) readSprites(reading, *sprites);
+    if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
     if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
     Legend legend(kEmptyCell, kEmptyCell);
     if (const auto own = fields->find("legend")) readLegend(checker, *own, reading.blueprints, "blueprint", legend);
@@ -35,6 +36,7 @@ void readScene(Reading& reading, JsonValue root) {
     } else {
         reading.maps.takeAny();
     }
+    if (const auto maps = fields->find("maps")) placeMovers(reading, *maps);
     if (const auto start = fields->require("start", "where the player starts")) readStart(reading, *start);
     placeObjects(reading);
 }

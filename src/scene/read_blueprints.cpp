@@ -1,6 +1,7 @@
 #include "scene/limits.h"
 #include "scene/readers.h"
 
+#include <algorithm>
 #include <array>
 
 namespace slicecast {
@@ -70,10 +71,22 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     }
 }
 
+// What is wrong with a sound gate in its block.
+void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint) {
+    if (blueprint.motion >= 0) reading.checker.add(value, "a gate that has a motion too", "either \"gate\" or \"motion\"");
+    const bool isSeen = std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
+        const TextureReference& texture = reading.description.textures[face.texture];
+        return texture.frames > 1 && texture.rate == 0.0;
+    });
+    if (!isSeen) {
+        reading.checker.add(value, "a gate that looks the same open and shut", "a face with a texture of \"frames\" and no \"rate\", the first shut, the last open");
+    }
+}
+
 CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     CellBlueprint blueprint;
     blueprint.name = std::string(value.key());
-    const auto fields = reading.checker.fields(value, {"bottom", "top", "faces", "join"}, "a blueprint: an object with \"faces\"");
+    const auto fields = reading.checker.fields(value, {"bottom", "top", "faces", "join", "motion", "gate"}, "a blueprint: an object with \"faces\"");
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
     blueprint.bottom = toCoordinate(fields->number("bottom", kUnitRange, 0.0));
@@ -84,6 +97,11 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     }
     blueprint.join = fields->flag("join", true);
     if (const auto faces = fields->require("faces", "the textures of the faces")) readFaces(reading, *faces, blueprint);
+    if (const auto motion = fields->find("motion")) blueprint.motion = reading.checker.name(*motion, reading.motions, "motion").value_or(0);
+    if (const auto gate = fields->find("gate")) {
+        blueprint.gate = readGate(reading, *gate);
+        if (reading.checker.count() == faultsBefore) checkGate(reading, *gate, blueprint);
+    }
     return blueprint;
 }
 

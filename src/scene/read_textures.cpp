@@ -46,14 +46,14 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
     return {std::move(file), value.pointer(), checker.source().place(value.offset())};
 }
 
-// "brick.png" or { "file": "lava.png", "frames": 8, "rate": 10 }
+// "brick.png" or { "file": "lava.png", "frames": 8, "rate": 10 } or, held at its first frame, { "file": "door.png", "frames": 8 }
 TextureReference readTexture(Checker& checker, JsonValue value) {
     TextureReference texture;
     if (!value.isObject()) {
         texture.image = referTo(checker, value, readFileName(checker, value).value_or(""));
         return texture;
     }
-    const auto fields = checker.fields(value, {"file", "frames", "rate"}, "a PNG file's name, or an object with \"file\", \"frames\" and \"rate\"");
+    const auto fields = checker.fields(value, {"file", "frames", "rate"}, "a PNG file's name, or an object with \"file\" and \"frames\"");
     if (!fields) return texture;
     if (const auto file = fields->require("file", "the name of a PNG file")) texture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
     constexpr NumberRange kFrames = {2.0, kMaxFrames, false, "a whole number of frames, from 2 to 64"};
@@ -63,7 +63,7 @@ TextureReference readTexture(Checker& checker, JsonValue value) {
         if (count != std::floor(count)) checker.add(*frames, checker.shown(*frames), kFrames.words);
         texture.frames = static_cast<int>(count);
     }
-    if (const auto rate = fields->require("rate", kRate.words)) texture.rate = checker.number(*rate, kRate).value_or(1.0);
+    if (const auto rate = fields->find("rate")) texture.rate = checker.number(*rate, kRate).value_or(1.0);
     return texture;
 }
 

@@ -40,9 +40,10 @@ struct Reading {
     std::int64_t cells = 0;  // of all maps so far
     std::vector<PlacedMotion> placedMotions = {};
     std::vector<SowingOrder> sowings = {};
+    NameTable motions = {};  // index into World::motions
 };
 
-// "textures": { NAME: FILE or { file, frames, rate } }
+// "textures": { NAME: FILE or { file, frames, rate } }; a sheet without a rate is held at its first frame
 void readTextures(Reading& reading, JsonValue value);
 
 // A file or a sheet of frames.
@@ -73,7 +74,13 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value);
 // Where an image is named.
 ImageReference referTo(const Checker& checker, JsonValue value, std::string file);
 
-// "blueprints": { NAME: { bottom, top, faces, join } }
+// "motions": { NAME: { moves, from, to, period, phase, shape } }
+void readMotions(Reading& reading, JsonValue value);
+
+// "gate" of a blueprint: { seconds, reach, keyed, approach, hold, open }. Gives its index into World::gateKinds.
+int readGate(Reading& reading, JsonValue value);
+
+// "blueprints": { NAME: { bottom, top, faces, join, motion, gate } }
 void readBlueprints(Reading& reading, JsonValue value);
 
 // "maps": [ { name, legend, levels, floor, ceiling, objects, sow, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
@@ -91,6 +98,9 @@ void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map);
 void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map);
 void readLight(Reading& reading, JsonValue value, Light& light);
 void readFog(Reading& reading, JsonValue value, Fog& fog);
+
+// Gives what moves and opens its own blueprints, and checks that it can. `maps` are those of the text, all of them read.
+void placeMovers(Reading& reading, JsonValue maps);
 
 // "start": { map, x, y, z, heading, look }
 void readStart(Reading& reading, JsonValue value);

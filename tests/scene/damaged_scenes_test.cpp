@@ -18,7 +18,7 @@ void expectSound(const World& world) {
     for (const Texture& texture : world.textures) EXPECT_GE(texture.size(), kMinTextureSize);
     for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
         EXPECT_GE(world.blueprints[i].bottom.raw, 0);
-        EXPECT_LT(world.blueprints[i].bottom, world.blueprints[i].top);
+        EXPECT_TRUE(world.blueprints[i].bottom < world.blueprints[i].top || world.blueprints[i].mover >= 0);
         EXPECT_LE(world.blueprints[i].top.raw, 65536);
         for (const FaceBlueprint& face : world.blueprints[i].faces) EXPECT_LT(face.texture, textures);
     }
@@ -31,6 +31,11 @@ void expectSound(const World& world) {
         ASSERT_EQ(map.floor.tiles.size(), tiles);
         ASSERT_TRUE(map.ceiling.tiles.empty() || map.ceiling.tiles.size() == tiles);
         for (const BlueprintId id : map.cells) EXPECT_LT(id, blueprints);
+        for (std::size_t cell = 0; cell < map.cells.size(); ++cell) {
+            const CellBlueprint& block = world.blueprints[map.cells[cell]];
+            const bool isBlock = (map.occupied[cell / map.levels] >> (cell % map.levels) & 1u) != 0;
+            EXPECT_EQ(isBlock, map.cells[cell] != kEmptyCell && block.bottom < block.top);
+        }
         for (const TextureId id : map.floor.tiles) EXPECT_LT(id, textures);
         for (const TextureId id : map.ceiling.tiles) EXPECT_TRUE(id < textures || id == kNoTexture);
         EXPECT_LT(map.floor.texture, textures);

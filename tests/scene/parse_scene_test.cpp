@@ -38,7 +38,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.title, "Everything \xe2\x80\x94 ein W\xc3\xbcrfel");
 
     // Two names of one file are one texture.
-    ASSERT_EQ(world.textures.size(), 3u);
+    ASSERT_EQ(world.textures.size(), 6u);  // with the two further frames of the door
     EXPECT_EQ(world.textures[0].size(), 8);
     EXPECT_EQ(world.textures[0].levels.size(), 4u);
     EXPECT_EQ(world.textures[1].size(), 16);
@@ -52,7 +52,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_TRUE(world.textures[flame].seeThrough);
     EXPECT_FALSE(world.textures[tile].seeThrough);
 
-    ASSERT_EQ(world.blueprints.size(), 4u);
+    ASSERT_GE(world.blueprints.size(), 9u);
     const BlueprintId wall = 1;
     const BlueprintId slab = 2;
     const BlueprintId brazier = 3;
@@ -85,7 +85,7 @@ TEST(ParseScene, ReadsEveryKey) {
         EXPECT_EQ(world.blueprints[slab].faces[face].light, lights[face]) << kFaceNames[face];
     }
 
-    ASSERT_EQ(world.maps.size(), 3u);
+    ASSERT_EQ(world.maps.size(), 4u);
     const Map& hall = world.maps[0];
     EXPECT_EQ(hall.name, "hall");
     EXPECT_EQ(hall.width, 5);
@@ -202,8 +202,8 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(yard.sky.panorama.width, 24);
     EXPECT_EQ(yard.sky.panorama.height, 6);
     EXPECT_TRUE(yard.ceiling.tiles.empty());
-    EXPECT_EQ(world.maps[2].sky.kind, Sky::Kind::colour);
-    EXPECT_EQ(world.maps[2].sky.low, (Colour{18, 52, 86, 255}));
+    EXPECT_EQ(world.maps[3].sky.kind, Sky::Kind::colour);
+    EXPECT_EQ(world.maps[3].sky.low, (Colour{18, 52, 86, 255}));
 
     EXPECT_EQ(world.start.map, 0);
     EXPECT_EQ(world.start.x.raw, 98304);
@@ -211,6 +211,67 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.start.z.raw, 8192);
     EXPECT_EQ(world.start.headingDegrees, -90.0);
     EXPECT_EQ(world.start.look, 0.5);
+}
+
+TEST(ParseScene, ReadsWhatMovesAndOpens) {
+    const LoadedScene loaded = loadFrom(sceneTestFolder() / "everything.json");
+    ASSERT_TRUE(loaded.world.has_value());
+    const World& world = *loaded.world;
+    ASSERT_EQ(world.motions.size(), 3u);
+    const Motion& lift = world.motions[0];
+    EXPECT_EQ(lift.name, "slow lift");
+    EXPECT_EQ(lift.edges, MovingEdges::both);
+    EXPECT_EQ(lift.from, toCoordinate(-0.25));
+    EXPECT_EQ(lift.to, toCoordinate(2.5));
+    EXPECT_EQ(lift.periodSteps, 12 * 120);
+    EXPECT_EQ(lift.phaseSteps, 3 * 120);
+    EXPECT_EQ(lift.shape, MotionShape::stopAndGo);
+    EXPECT_EQ(world.motions[1].edges, MovingEdges::top);
+    EXPECT_EQ(world.motions[1].from, Coordinate{});
+    EXPECT_EQ(world.motions[1].phaseSteps, 0);
+    EXPECT_EQ(world.motions[1].shape, MotionShape::smooth);
+    EXPECT_EQ(world.motions[2].edges, MovingEdges::bottom);
+    EXPECT_EQ(world.motions[2].from, toCoordinate(0.5));
+    EXPECT_EQ(world.motions[2].shape, MotionShape::even);
+
+    const int works = 2;
+    ASSERT_EQ(world.movers.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(world.movers[i].map, works);
+    const auto motionAt = [&](int x, int y) { return world.blueprints[world.maps[works].cells[world.maps[works].cellIndex(x, y, 0)]].motion; };
+    EXPECT_EQ(motionAt(0, 0), 0);
+    EXPECT_EQ(motionAt(1, 0), 0);
+    EXPECT_EQ(motionAt(0, 2), 1);
+    EXPECT_EQ(motionAt(1, 2), 2);
+    EXPECT_EQ(world.blueprints[world.maps[works].cell(0, 0, 1)].top, toCoordinate(0.625));  // half way up
+
+    ASSERT_EQ(world.gateKinds.size(), 2u);
+    const GateKind& gate = world.gateKinds[0];
+    EXPECT_EQ(gate.steps, 180);
+    EXPECT_EQ(gate.reach, toCoordinate(2.5));
+    EXPECT_TRUE(gate.keyed);
+    EXPECT_TRUE(gate.opensOnApproach);
+    EXPECT_EQ(gate.approach, toCoordinate(1.25));
+    EXPECT_EQ(gate.holdSteps, 240);
+    EXPECT_TRUE(gate.startsOpen);
+    const GateKind& door = world.gateKinds[1];
+    EXPECT_EQ(door.steps, 96);
+    EXPECT_EQ(door.reach, toCoordinate(2.0));
+    EXPECT_TRUE(door.keyed);
+    EXPECT_FALSE(door.opensOnApproach);
+    EXPECT_EQ(door.holdSteps, 120);
+    EXPECT_FALSE(door.startsOpen);
+    ASSERT_EQ(world.gates.size(), 4u);
+    const CellBlueprint& open = world.blueprints[world.maps[works].cell(1, 1, 0)];
+    const CellBlueprint& shut = world.blueprints[world.maps[works].cell(2, 1, 0)];
+    EXPECT_TRUE(open.passable);
+    EXPECT_FALSE(shut.passable);
+    // The held sheet at its first frame, and on an open gate at its last; the rest of the gate is as it says.
+    EXPECT_TRUE(open.seeThrough);
+    EXPECT_EQ(shut.face(Face::north).texture, 3);
+    EXPECT_EQ(shut.face(Face::east).texture, 3);
+    EXPECT_EQ(open.face(Face::north).texture, 5);
+    EXPECT_EQ(open.face(Face::east).texture, 1);
+    EXPECT_EQ(world.textures[5].size(), world.textures[3].size());
 }
 
 TEST(ParseScene, GivesWhatIsLeftOutItsNormalValue) {

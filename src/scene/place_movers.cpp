@@ -1,0 +1,62 @@
+// What moves and opens gets its own blueprints once all maps are complete, and is checked to have room.
+#include "scene/readers.h"
+#include "world/gate.h"
+#include "world/mover.h"
+
+#include <algorithm>
+#include <set>
+
+namespace slicecast {
+namespace {
+
+// The element of an array.
+JsonValue elementOf(JsonValue array, int index) {
+    auto element = array.begin();
+    for (int i = 0; i < index; ++i) ++element;
+    return *element;
+}
+
+// At the cell, whose row stands in the text.
+void addFault(Reading& reading, JsonValue maps, const PlacingFault& fault) {
+    const auto levels = elementOf(maps, fault.map).find("levels");
+    if (!levels) return;
+    const JsonValue rows = elementOf(*levels, fault.level);
+    if (rows.count() == 0) return reading.checker.add(rows, fault.found, fault.expected);
+    reading.checker.addInRow(elementOf(rows, fault.y), fault.y, fault.x, fault.found, fault.expected);
+}
+
+// The frames of sheets that gates show become textures.
+void checkGateFrames(Reading& reading, JsonValue maps) {
+    const World& world = reading.description.world;
+    std::set<TextureId> sheets;
+    for (const Gate& gate : world.gates) {
+        for (const BlueprintId part : gate.parts) {
+            for (const FaceBlueprint& face : world.blueprints[part].faces) sheets.insert(face.texture);
+        }
+    }
+    std::size_t textures = world.textures.size();
+    for (const TextureId sheet : sheets) {
+        const TextureReference& texture = reading.description.textures[sheet];
+        if (texture.rate == 0.0) textures += static_cast<std::size_t>(texture.frames - 1);
+    }
+    if (textures <= static_cast<std::size_t>(kMaxTextures)) return;
+    reading.checker.add(maps, counted(static_cast<std::int64_t>(textures), "texture") + ", with the frames of the gates", "at most " + std::to_string(kMaxTextures));
+}
+
+}  // namespace
+
+void placeMovers(Reading& reading, JsonValue maps) {
+    if (!maps.isArray() || !reading.areBlueprintsSound) return;
+    const bool areSound = std::all_of(reading.isMapSound.begin(), reading.isMapSound.end(), [](bool isSound) { return isSound; });
+    if (!areSound) return;
+    World& world = reading.description.world;
+    std::vector<PlacingFault> faults = makeMovers(world);
+    const std::vector<PlacingFault> more = makeGates(world);
+    faults.insert(faults.end(), more.begin(), more.end());
+    for (const PlacingFault& fault : faults) addFault(reading, maps, fault);
+    // What stands around the start is not known then.
+    if (!faults.empty()) reading.areBlueprintsSound = false;
+    if (faults.empty()) checkGateFrames(reading, maps);
+}
+
+}  // namespace slicecast
