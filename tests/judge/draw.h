@@ -8,7 +8,7 @@
 namespace slicecast::judge {
 
 inline RenderOptions optionsOf(const View& view) {
-    return {.fovDegrees = view.fovDegrees, .detail = view.detail, .light = view.light, .fog = view.fog};
+    return {.fovDegrees = view.fovDegrees, .detail = view.detail, .light = view.light, .fog = view.fog, .mirrors = view.mirrors};
 }
 
 inline Eye eyeOf(const View& view) {

@@ -1,6 +1,7 @@
 #include "random_scene.h"
 
 #include "base/random.h"
+#include "random_portals.h"
 
 #include <algorithm>
 #include <string>
@@ -18,7 +19,8 @@ Texture codedTexture(int index, int size, bool seeThrough, int frames, double ra
     for (int y = 0; y < size; ++y) {
         for (int column = 0; column < size * frames; ++column) {
             const int x = column % size;
-            image.at(column, y) = toPixel({static_cast<std::uint8_t>(10 + index * 12 + 6 * (column / size)), static_cast<std::uint8_t>(8 + x * step), static_cast<std::uint8_t>(8 + y * step), 255});
+            image.at(column, y) = toPixel({static_cast<std::uint8_t>(10 + index * 12 + 6 * (column / size)), static_cast<std::uint8_t>(8 + x * step),
+                                           static_cast<std::uint8_t>(8 + y * step), 255});
             if (seeThrough && (x + y + index) % 3 != 0) {
                 Colour colour = toColour(image.at(column, y));
                 colour.a = static_cast<std::uint8_t>((x * 5 + y * 3 + index) % 4 == 0 ? 0 : 40 + (x * 31 + y * 57) % 200);
@@ -31,9 +33,13 @@ Texture codedTexture(int index, int size, bool seeThrough, int frames, double ra
 
 constexpr int kTextures = 20;
 
-Coordinate fractionOfTile(Random& random, bool coarse) { return {coarse ? random.between(0, 8) * 8192 : random.between(0, 65536)}; }
+Coordinate fractionOfTile(Random& random, bool coarse) {
+    return {coarse ? random.between(0, 8) * 8192 : random.between(0, 65536)};
+}
 
-TextureId anyTexture(Random& random) { return static_cast<TextureId>(random.below(kTextures)); }
+TextureId anyTexture(Random& random) {
+    return static_cast<TextureId>(random.below(kTextures));
+}
 
 Colour anyColour(Random& random) {
     return {static_cast<std::uint8_t>(random.below(256)), static_cast<std::uint8_t>(random.below(256)), static_cast<std::uint8_t>(random.below(256)), 255};
@@ -141,11 +147,8 @@ Sprite codedSprite(Random& random, int index) {
 
 constexpr int kSprites = 6;
 
-// In every third world objects stand about, at any height, in one another and in blocks.
-void addObjects(Random& random, World& world, bool coarse) {
-    if (!random.oneIn(3)) return;
-    for (int i = 0; i < kSprites; ++i) world.sprites.push_back(codedSprite(random, i));
-    Map& map = world.maps[0];
+// Objects stand about at any height, in one another and in blocks.
+void addObjects(Random& random, Map& map, bool coarse) {
     const int count = random.oneIn(4) ? random.between(20, 60) : random.between(1, 12);
     for (int i = 0; i < count; ++i) {
         Object object;
@@ -170,18 +173,28 @@ World randomWorld(Random& random, bool coarse) {
     const bool fine = random.oneIn(3);
     // In every other world some textures are see-through.
     const int opaque = random.oneIn(2) ? kTextures : random.between(kTextures - 6, kTextures - 1);
-    for (int i = 0; i < kTextures; ++i) world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque, random.oneIn(4) ? 2 : 1, random.between(0.5, 20.0)));
+    for (int i = 0; i < kTextures; ++i)
+        world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque, random.oneIn(4) ? 2 : 1, random.between(0.5, 20.0)));
     world.seconds = random.between(0.0, 100.0);
     const int blueprints = random.between(1, 12);
     for (int i = 0; i < blueprints; ++i) world.blueprints.push_back(randomBlueprint(random, coarse));
     markSeeThrough(world);
-    world.maps.push_back(randomMap(random, world, fine, coarse));
-    addObjects(random, world, coarse);
+    // In every third world there are portals, most of them between several maps; in every third mirrors, in every fourth moving blocks, in every third objects.
+    const bool portals = random.oneIn(3);
+    const int maps = portals ? random.between(1, 3) : 1;
+    for (int i = 0; i < maps; ++i) world.maps.push_back(randomMap(random, world, fine, coarse));
+    if (random.oneIn(4)) addMovers(random, world);
+    if (random.oneIn(3)) addMirrors(random, world);
+    if (portals) addPortals(random, world);
+    if (random.oneIn(3)) {
+        for (int i = 0; i < kSprites; ++i) world.sprites.push_back(codedSprite(random, i));
+        for (Map& map : world.maps) addObjects(random, map, coarse);
+    }
     return world;
 }
 
 bool insideBlock(const World& world, const View& view) {
-    const Map& map = world.maps[0];
+    const Map& map = world.maps[static_cast<std::size_t>(view.map)];
     const int level = view.z.tile();
     const BlueprintId id = map.cell(view.x.tile(), view.y.tile(), level);
     if (id == kEmptyCell) return false;
@@ -194,8 +207,9 @@ bool insideBlock(const World& world, const View& view) {
 Scene randomScene(std::uint64_t seed, int width, int height) {
     Random random(seed);
     Scene scene{randomWorld(random, random.oneIn(3)), {}};
-    const Map& map = scene.world.maps[0];
     View& view = scene.view;
+    view.map = random.below(static_cast<int>(scene.world.maps.size()));
+    const Map& map = scene.world.maps[static_cast<std::size_t>(view.map)];
     view.width = width;
     view.height = height;
     view.fovDegrees = random.between(30.0, 110.0);
@@ -204,6 +218,7 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     view.detail = !random.oneIn(4);
     view.light = !random.oneIn(8);
     view.fog = !random.oneIn(8);
+    if (random.oneIn(3)) view.mirrors = random.between(0.0, 3.0);
     const bool wantInside = random.oneIn(12);
     const bool wantOutside = random.oneIn(12);
     for (int tries = 0; tries < 50; ++tries) {
@@ -227,8 +242,9 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
 Scene tieScene(std::uint64_t seed, int width, int height) {
     Random random(seed);
     Scene scene{randomWorld(random, true), {}};
-    const Map& map = scene.world.maps[0];
     View& view = scene.view;
+    view.map = random.below(static_cast<int>(scene.world.maps.size()));
+    const Map& map = scene.world.maps[static_cast<std::size_t>(view.map)];
     view.width = width;
     view.height = height;
     view.fovDegrees = 90.0;

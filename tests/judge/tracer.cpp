@@ -1,403 +1,381 @@
-#include "tracer.h"
-
-#include "base/angle.h"
+#include "tracer_walk.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace slicecast::judge {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-// The next level of detail: 2 x 2 texels become one, colours weighted by alpha.
-Image nextLevel(const Image& image) {
-    Image next(image.width / 2, image.height / 2);
-    for (int y = 0; y < next.height; ++y) {
-        for (int x = 0; x < next.width; ++x) {
-            int sumOfAlpha = 0;
-            int sum[3] = {0, 0, 0};
-            for (int i = 0; i < 4; ++i) {
-                const Colour c = toColour(image.at(2 * x + i % 2, 2 * y + i / 2));
-                sumOfAlpha += c.a;
-                sum[0] += c.r * c.a;
-                sum[1] += c.g * c.a;
-                sum[2] += c.b * c.a;
-            }
-            Colour mean{0, 0, 0, static_cast<std::uint8_t>((sumOfAlpha + 2) / 4)};
-            if (sumOfAlpha > 0) {
-                mean.r = static_cast<std::uint8_t>((sum[0] + sumOfAlpha / 2) / sumOfAlpha);
-                mean.g = static_cast<std::uint8_t>((sum[1] + sumOfAlpha / 2) / sumOfAlpha);
-                mean.b = static_cast<std::uint8_t>((sum[2] + sumOfAlpha / 2) / sumOfAlpha);
-            }
-            next.at(x, y) = toPixel(mean);
-        }
-    }
-    return next;
+// Which face of a block is met by what moves that way.
+Face enteredFace(Tile step) {
+    return step.x > 0 ? Face::west : step.x < 0 ? Face::east : step.y > 0 ? Face::north : Face::south;
 }
 
-double clampTo(double value, double low, double high) { return value < low ? low : value > high ? high : value; }
+Face leftFace(Tile step) {
+    return enteredFace({-step.x, -step.y});
+}
 
 }  // namespace
 
-// The ray's direction, d units of t ahead: d * (forward + k * right + s * up) = d * forward + (x - W / 2) * right + (horizon - y) * up. Without the division
-// by d, rays through corners and along edges keep exact numbers, and equal quotients below come out equal.
-struct Tracer::Ray {
-    double x;
-    double y;
-    double up;
-    double slope;
-    double sideways;
-};
-
-// How far along the ray something is met: distance / speed on the axis that it was found on, so that points can be worked out before the division rounds.
-struct Tracer::Meeting {
-    double distance = 0.0;
-    double speed = 1.0;
-
-    double along() const { return distance / speed; }
-    double at(double direction) const { return direction * distance / speed; }
-};
-
-// A border between tiles. It is met "early" when it is crossed eastward or southward, for the eye counts as a little further that way.
-struct Tracer::Border {
-    Meeting meeting;
-    double along;
-    bool alongX;
-    bool early;
-};
-
-Tracer::Tracer(const World& world, const View& view) : world_(world), map_(world.maps[static_cast<std::size_t>(view.map)]), view_(view) {
-    distance_ = (view.width / 2.0) / tanDegrees(view.fovDegrees / 2.0);
-    forwardX_ = cosDegrees(view.headingDegrees);
-    forwardY_ = sinDegrees(view.headingDegrees);
-    // A sheet's frames follow one another for ever.
-    const auto levelsOf = [&](const Image& sheet, int frames, double rate) {
-        const int width = sheet.width / frames;
-        const int frame = frames == 1 ? 0 : static_cast<int>(static_cast<std::int64_t>(std::floor(world.seconds * rate)) % frames);
-        Image shown(width, sheet.height);
-        for (int y = 0; y < shown.height; ++y) {
-            for (int x = 0; x < width; ++x) shown.at(x, y) = sheet.at(frame * width + x, y);
-        }
-        std::vector<Image> levels = {shown};
-        while (levels.back().width % 2 == 0 && levels.back().height % 2 == 0) levels.push_back(nextLevel(levels.back()));
-        return levels;
-    };
-    for (const Texture& texture : world.textures) levels_.push_back(levelsOf(texture.image, texture.image.width / texture.image.height, texture.rate));
-    for (const Sprite& sprite : world.sprites) spriteLevels_.push_back(levelsOf(sprite.image, static_cast<int>(sprite.frames.size()), sprite.rate));
-}
-
-void Tracer::look(double x, double y, std::vector<Sight>& sights) const {
+void Tracer::look(double x, double y, std::vector<Sight>& sights, Notes* notes) const {
     sights.clear();
-    lookAtMap(x, y, sights);
-    if (!map_.objects.empty()) addObjects(x, y, sights);
+    Notes unread;
+    Walk walk(*this, x, y, sights, notes != nullptr ? *notes : unread);
+    walk.run();
+    walk.addObjects();
 }
 
-// Every object is a rectangle at one depth t, that of its middle to the nearest 1/65536; it comes after whatever else is at that depth.
-void Tracer::addObjects(double px, double py, std::vector<Sight>& sights) const {
-    const double k = (px - view_.width / 2.0) / distance_;
-    const double slope = (view_.height / 2.0 + view_.look * view_.height - py) / distance_;
-    std::vector<Sight> met;
-    for (const Object& object : map_.objects) {
-        const double dx = (object.x - view_.x).value();
-        const double dy = (object.y - view_.y).value();
-        const double t = std::floor(65536.0 * (forwardX_ * dx + forwardY_ * dy) + 0.5) / 65536.0;
-        if (t <= 0.0) continue;
-        const double left = -forwardY_ * dx + forwardX_ * dy - object.width.value() / 2.0;
-        const double across = (k * t - left) / object.width.value();
-        const double height = (view_.z - object.z).value() + slope * t;
-        const double down = 1.0 - height / object.height.value();
-        if (across < 0.0 || across >= 1.0 || height < 0.0 || height >= object.height.value()) continue;
-        Sight sight;
-        sight.kind = Sight::Kind::object;
-        sight.seeThrough = true;
-        sight.texture = object.sprite;
-        sight.faceLight = object.light;
-        sight.glow = object.glow;
-        sight.depth = t;
-        sight.u = across;
-        sight.v = clampTo(down, 0.0, 1.0);
-        met.push_back(sight);
-    }
-    std::stable_sort(met.begin(), met.end(), [](const Sight& a, const Sight& b) { return a.depth < b.depth; });
-    const double end = sights.back().kind == Sight::Kind::sky ? kNever : sights.back().depth;
-    for (const Sight& object : met) {
-        if (object.depth >= end) break;
-        const auto behind = std::find_if(sights.begin(), sights.end(), [&](const Sight& s) { return s.kind == Sight::Kind::sky || s.depth > object.depth; });
-        sights.insert(behind, object);
-    }
+Tracer::Walk::Walk(const Tracer& tracer, double px, double py, std::vector<Sight>& sights, Notes& notes)
+    : tracer_(tracer), world_(tracer.world_), sights_(sights), notes_(notes) {
+    const View& view = tracer.view_;
+    const double q = px - view.width / 2.0;
+    const double d = tracer.distance_;
+    direction_ = {d * tracer.forwardX_ - q * tracer.forwardY_, d * tracer.forwardY_ + q * tracer.forwardX_};
+    up_ = view.height / 2.0 + view.look * view.height - py;
+    sideways_ = q / d;
+    eye_ = {view.x.value(), view.y.value()};
+    eyeZ_ = view.z.value();
+    place_.map = view.map;
+    tile_ = {view.x.tile(), view.y.tile()};
+    stretches_.push_back({place_, 0.0, false, eyeZ_, up_ / d, 0});
 }
 
-const Image& Tracer::imageOf(const Sight& sight, int level) const {
-    return (sight.kind == Sight::Kind::object ? spriteLevels_ : levels_)[sight.texture][static_cast<std::size_t>(level)];
-}
-
-void Tracer::lookAtMap(double px, double py, std::vector<Sight>& sights) const {
-    const double q = px - view_.width / 2.0;
-    const double horizon = view_.height / 2.0 + view_.look * view_.height;
-    const double up = horizon - py;
-    const Ray ray = {distance_ * forwardX_ - q * forwardY_, distance_ * forwardY_ + q * forwardX_, up, up / distance_, q / distance_};
-
-    const double eyeX = view_.x.value();
-    const double eyeY = view_.y.value();
-    const double eyeZ = view_.z.value();
-    const bool falls = ray.up < 0.0;
-
-    // Where the ray is at a height. The eye counts as a trifle above its own height: a ray that rises or runs level is above it from the start, one that falls
-    // crosses it at once.
-    const auto meetingOfHeight = [&](double height) { return Meeting{height - eyeZ, ray.up}; };
-    const auto alongOfHeight = [&](double height) -> double {
-        if (height == eyeZ) return falls ? 0.0 : -kNever;
-        if (ray.up == 0.0) return height < eyeZ ? -kNever : kNever;
-        const double along = meetingOfHeight(height).along();
-        return along > 0.0 ? along : falls ? kNever : -kNever;
-    };
-    const auto crossedBefore = [&](double height, const Border& border) {
-        const double along = alongOfHeight(height);
-        return along < border.along || (along == border.along && !border.early);
-    };
-    // Is the ray above a height when it crosses a border? A falling ray is not above what lies higher than the eye, a rising one always above what lies lower.
-    const auto isAbove = [&](double height, const Border& border) { return falls ? height <= eyeZ && !crossedBefore(height, border) : crossedBefore(height, border); };
-    const auto isAboveAtStart = [&](double height) { return height <= eyeZ; };
-
-    int tileX = view_.x.tile();
-    int tileY = view_.y.tile();
-    bool first = true;
-    Border enter{{}, 0.0, false, false};
-
+void Tracer::Walk::run() {
     for (;;) {
-        // The border that is met next.
-        const auto next = [](int tile, double eye, double direction) {
-            return direction > 0.0 ? Meeting{tile + 1 - eye, direction} : direction < 0.0 ? Meeting{eye - tile, -direction} : Meeting{kNever, 1.0};
-        };
-        const Meeting meetingX = next(tileX, eyeX, ray.x);
-        const Meeting meetingY = next(tileY, eyeY, ray.y);
-        const bool alongX = meetingX.along() < meetingY.along() || (meetingX.along() == meetingY.along() && ray.x > 0.0);
-        const Border leave = alongX ? Border{meetingX, meetingX.along(), true, ray.x > 0.0} : Border{meetingY, meetingY.along(), false, ray.y > 0.0};
-
-        if (!map_.contains(tileX, tileY)) {
-            const bool goneX = tileX < 0 ? ray.x <= 0.0 : tileX >= map_.width && ray.x >= 0.0;
-            const bool goneY = tileY < 0 ? ray.y <= 0.0 : tileY >= map_.depth && ray.y >= 0.0;
-            if (falls && (goneX || goneY || crossedBefore(0.0, leave))) {
-                const Meeting floor = meetingOfHeight(0.0);
-                if (floor.along() * distance_ > map_.far) return sights.push_back(background(ray));
-                // Outside, the tile is the one that the point is in.
-                Sight sight = plane(ray, Sight::Kind::floor, map_.floor.texture, map_.floor.light, static_cast<int>(std::floor(eyeX + floor.at(ray.x))),
-                                    static_cast<int>(std::floor(eyeY + floor.at(ray.y))), floor);
-                sight.outsideGrid = true;
-                sights.push_back(sight);
-                if (sight.seeThrough) sights.push_back(background(ray));
-                return;
-            }
-            if (goneX || goneY) return sights.push_back(background(ray));
-        } else {
-            // The heights at which something lies in this tile, in the order in which the ray meets them.
-            struct Event {
-                double height;
-                double along;
-                int order;  // at equal depth: faces left, then faces entered, then planes
-                int level;  // of the block; -1 for the floor, -2 for the ceiling
-                bool top;
-            };
-            Event events[2 * kMaxLevels + 2];
-            int count = 0;
-            int inside = -1;
-            const auto atEntry = [&](double height) { return first ? isAboveAtStart(height) : isAbove(height, enter); };
-            const auto add = [&](double height, int order, int level, bool top) {
-                // Crossed after the entry and before the exit.
-                const bool met = ray.up != 0.0 && (falls ? atEntry(height) && !isAbove(height, leave) : !atEntry(height) && isAbove(height, leave));
-                if (met) events[count++] = {height, alongOfHeight(height), order, level, top};
-            };
-            for (int level = 0; level < map_.levels; ++level) {
-                const BlueprintId id = map_.cell(tileX, tileY, level);
-                if (id == kEmptyCell) continue;
-                const CellBlueprint& block = world_.blueprints[id];
-                const double bottom = level + block.bottom.value();
-                const double top = level + block.top.value();
-                if (atEntry(bottom) && !atEntry(top)) {
-                    if (!first && enter.along > 0.0) {
-                        const Face entered = enter.alongX ? (ray.x > 0.0 ? Face::west : Face::east) : (ray.y > 0.0 ? Face::north : Face::south);
-                        const int stepX = enter.alongX ? (ray.x > 0.0 ? 1 : -1) : 0;
-                        const int stepY = enter.alongX ? 0 : (ray.y > 0.0 ? 1 : -1);
-                        if (!joined(id, tileX - stepX, tileY - stepY, level)) sights.push_back(face(ray, block, level, entered, tileX, tileY, enter.meeting, false));
-                        if (!block.seeThrough) return;
-                    }
-                    inside = level;
-                }
-                add(bottom, falls ? 0 : 1, level, false);
-                add(top, falls ? 1 : 0, level, true);
-            }
-            add(0.0, 2, -1, false);
-            const TextureId ceiling = map_.ceiling.tiles.empty() ? kNoTexture : map_.ceiling.tiles[map_.tileIndex(tileX, tileY)];
-            if (ceiling != kNoTexture) add(map_.ceiling.height.value(), 2, -2, false);
-            std::sort(events, events + count, [](const Event& a, const Event& b) { return a.along != b.along ? a.along < b.along : a.order < b.order; });
-
-            for (int i = 0; i < count; ++i) {
-                const Event& event = events[i];
-                const Meeting meeting = meetingOfHeight(event.height);
-                if (event.level == -1) {
-                    if (meeting.along() * distance_ > map_.far) return sights.push_back(background(ray));
-                    sights.push_back(plane(ray, Sight::Kind::floor, map_.floor.tiles[map_.tileIndex(tileX, tileY)], map_.floor.light, tileX, tileY, meeting));
-                    if (sights.back().seeThrough) sights.push_back(background(ray));
-                    return;
-                }
-                if (event.level == -2) {
-                    if (event.along <= 0.0) continue;
-                    sights.push_back(plane(ray, Sight::Kind::ceiling, ceiling, map_.ceiling.light, tileX, tileY, meeting));
-                    if (!sights.back().seeThrough) return;
-                    continue;
-                }
-                const bool leaves = event.top != falls;  // upwards through the top, downwards through the bottom
-                if (event.along > 0.0) {
-                    const BlueprintId id = map_.cell(tileX, tileY, event.level);
-                    const CellBlueprint& block = world_.blueprints[id];
-                    // Blocks above one another touch only if they fill their levels.
-                    const bool full = block.bottom == Coordinate{0} && block.top == tileEdge(1);
-                    if (!full || !joined(id, tileX, tileY, event.level + (event.top ? 1 : -1))) {
-                        sights.push_back(face(ray, block, event.level, event.top ? Face::top : Face::bottom, tileX, tileY, meeting, leaves));
-                    }
-                    if (!block.seeThrough) return;
-                }
-                inside = leaves ? -1 : event.level;
-            }
-            if (inside >= 0 && leave.along > 0.0) {
-                const BlueprintId id = map_.cell(tileX, tileY, inside);
-                const CellBlueprint& block = world_.blueprints[id];
-                const Face left = leave.alongX ? (ray.x > 0.0 ? Face::east : Face::west) : (ray.y > 0.0 ? Face::south : Face::north);
-                const int stepX = leave.alongX ? (ray.x > 0.0 ? 1 : -1) : 0;
-                const int stepY = leave.alongX ? 0 : (ray.y > 0.0 ? 1 : -1);
-                if (!joined(id, tileX + stepX, tileY + stepY, inside)) sights.push_back(face(ray, block, inside, left, tileX, tileY, leave.meeting, true));
-                if (!block.seeThrough) return;
-            }
-        }
-
-        if (leave.alongX) {
-            tileX += ray.x > 0.0 ? 1 : -1;
-        } else {
-            tileY += ray.y > 0.0 ? 1 : -1;
-        }
-        enter = leave;
-        first = false;
+        const Border leave = nextBorder();
+        Then then = Then::again;
+        while (then == Then::again) then = passTile(leave);
+        if (then == Then::ended || !leaveTile(leave)) return;
     }
 }
 
-// Of two see-through blocks of one blueprint that touch, the faces between them are not there.
-bool Tracer::joined(BlueprintId block, int tileX, int tileY, int level) const {
-    const CellBlueprint& blueprint = world_.blueprints[block];
-    return blueprint.seeThrough && blueprint.join && map_.cell(tileX, tileY, level) == block;
+// ---- Before and after, above and below ----
+
+// Where the ray is at a height. The eye counts as a trifle above its own height: a ray that rises or runs level is above it from the start, one that falls
+// crosses it at once.
+double Tracer::Walk::alongOf(double height) const {
+    if (height == eyeZ_) return falls() ? 0.0 : -kNever;
+    if (up_ == 0.0) return height < eyeZ_ ? -kNever : kNever;
+    const double along = meetingOf(height).along();
+    return along > 0.0 ? along : falls() ? kNever : -kNever;
 }
 
-// A point on a block's face. Seen from outside no lettering is mirrored: u runs with x on the south side, against it on the north side, with y on the west side,
-// against it on the east side; v runs downwards over the whole level. The top shows the map as from above, the bottom with its rows reversed.
-Sight Tracer::face(const Ray& ray, const CellBlueprint& block, int level, Face which, int tileX, int tileY, const Meeting& meeting, bool fromInside) const {
-    const FaceBlueprint& look = block.face(which);
-    const double x = clampTo(view_.x.value() + meeting.at(ray.x) - tileX, 0.0, 1.0);
-    const double y = clampTo(view_.y.value() + meeting.at(ray.y) - tileY, 0.0, 1.0);
-    const double z = clampTo(view_.z.value() + meeting.at(ray.up) - level, block.bottom.value(), block.top.value());
-    Sight sight;
-    sight.face = which;
-    sight.fromInside = fromInside;
-    sight.seeThrough = block.seeThrough;
-    sight.texture = look.texture;
-    sight.faceLight = look.light;
-    sight.glow = look.glow;
-    sight.depth = meeting.along() * distance_;
-    switch (which) {
-        case Face::south: sight.u = x; break;
-        case Face::north: sight.u = -x; break;
-        case Face::west: sight.u = y; break;
-        case Face::east: sight.u = -y; break;
-        default: sight.u = x; break;
-    }
-    if (which == Face::top) {
-        sight.kind = Sight::Kind::roof;
-        sight.v = y;
-    } else if (which == Face::bottom) {
-        sight.kind = Sight::Kind::underside;
-        sight.v = -y;
-    } else {
-        sight.kind = Sight::Kind::side;
-        sight.v = 1.0 - z;
-    }
-    return sight;
+bool Tracer::Walk::crossedBefore(double height, const Border& border) const {
+    const double along = alongOf(height);
+    return along < border.along || (along == border.along && !border.early);
 }
 
-Sight Tracer::plane(const Ray& ray, Sight::Kind kind, TextureId texture, double light, int tileX, int tileY, const Meeting& meeting) const {
-    Sight sight;
-    sight.kind = kind;
-    sight.texture = texture;
-    sight.seeThrough = world_.textures[texture].seeThrough;
-    sight.faceLight = light;
-    sight.glow = kind == Sight::Kind::floor ? map_.floor.glow : map_.ceiling.glow;
-    sight.depth = meeting.along() * distance_;
-    sight.u = clampTo(view_.x.value() + meeting.at(ray.x) - tileX, 0.0, 1.0);
-    const double y = clampTo(view_.y.value() + meeting.at(ray.y) - tileY, 0.0, 1.0);
-    sight.v = kind == Sight::Kind::ceiling ? -y : y;
-    return sight;
+// Is the ray above a height when it crosses a border? A falling ray is not above what lies higher than the eye, a rising one always above what lies lower.
+bool Tracer::Walk::isAbove(double height, const Border& border) const {
+    return falls() ? height <= eyeZ_ && !crossedBefore(height, border) : crossedBefore(height, border);
 }
 
-Sight Tracer::background(const Ray& ray) const {
-    Sight sight;
-    if (ray.slope < 0.0) {
-        sight.kind = Sight::Kind::haze;
-        sight.colour = map_.haze;
-        sight.depth = (0.0 - view_.z.value()) / ray.slope;
-        return sight;
-    }
-    sight.kind = Sight::Kind::sky;
-    const Sky& sky = map_.sky;
-    const double height = std::min(1.0, ray.slope / sky.slope);
-    switch (sky.kind) {
-        case Sky::Kind::colour: sight.colour = sky.low; break;
-        case Sky::Kind::gradient: {
-            const auto mix = [&](int a, int b) { return static_cast<std::uint8_t>(std::floor(a + (b - a) * height + 0.5)); };
-            sight.colour = {mix(sky.low.r, sky.high.r), mix(sky.low.g, sky.high.g), mix(sky.low.b, sky.high.b), 255};
+// Is the ray above an edge where it begins in the tile? Where it comes out of a top or bottom face, the faces entered and the planes at that very height are
+// still to be met and the faces left are not; from a mirror only what lies above is.
+bool Tracer::Walk::isAboveAtStart(double height, Edge edge) const {
+    switch (start_) {
+        case Start::eye:
+            return height <= eyeZ_;
+        case Start::border:
+            return isAbove(height, enter_);
+        case Start::mirror:
+            return height <= startHeight_;
+        case Start::portal:
             break;
-        }
-        case Sky::Kind::panorama: {
-            const double azimuth = (view_.headingDegrees + atanDegrees(ray.sideways)) / 360.0;
-            const int w = sky.panorama.width;
-            const int h = sky.panorama.height;
-            const int column = std::min(w - 1, static_cast<int>(std::floor((azimuth - std::floor(azimuth)) * w)));
-            const int row = std::min(h - 1, static_cast<int>(std::floor((1.0 - height) * h)));
-            sight.colour = toColour(sky.panorama.at(column, row));
-            break;
-        }
     }
-    return sight;
+    if (height != startHeight_) return height < startHeight_;
+    return edge == Edge::top || (edge == Edge::plane && falls());
 }
 
-int Tracer::level(const Sight& sight, double depthFactor) const {
-    if (!view_.detail || sight.texture == kNoTexture) return 0;
-    const int last = static_cast<int>((sight.kind == Sight::Kind::object ? spriteLevels_ : levels_)[sight.texture].size()) - 1;
-    const int texels = imageOf(sight, 0).height;
-    int level = 0;
-    for (double threshold = 1.0; level < last && sight.depth * depthFactor * texels > threshold * distance_; threshold *= 2.0) ++level;
-    return level;
-}
-
-Colour Tracer::colour(const Sight& sight, double depthFactor) const {
-    if (sight.kind == Sight::Kind::sky || sight.kind == Sight::Kind::haze) return sight.colour;
-    const double depth = sight.depth * depthFactor;
-    if (sight.kind == Sight::Kind::floor && depth > map_.far) return map_.haze;
-    const Image& image = imageOf(sight, level(sight, depthFactor));
-    // A negative fraction stands for a reversed one: texel N - 1 - i.
-    const auto texel = [](double fraction, int n) {
-        const int i = std::min(n - 1, static_cast<int>(std::floor(std::fabs(fraction) * n)));
-        return std::signbit(fraction) ? n - 1 - i : i;
+Border Tracer::Walk::nextBorder() const {
+    const auto next = [](int tile, double eye, double direction) {
+        return direction > 0.0 ? Meeting{tile + 1 - eye, direction} : direction < 0.0 ? Meeting{eye - tile, -direction} : Meeting{kNever, 1.0};
     };
-    const Colour raw = toColour(image.at(texel(sight.u, image.width), texel(sight.v, image.height)));
+    const Meeting x = next(tile_.x, eye_.x, direction_.x);
+    const Meeting y = next(tile_.y, eye_.y, direction_.y);
+    const bool alongX = x.along() < y.along() || (x.along() == y.along() && direction_.x > 0.0);
+    if (alongX) return {x, x.along(), {direction_.x > 0.0 ? 1 : -1, 0}, direction_.x > 0.0};
+    return {y, y.along(), {0, direction_.y > 0.0 ? 1 : -1}, direction_.y > 0.0};
+}
 
-    const double falloff = map_.light.on && view_.light ? map_.light.intensity * map_.light.multiplier / depth : 1.0;
-    const double bright = (sight.glow ? 1.0 : clampTo(falloff, map_.light.darkest, map_.light.brightest)) * sight.faceLight;
-    const int q = std::min(256, static_cast<int>(std::floor(256.0 * bright + 0.5)));
-    int fog = 0;
-    if (map_.fog.on && view_.fog) {
-        fog = static_cast<int>(std::floor(255.0 * clampTo((depth - map_.fog.start) / (map_.fog.end - map_.fog.start), 0.0, 1.0) + 0.5));
+// ---- Blocks that touch ----
+
+// Of two touching see-through blocks that join, the faces between them are not there.
+bool Tracer::Walk::join(BlueprintId a, BlueprintId b) const {
+    if (a == kEmptyCell || b == kEmptyCell) return false;
+    const CellBlueprint& first = blueprint(a);
+    const CellBlueprint& second = blueprint(b);
+    return first.seeThrough && second.seeThrough && first.join && second.join && (a == b || (first.mover >= 0 && first.mover == second.mover));
+}
+
+// The block that the ray is in as soon as it has crossed a border into a tile.
+BlueprintId Tracer::Walk::blockBehind(const Place& place, Tile tile, const Border& border) const {
+    const Map& map = mapOf(place);
+    const Tile at = place.tileOf(tile);
+    for (int level = 0; level < map.levels; ++level) {
+        const BlueprintId id = map.cell(at.x, at.y, level);
+        if (id == kEmptyCell) continue;
+        const double base = level - place.levels;
+        if (isAbove(base + blueprint(id).bottom.value(), border) && !isAbove(base + blueprint(id).top.value(), border)) return id;
     }
-    const auto channel = [&](int c, int haze) { return static_cast<std::uint8_t>((haze * fog + ((c * q + 128) >> 8) * (255 - fog) + 127) / 255); };
-    return {channel(raw.r, map_.haze.r), channel(raw.g, map_.haze.g), channel(raw.b, map_.haze.b), raw.a};
+    return kEmptyCell;
+}
+
+// The block of a level of the tile if it reaches down to the level's base (where it is above something) or up to its end.
+BlueprintId Tracer::Walk::touching(const Place& place, int level, bool above) const {
+    const Tile at = place.tileOf(tile_);
+    const BlueprintId id = mapOf(place).cell(at.x, at.y, level);
+    if (id == kEmptyCell) return id;
+    const bool touches = above ? blueprint(id).bottom == Coordinate{0} : blueprint(id).top == tileEdge(1);
+    return touches ? id : kEmptyCell;
+}
+
+// What touches the end of the current tile's `level` from the next one: what the ray meets there, behind a portal if there is one.
+BlueprintId Tracer::Walk::behindLevel(int level, bool above) const {
+    const int next = above ? level + 1 : level - 1;
+    const BlueprintId id = touching(place_, next, above);
+    if (id == kEmptyCell) return id;
+    const Face facing = above ? Face::bottom : Face::top;
+    if (!acts(blueprint(id), facing) || !mayPass()) return id;
+    const Portal& portal = world_.portals[blueprint(id).face(facing).portal];
+    return touching(place_.through(portal), next + portal.levels, above);
+}
+
+// ---- One tile ----
+
+Tracer::Walk::Then Tracer::Walk::passTile(const Border& leave) {
+    inside_ = kNoLevel;
+    mapTile_ = place_.tileOf(tile_);
+    return map().contains(mapTile_.x, mapTile_.y) ? passGrid(leave) : passOutside(leave);
+}
+
+Tracer::Walk::Then Tracer::Walk::passOutside(const Border& leave) {
+    const Point direction = Place::turned(direction_, place_.turn);
+    const bool goneX = mapTile_.x < 0 ? direction.x <= 0.0 : mapTile_.x >= map().width && direction.x >= 0.0;
+    const bool goneY = mapTile_.y < 0 ? direction.y <= 0.0 : mapTile_.y >= map().depth && direction.y >= 0.0;
+    const bool gone = goneX || goneY;
+    if (falls() && (gone || crossedBefore(-place_.levels, leave))) return meetFloor(map().floor.texture, true);
+    if (!gone) return Then::leaves;
+    pushBackground();
+    return Then::ended;
+}
+
+Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
+    Event events[2 * kMaxLevels + 2];
+    int count = 0;
+    // Crossed after the start and before the exit.
+    const auto add = [&](double height, Edge edge, int order, int level) {
+        const bool met =
+            up_ != 0.0 && (falls() ? isAboveAtStart(height, edge) && !isAbove(height, leave) : !isAboveAtStart(height, edge) && isAbove(height, leave));
+        if (met) events[count++] = {height, alongOf(height), order, level, edge == Edge::top};
+    };
+    for (int level = 0; level < map().levels; ++level) {
+        const BlueprintId id = map().cell(mapTile_.x, mapTile_.y, level);
+        if (id == kEmptyCell) {
+            if (map().cells[map().cellIndex(mapTile_.x, mapTile_.y, level)] != kEmptyCell) note(Note::emptyMover);
+            continue;
+        }
+        const CellBlueprint& block = blueprint(id);
+        const double bottom = level - place_.levels + block.bottom.value();
+        const double top = level - place_.levels + block.top.value();
+        if (isAboveAtStart(bottom, Edge::bottom) && !isAboveAtStart(top, Edge::top)) {
+            if (start_ == Start::border && enter_.along > 0.0) {
+                const Face entered = enteredFace(Place::turned(enter_.step, place_.turn));
+                if (!(left_ == id && join(left_, id))) {
+                    if (block.face(entered).portal != kNoPortal) note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
+                    pushFace(block, level, entered, enter_.meeting, false);
+                }
+                if (!block.seeThrough) return Then::ended;
+            }
+            inside_ = level;
+            if (start_ == Start::portal) note(Note::outInsideBlock);
+        }
+        add(bottom, Edge::bottom, falls() ? 0 : 1, level);
+        add(top, Edge::top, falls() ? 1 : 0, level);
+    }
+    if (falls()) add(-place_.levels, Edge::plane, 2, kFloor);
+    if (!map().ceiling.tiles.empty() && map().ceiling.tiles[map().tileIndex(mapTile_.x, mapTile_.y)] != kNoTexture) {
+        add(map().ceiling.height.value() - place_.levels, Edge::plane, 2, kCeiling);
+    }
+    std::sort(events, events + count, [](const Event& a, const Event& b) { return a.along != b.along ? a.along < b.along : a.order < b.order; });
+    for (int i = 0; i < count; ++i) {
+        const Then then = meet(events[i], i > 0 ? &events[i - 1] : nullptr);
+        if (then != Then::leaves) return then;
+    }
+    return Then::leaves;
+}
+
+// `before` is what was met before in this tile; a block that was left at the same height is the event just before.
+Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
+    const Meeting meeting = meetingOf(event.height);
+    if (event.level == kFloor) return meetFloor(map().floor.tiles[map().tileIndex(mapTile_.x, mapTile_.y)], false);
+    if (event.level == kCeiling) {
+        if (event.along <= 0.0) return Then::leaves;
+        pushPlane(Sight::Kind::ceiling, map().ceiling.tiles[map().tileIndex(mapTile_.x, mapTile_.y)], map().ceiling.light, map().ceiling.glow, meeting, false);
+        return sights_.back().seeThrough ? Then::leaves : Then::ended;
+    }
+    const BlueprintId id = map().cell(mapTile_.x, mapTile_.y, event.level);
+    const CellBlueprint& block = blueprint(id);
+    const Face which = event.top ? Face::top : Face::bottom;
+    // Only a block that ends where its level does can touch the next one.
+    const bool atLevelsEnd = event.top ? block.top == tileEdge(1) : block.bottom == Coordinate{0};
+    if (event.top != falls()) {  // upwards through the top, downwards through the bottom
+        inside_ = kNoLevel;
+        if (block.face(which).portal != kNoPortal) {
+            note(Note::leftThroughPortal);
+            return Then::leaves;
+        }
+        if (event.along <= 0.0) return Then::leaves;
+        const BlueprintId next = atLevelsEnd ? behindLevel(event.level, event.top) : kEmptyCell;
+        if (!join(id, next)) {
+            pushFace(block, event.level, which, meeting, true);
+        } else if (next != id) {
+            note(Note::joinedMover);
+        }
+        return block.seeThrough ? Then::leaves : Then::ended;
+    }
+    if (acts(block, which) && mayPass()) {
+        const bool left = before != nullptr && before->height == event.height && before->order == 0;
+        return throughHeight(block.face(which).portal, event, left ? map().cell(mapTile_.x, mapTile_.y, before->level) : kEmptyCell);
+    }
+    inside_ = event.level;
+    if (event.along <= 0.0) return Then::leaves;
+    const bool atPortal = start_ == Start::portal && event.height == startHeight_;
+    const BlueprintId left = atPortal ? left_ : atLevelsEnd ? touching(place_, event.top ? event.level + 1 : event.level - 1, event.top) : kEmptyCell;
+    if (join(left, id)) {
+        if (atPortal) note(Note::joinedByPortal);
+        return Then::leaves;
+    }
+    if (block.face(which).portal != kNoPortal) note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
+    pushFace(block, event.level, which, meeting, false);
+    if (sights_.back().mirror > 0) {
+        note(Note::roofMirror);
+        return reflect(event.height);
+    }
+    return block.seeThrough ? Then::leaves : Then::ended;
+}
+
+Tracer::Walk::Then Tracer::Walk::meetFloor(TextureId texture, bool outside) {
+    const double height = -place_.levels;
+    const Meeting meeting = meetingOf(height);
+    // A floor at t = 0 is not drawn: the ray came out of a portal there, and goes on below.
+    if (alongOf(height) <= 0.0 || meeting.along() * tracer_.distance_ > map().far) {
+        pushBackground();
+        return Then::ended;
+    }
+    pushPlane(Sight::Kind::floor, texture, map().floor.light, map().floor.glow, meeting, outside);
+    if (sights_.back().mirror > 0) {
+        note(Note::floorMirror);
+        if (outside) note(Note::mirrorOutside);
+        return reflect(height);
+    }
+    if (sights_.back().seeThrough) pushBackground();
+    return Then::ended;
+}
+
+Tracer::Walk::Then Tracer::Walk::throughHeight(PortalId id, const Event& event, BlueprintId left) {
+    const Portal& portal = world_.portals[id];
+    const CellBlueprint& block = blueprint(map().cell(mapTile_.x, mapTile_.y, event.level));
+    if (block.seeThrough) note(Note::portalInGlass);
+    note(event.top ? Note::topPortal : Note::bottomPortal);
+    passPortal(place_.through(portal), portal, event.along, Note::facePortal0);
+    start_ = Start::portal;
+    startHeight_ = event.height;
+    left_ = left;
+    if (event.height >= -place_.levels) return Then::again;
+    note(Note::belowFloor);
+    pushHaze(event.along);
+    return Then::ended;
+}
+
+// The ray goes on from a mirror as if it came, rising, from the mirrored eye.
+Tracer::Walk::Then Tracer::Walk::reflect(double height) {
+    if (portals_ > 0) note(Note::mirrorBehindPortal);
+    const double along = alongOf(height);
+    eyeZ_ = 2.0 * height - eyeZ_;
+    up_ = -up_;
+    reflected_ = true;
+    start_ = Start::mirror;
+    startHeight_ = height;
+    stretches_.push_back({place_, along * tracer_.distance_, true, eyeZ_, up_ / tracer_.distance_, sights_.size()});
+    return Then::again;
+}
+
+void Tracer::Walk::passPortal(const Place& next, const Portal& portal, double along, Note kind) {
+    note(kind, portal.turn);
+    if (portal.levels != 0) note(Note::levelsShifted);
+    if (next.map == place_.map) note(Note::portalWithinMap);
+    if (along <= 0.0) note(Note::portalAtOnce);
+    if (reflected_) note(Note::portalBehindMirror);
+    if (++portals_ >= 3) note(Note::threePortals);
+    place_ = next;
+    arrived_ = true;
+    stretches_.push_back({place_, along * tracer_.distance_, false, eyeZ_, up_ / tracer_.distance_, sights_.size()});
+}
+
+// From one tile to the next, through a portal if there is one. Returns false if the ray has ended.
+bool Tracer::Walk::leaveTile(const Border& leave) {
+    const Tile next = {tile_.x + leave.step.x, tile_.y + leave.step.y};
+    const Tile mapNext = place_.tileOf(next);
+    const Tile mapStep = Place::turned(leave.step, place_.turn);
+    const BlueprintId left = inside_ == kNoLevel ? kEmptyCell : map().cell(mapTile_.x, mapTile_.y, inside_);
+    const Face entered = enteredFace(mapStep);
+
+    // What lies behind the border: a tile portal, or a block with or without a portal on the face that is met.
+    BlueprintId ahead = kEmptyCell;
+    PortalId portal = map().tilePortal(mapNext.x, mapNext.y);
+    const bool wholeTile = portal != kNoPortal;
+    if (!wholeTile) {
+        ahead = blockBehind(place_, next, leave);
+        if (ahead != kEmptyCell && mayPass()) portal = blueprint(ahead).face(entered).portal;
+    }
+    Place beyond = place_;
+    bool below = false;
+    const bool passes = portal != kNoPortal && mayPass();
+    const bool inGlass = passes && !wholeTile && blueprint(ahead).seeThrough;
+    if (passes) {
+        beyond = place_.through(world_.portals[portal]);
+        below = !isAbove(-beyond.levels, leave);
+        ahead = below ? kEmptyCell : blockBehind(beyond, next, leave);
+    }
+
+    // The face left.
+    if (left != kEmptyCell) {
+        const CellBlueprint& block = blueprint(left);
+        if (block.face(leftFace(mapStep)).portal != kNoPortal) {
+            note(Note::leftThroughPortal);
+        } else if (leave.along > 0.0) {
+            if (left != ahead || !join(left, ahead)) {
+                pushFace(block, inside_, leftFace(mapStep), leave.meeting, true);
+            } else if (passes) {
+                note(Note::joinedByPortal);
+            }
+            if (!block.seeThrough) return false;
+        }
+    }
+
+    arrived_ = false;
+    if (portal != kNoPortal && !passes) {
+        note(Note::tileAtLimit);
+        pushHaze(leave.along);
+        return false;
+    }
+    if (passes) {
+        if (inGlass) note(Note::portalInGlass);
+        if (!wholeTile) note(Note::northPortal, static_cast<int>(entered));
+        passPortal(beyond, world_.portals[portal], leave.along, wholeTile ? Note::tilePortal0 : Note::facePortal0);
+        if (below) {
+            note(Note::belowFloor);
+            pushHaze(leave.along);
+            return false;
+        }
+        const Tile exit = place_.tileOf(next);
+        if (map().tilePortal(exit.x, exit.y) != kNoPortal) note(Note::tileAtExit);
+    }
+    tile_ = next;
+    start_ = Start::border;
+    enter_ = leave;
+    left_ = left;
+    return true;
 }
 
 }  // namespace slicecast::judge

@@ -1,12 +1,14 @@
 // The judge's tracer: a slow, plain statement of what a correct picture is. It follows the ray of one pixel through the blocks in three dimensions, from
-// border to border and from height to height, in double precision, and knows nothing of the renderer: it includes `base` and `world` only, and does its own
-// sampling, light and fog.
+// border to border and from height to height, through portals and up again from mirrors, in double precision, and knows nothing of the renderer: it includes
+// `base` and `world` only, and does its own sampling, light and fog.
 #pragma once
 
 #include "base/colour.h"
 #include "base/coordinate.h"
 #include "world/world.h"
 
+#include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,54 +27,92 @@ struct View {
     bool detail = true;
     bool light = true;
     bool fog = true;
+    double mirrors = 1.0;  // a mirror's strength r becomes min(255, floor(r * this + 0.5))
 };
 
 // Something that a ray meets.
 struct Sight {
     enum class Kind : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze, object };
     Kind kind = Kind::sky;
-    Face face = Face::top;       // side, roof, underside
-    bool fromInside = false;     // the ray left the block through this face
-    bool outsideGrid = false;    // floor
+    Face face = Face::top;           // side, roof, underside
+    bool fromInside = false;         // the ray left the block through this face
+    bool outsideGrid = false;        // floor
+    int map = 0;                     // whose light and fog lie on it
+    int turn = 0;                    // quarter turns by which that map lies along the ray
+    int portals = 0;                 // that the ray has passed before
+    bool reflected = false;          // behind a mirror
     TextureId texture = kNoTexture;  // of an object its sprite
     double faceLight = 1.0;
     bool glow = false;
-    double depth = 0.0;          // t
-    double u = 0.0;              // fractions of the texture, 0 to 1
+    double depth = 0.0;  // t
+    double u = 0.0;      // fractions of the texture, 0 to 1; negative ones count from the other end
     double v = 0.0;
-    Colour colour;               // sky: what it shows
-    bool seeThrough = false;     // what lies behind may show, depending on the texel's alpha
+    Colour colour;            // sky, haze: what they show
+    bool seeThrough = false;  // what lies behind may show, depending on the texel's alpha
+    int mirror = 0;           // how much of what comes next shows in it, of 255; then it counts as opaque otherwise
 };
+
+// What happened to a ray on its way, besides what it met; for asserting coverage.
+enum class Note : std::uint8_t {
+    facePortal0,  // passed a portal face that turns by so many quarters
+    facePortal1,
+    facePortal2,
+    facePortal3,
+    tilePortal0,
+    tilePortal1,
+    tilePortal2,
+    tilePortal3,
+    northPortal,  // came in through such a face, by the entry map's names
+    eastPortal,
+    southPortal,
+    westPortal,
+    topPortal,
+    bottomPortal,
+    levelsShifted,
+    threePortals,  // passed three or more
+    portalWithinMap,
+    portalAtOnce,   // at t = 0
+    portalInGlass,  // on a block that is see-through
+    faceAtLimit,    // the face's own texture is drawn, since the ray has passed as many portals as it may
+    tileAtLimit,
+    belowFloor,         // came out below the floor
+    outInsideBlock,     // came out within a block, upwards or downwards
+    faceAtExit,         // a portal face of the exit tile, drawn like any other
+    tileAtExit,         // a tile portal that does not act on what arrives
+    leftThroughPortal,  // out of a block through a portal face
+    joinedByPortal,     // two faces left out between which lies a portal
+    joinedMover,        // two faces left out between parts of one thing that moves
+    emptyMover,         // went through a tile in which a block is empty at the moment
+    floorMirror,
+    roofMirror,
+    mirrorBehindPortal,
+    portalBehindMirror,
+    mirrorOutside,  // the floor outside the grid
+    count
+};
+using Notes = std::bitset<static_cast<std::size_t>(Note::count)>;
+const char* nameOf(Note note);
 
 class Tracer {
 public:
     Tracer(const World& world, const View& view);
 
-    // The sights through a point of the picture plane, in pixels from its upper left; a pixel's centre is at + 0.5. Front to back: see-through ones and then
-    // one that is not.
-    void look(double x, double y, std::vector<Sight>& sights) const;
+    // The sights through a point of the picture plane, in pixels from its upper left; a pixel's centre is at + 0.5. Front to back: see-through ones and
+    // mirrors, and then one that is neither.
+    void look(double x, double y, std::vector<Sight>& sights, Notes* notes = nullptr) const;
 
-    // A sight's colour, with the texel's own alpha. `depthFactor` is 1, or a little off to ask for the other side of a threshold on t.
+    // A sight's colour, with the texel's own alpha (255 of a mirror). `depthFactor` is 1, or a little off to ask for the other side of a threshold on t.
     Colour colour(const Sight& sight, double depthFactor = 1.0) const;
 
     // The level of detail that a sight is shown at, for asserting coverage.
     int level(const Sight& sight, double depthFactor = 1.0) const;
 
 private:
-    struct Border;
-    struct Meeting;
-    struct Ray;
+    class Walk;
 
-    void lookAtMap(double x, double y, std::vector<Sight>& sights) const;
-    void addObjects(double x, double y, std::vector<Sight>& sights) const;
-    const Image& imageOf(const Sight& sight, int level) const;
-    bool joined(BlueprintId block, int tileX, int tileY, int level) const;
-    Sight face(const Ray& ray, const CellBlueprint& block, int level, Face face, int tileX, int tileY, const Meeting& meeting, bool fromInside) const;
-    Sight plane(const Ray& ray, Sight::Kind kind, TextureId texture, double light, int tileX, int tileY, const Meeting& meeting) const;
-    Sight background(const Ray& ray) const;
+    const std::vector<Image>& levelsOf(const Sight& sight) const;
 
     const World& world_;
-    const Map& map_;
     View view_;
     double distance_;
     double forwardX_;

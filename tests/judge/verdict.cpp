@@ -1,7 +1,9 @@
 #include "verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <iterator>
 
 namespace slicecast::judge {
 namespace {
@@ -12,7 +14,9 @@ constexpr int kDirections[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1
 constexpr double kDiagonal = 0.70710678;
 constexpr double kDepthFactors[] = {1.0, 1.0 - 1e-6, 1.0 + 1e-6};
 
-bool alike(Colour a, Colour b) { return std::abs(a.r - b.r) <= 1 && std::abs(a.g - b.g) <= 1 && std::abs(a.b - b.b) <= 1 && a.a == b.a; }
+bool alike(Colour a, Colour b) {
+    return std::abs(a.r - b.r) <= 1 && std::abs(a.g - b.g) <= 1 && std::abs(a.b - b.b) <= 1 && a.a == b.a;
+}
 
 // out = (front * a + behind * (255 - a) + 127) / 255
 Colour blended(Colour front, Colour behind) {
@@ -20,8 +24,18 @@ Colour blended(Colour front, Colour behind) {
     return {channel(front.r, behind.r), channel(front.g, behind.g), channel(front.b, behind.b), 255};
 }
 
-// The colours that each layer of a pixel may have, front to back.
-using Choices = std::vector<std::vector<Colour>>;
+// out = (mirror * (255 - r) + reflected * r + 127) / 255
+Colour mirrored(Colour mirror, int strength, Colour reflected) {
+    const auto channel = [&](int m, int b) { return static_cast<std::uint8_t>((m * (255 - strength) + b * strength + 127) / 255); };
+    return {channel(mirror.r, reflected.r), channel(mirror.g, reflected.g), channel(mirror.b, reflected.b), 255};
+}
+
+// The colours that a layer of a pixel may have.
+struct Layer {
+    std::vector<Colour> colours;
+    int mirror = 0;
+};
+using Choices = std::vector<Layer>;  // front to back
 
 void addChoice(std::vector<Colour>& choices, Colour colour) {
     if (std::find(choices.begin(), choices.end(), colour) == choices.end()) choices.push_back(colour);
@@ -30,19 +44,20 @@ void addChoice(std::vector<Colour>& choices, Colour colour) {
 void addChoices(const Tracer& tracer, const std::vector<Sight>& sights, Choices& choices) {
     choices.resize(sights.size());
     for (std::size_t i = 0; i < sights.size(); ++i) {
-        for (const double factor : kDepthFactors) addChoice(choices[i], tracer.colour(sights[i], factor));
+        choices[i].mirror = sights[i].mirror;
+        for (const double factor : kDepthFactors) addChoice(choices[i].colours, tracer.colour(sights[i], factor));
     }
 }
 
 // Whether some choice for each layer gives the colour.
 bool canShow(const Choices& choices, Colour found) {
     constexpr std::size_t kMost = 4096;
-    std::vector<Colour> behind = choices.back();
+    std::vector<Colour> behind = choices.back().colours;
     for (std::size_t i = choices.size() - 1; i-- > 0;) {
         std::vector<Colour> sums;
-        for (const Colour front : choices[i]) {
+        for (const Colour front : choices[i].colours) {
             for (const Colour back : behind) {
-                if (sums.size() < kMost) addChoice(sums, blended(front, back));
+                if (sums.size() < kMost) addChoice(sums, choices[i].mirror > 0 ? mirrored(front, choices[i].mirror, back) : blended(front, back));
             }
         }
         behind = std::move(sums);
@@ -57,8 +72,9 @@ bool shows(const Tracer& tracer, const std::vector<Sight>& sights, Colour found)
 }
 
 bool sameKinds(const std::vector<Sight>& a, const std::vector<Sight>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const Sight& x, const Sight& y) { return x.kind == y.kind && x.face == y.face && x.fromInside == y.fromInside; });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Sight& x, const Sight& y) {
+        return x.kind == y.kind && x.face == y.face && x.fromInside == y.fromInside && x.mirror == y.mirror && x.portals == y.portals;
+    });
 }
 
 // Where layers blend, each may take its texel from another of the points, if that point's ray meets the same kinds of layer in the same order.
@@ -77,8 +93,10 @@ bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight
     return sights.size() > 1 && canShow(all, found);
 }
 
-std::string nameOf(const World& world, const Map& map, const Tracer& tracer, const Sight& sight) {
-    static const char* const kKinds[] = {"side", "roof", "underside", "floor", "ceiling", "sky", "haze", "object"};
+constexpr const char* kKinds[] = {"side", "roof", "underside", "floor", "ceiling", "sky", "haze", "object"};
+
+std::string nameOf(const World& world, const Tracer& tracer, const Sight& sight) {
+    const Map& map = world.maps[static_cast<std::size_t>(sight.map)];
     static const char* const kSkies[] = {"colour", "gradient", "panorama"};
     std::string name = kKinds[static_cast<int>(sight.kind)];
     if (sight.kind == Sight::Kind::side) name = kFaceNames[static_cast<std::size_t>(sight.face)];
@@ -87,12 +105,15 @@ std::string nameOf(const World& world, const Map& map, const Tracer& tracer, con
     if (sight.fromInside) name += " from inside";
     if (sight.outsideGrid) name += " outside";
     if (sight.kind == Sight::Kind::object) return name + (tracer.level(sight) > 0 ? " smaller" : "");
+    if (sight.mirror > 0) return name + " mirror";
     if (sight.seeThrough) return name + " see-through";
     if (tracer.level(sight) > 0) name += tracer.level(sight) + 1 == static_cast<int>(world.textures[sight.texture].levels.size()) ? " last level" : " smaller";
     return name;
 }
 
-std::string words(Colour c) { return "(" + std::to_string(c.r) + " " + std::to_string(c.g) + " " + std::to_string(c.b) + " " + std::to_string(c.a) + ")"; }
+std::string words(Colour c) {
+    return "(" + std::to_string(c.r) + " " + std::to_string(c.g) + " " + std::to_string(c.b) + " " + std::to_string(c.a) + ")";
+}
 
 }  // namespace
 
@@ -109,23 +130,32 @@ void Verdict::add(const Verdict& other) {
 
 Verdict judge(const World& world, const View& view, const Pixel* pixels, int pitch, const std::string& name) {
     const Tracer tracer(world, view);
-    const Map& map = world.maps[static_cast<std::size_t>(view.map)];
     Verdict verdict;
     std::vector<Sight> sights;
-    std::map<std::uint32_t, std::int64_t> counts;  // by kind, face and the like: names are made once at the end
-    std::map<std::uint32_t, std::string> names;
+    Notes notes;
+    std::array<std::int64_t, static_cast<std::size_t>(Note::count)> noted{};
+    std::array<std::int64_t, std::size(kKinds)> mirroredKinds{};
+    std::array<std::int64_t, std::size(kKinds)> kindsBehindPortals{};
+    std::map<std::uint64_t, std::int64_t> counts;  // by kind, face and the like: names are made once at the end
+    std::map<std::uint64_t, std::string> names;
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
             const Colour found = toColour(pixels[static_cast<std::ptrdiff_t>(y) * pitch + x]);
-            tracer.look(x + 0.5, y + 0.5, sights);
+            notes.reset();
+            tracer.look(x + 0.5, y + 0.5, sights, &notes);
             ++verdict.pixels;
+            for (std::size_t i = 0; i < noted.size(); ++i) noted[i] += notes[i] ? 1 : 0;
             for (const Sight& sight : sights) {
-                const auto key = static_cast<std::uint32_t>(static_cast<int>(sight.kind) | static_cast<int>(sight.face) << 4 | sight.fromInside << 8 |
-                                                            sight.outsideGrid << 9 | sight.seeThrough << 10 | tracer.level(sight) << 12 |
-                                                            (sight.texture & 0xff) << 16);
+                const auto key = static_cast<std::uint64_t>(static_cast<int>(sight.kind) | static_cast<int>(sight.face) << 4 | sight.fromInside << 8 |
+                                                            sight.outsideGrid << 9 | sight.seeThrough << 10 | (sight.mirror > 0) << 11 |
+                                                            tracer.level(sight) << 12 | (sight.texture & 0xff) << 16 | sight.map << 24);
                 if (sight.glow) ++verdict.coverage["glow"];
-                if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture && world.textures[sight.texture].frames() > 1) ++verdict.coverage["animated"];
-                if (++counts[key] == 1) names[key] = nameOf(world, map, tracer, sight);
+                if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture && world.textures[sight.texture].frames() > 1)
+                    ++verdict.coverage["animated"];
+                if (++counts[key] == 1) names[key] = nameOf(world, tracer, sight);
+                if (sight.reflected) ++mirroredKinds[static_cast<std::size_t>(sight.kind)];
+                if (sight.portals > 0) ++kindsBehindPortals[static_cast<std::size_t>(sight.kind)];
+                if (sight.portals > 0 && sight.turn > 0 && sight.kind == Sight::Kind::sky) ++verdict.coverage["sky turned"];
             }
             if (sights.size() > 1) {
                 ++verdict.coverage[std::to_string(std::min<std::size_t>(sights.size() - 1, 8)) + " layers"];
@@ -140,13 +170,25 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
             if (verdict.complaints.size() < kComplaints) {
                 std::string met;
                 for (const Sight& sight : sights) {
-                    met += (met.empty() ? "" : ", then ") + nameOf(world, map, tracer, sight) + " at depth " + std::to_string(sight.depth) + ", " +
-                           words(tracer.colour(sight));
+                    met += (met.empty() ? "" : ", then ") + nameOf(world, tracer, sight) + " of map " + std::to_string(sight.map) + " at depth " +
+                           std::to_string(sight.depth) + ", " + words(tracer.colour(sight)) +
+                           (sight.mirror > 0 ? " mirror " + std::to_string(sight.mirror) : "");
+                }
+                for (std::size_t i = 0; i < notes.size(); ++i) {
+                    if (notes[i]) met += std::string(", ") + nameOf(static_cast<Note>(i));
                 }
                 verdict.complaints.push_back(name + ", pixel " + std::to_string(x) + "," + std::to_string(y) + " of " + std::to_string(view.width) + "x" +
                                              std::to_string(view.height) + ": drawn " + words(found) + ", but the ray meets " + met);
             }
         }
+    }
+    const auto seen = [&](const std::string& what, std::int64_t count) {
+        if (count > 0) verdict.coverage[what] += count;
+    };
+    for (std::size_t i = 0; i < noted.size(); ++i) seen(nameOf(static_cast<Note>(i)), noted[i]);
+    for (std::size_t i = 0; i < std::size(kKinds); ++i) {
+        seen(std::string("mirrored ") + kKinds[i], mirroredKinds[i]);
+        seen(std::string(kKinds[i]) + " behind a portal", kindsBehindPortals[i]);
     }
     for (const auto& [key, count] : counts) verdict.coverage[names[key]] += count;
     const auto allowed = std::max(kExcusedAtLeast, static_cast<std::int64_t>(kExcusedShareOfPicture * static_cast<double>(verdict.pixels)));

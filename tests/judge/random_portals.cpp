@@ -1,0 +1,138 @@
+#include "random_portals.h"
+
+#include <algorithm>
+
+namespace slicecast::judge {
+namespace {
+
+struct Cell {
+    int x;
+    int y;
+    int level;
+};
+
+Cell anyCell(Random& random, const Map& map) {
+    const int x = random.below(map.width);
+    const int y = random.below(map.depth);
+    return {x, y, random.below(map.levels)};
+}
+
+// A blueprint of its own for what moves or leads elsewhere.
+BlueprintId instanceOf(World& world, BlueprintId blueprint) {
+    world.blueprints.push_back(world.blueprints[blueprint]);
+    return static_cast<BlueprintId>(world.blueprints.size() - 1);
+}
+
+// Most portals keep the level; of the others most lead to a level that the exit map has.
+int anyShift(Random& random) {
+    return random.oneIn(3) ? random.between(-3, 3) : 0;
+}
+
+PortalId anyPortal(Random& random, World& world, int map, int x, int y, bool twins) {
+    Portal portal;
+    portal.fromMap = map;
+    portal.fromX = x;
+    portal.fromY = y;
+    portal.toMap = random.below(static_cast<int>(world.maps.size()));
+    const Map& exit = world.maps[static_cast<std::size_t>(portal.toMap)];
+    portal.toX = random.below(exit.width);
+    portal.toY = random.below(exit.depth);
+    portal.turn = random.below(4);
+    portal.levels = anyShift(random);
+    if (twins && random.oneIn(2)) portal = {map, x, y, 1 - map, x, y, 0, 0};
+    world.portals.push_back(portal);
+    return static_cast<PortalId>(world.portals.size() - 1);
+}
+
+}  // namespace
+
+void addPortals(Random& random, World& world) {
+    world.portalLimit = random.oneIn(3) ? random.between(0, 5) : random.between(3, 5);
+    // Sometimes two maps are alike and some portals lead from one to the other without a seam, so that blocks join behind a portal.
+    const bool twins = world.maps.size() >= 2 && random.oneIn(3);
+    if (twins) {
+        const Map& map = world.maps[0];
+        Map& twin = world.maps[1];
+        twin.width = map.width;
+        twin.depth = map.depth;
+        twin.levels = map.levels;
+        twin.cells = map.cells;
+        twin.occupied = map.occupied;
+        twin.floor.tiles = map.floor.tiles;
+        twin.ceiling.tiles = map.ceiling.tiles;
+        twin.ceiling.height = map.ceiling.height;
+    }
+    const int shape = static_cast<int>(world.blueprints.size());
+    for (int m = 0; m < static_cast<int>(world.maps.size()); ++m) {
+        Map& map = world.maps[static_cast<std::size_t>(m)];
+        const int tiles = map.width * map.depth;
+        // Faces: blocks that are there, and new ones.
+        const int blocks = random.between(1, std::max(2, std::min(24, tiles * map.levels / 6)));
+        for (int i = 0; i < blocks; ++i) {
+            const Cell cell = anyCell(random, map);
+            BlueprintId from = map.cell(cell.x, cell.y, cell.level);
+            if (from == kEmptyCell) from = static_cast<BlueprintId>(random.between(1, shape - 1));
+            const BlueprintId id = instanceOf(world, from);
+            const bool all = random.oneIn(4);
+            for (FaceBlueprint& face : world.blueprints[id].faces) {
+                if (all || random.oneIn(2)) face.portal = anyPortal(random, world, m, cell.x, cell.y, twins && m < 2);
+            }
+            world.blueprints[id].mover = random.oneIn(6) ? id : -1;
+            map.setCell(cell.x, cell.y, cell.level, id);
+            // Like any that moves, such a block may be empty at the moment.
+            if (random.oneIn(10)) map.occupied[map.tileIndex(cell.x, cell.y)] &= ~(1u << cell.level);
+        }
+        if (!random.oneIn(2)) continue;
+        map.tilePortals.assign(static_cast<std::size_t>(tiles), kNoPortal);
+        const int portals = random.between(1, std::max(1, std::min(16, tiles / 6)));
+        for (int i = 0; i < portals; ++i) {
+            const Cell cell = anyCell(random, map);
+            map.tilePortals[map.tileIndex(cell.x, cell.y)] = anyPortal(random, world, m, cell.x, cell.y, twins && m < 2);
+        }
+    }
+    markPortals(world);
+}
+
+void addMirrors(Random& random, World& world) {
+    const auto strength = [&] { return static_cast<std::uint8_t>(random.oneIn(6) ? 255 : random.between(1, 255)); };
+    for (Map& map : world.maps) {
+        if (!random.oneIn(3)) map.floor.mirror = strength();
+    }
+    for (CellBlueprint& blueprint : world.blueprints) {
+        if (random.oneIn(2)) blueprint.faces[static_cast<std::size_t>(Face::top)].mirror = strength();
+    }
+}
+
+void addMovers(Random& random, World& world) {
+    const int shapes = static_cast<int>(world.blueprints.size());
+    for (Map& map : world.maps) {
+        const int movers = random.between(1, 4);
+        for (int i = 0; i < movers; ++i) {
+            const Cell cell = anyCell(random, map);
+            const int levels = random.between(1, map.levels - cell.level);
+            auto shape = static_cast<BlueprintId>(random.between(1, shapes - 1));
+            // Parts of glass join: if there is any, most are of it.
+            for (int tries = 0; tries < 8 && !(world.blueprints[shape].seeThrough && world.blueprints[shape].join); ++tries) {
+                shape = static_cast<BlueprintId>(random.between(1, shapes - 1));
+            }
+            const int wide = std::min(map.width - cell.x, random.between(1, 2));
+            const int empty = random.oneIn(4) ? random.below(levels) : levels;
+            const int mover = 1000 + static_cast<int>(world.blueprints.size());
+            for (int level = 0; level < levels; ++level) {
+                const BlueprintId id = instanceOf(world, shape);
+                CellBlueprint& part = world.blueprints[id];
+                part.mover = mover;
+                if (level > 0) part.bottom = {};
+                if (level < levels - 1) part.top = tileEdge(1);
+                if (part.bottom >= part.top) part.bottom = {};
+                if (level >= empty) part.top = part.bottom;
+                for (int x = cell.x; x < cell.x + wide; ++x) {
+                    map.setCell(x, cell.y, cell.level + level, id);
+                    if (level >= empty) map.occupied[map.tileIndex(x, cell.y)] &= ~(1u << (cell.level + level));
+                }
+            }
+        }
+    }
+}
+
+}  // namespace slicecast::judge

@@ -1,0 +1,142 @@
+// What a sight looks like: texels, levels of detail, light and fog.
+#include "tracer.h"
+
+#include "base/angle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace slicecast::judge {
+namespace {
+
+// The next level of detail: 2 x 2 texels become one, colours weighted by alpha.
+Image nextLevel(const Image& image) {
+    Image next(image.width / 2, image.height / 2);
+    for (int y = 0; y < next.height; ++y) {
+        for (int x = 0; x < next.width; ++x) {
+            int sumOfAlpha = 0;
+            int sum[3] = {0, 0, 0};
+            for (int i = 0; i < 4; ++i) {
+                const Colour c = toColour(image.at(2 * x + i % 2, 2 * y + i / 2));
+                sumOfAlpha += c.a;
+                sum[0] += c.r * c.a;
+                sum[1] += c.g * c.a;
+                sum[2] += c.b * c.a;
+            }
+            Colour mean{0, 0, 0, static_cast<std::uint8_t>((sumOfAlpha + 2) / 4)};
+            if (sumOfAlpha > 0) {
+                mean.r = static_cast<std::uint8_t>((sum[0] + sumOfAlpha / 2) / sumOfAlpha);
+                mean.g = static_cast<std::uint8_t>((sum[1] + sumOfAlpha / 2) / sumOfAlpha);
+                mean.b = static_cast<std::uint8_t>((sum[2] + sumOfAlpha / 2) / sumOfAlpha);
+            }
+            next.at(x, y) = toPixel(mean);
+        }
+    }
+    return next;
+}
+
+double clampTo(double value, double low, double high) {
+    return value < low ? low : value > high ? high : value;
+}
+
+}  // namespace
+
+Tracer::Tracer(const World& world, const View& view) : world_(world), view_(view) {
+    distance_ = (view.width / 2.0) / tanDegrees(view.fovDegrees / 2.0);
+    forwardX_ = cosDegrees(view.headingDegrees);
+    forwardY_ = sinDegrees(view.headingDegrees);
+    // A sheet's frames follow one another for ever.
+    const auto levelsOf = [&](const Image& sheet, int frames, double rate) {
+        const int width = sheet.width / frames;
+        const int frame = frames == 1 ? 0 : static_cast<int>(static_cast<std::int64_t>(std::floor(world.seconds * rate)) % frames);
+        Image shown(width, sheet.height);
+        for (int y = 0; y < shown.height; ++y) {
+            for (int x = 0; x < width; ++x) shown.at(x, y) = sheet.at(frame * width + x, y);
+        }
+        std::vector<Image> levels = {shown};
+        while (levels.back().width % 2 == 0 && levels.back().height % 2 == 0) levels.push_back(nextLevel(levels.back()));
+        return levels;
+    };
+    for (const Texture& texture : world.textures) levels_.push_back(levelsOf(texture.image, texture.image.width / texture.image.height, texture.rate));
+    for (const Sprite& sprite : world.sprites) spriteLevels_.push_back(levelsOf(sprite.image, static_cast<int>(sprite.frames.size()), sprite.rate));
+}
+
+const std::vector<Image>& Tracer::levelsOf(const Sight& sight) const {
+    return (sight.kind == Sight::Kind::object ? spriteLevels_ : levels_)[sight.texture];
+}
+
+int Tracer::level(const Sight& sight, double depthFactor) const {
+    if (!view_.detail || sight.texture == kNoTexture) return 0;
+    const std::vector<Image>& levels = levelsOf(sight);
+    const int last = static_cast<int>(levels.size()) - 1;
+    int level = 0;
+    for (double threshold = 1.0; level < last && sight.depth * depthFactor * levels[0].height > threshold * distance_; threshold *= 2.0) ++level;
+    return level;
+}
+
+Colour Tracer::colour(const Sight& sight, double depthFactor) const {
+    if (sight.kind == Sight::Kind::sky || sight.kind == Sight::Kind::haze) return sight.colour;
+    const Map& map = world_.maps[static_cast<std::size_t>(sight.map)];
+    const double depth = sight.depth * depthFactor;
+    if (sight.kind == Sight::Kind::floor && depth > map.far) return map.haze;
+    const Image& image = levelsOf(sight)[static_cast<std::size_t>(level(sight, depthFactor))];
+    // A negative fraction stands for a reversed one: texel N - 1 - i.
+    const auto texel = [](double fraction, int n) {
+        const int i = std::min(n - 1, static_cast<int>(std::floor(std::fabs(fraction) * n)));
+        return std::signbit(fraction) ? n - 1 - i : i;
+    };
+    const Colour raw = toColour(image.at(texel(sight.u, image.width), texel(sight.v, image.height)));
+
+    const double falloff = map.light.on && view_.light ? map.light.intensity * map.light.multiplier / depth : 1.0;
+    const double bright = (sight.glow ? 1.0 : clampTo(falloff, map.light.darkest, map.light.brightest)) * sight.faceLight;
+    const int q = std::min(256, static_cast<int>(std::floor(256.0 * bright + 0.5)));
+    int fog = 0;
+    if (map.fog.on && view_.fog) {
+        fog = static_cast<int>(std::floor(255.0 * clampTo((depth - map.fog.start) / (map.fog.end - map.fog.start), 0.0, 1.0) + 0.5));
+    }
+    const auto channel = [&](int c, int haze) { return static_cast<std::uint8_t>((haze * fog + ((c * q + 128) >> 8) * (255 - fog) + 127) / 255); };
+    const std::uint8_t alpha = sight.mirror > 0 ? 255 : raw.a;
+    return {channel(raw.r, map.haze.r), channel(raw.g, map.haze.g), channel(raw.b, map.haze.b), alpha};
+}
+
+const char* nameOf(Note note) {
+    static const char* const kNames[] = {"face portal",
+                                         "face portal turned by 90",
+                                         "face portal turned by 180",
+                                         "face portal turned by 270",
+                                         "tile portal",
+                                         "tile portal turned by 90",
+                                         "tile portal turned by 180",
+                                         "tile portal turned by 270",
+                                         "north portal",
+                                         "east portal",
+                                         "south portal",
+                                         "west portal",
+                                         "top portal",
+                                         "bottom portal",
+                                         "levels shifted",
+                                         "three portals",
+                                         "portal within a map",
+                                         "portal at once",
+                                         "portal in glass",
+                                         "face at the limit",
+                                         "tile at the limit",
+                                         "below the floor",
+                                         "out inside a block",
+                                         "face at the exit",
+                                         "tile at the exit",
+                                         "left through a portal",
+                                         "joined by a portal",
+                                         "joined mover",
+                                         "empty mover",
+                                         "floor mirror",
+                                         "roof mirror",
+                                         "mirror behind a portal",
+                                         "portal behind a mirror",
+                                         "mirror outside"};
+    static_assert(std::size(kNames) == static_cast<std::size_t>(Note::count));
+    return kNames[static_cast<std::size_t>(note)];
+}
+
+}  // namespace slicecast::judge

@@ -1,0 +1,128 @@
+// How the judge's tracer follows one ray: through tiles, heights, portals and mirrors.
+#pragma once
+
+#include "place.h"
+#include "tracer.h"
+
+#include <cstddef>
+#include <limits>
+
+namespace slicecast::judge {
+
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// How far along the ray something is met: distance / speed on the axis that it was found on, so that points can be worked out before the division rounds.
+struct Meeting {
+    double distance = 0.0;
+    double speed = 1.0;
+
+    double along() const { return distance / speed; }
+    double at(double direction) const { return direction * distance / speed; }
+};
+
+// A border between tiles. It is met "early" when it is crossed eastward or southward, for the eye counts as a little further that way.
+struct Border {
+    Meeting meeting;
+    double along = 0.0;
+    Tile step;
+    bool early = false;
+};
+
+// One ray on its way. Tiles, points and heights are in the ray's own coordinates (those of the eye's map) unless they say map.
+class Tracer::Walk {
+public:
+    Walk(const Tracer& tracer, double px, double py, std::vector<Sight>& sights, Notes& notes);
+
+    void run();
+    void addObjects();
+
+private:
+    enum class Then { ended, again, leaves };
+    // Where the ray begins in a tile: at the eye, on a border, at the height of a top or bottom face through which it came out of a portal, or of a mirror.
+    enum class Start { eye, border, portal, mirror };
+    enum class Edge { bottom, top, plane };
+    // The heights at which something lies in a tile, in the order in which the ray meets them.
+    struct Event {
+        double height;
+        double along;
+        int order;  // at equal depth: faces left, then faces entered, then planes
+        int level;  // of the block, or kFloor or kCeiling
+        bool top;
+    };
+    static constexpr int kFloor = -1;
+    static constexpr int kCeiling = -2;
+    static constexpr int kNoLevel = -1;
+    // A part of the ray within one place; objects of that map are met there. `first` is where its sights begin.
+    struct Stretch {
+        Place place;
+        double from = 0.0;
+        bool afterMirror = false;
+        double eyeZ = 0.0;
+        double slope = 0.0;
+        std::size_t first = 0;
+    };
+
+    bool falls() const { return up_ < 0.0; }
+    Meeting meetingOf(double height) const { return {height - eyeZ_, up_}; }
+    double alongOf(double height) const;
+    bool crossedBefore(double height, const Border& border) const;
+    bool isAbove(double height, const Border& border) const;
+    bool isAboveAtStart(double height, Edge edge) const;
+    Border nextBorder() const;
+
+    const Map& map() const { return mapOf(place_); }
+    const Map& mapOf(const Place& place) const { return world_.maps[static_cast<std::size_t>(place.map)]; }
+    const CellBlueprint& blueprint(BlueprintId id) const { return world_.blueprints[id]; }
+    bool mayPass() const { return portals_ < world_.portalLimit; }
+    bool acts(const CellBlueprint& block, Face face) const { return block.face(face).portal != kNoPortal && !arrived_; }
+    bool join(BlueprintId a, BlueprintId b) const;
+    BlueprintId blockBehind(const Place& place, Tile tile, const Border& border) const;
+    BlueprintId touching(const Place& place, int level, bool above) const;
+    BlueprintId behindLevel(int level, bool above) const;
+
+    Then passTile(const Border& leave);
+    Then passOutside(const Border& leave);
+    Then passGrid(const Border& leave);
+    Then meet(const Event& event, const Event* before);
+    Then meetFloor(TextureId texture, bool outside);
+    Then throughHeight(PortalId portal, const Event& event, BlueprintId left);
+    Then reflect(double height);
+    bool leaveTile(const Border& leave);
+    void passPortal(const Place& next, const Portal& portal, double along, Note kind);
+
+    void push(Sight sight);
+    void pushFace(const CellBlueprint& block, int level, Face face, const Meeting& meeting, bool fromInside);
+    void pushPlane(Sight::Kind kind, TextureId texture, double light, bool glow, const Meeting& meeting, bool outside);
+    void pushHaze(double along);
+    void pushBackground();
+    void note(Note note) { notes_.set(static_cast<std::size_t>(note)); }
+    void note(Note first, int further) { notes_.set(static_cast<std::size_t>(first) + static_cast<std::size_t>(further)); }
+
+    const Tracer& tracer_;
+    const World& world_;
+    std::vector<Sight>& sights_;
+    Notes& notes_;
+
+    // The ray's direction, d units of t ahead: d * (forward + k * right + s * up) = d * forward + (x - W / 2) * right + (horizon - y) * up. Without the
+    // division by d, rays through corners and along edges keep exact numbers, and equal quotients come out equal.
+    Point direction_;
+    double up_;
+    double sideways_;
+    Point eye_;
+    double eyeZ_;  // behind a mirror the mirrored eye's
+
+    Place place_;
+    Tile tile_;
+    Tile mapTile_;
+    int portals_ = 0;
+    bool arrived_ = false;  // the tile is a portal's exit, and the ray came out there
+    bool reflected_ = false;
+    Start start_ = Start::eye;
+    Border enter_;
+    double startHeight_ = 0.0;
+    BlueprintId left_ = kEmptyCell;  // the block that the ray left where it entered the tile
+    int inside_ = kNoLevel;          // the level of the block that it is in
+    std::vector<Stretch> stretches_;
+};
+
+}  // namespace slicecast::judge
