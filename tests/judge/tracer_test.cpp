@@ -1,0 +1,185 @@
+// The tracer before known answers: portals and mirrors worked out on paper.
+#include "tracer.h"
+
+#include <gtest/gtest.h>
+
+namespace slicecast::judge {
+namespace {
+
+constexpr BlueprintId kWall = 1;
+
+Texture plain(Colour colour) {
+    Image image(8, 8);
+    for (Pixel& pixel : image.pixels) pixel = toPixel(colour);
+    return makeTexture("plain", std::move(image));
+}
+
+// Two maps, 9 x 9 and 7 x 5 tiles, three levels, without light; one blueprint, a full block.
+World twoMaps() {
+    World world;
+    world.textures = {plain({10, 20, 30, 255}), plain({200, 100, 50, 255})};
+    CellBlueprint wall;
+    for (FaceBlueprint& face : wall.faces) face.texture = 1;
+    world.blueprints.push_back(wall);
+    world.maps = {makeMap("entry", 9, 9, 3, 0), makeMap("exit", 7, 5, 3, 0)};
+    world.maps[0].sky.low = {1, 1, 1, 255};
+    world.maps[1].sky.low = {2, 2, 2, 255};
+    world.maps[0].haze = {3, 3, 3, 255};
+    world.maps[1].haze = {4, 4, 4, 255};
+    return world;
+}
+
+// A block at (x, y, level) of the first map whose faces all lead on.
+void addPortalBlock(World& world, int x, int y, int level, const Portal& portal) {
+    CellBlueprint block = world.blueprints[kWall];
+    for (FaceBlueprint& face : block.faces) face.portal = static_cast<PortalId>(world.portals.size());
+    world.portals.push_back(portal);
+    world.blueprints.push_back(block);
+    world.maps[0].setCell(x, y, level, static_cast<BlueprintId>(world.blueprints.size() - 1));
+    markPortals(world);
+}
+
+View eyeAt(double x, double y, double z, double heading) {
+    View view;
+    view.x = toCoordinate(x);
+    view.y = toCoordinate(y);
+    view.z = toCoordinate(z);
+    view.headingDegrees = heading;
+    view.fovDegrees = 90.0;  // a row's slope is its distance from the middle in half picture widths
+    view.width = 100;
+    view.height = 100;
+    return view;
+}
+
+// The sights of a ray with a sideways slope and an upward slope.
+std::vector<Sight> along(const World& world, const View& view, double sideways, double up) {
+    std::vector<Sight> sights;
+    Tracer(world, view).look(50.0 + 50.0 * sideways, 50.0 - 50.0 * up, sights);
+    return sights;
+}
+
+// Eastwards through the west face of (5, 4), turned by 90 degrees to go south from the north side of (3, 1): the wall at (3, 3) is 4.5 away from x = 2.5, and
+// what is 0.25 right of the ray's middle, seen from the eye, is west there.
+TEST(Tracer, GoesOnTurnedBehindAPortal) {
+    World world = twoMaps();
+    addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 1, 0});
+    world.maps[1].setCell(3, 3, 0, kWall);
+    const std::vector<Sight> sights = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.05, 0.0);
+    ASSERT_EQ(sights.size(), 1u);
+    EXPECT_EQ(sights[0].kind, Sight::Kind::side);
+    EXPECT_EQ(sights[0].face, Face::north);
+    EXPECT_EQ(sights[0].map, 1);
+    EXPECT_DOUBLE_EQ(sights[0].depth, 4.5);
+    // x = 3.5 - 0.05 * 4.5 in the exit map; the north face's u runs the other way.
+    EXPECT_NEAR(sights[0].u, -(0.5 - 0.05 * 4.5), 1e-12);
+}
+
+// The same portal two levels up: what is at height 0.5 before it is at 2.5 behind it, and the floor there lies 2 lower.
+TEST(Tracer, ShiftsByWholeLevels) {
+    World world = twoMaps();
+    addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 1, 2});
+    world.maps[1].setCell(3, 3, 0, kWall);
+    EXPECT_EQ(along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0)[0].kind, Sight::Kind::sky);
+    world.maps[1].setCell(3, 3, 2, kWall);
+    EXPECT_DOUBLE_EQ(along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0)[0].depth, 4.5);
+    // Out below the floor of the map entered: its haze, at the crossing.
+    world.portals[0].levels = -1;
+    const std::vector<Sight> below = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0);
+    ASSERT_EQ(below.size(), 1u);
+    EXPECT_EQ(below[0].kind, Sight::Kind::haze);
+    EXPECT_EQ(below[0].colour, (Colour{4, 4, 4, 255}));
+    EXPECT_DOUBLE_EQ(below[0].depth, 2.5);
+}
+
+// A portal that leads to the tile before it: seen through as often as it may be; then a face then shows its own texture, a tile haze.
+TEST(Tracer, PassesAsManyPortalsAsItMay) {
+    World world = twoMaps();
+    addPortalBlock(world, 5, 4, 0, {0, 5, 4, 0, 4, 4, 0, 0});
+    for (const int limit : {0, 1, 5}) {
+        world.portalLimit = limit;
+        const std::vector<Sight> sights = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0);
+        ASSERT_EQ(sights.size(), 1u);
+        EXPECT_EQ(sights[0].kind, Sight::Kind::side);
+        EXPECT_EQ(sights[0].portals, limit);
+        EXPECT_DOUBLE_EQ(sights[0].depth, 2.5 + limit);
+    }
+    world.maps[0].setCell(5, 4, 0, kEmptyCell);
+    world.maps[0].tilePortals.assign(81, kNoPortal);
+    world.maps[0].tilePortals[world.maps[0].tileIndex(5, 4)] = 0;
+    const std::vector<Sight> sights = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0);
+    EXPECT_EQ(sights[0].kind, Sight::Kind::haze);
+    EXPECT_DOUBLE_EQ(sights[0].depth, 7.5);
+    // At any height, but not for an eye within.
+    EXPECT_EQ(along(world, eyeAt(2.5, 4.5, 9.5, 0.0), 0.0, 0.0)[0].kind, Sight::Kind::haze);
+    EXPECT_EQ(along(world, eyeAt(5.5, 4.5, 0.5, 0.0), 0.0, 0.0)[0].kind, Sight::Kind::sky);
+}
+
+// Out of a block through a portal face nothing is drawn and nothing happens.
+TEST(Tracer, APortalActsFromOutsideOnly) {
+    World world = twoMaps();
+    addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 0, 0});
+    const std::vector<Sight> sights = along(world, eyeAt(5.5, 4.5, 0.5, 0.0), 0.0, 0.0);
+    ASSERT_EQ(sights.size(), 1u);
+    EXPECT_EQ(sights[0].map, 0);
+    EXPECT_EQ(sights[0].kind, Sight::Kind::sky);
+    // At t = 0 it acts on a ray that moves into it: westwards from the east border, not eastwards from the west one.
+    EXPECT_EQ(along(world, eyeAt(6.0, 4.5, 0.5, 180.0), 0.0, 0.0)[0].map, 1);
+    EXPECT_EQ(along(world, eyeAt(5.0, 4.5, 0.5, 0.0), 0.0, 0.0)[0].map, 0);
+    EXPECT_EQ(along(world, eyeAt(5.5, 4.5, 1.0, 0.0), 0.0, -0.5)[0].map, 1);
+}
+
+// From 1.5 above a floor, down by half a unit each unit: the mirror at 3, then up to the middle of a wall at 4; above it the sky.
+TEST(Tracer, RisesAgainFromAMirror) {
+    World world = twoMaps();
+    world.maps[0].floor.mirror = 100;
+    world.maps[0].setCell(5, 4, 0, kWall);
+    std::vector<Sight> sights = along(world, eyeAt(1.0, 4.5, 1.5, 0.0), 0.0, -0.5);
+    ASSERT_EQ(sights.size(), 2u);
+    EXPECT_EQ(sights[0].kind, Sight::Kind::floor);
+    EXPECT_EQ(sights[0].mirror, 100);
+    EXPECT_DOUBLE_EQ(sights[0].depth, 3.0);
+    EXPECT_EQ(sights[1].kind, Sight::Kind::side);
+    EXPECT_DOUBLE_EQ(sights[1].depth, 4.0);
+    EXPECT_DOUBLE_EQ(sights[1].v, 0.5);
+    world.maps[0].setCell(5, 4, 0, kEmptyCell);
+    sights = along(world, eyeAt(1.0, 4.5, 1.5, 0.0), 0.0, -0.5);
+    ASSERT_EQ(sights.size(), 2u);
+    EXPECT_EQ(sights[1].kind, Sight::Kind::sky);
+    // Beyond `far` the floor is haze and no mirror; half as strong a mirror is half as strong.
+    world.maps[0].far = 2.9;
+    EXPECT_EQ(along(world, eyeAt(1.0, 4.5, 1.5, 0.0), 0.0, -0.5).size(), 1u);
+    world.maps[0].far = 3.1;
+    View view = eyeAt(1.0, 4.5, 1.5, 0.0);
+    view.mirrors = 0.5;
+    EXPECT_EQ(along(world, view, 0.0, -0.5)[0].mirror, 50);
+    view.mirrors = 0.0;
+    EXPECT_EQ(along(world, view, 0.0, -0.5).size(), 1u);
+}
+
+// An object of the other map is met behind the portal only, where that map lies along the ray.
+TEST(Tracer, MeetsObjectsOfTheMapThatItIsIn) {
+    World world = twoMaps();
+    world.sprites.push_back(makeSprite("plain", plain({9, 9, 9, 255}).image));
+    addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 1, 0});
+    const auto objectAt = [](double x, double y) {
+        Object object;
+        object.x = toCoordinate(x);
+        object.y = toCoordinate(y);
+        object.width = tileEdge(1);
+        object.height = tileEdge(1);
+        return object;
+    };
+    // Before the portal, behind it in the entry map, behind it in the exit map, and before it there.
+    world.maps[0].objects = {objectAt(3.5, 4.5), objectAt(7.5, 4.5)};
+    world.maps[1].objects = {objectAt(3.5, 3.5), objectAt(3.5, 0.5)};
+    const std::vector<Sight> sights = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0);
+    ASSERT_EQ(sights.size(), 3u);
+    EXPECT_EQ(sights[0].map, 0);
+    EXPECT_DOUBLE_EQ(sights[0].depth, 1.0);
+    EXPECT_EQ(sights[1].map, 1);
+    EXPECT_DOUBLE_EQ(sights[1].depth, 5.0);
+    EXPECT_EQ(sights[2].kind, Sight::Kind::sky);
+}
+
+}  // namespace
+}  // namespace slicecast::judge
