@@ -2,8 +2,9 @@
 
 #include "base/angle.h"
 #include "base/hash.h"
-#include "world/collision.h"
+#include "world/body.h"
 #include "world/player.h"
+#include "world/traveller.h"
 
 #include <algorithm>
 
@@ -23,14 +24,40 @@ Object& movedObject(World& world, const ObjectMotion& motion) {
     return world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
 }
 
-Coordinate middle(Coordinate low, Coordinate high) {
-    return {low.raw + (high.raw - low.raw) / 2};
+Traveller travellerOf(const ObjectMotion& motion, const Object& object) {
+    return {.map = motion.map, .box = objectBody(object), .eye = {object.x, object.y, object.z + motion.eye}, .behind = motion.behind};
 }
 
-void putBody(Object& object, const Box& box) {
-    object.x = middle(box.west, box.east);
-    object.y = middle(box.north, box.south);
-    object.z = box.bottom;
+// Takes an object from its map's list to the end of another one's; the rest keep their order.
+void changeMap(World& world, ObjectMotion& motion, int map) {
+    std::vector<Object>& from = world.maps[static_cast<std::size_t>(motion.map)].objects;
+    std::vector<Object>& to = world.maps[static_cast<std::size_t>(map)].objects;
+    to.push_back(from[static_cast<std::size_t>(motion.object)]);
+    from.erase(from.begin() + motion.object);
+    for (ObjectMotion& other : world.movingObjects.motions) {
+        if (other.map == motion.map && other.object > motion.object) --other.object;
+    }
+    motion.map = map;
+    motion.object = static_cast<int>(to.size()) - 1;
+}
+
+// The object where its body has come to, by a way of so much in its old map; everything that has a direction turns with it.
+void put(World& world, ObjectMotion& motion, const Traveller& body, GroundPoint way) {
+    Object& object = movedObject(world, motion);
+    GroundPoint fromHome = {object.x + way.x - motion.homeX, object.y + way.y - motion.homeY};
+    object.x = body.eye.x;
+    object.y = body.eye.y;
+    object.z = body.box.bottom;
+    motion.eye = body.eye.z - body.box.bottom;
+    motion.behind = body.behind;
+    if (body.leaps == 0) return;
+    turnArrow(body.turn, fromHome.x, fromHome.y);
+    turnArrow(body.turn, motion.wayX, motion.wayY);
+    motion.homeX = object.x - fromHome.x;
+    motion.homeY = object.y - fromHome.y;
+    motion.headingDegrees = wrapDegrees(motion.headingDegrees + 90.0 * body.turn);
+    motion.phase += static_cast<std::uint32_t>(body.turn) << 30;
+    if (body.map != motion.map) changeMap(world, motion, body.map);
 }
 
 void face(ObjectMotion& motion, double degrees) {
@@ -40,61 +67,74 @@ void face(ObjectMotion& motion, double degrees) {
     motion.wayY = toCoordinate(heading.sine * motion.speed * kStepSeconds);
 }
 
-// A step of a body on the ground.
-struct Walk {
-    Box box;
-    bool stoppedX = false;
-    bool stoppedY = false;
-    bool ledge = false;  // it would have gone over one, and has not
-};
+// The eye halfway up again, after a step up or down.
+void straighten(const World& world, const Object& object, Traveller& body) {
+    const Coordinate lag = body.box.bottom + Coordinate{object.height.raw / 2} - body.eye.z;
+    if (lag.raw != 0) moveEye(world, body, lag);
+}
 
 // Where a body comes to rest on the ground, if there is any within a step below it.
-bool comeDown(const World& world, int map, Box& box) {
-    const Coordinate drop = sweepZ(world, map, box, {-kStepHeight.raw});
-    const Box down = moved(box, {.x = {}, .y = {}, .z = drop});
-    if (drop.raw == -kStepHeight.raw && !isSupported(world, map, down)) return false;
-    box = down;
-    return true;
+bool comeDown(const World& world, Traveller& body) {
+    const Coordinate drop = sweepZ(world, body, {-kStepHeight.raw});
+    const Box above = body.box;
+    body.box = moved(above, {.x = {}, .y = {}, .z = drop});
+    if (drop.raw > -kStepHeight.raw || isSupported(world, body)) return true;
+    body.box = above;
+    return false;
 }
 
 // Straight down.
-void fall(const World& world, ObjectMotion& motion, Object& object) {
+void fall(World& world, ObjectMotion& motion) {
+    Traveller body = travellerOf(motion, movedObject(world, motion));
     motion.fallen = std::min(motion.fallen + kFallPerStep, kFastestFall);
-    const Coordinate drop = sweepZ(world, motion.map, objectBody(object), {-motion.fallen.raw});
-    motion.onGround = drop.raw > -motion.fallen.raw;
+    motion.onGround = !rise(world, body, {-motion.fallen.raw});
     if (motion.onGround) motion.fallen = {};
-    object.z = object.z + drop;
+    put(world, motion, body, {});
 }
 
+// What became of a step.
+struct Step {
+    bool stoppedX = false;
+    bool stoppedY = false;
+    bool refused = false;  // it has not moved: before a ledge, a portal behind which it would have met something, or whatever would lead it off its line
+};
+
 // One step sideways and, over stairs, up or down. What has lost the ground under its feet begins to fall.
-Walk walk(const World& world, ObjectMotion& motion, const Box& box, Coordinate x, Coordinate y) {
-    const Slide way = slide(world, motion.map, box, x, y, kStepHeight);
-    Walk result = {.box = way.box, .stoppedX = way.stoppedX, .stoppedY = way.stoppedY};
-    if (comeDown(world, motion.map, result.box)) return result;
-    result = {.box = box};
-    motion.onGround = comeDown(world, motion.map, result.box);
-    result.ledge = motion.onGround;
-    return result;
+Step walk(World& world, ObjectMotion& motion, GroundPoint way) {
+    const Object& object = movedObject(world, motion);
+    const Traveller before = travellerOf(motion, object);
+    Traveller body = before;
+    const Travelled done = slide(world, body, way.x, way.y, kStepHeight);
+    Step step = {.stoppedX = done.stoppedX, .stoppedY = done.stoppedY};
+    const bool straight = motion.kind == ObjectMotion::Kind::pace || body.leaps > 0;
+    step.refused = (straight && (step.stoppedX || step.stoppedY)) || !comeDown(world, body);
+    if (step.refused) {
+        body = before;
+        motion.onGround = comeDown(world, body);
+    }
+    straighten(world, object, body);
+    put(world, motion, body, step.refused ? GroundPoint{} : way);
+    return step;
 }
 
 bool isOutward(Coordinate from, Coordinate way, Coordinate reach) {
     return reach.raw > 0 && (way.raw > 0 ? from > reach : way.raw < 0 && from.raw < -reach.raw);
 }
 
-void wander(const World& world, ObjectMotion& motion, Object& object) {
-    if (!motion.onGround) return fall(world, motion, object);
+void wander(World& world, ObjectMotion& motion) {
+    if (!motion.onGround) return fall(world, motion);
     if (--motion.steps <= 0) {
         motion.steps = motion.random.between(kShortestWay, kLongestWay);
         face(motion, motion.headingDegrees + motion.random.between(-kWidestTurn, kWidestTurn));
     }
-    const Walk way = walk(world, motion, objectBody(object), motion.wayX, motion.wayY);
-    putBody(object, way.box);
-    if (way.ledge) {
+    const Step step = walk(world, motion, {motion.wayX, motion.wayY});
+    if (step.refused) {
         face(motion, motion.headingDegrees + 180.0 + motion.random.between(-kTurnAtLedge, kTurnAtLedge));
         return;
     }
-    if (way.stoppedX || isOutward(object.x - motion.homeX, motion.wayX, motion.reach)) face(motion, 180.0 - motion.headingDegrees);
-    if (way.stoppedY || isOutward(object.y - motion.homeY, motion.wayY, motion.reach)) face(motion, -motion.headingDegrees);
+    const Object& object = movedObject(world, motion);
+    if (step.stoppedX || isOutward(object.x - motion.homeX, motion.wayX, motion.reach)) face(motion, 180.0 - motion.headingDegrees);
+    if (step.stoppedY || isOutward(object.y - motion.homeY, motion.wayY, motion.reach)) face(motion, -motion.headingDegrees);
 }
 
 void turnBack(ObjectMotion& motion) {
@@ -102,21 +142,10 @@ void turnBack(ObjectMotion& motion) {
     motion.headingDegrees = wrapDegrees(motion.headingDegrees + 180.0);
 }
 
-void pace(const World& world, ObjectMotion& motion, Object& object) {
-    if (!motion.onGround) return fall(world, motion, object);
-    const Box box = objectBody(object);
+void pace(World& world, ObjectMotion& motion) {
+    if (!motion.onGround) return fall(world, motion);
     const int sign = motion.back ? -1 : 1;
-    const Walk way = walk(world, motion, box, {sign * motion.wayX.raw}, {sign * motion.wayY.raw});
-    if (way.stoppedX || way.stoppedY || way.ledge) {
-        // It keeps to its line, whatever it came along sideways.
-        Box here = box;
-        comeDown(world, motion.map, here);
-        putBody(object, here);
-        turnBack(motion);
-        return;
-    }
-    putBody(object, way.box);
-    if (!motion.onGround) return;
+    if (walk(world, motion, {{sign * motion.wayX.raw}, {sign * motion.wayY.raw}}).refused) return turnBack(motion);
     motion.steps += sign;
     const double length = motion.steps * motion.speed * kStepSeconds;
     if (motion.back ? motion.steps <= 0 : length >= motion.reach.value()) turnBack(motion);
@@ -136,17 +165,20 @@ void faceAlongCircle(ObjectMotion& motion) {
     motion.headingDegrees = wrapDegrees(motion.phase * (360.0 / kPhases) + (motion.back ? -90.0 : 90.0));
 }
 
-void circle(const World& world, ObjectMotion& motion, Object& object) {
+void circle(World& world, ObjectMotion& motion) {
+    const Object& object = movedObject(world, motion);
     const double turns = motion.speed * kStepSeconds / (2.0 * kPi * motion.reach.value());
     const auto turned = static_cast<std::uint32_t>(std::min(turns, 0.25) * kPhases);
     const std::uint32_t phase = motion.back ? motion.phase - turned : motion.phase + turned;
     const GroundPoint next = onCircle({motion.homeX, motion.homeY}, motion.reach, phase);
-    const Slide way = slide(world, motion.map, objectBody(object), next.x - object.x, next.y - object.y, {});
-    if (way.stoppedX || way.stoppedY) {
+    const GroundPoint way = {next.x - object.x, next.y - object.y};
+    Traveller body = travellerOf(motion, object);
+    const Travelled done = slide(world, body, way.x, way.y, {});
+    if (done.stoppedX || done.stoppedY) {
         motion.back = !motion.back;
     } else {
-        putBody(object, way.box);
         motion.phase = phase;
+        put(world, motion, body, way);
     }
     faceAlongCircle(motion);
 }
@@ -169,6 +201,8 @@ void startObjects(World& world) {
         Object& object = movedObject(world, motion);
         motion.homeX = object.x;
         motion.homeY = object.y;
+        motion.eye = {object.height.raw / 2};
+        motion.behind = {};
         const GroundPoint begins = beginning(motion, {object.x, object.y});
         object.x = begins.x;
         object.y = begins.y;
@@ -178,27 +212,23 @@ void startObjects(World& world) {
         } else {
             face(motion, motion.headingDegrees);
             if (motion.kind == ObjectMotion::Kind::wander) motion.steps = motion.random.between(kShortestWay, kLongestWay);
-            motion.onGround = isSupported(world, motion.map, objectBody(object));
+            motion.onGround = isSupported(world, travellerOf(motion, object));
         }
     }
     moving.motionsAtStart = moving.motions;
     moving.objectsAtStart.clear();
-    for (const Map& map : world.maps) moving.objectsAtStart.push_back(map.objects);
+    for (Map& map : world.maps) {
+        moving.objectsAtStart.push_back(map.objects);
+        if (!world.portals.empty()) map.objects.reserve(map.objects.size() + moving.motions.size());  // for those that come by
+    }
 }
 
 void stepObjects(World& world) {
     for (ObjectMotion& motion : world.movingObjects.motions) {
-        Object& object = movedObject(world, motion);
         switch (motion.kind) {
-            case ObjectMotion::Kind::wander:
-                wander(world, motion, object);
-                break;
-            case ObjectMotion::Kind::pace:
-                pace(world, motion, object);
-                break;
-            case ObjectMotion::Kind::circle:
-                circle(world, motion, object);
-                break;
+            case ObjectMotion::Kind::wander: wander(world, motion); break;
+            case ObjectMotion::Kind::pace: pace(world, motion); break;
+            case ObjectMotion::Kind::circle: circle(world, motion); break;
         }
     }
 }
@@ -209,6 +239,20 @@ void resetObjects(World& world) {
     for (std::size_t i = 0; i < moving.objectsAtStart.size(); ++i) world.maps[i].objects = moving.objectsAtStart[i];
 }
 
+void addBodies(const World& world, std::vector<Body>& bodies) {
+    for (const ObjectMotion& motion : world.movingObjects.motions) {
+        const Object& object = world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
+        bodies.push_back(bodyOf(travellerOf(motion, object), motion.onGround));
+    }
+}
+
+void liftObjects(World& world, std::span<const Body> bodies) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        Object& object = movedObject(world, world.movingObjects.motions[i]);
+        object.z = object.z + bodies[i].lift;
+    }
+}
+
 void addMovingObjects(Hash& hash, const World& world) {
     for (const ObjectMotion& motion : world.movingObjects.motions) {
         const Object& object = world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
@@ -216,7 +260,9 @@ void addMovingObjects(Hash& hash, const World& world) {
         for (const std::int64_t number :
              {std::int64_t{motion.map}, std::int64_t{motion.object}, std::int64_t{object.x.raw}, std::int64_t{object.y.raw}, std::int64_t{object.z.raw},
               std::int64_t{motion.wayX.raw}, std::int64_t{motion.wayY.raw}, std::int64_t{motion.fallen.raw}, std::int64_t{motion.onGround},
-              std::int64_t{motion.back}, std::int64_t{motion.steps}, std::int64_t{motion.phase}, static_cast<std::int64_t>(next.next())}) {
+              std::int64_t{motion.back}, std::int64_t{motion.steps}, std::int64_t{motion.phase}, static_cast<std::int64_t>(next.next()),
+              std::int64_t{motion.homeX.raw}, std::int64_t{motion.homeY.raw}, std::int64_t{motion.eye.raw}, std::int64_t{motion.behind.isOn},
+              static_cast<std::int64_t>(motion.behind.side), std::int64_t{motion.behind.height.raw}}) {
             hash.add(number);
         }
         hash.add(motion.headingDegrees);

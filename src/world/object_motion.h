@@ -1,8 +1,8 @@
 // Objects that move: they wander about, pace to and fro or fly in circles, 1/120 s at a time.
 //
-// A moving object is a body (see collision.h) as wide as its picture, within limits, and as high. One that is free stays free. Walkers take steps up and down
-// like the player and turn at whatever they meet, ledges among it; with no ground under them they fall. Flyers turn back. All ways are sums of coordinates,
-// so they are the same everywhere. What stands still costs nothing here.
+// A moving object is a body (see traveller.h) as wide as its picture, within limits, and as high, with its eye halfway up. One that is free stays free. Walkers
+// take steps up and down like the player and turn at whatever they meet, ledges among it; with no ground under them they fall. Flyers turn back. All of them
+// go through portals. Ways are sums of coordinates, so they are the same everywhere. What stands still costs nothing here.
 //
 //     startObjects(world);      once the world is complete
 //     stepObjects(world);       1/120 s
@@ -12,13 +12,16 @@
 #include "base/coordinate.h"
 #include "base/random.h"
 #include "world/object.h"
+#include "world/portal.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace slicecast {
 
 class Hash;
+struct Body;
 struct Box;
 struct World;
 
@@ -43,6 +46,8 @@ struct ObjectMotion {
     // Set by startObjects, and by every step.
     Coordinate homeX;  // where it began; of a circle, the middle
     Coordinate homeY;
+    Coordinate eye;     // above the feet
+    Threshold behind;   // see traveller.h
     Coordinate wayX;   // of each step; not of a circle
     Coordinate wayY;
     Coordinate fallen;         // by the last step, if it is in the air
@@ -77,6 +82,10 @@ void startObjects(World& world);
 void stepObjects(World& world);
 
 void resetObjects(World& world);
+
+// What moves, as moving blocks and gates see it, in a fixed order; and how they have taken it along.
+void addBodies(const World& world, std::vector<Body>& bodies);
+void liftObjects(World& world, std::span<const Body> bodies);
 
 // Mixes in where everything that moves is, and what it will do.
 void addMovingObjects(Hash& hash, const World& world);

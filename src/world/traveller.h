@@ -23,16 +23,6 @@ namespace slicecast {
 
 struct World;
 
-// The plane of a portal that a body has passed and still reaches back through.
-struct Threshold {
-    bool isOn = false;
-    Portal back;             // from the tile that the eye has come into to where it came from
-    Face side = Face::west;  // of that tile: what reaches out there is still on the other side
-    Coordinate height;       // of the plane, where the side is the top or the bottom
-
-    friend bool operator==(const Threshold&, const Threshold&) = default;
-};
-
 struct Traveller {
     int map = 0;       // index into World::maps
     Box box;           // at most 1/2 wide and deep
