@@ -91,7 +91,7 @@ TEST(Tracer, ShiftsByWholeLevels) {
     EXPECT_DOUBLE_EQ(below[0].depth, 2.5);
 }
 
-// A portal that leads to the tile before it: seen through as often as it may be; then a face then shows its own texture, a tile haze.
+// A portal that leads to the tile before it: seen through as often as it may be, then a face shows its own texture and a tile haze.
 TEST(Tracer, PassesAsManyPortalsAsItMay) {
     World world = twoMaps();
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 0, 4, 4, 0, 0});
