@@ -232,13 +232,24 @@ void drift(Player& player) {
 }
 
 // The flying body, around the eye. It lies within the space that a free body and its eye have.
-void bringBodyToEye(Player& player) {
+void flyAtEye(Player& player) {
     const Coordinate eye = eyeHeight(player);
     player.z = std::max(player.z, eye - kCrouchedEye);
     player.flying = true;
     player.crouched = false;
     player.onGround = false;
     player.eyeLag = eye - player.z - kCrouchedEye;
+}
+
+// The same for a free body. Above a portal that the eye has just passed there may be no room for it: then the eye comes down to the body.
+void bringBodyToEye(const World& world, Player& player) {
+    const Coordinate feet = player.z;
+    flyAtEye(player);
+    if (isFree(world, travellerOf(player))) return;
+    const Coordinate eye = eyeHeight(player);
+    player.z = feet;
+    player.eyeLag = eye - feet - kCrouchedEye;
+    moveEyeTo(world, player, {});
 }
 
 }  // namespace
@@ -303,7 +314,7 @@ void stepPlayer(const World& world, Player& player, const PlayerInput& input) {
         walk(world, player, wish);
     } else {
         player.jumpHeld = wish.jump;
-        if (!player.flying) bringBodyToEye(player);
+        if (!player.flying) flyAtEye(player);
         chooseFlyingVelocity(player, wish);
         if (!free) return drift(player);
         fly(world, player);
@@ -313,14 +324,19 @@ void stepPlayer(const World& world, Player& player, const PlayerInput& input) {
 
 void setFlying(const World& world, Player& player, bool flying) {
     if (flying == player.flying) return;
+    const bool isFreeNow = isFree(world, travellerOf(player));
     if (flying) {
-        bringBodyToEye(player);
+        if (isFreeNow) {
+            bringBodyToEye(world, player);
+        } else {
+            flyAtEye(player);
+        }
         player.velocityZ = 0.0;
         return;
     }
-    if (!isFree(world, travellerOf(player))) return;
+    if (!isFreeNow) return;
+    bringBodyToEye(world, player);
     const Coordinate eye = eyeHeight(player);
-    bringBodyToEye(player);
     // Let the legs down as far as there is room for them; stay crouched if that is not enough to stand.
     const Coordinate legs = sweepZ(world, travellerOf(player), {-kEyeDrop.raw});
     player.crouched = !canStand(world, player, player.z + legs);

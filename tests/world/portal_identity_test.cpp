@@ -155,5 +155,67 @@ TEST(PortalIdentity, TurnedToo) {
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }
 
+// A block with portals on two opposite faces, seen only from there, in a passage of its size; in the copy another one leads back.
+struct Barrier {
+    int x;
+    int y;
+    int level;
+};
+
+World withBarriers(const World& plain, int turn, int levels, Barrier here, Barrier there, Face face, Face opposite, Portal& toCopy) {
+    World world = plain;
+    toCopy = appendCopy(world, 0, turn, levels);
+    putBlock(world, here.x, here.y, tileEdge(here.level), tileEdge(here.level + 1));
+    const GridTile tile = carried(toCopy, GridTile{there.x, there.y});
+    world.maps[1].setCell(tile.x, tile.y, there.level + levels, world.maps[0].cell(here.x, here.y, here.level));
+    for (const Face side : {face, opposite}) {
+        putFacePortal(world, portalAt(toCopy, here.x, here.y), here.level, side);
+        putFacePortal(world, reversed(portalAt(toCopy, there.x, there.y)), there.level + levels, turned(side, turn));
+    }
+    return world;
+}
+
+TEST(PortalIdentity, FacesInACorridorThatLeadToACopyChangeNoWay) {
+    Counts counts;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) * 15485863);
+        World plain = emptyWorld(10, 3, 2);
+        for (int x = 0; x < 10; ++x) {
+            putBlock(plain, x, 0, 0.0_u, 1.0_u);
+            putBlock(plain, x, 2, 0.0_u, 1.0_u);
+            putBlock(plain, x, 1, 1.0_u, 2.0_u);
+        }
+        Portal toCopy;
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {6, 1, 0}, {3, 1, 0}, Face::west, Face::east, toCopy);
+        const Walker walker(plain, 4.5, 1.5, 0.0, gridDegrees(random, 180.0) + 180.0);
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+    }
+    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 8) << turn;
+    EXPECT_GT(counts.straddling, counts.steps / 500);
+    EXPECT_LT(counts.rejoined, counts.steps / 1000);
+}
+
+TEST(PortalIdentity, TopsAndBottomsInAShaftThatLeadToACopyChangeNoWay) {
+    Counts counts;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) * 32452843);
+        World plain = emptyWorld(3, 3, 6);
+        for (int tile = 0; tile < 9; ++tile) {
+            for (int level = 0; level < 4; ++level) {
+                if (tile != 4) putBlock(plain, tile % 3, tile / 3, tileEdge(level), tileEdge(level + 1));
+            }
+        }
+        Portal toCopy;
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {1, 1, 2 + seed / 4 % 2}, {1, 1, 1}, Face::top, Face::bottom, toCopy);
+        const Walker walker(plain, 1.5, 1.5, 4.5, gridDegrees(random, 180.0) + 180.0);
+        Player player = walker.player;
+        if (random.oneIn(2)) setFlying(plain, player, true);
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+    }
+    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 20) << turn;
+    EXPECT_GT(counts.straddling, counts.steps / 500);
+    EXPECT_LT(counts.rejoined, counts.steps / 1000);
+}
+
 }  // namespace
 }  // namespace slicecast

@@ -1,0 +1,260 @@
+// Random players in random worlds full of portals: nobody is ever inside anything on either side of one, and nobody is ever stuck.
+#include "portal_worlds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace slicecast {
+namespace {
+
+#ifdef SLICECAST_SANITIZED
+constexpr int kWorlds = 60;
+#else
+constexpr int kWorlds = 500;
+#endif
+constexpr int kPlayersPerWorld = 4;
+constexpr int kStepsPerPlayer = 500;
+
+// Up to three maps; of many tiles and faces some lead to any place of any map.
+World randomPortalWorld(std::uint64_t seed) {
+    Random random(seed);
+    World world = randomWorld(seed);
+    const int maps = random.between(1, 3);
+    for (int i = 1; i < maps; ++i) {
+        const World other = randomWorld(seed * 31 + static_cast<std::uint64_t>(i));
+        Map map = other.maps[0];
+        const std::size_t first = world.blueprints.size() - 1;
+        for (BlueprintId& id : map.cells) {
+            if (id != kEmptyCell) id = static_cast<BlueprintId>(id + first);
+        }
+        world.blueprints.insert(world.blueprints.end(), other.blueprints.begin() + 1, other.blueprints.end());
+        world.maps.push_back(map);
+    }
+    const int tileDensity = random.between(2, 20);
+    const int faceDensity = random.between(1, 12);
+    for (int m = 0; m < maps; ++m) {
+        const auto exit = [&](int x, int y) {
+            const int to = random.below(maps);
+            const Map& map = world.maps[static_cast<std::size_t>(to)];
+            return Portal{.fromMap = m,
+                          .fromX = x,
+                          .fromY = y,
+                          .toMap = to,
+                          .toX = random.below(map.width),
+                          .toY = random.below(map.depth),
+                          .turn = random.below(4),
+                          .levels = random.oneIn(2) ? 0 : random.between(-2, 2)};
+        };
+        const Map& map = world.maps[static_cast<std::size_t>(m)];
+        for (int y = 0; y < map.depth; ++y) {
+            for (int x = 0; x < map.width; ++x) {
+                if (random.oneIn(tileDensity)) putTilePortal(world, exit(x, y));
+                for (int level = 0; level < map.levels; ++level) {
+                    if (!map.isOccupied(x, y, level)) continue;
+                    for (int face = 0; face < kFaces; ++face) {
+                        if (random.oneIn(faceDensity)) putFacePortal(world, exit(x, y), level, static_cast<Face>(face));
+                    }
+                }
+            }
+        }
+    }
+    return world;
+}
+
+// A cube of 1/65536, by its lowest corner.
+struct Cube {
+    int x;
+    int y;
+    int z;
+};
+
+GridTile tileOf(const Cube& cube) {
+    return {cube.x >> 16, cube.y >> 16};
+}
+
+Cube carriedCube(const Portal& portal, const Cube& cube) {
+    // In halves, from the middle of the tile to the middle of the cube.
+    int x = 2 * cube.x + 1 - (2 * portal.fromX + 1) * 65536;
+    int y = 2 * cube.y + 1 - (2 * portal.fromY + 1) * 65536;
+    turnArrow(portal.turn, x, y);
+    return {((2 * portal.toX + 1) * 65536 + x - 1) / 2, ((2 * portal.toY + 1) * 65536 + y - 1) / 2, cube.z + portal.levels * 65536};
+}
+
+const CellBlueprint* blockAt(const World& world, int map, const Cube& cube) {
+    const int level = cube.z >> 16;
+    const GridTile tile = tileOf(cube);
+    const BlueprintId id = world.maps[static_cast<std::size_t>(map)].cell(tile.x, tile.y, level);
+    if (id == kEmptyCell) return nullptr;
+    const CellBlueprint& block = world.blueprints[id];
+    const int height = cube.z - level * 65536;
+    return height >= block.bottom.raw && height < block.top.raw ? &block : nullptr;
+}
+
+bool isSolidIn(const World& world, int map, const Cube& cube) {
+    const GridTile tile = tileOf(cube);
+    if (!world.maps[static_cast<std::size_t>(map)].contains(tile.x, tile.y) || cube.z < 0) return true;
+    return blockAt(world, map, cube) != nullptr;
+}
+
+// As traveller.h has it, for one cube of the body.
+bool isSolidFor(const World& world, const Traveller& body, const Cube& cube) {
+    const GridTile tile = tileOf(cube);
+    const auto through = [&](const Portal& portal) { return isSolidIn(world, portal.toMap, carriedCube(portal, cube)); };
+
+    const Threshold& behind = body.behind;
+    const bool isBehind = behind.isOn && (behind.side == Face::west    ? tile.x < behind.back.fromX
+                                          : behind.side == Face::east  ? tile.x > behind.back.fromX
+                                          : behind.side == Face::north ? tile.y < behind.back.fromY
+                                          : behind.side == Face::south ? tile.y > behind.back.fromY
+                                          : behind.side == Face::top   ? cube.z >= behind.height.raw
+                                                                       : cube.z < behind.height.raw);
+    if (isBehind) return through(behind.back);
+
+    const Map& map = world.maps[static_cast<std::size_t>(body.map)];
+    const Cube eye = {body.eye.x.raw, body.eye.y.raw, body.eye.z.raw};
+    const bool isEyeTile = tile == tileOf(eye);
+    const PortalId ofTile = map.tilePortal(tile.x, tile.y);
+    if (!isEyeTile && ofTile != kNoPortal) return through(world.portals[ofTile]);
+
+    if (isEyeTile) {
+        // Along the line from the eye to the cube's height: the first block that it meets.
+        const bool down = cube.z < eye.z;
+        for (int z = eye.z; down ? z >= cube.z : z <= cube.z;) {
+            const CellBlueprint* block = blockAt(world, body.map, {cube.x, cube.y, z});
+            if (block != nullptr) {
+                const PortalId portal = block->face(down ? Face::top : Face::bottom).portal;
+                if (portal != kNoPortal) return through(world.portals[portal]);
+                break;
+            }
+            // On to the next edge of a cell or block.
+            const int base = z >> 16 << 16;
+            const BlueprintId id = map.cell(tile.x, tile.y, z >> 16);
+            const int bottom = base + world.blueprints[id].bottom.raw;
+            const int top = base + world.blueprints[id].top.raw;
+            if (down) {
+                z = id != kEmptyCell && z >= top ? top - 1 : base - 1;
+            } else {
+                z = id != kEmptyCell && z < bottom ? bottom : base + 65536;
+            }
+        }
+    } else if (std::abs(tile.x - (eye.x >> 16)) + std::abs(tile.y - (eye.y >> 16)) == 1) {
+        const CellBlueprint* seen = blockAt(world, body.map, {cube.x, cube.y, eye.z});
+        const Face face = tile.x > eye.x >> 16 ? Face::west : tile.x < eye.x >> 16 ? Face::east : tile.y > eye.y >> 16 ? Face::north : Face::south;
+        if (seen != nullptr && seen->face(face).portal != kNoPortal && cube.z >> 16 == eye.z >> 16 && blockAt(world, body.map, cube) == seen) {
+            return through(world.portals[seen->face(face).portal]);
+        }
+    }
+    return isSolidIn(world, body.map, cube);
+}
+
+// Looks at cubes all over the body, at its corners and on both sides of every border.
+bool isInsideSomething(const World& world, const Player& player, Random& random) {
+    const Traveller body = travellerOf(player);
+    const auto places = [](Coordinate low, Coordinate high) {
+        const int border = tileEdge(Coordinate{high.raw - 1}.tile()).raw;
+        return std::array<int, 4>{low.raw, high.raw - 1, std::max(low.raw, border), std::max(low.raw, border - 1)};
+    };
+    std::array<int, 8> heights = {body.box.bottom.raw, body.box.top.raw - 1, std::max(body.box.bottom.raw, tileEdge(body.box.top.tile()).raw - 1)};
+    for (std::size_t i = 3; i < heights.size(); ++i) heights[i] = random.between(body.box.bottom.raw, body.box.top.raw - 1);
+    for (const int x : places(body.box.west, body.box.east)) {
+        for (const int y : places(body.box.north, body.box.south)) {
+            for (const int z : heights) {
+                if (z < body.box.top.raw && isSolidFor(world, body, {x, y, z})) return true;
+            }
+        }
+    }
+    // The eye itself, which sees its own map only.
+    return isSolidIn(world, body.map, {body.eye.x.raw, body.eye.y.raw, body.eye.z.raw});
+}
+
+PlayerInput randomInput(Random& random) {
+    PlayerInput input;
+    input.forward = random.oneIn(3) ? random.between(-1.0, 1.0) : 1.0;
+    input.strafe = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.turn = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.fly = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
+    input.turnDegrees = random.oneIn(4) ? random.between(-90.0, 90.0) : 0.0;
+    input.jump = random.oneIn(3);
+    input.fast = random.oneIn(3);
+    input.slow = random.oneIn(6);
+    input.speed = random.oneIn(5) ? random.between(kLeastSpeed, kGreatestSpeed) : 1.0;
+    return input;
+}
+
+// True if some portal brings the eye from the one place to within a step of the other.
+bool isALeap(const World& world, const Player& before, const Player& after) {
+    const Position from = {before.x, before.y, eyeHeight(before)};
+    const Position to = {after.x, after.y, eyeHeight(after)};
+    return std::any_of(world.portals.begin(), world.portals.end(), [&](const Portal& portal) {
+        if (portal.fromMap != before.map || portal.toMap != after.map) return false;
+        const Position there = carried(portal, from);
+        const auto near = [](Coordinate a, Coordinate b) { return std::abs((a - b).value()) < 0.75; };
+        return near(there.x, to.x) && near(there.y, to.y) && near(there.z, to.z);
+    });
+}
+
+TEST(RandomPortals, NobodyIsEverInsideABlockOnEitherSide) {
+    std::int64_t steps = 0;
+    std::int64_t leaps = 0;
+    std::int64_t straddling[kFaces] = {};
+    for (int seed = 1; seed <= kWorlds; ++seed) {
+        const World world = randomPortalWorld(static_cast<std::uint64_t>(seed));
+        Random random(static_cast<std::uint64_t>(seed) << 20);
+        for (int i = 0; i < kPlayersPerWorld; ++i) {
+            Player player;
+            if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player))) continue;
+            ASSERT_FALSE(isInsideSomething(world, player, random));
+            PlayerInput input = randomInput(random);
+            for (int step = 0; step < kStepsPerPlayer; ++step) {
+                if (random.oneIn(20)) input = randomInput(random);
+                if (random.oneIn(60)) setFlying(world, player, !player.flying);
+                if (random.oneIn(200)) levelLook(world, player);
+                const Player before = player;
+                stepPlayer(world, player, input);
+                ASSERT_TRUE(isFree(world, travellerOf(player))) << "world " << seed << ", player " << i << ", step " << step;
+                ASSERT_FALSE(isInsideSomething(world, player, random)) << "world " << seed << ", player " << i << ", step " << step;
+                if (player.leaps == before.leaps + 1) {
+                    ASSERT_TRUE(isALeap(world, before, player)) << "world " << seed << ", player " << i << ", step " << step;
+                }
+                ++steps;
+                leaps += player.leaps - before.leaps;
+                if (player.behind.isOn) ++straddling[static_cast<std::size_t>(player.behind.side)];
+            }
+        }
+    }
+    EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer / 2);
+    EXPECT_GT(leaps, steps / 1000);
+    for (const std::int64_t side : straddling) EXPECT_GT(side, steps / 20'000);
+}
+
+TEST(RandomPortals, NobodyIsEverStuck) {
+    int tried = 0;
+    for (int seed = 1; seed <= kWorlds / 5; ++seed) {
+        const World world = randomPortalWorld(static_cast<std::uint64_t>(seed) + 1'000'000);
+        Random random(static_cast<std::uint64_t>(seed) << 20);
+        Player player;
+        if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player))) continue;
+        for (int leg = 0; leg < 20; ++leg) {
+            const PlayerInput input = randomInput(random);
+            for (int step = 0; step < 40; ++step) stepPlayer(world, player, input);
+            if (random.oneIn(3)) setFlying(world, player, !player.flying);
+            bool moves = false;
+            for (int heading = 0; heading < 360 && !moves; heading += 90) {
+                Player probe = player;
+                probe.velocityX = probe.velocityY = 0.0;
+                setHeading(probe, heading);
+                for (int step = 0; step < 20; ++step) stepPlayer(world, probe, kAhead);
+                moves = probe.x != player.x || probe.y != player.y;
+            }
+            ASSERT_TRUE(moves) << "world " << seed << ", leg " << leg;
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, kWorlds);
+}
+
+}  // namespace
+}  // namespace slicecast
