@@ -96,7 +96,7 @@ void fall(World& world, ObjectMotion& motion) {
 struct Step {
     bool stoppedX = false;
     bool stoppedY = false;
-    bool refused = false;  // it has not moved: before a ledge, a portal behind which it would have met something, or whatever would lead it off its line
+    bool refused = false;  // it has not moved: before a ledge, or whatever would lead it off its line
 };
 
 // One step sideways and, over stairs, up or down. What has lost the ground under its feet begins to fall.
@@ -106,7 +106,8 @@ Step walk(World& world, ObjectMotion& motion, GroundPoint way) {
     Traveller body = before;
     const Travelled done = slide(world, body, way.x, way.y, kStepHeight);
     Step step = {.stoppedX = done.stoppedX, .stoppedY = done.stoppedY};
-    const bool straight = motion.kind == ObjectMotion::Kind::pace || body.leaps > 0;
+    // A pacer keeps to its line; and where a wanderer's home is behind a portal, is known if it has come all the way.
+    const bool straight = motion.kind == ObjectMotion::Kind::pace || (body.leaps > 0 && motion.reach.raw > 0);
     step.refused = (straight && (step.stoppedX || step.stoppedY)) || !comeDown(world, body);
     if (step.refused) {
         body = before;
