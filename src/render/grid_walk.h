@@ -65,7 +65,8 @@ struct GridWalk {
     double entered = 0.0;  // `along` where the current tile was entered, 0 in the eye's own
 
     GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray)
-        : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y), tieAlongX_(stepX > 0) {}
+        : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y), earlyX_(stepX > 0), earlyY_(stepY > 0),
+          tieAlongX_(stepX > 0) {}
 
     // How the current tile was entered, and how it will be left.
     Crossing enter() const {
@@ -109,6 +110,7 @@ struct GridWalk {
             std::swap(walk.x_, walk.y_);
             walk.stepX = std::exchange(walk.stepY, walk.stepX);
             walk.stepX = -walk.stepX;
+            std::swap(walk.earlyX_, walk.earlyY_);
             walk.tieAlongX_ = !walk.tieAlongX_;
             if (walk.way_ != Way::none) walk.way_ = walk.way_ == Way::alongX ? Way::alongY : Way::alongX;
         }
@@ -125,9 +127,8 @@ private:
         double distance;
         double speed;
         double along;
-        bool early;  // see Crossing
 
-        Axis(Coordinate eye, double direction) : speed(direction < 0.0 ? -direction : direction), early(direction > 0.0) {
+        Axis(Coordinate eye, double direction) : speed(direction < 0.0 ? -direction : direction) {
             if (direction == 0.0) {
                 distance = along = std::numeric_limits<double>::infinity();
                 speed = 1.0;
@@ -144,13 +145,15 @@ private:
 
     Crossing crossing(double along, double distance, const Axis& axis, bool alongX) const {
         return {along,  distance, axis.speed, distance > 0.0 ? axis.speed / distance * (1.0 / 65536.0) : kHugeRows, alongX, (alongX ? stepX : stepY) > 0,
-                axis.early};
+                alongX ? earlyX_ : earlyY_};
     }
     static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
     bool leavesAlongX() const { return x_.along < y_.along || (x_.along == y_.along && tieAlongX_); }
 
     Axis x_;
     Axis y_;
+    bool earlyX_;     // see Crossing
+    bool earlyY_;
     bool tieAlongX_;  // which of two borders at one depth comes first
     Way way_ = Way::none;
 };

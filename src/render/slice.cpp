@@ -85,6 +85,8 @@ void Slice::lookInto(Vista& vista) {
     eyeFractionY_ = vista.viewpoint.fractionY();
     eyeZ_ = vista.viewpoint.z;
     eyeHeight_ = Coordinate{eyeZ_}.value();
+    const int eyeLevel = std::min(eyeZ_ >> 16, kMaxLevels - 1);
+    levelsToEye_ = eyeLevel < 0 ? 0 : static_cast<std::uint32_t>((std::uint64_t{2} << eyeLevel) - 1);
     floorRise_ = -eyeZ_;
     ceilingRise_ = map_->ceiling.height.raw - eyeZ_;
 }
@@ -135,7 +137,8 @@ double Slice::whereToStop() const {
 }
 
 // Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open row may meet.
-Slice::Pass Slice::passTiles(bool leaveFirst) {
+template <bool portals>
+Slice::Pass Slice::passTilesWith(bool leaveFirst) {
     constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
     const double stop = whereToStop();
     const double highestEye = eyeHeight_ + kSlack;
@@ -144,7 +147,6 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
     const double lower = projection_->horizon - open_.last();
     const TextureId* const floorTiles = map_->floor.tiles.data();
     const TextureId* const ceilingTiles = ceilingTiles_;
-    const PortalId* const tilePortals = map_->tilePortals.empty() ? nullptr : map_->tilePortals.data();
     const std::uint32_t* const occupiedTiles = map_->occupied.data();
     const TextureId floorTexture = floor_.texture;
     const TextureId ceilingTexture = ceiling_.texture;
@@ -177,9 +179,11 @@ Slice::Pass Slice::passTiles(bool leaveFirst) {
         ++tiles;
         if (trace) traceTile(walk.tileX, walk.tileY, walk.entered);
         const std::size_t tile = static_cast<std::size_t>(walk.tileY) * width + static_cast<std::size_t>(walk.tileX);
-        if (tilePortals && leave && tilePortals[tile] != kNoPortal) {
-            pass = Pass::portal;
-            break;
+        if constexpr (portals) {
+            if (leave && map_->tilePortals[tile] != kNoPortal) {
+                pass = Pass::portal;
+                break;
+            }
         }
         reached = occupiedTiles[tile];
         if (reached != 0 && !trace) {
@@ -249,10 +253,8 @@ Slice::Block Slice::blockAt(int level) const {
 void Slice::drawBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     report_.blocksMet += std::popcount(reached);
     if (trace_) traceBlocks(reached);
-    const int eyeLevel = std::min(eyeZ_ >> 16, kMaxLevels - 1);
-    const std::uint32_t upToEye = eyeLevel < 0 ? 0 : static_cast<std::uint32_t>((std::uint64_t{2} << eyeLevel) - 1);
-    const std::uint32_t falling = reached & upToEye;
-    const std::uint32_t rising = reached & ~(upToEye >> 1);
+    const std::uint32_t falling = reached & levelsToEye_;
+    const std::uint32_t rising = reached & ~(levelsToEye_ >> 1);
     if (falling != 0 || ceilingTexture != kNoTexture) drawFalling(falling, ceilingTexture);
     if (rising != 0 || ceilingTexture != kNoTexture) drawRising(rising, ceilingTexture);
 }

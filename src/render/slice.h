@@ -99,7 +99,9 @@ private:
         return strength == 0 ? 0 : static_cast<int>(std::min(255.0, std::floor(strength * frame_.mirrors + 0.5)));
     }
 
-    Pass passTiles(bool leaveFirst);
+    Pass passTiles(bool leaveFirst) { return map_->tilePortals.empty() ? passTilesWith<false>(leaveFirst) : passTilesWith<true>(leaveFirst); }
+    template <bool portals>
+    Pass passTilesWith(bool leaveFirst);
     void drawTile();
     void drawStretch();
     void drawTileWithObjects();
@@ -191,6 +193,7 @@ private:
     double eyeHeight_ = 0.0;      // the same in units
     std::int32_t floorRise_ = 0;  // 1/65536 units above the eye
     std::int32_t ceilingRise_ = 0;
+    std::uint32_t levelsToEye_ = 0;  // a bit for each level that begins at or below the eye
     const TextureId* ceilingTiles_ = nullptr;  // null where no ceiling can be met
     int floorMirror_ = 0;         // strength
     HeightClip clip_;
