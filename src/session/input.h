@@ -14,6 +14,9 @@ struct Input {
     bool jump = false;         // held; walk mode. One press is one jump
     bool fast = false;         // Shift
     bool slow = false;         // Ctrl; wins over fast
+    bool use = false;          // held; one press opens or closes the gates within reach
+    bool open = false;         // one press opens them
+    bool close = false;        // one press closes them
 };
 
 }  // namespace slicecast

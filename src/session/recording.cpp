@@ -43,7 +43,7 @@ struct Performer {
 
 RecordedInput toRecorded(const Input& input) {
     // A new field of Input is missed here by the compiler, and belongs into the recording.
-    const auto& [forward, strafe, turn, look, fly, turnDegrees, lookHeights, jump, fast, slow] = input;
+    const auto& [forward, strafe, turn, look, fly, turnDegrees, lookHeights, jump, fast, slow, use, open, close] = input;
     return {.forward = inUnits(forward, kRecordedAxis, 1),
             .strafe = inUnits(strafe, kRecordedAxis, 1),
             .turn = inUnits(turn, kRecordedAxis, 1),
@@ -53,7 +53,10 @@ RecordedInput toRecorded(const Input& input) {
             .lookHeights = inUnits(lookHeights, kRecordedHeight, kMaxRecordedHeights),
             .jump = jump,
             .fast = fast,
-            .slow = slow};
+            .slow = slow,
+            .use = use,
+            .open = open,
+            .close = close};
 }
 
 Input toInput(const RecordedInput& input) {
@@ -66,7 +69,10 @@ Input toInput(const RecordedInput& input) {
             .lookHeights = fromUnits(input.lookHeights, kRecordedHeight),
             .jump = input.jump,
             .fast = input.fast,
-            .slow = input.slow};
+            .slow = input.slow,
+            .use = input.use,
+            .open = input.open,
+            .close = input.close};
 }
 
 bool isRecordedOption(std::string_view name) {

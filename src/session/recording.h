@@ -43,6 +43,9 @@ struct RecordedInput {
     bool jump = false;
     bool fast = false;
     bool slow = false;
+    bool use = false;
+    bool open = false;
+    bool close = false;
 
     friend bool operator==(const RecordedInput&, const RecordedInput&) = default;
 };

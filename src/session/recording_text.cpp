@@ -42,6 +42,9 @@ constexpr std::array kButtons = {
     Button{"jump", &RecordedInput::jump},
     Button{"fast", &RecordedInput::fast},
     Button{"slow", &RecordedInput::slow},
+    Button{"use", &RecordedInput::use},
+    Button{"open", &RecordedInput::open},
+    Button{"close", &RecordedInput::close},
 };
 
 // ------------------------------------------------------------------------------------------------------------ writing
@@ -201,7 +204,7 @@ RecordedSteps readSteps(Line& line) {
             line.take();
             steps.input.*button.member = true;
         }
-        if (!isKnown) line.refuse("forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast or slow");
+        if (!isKnown) line.refuse("forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast, slow, use, open or close");
     }
     return steps;
 }

@@ -5,7 +5,7 @@
 //     set speed 1
 //     90 forward 256                      steps (of 1/120 s), and what was asked for during them: 256 is all of an axis
 //     1 forward 256 turn-degrees 3072     turned at once, by a mouse: 1024 is a degree
-//     12 forward 128 strafe -256 turn 1 look 1 fly 1 look-heights 655 jump fast slow        every word that there is
+//     12 forward 128 strafe -256 turn 1 look 1 fly 1 look-heights 655 jump fast slow use open close    every word
 //     fly on                              or off
 //     level                               looked ahead
 //     heading 92160                       turned there at once: 90 degrees

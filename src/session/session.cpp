@@ -8,6 +8,7 @@
 #include "overlay/slice_inspector.h"
 #include "render/classic/draw_classic.h"
 #include "session/map_entry.h"
+#include "world/world_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +33,9 @@ PlayerInput playerInput(const Input& input, double speed) {
             .speed = speed};
 }
 
+// By the difference alone, so that an eye and what carries it are rounded alike.
 Coordinate between(Coordinate a, Coordinate b, double fraction) {
-    return toCoordinate(a.value() + (b.value() - a.value()) * fraction);
+    return a + toCoordinate((b - a).value() * fraction);
 }
 
 // The short way round.
@@ -69,14 +71,42 @@ void Session::step(const Input& input) {
     clock_.begin();
     previous_ = player_;
     const Input kept = recorder_ != nullptr ? recorder_->step(input) : input;
+    stepAround(gateAsk(kept));
     stepPlayer(world_, player_, playerInput(kept, options_.speed));
     ++steps_;
     world_.seconds = static_cast<double>(steps_) * kStepSeconds;
 }
 
+// A press is one wish, however long it lasts.
+GateAsk Session::gateAsk(const Input& input) {
+    const auto isPressed = [&](bool Input::*button) { return input.*button && !(heldBefore_.*button); };
+    GateAsk ask = {.wish = GateAsk::Wish::nothing, .map = player_.map, .x = player_.x, .y = player_.y, .z = eyeHeight(player_)};
+    if (isPressed(&Input::use)) ask.wish = GateAsk::Wish::change;
+    if (isPressed(&Input::close)) ask.wish = GateAsk::Wish::close;
+    if (isPressed(&Input::open)) ask.wish = GateAsk::Wish::open;
+    heldBefore_ = input;
+    return ask;
+}
+
+// What moves and opens by itself, with everybody who may be in its way.
+void Session::stepAround(const GateAsk& ask) {
+    if (isStill(world_)) return;
+    bodies_.clear();
+    bodies_.push_back(bodyOf(travellerOf(player_), player_.onGround));
+    stepWorld(world_, bodies_, ask);
+    player_.z = player_.z + bodies_[0].lift;
+}
+
 bool Session::draw(const Picture& picture, double fraction) {
     clock_.begin();
-    const Eye seen = eye(fraction);
+    // What moves is drawn between the steps as the eye is, or whoever rides on it would see it tremble.
+    showMovers(world_, fraction);
+    const bool isDrawn = drawView(eye(fraction), picture);
+    showMovers(world_, 1.0);
+    return isDrawn;
+}
+
+bool Session::drawView(const Eye& seen, const Picture& picture) {
     const bool drawn = options_.method == DrawMethod::classic ? drawClassic(world_, seen, options_.render, options_.classic, picture)
                                                               : renderer_.draw(world_, seen, options_.render, picture);
     if (!drawn) return false;
@@ -127,6 +157,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
 
 void Session::reset() {
     if (recorder_ != nullptr) recorder_->add(RecordedReset{});
+    resetWorld(world_);
     player_ = playerAtStart(world_);
     previous_ = player_;
 }
@@ -254,6 +285,10 @@ std::uint64_t Session::fingerprint() const {
         for (const int number : {back.toMap, back.fromX, back.fromY, back.toX, back.toY, back.turn, back.levels, static_cast<int>(p.behind.side), p.behind.height.raw}) {
             hash.add(std::int64_t{number});
         }
+    }
+    if (!isStill(world_)) {
+        for (const bool held : {heldBefore_.use, heldBefore_.open, heldBefore_.close}) hash.add(std::int64_t{held});
+        addTo(hash, world_);
     }
     return hash.value();
 }

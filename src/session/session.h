@@ -17,6 +17,7 @@
 #include "session/options.h"
 #include "session/phase_clock.h"
 #include "session/recording.h"
+#include "world/body.h"
 #include "world/player.h"
 #include "world/world.h"
 
@@ -57,7 +58,7 @@ public:
     // Draws the view between the last two steps, and the overlays that are switched on. False if the picture cannot be drawn (see Renderer::draw).
     bool draw(const Picture& picture, double fraction = 1.0);
 
-    // Back to the world's start, at rest, walking. Options stay as they are.
+    // Back to the world's start, at rest, walking; what moves and opens begins anew too. Options stay as they are.
     void reset();
     // Looks level; when flying, also comes down to standing height (the notes' R key).
     void levelLook();
@@ -93,10 +94,13 @@ public:
     SliceTrace trace(int width, int height, int column);
     // The column that is inspected in a picture of that width: the option's, or the middle one.
     int inspectedColumn(int width) const;
-    // A number that two sessions share if they are in the same state: the player, the options that bear on a step, and the steps done.
+    // A number that two sessions share if they are in the same state: the player, what moves and opens, the options that bear on a step, and the steps done.
     std::uint64_t fingerprint() const;
 
 private:
+    GateAsk gateAsk(const Input& input);
+    void stepAround(const GateAsk& ask);
+    bool drawView(const Eye& seen, const Picture& picture);
     void applyLight();
     void drawOverlays(const Eye& seen, const Picture& picture);
 
@@ -105,6 +109,8 @@ private:
     SessionOptions options_;
     Player player_;
     Player previous_;  // before the last step; the same as player_ after a leap
+    Input heldBefore_;  // of the last step, to tell a press from a key that is held
+    std::vector<Body> bodies_;
     Renderer renderer_;
     SlowDrawing slowDrawing_;
     PhaseClock clock_;

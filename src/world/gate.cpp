@@ -1,7 +1,6 @@
 #include "world/gate.h"
 
 #include "world/body.h"
-#include "world/collision.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -56,10 +55,10 @@ void lookOut(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
 // True if a body that was free would not be with the gate shut, which it is not yet.
 bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
     for (Body& body : bodies) {
-        body.isMet = (body.straddles || (body.map == gate.map && isWithin(gate, body.box, {}))) && isFree(world, body.map, body.box);
+        body.isMet = (body.straddles || (body.map == gate.map && isWithin(gate, body.box, {}))) && isFree(world, travellerOf(body));
     }
     for (const BlueprintId part : gate.parts) world.blueprints[part].passable = false;
-    const bool isEntered = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.isMet && !isFree(world, body.map, body.box); });
+    const bool isEntered = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.isMet && !isFree(world, travellerOf(body)); });
     for (const BlueprintId part : gate.parts) world.blueprints[part].passable = true;
     return isEntered;
 }

@@ -28,7 +28,7 @@ struct GateKind {
     Coordinate reach = tileEdge(2);  // how far an eye may be that opens it, from the nearest point of its blocks
     bool keyed = true;            // opened and closed by whoever is within reach
     bool opensOnApproach = false;
-    Coordinate approach;          // a body that comes this near opens it
+    Coordinate approach = {};     // a body that comes this near opens it
     int holdSteps = 120;          // and it closes when nobody has been that near for so long
     bool startsOpen = false;
 };

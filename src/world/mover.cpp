@@ -1,7 +1,6 @@
 #include "world/mover.h"
 
 #include "world/body.h"
-#include "world/collision.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -85,13 +84,12 @@ void Move::meet(Body& body) const {
             }
         }
     }
-    body.isMet = body.isMet && isFree(world, body.map, box);
+    body.isMet = body.isMet && isFree(world, travellerOf(body));
 }
 
-// Where a body that is met ends; the mover has moved.
-Box carried(const World& world, const Body& body) {
-    const Coordinate way = body.push < Coordinate{0} ? sweepZ(world, body.map, body.box, body.push) : body.push;
-    return moved(body.box, {.x = {}, .y = {}, .z = way});
+// How far up a body gets that is met; the mover has moved.
+Coordinate liftOf(const World& world, const Body& body) {
+    return body.push < Coordinate{0} ? sweepZ(world, travellerOf(body), body.push) : body.push;
 }
 
 void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
@@ -107,7 +105,7 @@ void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
     for (Body& body : bodies) Move{world, mover, offset}.meet(body);
     place(world, mover, offset);
     const bool isInTheWay = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
-        return body.isMet && !isFree(world, body.map, carried(world, body));
+        return body.isMet && !isFree(world, travellerOf(body, liftOf(world, body)));
     });
     if (isInTheWay) {
         place(world, mover, mover.offset);
@@ -115,9 +113,10 @@ void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
     }
     for (Body& body : bodies) {
         if (!body.isMet || body.push == Coordinate{0}) continue;
-        const Box box = carried(world, body);
-        body.lift = body.lift + (box.bottom - body.box.bottom);
-        body.box = box;
+        const Traveller there = travellerOf(body, liftOf(world, body));
+        body.lift = body.lift + (there.box.bottom - body.box.bottom);
+        body.box = there.box;
+        body.eye = there.eye;
     }
     mover.clock = clock;
     mover.offset = offset;

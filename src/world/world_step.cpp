@@ -10,6 +10,7 @@ namespace {
 
 // True if a tile that the body reaches into leads elsewhere, so that a part of it may be there.
 bool reachesIntoPortal(const World& world, const Body& body) {
+    if (body.behind.isOn) return true;
     const Map& map = world.maps[static_cast<std::size_t>(body.map)];
     for (int y = body.box.north.tile(); y <= body.box.south.tile(); ++y) {
         for (int x = body.box.west.tile(); x <= body.box.east.tile(); ++x) {

@@ -45,6 +45,9 @@ Input anyInput(Random& random) {
     input.jump = random.oneIn(4);
     input.fast = random.oneIn(4);
     input.slow = random.oneIn(4);
+    input.use = random.oneIn(5);
+    input.open = random.oneIn(5);
+    input.close = random.oneIn(5);
     return input;
 }
 
@@ -208,7 +211,7 @@ TEST(Recording, AGoodTextHasNoFaults) {
 }
 
 TEST(Recording, FaultsAreNamedWithTheirPlaces) {
-    const std::string words = "forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast or slow";
+    const std::string words = "forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast, slow, use, open or close";
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"", "f:1:1: found the end of the file, expected \"slicecast recording 1\"\n"},
         {"{\"title\": 1}", "f:1:1: found \"{\\\"title\\\":\", expected \"slicecast recording 1\"\n"},

@@ -25,7 +25,7 @@ BlueprintId addGate(World& world, const GateKind& kind) {
 }
 
 void stepBoth(World& world, Player& player, const PlayerInput& input, const GateAsk& ask) {
-    Body body = {.map = player.map, .box = bodyBox(player), .rides = player.onGround};
+    Body body = bodyOf(travellerOf(player), player.onGround);
     stepWorld(world, {&body, 1}, ask);
     player.z = player.z + body.lift;
     stepPlayer(world, player, input);

@@ -1,0 +1,140 @@
+// Moving blocks and gates in a game: what is drawn of them between steps, the keys, and that a game can be played again.
+#include "session/recording.h"
+#include "session/session.h"
+
+#include "base/image.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+namespace slicecast {
+namespace {
+
+constexpr int kPeriod = 480;
+
+// A platform of 5 x 5 tiles that goes up and down, with the player in its middle, and a gate beside it in the east.
+World works() {
+    World world;
+    world.title = "Works";
+    Image image(8, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 8; ++x) image.at(x, y) = toPixel({static_cast<std::uint8_t>(90 + 16 * x), static_cast<std::uint8_t>(60 + 20 * y), 110, 255});
+    }
+    world.textures.push_back(makeTexture("squares", image));
+    CellBlueprint plate;
+    plate.name = "plate";
+    plate.top = toCoordinate(0.25);
+    plate.motion = 0;
+    for (FaceBlueprint& face : plate.faces) face.texture = 0;
+    world.blueprints.push_back(plate);
+    world.motions.push_back({.name = "lift", .edges = MovingEdges::both, .from = {}, .to = toCoordinate(1.5), .periodSteps = kPeriod});
+    CellBlueprint gate;
+    gate.name = "gate";
+    gate.gate = 0;
+    for (FaceBlueprint& face : gate.faces) face.texture = 0;
+    world.blueprints.push_back(gate);
+    world.gateKinds.push_back({.steps = 60, .reach = toCoordinate(2.5)});
+    Map map = makeMap("yard", 12, 9, 3, 0);
+    for (int x = 1; x < 6; ++x) {
+        for (int y = 2; y < 7; ++y) map.setCell(x, y, 0, 1);
+    }
+    map.setCell(6, 4, 0, 2);
+    world.maps.push_back(std::move(map));
+    world.start = {.map = 0, .x = toCoordinate(3.5), .y = toCoordinate(4.5), .z = toCoordinate(0.25), .headingDegrees = 0.0, .look = -1.0};
+    EXPECT_TRUE(makeMovers(world).empty());
+    EXPECT_TRUE(makeGates(world).empty());
+    makeGateFrames(world);
+    return world;
+}
+
+std::vector<Pixel> drawn(Session& session, double fraction) {
+    Image image(96, 60);
+    EXPECT_TRUE(session.draw({image.pixels.data(), 96, 60, 96}, fraction));
+    return image.pixels;
+}
+
+// Who looks at the platform under their feet sees the same all the way, to the byte, whenever the picture is drawn.
+TEST(SessionThatMoves, ShowsARiderThePlatformAtRest) {
+    Session session(works());
+    const std::vector<Pixel> before = drawn(session, 1.0);
+    for (int step = 0; step < kPeriod; ++step) {
+        session.step({});
+        ASSERT_TRUE(session.player().onGround);
+        for (const double fraction : {0.0, 0.3, 0.71, 1.0}) ASSERT_EQ(drawn(session, fraction), before) << step << " " << fraction;
+    }
+}
+
+TEST(SessionThatMoves, IsLeftAsItIsByDrawing) {
+    Session session(works());
+    for (int step = 0; step < 100; ++step) session.step({});
+    const std::vector<CellBlueprint> blocks = session.world().blueprints;
+    const std::vector<std::uint32_t> occupied = session.world().maps[0].occupied;
+    drawn(session, 0.25);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        EXPECT_EQ(session.world().blueprints[i].bottom, blocks[i].bottom);
+        EXPECT_EQ(session.world().blueprints[i].top, blocks[i].top);
+    }
+    EXPECT_EQ(session.world().maps[0].occupied, occupied);
+}
+
+const Gate& gateOf(const Session& session) {
+    return session.world().gates[0];
+}
+
+TEST(SessionThatMoves, TakesAPressForOneWishHoweverLongItLasts) {
+    Session session(works());
+    for (int step = 0; step < 30; ++step) session.step({.use = true});
+    EXPECT_EQ(gateOf(session).progress, 30);
+    session.step({});
+    session.step({.use = true});
+    EXPECT_EQ(gateOf(session).progress, 30);
+    EXPECT_FALSE(gateOf(session).wantsOpen);
+    session.step({.open = true});
+    EXPECT_TRUE(gateOf(session).wantsOpen);
+    session.step({.open = true, .close = true});
+    EXPECT_FALSE(gateOf(session).wantsOpen);
+}
+
+TEST(SessionThatMoves, BeginsAnewWhenItIsReset) {
+    Session session(works());
+    for (int step = 0; step < 200; ++step) session.step({.forward = 0.2, .use = step == 3});
+    EXPECT_GT(session.world().movers[0].clock, 0);
+    EXPECT_GT(gateOf(session).progress, 0);
+    session.reset();
+    EXPECT_EQ(session.world().movers[0].clock, 0);
+    EXPECT_EQ(gateOf(session).progress, 0);
+    EXPECT_EQ(session.player(), playerAtStart(session.world()));
+}
+
+TEST(SessionThatMoves, IsInAnotherStateWhereSomethingElseStands) {
+    Session still(works());
+    Session other(works());
+    for (int step = 0; step < 3; ++step) {
+        still.step({});
+        other.step({.use = step == 0});
+    }
+    EXPECT_EQ(still.player(), other.player());
+    EXPECT_NE(still.fingerprint(), other.fingerprint());
+}
+
+TEST(SessionThatMoves, CanBePlayedAgain) {
+    Recorder recorder("works");
+    Session first(works());
+    first.record(&recorder);
+    for (int step = 0; step < 400; ++step) {
+        first.step({.forward = step < 100 ? 0.5 : 1.0, .turnDegrees = step % 7 == 0 ? 3.0 : 0.0, .use = step == 50, .open = step == 120, .close = step == 200});
+        if (step == 300) first.reset();
+    }
+    Session second(works());
+    Replay replay(recorder.finish(first));
+    while (replay.step(second)) {
+    }
+    EXPECT_TRUE(replay.isSame());
+    EXPECT_EQ(second.fingerprint(), first.fingerprint());
+    EXPECT_NE(gateOf(second).progress + second.world().movers[0].clock, 0);
+}
+
+}  // namespace
+}  // namespace slicecast
