@@ -71,7 +71,9 @@ void addPortals(Random& random, World& world) {
         for (int i = 0; i < blocks; ++i) {
             const Cell cell = anyCell(random, map);
             BlueprintId from = map.cell(cell.x, cell.y, cell.level);
-            if (from == kEmptyCell) from = static_cast<BlueprintId>(random.between(1, shape - 1));
+            while (from == kEmptyCell || world.blueprints[from].top <= world.blueprints[from].bottom) {
+                from = static_cast<BlueprintId>(random.between(1, shape - 1));
+            }
             const BlueprintId id = instanceOf(world, from);
             const bool all = random.oneIn(4);
             for (FaceBlueprint& face : world.blueprints[id].faces) {
