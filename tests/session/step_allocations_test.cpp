@@ -1,0 +1,61 @@
+// Steps take no memory once the first has been made, with whatever moves and opens.
+#include "session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+namespace {
+long allocations = 0;
+}  // namespace
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    std::abort();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace slicecast {
+namespace {
+
+TEST(Allocations, ThereAreNoneAfterTheFirstStep) {
+    World world;
+    world.textures.push_back(makeTexture("plain", Image(8, 8)));
+    CellBlueprint plate;
+    plate.name = "plate";
+    plate.top = toCoordinate(0.25);
+    plate.motion = 0;
+    world.blueprints.push_back(plate);
+    world.motions.push_back({.name = "lift", .edges = MovingEdges::both, .to = toCoordinate(2.0), .periodSteps = 400});
+    CellBlueprint gate;
+    gate.name = "gate";
+    gate.gate = 0;
+    world.blueprints.push_back(gate);
+    world.gateKinds.push_back({.steps = 20, .opensOnApproach = true, .approach = toCoordinate(1.0), .holdSteps = 10});
+    Map map = makeMap("yard", 12, 12, 3, 0);
+    map.setCell(2, 2, 0, 1);
+    map.setCell(4, 2, 0, 2);
+    world.maps.push_back(std::move(map));
+    world.start = {.map = 0, .x = toCoordinate(2.5), .y = toCoordinate(2.5), .z = toCoordinate(0.25)};
+    ASSERT_TRUE(makeMovers(world).empty());
+    ASSERT_TRUE(makeGates(world).empty());
+    Session session(std::move(world));
+    session.step({});
+    const long before = allocations;
+    for (int step = 0; step < 1000; ++step) session.step({.forward = step < 500 ? 0.0 : 1.0, .turn = 0.3, .use = step % 40 == 0});
+    EXPECT_EQ(allocations, before);
+    EXPECT_GT(session.world().gates[0].progress + session.world().movers[0].clock, 0);
+    ::operator delete(::operator new(1));
+    EXPECT_EQ(allocations, before + 1) << "they are counted";
+}
+
+}  // namespace
+}  // namespace slicecast
