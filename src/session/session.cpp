@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace slicecast {
@@ -72,6 +73,7 @@ void Session::step(const Input& input) {
     previous_ = player_;
     const Input kept = recorder_ != nullptr ? recorder_->step(input) : input;
     stepAround(gateAsk(kept));
+    stepObjects(world_);
     stepPlayer(world_, player_, playerInput(kept, options_.speed));
     ++steps_;
     world_.seconds = static_cast<double>(steps_) * kStepSeconds;
@@ -93,8 +95,10 @@ void Session::stepAround(const GateAsk& ask) {
     if (isStill(world_)) return;
     bodies_.clear();
     bodies_.push_back(bodyOf(travellerOf(player_), player_.onGround));
+    addBodies(world_, bodies_);
     stepWorld(world_, bodies_, ask);
     player_.z = player_.z + bodies_[0].lift;
+    liftObjects(world_, std::span(bodies_).subspan(1));
 }
 
 bool Session::draw(const Picture& picture, double fraction) {
@@ -158,6 +162,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
 void Session::reset() {
     if (recorder_ != nullptr) recorder_->add(RecordedReset{});
     resetWorld(world_);
+    resetObjects(world_);
     player_ = playerAtStart(world_);
     previous_ = player_;
 }
@@ -290,6 +295,7 @@ std::uint64_t Session::fingerprint() const {
         for (const bool held : {heldBefore_.use, heldBefore_.open, heldBefore_.close}) hash.add(std::int64_t{held});
         addTo(hash, world_);
     }
+    addMovingObjects(hash, world_);
     return hash.value();
 }
 
