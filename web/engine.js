@@ -195,8 +195,8 @@ export class Engine {
   }
 
   // What thumbs hold on the screen, until they hold something else.
-  setThumbs({ forward = 0, strafe = 0, fly = 0, jump = false, fast = false }) {
-    this.#module._slicecast_thumbs(forward, strafe, fly, (jump ? 1 : 0) + (fast ? 2 : 0));
+  setThumbs({ forward = 0, strafe = 0, fly = 0, jump = false, fast = false, use = false }) {
+    this.#module._slicecast_thumbs(forward, strafe, fly, (jump ? 1 : 0) + (fast ? 2 : 0) + (use ? 8 : 0));
   }
 
   // A finger has dragged the picture, in CSS pixels.

@@ -142,7 +142,8 @@ class Page {
   }
 
   #showTitle() {
-    const { title } = this.engine.world;
+    const { title, gates } = this.engine.world;
+    this.thumbs.hasGates = gates > 0;
     document.title = `${title} · Slicecast`;
     find('bar-title').textContent = title;
     find('pause-title').textContent = title;

@@ -1,8 +1,9 @@
 // Thumbs on the picture. On its left half a stick appears under the thumb and walks; beyond its rim it runs. Dragging on the right half looks around, and
-// two taps there jump. Buttons jump, crouch and fly; while flying the first two rise and sink.
+// two taps there jump. Buttons jump, crouch and fly; while flying the first two rise and sink. Where there are gates, another opens and closes them.
 //
-//     const thumbs = new Thumbs(root, {hold({forward, strafe, fly, jump, fast}), drag(right, down), fly()});
+//     const thumbs = new Thumbs(root, {hold({forward, strafe, fly, jump, fast, use}), drag(right, down), fly()});
 //     thumbs.flying = true;
+//     thumbs.hasGates = false;
 
 const kRadius = 56; // CSS pixels from the middle of the stick to its rim
 const kDeadZone = 0.15; // of the radius: a thumb that rests in the middle does nothing
@@ -21,7 +22,7 @@ export function stickAt(x, y) {
 }
 
 export class Thumbs {
-  #held = { forward: 0, strafe: 0, jump: false, crouch: false, fast: false };
+  #held = { forward: 0, strafe: 0, jump: false, crouch: false, fast: false, use: false };
   #flying = false;
   #jumpTimer = 0;
 
@@ -30,7 +31,7 @@ export class Thumbs {
     this.find = (name) => root.querySelector(`[data-thumb="${name}"]`);
     this.#listenToStick(this.find('walk'), this.find('stick'));
     this.#listenToLook(this.find('look'));
-    for (const name of ['jump', 'crouch']) this.#listenToButton(this.find(name), name);
+    for (const name of ['jump', 'crouch', 'use']) this.#listenToButton(this.find(name), name);
     this.find('fly').addEventListener('pointerdown', (event) => {
       event.preventDefault();
       actions.fly();
@@ -47,10 +48,14 @@ export class Thumbs {
     this.#send();
   }
 
+  set hasGates(hasGates) {
+    this.find('use').hidden = !hasGates;
+  }
+
   // Lets go of everything.
   release() {
     clearTimeout(this.#jumpTimer);
-    this.#hold({ forward: 0, strafe: 0, jump: false, crouch: false, fast: false });
+    this.#hold({ forward: 0, strafe: 0, jump: false, crouch: false, fast: false, use: false });
   }
 
   #hold(change) {
@@ -59,9 +64,9 @@ export class Thumbs {
   }
 
   #send() {
-    const { forward, strafe, jump, crouch, fast } = this.#held;
+    const { forward, strafe, jump, crouch, fast, use } = this.#held;
     const rises = this.#flying && jump;
-    this.actions.hold({ forward, strafe, fast, jump: jump && !rises, fly: (rises ? 1 : 0) - (crouch ? 1 : 0) });
+    this.actions.hold({ forward, strafe, fast, use, jump: jump && !rises, fly: (rises ? 1 : 0) - (crouch ? 1 : 0) });
   }
 
   #listenToStick(zone, stick) {

@@ -25,6 +25,9 @@ constexpr auto kKeys = std::to_array<Key>({
     {SDL_SCANCODE_RSHIFT, "ShiftRight", Action::fast},
     {SDL_SCANCODE_LCTRL, "ControlLeft", Action::slow},
     {SDL_SCANCODE_RCTRL, "ControlRight", Action::slow},
+    {SDL_SCANCODE_X, "KeyX", Action::use},
+    {SDL_SCANCODE_PERIOD, "Period", Action::open},
+    {SDL_SCANCODE_COMMA, "Comma", Action::close},
     {SDL_SCANCODE_R, "KeyR", Action::levelLook},
     {SDL_SCANCODE_KP_6, "Numpad6", Action::heading, 0.0},
     {SDL_SCANCODE_KP_3, "Numpad3", Action::heading, 45.0},
@@ -84,6 +87,8 @@ constexpr auto kHelp = std::to_array<KeyHelp>({
     {"Page Down, C", "crouch; sink when flying"},
     {"Page Up", "rise when flying"},
     {"Shift, Ctrl", "faster, slower"},
+    {"X", "open or close the gates nearby"},
+    {". ,", "open them; close them"},
     {"V", "fly or walk"},
     {"R", "look straight ahead"},
     {"Number pad", "face east (6), south (2), west (4), north (8) or between"},
@@ -168,6 +173,9 @@ Input HeldKeys::takeInput() {
     input.jump = active(Action::jump);
     input.fast = active(Action::fast);
     input.slow = active(Action::slow);
+    input.use = active(Action::use);
+    input.open = active(Action::open);
+    input.close = active(Action::close);
     pressed_ = {};
     return input;
 }

@@ -29,6 +29,9 @@ enum class Action {
     jump,
     fast,
     slow,
+    use,
+    open,
+    close,
     // Once for each press.
     levelLook,
     heading,
@@ -63,7 +66,7 @@ enum class Action {
     slowerSlices,
     fasterSlices,
 };
-inline constexpr int kHeldActions = static_cast<int>(Action::slow) + 1;
+inline constexpr int kHeldActions = static_cast<int>(Action::close) + 1;
 
 constexpr bool isHeld(Action action) {
     return static_cast<int>(action) < kHeldActions;

@@ -50,6 +50,7 @@ Input gamepadInput(const Gamepad& gamepad) {
     input.jump = isDown(kPadJump) > 0.0;
     input.fast = isDown(kPadFast) > 0.0;
     input.slow = isDown(kPadSlow) > 0.0;
+    input.use = isDown(kPadUse) > 0.0;
     return input;
 }
 
@@ -63,12 +64,15 @@ Input together(const Input& a, const Input& b) {
             .lookHeights = a.lookHeights + b.lookHeights,
             .jump = a.jump || b.jump,
             .fast = a.fast || b.fast,
-            .slow = a.slow || b.slow};
+            .slow = a.slow || b.slow,
+            .use = a.use || b.use,
+            .open = a.open || b.open,
+            .close = a.close || b.close};
 }
 
 bool isAnything(const Input& input) {
     return input.forward != 0.0 || input.strafe != 0.0 || input.turn != 0.0 || input.look != 0.0 || input.fly != 0.0 || input.turnDegrees != 0.0 ||
-           input.lookHeights != 0.0 || input.jump;
+           input.lookHeights != 0.0 || input.jump || input.use || input.open || input.close;
 }
 
 }  // namespace slicecast

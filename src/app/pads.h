@@ -35,6 +35,7 @@ enum GamepadButton : unsigned {
     kPadFast = 1u << 5,     // right shoulder
     kPadMinimap = 1u << 8,  // back
     kPadPause = 1u << 9,    // start
+    kPadUse = 1u << 11,     // the right stick, pressed
     kPadUp = 1u << 12,
     kPadDown = 1u << 13,
     kPadLeft = 1u << 14,

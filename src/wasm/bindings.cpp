@@ -89,6 +89,9 @@ void takeButtons(Input& input, int32_t buttons) {
     input.jump = (buttons & 1) != 0;
     input.fast = (buttons & 2) != 0;
     input.slow = (buttons & 4) != 0;
+    input.use = (buttons & 8) != 0;
+    input.open = (buttons & 16) != 0;
+    input.close = (buttons & 32) != 0;
 }
 
 }  // namespace
@@ -164,7 +167,8 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_world(SlicecastSession* session) {
         json.beginObject().key("name").text(map.name);
         json.key("width").number(map.width).key("depth").number(map.depth).key("levels").number(map.levels).endObject();
     }
-    return session->give(json.endArray().endObject().str());
+    json.endArray().key("gates").number(static_cast<int>(game->world().gates.size()));
+    return session->give(json.endObject().str());
 }
 
 // ------------------------------------------------------------------------------------------------------------ playing

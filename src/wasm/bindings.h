@@ -67,11 +67,12 @@ void slicecast_supply(SlicecastSession* session, const char* fileName, const uin
 // Builds the world and begins to play it. Gives {"faults": [...]}; with any fault the game that ran before, if any, goes on. Options are kept.
 const char* slicecast_start(SlicecastSession* session);
 
-// The running world: {"title", "maps": [{"name", "width", "depth", "levels"}]}; null without a game.
+// The running world: {"title", "maps": [{"name", "width", "depth", "levels"}], "gates": how many}; null without a game.
 const char* slicecast_world(SlicecastSession* session);
 
 // One step of exactly 1/120 s. Axes are -1 to 1: forward, strafe (right), turn (right), look (up), fly (up; negative crouches in walk mode). turnDegrees
-// (right) and lookHeights (up, in screen heights) act at once, for a mouse. `buttons` is a sum of 1 = jump, 2 = fast, 4 = slow. Without a game: nothing.
+// (right) and lookHeights (up, in screen heights) act at once, for a mouse. `buttons` is a sum of 1 = jump, 2 = fast, 4 = slow, 8 = open or close the gates within reach,
+// 16 = open them, 32 = close them. Without a game: nothing.
 // The program steps its own session by itself.
 void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn, double look, double fly, double turnDegrees, double lookHeights,
                     int32_t buttons);

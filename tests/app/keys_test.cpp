@@ -41,6 +41,18 @@ TEST(Keys, CodesAndScancodesAreTheSamePlaces) {
     }
 }
 
+TEST(Keys, GatesHaveThree) {
+    HeldKeys held;
+    held.press(key(SDL_SCANCODE_X));
+    EXPECT_TRUE(held.takeInput().use);
+    held.release(key(SDL_SCANCODE_X));
+    EXPECT_FALSE(held.takeInput().use);
+    held.press(key(SDL_SCANCODE_PERIOD));
+    EXPECT_TRUE(held.takeInput().open);
+    held.press(key(SDL_SCANCODE_COMMA));
+    EXPECT_TRUE(held.takeInput().close);
+}
+
 TEST(Keys, UnknownKeysMeanNothing) {
     EXPECT_EQ(findKey(SDL_SCANCODE_TAB), nullptr);
     EXPECT_EQ(findKeyByCode("Tab"), nullptr);

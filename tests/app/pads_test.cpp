@@ -55,13 +55,23 @@ TEST(Pads, AGamepadDoesWhatTheKeysDo) {
     gamepad = {};
     gamepad.left = {0.0, -1.0};
     gamepad.right = {1.0, 0.0};
-    gamepad.buttons = kPadUp | kPadLeft | kPadCrouch | kPadFast;
+    gamepad.buttons = kPadUp | kPadLeft | kPadCrouch | kPadFast | kPadUse;
     input = gamepadInput(gamepad);
     EXPECT_EQ(input.forward, 1.0) << "both at once are no more than one";
     EXPECT_EQ(input.strafe, -1.0);
     EXPECT_EQ(input.turn, 1.0);
     EXPECT_EQ(input.fly, -1.0);
     EXPECT_TRUE(input.fast);
+    EXPECT_TRUE(input.use);
+
+    // Gates alone are something, and go together with the rest.
+    for (bool Input::*button : {&Input::use, &Input::open, &Input::close}) {
+        Input gate;
+        gate.*button = true;
+        EXPECT_TRUE(isAnything(gate));
+        EXPECT_TRUE(together(gate, input).*button);
+        EXPECT_TRUE(together(input, gate).*button);
+    }
 }
 
 }  // namespace
