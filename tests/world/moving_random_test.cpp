@@ -1,5 +1,6 @@
 // Random players in random worlds whose blocks move and whose gates open and close: whoever was free stays free, and it all happens the same way twice.
 #include "moving.h"
+#include "portal_worlds.h"
 
 #include <gtest/gtest.h>
 
@@ -47,8 +48,36 @@ GateKind randomKind(Random& random) {
     return kind;
 }
 
+// Many tiles and faces, of moving blocks too, lead to other places of the map.
+void putPortals(World& world, Random& random) {
+    const Map& map = world.maps[0];
+    const int tileDensity = random.between(2, 20);
+    const int faceDensity = random.between(1, 12);
+    const auto exit = [&](int x, int y) {
+        Portal portal;
+        portal.fromX = x;
+        portal.fromY = y;
+        portal.toX = random.below(map.width);
+        portal.toY = random.below(map.depth);
+        portal.turn = random.below(4);
+        portal.levels = random.oneIn(2) ? 0 : random.between(-2, 2);
+        return portal;
+    };
+    for (int y = 0; y < map.depth; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            if (random.oneIn(tileDensity)) putTilePortal(world, exit(x, y));
+            for (int level = 0; level < map.levels; ++level) {
+                if (!map.isOccupied(x, y, level)) continue;
+                for (int face = 0; face < kFaces; ++face) {
+                    if (random.oneIn(faceDensity)) putFacePortal(world, exit(x, y), level, static_cast<Face>(face));
+                }
+            }
+        }
+    }
+}
+
 // A random world with columns of its own for movers and gates.
-World randomMovingWorld(std::uint64_t seed) {
+World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
     World world = randomWorld(seed);
     Random random(seed + 77);
     Map& map = world.maps[0];
@@ -78,9 +107,11 @@ World randomMovingWorld(std::uint64_t seed) {
             }
         }
     }
+    if (hasPortals) putPortals(world, random);
     // What a later thing has cut or built into leaves no room here and there.
-    if (!makeMovers(world).empty()) return randomMovingWorld(seed + 0x10000);
+    if (!makeMovers(world).empty()) return randomMovingWorld(seed + 0x10000, hasPortals);
     EXPECT_TRUE(makeGates(world).empty());
+    markPortals(world);
     return world;
 }
 
@@ -157,6 +188,48 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
     EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer * 8 / 10);
     for (const std::int64_t kind : {lifted, lowered, rodeThere, waits, gatesMoved, inOpenGate}) EXPECT_GT(kind, steps / 400);
     EXPECT_GT(gatesHeld, steps / 4000);
+}
+
+// What reaches through a portal, or has not left it behind, is spared on both sides.
+TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
+    std::int64_t steps = 0;
+    std::int64_t lifted = 0;
+    std::int64_t waits = 0;
+    std::int64_t leaps = 0;
+    std::int64_t straddling = 0;
+    for (int seed = 1; seed <= kWorlds / 2; ++seed) {
+        World world = randomMovingWorld(static_cast<std::uint64_t>(seed) + 500'000, true);
+        Random random(static_cast<std::uint64_t>(seed) << 20);
+        for (int i = 0; i < kPlayersPerWorld; ++i) {
+            Player player;
+            if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player))) continue;
+            PlayerInput input = randomInput(random);
+            for (int step = 0; step < kStepsPerPlayer; ++step) {
+                if (random.oneIn(40)) input = randomInput(random);
+                if (random.oneIn(200)) setFlying(world, player, !player.flying);
+                GateAsk ask = asks(player, GateAsk::Wish::nothing);
+                if (random.oneIn(20)) ask.wish = static_cast<GateAsk::Wish>(random.below(4));
+                int moving = 0;
+                for (const Mover& mover : world.movers) moving -= mover.clock;
+                Body body = bodyOf(travellerOf(player), player.onGround);
+                stepWorld(world, {&body, 1}, ask);
+                player.z = player.z + body.lift;
+                ASSERT_TRUE(isFree(world, travellerOf(player))) << "world " << seed << ", player " << i << ", step " << step << " of the world";
+                for (const Mover& mover : world.movers) moving += mover.clock;
+                const int leapsBefore = player.leaps;
+                stepPlayer(world, player, input);
+                ASSERT_TRUE(isFree(world, travellerOf(player))) << "world " << seed << ", player " << i << ", step " << step;
+                ++steps;
+                lifted += body.lift != Coordinate{0};
+                waits += moving == 0 && !world.movers.empty();
+                leaps += player.leaps - leapsBefore;
+                straddling += body.straddles;
+            }
+        }
+    }
+    EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer / 5);
+    EXPECT_GT(straddling, steps / 20);
+    for (const std::int64_t kind : {lifted, waits, leaps}) EXPECT_GT(kind, steps / 1000);
 }
 
 std::uint64_t hashOfManySteps() {
