@@ -75,6 +75,8 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
 void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint) {
     if (blueprint.motion >= 0) reading.checker.add(value, "a gate that has a motion too", "either \"gate\" or \"motion\"");
     const bool isSeen = std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
+        // Where the textures could not be read, this one may be right.
+        if (face.texture >= reading.description.textures.size()) return true;
         const TextureReference& texture = reading.description.textures[face.texture];
         return texture.frames > 1 && texture.rate == 0.0;
     });
