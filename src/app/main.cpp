@@ -30,6 +30,7 @@ namespace {
 std::unique_ptr<Session> openGame(const std::filesystem::path& scene) {
     LoadedScene loaded = readSceneFile(scene);
     for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    for (const Fault& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
     return loaded.world ? std::make_unique<Session>(std::move(*loaded.world)) : nullptr;
 }
 

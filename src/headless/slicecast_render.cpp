@@ -173,6 +173,7 @@ int main(int argc, char** argv) {
     // The scene
     SceneFromFile scene = readScene(arguments.scene);
     for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    for (const Fault& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
     if (!scene.world) return 1;
     Session session(std::move(*scene.world));
     const std::string wrong = arrange(session, arguments);

@@ -3,6 +3,7 @@
 #include "scene/limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace slicecast {
@@ -57,17 +58,25 @@ bool Checker::isFull() const {
     return faults_.size() >= kMaxFaults;
 }
 
-void Checker::addAt(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) {
+Checker::Placed Checker::placed(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) const {
     const Place place = source_.place(offset);
-    faults_.push_back({offset,
-                       {.file = file_,
-                        .pointer = std::move(pointer),
-                        .line = place.line,
-                        .column = place.column,
-                        .row = row,
-                        .character = character,
-                        .found = std::move(found),
-                        .expected = std::move(expected)}});
+    return {offset,
+            {.file = file_,
+             .pointer = std::move(pointer),
+             .line = place.line,
+             .column = place.column,
+             .row = row,
+             .character = character,
+             .found = std::move(found),
+             .expected = std::move(expected)}};
+}
+
+void Checker::addAt(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) {
+    faults_.push_back(placed(offset, std::move(pointer), row, character, std::move(found), std::move(expected)));
+}
+
+void Checker::warn(JsonValue at, std::string found, std::string expected) {
+    if (warnings_.size() < kMaxFaults) warnings_.push_back(placed(at.offset(), at.pointer(), -1, -1, std::move(found), std::move(expected)));
 }
 
 void Checker::add(JsonValue at, std::string found, std::string expected) {
@@ -99,14 +108,22 @@ void Checker::addSyntax(const SyntaxFault& fault) {
     addAt(fault.offset, "", -1, -1, fault.found, fault.expected);
 }
 
-std::vector<Fault> Checker::take() {
-    std::stable_sort(faults_.begin(), faults_.end(), [](const Placed& a, const Placed& b) { return a.offset < b.offset; });
+std::vector<Fault> Checker::inOrder(std::vector<Placed> list) {
+    std::stable_sort(list.begin(), list.end(), [](const Placed& a, const Placed& b) { return a.offset < b.offset; });
     std::vector<Fault> faults;
-    for (Placed& placed : faults_) faults.push_back(std::move(placed.fault));
+    for (Placed& entry : list) faults.push_back(std::move(entry.fault));
+    return faults;
+}
+
+std::vector<Fault> Checker::take() {
+    std::vector<Fault> faults = inOrder(std::exchange(faults_, {}));
     if (omitted_ > 0) faults.push_back(moreFaults(file_, omitted_));
-    faults_.clear();
     omitted_ = 0;
     return faults;
+}
+
+std::vector<Fault> Checker::takeWarnings() {
+    return inOrder(std::exchange(warnings_, {}));
 }
 
 std::string Checker::shown(JsonValue value) const {
@@ -158,6 +175,14 @@ std::optional<double> Checker::number(JsonValue value, const NumberRange& range)
         const double v = value.number();
         if ((range.aboveLow ? v > range.low : v >= range.low) && v <= range.high) return v;
     }
+    add(value, shown(value), range.words);
+    return std::nullopt;
+}
+
+std::optional<int> Checker::wholeNumber(JsonValue value, const NumberRange& range) {
+    const std::optional<double> v = number(value, range);
+    if (!v) return std::nullopt;
+    if (*v == std::floor(*v)) return static_cast<int>(*v);
     add(value, shown(value), range.words);
     return std::nullopt;
 }
@@ -225,6 +250,11 @@ std::optional<JsonValue> Fields::require(std::string_view key, std::string_view 
 double Fields::number(std::string_view key, const NumberRange& range, double fallback) const {
     const std::optional<JsonValue> member = find(key);
     return member ? checker_->number(*member, range).value_or(fallback) : fallback;
+}
+
+int Fields::wholeNumber(std::string_view key, const NumberRange& range, int fallback) const {
+    const std::optional<JsonValue> member = find(key);
+    return member ? checker_->wholeNumber(*member, range).value_or(fallback) : fallback;
 }
 
 bool Fields::flag(std::string_view key, bool fallback) const {

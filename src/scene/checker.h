@@ -41,9 +41,12 @@ public:
     // In a row of a grid: `row` and `character` count from 0 in the north and west.
     void addInRow(JsonValue text, int row, int character, std::string found, std::string expected);
     void addSyntax(const SyntaxFault& fault);
+    // What may be meant so, but probably is not.
+    void warn(JsonValue at, std::string found, std::string expected);
 
     // All faults in the order of the text.
     std::vector<Fault> take();
+    std::vector<Fault> takeWarnings();
 
     // What a value is, for a message: `the text "north"`, `the number 1.5`, `an array of 3`.
     std::string shown(JsonValue value) const;
@@ -52,6 +55,7 @@ public:
     std::optional<Fields> fields(JsonValue value, std::vector<std::string_view> known, std::string expected);
 
     std::optional<double> number(JsonValue value, const NumberRange& range);
+    std::optional<int> wholeNumber(JsonValue value, const NumberRange& range);
     std::optional<bool> flag(JsonValue value);
     // A text of 1 to `longest` characters; `expected` says what it is.
     std::optional<std::string> text(JsonValue value, std::size_t longest, std::string expected);
@@ -68,10 +72,13 @@ private:
     // Beyond the most faults that are listed, the others are only counted; nothing that costs time should be done for them.
     bool isFull() const;
     void addAt(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected);
+    static std::vector<Fault> inOrder(std::vector<Placed> list);
+    Placed placed(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) const;
 
     const SourceText& source_;
     std::string file_;
     std::vector<Placed> faults_;
+    std::vector<Placed> warnings_;
     std::size_t omitted_ = 0;
 };
 
@@ -88,6 +95,7 @@ public:
     std::optional<JsonValue> require(std::string_view key, std::string_view expected) const;
 
     double number(std::string_view key, const NumberRange& range, double fallback) const;
+    int wholeNumber(std::string_view key, const NumberRange& range, int fallback) const;
     bool flag(std::string_view key, bool fallback) const;
     Colour colour(std::string_view key, Colour fallback) const;
 

@@ -154,7 +154,10 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
         for (Map& map : world.maps) widenObjects(world, map);
         startObjects(world);
     }
-    if (loaded.faults.empty()) loaded.world = std::move(world);
+    if (loaded.faults.empty()) {
+        loaded.world = std::move(world);
+        loaded.warnings = scene.warnings;
+    }
     return loaded;
 }
 

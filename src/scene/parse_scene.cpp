@@ -7,10 +7,13 @@
 namespace slicecast {
 namespace {
 
+constexpr NumberRange kPortalLimit = {0.0, kMaxPortalLimit, false, "a whole number of portals, from 0 to 32"};
+static_assert(kMaxPortalLimit == 32, "as the words say");
+
 // The whole tree: every part is read, whatever was wrong with the ones before.
 void readScene(Reading& reading, JsonValue root) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(root, {"$schema", "title", "textures", "sprites", "motions", "blueprints", "legend", "maps", "start"},
+    const auto fields = checker.fields(root, {"$schema", "title", "textures", "sprites", "motions", "blueprints", "legend", "maps", "portalLimit", "start"},
                                        "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
     if (!fields) return;
     if (const auto schema = fields->find("$schema")) checker.text(*schema, kMaxPathLength, "the address of the schema");
@@ -36,6 +39,10 @@ void readScene(Reading& reading, JsonValue root) {
     } else {
         reading.maps.takeAny();
     }
+    if (const auto limit = fields->find("portalLimit")) {
+        reading.description.world.portalLimit = checker.wholeNumber(*limit, kPortalLimit).value_or(kDefaultPortalLimit);
+    }
+    placePortals(reading);
     if (const auto maps = fields->find("maps")) placeMovers(reading, *maps);
     if (const auto start = fields->require("start", "where the player starts")) readStart(reading, *start);
     placeObjects(reading);
@@ -95,6 +102,7 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     readScene(reading, json.tree.root());
     parsed.faults = checker.take();
     if (parsed.faults.empty()) {
+        parsed.warnings = checker.takeWarnings();
         parsed.files = filesOf(*description);
         parsed.description = description;
     }

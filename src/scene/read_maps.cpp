@@ -23,7 +23,7 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
 Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& legendOfAll) {
     Checker& checker = reading.checker;
     Map map;
-    const auto fields = checker.fields(value, {"name", "legend", "levels", "floor", "ceiling", "objects", "sow", "sky", "light", "fog", "haze", "far"},
+    const auto fields = checker.fields(value, {"name", "legend", "levels", "floor", "ceiling", "objects", "sow", "portals", "sky", "light", "fog", "haze", "far"},
                                        "a map: an object with \"name\", \"levels\" and \"floor\"");
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
@@ -38,6 +38,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
     if (const auto ceiling = fields->find("ceiling")) readCeiling(reading, *ceiling, hasSize, map);
     if (const auto objects = fields->find("objects")) readObjects(reading, *objects, hasSize, map);
     if (const auto sow = fields->find("sow")) readSowing(reading, *sow);
+    if (const auto portals = fields->find("portals")) reading.portals.push_back({*portals, index});
     if (const auto sky = fields->find("sky")) readSky(reading, *sky, index, map);
     if (const auto light = fields->find("light")) readLight(reading, *light, map.light);
     if (const auto fog = fields->find("fog")) readFog(reading, *fog, map.fog);

@@ -27,6 +27,12 @@ struct PlacedMotion {
     std::size_t motion;  // index into the world's
 };
 
+// "portals" of a map, which are read once all maps are known.
+struct PortalList {
+    JsonValue value;
+    std::size_t map;
+};
+
 // What the readers hand on to each other.
 struct Reading {
     Checker& checker;
@@ -41,6 +47,7 @@ struct Reading {
     std::vector<PlacedMotion> placedMotions = {};
     std::vector<SowingOrder> sowings = {};
     NameTable motions = {};  // index into World::motions
+    std::vector<PortalList> portals = {};
 };
 
 // "textures": { NAME: FILE or { file, frames, rate } }; a sheet without a rate is held at its first frame
@@ -83,7 +90,7 @@ int readGate(Reading& reading, JsonValue value);
 // "blueprints": { NAME: { bottom, top, faces, join, motion, gate } }
 void readBlueprints(Reading& reading, JsonValue value);
 
-// "maps": [ { name, legend, levels, floor, ceiling, objects, sow, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
+// "maps": [ { name, legend, levels, floor, ceiling, objects, sow, portals, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
 void readMaps(Reading& reading, JsonValue value, const Legend& legend);
 
 // "levels" of a map: its size and cells.
@@ -101,6 +108,9 @@ void readFog(Reading& reading, JsonValue value, Fog& fog);
 
 // Gives what moves and opens its own blueprints, and checks that it can. `maps` are those of the text, all of them read.
 void placeMovers(Reading& reading, JsonValue maps);
+
+// "portals" of all maps: [ { x, y, level, face, to: { map, x, y, level }, turn, twoWay } ]. For when all maps have been read; what moves does not yet.
+void placePortals(Reading& reading);
 
 // "start": { map, x, y, z, heading, look }
 void readStart(Reading& reading, JsonValue value);

@@ -85,7 +85,7 @@ TEST(ParseScene, ReadsEveryKey) {
         EXPECT_EQ(world.blueprints[slab].faces[face].light, lights[face]) << kFaceNames[face];
     }
 
-    ASSERT_EQ(world.maps.size(), 4u);
+    ASSERT_EQ(world.maps.size(), 5u);
     const Map& hall = world.maps[0];
     EXPECT_EQ(hall.name, "hall");
     EXPECT_EQ(hall.width, 5);
@@ -204,6 +204,29 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_TRUE(yard.ceiling.tiles.empty());
     EXPECT_EQ(world.maps[3].sky.kind, Sky::Kind::colour);
     EXPECT_EQ(world.maps[3].sky.low, (Colour{18, 52, 86, 255}));
+
+    EXPECT_EQ(world.portalLimit, 5);
+    const int plainMap = 3;
+    const int galleryMap = 4;
+    const Map& gallery = world.maps[galleryMap];
+    const auto faceOf = [&](int x, int y, Face face) { return world.blueprints[gallery.cell(x, y, 0)].face(face).portal; };
+    ASSERT_EQ(world.portals.size(), 5u);
+    const PortalId door = faceOf(0, 1, Face::east);
+    EXPECT_EQ(world.portals[door], (Portal{.fromMap = galleryMap, .fromX = 0, .fromY = 1, .toMap = plainMap, .toX = 0, .toY = 0, .turn = 3, .levels = 0}));
+    EXPECT_EQ(faceOf(0, 1, Face::west), kNoPortal);
+    EXPECT_EQ(faceOf(0, 0, Face::east), kNoPortal);
+    EXPECT_TRUE(world.blueprints[gallery.cell(0, 1, 0)].hasPortals);
+    EXPECT_FALSE(world.blueprints[gallery.cell(0, 0, 0)].hasPortals);
+    // Who walks south into the pillar comes out of the east wall, going west.
+    EXPECT_EQ(world.portals[faceOf(2, 2, Face::north)],
+              (Portal{.fromMap = galleryMap, .fromX = 2, .fromY = 2, .toMap = galleryMap, .toX = 3, .toY = 1, .turn = 1, .levels = 0}));
+    EXPECT_EQ(world.portals[faceOf(4, 1, Face::west)],
+              (Portal{.fromMap = galleryMap, .fromX = 4, .fromY = 1, .toMap = galleryMap, .toX = 2, .toY = 1, .turn = 3, .levels = 0}));
+    ASSERT_NE(gallery.tilePortal(1, 2), kNoPortal);
+    ASSERT_NE(gallery.tilePortal(3, 2), kNoPortal);
+    const Portal lift = {.fromMap = galleryMap, .fromX = 1, .fromY = 2, .toMap = galleryMap, .toX = 3, .toY = 2, .turn = 2, .levels = 1};
+    EXPECT_EQ(world.portals[gallery.tilePortal(1, 2)], lift);
+    EXPECT_EQ(world.portals[gallery.tilePortal(3, 2)], reversed(lift));
 
     EXPECT_EQ(world.start.map, 0);
     EXPECT_EQ(world.start.x.raw, 98304);

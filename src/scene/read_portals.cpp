@@ -1,0 +1,332 @@
+// Portals: faces of blocks and tiles that lead elsewhere.
+//
+//      map a                  map b         A face's way back, for "twoWay": the block N behind the exit tile E, as seen by who has just come out, gets a portal
+//      . . . .                . . . . .     on the side towards E. It leads to the tile B before the first portal, so that who turns around there and
+//      . B|A . . - to E - >   . N|E . .     walks back comes out where they went in. For a top or bottom, N is the block that touches the same plane from the
+//      . . . .                . . . . .     other side. A tile's way back is a portal of the exit tile.
+#include "scene/limits.h"
+#include "scene/readers.h"
+#include "world/player.h"
+#include "world/portal.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+constexpr NumberRange kTileNumber = {0.0, kMaxMapWidth - 1, false, "a whole number of tiles, from 0 to 4095"};
+constexpr NumberRange kLevelNumber = {0.0, kMaxLevels, false, "a whole number of levels, from 0 to 32"};
+constexpr NumberRange kTurn = {0.0, 270.0, false, "0, 90, 180 or 270 degrees, clockwise as seen from above"};
+static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxLevels == 32, "as the words say");
+
+// A portal as it is written.
+struct PortalOrder {
+    JsonValue value;
+    JsonValue exit;  // "to"
+    Portal portal;
+    int level = 0;
+    int toLevel = 0;
+    std::optional<Face> face;
+    bool twoWay = false;
+};
+
+// Heights low .. high.
+struct Stretch {
+    Coordinate low;
+    Coordinate high;
+};
+
+constexpr bool overlap(const Stretch& a, const Stretch& b) {
+    return a.low < b.high && b.low < a.high;
+}
+
+std::string cellText(const GridTile& tile, int level) {
+    return "x " + std::to_string(tile.x) + ", y " + std::to_string(tile.y) + ", level " + std::to_string(level);
+}
+
+Face opposite(Face face) {
+    constexpr Face kOpposites[kFaces] = {Face::south, Face::west, Face::north, Face::east, Face::bottom, Face::top};
+    return kOpposites[static_cast<std::size_t>(face)];
+}
+
+// The tile that lies before a side.
+GridTile neighbour(GridTile tile, Face side) {
+    constexpr int kEast[kFaces] = {0, 1, 0, -1, 0, 0};
+    constexpr int kSouth[kFaces] = {-1, 0, 1, 0, 0, 0};
+    return {tile.x + kEast[static_cast<std::size_t>(side)], tile.y + kSouth[static_cast<std::size_t>(side)]};
+}
+
+bool isStill(const CellBlueprint& block) {
+    return block.motion < 0 && block.gate < 0;
+}
+
+class PortalPlacer {
+public:
+    explicit PortalPlacer(Reading& reading)
+        : reading_(reading), checker_(reading.checker), world_(reading.description.world), firstOwn_(world_.blueprints.size()) {}
+
+    void read(const PortalList& list) {
+        if (!list.value.isArray()) {
+            checker_.add(list.value, checker_.shown(list.value), "an array of portals");
+            return;
+        }
+        for (const JsonValue element : list.value) {
+            const std::size_t faultsBefore = checker_.count();
+            const std::optional<PortalOrder> order = readOrder(element, list.map);
+            if (order && checker_.count() == faultsBefore) place(*order);
+        }
+    }
+
+private:
+    std::optional<PortalOrder> readOrder(JsonValue value, std::size_t map) {
+        const auto fields = checker_.fields(value, {"x", "y", "level", "face", "to", "turn", "twoWay"}, "a portal: an object with \"x\", \"y\" and \"to\"");
+        if (!fields) return std::nullopt;
+        PortalOrder order{value, value, {}, 0, 0, std::nullopt, false};
+        for (const std::string_view key : {"x", "y"}) fields->require(key, kTileNumber.words);
+        order.portal.fromMap = static_cast<int>(map);
+        order.portal.fromX = fields->wholeNumber("x", kTileNumber, 0);
+        order.portal.fromY = fields->wholeNumber("y", kTileNumber, 0);
+        order.level = fields->wholeNumber("level", kLevelNumber, 0);
+        if (const auto face = fields->find("face")) order.face = readFace(*face);
+        if (const auto turn = fields->find("turn")) order.portal.turn = readTurn(*turn);
+        order.twoWay = fields->flag("twoWay", false);
+        if (const auto exit = fields->require("to", "where it leads: an object with \"x\" and \"y\"")) readExit(*exit, order);
+        return order;
+    }
+
+    Face readFace(JsonValue value) {
+        std::vector<std::string_view> names(kFaceNames.begin(), kFaceNames.end());
+        const auto name = checker_.text(value, kMaxNameLength, "the name of a face");
+        if (!name) return Face::north;
+        const auto found = std::find(names.begin(), names.end(), *name);
+        if (found != names.end()) return static_cast<Face>(found - names.begin());
+        checker_.add(value, "the name " + quoted(*name), "one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"" + suggestion(*name, names));
+        return Face::north;
+    }
+
+    int readTurn(JsonValue value) {
+        const auto degrees = checker_.number(value, kTurn);
+        if (!degrees) return 0;
+        const int quarters = static_cast<int>(*degrees) / 90;
+        if (90.0 * quarters != *degrees) checker_.add(value, checker_.shown(value), kTurn.words);
+        return quarters;
+    }
+
+    void readExit(JsonValue value, PortalOrder& order) {
+        const auto fields = checker_.fields(value, {"map", "x", "y", "level"}, "where it leads: an object with \"x\" and \"y\"");
+        if (!fields) return;
+        order.exit = value;
+        for (const std::string_view key : {"x", "y"}) fields->require(key, kTileNumber.words);
+        order.portal.toMap = order.portal.fromMap;
+        if (const auto map = fields->find("map")) order.portal.toMap = checker_.name(*map, reading_.maps, "map").value_or(0);
+        order.portal.toX = fields->wholeNumber("x", kTileNumber, 0);
+        order.portal.toY = fields->wholeNumber("y", kTileNumber, 0);
+        order.toLevel = fields->wholeNumber("level", kLevelNumber, order.level);
+        order.portal.levels = order.toLevel - order.level;
+    }
+
+    // With faults in the maps on either side, the portal may be right.
+    bool isSound(int map) const {
+        const auto index = static_cast<std::size_t>(map);
+        return reading_.areBlueprintsSound && index < reading_.isMapSound.size() && reading_.isMapSound[index];
+    }
+
+    const Map& mapAt(int map) const { return world_.maps[static_cast<std::size_t>(map)]; }
+
+    bool isOnMap(JsonValue at, int mapIndex, GridTile tile, int level, const std::string& what) {
+        const Map& map = mapAt(mapIndex);
+        if (!map.contains(tile.x, tile.y)) {
+            checker_.add(at, what + " that is not on the map " + quoted(map.name),
+                         "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
+            return false;
+        }
+        if (level > map.levels) {
+            checker_.add(at, what + " on level " + std::to_string(level), "a level of the map " + quoted(map.name) + ", at most " + std::to_string(map.levels) + ", above all its blocks");
+            return false;
+        }
+        return true;
+    }
+
+    void place(const PortalOrder& order) {
+        const Portal& portal = order.portal;
+        if (!isSound(portal.fromMap) || !isSound(portal.toMap)) return;
+        const GridTile from = {portal.fromX, portal.fromY};
+        const GridTile to = {portal.toX, portal.toY};
+        if (!isOnMap(order.value, portal.fromMap, from, order.level, "a portal") || !isOnMap(order.exit, portal.toMap, to, order.toLevel, "an exit")) return;
+        if (order.face) {
+            placeFace(order, *order.face);
+        } else {
+            placeTile(order);
+        }
+    }
+
+    void placeTile(const PortalOrder& order) {
+        const Portal& portal = order.portal;
+        if (portal.turn == 0 && portal.levels == 0 && portal.fromMap == portal.toMap && portal.fromX == portal.toX && portal.fromY == portal.toY) {
+            checker_.add(order.value, "a portal that leads to where it is", "another tile, a turn or another level");
+            return;
+        }
+        if (!hasRoom(order.exit, portal.toMap, {portal.toX, portal.toY}, {tileEdge(order.toLevel), tileEdge(order.toLevel + 1)}, "an exit")) return;
+        if (!addTile(order.value, portal) || !order.twoWay) return;
+        const Portal back = reversed(portal);
+        if (!hasRoom(order.value, back.toMap, {back.toX, back.toY}, {tileEdge(order.level), tileEdge(order.level + 1)}, "the way back's exit")) return;
+        addTile(order.value, back);
+    }
+
+    void placeFace(const PortalOrder& order, Face face) {
+        const Portal& portal = order.portal;
+        const GridTile tile = {portal.fromX, portal.fromY};
+        const BlueprintId id = mapAt(portal.fromMap).cell(tile.x, tile.y, order.level);
+        if (id == kEmptyCell) {
+            checker_.add(order.value, "no block at " + cellText(tile, order.level), "a block that has this face; without \"face\" the whole tile is the portal");
+            return;
+        }
+        const Stretch block = {world_.blueprints[id].bottom, world_.blueprints[id].top};
+        if (!hasRoom(order.exit, portal.toMap, {portal.toX, portal.toY}, beyond(face, order.toLevel, block), "an exit")) return;
+        if (!addFace(order.value, portal, order.level, face) || !order.twoWay) return;
+
+        // The way back
+        const Face backFace = turned(opposite(face), portal.turn);
+        const bool isLevel = face == Face::top || face == Face::bottom;
+        Portal back = reversed(portal);
+        int backLevel = order.toLevel;
+        if (isLevel) {
+            backLevel += face == Face::top ? (block.high == tileEdge(1) ? 1 : 0) : (block.low == Coordinate{0} ? -1 : 0);
+        } else {
+            const GridTile behind = neighbour({portal.toX, portal.toY}, opposite(backFace));
+            const GridTile before = neighbour(tile, face);
+            back.fromX = behind.x;
+            back.fromY = behind.y;
+            back.toX = before.x;
+            back.toY = before.y;
+        }
+        const BlueprintId backId = mapAt(back.fromMap).cell(back.fromX, back.fromY, backLevel);
+        const Face fitting = backFace == Face::top ? Face::bottom : Face::top;
+        if (backId == kEmptyCell || (isLevel && edge(backFace, backLevel, world_.blueprints[backId]) != edge(fitting, order.toLevel, world_.blueprints[id]))) {
+            checker_.add(order.value, "no block for the way back at " + cellText({back.fromX, back.fromY}, backLevel),
+                         std::string("a block whose ") + kFaceNames[static_cast<std::size_t>(backFace)] + " face is behind the exit, or no \"twoWay\"");
+            return;
+        }
+        const CellBlueprint& other = world_.blueprints[backId];
+        const int exitLevel = backLevel + back.levels;
+        if (!mapAt(back.toMap).contains(back.toX, back.toY)) {
+            checker_.add(order.value, "a portal at the edge of the map, to which nothing can come back", "a tile before the portal, or no \"twoWay\"");
+            return;
+        }
+        if (!hasRoom(order.value, back.toMap, {back.toX, back.toY}, beyond(backFace, exitLevel, {other.bottom, other.top}), "the way back's exit")) return;
+        addFace(order.value, back, backLevel, backFace);
+    }
+
+    // The height of a top or bottom.
+    static Coordinate edge(Face face, int level, const CellBlueprint& block) {
+        return tileEdge(level) + (face == Face::top ? block.top : block.bottom);
+    }
+
+    // The heights at which one comes out of a face of such a block.
+    static Stretch beyond(Face face, int level, const Stretch& block) {
+        const Stretch box = {tileEdge(level) + block.low, tileEdge(level) + block.high};
+        if (face == Face::top) return {box.high - Coordinate{1}, box.high};
+        if (face == Face::bottom) return {box.low, box.low + Coordinate{1}};
+        return box;
+    }
+
+    // Exits are not inside blocks. Where the player does not fit, one may still look through.
+    bool hasRoom(JsonValue at, int mapIndex, GridTile tile, const Stretch& opening, const std::string& what) {
+        const Map& map = mapAt(mapIndex);
+        std::vector<Stretch> free;
+        Coordinate low = {0};
+        const CellBlueprint* inTheWay = nullptr;
+        int levelInTheWay = 0;
+        for (int level = 0; level < map.levels; ++level) {
+            const BlueprintId id = map.cell(tile.x, tile.y, level);
+            if (id == kEmptyCell || !isStill(world_.blueprints[id])) continue;
+            const CellBlueprint& block = world_.blueprints[id];
+            const Stretch solid = {tileEdge(level) + block.bottom, tileEdge(level) + block.top};
+            if (low < solid.low) free.push_back({low, solid.low});
+            low = solid.high;
+            if (overlap(solid, opening)) {
+                inTheWay = &block;
+                levelInTheWay = level;
+            }
+        }
+        free.push_back({low, kMaxBodyHeight});
+        const auto leadsInto = [&](const Stretch& room) { return overlap(room, opening); };
+        if (std::none_of(free.begin(), free.end(), leadsInto)) {
+            const std::string block = inTheWay != nullptr ? "the block " + quoted(inTheWay->name) + " at " + cellText(tile, levelInTheWay) : "the ground";
+            checker_.add(at, what + " inside " + block, "an exit into the open");
+            return false;
+        }
+        const auto isHighEnough = [&](const Stretch& room) { return leadsInto(room) && room.high - room.low >= kCrouchedHeight; };
+        if (std::none_of(free.begin(), free.end(), isHighEnough)) {
+            checker_.warn(at, what + " where the player does not fit", "room of at least 0.35 above one another, to be entered");
+        }
+        return true;
+    }
+
+    std::optional<PortalId> add(JsonValue at, const Portal& portal) {
+        if (world_.portals.size() >= static_cast<std::size_t>(kMaxPortals)) {
+            checker_.add(at, "more than " + std::to_string(kMaxPortals) + " portals", "at most as many in all maps together");
+            return std::nullopt;
+        }
+        world_.portals.push_back(portal);
+        return static_cast<PortalId>(world_.portals.size() - 1);
+    }
+
+    bool addTile(JsonValue at, const Portal& portal) {
+        Map& map = world_.maps[static_cast<std::size_t>(portal.fromMap)];
+        if (map.tilePortals.empty()) map.tilePortals.assign(map.occupied.size(), kNoPortal);
+        PortalId& place = map.tilePortals[map.tileIndex(portal.fromX, portal.fromY)];
+        if (place != kNoPortal) {
+            checker_.add(at, "a second portal at x " + std::to_string(portal.fromX) + ", y " + std::to_string(portal.fromY) + " of the map " + quoted(map.name),
+                         "one portal for each tile, ways back of others among them");
+            return false;
+        }
+        const auto id = add(at, portal);
+        if (id) place = *id;
+        return id.has_value();
+    }
+
+    bool addFace(JsonValue at, const Portal& portal, int level, Face face) {
+        Map& map = world_.maps[static_cast<std::size_t>(portal.fromMap)];
+        const GridTile tile = {portal.fromX, portal.fromY};
+        BlueprintId id = map.cell(tile.x, tile.y, level);
+        if (!isStill(world_.blueprints[id])) {
+            checker_.add(at, "a portal at the block " + quoted(world_.blueprints[id].name) + ", which moves or opens", "a block that stands still");
+            return false;
+        }
+        if (id < firstOwn_) {
+            if (world_.blueprints.size() >= static_cast<std::size_t>(kMaxBlueprints)) {
+                checker_.add(at, "more than " + std::to_string(kMaxBlueprints) + " blueprints, with those of the blocks that have portals", "fewer of them");
+                return false;
+            }
+            CellBlueprint own = world_.blueprints[id];
+            own.hasPortals = true;
+            id = static_cast<BlueprintId>(world_.blueprints.size());
+            world_.blueprints.push_back(std::move(own));
+            map.setCell(tile.x, tile.y, level, id);
+        }
+        PortalId& place = world_.blueprints[id].faces[static_cast<std::size_t>(face)].portal;
+        if (place != kNoPortal) {
+            checker_.add(at, std::string("a second portal on the ") + kFaceNames[static_cast<std::size_t>(face)] + " face at " + cellText(tile, level) + " of the map " + quoted(map.name),
+                         "one portal for each face, ways back of others among them");
+            return false;
+        }
+        const auto added = add(at, portal);
+        if (added) place = *added;
+        return added.has_value();
+    }
+
+    Reading& reading_;
+    Checker& checker_;
+    World& world_;
+    std::size_t firstOwn_;  // blueprints from here on belong to one cell each
+};
+
+}  // namespace
+
+void placePortals(Reading& reading) {
+    PortalPlacer placer(reading);
+    for (const PortalList& list : reading.portals) placer.read(list);
+}
+
+}  // namespace slicecast

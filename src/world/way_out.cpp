@@ -1,0 +1,51 @@
+#include "world/way_out.h"
+
+#include "world/player.h"
+#include "world/traveller.h"
+#include "world/world.h"
+
+namespace slicecast {
+namespace {
+
+bool isStill(const CellBlueprint& block) {
+    return block.motion < 0 && block.gate < 0;
+}
+
+// True if a block in that tile or beside it moves or opens.
+bool somethingMoves(const World& world, const Map& map, GridTile tile) {
+    for (int y = tile.y - 1; y <= tile.y + 1; ++y) {
+        for (int x = tile.x - 1; x <= tile.x + 1; ++x) {
+            if (!map.contains(x, y)) continue;
+            for (int level = 0; level < map.levels; ++level) {
+                // Moving blocks that are elsewhere at the moment count too.
+                if (!isStill(world.blueprints[map.cells[map.cellIndex(x, y, level)]])) return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+bool hasWayOut(const World& world, int map, Coordinate x, Coordinate y, Coordinate feet) {
+    Traveller body = {.map = map, .box = bodyBox(x, y, feet, kCrouchedHeight), .eye = {x, y, feet + kCrouchedEye}, .behind = {}};
+    const GridTile home = {x.tile(), y.tile()};
+    if (somethingMoves(world, world.maps[static_cast<std::size_t>(map)], home)) return true;
+    const auto isElsewhere = [&](const Traveller& there) { return there.leaps > 0 || there.eye.x.tile() != home.x || there.eye.y.tile() != home.y; };
+    rise(world, body, {-kMaxBodyHeight.raw});
+
+    // To the middle of the tile, and from there in all four directions
+    const Coordinate half = {tileEdge(1).raw / 2};
+    slide(world, body, tileEdge(home.x) + half - x, tileEdge(home.y) + half - y, kJumpHeight);
+    if (isElsewhere(body)) return true;
+    constexpr int kEast[] = {1, 0, -1, 0};
+    constexpr int kSouth[] = {0, 1, 0, -1};
+    for (int i = 0; i < 4; ++i) {
+        Traveller walker = body;
+        slide(world, walker, tileEdge(kEast[i]), tileEdge(kSouth[i]), kJumpHeight);
+        if (isElsewhere(walker)) return true;
+    }
+    return false;
+}
+
+}  // namespace slicecast
