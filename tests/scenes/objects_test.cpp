@@ -1,9 +1,16 @@
 // How the objects of the shipped scenes stand: feet on the floor or on a block, and not inside one. Birds are in the air.
 #include "scenes/shipped.h"
 
+#include "world/collision.h"
+#include "world/object_motion.h"
+#include "world/player.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -50,6 +57,36 @@ TEST(Objects, StandOnFirmGround) {
     }
     EXPECT_GT(standing, 100);
     EXPECT_GT(flying, 3);
+}
+
+// Nobody is stuck, nobody falls off anything.
+TEST(Objects, ThoseThatMoveGetAbout) {
+    int walking = 0;
+    int flying = 0;
+    for (const std::string& scene : shippedScenes()) {
+        World world = shippedWorld(scene);
+        const std::vector<ObjectMotion>& motions = world.movingObjects.motions;
+        const auto objectOf = [&](const ObjectMotion& motion) -> const Object& {
+            return world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
+        };
+        std::vector<Object> begun;
+        for (const ObjectMotion& motion : motions) begun.push_back(objectOf(motion));
+        std::vector<std::int32_t> farthest(motions.size());
+        for (int step = 0; step < 60 * kStepsPerSecond; ++step) {
+            stepObjects(world);
+            for (std::size_t i = 0; i < motions.size(); ++i) {
+                const Object& object = objectOf(motions[i]);
+                farthest[i] = std::max({farthest[i], std::abs((object.x - begun[i].x).raw), std::abs((object.y - begun[i].y).raw)});
+                ASSERT_EQ(motions[i].onGround, motions[i].kind != ObjectMotion::Kind::circle);
+            }
+        }
+        for (std::size_t i = 0; i < motions.size(); ++i) {
+            EXPECT_GT(farthest[i], tileEdge(1).raw) << scene << ": " << begun[i].x.value() << ", " << begun[i].y.value();
+            ++(motions[i].kind == ObjectMotion::Kind::circle ? flying : walking);
+        }
+    }
+    EXPECT_GT(walking, 15);
+    EXPECT_GT(flying, 5);
 }
 
 }  // namespace
