@@ -235,7 +235,7 @@ private:
         const Map& map = mapAt(mapIndex);
         std::vector<Stretch> free;
         Coordinate low = {0};
-        const CellBlueprint* inTheWay = nullptr;
+        std::string_view inTheWay;
         int levelInTheWay = 0;
         for (int level = 0; level < map.levels; ++level) {
             const BlueprintId id = map.cell(tile.x, tile.y, level);
@@ -245,15 +245,14 @@ private:
             if (low < solid.low) free.push_back({low, solid.low});
             low = solid.high;
             if (overlap(solid, opening)) {
-                inTheWay = &block;
+                inTheWay = block.name;
                 levelInTheWay = level;
             }
         }
         free.push_back({low, kMaxBodyHeight});
         const auto leadsInto = [&](const Stretch& room) { return overlap(room, opening); };
         if (std::none_of(free.begin(), free.end(), leadsInto)) {
-            const std::string block = inTheWay != nullptr ? "the block " + quoted(inTheWay->name) + " at " + cellText(tile, levelInTheWay) : "the ground";
-            checker_.add(at, what + " inside " + block, "an exit into the open");
+            checker_.add(at, what + " inside the block " + quoted(inTheWay) + " at " + cellText(tile, levelInTheWay), "an exit into the open");
             return false;
         }
         const auto isHighEnough = [&](const Stretch& room) { return leadsInto(room) && room.high - room.low >= kCrouchedHeight; };
