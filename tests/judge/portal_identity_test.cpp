@@ -68,6 +68,23 @@ int differences(const Image& a, const Image& b) {
     return count;
 }
 
+// Of the pixels that differ, those whose rays pass fewer portals than they may.
+int differencesWithinTheLimit(const Image& a, const Image& b, const World& world, const View& view) {
+    int count = 0;
+    std::vector<Sight> sights;
+    const Tracer tracer(world, view);
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) {
+            if (a.at(x, y) == b.at(x, y)) continue;
+            Notes notes;
+            tracer.look(x + 0.5, y + 0.5, sights, &notes);
+            const auto has = [&](Note note) { return notes[static_cast<std::size_t>(note)]; };
+            count += !has(Note::faceAtLimit) && !has(Note::tileAtLimit);
+        }
+    }
+    return count;
+}
+
 class PortalIdentity : public testing::TestWithParam<int> {};
 
 TEST_P(PortalIdentity, APortalToACopyIsNotSeen) {
@@ -75,7 +92,7 @@ TEST_P(PortalIdentity, APortalToACopyIsNotSeen) {
     Renderer renderer;
     int pictures = 0;
     int changed = 0;
-    for (std::uint64_t seed = 5000; pictures < 120; ++seed) {
+    for (std::uint64_t seed = 5000; pictures < 300; ++seed) {
         Scene scene = randomScene(seed, 96, 60);
         if (!isFit(scene)) continue;
         ++pictures;
@@ -100,7 +117,7 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
     Renderer renderer;
     int pictures = 0;
     int changed = 0;
-    for (std::uint64_t seed = 9000; pictures < 120; ++seed) {
+    for (std::uint64_t seed = 9000; pictures < 300; ++seed) {
         Scene scene = randomScene(seed, 96, 60);
         World& world = scene.world;
         if (world.portals.empty() || world.maps.size() < 2 || world.maps[0].width < 3 || world.maps[0].depth < 3) continue;
@@ -176,7 +193,7 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
         there.y = {turned.y + place.y * 65536};
         there.z = view.z + tileEdge(portal.levels);
         there.headingDegrees = view.headingDegrees + 90.0 * turn;
-        EXPECT_EQ(differences(here, draw(renderer, world, there)), 0) << "seed " << seed;
+        EXPECT_EQ(differencesWithinTheLimit(here, draw(renderer, world, there), world, view), 0) << "seed " << seed;
         // It is the portal that leads there.
         world.portals[id].levels += 40;
         changed += differences(here, draw(renderer, world, view)) > 0;
