@@ -31,6 +31,17 @@ TEST(CheckProgram, TellsAllFaultsOfAllScenes) {
     EXPECT_EQ(finished.out, faultsOf(several) + kFolder + "everything.json: ok\n" + faultsOf(missing));
 }
 
+TEST(CheckProgram, WarnsOfWhatIsProbablyNotMeantSo) {
+    const std::string path = kFolder + "warnings.json";
+    std::string lines;
+    for (const Fault& warning : readScene(path).warnings) lines += "warning: " + describe(warning) + "\n";
+    const Finished finished = runProgram(SLICECAST_CHECK, {path});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(finished.out, path + ": ok\n");
+    EXPECT_EQ(finished.err, lines);
+    EXPECT_NE(lines, "");
+}
+
 TEST(CheckProgram, NeedsAScene) {
     const Finished finished = runProgram(SLICECAST_CHECK, {});
     EXPECT_EQ(finished.status, 2);

@@ -197,7 +197,7 @@ TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
         {{kScene, "--out", out, "--fov", "200"}, "option fov: found \"200\", expected a number from 10 to 150"},
         {{kScene, "--out", out, "--set", "lights=on"}, "found the option \"lights\", expected one of fov"},
         {{kScene, "--out", out, "--set", "light"}, "found \"light\", expected OPTION=VALUE"},
-        {{kScene, "--out", out, "--map", "cellar"}, "found \"cellar\", expected a map of this scene: \"hall\", \"yard\", \"plain\""},
+        {{kScene, "--out", out, "--map", "cellar"}, "found \"cellar\", expected a map of this scene: \"hall\", \"yard\", \"works\", \"plain\", \"gallery\""},
         {{kScene, "--out", out, "--map", "yard"}, "expected --eye"},
         {{kScene, "--out", out, "--eye", "1,1,0.5,0"}, "expected five numbers X,Y,Z,HEADING,LOOK"},
         {{kScene, "--out", out, "--eye", "1,1,0.5,0,0,0"}, "expected five numbers"},

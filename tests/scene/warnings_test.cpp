@@ -1,0 +1,91 @@
+// What loads, but is probably not meant so.
+#include "scene/scene.h"
+#include "scene/scene_files.h"
+
+#include <gtest/gtest.h>
+
+namespace slicecast {
+namespace {
+
+LoadedScene load(const std::string& text) {
+    const ParsedScene parsed = parseScene(text, "test.json");
+    LoadedScene loaded = loadScene(parsed, readSceneFiles(sceneTestFolder(), parsed));
+    EXPECT_EQ(inWords(loaded.faults), "");
+    EXPECT_TRUE(loaded.world.has_value());
+    EXPECT_EQ(loaded.warnings, parsed.warnings);
+    return loaded;
+}
+
+std::size_t warningsOf(const std::string& levels, const std::string& moreOfTheMap = "") {
+    return load(smallScene(levels, moreOfTheMap)).warnings.size();
+}
+
+TEST(Warnings, ComeWithTheirPlacesInTheOrderOfTheText) {
+    const LoadedScene loaded = loadFrom(sceneTestFolder() / "warnings.json");
+    ASSERT_TRUE(loaded.world.has_value());
+    EXPECT_EQ(inWords(loaded.faults), "");
+    ASSERT_EQ(loaded.warnings.size(), 2u) << inWords(loaded.warnings);
+    EXPECT_EQ(loaded.warnings[0].file, "warnings.json");
+    EXPECT_EQ(loaded.warnings[0].pointer, "/maps/0/portals/0/to");
+    EXPECT_EQ(loaded.warnings[0].line, 18);
+    EXPECT_EQ(loaded.warnings[0].column, 33);
+    EXPECT_EQ(loaded.warnings[0].found, "an exit where the player does not fit");
+    EXPECT_EQ(loaded.warnings[1].pointer, "/start");
+    EXPECT_EQ(loaded.warnings[1].found, "a start from where no other tile can be walked to");
+}
+
+TEST(Warnings, AreNotGivenBesideFaults) {
+    const std::string text = readText(sceneTestFolder() / "warnings.json");
+    const std::size_t at = text.find("\"floor\": \"tile\"");
+    ASSERT_NE(at, std::string::npos);
+    const ParsedScene parsed = parseScene(text.substr(0, at) + "\"floor\": \"till\"" + text.substr(at + 15), "test.json");
+    EXPECT_EQ(parsed.faults.size(), 1u);
+    EXPECT_TRUE(parsed.warnings.empty());
+}
+
+// The player starts in the middle of 3 x 3 tiles.
+TEST(Warnings, TellStartsWithNoWayOut) {
+    const std::string closed = R"(["###", "#.#", "###"])";
+    const std::string open = R"(["###", "#..", "###"])";
+    EXPECT_EQ(warningsOf("[" + closed + ", " + closed + "]"), 1u);
+    EXPECT_EQ(warningsOf("[" + open + ", " + closed + "]"), 0u);
+    EXPECT_EQ(warningsOf("[" + closed + ", " + open + "]"), 1u) << "too high to jump";
+}
+
+TEST(Warnings, CountWhatIsLowEnoughToJumpOntoAsAWayOut) {
+    const auto pit = [](const std::string& top) {
+        std::string text = smallScene(R"([["###", "#.#", "###"]])");
+        const std::string faces = R"("wall": { )";
+        const std::size_t at = text.find(faces);
+        EXPECT_NE(at, std::string::npos) << text;
+        return text.insert(at + faces.size(), "\"top\": " + top + ", ");
+    };
+    EXPECT_EQ(load(pit("0.75")).warnings.size(), 0u);
+    EXPECT_EQ(load(pit("0.8")).warnings.size(), 1u);
+}
+
+TEST(Warnings, CountPortalsAsAWayOut) {
+    const std::string closed = R"([["###", "#.#", "###"], ["###", "#.#", "###"]])";
+    const std::string face = R"({ "x": 0, "y": 1, "face": "east", "to": { "x": 0, "y": 0, "level": 2 }, "turn": 90 })";
+    const std::string back = R"({ "x": 0, "y": 1, "face": "west", "to": { "x": 0, "y": 0, "level": 2 }, "turn": 90 })";
+    EXPECT_EQ(warningsOf(closed, R"("portals": [ )" + face + " ]"), 0u);
+    EXPECT_EQ(warningsOf(closed, R"("portals": [ )" + back + " ]"), 1u) << "on the far side of the wall";
+}
+
+TEST(Warnings, AreNotGivenWhereTheWayOutMayOpen) {
+    const std::string text = readText(sceneTestFolder() / "warnings.json");
+    const auto replaced = [&](const std::string& from, const std::string& to) {
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return std::string(text).replace(at, from.size(), to);
+    };
+    const std::string moving = R"("motions": { "lift": { "moves": "top", "from": -0.75, "to": 0, "period": 8 } }, "blueprints": {)";
+    std::string withLift = replaced(R"("blueprints": {)", moving + R"( "lift": { "motion": "lift", "faces": "brick" },)");
+    const auto put = [&](const std::string& from, const std::string& to) { withLift.replace(withLift.find(from), from.size(), to); };
+    put(R"("legend": {)", R"("legend": { "l": "lift",)");
+    put(R"("#.#^#")", R"("l.#^#")");
+    EXPECT_EQ(load(withLift).warnings.size(), 1u) << "only the exit";
+}
+
+}  // namespace
+}  // namespace slicecast
