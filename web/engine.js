@@ -36,6 +36,8 @@ export class Engine {
     }
   }
 
+  warnings = []; // of the scene that plays, in the form of faults
+
   constructor(module, canvas) {
     this.#module = module;
     this.#session = canvas === null ? module._slicecast_create() : module._slicecast_programSession();
@@ -48,7 +50,7 @@ export class Engine {
 
   // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that was running alone. Gives null if another scene was
   // asked for meanwhile. With `keepEye` the player goes on from where they are, if the new scene has such a place. `onProgress` hears the share that has
-  // come, 0 to 1, and the number of bytes.
+  // come, 0 to 1, and the number of bytes. `warnings` then tells what in the scene is probably not meant so.
   async loadScene(source, { onProgress, keepEye = false } = {}) {
     const load = ++this.#loads;
     const names = await readNames(this.#module, this.#session, source, () => load === this.#loads);
@@ -57,7 +59,8 @@ export class Engine {
     const contents = await readContents(names.files, source, onProgress);
     if (load !== this.#loads) return null;
     const eye = keepEye ? this.state : null;
-    const faults = startWith(this.#module, this.#session, names.files, contents);
+    const { faults, warnings } = startWith(this.#module, this.#session, names.files, contents);
+    this.warnings = warnings;
     if (eye !== null && faults.length === 0) this.restore(eye);
     return faults;
   }
@@ -80,7 +83,7 @@ export class Engine {
       const { files, faults } = await readNames(this.#module, session, source);
       if (faults.length > 0) return null;
       const contents = await readContents(files, source);
-      return startWith(this.#module, session, files, contents).length === 0 ? this.#draw(session, width, height, 1) : null;
+      return startWith(this.#module, session, files, contents).faults.length === 0 ? this.#draw(session, width, height, 1) : null;
     } finally {
       this.#module._slicecast_free(session);
     }
@@ -246,14 +249,14 @@ function readContents(files, source, onProgress = () => {}) {
   }));
 }
 
-// The world: the list of faults. A file that is not supplied becomes one, with the place that names it.
+// The world: {faults, warnings}. A file that is not supplied becomes one, with the place that names it.
 function startWith(module, session, files, contents) {
   files.forEach((name, index) => {
     const bytes = contents[index];
     if (bytes === null) return;
     withBytes(module, bytes, (at) => withStrings(module, [name], (nameAt) => module._slicecast_supply(session, nameAt, at, bytes.length)));
   });
-  return JSON.parse(module.UTF8ToString(module._slicecast_start(session))).faults;
+  return JSON.parse(module.UTF8ToString(module._slicecast_start(session)));
 }
 
 function withBytes(module, bytes, use) {

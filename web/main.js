@@ -121,6 +121,7 @@ class Page {
       });
       if (faults === null) return false;
       if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
+      for (const { message } of this.engine.warnings) console.warn(message);
     } catch (error) {
       if (load !== this.#loads) return false;
       this.playsAfterTrouble = wasPlaying;

@@ -49,8 +49,9 @@ struct SlicecastSession {
 
 namespace {
 
-void writeFaults(JsonText& json, const std::vector<Fault>& faults) {
-    json.key("faults").beginArray();
+// `key` is "faults" or "warnings".
+void writeFaults(JsonText& json, const char* key, const std::vector<Fault>& faults) {
+    json.key(key).beginArray();
     for (const Fault& fault : faults) {
         json.beginObject();
         json.key("file").text(fault.file).key("pointer").text(fault.pointer);
@@ -127,7 +128,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, cons
     json.beginObject().key("files").beginArray();
     for (const std::string& file : session->parsed.files) json.text(file);
     json.endArray();
-    writeFaults(json, session->parsed.faults);
+    writeFaults(json, "faults", session->parsed.faults);
     return session->give(json.endObject().str());
 }
 
@@ -141,7 +142,8 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
     session->files.clear();
     JsonText json;
     json.beginObject();
-    writeFaults(json, loaded.faults);
+    writeFaults(json, "faults", loaded.faults);
+    writeFaults(json, "warnings", loaded.warnings);
     json.endObject();
     if (!loaded.world) return session->give(json.str());
 
@@ -306,7 +308,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_readRecording(SlicecastSession* sessi
     ReadRecording read = readRecording(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
     JsonText json;
     json.beginObject();
-    writeFaults(json, read.faults);
+    writeFaults(json, "faults", read.faults);
     session->recording = std::move(read.recording);
     if (session->recording) {
         json.key("scene").text(session->recording->scene).key("steps").number(static_cast<double>(session->recording->steps));

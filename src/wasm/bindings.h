@@ -6,7 +6,7 @@
 //     const session = module._slicecast_programSession();                                     // or module._slicecast_create() without the program
 //     {files, faults} = JSON.parse(module.UTF8ToString(module._slicecast_parse(session, text, textBytes, name)));
 //     for each of the files:    module._slicecast_supply(session, fileName, bytes, byteCount);  // no call: the file could not be read
-//     {faults} = JSON.parse(module.UTF8ToString(module._slicecast_start(session)));            // no faults: it plays
+//     {faults, warnings} = JSON.parse(module.UTF8ToString(module._slicecast_start(session)));  // no faults: it plays
 //     module.callMain([]);                                                                    // once, in a page: the program begins to draw and listen
 //
 // Strings in are UTF-8; those without a byte count end in a zero byte. What goes in is copied: the caller frees its own memory at once. Strings out belong
@@ -64,7 +64,8 @@ const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t
 // Supplies the bytes of one of those files. A file never supplied becomes a fault ("could not be read").
 void slicecast_supply(SlicecastSession* session, const char* fileName, const uint8_t* bytes, int32_t byteCount);
 
-// Builds the world and begins to play it. Gives {"faults": [...]}; with any fault the game that ran before, if any, goes on. Options are kept.
+// Builds the world and begins to play it. Gives {"faults": [...], "warnings": [...]}; with any fault the game that ran before, if any, goes on, warnings keep
+// nothing from playing. Options are kept.
 const char* slicecast_start(SlicecastSession* session);
 
 // The running world: {"title", "maps": [{"name", "width", "depth", "levels"}], "gates": how many}; null without a game.

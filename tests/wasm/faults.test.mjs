@@ -25,6 +25,15 @@ test('every broken scene has the same faults natively and in WebAssembly', async
   }
 });
 
+test('warnings are the same natively and in WebAssembly, and the scene plays', async () => {
+  const session = new Session(await loadModule('simd'));
+  const scene = join(root, 'tests/scene/warnings.json');
+  assert.deepEqual(session.load(scene), []);
+  const native = spawnSync(join(root, 'build/native/bin/slicecast-check'), [scene], { encoding: 'utf8' });
+  assert.deepEqual(session.warnings.map(({ message }) => `warning: ${message}`), native.stderr.trimEnd().split('\n'));
+  assert.notEqual(session.draw(8, 8), null);
+});
+
 test('a fault names file, place, what was found and what was expected', async () => {
   const session = new Session(await loadModule('simd'));
   const { files, faults } = session.parse('{\n  "title": 7\n}', 'odd "name".json');

@@ -91,7 +91,9 @@ export class Session {
   }
 
   start() {
-    return this.json(this.module._slicecast_start(this.address)).faults;
+    const { faults, warnings } = this.json(this.module._slicecast_start(this.address));
+    this.warnings = warnings;
+    return faults;
   }
 
   world() {
