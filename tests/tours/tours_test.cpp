@@ -65,11 +65,13 @@ TEST(Tours, LeadWhereTheyLed) {
 
 // What a tour is for: all ways of moving are in it.
 TEST(Tours, TogetherTheyDoEverything) {
-    bool walks = false, runs = false, strafes = false, jumps = false, crouches = false, turns = false, looks = false, flies = false, climbs = false;
+    bool walks = false, runs = false, strafes = false, jumps = false, crouches = false, turns = false, looks = false, flies = false, climbs = false,
+         rides = false, opens = false;
     for (const Tour& tour : allTours()) {
         Session session(shippedWorld(tour.scene));
         Replay replay(shippedTour(tour.scene));
         const Coordinate start = session.player().z;
+        Coordinate feetBefore = start;
         while (replay.step(session)) {
             const Player& player = session.player();
             const double speed = session.state().speed;
@@ -78,6 +80,11 @@ TEST(Tours, TogetherTheyDoEverything) {
             jumps = jumps || player.velocityZ > 3.5;
             crouches = crouches || player.crouched;
             flies = flies || player.flying;
+            for (const Mover& mover : session.world().movers) {
+                const Coordinate rise = mover.offset - mover.previousOffset;
+                rides = rides || (rise > Coordinate{0} && player.onGround && player.z - feetBefore == rise);
+            }
+            feetBefore = player.z;
             climbs = climbs || (player.onGround && player.z.value() > start.value() + 4.0);
         }
         for (const RecordedEntry& entry : replay.recording().entries) {
@@ -86,6 +93,7 @@ TEST(Tours, TogetherTheyDoEverything) {
             strafes = strafes || steps->input.strafe != 0;
             turns = turns || (steps->input.turn != 0 && steps->input.turnDegrees == 0);
             looks = looks || steps->input.lookHeights != 0;
+            opens = opens || steps->input.use;
         }
     }
     EXPECT_TRUE(walks);
@@ -97,6 +105,8 @@ TEST(Tours, TogetherTheyDoEverything) {
     EXPECT_TRUE(looks);
     EXPECT_TRUE(flies);
     EXPECT_TRUE(climbs);
+    EXPECT_TRUE(rides);
+    EXPECT_TRUE(opens);
 }
 
 }  // namespace

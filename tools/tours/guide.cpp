@@ -2,6 +2,7 @@
 
 #include "base/angle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -52,6 +53,31 @@ void Guide::creep(const std::vector<Spot>& spots) {
 void Guide::stepAside(double axis, int steps) {
     step({.strafe = axis}, steps);
     step({}, 20);
+}
+
+void Guide::use() {
+    step({.use = true}, 12);
+}
+
+void Guide::rideUp(Spot spot) {
+    waitForLift(spot, false);
+    walk({spot});
+    waitForLift(spot, true);
+}
+
+void Guide::waitForLift(Spot spot, bool isUp) {
+    const World& world = session_.world();
+    const int x = toCoordinate(spot.x).tile();
+    const int y = toCoordinate(spot.y).tile();
+    for (const Mover& mover : world.movers) {
+        if (mover.map != session_.player().map || x < mover.west || x > mover.east || y < mover.north || y > mover.south) continue;
+        const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
+        const Coordinate wanted = isUp ? std::max(motion.from, motion.to) : std::min(motion.from, motion.to);
+        for (int i = 0; i < motion.periodSteps && mover.offset != wanted; ++i) step({});
+        if (mover.offset != wanted) trouble_ = "the lift does not come";
+        return;
+    }
+    trouble_ = "no lift there";
 }
 
 void Guide::jump() {

@@ -39,6 +39,10 @@ public:
     // Left, right, up and down.
     void lookAround();
     void wait(int steps);
+    // Opens or closes the gates nearby.
+    void use();
+    // Onto a lift when it is down, and with it until it is up.
+    void rideUp(Spot spot);
     void setFlying(bool flying) { session_.setFlying(flying); }
     void flyTo(Spot spot, double eyeHeight);
     void mark(const std::string& name) { recorder_.mark(name, session_); }
@@ -52,6 +56,7 @@ private:
     void goTo(Spot spot, Input pace);
     double distanceTo(Spot spot) const;
     double turnTowards(Spot spot) const;
+    void waitForLift(Spot spot, bool isUp);
 
     Session session_;
     Recorder recorder_;

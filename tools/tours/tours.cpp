@@ -34,11 +34,25 @@ void throughTheCastle(Guide& guide) {
     guide.lookTo(0.0);
     guide.walk({{43, 18.9}, {30, 19.1}});
     guide.mark("on-the-bridge");
+    // The gate opens for who comes, and obeys
+    guide.walk({{27.4, 19}});
+    guide.wait(90);
+    guide.mark("the-gate-is-open");
+    guide.use();
+    guide.wait(45);
+    guide.mark("the-gate-closes");
+    guide.use();
+    guide.wait(90);
     guide.run({{22, 19.1}});
     guide.jump();
-    guide.walk({{22.7, 26}, {22.7, 28.5}, {15.5, 28.5}});
-    guide.mark("on-the-stairs");
-    guide.walk({{14.5, 29.5}, {12.5, 29.4}, {12.5, 22.5}, {16.5, 22.5}, {16.5, 17.5}, {12, 17.5}, {11.6, 18.4}, {15, 20}});
+    guide.walk({{22.4, 24.2}});
+    guide.rideUp({23.5, 25});
+    guide.walk({{24.5, 25}});
+    guide.turnTo(205.0);
+    guide.lookTo(-0.1);
+    guide.mark("on-the-wall-walk");
+    guide.lookTo(0.0);
+    guide.walk({{24.5, 29.5}, {22, 29.5}, {14.5, 29.5}, {12.5, 29.4}, {12.5, 22.5}, {16.5, 22.5}, {16.5, 17.5}, {12, 17.5}, {11.6, 18.4}, {15, 20}});
     guide.stepAside(0.5, 30);
     guide.mark("in-the-court");
     guide.walk({{18.5, 20}});
