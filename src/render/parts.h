@@ -18,16 +18,25 @@ namespace slicecast {
 struct HeightClip {
     std::int32_t low = std::numeric_limits<std::int32_t>::min();
     std::int32_t high = std::numeric_limits<std::int32_t>::max();
-    bool isMirror = false;  // then a ceiling at the height itself is not met either
+    bool isMirror = false;  // then nothing at the height itself is met either
 
     bool any() const { return low != std::numeric_limits<std::int32_t>::min() || high != std::numeric_limits<std::int32_t>::max(); }
     friend bool operator==(const HeightClip&, const HeightClip&) = default;
+};
+
+// Where rays were before they came through a portal: the tile before the portal, or its own if they came through a roof or an underside.
+struct Before {
+    const Map* map = nullptr;
+    int x = 0;
+    int y = 0;
+    int levels = 0;  // the portal's
 };
 
 struct Part {
     Vista* vista = nullptr;
     GridWalk walk{{}, {}, {}};  // in the tile in which the part begins
     HeightClip clip;
+    Before before;
     int portals = 0;  // passed so far
     std::vector<OpenRows::Run> rows;
 };

@@ -67,6 +67,7 @@ void Slice::begin(const Part& part) {
     portals_ = part.portals;
     startX_ = walk_.tileX;
     startY_ = walk_.tileY;
+    before_ = part.before;
     const bool ceilingMet = !clipped_ || (clip_.isMirror ? ceilingRise_ > clip_.low : ceilingRise_ >= clip_.low && ceilingRise_ <= clip_.high);
     ceilingTiles_ = map_->ceiling.tiles.empty() || !ceilingMet ? nullptr : map_->ceiling.tiles.data();
     floorMirror_ = mirrorStrength(map_->floor.mirror);
@@ -126,12 +127,12 @@ void Slice::walk() {
 }
 
 // How far along the ray to walk: beyond, nothing but the floor that is under way and the sky can be met. When all open rows look down, that is where the
-// flattest of them meets the floor; when all look up, where the flattest of them is above everything.
+// flattest of them meets the floor; when all look up, where the flattest of them is above everything but portal tiles, which act at all heights.
 double Slice::whereToStop() const {
     if (open_.none()) return 0.0;
     const int firstFalling = projection_->firstFallingRow;
     if (open_.first() >= firstFalling) return kBeyond * eyeHeight_ * vista_->inverseOffsets[static_cast<std::size_t>(open_.first())];
-    if (open_.last() > firstFalling) return kNever;
+    if (open_.last() > firstFalling || !map_->tilePortals.empty()) return kNever;
     const double rise = vista_->highest - eyeHeight_;
     return rise <= 0.0 ? 0.0 : kBeyond * rise * vista_->inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
@@ -278,7 +279,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
         const int level = static_cast<int>(std::bit_width(rest)) - 1;
         rest ^= std::uint32_t{1} << level;
         Block block = blockAt(level);
-        if (block.bottom > 0 || (clipped_ && !cutToClip(block))) continue;
+        if ((clipped_ && !cutToClip(block)) || block.bottom > 0) continue;
         const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;

@@ -128,8 +128,11 @@ private:
     void drawRoof(const Block& block, int firstRow, int lastRow, bool fromInside = false);
     void drawUnderside(const Block& block, int firstRow, int lastRow);
     void drawCeilingHere(TextureId texture);
-    bool joinsBeside(const Block& block, Border border) const;
-    bool joinsAbove(int level) const;
+    bool isArrival() const { return portals_ > 0 && walk_.tileX == startX_ && walk_.tileY == startY_; }
+    bool isJoined(const Block& block, const Map& map, int x, int y, int level) const;
+    bool joinsBefore(const Block& block) const;
+    bool joinsAbove(const Block& block) const;
+    bool joinsBelow(const Block& block) const;
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
     void passThroughTop(const Block& block, int firstRow, int lastRow);
     void passThroughBottom(const Block& block, int firstRow, int lastRow);
@@ -154,6 +157,9 @@ private:
     void fill(PlaneRun& run);
     void fillRows(const PlaneRun& run, Lay lay);
     void layOver();
+    bool isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows) const;
+    void fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, const FrameTexture& texture, Lay lay);
+    void drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east, std::uint32_t south, bool southReversed, const PlaneRows& rows, Lay lay, Pixel there);
     TileBox boxAround(const PlaneRun& run) const;
     void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there);
     void count(int first, int last) {
@@ -202,6 +208,7 @@ private:
     int portals_ = 0;       // passed so far
     int startX_ = 0;        // the tile in which it began
     int startY_ = 0;
+    Before before_;
 
     GridWalk walk_;
     Crossing enter_;             // how the current tile was entered

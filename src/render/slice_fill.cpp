@@ -13,6 +13,17 @@ namespace {
 // and far more than a rounding.
 constexpr double kSnap = 1.0 / 17179869184.0;
 
+// Half a step of the fraction that is kept; nearer to the end of a tile than that, it would round up to the next one.
+constexpr double kHalfStep = 1.0 / 8589934592.0;
+
+// The fraction of a tile at a position of a plane's row, in 1/2^32, held within [first, end).
+std::uint32_t held(double first, double end, double start, double perInverse, double inverse) {
+    const double position = start + perInverse * inverse;
+    if (position < first) return 0;
+    if (position >= end - kHalfStep) return ~std::uint32_t{0};
+    return PlaneLine::fractionBits(start, perInverse, inverse);
+}
+
 }  // namespace
 
 // What the sides at one border have in common.
@@ -98,6 +109,7 @@ void Slice::fillRows(const PlaneRun& run, Lay lay) {
     const double depthPerInverse = distance * projection_->distance;
     const auto levelAt = [&](int row) { return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture.size, texture.last); };
     const auto texelsOf = [&](int level) -> const TextureLevel& { return texture.levels[level]; };
+    if (isOnBorder(run, line, rows)) return fillRowByRow(run, line, rows, texture, lay);
     const int firstLevel = levelAt(first);
     const int lastLevel = last - first == 1 ? firstLevel : levelAt(last - 1);
 
@@ -121,6 +133,47 @@ void Slice::fillRows(const PlaneRun& run, Lay lay) {
     if (last - first > 1) holdInside(last - 1, texelsOf(lastLevel), line, rows, box, lay, lastThere);
 }
 
+// A point on the border of two tiles exactly belongs to the one behind it, for the eye counts as a trifle further east and south. Behind a portal that turns, that
+// may be west or north: then it belongs to the one before, and its fraction there is 1 and not 0.
+bool Slice::isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows) const {
+    const int turn = vista_->viewpoint.turn;
+    if (turn == 0) return false;
+    bool any = false;
+    for (int row = run.first; row < run.last; ++row) {
+        const double inverse = rows.inverseOffsets[row];
+        const bool east = PlaneLine::fractionBits(line.eastStart, line.eastPerInverse, inverse) == 0;
+        const bool south = PlaneLine::fractionBits(line.southStart, line.southPerInverse, inverse) == 0;
+        any |= (east && turn != 3) || (south && turn != 1);
+    }
+    return any;
+}
+
+// Those are rare, so a run that has one is drawn slowly, row by row.
+void Slice::fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, const FrameTexture& texture, Lay lay) {
+    const int turn = vista_->viewpoint.turn;
+    const TileBox box = boxAround(run);
+    const double depthPerInverse = Coordinate{run.plane.rise < 0 ? -run.plane.rise : run.plane.rise}.value() * projection_->distance;
+    for (int row = run.first; row < run.last; ++row) {
+        const double inverse = rows.inverseOffsets[row];
+        const auto before = [](std::uint32_t bits, bool isTurned) { return bits == 0 && isTurned ? ~std::uint32_t{0} : bits; };
+        const std::uint32_t east = before(held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse), turn != 3);
+        const std::uint32_t south = before(held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse), turn != 1);
+        drawPlaneTexel(row, texture.levels[frame_.detail.levelAt(depthPerInverse * inverse, texture.size, texture.last)], east, south, line.southReversed, rows,
+                       lay, pixels_[row]);
+    }
+}
+
+// One row from the texel at a fraction of a tile, in 1/2^32.
+void Slice::drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east, std::uint32_t south, bool southReversed, const PlaneRows& rows, Lay lay,
+                           Pixel there) {
+    const auto texelOf = [&](std::uint32_t bits) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits)); };
+    const std::uint32_t u = texelOf(east);
+    std::uint32_t v = texelOf(south);
+    if (southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
+    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, vista_->lighting.haze,
+                               lay, there);
+}
+
 Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
     const int eyeX = eyeTileX_;
     const int eyeY = eyeTileY_;
@@ -141,22 +194,11 @@ void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line
     const double inverse = rows.inverseOffsets[row];
     const double east = line.eastStart + line.eastPerInverse * inverse;
     const double south = line.southStart + line.southPerInverse * inverse;
-    // Half a step of the fraction that is kept; nearer to the end than that, it would round up to the next tile.
-    constexpr double kHalfStep = 1.0 / 8589934592.0;
     const bool eastInside = east >= box.east && east < box.eastEnd - kHalfStep;
     const bool southInside = south >= box.south && south < box.southEnd - kHalfStep;
     if (eastInside && southInside) return;
-    const auto held = [](double position, double first, double end, double start, double perInverse, double inverseOffset) {
-        if (position < first) return std::uint32_t{0};
-        if (position >= end - kHalfStep) return ~std::uint32_t{0};
-        return PlaneLine::fractionBits(start, perInverse, inverseOffset);
-    };
-    const auto texelOf = [&](std::uint32_t bits) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits)); };
-    const std::uint32_t u = texelOf(held(east, box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse));
-    std::uint32_t v = texelOf(held(south, box.south, box.southEnd, line.southStart, line.southPerInverse, inverse));
-    if (line.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, vista_->lighting.haze,
-                               lay, there);
+    drawPlaneTexel(row, level, held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse),
+                   held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse), line.southReversed, rows, lay, there);
 }
 
 }  // namespace slicecast

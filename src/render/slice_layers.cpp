@@ -8,43 +8,88 @@
 
 namespace slicecast {
 
-// Of two touching see-through blocks of one blueprint the faces between them are left out.
-bool Slice::joinsBeside(const Block& block, Border border) const {
-    if (!block.blueprint->join) return false;
-    const bool before = border == Border::enter;
-    const int x = before ? beforeX(border) : behindX(border);
-    const int y = before ? beforeY(border) : behindY(border);
-    return &frame_.world->blueprints[map_->cell(x, y, block.level)] == block.blueprint;
+// Of two touching see-through blocks of one blueprint the faces between them are left out, and so they are where a portal lies between.
+bool Slice::isJoined(const Block& block, const Map& map, int x, int y, int level) const {
+    return block.blueprint->join && &frame_.world->blueprints[map.cell(x, y, level)] == block.blueprint;
 }
 
-// Whether the blocks of a level and the next in the current tile touch, and are of one blueprint or parts of one thing that moves.
-bool Slice::joinsAbove(int level) const {
+// Whether a block joins one in the tile before.
+bool Slice::joinsBefore(const Block& block) const {
+    if (isArrival()) return isJoined(block, *before_.map, before_.x, before_.y, block.level - before_.levels);
+    return isJoined(block, *map_, beforeX(Border::enter), beforeY(Border::enter), block.level);
+}
+
+// Whether a block of the current tile joins what is above it, or below: a block that it touches, of its own blueprint or a part of the same thing that moves.
+bool Slice::joinsAbove(const Block& block) const {
+    if (block.blueprint->top != tileEdge(1) || !block.blueprint->join) return false;
     const std::vector<CellBlueprint>& blueprints = frame_.world->blueprints;
-    const CellBlueprint& lower = blueprints[map_->cell(walk_.tileX, walk_.tileY, level)];
-    const CellBlueprint& upper = blueprints[map_->cell(walk_.tileX, walk_.tileY, level + 1)];
-    const bool touch = lower.top == tileEdge(1) && upper.bottom == Coordinate{0};
-    return touch && lower.join && (&lower == &upper || (lower.mover >= 0 && lower.mover == upper.mover));
+    const auto joins = [&](const Map& map, int x, int y, int level) {
+        const CellBlueprint& upper = blueprints[map.cell(x, y, level)];
+        return upper.bottom == Coordinate{0} && (&upper == block.blueprint || (upper.mover >= 0 && upper.mover == block.blueprint->mover));
+    };
+    if (clipped_ && block.top == clip_.high) return isArrival() && joins(*before_.map, before_.x, before_.y, block.level + 1 - before_.levels);
+    const CellBlueprint& upper = blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level + 1)];
+    const PortalId portal = upper.bottom == Coordinate{0} ? upper.face(Face::bottom).portal : kNoPortal;
+    if (!acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, block.level + 1);
+    const Portal& to = frame_.world->portals[portal];
+    return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, block.level + 1 + to.levels);
+}
+
+bool Slice::joinsBelow(const Block& block) const {
+    if (block.blueprint->bottom != Coordinate{0} || !block.blueprint->join) return false;
+    const std::vector<CellBlueprint>& blueprints = frame_.world->blueprints;
+    const auto joins = [&](const Map& map, int x, int y, int level) {
+        const CellBlueprint& lower = blueprints[map.cell(x, y, level)];
+        return lower.top == tileEdge(1) && (&lower == block.blueprint || (lower.mover >= 0 && lower.mover == block.blueprint->mover));
+    };
+    if (clipped_ && block.bottom == clip_.low) return isArrival() && joins(*before_.map, before_.x, before_.y, block.level - 1 - before_.levels);
+    const CellBlueprint& lower = blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level - 1)];
+    const PortalId portal = lower.top == tileEdge(1) ? lower.face(Face::top).portal : kNoPortal;
+    if (!acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, block.level - 1);
+    const Portal& to = frame_.world->portals[portal];
+    return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, block.level - 1 + to.levels);
 }
 
 void Slice::enterThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsBeside(block, Border::enter)) return;
+    if (!open_.mayHold(firstRow, lastRow) || joinsBefore(block)) return;
     seeThroughSide(block, enteredFace(enter_), enter_, sideView(enter_), firstRow, lastRow);
 }
 
+// Behind the side there may be a portal: one of the whole tile, or one in the face of a block, which may be smaller than this one.
 void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow) || joinsBeside(block, Border::leave)) return;
-    seeThroughSide(block, leftFace(leave_), leave_, sideView(leave_), firstRow, lastRow);
+    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow)) return;
+    const int x = behindX(Border::leave);
+    const int y = behindY(Border::leave);
+    const SideView view = sideView(leave_);
+    const auto draw = [&](int first, int last) { seeThroughSide(block, leftFace(leave_), leave_, view, first, last); };
+    const auto isJoinedBeyond = [&](PortalId portal) {
+        const Portal& to = frame_.world->portals[portal];
+        return isJoined(block, frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, block.level + to.levels);
+    };
+    const bool mayPass = portals_ < frame_.world->portalLimit;
+    if (const PortalId portal = map_->tilePortal(x, y); portal != kNoPortal && mayPass) {
+        if (!isJoinedBeyond(portal)) draw(firstRow, lastRow);
+        return;
+    }
+    const CellBlueprint& behind = frame_.world->blueprints[map_->cell(x, y, block.level)];
+    if (const PortalId portal = behind.face(enteredFace(leave_)).portal; portal != kNoPortal && mayPass && isJoinedBeyond(portal)) {
+        const std::int32_t base = tileEdge(block.level).raw - eyeZ_;
+        draw(firstRow, std::min(lastRow, rowBelow(base + behind.top.raw, leave_)));
+        draw(std::max(firstRow, rowBelow(base + behind.bottom.raw, leave_)), lastRow);
+        return;
+    }
+    if (!isJoined(block, *map_, x, y, block.level)) draw(firstRow, lastRow);
 }
 
 void Slice::passThroughTop(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsAbove(block.level)) return;
+    if (!open_.mayHold(firstRow, lastRow) || joinsAbove(block)) return;
     const FaceBlueprint& look = block.blueprint->face(Face::top);
     seeThroughPlane(block.level, FilledRows::What::roof,
                     {{block.top, look.texture, look.light, look.glow, false, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
 }
 
 void Slice::passThroughBottom(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsAbove(block.level - 1)) return;
+    if (!open_.mayHold(firstRow, lastRow) || joinsBelow(block)) return;
     const FaceBlueprint& look = block.blueprint->face(Face::bottom);
     seeThroughPlane(block.level, FilledRows::What::underside,
                     {{block.bottom, look.texture, look.light, look.glow, true, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});

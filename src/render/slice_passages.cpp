@@ -77,7 +77,7 @@ void Slice::leaveBottom(const Block& block, int firstRow, int lastRow) {
 // What is left of a block between the heights at which this part's rays run; false if that is nothing.
 bool Slice::cutToClip(Block& block) const {
     if (block.top <= clip_.low || block.bottom >= clip_.high) return false;
-    block.cut = block.bottom < clip_.low || block.top > clip_.high;
+    block.cut = block.bottom < clip_.low || block.top > clip_.high || (clip_.isMirror && block.bottom == clip_.low);
     block.bottom = std::max(block.bottom, clip_.low);
     block.top = std::min(block.top, clip_.high);
     return true;
@@ -85,8 +85,7 @@ bool Slice::cutToClip(Block& block) const {
 
 // The portals of the tile in which a ray has come out do not act on it.
 bool Slice::acts(PortalId portal) const {
-    if (portal == kNoPortal || portals_ >= frame_.world->portalLimit) return false;
-    return portals_ == 0 || walk_.tileX != startX_ || walk_.tileY != startY_;
+    return portal != kNoPortal && portals_ < frame_.world->portalLimit && !isArrival();
 }
 
 // Closes rows here and opens them behind the portal, in a part that goes on from this tile. Those whose rays come out below the floor end in the haze.
@@ -98,8 +97,13 @@ void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const H
     const std::int32_t height = clip.high != HeightClip{}.high ? clip.high : clip.low;
     const int hazeRow = !clip.any() ? rowBelow(floorRise, enter_) : height < floorRise ? 0 : projection_->height;
     const GridWalk onward = walk_.turned(portal.turn, portal.toX, portal.toY);
+    const Before before = clip.any() ? Before{map_, walk_.tileX, walk_.tileY, portal.levels} : Before{map_, beforeX(Border::enter), beforeY(Border::enter), portal.levels};
     open_.take(firstRow, lastRow, [&](int first, int last) {
-        if (first < hazeRow) Parts::addRows(parts_->find(beyond, onward, clip, portals_ + 1, part_ + 1), first, std::min(last, hazeRow));
+        if (first < hazeRow) {
+            Part& part = parts_->find(beyond, onward, clip, portals_ + 1, part_ + 1);
+            part.before = before;
+            Parts::addRows(part, first, std::min(last, hazeRow));
+        }
         if (last > hazeRow) {
             std::fill(pixels_ + std::max(first, hazeRow), pixels_ + last, beyond.lighting.haze);
             count(std::max(first, hazeRow), last);
@@ -142,7 +146,9 @@ void Slice::reflect() {
         above.low = -run.height;
         above.isMirror = true;
         Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + run.height);
-        Parts::addRows(memory_.reflectedParts.find(vista, met.walk, above, met.portals, 0), height - run.last, height - run.first);
+        Part& part = memory_.reflectedParts.find(vista, met.walk, above, met.portals, 0);
+        part.before = met.before;
+        Parts::addRows(part, height - run.last, height - run.first);
     }
     pixels_ = memory_.reflected.data();
     layers_ = &memory_.reflectedLayers;
