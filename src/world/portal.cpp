@@ -38,6 +38,10 @@ Face turned(Face face, int turn) {
     return static_cast<Face>((static_cast<int>(face) + turn) % 4);
 }
 
+bool leadOnTogether(const Portal& a, const Portal& b) {
+    return a.fromMap == b.fromMap && a.toMap == b.toMap && a.turn == b.turn && a.levels == b.levels && carried(a, GridTile{b.fromX, b.fromY}) == GridTile{b.toX, b.toY};
+}
+
 Portal reversed(const Portal& portal) {
     return {.fromMap = portal.toMap,
             .fromX = portal.toX,

@@ -75,6 +75,9 @@ constexpr void turnArrow(int turn, Number& x, Number& y) {
     }
 }
 
+// True if both put every place at the same other place.
+bool leadOnTogether(const Portal& a, const Portal& b);
+
 // The portal that leads back.
 Portal reversed(const Portal& portal);
 

@@ -1,5 +1,7 @@
 // What is solid around a body among portals, while its eye stays before, behind or beside the same ones (see traveller.h); in the coordinates of its map.
 //
+// Portals side by side that lead on side by side are one opening: what a body reaches into of it is open as a whole.
+//
 // Each tile is put together from up to three stretches of height: what is behind the threshold that the body has come over, what is seen through a portal
 // face, and the map's own. A tile behind a threshold or with a portal of its own is of one piece.
 #pragma once
@@ -137,15 +139,60 @@ private:
                 openings.above = {portalOf(world_, block.face(Face::bottom).portal), bottom, kBoundless};
                 break;
             }
-        } else if (const std::optional<Face> side = sideTowards(tile, eyeTile_)) {
-            const int level = eye_.z.tile();
-            if (const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, level)) {
-                const Coordinate bottom = tileEdge(level) + block->bottom;
-                const Coordinate top = tileEdge(level) + block->top;
-                if (bottom <= eye_.z && eye_.z < top) openings.below = {portalOf(world_, block->face(*side).portal), bottom, top};
+            return openings;
+        }
+        // Beside the eye, or beside what is beside it where both lead on side by side
+        const GridTile across = {tile.x, eyeTile_.y};
+        const GridTile along = {eyeTile_.x, tile.y};
+        if (const std::optional<Face> side = sideTowards(tile, eyeTile_)) {
+            openings.below = openingBeside(tile, *side, nullptr);
+        } else {
+            for (const GridTile between : {across, along}) {
+                const std::optional<Face> towardsEye = sideTowards(between, eyeTile_);
+                if (!towardsEye || !sideTowards(between, tile)) continue;
+                const Portal* const other = openingBeside(between, *towardsEye, nullptr).portal;
+                if (other != nullptr && openings.below.portal == nullptr) openings.below = openingBeside(tile, *towardsEye, other);
             }
         }
+        if (openings.below.portal != nullptr) return openings;
+        // Beside a top or bottom that the eye is above or below
+        const Openings ofEye = openingsAbove(eyeTile_);
+        if (ofEye.below.portal != nullptr) openings.below = {portalAt(tile, ofEye.below.high, Face::top, *ofEye.below.portal), ofEye.below.low, ofEye.below.high};
+        if (ofEye.above.portal != nullptr) openings.above = {portalAt(tile, ofEye.above.low, Face::bottom, *ofEye.above.portal), ofEye.above.low, ofEye.above.high};
         return openings;
+    }
+
+    // The opening of a side at the eye's height, with the blocks right above and below that lead on in the same way; if `like` is given, one that leads on as that.
+    Opening openingBeside(GridTile tile, Face side, const Portal* like) const {
+        const int eyeLevel = eye_.z.tile();
+        const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, eyeLevel);
+        if (block == nullptr) return {};
+        const Portal* const portal = portalOf(world_, block->face(side).portal);
+        Opening opening = {portal, tileEdge(eyeLevel) + block->bottom, tileEdge(eyeLevel) + block->top};
+        if (portal == nullptr || eye_.z < opening.low || eye_.z >= opening.high || (like != nullptr && !leadOnTogether(*like, *portal))) return {};
+        for (int level = eyeLevel + 1; opening.high == tileEdge(level); ++level) {
+            block = portalBlock(world_, map_, tile.x, tile.y, level);
+            if (block == nullptr || block->bottom.raw != 0 || !leadsOn(*portal, block->face(side))) break;
+            opening.high = tileEdge(level) + block->top;
+        }
+        for (int level = eyeLevel - 1; opening.low == tileEdge(level + 1); --level) {
+            block = portalBlock(world_, map_, tile.x, tile.y, level);
+            if (block == nullptr || block->top != tileEdge(1) || !leadsOn(*portal, block->face(side))) break;
+            opening.low = tileEdge(level) + block->bottom;
+        }
+        return opening;
+    }
+
+    // The portal of a top or bottom at that height if it leads on as the other one does.
+    const Portal* portalAt(GridTile tile, Coordinate height, Face face, const Portal& other) const {
+        const int level = face == Face::top ? Coordinate{height.raw - 1}.tile() : height.tile();
+        const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, level);
+        if (block == nullptr || tileEdge(level) + (face == Face::top ? block->top : block->bottom) != height) return nullptr;
+        return leadsOn(other, block->face(face)) ? portalOf(world_, block->face(face).portal) : nullptr;
+    }
+
+    bool leadsOn(const Portal& portal, const FaceBlueprint& face) const {
+        return face.portal != kNoPortal && leadOnTogether(portal, world_.portals[face.portal]);
     }
 
     const World& world_;

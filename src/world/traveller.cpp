@@ -116,12 +116,14 @@ Coordinate roomForEye(const World& world, const Traveller& body, Coordinate dist
     const GridTile here = tileOf(body.eye);
     const int first = std::max(0, std::min(eye, eye + distance).tile() - 1);
     const int last = std::min(map.levels - 1, std::max(eye, eye + distance).tile());
-    for (const GridTile tile : {here, GridTile{here.x, here.y - 1}, GridTile{here.x + 1, here.y}, GridTile{here.x, here.y + 1}, GridTile{here.x - 1, here.y}}) {
-        for (int level = first; level <= last; ++level) {
-            const CellBlueprint* block = portalBlock(world, map, tile.x, tile.y, level);
-            if (block == nullptr) continue;
-            edgeAt(tileEdge(level) + block->bottom);
-            edgeAt(tileEdge(level) + block->top);
+    for (int y = here.y - 1; y <= here.y + 1; ++y) {
+        for (int x = here.x - 1; x <= here.x + 1; ++x) {
+            for (int level = first; level <= last; ++level) {
+                const CellBlueprint* block = portalBlock(world, map, x, y, level);
+                if (block == nullptr) continue;
+                edgeAt(tileEdge(level) + block->bottom);
+                edgeAt(tileEdge(level) + block->top);
+            }
         }
     }
     return room;

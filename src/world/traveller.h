@@ -8,7 +8,7 @@
 //
 // A portal face acts on an eye that goes through its rectangle into its block, a portal tile on one that goes into the tile at any height. A block with a portal
 // is open to a body only while its eye is right in front of that portal: in the tile before the face and between its bottom and top, or above (below) it
-// in the same tile; else it is solid. What would not fit beyond the plane stops there, as at any wall: so it is with a body that would reach past the sides
+// in the same tile; else it is solid. Portals side by side that lead on side by side are one wide portal. What would not fit beyond the plane stops there, as at any wall: so it is with a body that would reach past the sides
 // of the exit tile into something. Where two portals are within a body's reach, the one it passed last counts.
 //
 //     Traveller body = {.map = 0, .box = box, .eye = eye};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -155,22 +156,29 @@ TEST(PortalIdentity, TurnedToo) {
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }
 
-// A block with portals on two opposite faces, seen only from there, in a passage of its size; in the copy another one leads back.
+// Where a block has portals on two opposite faces.
 struct Barrier {
     int x;
     int y;
     int level;
 };
 
-World withBarriers(const World& plain, int turn, int levels, Barrier here, Barrier there, Face face, Face opposite, Portal& toCopy) {
+// Blocks that fill a passage and lead into the copy; in the copy others lead back.
+World withBarriers(const World& plain, int turn, int levels, const std::vector<Barrier>& here, const std::vector<Barrier>& there, Face face, Face opposite,
+                   Portal& toCopy) {
     World world = plain;
     toCopy = appendCopy(world, 0, turn, levels);
-    putBlock(world, here.x, here.y, tileEdge(here.level), tileEdge(here.level + 1));
-    const GridTile tile = carried(toCopy, GridTile{there.x, there.y});
-    world.maps[1].setCell(tile.x, tile.y, there.level + levels, world.maps[0].cell(here.x, here.y, here.level));
-    for (const Face side : {face, opposite}) {
-        putFacePortal(world, portalAt(toCopy, here.x, here.y), here.level, side);
-        putFacePortal(world, reversed(portalAt(toCopy, there.x, there.y)), there.level + levels, turned(side, turn));
+    CellBlueprint whole;
+    world.blueprints.push_back(whole);
+    const auto id = static_cast<BlueprintId>(world.blueprints.size() - 1);
+    for (const Barrier& barrier : here) {
+        world.maps[0].setCell(barrier.x, barrier.y, barrier.level, id);
+        for (const Face side : {face, opposite}) putFacePortal(world, portalAt(toCopy, barrier.x, barrier.y), barrier.level, side);
+    }
+    for (const Barrier& barrier : there) {
+        const Portal portal = reversed(portalAt(toCopy, barrier.x, barrier.y));
+        world.maps[1].setCell(portal.fromX, portal.fromY, barrier.level + levels, id);
+        for (const Face side : {face, opposite}) putFacePortal(world, portal, barrier.level + levels, turned(side, turn));
     }
     return world;
 }
@@ -186,7 +194,7 @@ TEST(PortalIdentity, FacesInACorridorThatLeadToACopyChangeNoWay) {
             putBlock(plain, x, 1, 1.0_u, 2.0_u);
         }
         Portal toCopy;
-        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {6, 1, 0}, {3, 1, 0}, Face::west, Face::east, toCopy);
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{6, 1, 0}}, {{3, 1, 0}}, Face::west, Face::east, toCopy);
         const Walker walker(plain, 4.5, 1.5, 0.0, gridDegrees(random, 180.0) + 180.0);
         EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
     }
@@ -206,8 +214,56 @@ TEST(PortalIdentity, TopsAndBottomsInAShaftThatLeadToACopyChangeNoWay) {
             }
         }
         Portal toCopy;
-        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {1, 1, 2 + seed / 4 % 2}, {1, 1, 1}, Face::top, Face::bottom, toCopy);
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, 2 + seed / 4 % 2}}, {{1, 1, 1}}, Face::top, Face::bottom, toCopy);
         const Walker walker(plain, 1.5, 1.5, 4.5, gridDegrees(random, 180.0) + 180.0);
+        Player player = walker.player;
+        if (random.oneIn(2)) setFlying(plain, player, true);
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+    }
+    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 20) << turn;
+    EXPECT_GT(counts.straddling, counts.steps / 500);
+    EXPECT_LT(counts.rejoined, counts.steps / 1000);
+}
+
+// Portals side by side and one above the other that lead on side by side are one wide portal.
+TEST(PortalIdentity, WideGatesThatLeadToACopyChangeNoWay) {
+    Counts counts;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) * 49979687);
+        World plain = emptyWorld(10, 4, 3);
+        for (int x = 0; x < 10; ++x) {
+            for (int level = 0; level < 3; ++level) {
+                for (const int y : {0, 3}) putBlock(plain, x, y, tileEdge(level), tileEdge(level + 1));
+            }
+            for (const int y : {1, 2}) putBlock(plain, x, y, 2.0_u, 3.0_u);
+        }
+        Portal toCopy;
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{6, 1, 0}, {6, 2, 0}, {6, 1, 1}, {6, 2, 1}},
+                                         {{3, 1, 0}, {3, 2, 0}, {3, 1, 1}, {3, 2, 1}}, Face::west, Face::east, toCopy);
+        const Walker walker(plain, 4.5, 2.0, 0.0, gridDegrees(random, 180.0) + 180.0);
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+    }
+    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 8) << turn;
+    EXPECT_GT(counts.straddling, counts.steps / 500);
+    EXPECT_LT(counts.rejoined, counts.steps / 1000);
+}
+
+TEST(PortalIdentity, WideWellsThatLeadToACopyChangeNoWay) {
+    Counts counts;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) * 67867967);
+        World plain = emptyWorld(4, 4, 6);
+        for (int y = 0; y < 4; ++y) {
+            for (int x = 0; x < 4; ++x) {
+                if (x >= 1 && x <= 2 && y >= 1 && y <= 2) continue;
+                for (int level = 0; level < 4; ++level) putBlock(plain, x, y, tileEdge(level), tileEdge(level + 1));
+            }
+        }
+        Portal toCopy;
+        const int level = 2 + seed / 4 % 2;
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, level}, {2, 1, level}, {1, 2, level}, {2, 2, level}},
+                                         {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 1}}, Face::top, Face::bottom, toCopy);
+        const Walker walker(plain, 2.0, 2.0, 4.5, gridDegrees(random, 180.0) + 180.0);
         Player player = walker.player;
         if (random.oneIn(2)) setFlying(plain, player, true);
         EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;

@@ -35,8 +35,13 @@ World randomPortalWorld(std::uint64_t seed) {
     }
     const int tileDensity = random.between(2, 20);
     const int faceDensity = random.between(1, 12);
+    const bool together = random.oneIn(2);  // many portals side by side lead on side by side
     for (int m = 0; m < maps; ++m) {
         const auto exit = [&](int x, int y) {
+            if (together && !world.portals.empty() && world.portals.back().fromMap == m && !random.oneIn(4)) {
+                const Portal portal = portalAt(world.portals.back(), x, y);
+                if (world.maps[static_cast<std::size_t>(portal.toMap)].contains(portal.toX, portal.toY)) return portal;
+            }
             const int to = random.below(maps);
             const Map& map = world.maps[static_cast<std::size_t>(to)];
             return Portal{.fromMap = m,
@@ -99,6 +104,47 @@ bool isSolidIn(const World& world, int map, const Cube& cube) {
     return blockAt(world, map, cube) != nullptr;
 }
 
+// The portal through which an eye in one tile sees a cube of its own tile: that of the first block on the way up or down.
+const Portal* portalAboveOrBelow(const World& world, const Traveller& body, int height) {
+    const Map& map = world.maps[static_cast<std::size_t>(body.map)];
+    const Cube eye = {body.eye.x.raw, body.eye.y.raw, body.eye.z.raw};
+    const GridTile tile = tileOf(eye);
+    const bool down = height < eye.z;
+    for (int z = eye.z; down ? z >= height : z <= height;) {
+        if (const CellBlueprint* block = blockAt(world, body.map, {eye.x, eye.y, z})) {
+            const PortalId portal = block->face(down ? Face::top : Face::bottom).portal;
+            return portal == kNoPortal ? nullptr : &world.portals[portal];
+        }
+        // On to the next edge of a cell or block.
+        const int base = z >> 16 << 16;
+        const BlueprintId id = map.cell(tile.x, tile.y, z >> 16);
+        const int bottom = base + world.blueprints[id].bottom.raw;
+        const int top = base + world.blueprints[id].top.raw;
+        if (down) {
+            z = id != kEmptyCell && z >= top ? top - 1 : base - 1;
+        } else {
+            z = id != kEmptyCell && z < bottom ? bottom : base + 65536;
+        }
+    }
+    return nullptr;
+}
+
+// The portal of a side at a height, through which an eye sees at its own height; null if other blocks or portals lie between these heights.
+const Portal* portalOfSide(const World& world, const Traveller& body, const Cube& cube, Face side) {
+    const Portal* seen = nullptr;
+    int z = body.eye.z.raw;
+    for (;;) {
+        const CellBlueprint* block = blockAt(world, body.map, {cube.x, cube.y, z});
+        const PortalId portal = block == nullptr ? kNoPortal : block->face(side).portal;
+        if (portal == kNoPortal || (seen != nullptr && !leadOnTogether(*seen, world.portals[portal]))) return nullptr;
+        seen = &world.portals[portal];
+        const int bottom = (z >> 16 << 16) + block->bottom.raw;
+        const int top = (z >> 16 << 16) + block->top.raw;
+        if (cube.z >= bottom && cube.z < top) return seen;
+        z = cube.z < bottom ? bottom - 1 : top;
+    }
+}
+
 // As traveller.h has it, for one cube of the body.
 bool isSolidFor(const World& world, const Traveller& body, const Cube& cube) {
     const GridTile tile = tileOf(cube);
@@ -115,37 +161,55 @@ bool isSolidFor(const World& world, const Traveller& body, const Cube& cube) {
 
     const Map& map = world.maps[static_cast<std::size_t>(body.map)];
     const Cube eye = {body.eye.x.raw, body.eye.y.raw, body.eye.z.raw};
-    const bool isEyeTile = tile == tileOf(eye);
+    const GridTile eyeTile = tileOf(eye);
     const PortalId ofTile = map.tilePortal(tile.x, tile.y);
-    if (!isEyeTile && ofTile != kNoPortal) return through(world.portals[ofTile]);
+    if (tile == eyeTile) {
+        const Portal* portal = portalAboveOrBelow(world, body, cube.z);
+        return portal != nullptr ? through(*portal) : isSolidIn(world, body.map, cube);
+    }
+    if (ofTile != kNoPortal) return through(world.portals[ofTile]);
 
-    if (isEyeTile) {
-        // Along the line from the eye to the cube's height: the first block that it meets.
+    // Through sides; around a corner only together with a side right in front of the eye
+    const Face sideX = tile.x > eyeTile.x ? Face::west : Face::east;
+    const Face sideY = tile.y > eyeTile.y ? Face::north : Face::south;
+    const auto atEyeHeight = [&](GridTile at, Face side) { return portalOfSide(world, body, {at.x << 16, at.y << 16, eye.z}, side); };
+    const Portal* beside = nullptr;
+    bool isSideSeen = false;
+    if (tile.x != eyeTile.x && tile.y != eyeTile.y) {
+        for (const auto& [between, side] : {std::pair{GridTile{tile.x, eyeTile.y}, sideX}, std::pair{GridTile{eyeTile.x, tile.y}, sideY}}) {
+            const Portal* inFront = atEyeHeight(between, side);
+            const Portal* own = atEyeHeight(tile, side);
+            if (isSideSeen || inFront == nullptr || own == nullptr || !leadOnTogether(*inFront, *own)) continue;
+            isSideSeen = true;
+            beside = portalOfSide(world, body, cube, side);
+        }
+    } else {
+        const Face side = tile.x != eyeTile.x ? sideX : sideY;
+        isSideSeen = atEyeHeight(tile, side) != nullptr;
+        beside = portalOfSide(world, body, cube, side);
+    }
+    if (beside != nullptr) return through(*beside);
+    if (isSideSeen) return isSolidIn(world, body.map, cube);
+
+    // Through tops and bottoms beside one that the eye is above or below
+    if (const Portal* own = portalAboveOrBelow(world, body, cube.z)) {
         const bool down = cube.z < eye.z;
-        for (int z = eye.z; down ? z >= cube.z : z <= cube.z;) {
-            const CellBlueprint* block = blockAt(world, body.map, {cube.x, cube.y, z});
-            if (block != nullptr) {
-                const PortalId portal = block->face(down ? Face::top : Face::bottom).portal;
-                if (portal != kNoPortal) return through(world.portals[portal]);
-                break;
-            }
-            // On to the next edge of a cell or block.
-            const int base = z >> 16 << 16;
-            const BlueprintId id = map.cell(tile.x, tile.y, z >> 16);
-            const int bottom = base + world.blueprints[id].bottom.raw;
-            const int top = base + world.blueprints[id].top.raw;
+        // The plane of that top or bottom
+        int plane = eye.z;
+        while (blockAt(world, body.map, {eye.x, eye.y, plane}) == nullptr) {
+            const int base = plane >> 16 << 16;
+            const CellBlueprint& block = world.blueprints[map.cell(eyeTile.x, eyeTile.y, plane >> 16)];
+            const bool isBlock = map.isOccupied(eyeTile.x, eyeTile.y, plane >> 16);
             if (down) {
-                z = id != kEmptyCell && z >= top ? top - 1 : base - 1;
+                plane = isBlock && plane >= base + block.top.raw ? base + block.top.raw - 1 : base - 1;
             } else {
-                z = id != kEmptyCell && z < bottom ? bottom : base + 65536;
+                plane = isBlock && plane < base + block.bottom.raw ? base + block.bottom.raw : base + 65536;
             }
         }
-    } else if (std::abs(tile.x - (eye.x >> 16)) + std::abs(tile.y - (eye.y >> 16)) == 1) {
-        const CellBlueprint* seen = blockAt(world, body.map, {cube.x, cube.y, eye.z});
-        const Face face = tile.x > eye.x >> 16 ? Face::west : tile.x < eye.x >> 16 ? Face::east : tile.y > eye.y >> 16 ? Face::north : Face::south;
-        if (seen != nullptr && seen->face(face).portal != kNoPortal && cube.z >> 16 == eye.z >> 16 && blockAt(world, body.map, cube) == seen) {
-            return through(world.portals[seen->face(face).portal]);
-        }
+        const CellBlueprint* other = blockAt(world, body.map, {cube.x, cube.y, plane});
+        const PortalId portal = other == nullptr ? kNoPortal : other->face(down ? Face::top : Face::bottom).portal;
+        const bool isEdge = other != nullptr && (down ? plane + 1 - (plane >> 16 << 16) == other->top.raw : plane - (plane >> 16 << 16) == other->bottom.raw);
+        if (isEdge && portal != kNoPortal && leadOnTogether(*own, world.portals[portal])) return through(world.portals[portal]);
     }
     return isSolidIn(world, body.map, cube);
 }
