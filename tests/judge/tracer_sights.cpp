@@ -72,9 +72,10 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which, c
 }
 
 void Tracer::Walk::pushPlane(Sight::Kind kind, TextureId texture, double light, bool glow, const Meeting& meeting, bool outside) {
-    const Point point = Place::turned(Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
+    const Point rayPoint = {eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)};
+    const Point point = Place::turned(rayPoint, place_.turn);
     // Outside the grid, the tile is the one that the point is in.
-    const Tile tile = outside ? Tile{static_cast<int>(std::floor(point.x + place_.x)), static_cast<int>(std::floor(point.y + place_.y))} : mapTile_;
+    const Tile tile = outside ? place_.tileOf({static_cast<int>(std::floor(rayPoint.x)), static_cast<int>(std::floor(rayPoint.y))}) : mapTile_;
     Sight sight;
     sight.kind = kind;
     sight.outsideGrid = outside;
