@@ -40,7 +40,8 @@ void checkGateFrames(Reading& reading, JsonValue maps) {
         if (texture.rate == 0.0) textures += static_cast<std::size_t>(texture.frames - 1);
     }
     if (textures <= static_cast<std::size_t>(kMaxTextures)) return;
-    reading.checker.add(maps, counted(static_cast<std::int64_t>(textures), "texture") + ", with the frames of the gates", "at most " + std::to_string(kMaxTextures));
+    reading.checker.add(maps, counted(static_cast<std::int64_t>(textures), "texture") + ", with the frames of the gates",
+                        "at most " + std::to_string(kMaxTextures));
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 namespace slicecast {
 
 struct Body {
-    int map = 0;             // index into World::maps
-    Box box = {};            // higher than a moving block gets in a step; moved along by the step
-    bool rides = false;      // stands with its weight: goes down with what it stands on too
-    Position eye = {};       // as of a Traveller; of no meaning in a world without portals
+    int map = 0;         // index into World::maps
+    Box box = {};        // higher than a moving block gets in a step; moved along by the step
+    bool rides = false;  // stands with its weight: goes down with what it stands on too
+    Position eye = {};   // as of a Traveller; of no meaning in a world without portals
     Threshold behind = {};
-    Coordinate lift = {};    // by how much a step has moved it up; negative is down
+    Coordinate lift = {};  // by how much a step has moved it up; negative is down
 
     // Of no meaning outside the step.
     bool straddles = false;  // reaches into a portal

@@ -24,12 +24,12 @@ inline constexpr double kFarthestGate = 64.0;  // units, to reach and to approac
 
 // What a blueprint says of its gates.
 struct GateKind {
-    int steps = 96;               // from closed to open, > 0
+    int steps = 96;                  // from closed to open, > 0
     Coordinate reach = tileEdge(2);  // how far an eye may be that opens it, from the nearest point of its blocks
-    bool keyed = true;            // opened and closed by whoever is within reach
+    bool keyed = true;               // opened and closed by whoever is within reach
     bool opensOnApproach = false;
-    Coordinate approach = {};     // a body that comes this near opens it
-    int holdSteps = 120;          // and it closes when nobody has been that near for so long
+    Coordinate approach = {};  // a body that comes this near opens it
+    int holdSteps = 120;       // and it closes when nobody has been that near for so long
     bool startsOpen = false;
 };
 
@@ -52,15 +52,15 @@ struct GateFace {
 enum class GateState : std::uint8_t { closed, opening, open, closing };
 
 struct Gate {
-    int map = 0;   // indices into World::maps and World::gateKinds
+    int map = 0;  // indices into World::maps and World::gateKinds
     int kind = 0;
     std::vector<BlueprintId> parts;
     std::vector<GateBox> boxes;
     std::vector<GateFace> faces;
-    int progress = 0;       // steps, 0 is closed
+    int progress = 0;  // steps, 0 is closed
     bool wantsOpen = false;
-    bool isNear = false;    // somebody has approached
-    int awaySteps = 0;      // since nobody was near
+    bool isNear = false;  // somebody has approached
+    int awaySteps = 0;    // since nobody was near
 };
 
 // What somebody asks of the gates within reach of an eye. To close one that has somebody in it is granted when they have gone.

@@ -25,7 +25,7 @@ inline constexpr double kFastestMotion = 4.0;
 struct Motion {
     std::string name;
     MovingEdges edges = MovingEdges::both;
-    Coordinate from = {};   // added to the edges' height
+    Coordinate from = {};  // added to the edges' height
     Coordinate to = {};
     int periodSteps = 240;  // > 1
     int phaseSteps = 0;     // into the period at the beginning; 0 <= phaseSteps < periodSteps

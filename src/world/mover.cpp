@@ -104,9 +104,8 @@ void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
     // Tried out: it moves, and everybody with it
     for (Body& body : bodies) Move{world, mover, offset}.meet(body);
     place(world, mover, offset);
-    const bool isInTheWay = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
-        return body.isMet && !isFree(world, travellerOf(body, liftOf(world, body)));
-    });
+    const bool isInTheWay =
+        std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.isMet && !isFree(world, travellerOf(body, liftOf(world, body))); });
     if (isInTheWay) {
         place(world, mover, mover.offset);
         return;

@@ -33,9 +33,9 @@ struct Shaft {
 };
 
 struct Mover {
-    int map = 0;     // indices into World::maps and World::motions
+    int map = 0;  // indices into World::maps and World::motions
     int motion = 0;
-    int west = 0;    // the tiles around it, all included
+    int west = 0;  // the tiles around it, all included
     int east = 0;
     int north = 0;
     int south = 0;

@@ -201,7 +201,8 @@ TEST(Gates, ShowTheFrameOfTheirProgress) {
     Image sheet(4 * 8, 8);
     for (int frame = 0; frame < 4; ++frame) {
         for (int y = 0; y < 8; ++y) {
-            for (int x = 0; x < 8; ++x) sheet.at(8 * frame + x, y) = toPixel({static_cast<std::uint8_t>(50 * frame), 1, 2, static_cast<std::uint8_t>(frame == 3 ? 0 : 255)});
+            for (int x = 0; x < 8; ++x)
+                sheet.at(8 * frame + x, y) = toPixel({static_cast<std::uint8_t>(50 * frame), 1, 2, static_cast<std::uint8_t>(frame == 3 ? 0 : 255)});
         }
     }
     world.textures.push_back(makeTexture("plain", frameOf(sheet, 0, 8)));

@@ -158,7 +158,8 @@ TEST(Movers, AreRefusedWhereTheyCannotMove) {
     Motion down = lift();
     down.from = toCoordinate(-0.25);
     deep.maps[0].setCell(2, 3, 0, addMoving(deep, {}, 0.5_u, down));
-    EXPECT_EQ(faultOf(deep), "the moving block \"moving 0\" that moves from height -0.25 to 2.5 at 2 3 0: a motion that stays between 0 and the map's 4 levels");
+    EXPECT_EQ(faultOf(deep),
+              "the moving block \"moving 0\" that moves from height -0.25 to 2.5 at 2 3 0: a motion that stays between 0 and the map's 4 levels");
     World into = emptyWorld(5, 5, 4);
     into.maps[0].setCell(2, 3, 0, addMoving(into, {}, 0.5_u, lift()));
     into.blueprints.push_back({});
