@@ -214,8 +214,8 @@ TEST(PortalIdentity, TopsAndBottomsInAShaftThatLeadToACopyChangeNoWay) {
             }
         }
         Portal toCopy;
-        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, 2 + seed / 4 % 2}}, {{1, 1, 1}}, Face::top, Face::bottom, toCopy);
-        const Walker walker(plain, 1.5, 1.5, 4.5, gridDegrees(random, 180.0) + 180.0);
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, 2}}, {{1, 1, 1}}, Face::top, Face::bottom, toCopy);
+        const Walker walker(plain, 1.5, 1.5, 3.3, gridDegrees(random, 180.0) + 180.0);
         Player player = walker.player;
         if (random.oneIn(2)) setFlying(plain, player, true);
         EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
@@ -260,10 +260,10 @@ TEST(PortalIdentity, WideWellsThatLeadToACopyChangeNoWay) {
             }
         }
         Portal toCopy;
-        const int level = 2 + seed / 4 % 2;
+        const int level = 2;
         const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, level}, {2, 1, level}, {1, 2, level}, {2, 2, level}},
                                          {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 1}}, Face::top, Face::bottom, toCopy);
-        const Walker walker(plain, 2.0, 2.0, 4.5, gridDegrees(random, 180.0) + 180.0);
+        const Walker walker(plain, 2.0, 2.0, 3.3, gridDegrees(random, 180.0) + 180.0);
         Player player = walker.player;
         if (random.oneIn(2)) setFlying(plain, player, true);
         EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
