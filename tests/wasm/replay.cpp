@@ -54,6 +54,9 @@ int main(int argc, char** argv) {
         input.jump = (buttons & 1) != 0;
         input.fast = (buttons & 2) != 0;
         input.slow = (buttons & 4) != 0;
+        input.use = (buttons & 8) != 0;
+        input.open = (buttons & 16) != 0;
+        input.close = (buttons & 32) != 0;
         for (int step = 0; step < steps; ++step) session.step(input);
         show();
     }

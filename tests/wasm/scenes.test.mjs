@@ -14,6 +14,9 @@ const kHeight = 131;
 const kJump = 1;
 const kFast = 2;
 const kSlow = 4;
+const kUse = 8;
+const kOpen = 16;
+const kClose = 32;
 
 // Steps, then forward, strafe, turn, look, fly, turnDegrees, lookHeights, buttons.
 const recording = [
@@ -21,9 +24,9 @@ const recording = [
   [90, 1, 0, 0, 0, 0, 0, 0, 0],
   [60, 1, 0, 0.7, 0, 0, 0, 0, kFast],
   [1, 0, 0, 0, 0, 0, 33.3, 0.21, 0],
-  [70, 1, -1, 0, 0, 0, 0.15, 0, kJump],
-  [50, 0, 1, -1, 1, 0, 0, 0, kSlow],
-  [80, 1, 0, 0, -1, -1, 0, 0, 0],
+  [70, 1, -1, 0, 0, 0, 0.15, 0, kJump + kOpen],
+  [50, 0, 1, -1, 1, 0, 0, 0, kSlow + kUse],
+  [80, 1, 0, 0, -1, -1, 0, 0, kClose],
   [120, 1, 0, 0.3, 0, 0, 0, 0, kFast + kJump],
   [30, -1, 0.5, 0, 0, 0, -71.7, -0.05, 0],
   [90, 1, 0, -0.2, 0.1, 0, 0, 0, kFast],
