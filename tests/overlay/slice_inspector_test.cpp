@@ -36,7 +36,7 @@ SliceTrace stairs() {
     trace.column = 200;
     trace.horizonRow = 200.0;
     trace.projectionDistance = kDistance;
-    trace.tiles = {{0, 0, 0.0}, {1, 0, 2.0}};
+    trace.tiles = {{0, 0, 0, 0.0}, {0, 1, 0, 2.0}};
     const auto rowOf = [](double depth, double z) { return static_cast<int>(200.0 - kDistance * (z - 0.5) / depth); };
     trace.hits = {wall(2.0, 0.75, rowOf(2.0, 0.75), rowOf(2.0, 0.0)), wall(4.0, 2.0, rowOf(4.0, 2.0), rowOf(2.0, 0.75)),
                   wall(8.0, 4.5, rowOf(8.0, 4.5), rowOf(4.0, 2.0))};
