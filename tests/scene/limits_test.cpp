@@ -147,6 +147,9 @@ TEST(Limits, AreTheSchemasToo) {
     };
     const Map normal;
     EXPECT_EQ(number({"definitions", "map", "properties", "levels", "maxItems"}), kMaxLevels);
+    EXPECT_EQ(number({"definitions", "map", "properties", "sow", "maxItems"}), kMaxSowings);
+    EXPECT_EQ(number({"definitions", "objectMotion", "properties", "speed", "maximum"}), kMaxObjectSpeed);
+    EXPECT_EQ(number({"definitions", "objectMotion", "properties", "reach", "maximum"}), kMaxObjectReach);
     EXPECT_EQ(number({"definitions", "map", "properties", "far", "maximum"}), kMaxFar);
     EXPECT_EQ(number({"definitions", "map", "properties", "far", "default"}), kDefaultFar);
     EXPECT_EQ(ofMap("ceiling", "height", "maximum"), kMaxHeight);
@@ -162,6 +165,32 @@ TEST(Limits, AreTheSchemasToo) {
     EXPECT_EQ(number({"definitions", "start", "properties", "z", "maximum"}), kMaxHeight);
     EXPECT_EQ(number({"definitions", "start", "properties", "heading", "maximum"}), kMaxStartHeading);
     EXPECT_EQ(number({"definitions", "start", "properties", "look", "maximum"}), kLookLimit);
+}
+
+// A scene with one map of so many tiles a side, over which something is sown.
+std::string sownScene(int side, const std::string& sow) {
+    const std::string row = "\"" + std::string(static_cast<std::size_t>(side), '.') + "\"";
+    std::string rows = row;
+    for (int y = 1; y < side; ++y) rows += "," + row;
+    return R"({ "title": "Sown", "textures": { "brick": "broken/images/brick.png" }, "sprites": { "bush": "broken/images/tile.png" }, "maps": [ { "name": "map", "floor": "brick", "levels": [[)" +
+           rows + R"(]], "sow": [)" + sow + R"(] } ], "start": { "x": 1.5, "y": 1.5 } })";
+}
+
+TEST(Limits, SownObjects) {
+    const std::string bush = R"({ "sprite": "bush", "density": 1, "height": 1 })";
+    const ParsedScene full = parseScene(sownScene(1000, bush), "test.json");
+    EXPECT_EQ(inWords(full.faults), "") << "one less than there are tiles: nobody stands at the start";
+    const ParsedScene over = parseScene(sownScene(1001, bush), "test.json");
+    ASSERT_EQ(over.faults.size(), 1u);
+    EXPECT_EQ(over.faults[0].pointer, "/maps/0/sow/0");
+    EXPECT_EQ(over.faults[0].expected, "at most 1000000 in a map");
+
+    std::string kinds = bush;
+    for (int i = 1; i < kMaxSowings; ++i) kinds += "," + bush;
+    EXPECT_EQ(inWords(parseScene(sownScene(3, kinds), "test.json").faults), "");
+    const ParsedScene many = parseScene(sownScene(3, kinds + "," + bush), "test.json");
+    ASSERT_EQ(many.faults.size(), 1u);
+    EXPECT_EQ(many.faults[0].found, "65 kinds");
 }
 
 TEST(Limits, ImagesOfAllMapsTogether) {
