@@ -8,6 +8,8 @@ import { parseArgs } from 'node:util';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const kMostTimesTheLimit = 3; // what a view may take
+const kMostTimesTheSeen = 1.5; // what a view with many objects may take beside one with those alone that are seen
+const kMostMillisecondsWithMany = 16; // and what it may take at all
 const kMostTimesACopy = 10; // what the limit itself may take natively: a slow one would flatter the views
 
 const builds = {
@@ -41,8 +43,17 @@ function shortcomings(run) {
   }
   if (run.preset === 'wasm-scalar') return found;
   for (const view of run.views) {
+    const what = `${run.title}: ${view.scene}, ${view.name}`;
     if (view.ratio > kMostTimesTheLimit) {
-      found.push(`${run.title}: ${view.scene}, ${view.name} takes ${view.ratio.toFixed(2)} times the limit, at most ${kMostTimesTheLimit} are asked for`);
+      found.push(`${what} takes ${view.ratio.toFixed(2)} times the limit, at most ${kMostTimesTheLimit} are asked for`);
+    }
+    if (view.comparedWith === undefined) continue;
+    if (view.timesThat > kMostTimesTheSeen) {
+      found.push(`${what} takes ${view.timesThat.toFixed(2)} times as long as ${view.comparedWith}, at most ${kMostTimesTheSeen} are asked for`);
+    }
+    const milliseconds = (view.nsPerPixel * run.width * run.height) / 1e6;
+    if (milliseconds > kMostMillisecondsWithMany) {
+      found.push(`${what} takes ${milliseconds.toFixed(1)} ms, at most ${kMostMillisecondsWithMany} are asked for`);
     }
   }
   return found;

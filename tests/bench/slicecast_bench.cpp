@@ -5,6 +5,7 @@
 
 #include "headless/scene_file.h"
 #include "limit_kernel.h"
+#include "many_objects.h"
 #include "session/session.h"
 
 #include <algorithm>
@@ -29,6 +30,8 @@ namespace {
 
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
+constexpr int kManyObjects = 10'000;
+constexpr int kObjectsSeen = 100;
 constexpr double kPixels = static_cast<double>(kWidth) * kHeight;
 
 // An eye in the map in which the scene starts; without one, the start itself.
@@ -55,7 +58,8 @@ struct Item {
     std::string name;
     int frames;  // per round and measurement
     std::function<void()> draw;
-    std::vector<double> nsPerPixel;  // by round
+    std::vector<double> nsPerPixel = {};  // by round
+    int comparedWith = -1;                // another item, which it should not be much slower than
 };
 
 // Time that the processor has spent on this program, so that programs beside it count less.
@@ -104,11 +108,29 @@ std::unique_ptr<Session> openScene(const std::string& assets, const View& view) 
     return session;
 }
 
-void printFigures(const Item& item, const Item* other, const char* end) {
+// The garden with many objects, and with those of them alone that are seen.
+bool addManyObjects(const std::string& assets, const Picture& picture, std::vector<Item>& items) {
+    SceneFromFile scene = readScene(assets + "/scenes/garden.json");
+    if (!scene.world) return false;
+    const Eye eye = Session(*scene.world).eye();
+    std::optional<ManyObjects> many = spreadObjects(*scene.world, eye, kManyObjects, kObjectsSeen);
+    if (!many) return false;
+    const auto alone = std::make_shared<Session>(std::move(many->seenOnly));
+    const auto all = std::make_shared<Session>(std::move(many->all));
+    items.push_back({"garden", "100 objects", 2, [alone, picture] { alone->draw(picture); }});
+    items.push_back({"garden", "10,000 objects, 100 seen", 2, [all, picture] { all->draw(picture); }});
+    items.back().comparedWith = static_cast<int>(items.size()) - 2;
+    return true;
+}
+
+void printFigures(const Item& item, const Item* other, const Item* comparedWith, const char* end) {
     const double median = quantile(item.nsPerPixel, 0.5);
     const double spread = (quantile(item.nsPerPixel, 0.75) - quantile(item.nsPerPixel, 0.25)) / median;
     std::printf("{ \"scene\": \"%s\", \"name\": \"%s\", \"nsPerPixel\": %.4f, \"spread\": %.4f", item.scene.c_str(), item.name.c_str(), median, spread);
     if (other != nullptr) std::printf(", \"ratio\": %.4f", ratio(item.nsPerPixel, other->nsPerPixel));
+    if (comparedWith != nullptr) {
+        std::printf(", \"comparedWith\": \"%s\", \"timesThat\": %.4f", comparedWith->name.c_str(), ratio(item.nsPerPixel, comparedWith->nsPerPixel));
+    }
     std::printf(" }%s\n", end);
 }
 
@@ -119,15 +141,19 @@ int run(const std::string& assets, int rounds) {
     LimitKernel limit(kWidth, kHeight);
 
     std::vector<Item> items;
-    items.push_back({"", "copy", 8, [&] { std::memcpy(copy.data(), frame.data(), frame.size() * sizeof(Pixel)); }, {}});
-    items.push_back({"", "limit", 2, [&] { limit.draw(frame.data()); }, {}});
+    items.push_back({"", "copy", 8, [&] { std::memcpy(copy.data(), frame.data(), frame.size() * sizeof(Pixel)); }});
+    items.push_back({"", "limit", 2, [&] { limit.draw(frame.data()); }});
     for (const View& view : kViews) {
         const std::shared_ptr<Session> session = openScene(assets, view);
         if (!session || !session->draw(picture)) {
             std::fprintf(stderr, "slicecast-bench: %s, %s cannot be drawn\n", view.scene, view.name);
             return 1;
         }
-        items.push_back({view.scene, view.name, 2, [session, picture] { session->draw(picture); }, {}});
+        items.push_back({view.scene, view.name, 2, [session, picture] { session->draw(picture); }});
+    }
+    if (!addManyObjects(assets, picture, items)) {
+        std::fprintf(stderr, "slicecast-bench: there is no room for many objects in the garden\n");
+        return 1;
     }
 
     // A few rounds do not count: engines of WebAssembly compile what runs often once more.
@@ -140,13 +166,14 @@ int run(const std::string& assets, int rounds) {
     }
 
     std::printf("{ \"width\": %d, \"height\": %d, \"rounds\": %d,\n  \"copy\": ", kWidth, kHeight, rounds);
-    printFigures(items[0], nullptr, ",");
+    printFigures(items[0], nullptr, nullptr, ",");
     std::printf("  \"limit\": ");
-    printFigures(items[1], &items[0], ",");
+    printFigures(items[1], &items[0], nullptr, ",");
     std::printf("  \"views\": [\n");
     for (std::size_t i = 2; i < items.size(); ++i) {
         std::printf("    ");
-        printFigures(items[i], &items[1], i + 1 < items.size() ? "," : "");
+        const Item* comparedWith = items[i].comparedWith < 0 ? nullptr : &items[static_cast<std::size_t>(items[i].comparedWith)];
+        printFigures(items[i], &items[1], comparedWith, i + 1 < items.size() ? "," : "");
     }
     std::printf("  ] }\n");
     return 0;

@@ -1,0 +1,20 @@
+// A view with very many objects of which few are seen, and the same view with those alone.
+#pragma once
+
+#include "render/eye.h"
+#include "world/world.h"
+
+#include <optional>
+
+namespace slicecast {
+
+struct ManyObjects {
+    World all;
+    World seenOnly;
+};
+
+// Spreads `count` objects of the world's sprites over the floor of the eye's map, so that `seen` of them are in sight in a picture of that width and the usual
+// field of view, wholly or in part; the others stand behind blocks, or beside or behind the picture. Nothing if the map has no room for that.
+std::optional<ManyObjects> spreadObjects(const World& world, const Eye& eye, int count, int seen);
+
+}  // namespace slicecast
