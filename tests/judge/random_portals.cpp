@@ -35,8 +35,12 @@ PortalId anyPortal(Random& random, World& world, int map, int x, int y, bool twi
     portal.fromY = y;
     portal.toMap = random.below(static_cast<int>(world.maps.size()));
     const Map& exit = world.maps[static_cast<std::size_t>(portal.toMap)];
-    portal.toX = random.below(exit.width);
-    portal.toY = random.below(exit.depth);
+    // Every other exit is rather where blocks stand.
+    const int tries = random.oneIn(2) ? 6 : 1;
+    for (int i = 0; i < tries && (i == 0 || exit.occupied[exit.tileIndex(portal.toX, portal.toY)] == 0); ++i) {
+        portal.toX = random.below(exit.width);
+        portal.toY = random.below(exit.depth);
+    }
     portal.turn = random.below(4);
     portal.levels = anyShift(random);
     if (twins && random.oneIn(2)) portal = {map, x, y, 1 - map, x, y, 0, 0};
@@ -44,28 +48,48 @@ PortalId anyPortal(Random& random, World& world, int map, int x, int y, bool twi
     return static_cast<PortalId>(world.portals.size() - 1);
 }
 
+// Some rows of glass that joins, the same in both maps.
+void addRowsOfGlass(Random& random, World& world, Map& first, Map& second) {
+    for (int i = 0; i < 6; ++i) {
+        const auto id = static_cast<BlueprintId>(random.between(1, static_cast<int>(world.blueprints.size()) - 1));
+        const CellBlueprint& blueprint = world.blueprints[id];
+        const Cell from = anyCell(random, first);
+        if (!blueprint.seeThrough || !blueprint.join || blueprint.top <= blueprint.bottom) continue;
+        for (int x = from.x; x < std::min(first.width, from.x + 6); ++x) {
+            first.setCell(x, from.y, from.level, id);
+            second.setCell(x, from.y, from.level, id);
+        }
+    }
+}
+
+// Makes one map's blocks and planes like another's.
+void makeAlike(Map& twin, const Map& map) {
+    twin.width = map.width;
+    twin.depth = map.depth;
+    twin.levels = map.levels;
+    twin.cells = map.cells;
+    twin.occupied = map.occupied;
+    twin.floor.tiles = map.floor.tiles;
+    twin.ceiling.tiles = map.ceiling.tiles;
+    twin.ceiling.height = map.ceiling.height;
+}
+
 }  // namespace
 
 void addPortals(Random& random, World& world) {
     world.portalLimit = random.oneIn(3) ? random.between(0, 5) : random.between(3, 5);
     // Sometimes two maps are alike and some portals lead from one to the other without a seam, so that blocks join behind a portal.
-    const bool twins = world.maps.size() >= 2 && random.oneIn(3);
+    const bool twins = world.maps.size() >= 2 && random.oneIn(2);
     if (twins) {
-        const Map& map = world.maps[0];
-        Map& twin = world.maps[1];
-        twin.width = map.width;
-        twin.depth = map.depth;
-        twin.levels = map.levels;
-        twin.cells = map.cells;
-        twin.occupied = map.occupied;
-        twin.floor.tiles = map.floor.tiles;
-        twin.ceiling.tiles = map.ceiling.tiles;
-        twin.ceiling.height = map.ceiling.height;
+        makeAlike(world.maps[1], world.maps[0]);
+        addRowsOfGlass(random, world, world.maps[0], world.maps[1]);
     }
     const int shape = static_cast<int>(world.blueprints.size());
     for (int m = 0; m < static_cast<int>(world.maps.size()); ++m) {
         Map& map = world.maps[static_cast<std::size_t>(m)];
         const int tiles = map.width * map.depth;
+        // Where the floor ends in haze, portals behind it are not reached.
+        if (random.oneIn(3)) map.far = random.between(1.0, 8.0);
         // Faces: blocks that are there, and new ones.
         const int blocks = random.between(1, std::max(2, std::min(24, tiles * map.levels / 6)));
         for (int i = 0; i < blocks; ++i) {

@@ -179,12 +179,14 @@ World randomWorld(Random& random, bool coarse) {
     const int blueprints = random.between(1, 12);
     for (int i = 0; i < blueprints; ++i) world.blueprints.push_back(randomBlueprint(random, coarse));
     markSeeThrough(world);
-    // In every third world there are portals, most of them between several maps; in every third mirrors, in every fourth moving blocks, in every third objects.
+    // In every third world there are portals, most of them between several maps; in every third mirrors, in every fourth
+    // moving blocks (more often beside mirrors: what joins does not reflect), in every third objects.
     const bool portals = random.oneIn(3);
     const int maps = portals ? random.between(1, 3) : 1;
     for (int i = 0; i < maps; ++i) world.maps.push_back(randomMap(random, world, fine, coarse));
-    if (random.oneIn(4)) addMovers(random, world);
-    if (random.oneIn(3)) addMirrors(random, world);
+    const bool mirrors = random.oneIn(3);
+    if (random.oneIn(mirrors ? 2 : 4)) addMovers(random, world);
+    if (mirrors) addMirrors(random, world);
     if (portals) addPortals(random, world);
     if (random.oneIn(3)) {
         for (int i = 0; i < kSprites; ++i) world.sprites.push_back(codedSprite(random, i));

@@ -243,6 +243,7 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
     const BlueprintId left = atPortal ? left_ : atLevelsEnd ? touching(place_, event.top ? event.level + 1 : event.level - 1, event.top) : kEmptyCell;
     if (join(left, id)) {
         if (atPortal) note(Note::joinedByPortal);
+        if (event.top && block.face(which).mirror > 0) note(Note::mirrorJoined);
         return Then::leaves;
     }
     if (block.face(which).portal != kNoPortal) note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);

@@ -85,6 +85,7 @@ enum class Note : std::uint8_t {
     emptyMover,         // went through a tile in which a block is empty at the moment
     floorMirror,
     roofMirror,
+    mirrorJoined,  // a mirrored roof that is left out
     mirrorBehindPortal,
     portalBehindMirror,
     mirrorOutside,  // the floor outside the grid

@@ -132,6 +132,7 @@ const char* nameOf(Note note) {
                                          "empty mover",
                                          "floor mirror",
                                          "roof mirror",
+                                         "joined mirror",
                                          "mirror behind a portal",
                                          "portal behind a mirror",
                                          "mirror outside"};
