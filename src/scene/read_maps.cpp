@@ -65,6 +65,7 @@ void readMaps(Reading& reading, JsonValue value, const Legend& legend) {
     for (const JsonValue element : value) {
         const std::size_t faultsBefore = checker.count();
         maps.push_back(readMap(reading, element, maps.size(), legend));
+        reading.mapValues.push_back(element);
         reading.isMapSound.push_back(checker.count() == faultsBefore);
     }
 }

@@ -1,6 +1,7 @@
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/collision.h"
+#include "world/map_entry.h"
 #include "world/player.h"
 #include "world/way_out.h"
 
@@ -50,6 +51,21 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     reading.checker.add(value, "a start that reaches " + obstacle(world, map, body), "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
 }
 
+// Every map can be gone to by its number; nobody should be shut in there.
+void checkEntries(Reading& reading) {
+    const World& world = reading.description.world;
+    for (std::size_t map = 0; map < reading.mapValues.size(); ++map) {
+        const int index = static_cast<int>(map);
+        if (index == world.start.map) continue;
+        const MapEntry entry = findMapEntry(world, index);
+        if (!entry.stands || hasWayOut(world, index, entry.x, entry.y, entry.feet)) continue;
+        reading.checker.warn(reading.mapValues[map],
+                             "a map whose number leads to x " + std::to_string(entry.x.tile()) + ", y " + std::to_string(entry.y.tile()) +
+                                 ", from where no other tile can be walked to",
+                             "a way out of the free tile nearest to the map's middle");
+    }
+}
+
 }  // namespace
 
 void readStart(Reading& reading, JsonValue value) {
@@ -72,6 +88,8 @@ void readStart(Reading& reading, JsonValue value) {
     // With faults in what stands around it, the position may be right.
     const bool isMapSound = reading.areBlueprintsSound && map < reading.isMapSound.size() && reading.isMapSound[map];
     if (checker.count() == faultsBefore && isMapSound) checkPosition(reading, value, start);
+    // Warnings are not given beside faults.
+    if (checker.count() == 0) checkEntries(reading);
 }
 
 }  // namespace slicecast

@@ -48,6 +48,7 @@ struct Reading {
     std::vector<SowingOrder> sowings = {};
     NameTable motions = {};  // index into World::motions
     std::vector<PortalList> portals = {};
+    std::vector<JsonValue> mapValues = {};
 };
 
 // "textures": { NAME: FILE or { file, frames, rate } }; a sheet without a rate is held at its first frame

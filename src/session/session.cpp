@@ -7,7 +7,7 @@
 #include "overlay/pixel_grid.h"
 #include "overlay/slice_inspector.h"
 #include "render/classic/draw_classic.h"
-#include "session/map_entry.h"
+#include "world/map_entry.h"
 #include "world/world_step.h"
 
 #include <algorithm>

@@ -30,7 +30,8 @@ bool somethingMoves(const World& world, const Map& map, GridTile tile) {
 bool hasWayOut(const World& world, int map, Coordinate x, Coordinate y, Coordinate feet) {
     Traveller body = {.map = map, .box = bodyBox(x, y, feet, kCrouchedHeight), .eye = {x, y, feet + kCrouchedEye}, .behind = {}};
     const GridTile home = {x.tile(), y.tile()};
-    if (somethingMoves(world, world.maps[static_cast<std::size_t>(map)], home)) return true;
+    const Map& here = world.maps[static_cast<std::size_t>(map)];
+    if ((here.width == 1 && here.depth == 1) || somethingMoves(world, here, home)) return true;
     const auto isElsewhere = [&](const Traveller& there) { return there.leaps > 0 || there.eye.x.tile() != home.x || there.eye.y.tile() != home.y; };
     rise(world, body, {-kMaxBodyHeight.raw});
 

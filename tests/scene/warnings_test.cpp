@@ -72,6 +72,21 @@ TEST(Warnings, CountPortalsAsAWayOut) {
     EXPECT_EQ(warningsOf(closed, R"("portals": [ )" + back + " ]"), 1u) << "on the far side of the wall";
 }
 
+TEST(Warnings, TellMapsWhoseNumberLeadsIntoAHole) {
+    const auto second = [](const std::string& levels) {
+        std::string text = smallScene(R"([["###", "#..", "###"]])");
+        const std::string other = R"(, { "name": "second", "floor": "brick", "levels": )" + levels + " }";
+        return load(text.insert(text.find(" }],") + 2, other)).warnings;
+    };
+    const std::vector<Fault> shut = second(R"([["####", "#..#", "##.#", "####"], ["####", "####", "##.#", "####"]])");
+    ASSERT_EQ(shut.size(), 0u) << "its middle is (2, 2), from where (2, 1) can be walked to";
+    const std::vector<Fault> hole = second(R"([["###", "#.#", "###"], ["###", "#.#", "###"]])");
+    ASSERT_EQ(hole.size(), 1u);
+    EXPECT_EQ(hole[0].pointer, "/maps/1");
+    EXPECT_EQ(second(R"([["."]])").size(), 0u) << "there is no other tile";
+    EXPECT_EQ(second(R"([["###", "###", "###"], ["###", "###", "###"], ["###", "#.#", "###"], ["###", "#.#", "###"]])").size(), 1u) << "on the blocks";
+}
+
 TEST(Warnings, AreNotGivenWhereTheWayOutMayOpen) {
     const std::string text = readText(sceneTestFolder() / "warnings.json");
     const auto replaced = [&](const std::string& from, const std::string& to) {

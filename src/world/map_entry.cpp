@@ -1,6 +1,7 @@
-#include "session/map_entry.h"
+#include "world/map_entry.h"
 
 #include "world/player.h"
+#include "world/world.h"
 
 #include <algorithm>
 #include <optional>

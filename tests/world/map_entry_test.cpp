@@ -1,4 +1,6 @@
-#include "session/map_entry.h"
+#include "world/map_entry.h"
+
+#include "world/world.h"
 
 #include <gtest/gtest.h>
 

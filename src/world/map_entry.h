@@ -3,9 +3,11 @@
 // is no such tile, the place is in the air above the middle.
 #pragma once
 
-#include "world/world.h"
+#include "base/coordinate.h"
 
 namespace slicecast {
+
+struct World;
 
 struct MapEntry {
     Coordinate x;
