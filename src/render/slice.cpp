@@ -452,7 +452,11 @@ void Slice::drawBackground() {
         count(first, last);
         note(kNoLevel, FilledRows::What::sky, Face::top, first, last);
     });
-    open_.take(projection_->firstFallingRow, projection_->height, [&](int first, int last) {
+    drawHaze(projection_->firstFallingRow);
+}
+
+void Slice::drawHaze(int firstRow) {
+    open_.take(firstRow, projection_->height, [&](int first, int last) {
         std::fill(pixels_ + first, pixels_ + last, vista_->lighting.haze);
         count(first, last);
         note(kNoLevel, FilledRows::What::haze, Face::top, first, last);

@@ -144,6 +144,7 @@ private:
     void startCeiling(TextureId texture);
     void endCeiling(Border at);
     void drawBackground();
+    void drawHaze(int firstRow);
     int rowBelow(std::int32_t rise, const Crossing& border) const { return firstRowBelow(*projection_, rise, border); }
     int rowBelow(std::int32_t rise, Border border) const { return rowBelow(rise, border == Border::enter ? enter_ : leave_); }
 

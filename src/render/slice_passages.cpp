@@ -27,7 +27,7 @@ void Slice::enterTop(const Block& block, int firstRow, int lastRow) {
         HeightClip below;
         below.high = block.top;
         sendThrough(frame_.world->portals[look.portal], firstRow, lastRow, below);
-    } else if (block.blueprint->seeThrough && mirrorStrength(look.mirror) == 0) {
+    } else if (block.blueprint->seeThrough && (mirrorStrength(look.mirror) == 0 || joinsAbove(block))) {
         passThroughTop(block, firstRow, lastRow);
     } else {
         drawRoof(block, firstRow, lastRow);
@@ -119,12 +119,9 @@ void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const H
 void Slice::enterPortalTile() {
     takeFloor(Border::enter);
     const PortalId id = map_->tilePortal(walk_.tileX, walk_.tileY);
-    if (acts(id)) return sendThrough(frame_.world->portals[id], 0, projection_->height, {});
-    open_.take(0, projection_->height, [&](int first, int last) {
-        std::fill(pixels_ + first, pixels_ + last, vista_->lighting.haze);
-        count(first, last);
-        note(kNoLevel, FilledRows::What::haze, Face::top, first, last);
-    });
+    // Rays that have met the floor beyond `far` do not come here.
+    if (acts(id)) sendThrough(frame_.world->portals[id], 0, rowBelow(floorRise_, enter_), {});
+    drawHaze(0);
 }
 
 void Slice::mirror(std::int32_t rise, int first, int last, int strength) {
