@@ -159,7 +159,9 @@ std::vector<PlacingFault> makeMovers(World& world) {
             maker.addFault(static_cast<int>(map), {}, "more than " + std::to_string(kMaxMovingCells) + " cells of moving blocks", "fewer or smaller ones");
             break;
         }
-        for (const std::vector<CellPlace>& group : groups) maker.makeMover(static_cast<int>(map), group);
+        for (const std::vector<CellPlace>& group : groups) {
+            if (maker.faults.size() < kMaxPlacingFaults) maker.makeMover(static_cast<int>(map), group);
+        }
     }
     if (maker.faults.empty()) resetMovers(world);
     return std::move(maker.faults);

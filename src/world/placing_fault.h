@@ -1,9 +1,12 @@
 // What is wrong with a cell of a map that moves or opens.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace slicecast {
+
+inline constexpr std::size_t kMaxPlacingFaults = 1000;  // more help nobody
 
 struct PlacingFault {
     int map = 0;  // index into World::maps

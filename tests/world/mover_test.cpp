@@ -191,6 +191,19 @@ TEST(Movers, AreRefusedWhereTheyCannotMove) {
     EXPECT_EQ(faultOf(never), "the moving block \"moving 0\" whose top never gets above its bottom at 2 3 0: a motion with which the block is to be seen");
 }
 
+TEST(Movers, AreNoMoreThanThereIsRoomForTheirBlueprints) {
+    World world = emptyWorld(300, 300, 3);
+    Motion motion = lift();
+    const BlueprintId id = addMoving(world, {}, 0.5_u, motion);
+    for (int x = 0; x < 300; ++x) {
+        for (int y = x % 2; y < 300; y += 2) world.maps[0].setCell(x, y, 0, id);
+    }
+    const std::vector<PlacingFault> faults = makeMovers(world);
+    ASSERT_EQ(faults.size(), kMaxPlacingFaults);
+    EXPECT_EQ(faults[0].expected, "fewer moving blocks and gates, or fewer levels that they reach");
+    EXPECT_LE(world.blueprints.size(), static_cast<std::size_t>(kMaxBlueprints));
+}
+
 // ------------------------------------------------------------------------------------------------------------- riders
 
 TEST(Riders, GoUpAndDownExactlyAsWhatTheyStandOn) {
