@@ -11,7 +11,7 @@ const kRunning = 1.5; // radii from which on the stick runs
 const kTapMilliseconds = 250; // a longer touch is no tap
 const kTapPixels = 12; // nor one that moves more
 const kBetweenTaps = 350; // milliseconds
-const kJumpMilliseconds = 120; // that two taps hold the button
+const kJumpMilliseconds = 120; // that two taps hold the button, and a touch the one for gates: a step must see it
 
 // Where a thumb is, seen from the stick's middle, as axes to the right and down of -1 to 1, and whether it runs.
 export function stickAt(x, y) {
@@ -31,7 +31,12 @@ export class Thumbs {
     this.find = (name) => root.querySelector(`[data-thumb="${name}"]`);
     this.#listenToStick(this.find('walk'), this.find('stick'));
     this.#listenToLook(this.find('look'));
-    for (const name of ['jump', 'crouch', 'use']) this.#listenToButton(this.find(name), name);
+    for (const name of ['jump', 'crouch']) this.#listenToButton(this.find(name), name);
+    this.find('use').addEventListener('pointerdown', (event) => {
+      event.preventDefault();
+      this.#hold({ use: true });
+      setTimeout(() => this.#hold({ use: false }), kJumpMilliseconds);
+    });
     this.find('fly').addEventListener('pointerdown', (event) => {
       event.preventDefault();
       actions.fly();

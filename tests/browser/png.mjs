@@ -8,15 +8,15 @@ const kCrcTable = new Uint32Array(256).map((_, index) => {
   return value;
 });
 
-// `colourAt(x, y)` gives [red, green, blue].
-export function png(size, colourAt) {
-  const rows = Buffer.alloc(size * (1 + 3 * size)); // each row begins with its filter, 0
-  for (let y = 0; y < size; ++y) {
+// `colourAt(x, y)` gives [red, green, blue]. Square, unless a height is given.
+export function png(size, colourAt, height = size) {
+  const rows = Buffer.alloc(height * (1 + 3 * size)); // each row begins with its filter, 0
+  for (let y = 0; y < height; ++y) {
     for (let x = 0; x < size; ++x) rows.set(colourAt(x, y), y * (1 + 3 * size) + 1 + 3 * x);
   }
   const header = Buffer.alloc(13);
   header.writeUInt32BE(size, 0);
-  header.writeUInt32BE(size, 4);
+  header.writeUInt32BE(height, 4);
   header.set([8, 2, 0, 0, 0], 8); // 8 bits of red, green and blue
   return Buffer.concat([
     Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
