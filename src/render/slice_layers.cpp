@@ -67,8 +67,8 @@ void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
         return isJoined(block, frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, block.level + to.levels);
     };
     const bool mayPass = portals_ < frame_.world->portalLimit;
-    if (const PortalId portal = map_->tilePortal(x, y); portal != kNoPortal && mayPass) {
-        if (!isJoinedBeyond(portal)) draw(firstRow, lastRow);
+    if (const PortalId portal = map_->tilePortal(x, y); portal != kNoPortal) {
+        if (!mayPass || !isJoinedBeyond(portal)) draw(firstRow, lastRow);
         return;
     }
     const CellBlueprint& behind = frame_.world->blueprints[map_->cell(x, y, block.level)];

@@ -95,7 +95,8 @@ void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const H
     const std::int32_t floorRise = -beyond.viewpoint.z;
     // Through a roof or an underside all rays come at one height, that of the clip.
     const std::int32_t height = clip.high != HeightClip{}.high ? clip.high : clip.low;
-    const int hazeRow = !clip.any() ? rowBelow(floorRise, enter_) : height < floorRise ? 0 : projection_->height;
+    const bool isBelow = height < floorRise || (height == 0 && floorRise == 0);
+    const int hazeRow = !clip.any() ? rowBelow(floorRise, enter_) : isBelow ? 0 : projection_->height;
     const GridWalk onward = walk_.turned(portal.turn, portal.toX, portal.toY);
     const Before before = clip.any() ? Before{map_, walk_.tileX, walk_.tileY, portal.levels} : Before{map_, beforeX(Border::enter), beforeY(Border::enter), portal.levels};
     open_.take(firstRow, lastRow, [&](int first, int last) {
