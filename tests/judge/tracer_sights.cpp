@@ -146,7 +146,7 @@ void Tracer::Walk::addObjects() {
             const double dx = at.x - eye_.x;
             const double dy = at.y - eye_.y;
             const double t = std::floor(65536.0 * (tracer_.forwardX_ * dx + tracer_.forwardY_ * dy) + 0.5) / 65536.0;
-            if (t <= 0.0 || t < stretch.from || (stretch.afterMirror && t == stretch.from) || t >= end) continue;
+            if (t <= 0.0 || t < stretch.from || t >= end) continue;
             const double left = -tracer_.forwardY_ * dx + tracer_.forwardX_ * dy - object.width.value() / 2.0;
             const double across = (sideways_ * t - left) / object.width.value();
             const double height = stretch.eyeZ + stretch.place.levels - object.z.value() + stretch.slope * t;
