@@ -23,8 +23,9 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
 Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& legendOfAll) {
     Checker& checker = reading.checker;
     Map map;
-    const auto fields = checker.fields(value, {"name", "legend", "levels", "floor", "ceiling", "objects", "sow", "portals", "sky", "light", "fog", "haze", "far"},
-                                       "a map: an object with \"name\", \"levels\" and \"floor\"");
+    const auto fields =
+        checker.fields(value, {"name", "legend", "levels", "floor", "ceiling", "objects", "sow", "portals", "sky", "light", "fog", "haze", "far"},
+                       "a map: an object with \"name\", \"levels\" and \"floor\"");
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
 

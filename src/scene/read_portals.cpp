@@ -1,9 +1,9 @@
 // Portals: faces of blocks and tiles that lead elsewhere.
 //
-//      map a                  map b         A face's way back, for "twoWay": the block N behind the exit tile E, as seen by who has just come out, gets a portal
-//      . . . .                . . . . .     on the side towards E. It leads to the tile B before the first portal, so that who turns around there and
-//      . B|A . . - to E - >   . N|E . .     walks back comes out where they went in. For a top or bottom, N is the block that touches the same plane from the
-//      . . . .                . . . . .     other side. A tile's way back is a portal of the exit tile.
+//      map a                  map b         A face's way back, for "twoWay": the block N behind the exit tile E, as seen by who has just come out, gets a
+//      portal . . . .                . . . . .     on the side towards E. It leads to the tile B before the first portal, so that who turns around there and .
+//      B|A . . - to E - >   . N|E . .     walks back comes out where they went in. For a top or bottom, N is the block that touches the same plane from the . .
+//      . .                . . . . .     other side. A tile's way back is a portal of the exit tile.
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/player.h"
@@ -100,7 +100,8 @@ private:
         if (!name) return Face::north;
         const auto found = std::find(names.begin(), names.end(), *name);
         if (found != names.end()) return static_cast<Face>(found - names.begin());
-        checker_.add(value, "the name " + quoted(*name), "one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"" + suggestion(*name, names));
+        checker_.add(value, "the name " + quoted(*name),
+                     "one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"" + suggestion(*name, names));
         return Face::north;
     }
 
@@ -141,7 +142,8 @@ private:
             return false;
         }
         if (level > map.levels) {
-            checker_.add(at, what + " on level " + std::to_string(level), "a level of the map " + quoted(map.name) + ", at most " + std::to_string(map.levels) + ", above all its blocks");
+            checker_.add(at, what + " on level " + std::to_string(level),
+                         "a level of the map " + quoted(map.name) + ", at most " + std::to_string(map.levels) + ", above all its blocks");
             return false;
         }
         return true;
@@ -178,7 +180,8 @@ private:
         const GridTile tile = {portal.fromX, portal.fromY};
         const BlueprintId id = mapAt(portal.fromMap).cell(tile.x, tile.y, order.level);
         if (id == kEmptyCell) {
-            checker_.add(order.value, "no block at " + cellText(tile, order.level), "a block that has this face; without \"face\" the whole tile is the portal");
+            checker_.add(order.value, "no block at " + cellText(tile, order.level),
+                         "a block that has this face; without \"face\" the whole tile is the portal");
             return;
         }
         const Stretch block = {world_.blueprints[id].bottom, world_.blueprints[id].top};
@@ -218,9 +221,7 @@ private:
     }
 
     // The height of a top or bottom.
-    static Coordinate edge(Face face, int level, const CellBlueprint& block) {
-        return tileEdge(level) + (face == Face::top ? block.top : block.bottom);
-    }
+    static Coordinate edge(Face face, int level, const CellBlueprint& block) { return tileEdge(level) + (face == Face::top ? block.top : block.bottom); }
 
     // The heights at which one comes out of a face of such a block.
     static Stretch beyond(Face face, int level, const Stretch& block) {
@@ -306,7 +307,9 @@ private:
         }
         PortalId& place = world_.blueprints[id].faces[static_cast<std::size_t>(face)].portal;
         if (place != kNoPortal) {
-            checker_.add(at, std::string("a second portal on the ") + kFaceNames[static_cast<std::size_t>(face)] + " face at " + cellText(tile, level) + " of the map " + quoted(map.name),
+            checker_.add(at,
+                         std::string("a second portal on the ") + kFaceNames[static_cast<std::size_t>(face)] + " face at " + cellText(tile, level) +
+                             " of the map " + quoted(map.name),
                          "one portal for each face, ways back of others among them");
             return false;
         }

@@ -45,7 +45,8 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     const Box body = bodyBox(start.x, start.y, start.z, kCrouchedHeight);
     if (isFree(world, start.map, body)) {
         if (hasWayOut(world, start.map, start.x, start.y, start.z)) return;
-        reading.checker.warn(value, "a start from where no other tile can be walked to", "a way out: over no more than 0.79, the height of a jump, and at least 0.35 high");
+        reading.checker.warn(value, "a start from where no other tile can be walked to",
+                             "a way out: over no more than 0.79, the height of a jump, and at least 0.35 high");
         return;
     }
     reading.checker.add(value, "a start that reaches " + obstacle(world, map, body), "free room for the player, who is 0.4 wide and, crouched, 0.35 high");

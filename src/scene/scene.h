@@ -5,7 +5,8 @@
 //     LoadedScene loaded = loadScene(scene, files);               // decodes the images and builds the world
 //
 // Both report all faults that they can reach, in the order of the text; a scene with any fault gives no world. At most kMaxFaults (limits.h) are listed,
-// and then one more that says how many are not. Warnings are told like faults, but the scene loads: what they name is probably not meant so. What a scene file may hold is written down in assets/scene.schema.json.
+// and then one more that says how many are not. Warnings are told like faults, but the scene loads: what they name is probably not meant so. What a scene file
+// may hold is written down in assets/scene.schema.json.
 #pragma once
 
 #include "world/world.h"
@@ -43,7 +44,7 @@ struct ParsedScene {
     std::shared_ptr<const SceneDescription> description;  // null when there are faults
     std::vector<std::string> files;                       // image files named by the scene, relative to it, each once, in order of appearance
     std::vector<Fault> faults;
-    std::vector<Fault> warnings = {};                     // none where there are faults
+    std::vector<Fault> warnings = {};  // none where there are faults
 };
 
 ParsedScene parseScene(std::string_view text, const std::string& fileName);

@@ -39,7 +39,8 @@ Face turned(Face face, int turn) {
 }
 
 bool leadOnTogether(const Portal& a, const Portal& b) {
-    return a.fromMap == b.fromMap && a.toMap == b.toMap && a.turn == b.turn && a.levels == b.levels && carried(a, GridTile{b.fromX, b.fromY}) == GridTile{b.toX, b.toY};
+    return a.fromMap == b.fromMap && a.toMap == b.toMap && a.turn == b.turn && a.levels == b.levels &&
+           carried(a, GridTile{b.fromX, b.fromY}) == GridTile{b.toX, b.toY};
 }
 
 Portal reversed(const Portal& portal) {

@@ -19,10 +19,10 @@ struct Portal {
     int fromX = 0;    // the portal's own tile
     int fromY = 0;
     int toMap = 0;
-    int toX = 0;      // the exit tile, on the exit map's grid
+    int toX = 0;  // the exit tile, on the exit map's grid
     int toY = 0;
-    int turn = 0;     // quarter turns clockwise, 0 to 3
-    int levels = 0;   // added to every height
+    int turn = 0;    // quarter turns clockwise, 0 to 3
+    int levels = 0;  // added to every height
 
     friend bool operator==(const Portal&, const Portal&) = default;
 };

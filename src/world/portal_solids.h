@@ -21,7 +21,7 @@ struct Opening {
 
 // What an eye is right in front of above one tile: in it upwards and downwards, beside it at most one.
 struct Openings {
-    Opening below;   // or beside
+    Opening below;  // or beside
     Opening above;
 };
 
@@ -93,11 +93,16 @@ private:
 
     bool isBehind(int x, int y) const {
         switch (behind_.side) {
-            case Face::north: return y < behind_.back.fromY;
-            case Face::east: return x > behind_.back.fromX;
-            case Face::south: return y > behind_.back.fromY;
-            case Face::west: return x < behind_.back.fromX;
-            default: return false;
+            case Face::north:
+                return y < behind_.back.fromY;
+            case Face::east:
+                return x > behind_.back.fromX;
+            case Face::south:
+                return y > behind_.back.fromY;
+            case Face::west:
+                return x < behind_.back.fromX;
+            default:
+                return false;
         }
     }
 
@@ -157,12 +162,15 @@ private:
         if (openings.below.portal != nullptr) return openings;
         // Beside a top or bottom that the eye is above or below
         const Openings ofEye = openingsAbove(eyeTile_);
-        if (ofEye.below.portal != nullptr) openings.below = {portalAt(tile, ofEye.below.high, Face::top, *ofEye.below.portal), ofEye.below.low, ofEye.below.high};
-        if (ofEye.above.portal != nullptr) openings.above = {portalAt(tile, ofEye.above.low, Face::bottom, *ofEye.above.portal), ofEye.above.low, ofEye.above.high};
+        if (ofEye.below.portal != nullptr)
+            openings.below = {portalAt(tile, ofEye.below.high, Face::top, *ofEye.below.portal), ofEye.below.low, ofEye.below.high};
+        if (ofEye.above.portal != nullptr)
+            openings.above = {portalAt(tile, ofEye.above.low, Face::bottom, *ofEye.above.portal), ofEye.above.low, ofEye.above.high};
         return openings;
     }
 
-    // The opening of a side at the eye's height, with the blocks right above and below that lead on in the same way; if `like` is given, one that leads on as that.
+    // The opening of a side at the eye's height, with the blocks right above and below that lead on in the same way; if `like` is given, one that leads on as
+    // that.
     Opening openingBeside(GridTile tile, Face side, const Portal* like) const {
         const int eyeLevel = eye_.z.tile();
         const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, eyeLevel);

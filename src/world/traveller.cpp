@@ -28,12 +28,24 @@ void leaveThreshold(Traveller& body) {
     const Box& box = body.box;
     bool reaches = false;
     switch (body.behind.side) {
-        case Face::north: reaches = box.north < tileEdge(back.fromY); break;
-        case Face::east: reaches = box.east > tileEdge(back.fromX + 1); break;
-        case Face::south: reaches = box.south > tileEdge(back.fromY + 1); break;
-        case Face::west: reaches = box.west < tileEdge(back.fromX); break;
-        case Face::top: reaches = box.top > body.behind.height; break;
-        case Face::bottom: reaches = box.bottom < body.behind.height; break;
+        case Face::north:
+            reaches = box.north < tileEdge(back.fromY);
+            break;
+        case Face::east:
+            reaches = box.east > tileEdge(back.fromX + 1);
+            break;
+        case Face::south:
+            reaches = box.south > tileEdge(back.fromY + 1);
+            break;
+        case Face::west:
+            reaches = box.west < tileEdge(back.fromX);
+            break;
+        case Face::top:
+            reaches = box.top > body.behind.height;
+            break;
+        case Face::bottom:
+            reaches = box.bottom < body.behind.height;
+            break;
     }
     if (!reaches) body.behind = {};
 }
@@ -60,7 +72,7 @@ Offset passPortal(Traveller& body, const Portal& portal, Face side, Coordinate h
 // The portal face of a block through which an eye has just come, if there is one.
 struct EnteredFace {
     const Portal* portal = nullptr;
-    Coordinate low;   // of the block
+    Coordinate low;  // of the block
     Coordinate high;
 };
 
@@ -98,8 +110,8 @@ void passEdge(const World& world, Traveller& body, Coordinate before) {
         return;
     }
     if (!body.behind.isOn) return;
-    const bool isBack = body.behind.side == Face::top ? !down && body.eye.z >= body.behind.height
-                                                     : body.behind.side == Face::bottom && down && body.eye.z < body.behind.height;
+    const bool isBack =
+        body.behind.side == Face::top ? !down && body.eye.z >= body.behind.height : body.behind.side == Face::bottom && down && body.eye.z < body.behind.height;
     if (isBack) body.behind = {};
 }
 

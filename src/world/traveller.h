@@ -6,10 +6,11 @@
 //      |    |::|    ::  tested      tested against where it came from (`behind`). So a body that fits through gets through, whatever stands around the exit
 //      +----|--+        beyond      tile, and no body is inside anything on either side.
 //
-// A portal face acts on an eye that goes through its rectangle into its block, a portal tile on one that goes into the tile at any height. A block with a portal
-// is open to a body only while its eye is right in front of that portal: in the tile before the face and between its bottom and top, or above (below) it
-// in the same tile; else it is solid. Portals side by side that lead on side by side are one wide portal. What would not fit beyond the plane stops there, as at any wall: so it is with a body that would reach past the sides
-// of the exit tile into something. Where two portals are within a body's reach, the one it passed last counts.
+// A portal face acts on an eye that goes through its rectangle into its block, a portal tile on one that goes into the tile at any height. A block with a
+// portal is open to a body only while its eye is right in front of that portal: in the tile before the face and between its bottom and top, or above (below) it
+// in the same tile; else it is solid. Portals side by side that lead on side by side are one wide portal. What would not fit beyond the plane stops there, as
+// at any wall: so it is with a body that would reach past the sides of the exit tile into something. Where two portals are within a body's reach, the one it
+// passed last counts.
 //
 //     Traveller body = {.map = 0, .box = box, .eye = eye};
 //     const Travelled way = slide(world, body, x, y, step);            // may be in another map now: body.turn, body.leaps
@@ -24,12 +25,12 @@ namespace slicecast {
 struct World;
 
 struct Traveller {
-    int map = 0;       // index into World::maps
-    Box box;           // at most 1/2 wide and deep
-    Position eye;         // its x and y are those of the box's middle
+    int map = 0;   // index into World::maps
+    Box box;       // at most 1/2 wide and deep
+    Position eye;  // its x and y are those of the box's middle
     Threshold behind;
-    int turn = 0;      // quarter turns clockwise by all portals passed so far; headings and velocities turn with it
-    int leaps = 0;     // portals passed so far
+    int turn = 0;   // quarter turns clockwise by all portals passed so far; headings and velocities turn with it
+    int leaps = 0;  // portals passed so far
 };
 
 // What a way met: along the axes of the map that the traveller is in at its end.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdlib>
 
 namespace slicecast {
@@ -318,6 +319,34 @@ TEST(RandomPortals, NobodyIsEverStuck) {
         }
     }
     EXPECT_GT(tried, kWorlds);
+}
+
+std::uint64_t hashOfManySteps() {
+    std::uint64_t hash = 0;
+    const auto add = [&hash](std::uint64_t number) { hash = (hash ^ number) * 0x100000001b3u + (hash >> 29); };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const World world = randomPortalWorld(seed);
+        Random random(seed << 20);
+        Player player;
+        if (!placeRandomly(world, random, player)) continue;
+        PlayerInput input;
+        for (int step = 0; step < 600; ++step) {
+            if (step % 15 == 0) input = randomInput(random);
+            if (step % 75 == 0) setFlying(world, player, !player.flying);
+            stepPlayer(world, player, input);
+        }
+        for (const Coordinate coordinate : {player.x, player.y, player.z, player.eyeLag}) add(static_cast<std::uint64_t>(coordinate.raw));
+        for (const double number : {player.velocityX, player.velocityY, player.velocityZ, player.headingDegrees}) add(std::bit_cast<std::uint64_t>(number));
+        add(static_cast<std::uint64_t>(player.map));
+        add(static_cast<std::uint64_t>(player.leaps));
+    }
+    return hash;
+}
+
+// The same from every compiler and at every level of optimisation. A change of the motion itself changes this number.
+TEST(RandomPortals, TheSameInputsGiveTheSameStatesEverywhere) {
+    EXPECT_EQ(hashOfManySteps(), hashOfManySteps());
+    EXPECT_EQ(hashOfManySteps(), 0x74fd417e0a9e2f80u);
 }
 
 }  // namespace
