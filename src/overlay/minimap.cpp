@@ -40,7 +40,7 @@ constexpr Colour kReach = {160, 170, 180, 60};
 constexpr Colour kReachRim = {235, 240, 245, 200};
 constexpr Colour kPortal = {64, 224, 208, 255};
 constexpr double kPortalTint = 0.45;  // of a tile that is one
-constexpr double kNorth = 270.0;  // degrees
+constexpr double kNorth = 270.0;      // degrees
 
 Colour mixed(Colour a, Colour b, double part) {
     const auto mix = [part](int from, int to) { return static_cast<std::uint8_t>(from + static_cast<int>((to - from) * part + (to < from ? -0.5 : 0.5))); };
@@ -82,8 +82,7 @@ bool isPortal(const World& world, const Map& map, int x, int y, int level, Face 
 // What leads elsewhere as a whole, or from above or below, is tinted.
 Colour tileColour(const World& world, const Map& map, int x, int y, int level) {
     const Colour colour = groundColour(world, map, x, y, level);
-    const bool leads =
-        map.tilePortal(x, y) != kNoPortal || isPortal(world, map, x, y, level, Face::top) || isPortal(world, map, x, y, level, Face::bottom);
+    const bool leads = map.tilePortal(x, y) != kNoPortal || isPortal(world, map, x, y, level, Face::top) || isPortal(world, map, x, y, level, Face::bottom);
     return leads ? mixed(colour, kPortal, kPortalTint) : colour;
 }
 
@@ -259,12 +258,12 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
     const int level = minimapLevel(map, eye, options);
 
     const MinimapView view = {.area = {layout.left + 1, layout.top + 1, layout.side - 2, layout.side - 2},
-                       .pixelsPerTile = layout.pixelsPerTile,
-                       .eyeX = scaled(eye.x, layout.pixelsPerTile),
-                       .eyeY = scaled(eye.y, layout.pixelsPerTile),
-                       .centreX = layout.left + layout.side / 2,
-                       .centreY = layout.top + layout.side / 2,
-                       .up = sineCosineDegrees(options.turns ? eye.headingDegrees : kNorth)};
+                              .pixelsPerTile = layout.pixelsPerTile,
+                              .eyeX = scaled(eye.x, layout.pixelsPerTile),
+                              .eyeY = scaled(eye.y, layout.pixelsPerTile),
+                              .centreX = layout.left + layout.side / 2,
+                              .centreY = layout.top + layout.side / 2,
+                              .up = sineCosineDegrees(options.turns ? eye.headingDegrees : kNorth)};
     drawPanel(picture, {layout.left, layout.top, layout.side, layout.side});
     drawTiles(world, map, level, view, picture);
     drawMinimapObjects(world, eye.map, level, view, picture);

@@ -9,8 +9,8 @@ namespace {
 constexpr Colour kStill = {242, 232, 206, 235};
 constexpr Colour kMoving = {255, 92, 196, 255};
 constexpr Colour kRim = {20, 20, 20, 150};
-constexpr double kFaint = 0.35;      // of the colours, for what stands below the level
-constexpr double kRadius = 0.3;       // of an object's width
+constexpr double kFaint = 0.35;        // of the colours, for what stands below the level
+constexpr double kRadius = 0.3;        // of an object's width
 constexpr double kLeastRadius = 0.14;  // of a tile
 constexpr double kMostRadius = 0.3;
 constexpr double kShortestLine = 0.4;  // units

@@ -68,9 +68,8 @@ void readGround(Reading& reading, const Fields& fields, Sowing& sowing) {
 
 void readSown(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(
-        value, {"sprite", "density", "seed", "height", "width", "above", "on", "textures", "clear", "light", "glow", "motion"},
-        "what is sown: an object with \"sprite\", \"density\" and \"height\"");
+    const auto fields = checker.fields(value, {"sprite", "density", "seed", "height", "width", "above", "on", "textures", "clear", "light", "glow", "motion"},
+                                       "what is sown: an object with \"sprite\", \"density\" and \"height\"");
     if (!fields) return;
     Sowing sowing;
     if (const auto sprite = fields->require("sprite", "the name of a sprite")) {

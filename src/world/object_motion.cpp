@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kShortestWay = kStepsPerSecond / 2;  // steps that a wanderer goes one way
 constexpr int kLongestWay = kStepsPerSecond * 4;
-constexpr double kWidestTurn = 70.0;  // degrees, at the end of a way
+constexpr double kWidestTurn = 70.0;   // degrees, at the end of a way
 constexpr double kTurnAtLedge = 60.0;  // to either side of straight back
 constexpr Coordinate kFallPerStep = toCoordinate(kGravity * kStepSeconds * kStepSeconds);
 constexpr Coordinate kFastestFall = toCoordinate(kGreatestFall * kStepSeconds);
@@ -227,9 +227,15 @@ void startObjects(World& world) {
 void stepObjects(World& world) {
     for (ObjectMotion& motion : world.movingObjects.motions) {
         switch (motion.kind) {
-            case ObjectMotion::Kind::wander: wander(world, motion); break;
-            case ObjectMotion::Kind::pace: pace(world, motion); break;
-            case ObjectMotion::Kind::circle: circle(world, motion); break;
+            case ObjectMotion::Kind::wander:
+                wander(world, motion);
+                break;
+            case ObjectMotion::Kind::pace:
+                pace(world, motion);
+                break;
+            case ObjectMotion::Kind::circle:
+                circle(world, motion);
+                break;
         }
     }
 }

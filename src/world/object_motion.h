@@ -46,15 +46,15 @@ struct ObjectMotion {
     // Set by startObjects, and by every step.
     Coordinate homeX;  // where it began; of a circle, the middle
     Coordinate homeY;
-    Coordinate eye;     // above the feet
-    Threshold behind;   // see traveller.h
+    Coordinate eye;    // above the feet
+    Threshold behind;  // see traveller.h
     Coordinate wayX;   // of each step; not of a circle
     Coordinate wayY;
-    Coordinate fallen;         // by the last step, if it is in the air
+    Coordinate fallen;  // by the last step, if it is in the air
     bool onGround = false;
-    bool back = false;         // pace: on the way back; circle: counterclockwise
-    int steps = 0;             // wander: before it goes another way; pace: from home
-    std::uint32_t phase = 0;   // circle: where it is, in 2^-32 turns, clockwise from the east
+    bool back = false;        // pace: on the way back; circle: counterclockwise
+    int steps = 0;            // wander: before it goes another way; pace: from home
+    std::uint32_t phase = 0;  // circle: where it is, in 2^-32 turns, clockwise from the east
 };
 
 // What moves in a world, and how it all was at first.

@@ -26,8 +26,8 @@ struct CoordinateRange {
 };
 
 struct Sowing {
-    Object object;                    // what is sown; its place and height are found for each
-    double density = 0.1;             // share of the spots that can hold one, 0 to 1
+    Object object;         // what is sown; its place and height are found for each
+    double density = 0.1;  // share of the spots that can hold one, 0 to 1
     std::uint64_t seed = 1;
     CoordinateRange height;           // units
     CoordinateRange above;            // of the feet over the ground

@@ -58,9 +58,9 @@ TEST(Sowing, LeavesWhatWasSownElsewhereWhereItIs) {
     EXPECT_GT(few.size(), 80u);
     for (const Object& object : few) {
         if (object.x.tile() == 3 && object.y.tile() == 3) continue;
-        EXPECT_TRUE(std::any_of(many.begin(), many.end(), [&](const Object& other) {
-            return other.x == object.x && other.y == object.y && other.height == object.height;
-        })) << object.x.value() << ", " << object.y.value();
+        EXPECT_TRUE(std::any_of(many.begin(), many.end(),
+                                [&](const Object& other) { return other.x == object.x && other.y == object.y && other.height == object.height; }))
+            << object.x.value() << ", " << object.y.value();
     }
     World other = emptyWorld(20, 20, 3);
     Sowing sowing = trees(0.3);
