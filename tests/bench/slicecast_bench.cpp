@@ -42,14 +42,21 @@ struct View {
     const char* scene;
     const char* name;
     std::optional<Place> place;
+    int steps = 0;  // played first; then what moves is drawn half way between two steps
 };
 
 const std::array kViews = {
-    View{"harbour-town", "start", {}}, View{"harbour-town", "over the roofs", Place{24.0, 24.0, 6.5, 225.0, -0.3}},
-    View{"castle", "start", {}},       View{"castle", "from above", Place{44.6, 33.4, 5.5, 215.0, -0.2}},
-    View{"library", "start", {}},      View{"library", "in the gallery", Place{12.0, 10.0, 2.5, 100.0, -0.1}},
-    View{"garden", "start", {}},       View{"garden", "between hedges", Place{16.0, 16.0, 0.5, 250.0, 0.0}},
+    View{"harbour-town", "start", {}},
+    View{"harbour-town", "over the roofs", Place{24.0, 24.0, 6.5, 225.0, -0.3}},
+    View{"castle", "start", {}},
+    View{"castle", "from above", Place{44.6, 33.4, 5.5, 215.0, -0.2}},
+    View{"library", "start", {}},
+    View{"library", "in the gallery", Place{12.0, 10.0, 2.5, 100.0, -0.1}},
+    View{"garden", "start", {}},
+    View{"garden", "between hedges", Place{16.0, 16.0, 0.5, 250.0, 0.0}},
     View{"glassworks", "start", {}},  // see-through, animated and glowing faces, objects
+    View{"castle", "before the gate", Place{28.5, 19.0, 3.5, 180.0, 0.02}},
+    View{"library", "under the lift", Place{14.5, 27.2, 0.5, 240.0, 0.1}, 720},
 };
 
 // One of the things that take turns.
@@ -145,11 +152,12 @@ int run(const std::string& assets, int rounds) {
     items.push_back({"", "limit", 2, [&] { limit.draw(frame.data()); }});
     for (const View& view : kViews) {
         const std::shared_ptr<Session> session = openScene(assets, view);
+        for (int step = 0; session && step < view.steps; ++step) session->step({});
         if (!session || !session->draw(picture)) {
             std::fprintf(stderr, "slicecast-bench: %s, %s cannot be drawn\n", view.scene, view.name);
             return 1;
         }
-        items.push_back({view.scene, view.name, 2, [session, picture] { session->draw(picture); }});
+        items.push_back({view.scene, view.name, 2, [session, picture, fraction = view.steps > 0 ? 0.5 : 1.0] { session->draw(picture, fraction); }});
     }
     if (!addManyObjects(assets, picture, items)) {
         std::fprintf(stderr, "slicecast-bench: there is no room for many objects in the garden\n");
