@@ -44,6 +44,10 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     // The player starts crouched where there is no room to stand.
     const Box body = bodyBox(start.x, start.y, start.z, kCrouchedHeight);
     if (isFree(world, start.map, body)) {
+        if (!isFree(world, {.map = start.map, .box = body, .eye = {start.x, start.y, start.z + kCrouchedEye}, .behind = {}})) {
+            reading.checker.add(value, "a start that reaches through a portal into something", "free room for the player on both sides of a portal");
+            return;
+        }
         if (hasWayOut(world, start.map, start.x, start.y, start.z)) return;
         reading.checker.warn(value, "a start from where no other tile can be walked to",
                              "a way out: over no more than 0.79, the height of a jump, and at least 0.35 high");
