@@ -5,8 +5,8 @@
 
 namespace slicecast {
 
-void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY, GroundDirection forward, GroundDirection right,
-                              const Projection& projection, const Detail& detail, const Lighting& lighting) {
+void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY, std::int32_t eyeZ, GroundDirection forward,
+                              GroundDirection right, const Projection& projection, const Detail& detail, const Lighting& lighting) {
     objects_.clear();
     highest_ = 0.0;
     const auto groups = static_cast<std::size_t>((projection.width + kGroup - 1) / kGroup);
@@ -15,6 +15,7 @@ void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t e
 
     // A column's ray is `sideways * depth / distance` units to the right of the eye.
     const auto columnOf = [&](double aside, double depth) { return aside * projection.distance / depth + projection.width / 2.0; };
+    seen_.clear();
     for (std::size_t i = 0; i < map.objects.size(); ++i) {
         const Object& object = map.objects[i];
         const double dx = static_cast<double>(object.x.raw - eyeX) / 65536.0;
@@ -23,24 +24,31 @@ void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t e
         if (depth <= 0.0) continue;
         const double left = right.x * dx + right.y * dy - object.width.value() / 2.0;
         if (columnOf(left, depth) > projection.width + 1.0 || columnOf(left + object.width.value(), depth) < -1.0) continue;
-        FrameObject seen;
-        seen.depth = depth;
-        seen.along = depth / projection.distance;
-        seen.left = left;
-        seen.width = object.width.value();
-        seen.bottom = object.z.raw;
-        seen.top = seen.bottom + object.height.raw;
+        seen_.push_back({depth, left, static_cast<int>(i)});
+    }
+    std::sort(seen_.begin(), seen_.end(), [](const Seen& a, const Seen& b) { return a.depth != b.depth ? a.depth < b.depth : a.index < b.index; });
+
+    for (const Seen& seen : seen_) {
+        const Object& object = map.objects[static_cast<std::size_t>(seen.index)];
+        FrameObject shown;
+        shown.bottom = object.z.raw - eyeZ;
+        shown.top = shown.bottom + object.height.raw;
+        shown.firstRow = firstRowBelow(projection, shown.top, seen.depth);
+        shown.lastRow = firstRowBelow(projection, shown.bottom, seen.depth);
+        if (shown.firstRow >= shown.lastRow) continue;
+        shown.depth = seen.depth;
+        shown.along = seen.depth / projection.distance;
+        shown.left = seen.left;
+        shown.width = object.width.value();
         const std::vector<SpriteLevel>& levels = world.sprites[object.sprite].levelsAt(world.seconds);
-        seen.level = &levels[static_cast<std::size_t>(detail.levelAt(depth, levels[0].height, static_cast<int>(levels.size()) - 1))];
-        const Shade shade = lighting.at(depth, object.light, object.glow);
-        seen.factor = shade.factor;
-        seen.fog = shade.fog;
-        seen.index = static_cast<int>(i);
-        objects_.push_back(seen);
+        shown.level = &levels[static_cast<std::size_t>(detail.levelAt(seen.depth, levels[0].height, static_cast<int>(levels.size()) - 1))];
+        const Shade shade = lighting.at(seen.depth, object.light, object.glow);
+        shown.factor = shade.factor;
+        shown.fog = shade.fog;
+        shown.index = seen.index;
+        objects_.push_back(shown);
         highest_ = std::max(highest_, (object.z + object.height).value());
     }
-    std::sort(objects_.begin(), objects_.end(),
-              [](const FrameObject& a, const FrameObject& b) { return a.depth != b.depth ? a.depth < b.depth : a.index < b.index; });
 
     for (std::size_t i = 0; i < objects_.size(); ++i) {
         const FrameObject& object = objects_[i];

@@ -17,8 +17,10 @@ struct FrameObject {
     double along = 0.0;  // the same as a Crossing counts it: the one number that is compared with borders
     double left = 0.0;   // of its left edge, units to the right of the eye
     double width = 0.0;  // units
-    std::int32_t bottom = 0;  // 1/65536 units above the map's floor
+    std::int32_t bottom = 0;  // 1/65536 units above the eye
     std::int32_t top = 0;
+    int firstRow = 0;  // where it appears: the rows [firstRow, lastRow)
+    int lastRow = 0;
     const SpriteLevel* level = nullptr;
     std::uint32_t factor = 256;
     std::uint32_t fog = 0;
@@ -28,7 +30,7 @@ struct FrameObject {
 class FrameObjects {
 public:
     // The eye's place (1/65536 units), `forward` and `right` are in the map's coordinates.
-    void beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY, GroundDirection forward, GroundDirection right,
+    void beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY, std::int32_t eyeZ, GroundDirection forward, GroundDirection right,
                     const Projection& projection, const Detail& detail, const Lighting& lighting);
 
     // The objects that may cover a column, nearest first; those of one depth in the map's order.
@@ -38,9 +40,22 @@ public:
     bool none() const { return objects_.empty(); }
     double highest() const { return highest_; }  // of their upper edges above the map's floor, units; 0 if there are none
 
+    // The first row below a height, `rise` 1/65536 units above the eye, at a depth. A row through it is below.
+    static int firstRowBelow(const Projection& projection, std::int32_t rise, double depth) {
+        return projection.firstRowBelowRow(projection.horizon - rise / 65536.0 * projection.distance / depth, false);
+    }
+
 private:
     static constexpr int kGroup = 16;  // columns that share a list
 
+    // One that is in the field of view.
+    struct Seen {
+        double depth;
+        double left;
+        int index;
+    };
+
+    std::vector<Seen> seen_;
     std::vector<FrameObject> objects_;
     std::vector<std::vector<int>> groups_;
     double highest_ = 0.0;

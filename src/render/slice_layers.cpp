@@ -106,17 +106,16 @@ void Slice::seeThroughPlane(int level, FilledRows::What what, const PlaneRun& ru
 }
 
 // Objects that this column's ray passes, in the current tile: each splits the tile's stretch of the ray in two, for what the tile holds may lie before it or
-// behind it.
+// behind it. One whose rows are closed splits nothing.
 void Slice::drawTileWithObjects() {
     const Crossing leave = leave_;
-    while (object_ != objectsEnd_ && vista_->objects[*object_].along < leave.along) {
+    for (; object_ != objectsEnd_ && vista_->objects[*object_].along < leave.along; ++object_, skipObjectsBeside()) {
         const FrameObject& object = vista_->objects[*object_];
+        if (!open_.mayHold(object.firstRow, object.lastRow)) continue;
         leave_ = crossingAt(object);
         drawStretch();
         drawObject(object);
         enter_ = leave_;
-        ++object_;
-        skipObjectsBeside();
     }
     leave_ = leave;
     drawStretch();
@@ -124,13 +123,12 @@ void Slice::drawTileWithObjects() {
 
 // Objects outside the grid, where there is only the floor.
 void Slice::drawObjectsBeyond() {
-    while (object_ != objectsEnd_ && !open_.none()) {
+    for (; object_ != objectsEnd_ && !open_.none(); ++object_, skipObjectsBeside()) {
         const FrameObject& object = vista_->objects[*object_];
+        if (!open_.mayHold(object.firstRow, object.lastRow)) continue;
         leave_ = crossingAt(object);
         takeFloorBeyond(rowBelow(floorRise_, leave_));
         drawObject(object);
-        ++object_;
-        skipObjectsBeside();
     }
 }
 
@@ -160,19 +158,16 @@ Crossing Slice::crossingAt(const FrameObject& object) const {
 void Slice::drawObject(const FrameObject& object) {
     const SpriteLevel& level = *object.level;
     const int u = std::min(level.width - 1, static_cast<int>(across(object) * level.width));
-    const std::int32_t top = object.top - eyeZ_;
-    const std::int32_t bottom = object.bottom - eyeZ_;
-    const auto rowOf = [&](std::int32_t rise) {
-        return projection_->firstRowBelowRow(projection_->horizon - rise / 65536.0 * projection_->distance / object.depth, false);
-    };
     // Positions are in texels from the upper edge, with 32 bits after the point.
     constexpr double kTexel = 4294967296.0;
-    const double perUnit = level.height * kTexel / ((top - bottom) / 65536.0);
+    const double perUnit = level.height * kTexel / ((object.top - object.bottom) / 65536.0);
     const double perRow = object.along;
     const auto end = static_cast<std::int64_t>(level.height) << 32;
     bool drawn = false;
-    open_.each(rowOf(std::min(top, clip_.high)), rowOf(std::max(bottom, clip_.low)), [&](int first, int last) {
-        const double down = top / 65536.0 - (projection_->horizon - (first + 0.5)) * perRow;
+    const int firstRow = object.top <= clip_.high ? object.firstRow : FrameObjects::firstRowBelow(*projection_, clip_.high, object.depth);
+    const int lastRow = object.bottom >= clip_.low ? object.lastRow : FrameObjects::firstRowBelow(*projection_, clip_.low, object.depth);
+    open_.each(firstRow, lastRow, [&](int first, int last) {
+        const double down = object.top / 65536.0 - (projection_->horizon - (first + 0.5)) * perRow;
         const std::int64_t start = std::clamp<std::int64_t>(nearestInteger(std::clamp(down * perUnit, 0.0, static_cast<double>(end))), 0, end - 1);
         const int steps = last - first - 1;
         std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow * perUnit, static_cast<double>(end))) : 0;
@@ -180,6 +175,7 @@ void Slice::drawObject(const FrameObject& object) {
         layers_->add({level.texels.data() + static_cast<std::size_t>(u) * static_cast<std::size_t>(level.height), 32, first, last,
                       static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step), object.factor, object.fog, vista_->lighting.haze});
         drawn = true;
+        if (trace_) trace_->objects.push_back({vista_->viewpoint.map, portals_, object.index, object.depth, first, last});
     });
     if (drawn) ++report_.objectSlices;
 }

@@ -51,6 +51,16 @@ struct WalkedTile {
     double depth = 0.0;  // perpendicular depth on entering
 };
 
+// An object that a slice shows, and the rows [first, last) in which it is seen through its holes or not.
+struct SeenObject {
+    int map = 0;
+    int portals = 0;  // that the rays had passed before
+    int object = 0;   // index into Map::objects
+    double depth = 0.0;
+    int first = 0;
+    int last = 0;
+};
+
 // Rows [first, last) of a slice whose rays went through a portal.
 struct PassedPortal {
     PortalId portal = kNoPortal;
@@ -79,6 +89,7 @@ struct SliceTrace {
     std::vector<WalkedTile> tiles;
     std::vector<Hit> hits;
     std::vector<FilledRows> planes;  // floor, ceiling, sky and haze
+    std::vector<SeenObject> objects;
     std::vector<PassedPortal> portals;
     std::vector<MirroredRows> mirrors;  // what is seen in them is not told
 };

@@ -49,7 +49,7 @@ void Vista::begin(const World& world, const Eye& eye, const RenderOptions& optio
     const double height = Coordinate{from.z}.value();
     const double farRow = projection->rowOf(-height, map->far);
     firstFloorRow = std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
-    objects.beginFrame(world, *map, from.x, from.y, turned(projection->forward, from.turn), turned(projection->right, from.turn), *projection, detail, lighting);
+    objects.beginFrame(world, *map, from.x, from.y, from.z, turned(projection->forward, from.turn), turned(projection->right, from.turn), *projection, detail, lighting);
     highest = std::max({static_cast<double>(map->levels), map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(), objects.highest()});
     planeShades.beginFrame(lighting, projection->distance, inverseOffsets, projection->height);
     skyRows.beginFrame(map->sky, *projection, eye.headingDegrees + 90.0 * from.turn);
