@@ -101,7 +101,6 @@ void Slice::walk() {
         object_ = objects.data();
         objectsEnd_ = object_ + objects.size();
         while (object_ != objectsEnd_ && vista_->objects[*object_].along < walk_.entered) ++object_;
-        skipObjectsBeside();
     }
     Pass pass = passTiles(false);
     while (pass == Pass::tile) {
@@ -140,6 +139,7 @@ double Slice::whereToStop() const {
 // Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open row may meet.
 template <bool portals>
 Slice::Pass Slice::passTilesWith(bool leaveFirst) {
+    skipHiddenObjects();
     constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
     const double stop = whereToStop();
     const double highestEye = eyeHeight_ + kSlack;

@@ -106,7 +106,7 @@ private:
     void drawStretch();
     void drawTileWithObjects();
     void drawObjectsBeyond();
-    void skipObjectsBeside();
+    void skipHiddenObjects();
     double across(const FrameObject& object) const;
     Crossing crossingAt(const FrameObject& object) const;
     void drawObject(const FrameObject& object);

@@ -106,12 +106,11 @@ void Slice::seeThroughPlane(int level, FilledRows::What what, const PlaneRun& ru
 }
 
 // Objects that this column's ray passes, in the current tile: each splits the tile's stretch of the ray in two, for what the tile holds may lie before it or
-// behind it. One whose rows are closed splits nothing.
+// behind it.
 void Slice::drawTileWithObjects() {
     const Crossing leave = leave_;
-    for (; object_ != objectsEnd_ && vista_->objects[*object_].along < leave.along; ++object_, skipObjectsBeside()) {
+    for (; object_ != objectsEnd_ && vista_->objects[*object_].along < leave.along; ++object_, skipHiddenObjects()) {
         const FrameObject& object = vista_->objects[*object_];
-        if (!open_.mayHold(object.firstRow, object.lastRow)) continue;
         leave_ = crossingAt(object);
         drawStretch();
         drawObject(object);
@@ -123,19 +122,22 @@ void Slice::drawTileWithObjects() {
 
 // Objects outside the grid, where there is only the floor.
 void Slice::drawObjectsBeyond() {
-    for (; object_ != objectsEnd_ && !open_.none(); ++object_, skipObjectsBeside()) {
+    for (; object_ != objectsEnd_ && !open_.none(); ++object_, skipHiddenObjects()) {
         const FrameObject& object = vista_->objects[*object_];
-        if (!open_.mayHold(object.firstRow, object.lastRow)) continue;
         leave_ = crossingAt(object);
         takeFloorBeyond(rowBelow(floorRise_, leave_));
         drawObject(object);
     }
 }
 
-// Several columns share a list of objects; those that this one passes by split nothing.
-void Slice::skipObjectsBeside() {
-    const auto isBeside = [&](double share) { return share < 0.0 || share >= 1.0; };
-    while (object_ != objectsEnd_ && isBeside(across(vista_->objects[*object_]))) ++object_;
+// Several columns share a list of objects; those that this one passes by split nothing, nor do those whose rows are closed.
+void Slice::skipHiddenObjects() {
+    for (; object_ != objectsEnd_; ++object_) {
+        const FrameObject& object = vista_->objects[*object_];
+        if (!open_.mayHold(object.firstRow, object.lastRow)) continue;
+        const double share = across(object);
+        if (share >= 0.0 && share < 1.0) return;
+    }
 }
 
 // Where the ray passes an object, as a share of its width from the left.
