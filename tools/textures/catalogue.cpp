@@ -13,11 +13,14 @@
 #include "glazing.h"
 #include "glow.h"
 #include "ground.h"
+#include "lake.h"
 #include "lettering.h"
 #include "liquids.h"
 #include "loops.h"
 #include "metalwork.h"
 #include "openings.h"
+#include "palace.h"
+#include "palace_windows.h"
 #include "plaster.h"
 #include "railings.h"
 #include "roofs.h"
@@ -63,6 +66,8 @@ std::vector<Entry> opaqueTextures() {
         {"window-brick", Use::Wall, paintWindowBrick, "brick"},
         {"window-lit", Use::Wall, paintWindowLit, "brick"},
         {"window-timber", Use::Wall, paintWindowTimber, "timber-frame"},
+        {"painted-window-foot", Use::Wall, paintPaintedWindowFoot, "plaster-white", false},
+        {"painted-window-head", Use::Wall, paintPaintedWindowHead, "plaster-white", false},
         {"bookshelf", Use::Wall, paintBookshelf},
         {"barrel", Use::Wall, paintBarrel},
         {"banner", Use::Wall, paintBanner, "stone-blocks"},
@@ -77,6 +82,7 @@ std::vector<Entry> opaqueTextures() {
         {"flagstones", Use::Floor, paintFlagstones},
         {"water", Use::Floor, paintWater},
         {"marble-checker", Use::Floor, paintMarbleChecker},
+        {"marble-dark", Use::Floor, paintMarbleDark},
         {"terracotta", Use::Floor, paintTerracotta},
         {"mosaic", Use::Floor, paintMosaic},
         {"metal-tread", Use::Floor, paintMetalTread},
@@ -98,6 +104,18 @@ std::vector<Entry> seeThroughTextures() {
         {.name = "glass-pane", .use = Use::SeeThrough, .paint = paintGlassPane, .alpha = Alpha::Blended},
         {.name = "stained-glass", .use = Use::SeeThrough, .paint = paintStainedGlass, .wall = "stone-blocks", .alpha = Alpha::Blended},
         {.name = "shop-window", .use = Use::SeeThrough, .paint = paintShopWindow, .repeatsUpwards = false, .alpha = Alpha::Blended},
+        {.name = "palace-window-foot",
+         .use = Use::SeeThrough,
+         .paint = paintPalaceWindowFoot,
+         .wall = "plaster-white",
+         .repeatsUpwards = false,
+         .alpha = Alpha::Blended},
+        {.name = "palace-window-head",
+         .use = Use::SeeThrough,
+         .paint = paintPalaceWindowHead,
+         .wall = "plaster-white",
+         .repeatsUpwards = false,
+         .alpha = Alpha::Blended},
         {.name = "iron-bars", .use = Use::SeeThrough, .paint = paintIronBars, .alpha = Alpha::Holes},
         {.name = "grate", .use = Use::SeeThrough, .paint = paintGrate, .alpha = Alpha::Holes},
         {.name = "fence", .use = Use::SeeThrough, .paint = paintFence, .repeatsUpwards = false, .alpha = Alpha::Holes},
@@ -156,6 +174,11 @@ std::vector<Entry> sprites() {
         sprite("walker", paintWalker, kWalkFrames),
         sprite("cat", paintCat, kCatFrames),
         sprite("gull", paintBird, kBirdFrames, false),
+        sprite("column", paintColumn),
+        sprite("chandelier", paintChandelier, 1, false),
+        sprite("sailing-boat", paintSailingBoat),
+        sprite("swan", paintSwan),
+        sprite("cypress", paintCypress),
         sprite("fountain", paintFountain, kFountainFrames),
     };
 }
