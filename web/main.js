@@ -270,6 +270,13 @@ class Page {
     } else this.engine.setOption(name, value);
   }
 
+  // What keys have changed since, the dialog shows as it is.
+  #takeOptions() {
+    if (this.engine === null) return;
+    this.settings.set('lightPreset', this.engine.option('lightPreset'));
+    this.settings.set('mirrors', Number(this.engine.option('mirrors')));
+  }
+
   // ---- What is to be seen
 
   #showProgress(step, share, bytes) {
@@ -296,6 +303,7 @@ class Page {
   openDialog(name) {
     if (document.querySelector('dialog[open]') !== null) return;
     document.exitPointerLock?.();
+    if (name === 'settings') this.#takeOptions();
     if (name === 'scenes') this.menu?.open(this.engine, this.current?.reference);
     else find(name).showModal();
   }

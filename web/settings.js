@@ -10,6 +10,8 @@ const kStandard = {
   fov: 60, // degrees
   light: true,
   fog: true,
+  lightPreset: 'map', // the time of day, or each map's own
+  mirrors: 1, // times the strength of all mirrors
   detail: true,
   rate: false, // the frame rate is shown
   mouse: 1, // times the usual sensitivity
@@ -18,6 +20,7 @@ const kStandard = {
 
 const kShown = {
   fov: (value) => `${value}°`,
+  mirrors: (value) => `${value.toFixed(1)} ×`,
   mouse: (value) => `${value.toFixed(1)} ×`,
 };
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace slicecast {
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double kIntensityStep = 0.1;
 constexpr double kMultiplierStep = 0.5;  // units
-constexpr double kFastFactor = 3.0;      // for the light's keys, as for moving
+constexpr double kMirrorsStep = 0.1;
+constexpr double kFastFactor = 3.0;      // for the keys of light and mirrors, as for moving
 constexpr double kSlowFactor = 0.2;
 constexpr double kLargestMouseTurn = 0.5;  // degrees per pixel
 constexpr int kFastSlices = 10;            // by which the inspected slice moves
@@ -207,6 +209,12 @@ void App::act(const Key& key) {
         case Action::multiplierDown:
             changeLight("multiplier", game_->state().multiplier, -kMultiplierStep);
             break;
+        case Action::mirrorsUp:
+            changeLight("mirrors", game_->options().render.mirrors, kMirrorsStep);
+            break;
+        case Action::mirrorsDown:
+            changeLight("mirrors", game_->options().render.mirrors, -kMirrorsStep);
+            break;
         default:
             if (!toggle(key.action)) return;
             break;
@@ -235,12 +243,16 @@ void App::changeMinimapLevel(int by) {
     changeNumber("minimapLevel", minimapLevel(map, eye, {.level = game_->options().minimapLevel}), by, -1, map.levels - 1);
 }
 
-// Goes on from the map's own light where the option has not been set.
+// Light and mirrors, as far as their range goes; from the map's own light where the option has not been set.
 void App::changeLight(const char* option, double now, double by) {
     const double factor = keys_.isDown(Action::slow) ? kSlowFactor : keys_.isDown(Action::fast) ? kFastFactor : 1.0;
-    char value[32];
-    std::snprintf(value, sizeof value, "%.2f", std::max(0.0, now + by * factor));
-    game_->setOption(option, value);
+    const double wanted = now + by * factor;
+    for (const OptionInfo& info : knownOptions()) {
+        if (info.name != std::string_view(option)) continue;
+        char value[32];
+        std::snprintf(value, sizeof value, "%.2f", std::clamp(wanted, info.least, info.greatest));
+        game_->setOption(option, value);
+    }
 }
 
 void App::pointerMoved(double right, double down) {

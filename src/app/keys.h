@@ -59,6 +59,8 @@ enum class Action {
     intensityDown,
     multiplierUp,
     multiplierDown,
+    mirrorsUp,
+    mirrorsDown,
     minimapLevelDown,
     minimapLevelUp,
     sliceLeft,

@@ -79,6 +79,16 @@ void addPair(Writer& json, const char* key, int a, int b) {
     json.SetFormatOptions(rapidjson::kFormatDefault);
 }
 
+const std::string& mapName(const World& world, int map) {
+    return world.maps[static_cast<std::size_t>(map)].name;
+}
+
+// Rows from first to last, both included.
+void addRows(Writer& json, int first, int last) {
+    add(json, "first", first);
+    add(json, "last", last - 1);
+}
+
 // Planes need no face: the kind says it.
 void addFilled(Writer& json, const char* key, const std::vector<FilledRows>& filled, bool withFace) {
     json.Key(key);
@@ -87,26 +97,28 @@ void addFilled(Writer& json, const char* key, const std::vector<FilledRows>& fil
         json.StartObject();
         add(json, "what", std::string(nameOf(rows.what)));
         if (withFace) add(json, "face", std::string(nameOf(rows.face)));
-        add(json, "first", rows.first);
-        add(json, "last", rows.last - 1);
+        addRows(json, rows.first, rows.last);
         json.EndObject();
     }
     json.EndArray();
 }
 
-void addTile(Writer& json, const WalkedTile& tile) {
+void addTile(Writer& json, const World& world, const WalkedTile& tile) {
     json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
     json.StartArray();
     json.Int(tile.x);
     json.Int(tile.y);
     addNumber(json, tile.depth);
+    const std::string& map = mapName(world, tile.map);
+    json.String(map.data(), static_cast<rapidjson::SizeType>(map.size()));
     json.EndArray();
     json.SetFormatOptions(rapidjson::kFormatDefault);
 }
 
 void addHit(Writer& json, const World& world, const Hit& hit) {
     json.StartObject();
-    add(json, "map", world.maps[static_cast<std::size_t>(hit.map)].name);
+    add(json, "map", mapName(world, hit.map));
+    add(json, "portals", hit.portals);
     addPair(json, "tile", hit.tileX, hit.tileY);
     add(json, "level", hit.level);
     add(json, "blueprint", world.blueprints[hit.blueprint].name);
@@ -130,6 +142,59 @@ void addHit(Writer& json, const World& world, const Hit& hit) {
     json.EndObject();
 }
 
+void addObject(Writer& json, const World& world, const SeenObject& seen) {
+    const Object& object = world.maps[static_cast<std::size_t>(seen.map)].objects[static_cast<std::size_t>(seen.object)];
+    json.StartObject();
+    add(json, "map", mapName(world, seen.map));
+    add(json, "portals", seen.portals);
+    add(json, "sprite", world.sprites[object.sprite].name);
+    addPair(json, "point", object.x.value(), object.y.value());
+    add(json, "bottom", object.z.value());
+    add(json, "top", (object.z + object.height).value());
+    add(json, "width", object.width.value());
+    add(json, "depth", seen.depth);
+    addRows(json, seen.first, seen.last);
+    json.EndObject();
+}
+
+void addEnd(Writer& json, const World& world, const char* key, int map, int x, int y) {
+    json.Key(key);
+    json.StartObject();
+    add(json, "map", mapName(world, map));
+    addPair(json, "tile", x, y);
+    json.EndObject();
+}
+
+void addPortal(Writer& json, const World& world, const PassedPortal& passed) {
+    const Portal& portal = world.portals[passed.portal];
+    json.StartObject();
+    add(json, "portals", passed.portals);
+    addEnd(json, world, "from", portal.fromMap, portal.fromX, portal.fromY);
+    addEnd(json, world, "to", portal.toMap, portal.toX, portal.toY);
+    add(json, "turn", 90 * portal.turn);
+    add(json, "levels", portal.levels);
+    add(json, "depth", passed.depth);
+    addRows(json, passed.first, passed.last);
+    json.EndObject();
+}
+
+void addMirror(Writer& json, const World& world, const MirroredRows& mirror) {
+    json.StartObject();
+    add(json, "map", mapName(world, mirror.map));
+    add(json, "height", mirror.height.value());
+    add(json, "strength", mirror.strength);
+    addRows(json, mirror.first, mirror.last);
+    json.EndObject();
+}
+
+template <typename Thing>
+void addAll(Writer& json, const World& world, const char* key, const std::vector<Thing>& things, void (*addOne)(Writer&, const World&, const Thing&)) {
+    json.Key(key);
+    json.StartArray();
+    for (const Thing& thing : things) addOne(json, world, thing);
+    json.EndArray();
+}
+
 }  // namespace
 
 std::string hitsJson(Session& session, const std::string& sceneName, int width, int height, int column) {
@@ -142,7 +207,7 @@ std::string hitsJson(Session& session, const std::string& sceneName, int width, 
     json.SetIndent(' ', 2);
     json.StartObject();
     add(json, "scene", sceneName);
-    add(json, "map", world.maps[static_cast<std::size_t>(eye.map)].name);
+    add(json, "map", mapName(world, eye.map));
     addPair(json, "size", width, height);
     add(json, "column", trace.column);
     json.Key("eye");
@@ -157,15 +222,12 @@ std::string hitsJson(Session& session, const std::string& sceneName, int width, 
     add(json, "horizonRow", trace.horizonRow);
     add(json, "projectionDistance", trace.projectionDistance);
     addPair(json, "ray", trace.rayX, trace.rayY);
-    json.Key("tiles");
-    json.StartArray();
-    for (const WalkedTile& tile : trace.tiles) addTile(json, tile);
-    json.EndArray();
-    json.Key("hits");
-    json.StartArray();
-    for (const Hit& hit : trace.hits) addHit(json, world, hit);
-    json.EndArray();
+    addAll(json, world, "tiles", trace.tiles, addTile);
+    addAll(json, world, "hits", trace.hits, addHit);
     addFilled(json, "planes", trace.planes, false);
+    addAll(json, world, "objects", trace.objects, addObject);
+    addAll(json, world, "portals", trace.portals, addPortal);
+    addAll(json, world, "mirrors", trace.mirrors, addMirror);
     json.EndObject();
     return std::string(text.GetString(), text.GetSize()) + "\n";
 }

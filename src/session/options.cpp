@@ -16,6 +16,8 @@
 namespace slicecast {
 namespace {
 
+static_assert(kGreatestMirrors <= kMaxMirrors, "the renderer draws what can be set");
+
 // Where an option is kept.
 using Place =
     std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*, int SessionOptions::*, double SessionOptions::*,
@@ -37,6 +39,7 @@ constexpr std::array kEntries = {
     Entry{{"intensity", OptionKind::ownOrNumber, 0, 100, "map", "intensity of the light"}, &SessionOptions::intensity},
     Entry{{"multiplier", OptionKind::ownOrNumber, 0, 1000, "map", "reach of the light, units"}, &SessionOptions::multiplier},
     Entry{{"fog", OptionKind::onOff, 0, 0, "on", "fog in the maps that have some"}, &RenderOptions::fog},
+    Entry{{"mirrors", OptionKind::number, 0, kGreatestMirrors, "1", "times the strength of all mirrors, 0 for none"}, &RenderOptions::mirrors},
     Entry{{"lightPreset", OptionKind::choice, 0, 0, "map", "the time of day in all maps, or each map's own light, fog and sky", "map day dusk night fog"},
           &SessionOptions::lightPreset},
     Entry{{"hazeColour", OptionKind::ownOrColour, 0, 0, "map", "colour of the fog and of the far floor, #rrggbb"}, &SessionOptions::hazeColour},

@@ -20,6 +20,8 @@ enum class DrawMethod : std::uint8_t {
     classic,  // the slow one for lessons, by the old ways that ClassicOptions names
 };
 
+inline constexpr double kGreatestMirrors = 4.0;  // times the strength that a scene gives its mirrors
+
 struct SessionOptions {
     RenderOptions render;
     DrawMethod method = DrawMethod::exact;

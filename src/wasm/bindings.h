@@ -130,7 +130,8 @@ int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, doubl
 // map.
 int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 
-// Everything that one column of a picture of that size meets, as session/hits_json.h describes it: eye, tiles walked, blocks with their depths and rows, planes.
+// Everything that one column of a picture of that size meets, as session/hits_json.h describes it: eye, tiles walked, blocks with their depths and rows, planes,
+// objects, portals and mirrors.
 // "scene" is the scene's title. null without a game or such a column.
 const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height, int32_t column);
 

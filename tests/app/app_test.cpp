@@ -206,6 +206,20 @@ TEST_F(AppTest, KeysForTheScreenAreHandedOn) {
     EXPECT_EQ(shell.left, 1);
 }
 
+TEST_F(AppTest, MirrorsAreSetInStepsWithinTheirRange) {
+    const auto mirrors = [&] { return app.game()->options().render.mirrors; };
+    press(SDL_SCANCODE_KP_PLUS);
+    EXPECT_NEAR(mirrors(), 1.1, 1e-9);
+    press(SDL_SCANCODE_MINUS);
+    press(SDL_SCANCODE_KP_MINUS, true);
+    EXPECT_NEAR(mirrors(), 0.9, 1e-9);
+    press(SDL_SCANCODE_LSHIFT);
+    for (int i = 0; i < 20; ++i) press(SDL_SCANCODE_EQUALS, true);
+    EXPECT_EQ(mirrors(), kGreatestMirrors);
+    for (int i = 0; i < 40; ++i) press(SDL_SCANCODE_MINUS, true);
+    EXPECT_EQ(mirrors(), 0.0);
+}
+
 TEST_F(AppTest, TheLightIsSetInStepsFromTheMapsOwn) {
     const double own = app.game()->state().intensity;
     press(SDL_SCANCODE_INSERT);

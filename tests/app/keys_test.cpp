@@ -35,7 +35,7 @@ TEST(Keys, CodesAndScancodesAreTheSamePlaces) {
         if (k.code.size() == 4 && k.code.substr(0, 3) == "Key") {
             EXPECT_EQ(k.scancode, SDL_SCANCODE_A + (k.code[3] - 'A')) << k.code;
         }
-        if (k.code.substr(0, 6) == "Numpad") {
+        if (k.code.size() == 7 && k.code.substr(0, 6) == "Numpad") {
             EXPECT_EQ(k.scancode, SDL_SCANCODE_KP_1 + (k.code[6] - '1')) << k.code;
         }
     }

@@ -109,6 +109,29 @@ test('settings are remembered after a reload', async (t) => {
   assert.equal(await pictureHash(page), before);
 });
 
+test('time of day and mirrors are set there, and show what keys have changed', async (t) => {
+  const { page } = await openScene(t, browser);
+  const option = (name) => page.evaluate((wanted) => window.slicecast.engine.option(wanted), name);
+  const before = await pictureHash(page);
+  await openSettings(page);
+  await page.selectOption('#set-light-preset', 'night');
+  await slide(page, '#set-mirrors', 2.5);
+  assert.equal(await page.textContent('output[for=set-mirrors]'), '2.5 ×');
+  assert.deepEqual([await option('lightPreset'), await option('mirrors')], ['night', '2.5']);
+  await frames(page);
+  assert.notEqual(await pictureHash(page), before);
+  await page.click('#settings button[type=submit]');
+  await play(page);
+  await page.keyboard.press('KeyL');
+  await page.keyboard.press('NumpadSubtract');
+  await page.waitForFunction(() => window.slicecast.engine.option('mirrors') === '2.4');
+  await openSettings(page);
+  assert.equal(await page.inputValue('#set-light-preset'), 'fog');
+  assert.equal(await page.inputValue('#set-mirrors'), '2.4');
+  await page.click('#standard-settings');
+  assert.deepEqual([await option('lightPreset'), await option('mirrors')], ['map', '1']);
+});
+
 test('the field of view changes the picture at once', async (t) => {
   const { page } = await openScene(t, browser);
   const before = await pictureHash(page);

@@ -19,7 +19,7 @@ TEST(Options, TheTableHoldsTheDefaults) {
         EXPECT_EQ(setOption(options, info.name, info.standard), "") << info.name;
         EXPECT_EQ(optionValue(options, info.name), info.standard);
     }
-    for (const char* name : {"fov", "detail", "textures", "light", "fog", "minimap", "intensity", "multiplier", "speed"})
+    for (const char* name : {"fov", "detail", "textures", "light", "fog", "minimap", "intensity", "multiplier", "mirrors", "lightPreset", "speed"})
         EXPECT_EQ(names.count(name), 1u) << name;
 }
 
