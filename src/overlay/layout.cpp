@@ -28,9 +28,11 @@ int overlayMargin(int pictureWidth, int pictureHeight) {
 
 OverlayLayout layoutOverlays(int pictureWidth, int pictureHeight) {
     OverlayLayout layout;
-    layout.scale = readableScale(pictureWidth, pictureHeight);
     layout.margin = overlayMargin(pictureWidth, pictureHeight);
     const int margin = layout.margin;
+    const int panelHeights = panelHeightDots(kPlayerPanelRows) + panelHeightDots(kProcessPanelRows);
+    layout.scale = readableScale(pictureWidth, pictureHeight);
+    while (layout.scale > 1 && panelHeights * layout.scale + 3 * margin > pictureHeight) --layout.scale;
 
     // The map, a third of the shorter side
     const int side = std::min(pictureWidth, pictureHeight) / 3;

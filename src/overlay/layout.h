@@ -18,7 +18,7 @@ namespace slicecast {
 inline constexpr int kPanelPadding = 4;  // dots of the font, from a panel's edge to its text
 
 struct OverlayLayout {
-    int scale = 1;   // pixels that a dot of the font is wide and high
+    int scale = 1;   // pixels that a dot of the font is wide and high: a readable one, or less where the panels would not fit
     int margin = 0;  // around and between the panels
     PixelRect minimap;
     PixelRect player;

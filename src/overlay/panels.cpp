@@ -85,7 +85,7 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
     const auto milliseconds = [&](const char* label, double ProcessTimes::*value) {
         return process.times != nullptr ? row(label, "%.2f ms", process.times->*value) : row(label, "-");
     };
-    const auto count = [&](const char* label, std::int64_t FrameReport::*value) {
+    const auto count = [&](const char* label, auto FrameReport::*value) {
         return process.report != nullptr ? row(label, "%lld", static_cast<long long>(process.report->*value)) : row(label, "-");
     };
     const int slices = process.slicesPerPicture;
@@ -99,7 +99,13 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
         count("blocks met", &FrameReport::blocksMet),
         count("spans drawn", &FrameReport::spansDrawn),
         count("rows filled", &FrameReport::rowsFilled),
+        count("see-through runs", &FrameReport::layers),
+        count("object slices", &FrameReport::objectSlices),
+        count("portals deep", &FrameReport::deepestPortal),
+        count("walks beyond", &FrameReport::partsBehindPortals),
+        count("mirrored rows", &FrameReport::mirroredRows),
         row("light", "%.2f x %.1f", process.intensity, process.multiplier),
+        row("mirrors", "x %.2f", process.mirrors),
         !process.slow ? row("slices", "all")
         : slices < 0  ? row("slices", "1 in %d frames", -slices)
                       : row("slices", "%d a frame", slices),

@@ -11,7 +11,7 @@ namespace slicecast {
 
 inline constexpr int kPanelColumns = 22;  // characters
 inline constexpr int kPlayerPanelRows = 8;
-inline constexpr int kProcessPanelRows = 11;
+inline constexpr int kProcessPanelRows = 17;
 
 // The size of a panel in dots of the font.
 int panelWidthDots();
@@ -42,6 +42,7 @@ struct ProcessFigures {
     const FrameReport* report = nullptr;  // null where nobody counts
     double intensity = 0.0;               // of the light
     double multiplier = 0.0;              // units
+    double mirrors = 1.0;                 // times the strength of all mirrors
     int slicesPerPicture = 0;             // of slow drawing (see slow_drawing.h), where it is on
     bool slow = false;
 };

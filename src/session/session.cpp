@@ -153,6 +153,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
                           .report = o.method == DrawMethod::exact ? &renderer_.report() : nullptr,
                           .intensity = map.light.intensity,
                           .multiplier = map.light.multiplier,
+                          .mirrors = o.render.mirrors,
                           .slicesPerPicture = o.slowSlices,
                           .slow = o.slow},
                          picture);

@@ -17,6 +17,7 @@ using What = FilledRows::What;
 
 constexpr int kWidth = 640;
 constexpr int kHeight = 400;
+constexpr double kHorizon = 200.0;
 constexpr double kDistance = 300.0;  // pixels
 
 Hit wall(double depth, double top, int first, int last) {
@@ -26,6 +27,8 @@ Hit wall(double depth, double top, int first, int last) {
     hit.depth = depth;
     hit.backDepth = depth + 1.0;
     hit.top = toCoordinate(top);
+    hit.topFrontRow = kHorizon - kDistance * (top - 0.5) / depth;
+    hit.bottomFrontRow = kHorizon + kDistance * 0.5 / depth;
     if (last > first) hit.filled = {{What::side, Face::west, first, last}};
     return hit;
 }
@@ -34,7 +37,7 @@ Hit wall(double depth, double top, int first, int last) {
 SliceTrace stairs() {
     SliceTrace trace;
     trace.column = 200;
-    trace.horizonRow = 200.0;
+    trace.horizonRow = kHorizon;
     trace.projectionDistance = kDistance;
     trace.tiles = {{0, 0, 0, 0.0}, {0, 1, 0, 2.0}};
     const auto rowOf = [](double depth, double z) { return static_cast<int>(200.0 - kDistance * (z - 0.5) / depth); };

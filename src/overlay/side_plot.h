@@ -1,0 +1,43 @@
+// Depths and heights on the panel of a side view. Depths are perpendicular ones, heights those above the floor of the eye's map: behind portals that lead up or
+// down, both go on from the eye without a jump.
+#pragma once
+
+#include "overlay/lines.h"
+#include "render/trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slicecast {
+
+struct SidePlot {
+    PixelRect area;
+    int scale = 1;        // of text and strong lines
+    double depth = 1.0;   // units, at the right edge
+    double lowest = 0.0;  // heights at the lower and the upper edge
+    double highest = 1.0;
+    double eyeZ = 0.0;
+
+    double x(double units) const { return area.x + std::min(units / depth, 1.0) * area.width; }
+    double y(double units) const { return area.y + area.height - (units - lowest) / (highest - lowest) * area.height; }
+
+    // Where a ray with that upward slope is at a depth, kept within what the plot shows.
+    Point onRay(double slope, double at) const {
+        double t = std::clamp(at, 0.0, depth);
+        if (slope < 0.0) t = std::min(t, (eyeZ - lowest) / -slope);
+        if (slope > 0.0) t = std::min(t, std::max(0.0, highest - eyeZ) / slope);
+        return {x(t), y(eyeZ + slope * t)};
+    }
+};
+
+// The upward slope of the ray through a row's upper edge.
+inline double slopeOfRow(const SliceTrace& trace, double row) {
+    return (trace.horizonRow - row) / trace.projectionDistance;
+}
+
+// The height that shows in a row at a depth.
+inline double heightInRow(const SliceTrace& trace, double eyeZ, double row, double depth) {
+    return std::isfinite(row) && std::isfinite(depth) ? eyeZ + slopeOfRow(trace, row) * depth : eyeZ;
+}
+
+}  // namespace slicecast
