@@ -294,7 +294,16 @@ void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, co
 }
 
 void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength) {
-    for (int row = 0; row < rows; ++row) out[row] = laidOver(out[row], colours[rows - 1 - row], strength);
+    int row = 0;
+    if constexpr (kHasVectors) {
+        const U32x4 alphas = allLanes(strength << 24);
+        for (; row + 4 <= rows; row += 4) {
+            const Pixel* const from = colours + rows - 4 - row;
+            const U32x4 four = {from[3], from[2], from[1], from[0]};
+            storeVector(out + row, Over::four(out + row, alphas, four));
+        }
+    }
+    for (; row < rows; ++row) out[row] = laidOver(out[row], colours[rows - 1 - row], strength);
 }
 
 std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double inverseOffset) {
