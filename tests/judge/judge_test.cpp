@@ -38,7 +38,7 @@ struct Seen {
 
 void expectSeen(const Verdict& verdict, std::initializer_list<Seen> all) {
     for (const Seen& seen : all) {
-        if (kShare > 1 && seen.pixels < 10'000) continue;  // a handful of pictures holds these
+        if (kShare > 1 && seen.pixels < 20'000) continue;  // a handful of pictures holds these
         const auto found = verdict.coverage.find(seen.what);
         EXPECT_GE((found == verdict.coverage.end() ? 0 : found->second) * kShare * kRarer, seen.pixels) << seen.what;
     }
