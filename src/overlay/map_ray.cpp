@@ -33,12 +33,15 @@ MapRayEnd followRay(const World& world, const Map& map, const MapRay& ray, doubl
     while (true) {
         Borders& crossed = alongX.next < alongY.next ? alongX : alongY;
         const double length = crossed.next;
-        if (!(length < most)) return {most, false};
+        if (!(length < most)) return {most, false, false};
         crossed.cross();
+        if (map.tilePortal(alongX.tile, alongY.tile) != kNoPortal) return {length, true, true};
         const BlueprintId id = map.cell(alongX.tile, alongY.tile, ray.level);
         if (id == kEmptyCell) continue;
         const CellBlueprint& block = world.blueprints[id];
-        if (block.bottom <= ray.height && ray.height < block.top) return {length, true};
+        if (!(block.bottom <= ray.height && ray.height < block.top)) continue;
+        const Face face = &crossed == &alongX ? (alongX.step > 0 ? Face::west : Face::east) : (alongY.step > 0 ? Face::north : Face::south);
+        return {length, true, block.face(face).portal != kNoPortal};
     }
 }
 

@@ -1,4 +1,4 @@
-// A level ray seen from above: how far it goes until a block of one level stands in its way.
+// A level ray seen from above: how far it goes until a block of one level stands in its way, or it comes to a portal, behind which another map begins.
 #pragma once
 
 #include "world/world.h"
@@ -16,10 +16,11 @@ struct MapRay {
 
 struct MapRayEnd {
     double length = 0.0;  // at most what was asked for
-    bool met = false;     // a block ends it
+    bool met = false;     // a block or a portal ends it
+    bool portal = false;  // it is a portal
 };
 
-// The block in which a ray begins does not stop it.
+// The block and the portal tile in which a ray begins do not stop it.
 MapRayEnd followRay(const World& world, const Map& map, const MapRay& ray, double most);
 
 }  // namespace slicecast

@@ -184,7 +184,7 @@ void drawRays(const World& world, const Map& map, int level, const MinimapView& 
         const Point onPicture = view.toPicture({direction.x * pixels, direction.y * pixels});
         const Point to = {view.centre().x + onPicture.x, view.centre().y + onPicture.y};
         drawLine(picture, view.area, view.centre(), to, kRay);
-        if (end.met) drawDot(picture, view.area, to, std::max(1.0, view.area.width / 120.0), kRayEnd);
+        if (end.met) drawDot(picture, view.area, to, std::max(1.0, view.area.width / 120.0), end.portal ? kPortal : kRayEnd);
     }
 }
 

@@ -9,7 +9,7 @@
 //     pale, or magenta with a line ahead      objects that stand still, and that move (see minimap_objects.h)
 //
 // A yellow dot is the eye, with the field that it sees before it, and a circle about it as far as it reaches. Green lines are level rays, each to the first
-// block of the level that stands at their height.
+// block of the level that stands at their height or to a portal, never into the map behind it.
 #pragma once
 
 #include "render/eye.h"

@@ -78,7 +78,7 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
     blendRect(picture, {plot.area.x, bottom, plot.area.width, 1}, kAxisLine);
     blendRect(picture, {plot.area.x - 1, plot.area.y, 1, plot.area.height + 1}, kAxisLine);
 
-    // Depths below, heights on the left
+    // Depths below, heights on the left; "+ 0.0" makes 0 of -0
     const double across = markStep(plot.depth, plot.area.width, 30 * scale);
     for (double depth = across; depth < plot.depth * 0.97; depth += across) {
         std::snprintf(text.data(), text.size(), "%.0f", depth);
@@ -88,7 +88,7 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
         drawText(picture, x - textWidth(label, scale) / 2, bottom + 4 * scale, label, {.colour = kAxis, .scale = scale});
     }
     const double up = markStep(plot.highest - plot.lowest, plot.area.height, 14 * scale);
-    for (double height = std::ceil(plot.lowest / up) * up; height < plot.highest; height += up) {
+    for (double height = std::ceil(plot.lowest / up) * up + 0.0; height < plot.highest; height += up) {
         std::snprintf(text.data(), text.size(), "%.0f", height);
         const std::string_view label(text.data());
         const int y = static_cast<int>(plot.y(height));

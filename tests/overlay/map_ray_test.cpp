@@ -52,5 +52,26 @@ TEST(MapRay, GoesSlantwiseFromTileToTile) {
     EXPECT_FALSE(follow(1.0, -0.5).met) << "passes north of the block";
 }
 
+// A portal tile at (7, 2), and a portal on the western face of the block at (7, 5).
+TEST(MapRay, EndsAtPortals) {
+    World world = rayWorld();
+    Map& map = world.maps[0];
+    map.tilePortals.assign(map.occupied.size(), kNoPortal);
+    map.tilePortals[map.tileIndex(7, 2)] = 0;
+    world.blueprints[1].faces[static_cast<std::size_t>(Face::west)].portal = 1;
+    const auto follow = [&](double x, double y, double directionX, double directionY) {
+        return followRay(world, map, {.x = x, .y = y, .directionX = directionX, .directionY = directionY, .level = 1, .height = toCoordinate(0.75)}, 100.0);
+    };
+    EXPECT_EQ(follow(5.25, 2.5, 1.0, 0.0).length, 1.75);
+    EXPECT_TRUE(follow(5.25, 2.5, 1.0, 0.0).portal);
+    EXPECT_FALSE(follow(7.25, 2.5, 1.0, 0.0).met) << "begins in it";
+    EXPECT_TRUE(follow(5.25, 5.5, 1.0, 0.0).portal);
+    EXPECT_EQ(follow(9.25, 5.5, -1.0, 0.0).length, 1.25);
+    EXPECT_TRUE(follow(9.25, 5.5, -1.0, 0.0).met);
+    EXPECT_FALSE(follow(9.25, 5.5, -1.0, 0.0).portal) << "another face of the same block";
+    EXPECT_FALSE(follow(7.5, 3.25, 0.0, 1.0).portal) << "from the north";
+    EXPECT_TRUE(follow(7.5, 3.25, 0.0, 1.0).met);
+}
+
 }  // namespace
 }  // namespace slicecast

@@ -1,6 +1,7 @@
 #include "overlay/slice_inspector.h"
 
 #include "canvas.h"
+#include "overlay/beyond_portals.h"
 #include "overlay/layout.h"
 
 #include <gtest/gtest.h>
@@ -138,6 +139,104 @@ TEST(SliceInspector, WhatIsNotSeenIsDimmer) {
         return colour.r + colour.g + colour.b;
     };
     EXPECT_GT(greyAt(true), greyAt(false) + 60);
+}
+
+// Two walls that a ray meets behind a portal to another map two levels up, six and eight units away.
+SliceTrace behindPortal() {
+    SliceTrace trace = stairs();
+    trace.portals = {{0, 0, 5.0, 0, kHeight}};
+    for (Hit& hit : trace.hits) {
+        if (hit.depth < 6.0) continue;
+        hit.map = 1;
+        hit.portals = 1;
+        hit.top = hit.top + tileEdge(2);
+        hit.bottom = hit.bottom + tileEdge(2);
+    }
+    return trace;
+}
+
+World twoMaps() {
+    World world = oneMap();
+    world.maps.push_back(makeMap("cellar", 10, 10, 6, kNoTexture));
+    world.portals.push_back({.fromMap = 0, .fromX = 6, .fromY = 1, .toMap = 1, .toX = 0, .toY = 0, .turn = 1, .levels = 2});
+    return world;
+}
+
+TEST(SliceInspector, DepthsAndHeightsGoOnBehindAPortal) {
+    Canvas straight(kWidth, kHeight);
+    drawSideView(stairs(), oneMap(), kEye, straight.picture);
+    Canvas canvas(kWidth, kHeight);
+    drawSideView(behindPortal(), twoMaps(), kEye, canvas.picture);
+    const std::vector<int> portals = uprights(canvas, kPortalColour);
+    const std::vector<int> walls = uprights(canvas, kindColour(What::side));
+    ASSERT_EQ(walls.size(), 3u);
+    // Other colours come near that of the line where rays lie over each other; it stands a quarter of the way from the wall at 4 to that at 8.
+    const int expected = walls[1] + (walls[2] - walls[1]) / 4;
+    EXPECT_TRUE(std::any_of(portals.begin(), portals.end(), [&](int x) { return std::abs(x - expected) <= 2; }));
+    EXPECT_TRUE(uprights(straight, kPortalColour).empty());
+    // The rest is as it would be without it, below the name of the map.
+    const PixelRect panel = layoutOverlays(kWidth, kHeight).sideView;
+    for (int y = panel.y + 40; y < panel.y + panel.height; ++y) {
+        for (int x = panel.x; x < panel.x + panel.width; ++x) {
+            ASSERT_TRUE(canvas.at(x, y) == straight.at(x, y) || std::abs(x - expected) <= 2) << x << ", " << y;
+        }
+    }
+}
+
+TEST(SliceInspector, RowsAreBehindThePortalsThatTheyWentThrough) {
+    SliceTrace trace = behindPortal();
+    trace.portals = {{0, 0, 5.0, 10, 50}, {1, 1, 9.0, 20, 30}};
+    World world = twoMaps();
+    world.portals.push_back({.fromMap = 1, .fromX = 3, .fromY = 3, .toMap = 0, .toX = 0, .toY = 0, .turn = 0, .levels = -3});
+    const auto beyond = [&](int row) { return beyondPortals(trace, world, 0, row); };
+    EXPECT_EQ(beyond(9).map, 0);
+    EXPECT_EQ(beyond(9).levels, 0);
+    EXPECT_EQ(beyond(10).map, 1);
+    EXPECT_EQ(beyond(10).levels, 2);
+    EXPECT_EQ(beyond(25).map, 0);
+    EXPECT_EQ(beyond(25).levels, -1);
+    EXPECT_EQ(beyond(30).map, 1);
+    EXPECT_EQ(beyond(50).levels, 0);
+}
+
+TEST(SliceInspector, ObjectsAreBarsAndMirrorsDashes) {
+    Canvas canvas(kWidth, kHeight);
+    World world = oneMap();
+    world.maps[0].objects.resize(1);
+    world.maps[0].objects[0].height = toCoordinate(1.5);
+    SliceTrace trace = stairs();
+    trace.objects = {{.map = 0, .object = 0, .depth = 1.0, .first = 0, .last = 300}};
+    drawSideView(trace, world, kEye, canvas.picture);
+    const std::vector<int> bars = uprights(canvas, kObjectColour);
+    const std::vector<int> walls = uprights(canvas, kindColour(What::side));
+    ASSERT_EQ(bars.size(), 1u);
+    EXPECT_NEAR(walls[0] - bars[0], (walls[1] - walls[0]) / 2, 3) << "at 1, where the walls are at 2 and 4";
+
+    const auto touchedWith = [&](bool mirrored) {
+        Canvas with(kWidth, kHeight);
+        SliceTrace other = stairs();
+        if (mirrored) other.mirrors = {{.map = 0, .strength = 128, .height = {}, .first = other.planes[0].first, .last = kHeight}};
+        drawSideView(other, oneMap(), kEye, with.picture);
+        int count = 0;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) count += apart(toColour(with.at(x, y)), kMirrorColour) < 30;
+        }
+        return count;
+    };
+    EXPECT_GT(touchedWith(true), touchedWith(false) + 10);
+}
+
+TEST(SliceInspector, ASecondStripeTellsOfPortalsAndMirrors) {
+    Canvas canvas(kWidth, kHeight);
+    SliceTrace trace = behindPortal();
+    trace.portals[0].first = 20;
+    trace.portals[0].last = 40;
+    trace.mirrors = {{.map = 0, .strength = 128, .height = {}, .first = 350, .last = 370}};
+    drawSliceLine(trace, canvas.picture);
+    EXPECT_LT(apart(toColour(canvas.at(205, 30)), kPortalColour), 40);
+    EXPECT_LT(apart(toColour(canvas.at(205, 360)), kMirrorColour), 60);
+    EXPECT_FALSE(canvas.touched(205, 60));
+    EXPECT_FALSE(canvas.touched(205, 380));
 }
 
 TEST(SliceInspector, NothingIsDrawnWhereThereIsNoRoomOrNoMap) {
