@@ -80,7 +80,7 @@ Picture paintColumn() {
         drawBall(surface, {x, 13.0}, 6.0, 6.0, {.ramp = &kBrassRamp, .tone = 3.4, .height = 11.0, .bulge = 0.7});
         drawBall(surface, {x, 13.0}, 2.4, 2.4, {.ramp = &kBrassRamp, .tone = 1.6, .height = 14.0, .bulge = 0.4});
     }
-    drawBox(surface, 2, 0, 58, 8, {.ramp = marble, .tone = 5.2, .height = 12.0, .bulge = 0.1});
+    drawBox(surface, 2, 1, 58, 8, {.ramp = marble, .tone = 5.2, .height = 12.0, .bulge = 0.1});
     return spriteOf(surface, {.gain = 0.35, .lightest = 0.9, .darkest = 1.4, .shadowReach = 3, .shadowSlope = 0.8, .shadowDepth = 0.7});
 }
 

@@ -23,7 +23,7 @@ constexpr double kSill = 226.0;     // where the opening ends
 constexpr double kSurround = 10.0;  // of dressed stone
 constexpr double kBar = 1.7;        // half the thickness of a bar
 
-enum class Panes { Glass, Painted };
+enum class Panes { Glass, Painted, None };
 
 // How far a place lies inside the opening; negative outside it.
 double insideOpening(double x, double y) {
@@ -136,7 +136,9 @@ Picture paintWindow(int top, Panes panes) {
             texel = {.height = 4.0, .tone = 4.6 - 0.06 * (y - kSill), .ramp = &kSandRamp};
         } else if (inside > 0.0) {
             const double bar = fromBar(x, y);
-            if (inside < 3.0 || bar < kBar) {
+            if (panes == Panes::None) {
+                texel = {.height = -2.0, .alpha = 0};
+            } else if (inside < 3.0 || bar < kBar) {
                 texel = {.height = 1.0, .tone = inside < 3.0 ? 3.1 : 3.3 - 0.5 * bar, .ramp = &kBrassRamp};
             } else {
                 texel = panes == Panes::Glass ? clearGlass(x, y) : paintedView(x, y);
@@ -168,7 +170,7 @@ Picture paintWindow(int top, Panes panes) {
     const Picture picture =
         litOver(wall, plasterLighting(), surface,
                 {.gain = 0.4, .lightest = 0.8, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.8, .shadowDepth = 0.7, .hollowDepth = 0.0});
-    return panes == Panes::Glass ? holesFilled(picture, Border::Repeats) : picture;
+    return panes == Panes::Painted ? picture : holesFilled(picture, Border::Repeats);
 }
 
 }  // namespace
@@ -179,6 +181,14 @@ Picture paintPalaceWindowFoot() {
 
 Picture paintPalaceWindowHead() {
     return paintWindow(0, Panes::Glass);
+}
+
+Picture paintPalaceOpeningFoot() {
+    return paintWindow(kSide, Panes::None);
+}
+
+Picture paintPalaceOpeningHead() {
+    return paintWindow(0, Panes::None);
 }
 
 Picture paintPaintedWindowFoot() {

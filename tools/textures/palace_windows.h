@@ -1,5 +1,6 @@
 // Tall arched windows of a palace, two blocks high, in whitewash: one through whose panes one looks, and one whose panes, and the lake
-// behind them, are only painted. Foot and head are pictures of their own, for two blocks on top of each other.
+// behind them, are only painted; and the opening alone, for the other side of the wall. Foot and head are pictures of their own, for two
+// blocks on top of each other.
 #pragma once
 
 #include "picture.h"
@@ -8,6 +9,8 @@ namespace slicecast::textures {
 
 Picture paintPalaceWindowFoot();
 Picture paintPalaceWindowHead();
+Picture paintPalaceOpeningFoot();
+Picture paintPalaceOpeningHead();
 Picture paintPaintedWindowFoot();
 Picture paintPaintedWindowHead();
 
