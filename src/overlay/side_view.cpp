@@ -115,20 +115,31 @@ void drawBlocks(const SliceTrace& trace, const SidePlot& plot, const Picture& pi
     }
 }
 
+// What rays meet: something level at a height, or something else, of which a strong line is drawn too if it is a thing.
+struct Met {
+    Colour colour;
+    bool isThing = true;
+    bool isLevel = false;
+    double height = 0.0;
+};
+
 // Rays to the first and the last of some rows, and to some between; what is seen there as a strong line.
 template <typename DepthOf>
-void drawRays(const SliceTrace& trace, int first, int last, const SidePlot& plot, Colour colour, bool strong, DepthOf depthOf, const Picture& picture) {
+void drawRays(const SliceTrace& trace, int first, int last, const SidePlot& plot, const Met& met, DepthOf depthOf, const Picture& picture) {
     const int count = std::max(1, (last - first + kRowsPerRay - 1) / kRowsPerRay);
     Point before;
     for (int i = 0; i <= count; ++i) {
         const double slope = slopeOfRow(trace, first + static_cast<double>(last - first) * i / count);
-        const Point end = plot.onRay(slope, depthOf(slope));
-        drawLine(picture, plot.area, {plot.x(0.0), plot.y(plot.eyeZ)}, end, withAlpha(colour, kRayAlpha));
-        if (i > 0 && strong) {
+        const double depth = depthOf(slope);
+        const Point rayEnd = plot.onRay(slope, depth);
+        drawLine(picture, plot.area, {plot.x(0.0), plot.y(plot.eyeZ)}, rayEnd, withAlpha(met.colour, kRayAlpha));
+        // What is level stays so where it goes on beyond the plot
+        const Point end = met.isLevel ? Point{plot.x(depth), plot.y(met.height)} : rayEnd;
+        if (i > 0 && met.isThing) {
             const bool upright = std::abs(end.y - before.y) > std::abs(end.x - before.x);
             for (int k = 0; k <= plot.scale; ++k) {
                 const Point by = {upright ? -k : 0.0, upright ? 0.0 : -k};
-                drawLine(picture, plot.area, {before.x + by.x, before.y + by.y}, {end.x + by.x, end.y + by.y}, colour);
+                drawLine(picture, plot.area, {before.x + by.x, before.y + by.y}, {end.x + by.x, end.y + by.y}, met.colour);
             }
         }
         before = end;
@@ -147,7 +158,8 @@ void drawPlanes(const SliceTrace& trace, const World& world, int eyeMap, const S
         const bool isPlane = isCeiling || rows.what == FilledRows::What::floor;
         const double height = (isCeiling ? world.maps[static_cast<std::size_t>(beyond.map)].ceiling.height.value() : 0.0) - beyond.levels;
         drawRays(
-            trace, rows.first, rows.last, plot, kindColour(rows.what), rows.what != FilledRows::What::sky,
+            trace, rows.first, rows.last, plot,
+            {.colour = kindColour(rows.what), .isThing = rows.what != FilledRows::What::sky, .isLevel = isPlane, .height = height},
             [&](double slope) { return isPlane ? depthAt(plot, height, slope) : plot.depth; }, picture);
     }
 }
@@ -159,7 +171,7 @@ void drawHits(const SliceTrace& trace, const SidePlot& plot, const Picture& pict
             const double sideDepth = hit.entered && rows.face == hit.face ? hit.depth : hit.backDepth;
             const double height = rows.what == FilledRows::What::roof ? topOf(trace, hit, plot.eyeZ) : bottomOf(trace, hit, plot.eyeZ);
             drawRays(
-                trace, rows.first, rows.last, plot, kindColour(rows.what), true,
+                trace, rows.first, rows.last, plot, {.colour = kindColour(rows.what), .isLevel = !isSide, .height = height},
                 [&](double slope) { return isSide ? sideDepth : std::clamp(depthAt(plot, height, slope), hit.depth, hit.backDepth); }, picture);
         }
     }
@@ -176,7 +188,7 @@ void drawObjects(const SliceTrace& trace, const World& world, int eyeMap, const 
         const int bottom = static_cast<int>(plot.y(object.z.value() - levels));
         blendRect(picture, shared({x - plot.scale, top, 2 * plot.scale + 1, bottom - top}, plot.area), withAlpha(kObjectColour, kObjectAlpha));
         drawRays(
-            trace, seen.first, seen.last, plot, kObjectColour, true, [&](double) { return seen.depth; }, picture);
+            trace, seen.first, seen.last, plot, {.colour = kObjectColour}, [&](double) { return seen.depth; }, picture);
     }
 }
 

@@ -144,7 +144,7 @@ TEST(SliceInspector, WhatIsNotSeenIsDimmer) {
 // Two walls that a ray meets behind a portal to another map two levels up, six and eight units away.
 SliceTrace behindPortal() {
     SliceTrace trace = stairs();
-    trace.portals = {{0, 0, 5.0, 0, kHeight}};
+    trace.portals = {{0, 0, 5.0, 0, trace.planes[0].first}};
     for (Hit& hit : trace.hits) {
         if (hit.depth < 6.0) continue;
         hit.map = 1;
