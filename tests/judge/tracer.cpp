@@ -297,7 +297,7 @@ Tracer::Walk::Then Tracer::Walk::reflect(double height) {
     reflected_ = true;
     start_ = Start::mirror;
     startHeight_ = height;
-    stretches_.push_back({place_, along * tracer_.distance_, true, eyeZ_, up_ / tracer_.distance_, sights_.size()});
+    stretches_.push_back({place_, along, true, eyeZ_, up_ / tracer_.distance_, sights_.size()});
     return Then::again;
 }
 
@@ -310,7 +310,7 @@ void Tracer::Walk::passPortal(const Place& next, const Portal& portal, double al
     if (++portals_ >= 3) note(Note::threePortals);
     place_ = next;
     arrived_ = true;
-    stretches_.push_back({place_, along * tracer_.distance_, false, eyeZ_, up_ / tracer_.distance_, sights_.size()});
+    stretches_.push_back({place_, along, false, eyeZ_, up_ / tracer_.distance_, sights_.size()});
 }
 
 // From one tile to the next, through a portal if there is one. Returns false if the ray has ended.

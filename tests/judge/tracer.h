@@ -45,6 +45,7 @@ struct Sight {
     double faceLight = 1.0;
     bool glow = false;
     double depth = 0.0;  // t
+    double along = 0.0;  // t / d as it was found, so that equal depths come out equal
     double u = 0.0;      // fractions of the texture, 0 to 1; negative ones count from the other end
     double v = 0.0;
     Colour colour;            // sky, haze: what they show

@@ -38,7 +38,8 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which, c
     sight.texture = look.texture;
     sight.faceLight = look.light;
     sight.glow = look.glow;
-    sight.depth = meeting.along() * tracer_.distance_;
+    sight.along = meeting.along();
+    sight.depth = sight.along * tracer_.distance_;
     switch (which) {
         case Face::south:
             sight.u = x;
@@ -83,7 +84,8 @@ void Tracer::Walk::pushPlane(Sight::Kind kind, TextureId texture, double light, 
     sight.seeThrough = world_.textures[texture].seeThrough;
     sight.faceLight = light;
     sight.glow = glow;
-    sight.depth = meeting.along() * tracer_.distance_;
+    sight.along = meeting.along();
+    sight.depth = sight.along * tracer_.distance_;
     sight.u = clampTo(point.x + (place_.x - tile.x), 0.0, 1.0);
     const double y = clampTo(point.y + (place_.y - tile.y), 0.0, 1.0);
     sight.v = kind == Sight::Kind::ceiling ? -y : y;
@@ -96,6 +98,7 @@ void Tracer::Walk::pushHaze(double along) {
     Sight sight;
     sight.kind = Sight::Kind::haze;
     sight.colour = map().haze;
+    sight.along = along;
     sight.depth = along * tracer_.distance_;
     push(sight);
 }
@@ -104,6 +107,7 @@ void Tracer::Walk::pushBackground() {
     if (falls()) return pushHaze(meetingOf(-place_.levels).along());
     Sight sight;
     sight.kind = Sight::Kind::sky;
+    sight.along = kNever;
     sight.depth = kNever;
     const Sky& sky = map().sky;
     const double height = std::min(1.0, up_ / tracer_.distance_ / sky.slope);
@@ -132,7 +136,7 @@ void Tracer::Walk::pushBackground() {
 // Every object is a rectangle at one depth t, that of its middle to the nearest 1/65536; it is met where the ray is in its map at that depth, after whatever
 // else is at that depth.
 void Tracer::Walk::addObjects() {
-    double end = sights_.back().depth;
+    double end = sights_.back().along;
     std::size_t last = sights_.size();
     for (std::size_t i = stretches_.size(); i-- > 0;) {
         const Stretch& stretch = stretches_[i];
@@ -146,7 +150,8 @@ void Tracer::Walk::addObjects() {
             const double dx = at.x - eye_.x;
             const double dy = at.y - eye_.y;
             const double t = std::floor(65536.0 * (tracer_.forwardX_ * dx + tracer_.forwardY_ * dy) + 0.5) / 65536.0;
-            if (t <= 0.0 || t < stretch.from || t >= end) continue;
+            const double along = t / tracer_.distance_;
+            if (t <= 0.0 || along < stretch.from || along >= end) continue;
             const double left = -tracer_.forwardY_ * dx + tracer_.forwardX_ * dy - object.width.value() / 2.0;
             const double across = (sideways_ * t - left) / object.width.value();
             const double height = stretch.eyeZ + stretch.place.levels - object.z.value() + stretch.slope * t;
@@ -161,6 +166,7 @@ void Tracer::Walk::addObjects() {
             sight.texture = object.sprite;
             sight.faceLight = object.light;
             sight.glow = object.glow;
+            sight.along = along;
             sight.depth = t;
             sight.u = across;
             sight.v = clampTo(1.0 - height / object.height.value(), 0.0, 1.0);
@@ -170,7 +176,7 @@ void Tracer::Walk::addObjects() {
         std::size_t from = stretch.first;
         std::size_t to = last;
         for (const Sight& object : met) {
-            while (from < to && sights_[from].depth <= object.depth) ++from;
+            while (from < to && sights_[from].along <= object.along) ++from;
             sights_.insert(sights_.begin() + static_cast<std::ptrdiff_t>(from), object);
             ++to;
         }

@@ -55,7 +55,7 @@ private:
     // A part of the ray within one place; objects of that map are met there. `first` is where its sights begin.
     struct Stretch {
         Place place;
-        double from = 0.0;
+        double from = 0.0;  // t / d
         bool afterMirror = false;
         double eyeZ = 0.0;
         double slope = 0.0;
