@@ -54,7 +54,9 @@ const std::array kViews = {
     View{"library", "in the gallery", Place{12.0, 10.0, 2.5, 100.0, -0.1}},
     View{"garden", "start", {}},
     View{"garden", "between hedges", Place{16.0, 16.0, 0.5, 250.0, 0.0}},
-    View{"glassworks", "start", {}},  // see-through, animated and glowing faces, objects
+    View{"glassworks", "start", {}},    // see-through, animated and glowing faces, objects
+    View{"water-palace", "start", {}},  // the floor is a mirror
+    View{"water-palace", "hall", Place{13.6, 15.9, 1.5, 325.0, -0.1}},
     View{"castle", "before the gate", Place{28.5, 19.0, 3.5, 180.0, 0.02}},
     View{"library", "under the lift", Place{14.5, 27.2, 0.5, 240.0, 0.1}, 720},
 };

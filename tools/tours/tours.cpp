@@ -147,9 +147,50 @@ void throughTheTemple(Guide& guide) {
     guide.mark("above-the-canyon");
 }
 
+void throughTheWaterPalace(Guide& guide) {
+    guide.wait(60);
+    guide.mark("the-palace-in-the-lake");
+    guide.walk({{20.5, 41.5}, {29.5, 41.5}, {30.5, 41.2}});
+    guide.run({{30.5, 27}});
+    guide.turnTo(230.0);
+    guide.mark("from-the-bridge");
+    guide.walk({{30.5, 22.5}, {24.5, 22.5}, {24.6, 20}});
+    guide.turnTo(20.0);
+    guide.lookTo(-0.2);
+    guide.wait(60);
+    guide.mark("the-pool-breathes");
+    guide.lookTo(0.0);
+    guide.walk({{20.5, 19.2}, {20.5, 16.2}});
+    guide.lookTo(-0.12);
+    guide.mark("in-the-hall");
+    guide.walk({{17, 15.4}, {17.5, 10.4}});
+    guide.turnTo(270.0);
+    guide.mark("a-painted-window-and-a-real-one");
+    guide.lookTo(0.0);
+    guide.walk({{17, 15.4}, {20.5, 16.2}, {20.5, 19.4}, {28.6, 19.4}, {29.5, 18.4}, {29.5, 9.4}, {27, 9.5}, {23.7, 9.4}});
+    guide.turnTo(200.0);
+    guide.lookTo(-0.15);
+    guide.mark("on-the-wet-roof");
+    guide.lookTo(0.0);
+    guide.walk({{18.5, 9.4}, {18.4, 12.5}});
+    guide.turnTo(5.0);
+    guide.lookTo(-0.45);
+    guide.mark("above-the-pool");
+    guide.lookTo(0.0);
+    guide.walk({{20.5, 12.5}});
+    guide.lookAround();
+    guide.mark("in-the-pool");
+    guide.walk({{20.5, 15.5}, {20.5, 19.5}});
+    guide.setFlying(true);
+    guide.flyTo({16, 31}, 4.0);
+    guide.turnTo(285.0);
+    guide.lookTo(-0.2);
+    guide.mark("above-the-lake");
+}
+
 constexpr std::array kTours = {
     Tour{"castle", throughTheCastle},   Tour{"garden", throughTheGarden}, Tour{"harbour-town", throughTheHarbourTown},
-    Tour{"library", throughTheLibrary}, Tour{"temple", throughTheTemple},
+    Tour{"library", throughTheLibrary}, Tour{"temple", throughTheTemple}, Tour{"water-palace", throughTheWaterPalace},
 };
 
 }  // namespace
