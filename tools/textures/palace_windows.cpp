@@ -123,12 +123,15 @@ Texel clearGlass(double x, double y) {
     return {.height = -1.0, .tone = broad || narrow ? 5.2 : 4.0, .ramp = &kSeaRamp, .alpha = static_cast<std::uint8_t>(broad ? 74 : (narrow ? 60 : 26))};
 }
 
-Picture paintWindow(int top, Panes panes) {
-    const Surface wall = whitewashSurface();
+// The whole of it, so that no light breaks where foot and head meet.
+Picture paintWindow(Panes panes) {
+    const Surface whitewash = whitewashSurface();
+    Surface wall(kSide, 2 * kSide);
+    everyTexelIn(0, 0, kSide, 2 * kSide, [&](int x, int y) { wall.at(x, y) = whitewash.at(x, y); });
     Surface surface = wall;
-    everyTexel([&](int column, int row) {
+    everyTexelIn(0, 0, kSide, 2 * kSide, [&](int column, int row) {
         const double x = column + 0.5;
-        const double y = row + top + 0.5;
+        const double y = row + 0.5;
         const double inside = insideOpening(x, y);
         const bool sill = y >= kSill && y < kSill + 12.0 && std::abs(x - kMiddle) < kHalf + kSurround + 4.0;
         Texel& texel = surface.at(column, row);
@@ -173,30 +176,37 @@ Picture paintWindow(int top, Panes panes) {
     return panes == Panes::Painted ? picture : holesFilled(picture, Border::Repeats);
 }
 
+Picture paintPart(int top, Panes panes) {
+    const Picture window = paintWindow(panes);
+    Picture part(kSide, kSide);
+    everyTexel([&](int x, int y) { part.at(x, y) = window.at(x, top + y); });
+    return part;
+}
+
 }  // namespace
 
 Picture paintPalaceWindowFoot() {
-    return paintWindow(kSide, Panes::Glass);
+    return paintPart(kSide, Panes::Glass);
 }
 
 Picture paintPalaceWindowHead() {
-    return paintWindow(0, Panes::Glass);
+    return paintPart(0, Panes::Glass);
 }
 
 Picture paintPalaceOpeningFoot() {
-    return paintWindow(kSide, Panes::None);
+    return paintPart(kSide, Panes::None);
 }
 
 Picture paintPalaceOpeningHead() {
-    return paintWindow(0, Panes::None);
+    return paintPart(0, Panes::None);
 }
 
 Picture paintPaintedWindowFoot() {
-    return paintWindow(kSide, Panes::Painted);
+    return paintPart(kSide, Panes::Painted);
 }
 
 Picture paintPaintedWindowHead() {
-    return paintWindow(0, Panes::Painted);
+    return paintPart(0, Panes::Painted);
 }
 
 }  // namespace slicecast::textures

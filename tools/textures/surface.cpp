@@ -70,7 +70,7 @@ Picture litOver(const Surface& wall, const Lighting& wallLighting, const Surface
         }
         return false;
     };
-    everyTexel([&](int x, int y) {
+    everyTexelIn(0, 0, surface.width, surface.height, [&](int x, int y) {
         if (!changedNear(x, y)) {
             picture.at(x, y) = bare.at(x, y);
         }
