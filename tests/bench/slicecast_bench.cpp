@@ -34,9 +34,10 @@ constexpr int kManyObjects = 10'000;
 constexpr int kObjectsSeen = 100;
 constexpr double kPixels = static_cast<double>(kWidth) * kHeight;
 
-// An eye in the map in which the scene starts; without one, the start itself.
+// An eye in the map in which the scene starts, or in another one of it; without one, the start itself.
 struct Place {
     double x, y, z, headingDegrees, look;
+    const char* map = nullptr;
 };
 struct View {
     const char* scene;
@@ -59,6 +60,8 @@ const std::array kViews = {
     View{"water-palace", "hall", Place{13.6, 15.9, 1.5, 325.0, -0.1}},
     View{"castle", "before the gate", Place{28.5, 19.0, 3.5, 180.0, 0.02}},
     View{"library", "under the lift", Place{14.5, 27.2, 0.5, 240.0, 0.1}, 720},
+    View{"wayhouse", "four doors", {}},
+    View{"wayhouse", "endless corridor", Place{4.5, 2.0, 0.5, 0.0, 0.0, "corridor"}},
 };
 
 // One of the things that take turns.
@@ -112,7 +115,12 @@ std::unique_ptr<Session> openScene(const std::string& assets, const View& view) 
     auto session = std::make_unique<Session>(std::move(*scene.world));
     if (view.place) {
         const Place& p = *view.place;
-        if (!session->setEye({session->player().map, toCoordinate(p.x), toCoordinate(p.y), toCoordinate(p.z), p.headingDegrees, p.look})) return nullptr;
+        int map = session->player().map;
+        const std::vector<Map>& maps = session->world().maps;
+        for (std::size_t i = 0; p.map != nullptr && i < maps.size(); ++i) {
+            if (maps[i].name == p.map) map = static_cast<int>(i);
+        }
+        if (!session->setEye({map, toCoordinate(p.x), toCoordinate(p.y), toCoordinate(p.z), p.headingDegrees, p.look})) return nullptr;
     }
     return session;
 }

@@ -24,6 +24,7 @@
 #include "plaster.h"
 #include "railings.h"
 #include "roofs.h"
+#include "signs.h"
 #include "skies.h"
 #include "statue.h"
 #include "stonework.h"
@@ -73,6 +74,16 @@ std::vector<Entry> opaqueTextures() {
         {"banner", Use::Wall, paintBanner, "stone-blocks"},
         {"banner-sea", Use::Wall, paintBannerSea, "stone-blocks"},
         {"frieze", Use::Wall, paintFrieze},
+        {"carved-jamb", Use::Wall, paintCarvedJamb},
+        {"sign-climb", Use::Wall, paintSignClimb, "stone-blocks"},
+        {"sign-court", Use::Wall, paintSignCourt, "stone-blocks"},
+        {"sign-deep", Use::Wall, paintSignDeep, "stone-blocks"},
+        {"sign-inn", Use::Wall, paintSignInn, "stone-blocks"},
+        {"sign-lane", Use::Wall, paintSignLane, "stone-blocks"},
+        {"sign-moor", Use::Wall, paintSignMoor, "stone-blocks"},
+        {"sign-night", Use::Wall, paintSignNight, "stone-blocks"},
+        {"sign-round", Use::Wall, paintSignRound, "stone-blocks"},
+        {"sign-shore", Use::Wall, paintSignShore, "stone-blocks"},
         {"grass", Use::Floor, paintGrass},
         {"grass-meadow", Use::Floor, paintGrassMeadow},
         {"moss", Use::Floor, paintMoss},

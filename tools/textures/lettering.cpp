@@ -1,31 +1,15 @@
 #include "lettering.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
+
+#include "glyphs.h"
 
 namespace slicecast::textures {
 
 namespace {
 
-constexpr int kGlyphWidth = 5;
-constexpr int kGlyphHeight = 7;
 constexpr int kBand = 16;
-
-struct Glyph {
-    char letter;
-    std::array<std::string_view, kGlyphHeight> rows;
-};
-
-constexpr std::array<Glyph, 7> kGlyphs = {{
-    {'R', {"####.", "#...#", "#...#", "####.", "#.#..", "#..#.", "#...#"}},
-    {'E', {"#####", "#....", "#....", "####.", "#....", "#....", "#####"}},
-    {'A', {".###.", "#...#", "#...#", "#####", "#...#", "#...#", "#...#"}},
-    {'D', {"####.", "#...#", "#...#", "#...#", "#...#", "#...#", "####."}},
-    {'N', {"#...#", "##..#", "#.#.#", "#.#.#", "#..##", "#...#", "#...#"}},
-    {'S', {".####", "#....", "#....", ".###.", "....#", "....#", "####."}},
-    {'W', {"#...#", "#...#", "#...#", "#.#.#", "#.#.#", "##.##", "#...#"}},
-}};
 
 struct Place {
     int left;
@@ -35,15 +19,11 @@ struct Place {
 };
 
 void drawLetter(Picture& picture, char letter, const Place& place) {
-    for (const Glyph& glyph : kGlyphs) {
-        if (glyph.letter != letter) {
-            continue;
-        }
-        for (int y = 0; y < kGlyphHeight * place.zoom; ++y) {
-            for (int x = 0; x < kGlyphWidth * place.zoom; ++x) {
-                if (glyph.rows[static_cast<std::size_t>(y / place.zoom)][static_cast<std::size_t>(x / place.zoom)] == '#') {
-                    picture.at(place.left + x, place.top + y) = place.colour;
-                }
+    const GlyphRows& rows = glyphOf(letter);
+    for (int y = 0; y < kGlyphHeight * place.zoom; ++y) {
+        for (int x = 0; x < kGlyphWidth * place.zoom; ++x) {
+            if (rows[static_cast<std::size_t>(y / place.zoom)][static_cast<std::size_t>(x / place.zoom)] == '#') {
+                picture.at(place.left + x, place.top + y) = place.colour;
             }
         }
     }

@@ -1,0 +1,17 @@
+// Capital letters of five by seven texels, for what is written in pictures.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace slicecast::textures {
+
+inline constexpr int kGlyphWidth = 5;
+inline constexpr int kGlyphHeight = 7;
+
+using GlyphRows = std::array<std::string_view, kGlyphHeight>;  // '#' where the letter is
+
+// Nothing but gaps for what is no letter that is used.
+const GlyphRows& glyphOf(char letter);
+
+}  // namespace slicecast::textures
