@@ -144,21 +144,37 @@ double Guide::turnTowards(Spot spot) const {
     return shortWay(bearing(spot.x - session_.player().x.value(), spot.y - session_.player().y.value()) - session_.player().headingDegrees);
 }
 
+// A step to there, ahead only where that leads there.
+Input Guide::towards(Spot spot, Input pace) const {
+    const double turn = turnTowards(spot);
+    pace.turnDegrees = turnBy(turn);
+    if (std::abs(turn) > 24.0) {
+        pace.forward = 0.0;
+    } else if (std::abs(turn) > 6.0 || distanceTo(spot) < kSlowWithin) {
+        pace.forward = 0.5;
+        pace.fast = false;
+    }
+    return pace;
+}
+
+void Guide::goThrough(Spot spot) {
+    constexpr int kLongest = 10 * kStepsPerSecond;
+    const int leaps = session_.player().leaps;
+    for (int i = 0; i < kLongest && trouble_.empty() && session_.player().leaps == leaps; ++i) {
+        step(distanceTo(spot) > kNear ? towards(spot, {.forward = 1.0}) : Input{});
+    }
+    if (trouble_.empty() && session_.player().leaps == leaps) {
+        trouble_ = "no way through at " + std::to_string(spot.x) + ", " + std::to_string(spot.y);
+    }
+    step({.forward = 1.0}, 20);
+    for (int i = 0; i < 120 && !session_.player().onGround; ++i) step({});
+}
+
 void Guide::goTo(Spot spot, Input pace) {
     double nearest = distanceTo(spot) + 1.0;
     int waited = 0;
     while (trouble_.empty() && distanceTo(spot) > kNear) {
-        // Ahead only where it leads there
-        Input input = pace;
-        const double turn = turnTowards(spot);
-        input.turnDegrees = turnBy(turn);
-        if (std::abs(turn) > 24.0) {
-            input.forward = 0.0;
-        } else if (std::abs(turn) > 6.0 || distanceTo(spot) < kSlowWithin) {
-            input.forward = 0.5;
-            input.fast = false;
-        }
-        step(input);
+        step(towards(spot, pace));
 
         // Stuck?
         waited = distanceTo(spot) < nearest - 0.01 ? 0 : waited + 1;

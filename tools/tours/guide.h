@@ -31,6 +31,8 @@ public:
     void run(const std::vector<Spot>& spots);
     // The same with the head down.
     void creep(const std::vector<Spot>& spots);
+    // Ahead to a spot in or behind a portal, until through it; wherever it leads.
+    void goThrough(Spot spot);
     void stepAside(double axis, int steps);
     void jump();
     void jumpAhead();
@@ -54,6 +56,7 @@ public:
 private:
     void step(const Input& input, int count = 1);
     void goTo(Spot spot, Input pace);
+    Input towards(Spot spot, Input pace) const;
     double distanceTo(Spot spot) const;
     double turnTowards(Spot spot) const;
     void waitForLift(Spot spot, bool isUp);

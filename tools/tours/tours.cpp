@@ -188,9 +188,79 @@ void throughTheWaterPalace(Guide& guide) {
     guide.mark("above-the-lake");
 }
 
+void throughTheWayhouse(Guide& guide) {
+    guide.wait(60);
+    guide.mark("four-gates");
+    guide.walk({{6.5, 8}, {3.5, 4}});
+    guide.goThrough({3.5, 0.5});
+    guide.mark("on-the-shore");
+    guide.walk({{15.5, 17}, {13.5, 14.5}, {13.5, 6}});
+    guide.lookAround();
+    guide.walk({{13.5, 14.5}, {15.5, 17}});
+    guide.mark("before-the-gate-to-the-inn");
+    guide.goThrough({15.5, 20.5});
+    guide.walk({{3.5, 3.5}});
+    guide.goThrough({0.5, 3.5});
+    guide.mark("on-the-moor");
+    guide.walk({{15.5, 20}, {12.5, 20}, {10.5, 19.6}});
+    guide.mark("before-the-pale-stones");
+    guide.goThrough({10.5, 17.5});
+    guide.mark("in-the-garden-at-night");
+    guide.walk({{12, 17}, {12, 7}, {13.5, 5}});
+    guide.goThrough({13.5, 2.5});
+    guide.walk({{9.5, 3.5}});
+    guide.goThrough({12.5, 3.5});
+    guide.walk({{12.5, 16}});
+    guide.mark("in-the-deep");
+    guide.walk({{12.5, 18.5}});
+    guide.goThrough({12.5, 21.5});
+    guide.walk({{9.5, 5}, {6.5, 8}, {6.5, 14}});
+    guide.goThrough({6.5, 17.5});
+    guide.mark("in-the-court");
+    guide.walk({{13, 7}, {3, 8.5}});
+    guide.goThrough({0.5, 8.5});
+    guide.walk({{5.5, 1.9}});
+    guide.goThrough({9.5, 1.9});
+    guide.mark("once-around-the-corridor");
+    guide.goThrough({9.5, 1.9});
+    guide.walk({{4.5, 1.9}});
+    guide.goThrough({4.5, 0.5});
+    guide.walk({{3, 12}, {3, 15.5}});
+    guide.goThrough({0.5, 15.5});
+    guide.walk({{6.5, 1.9}});
+    guide.goThrough({10.5, 1.9});
+    guide.mark("up-the-stairs");
+    guide.goThrough({10.5, 1.9});
+    guide.goThrough({0.5, 1.9});
+    guide.walk({{5.5, 1.9}});
+    guide.goThrough({5.5, 0.5});
+    guide.walk({{5, 16.5}, {18, 17}, {21.5, 17}});
+    guide.goThrough({21.5, 14.5});
+    guide.walk({{8.5, 11}});
+    guide.mark("in-the-hut");
+    guide.walk({{8.5, 14.5}});
+    guide.goThrough({8.5, 16.5});
+    guide.walk({{25.5, 17}, {27, 9}});
+    guide.goThrough({30.5, 8.5});
+    guide.walk({{6.5, 5.5}});
+    guide.goThrough({12.5, 5.5});
+    guide.mark("in-the-lane");
+    guide.walk({{6.5, 5.5}});
+    guide.goThrough({6.5, 3.5});
+    guide.walk({{24, 9.5}, {10.5, 9.5}});
+    guide.walk({{8.5, 11.3}});
+    guide.lookTo(-0.6);
+    guide.mark("at-the-well");
+    guide.goThrough({8.5, 12.5});
+    guide.lookTo(0.0);
+    guide.wait(60);
+    guide.mark("fallen-out-of-the-roof");
+}
+
 constexpr std::array kTours = {
-    Tour{"castle", throughTheCastle},   Tour{"garden", throughTheGarden}, Tour{"harbour-town", throughTheHarbourTown},
-    Tour{"library", throughTheLibrary}, Tour{"temple", throughTheTemple}, Tour{"water-palace", throughTheWaterPalace},
+    Tour{"castle", throughTheCastle},     Tour{"garden", throughTheGarden}, Tour{"harbour-town", throughTheHarbourTown},
+    Tour{"library", throughTheLibrary},   Tour{"temple", throughTheTemple}, Tour{"water-palace", throughTheWaterPalace},
+    Tour{"wayhouse", throughTheWayhouse},
 };
 
 }  // namespace
