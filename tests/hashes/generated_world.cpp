@@ -1,5 +1,7 @@
 #include "generated_world.h"
 
+#include "generated_features.h"
+
 #include "base/random.h"
 
 #include <algorithm>
@@ -117,6 +119,7 @@ RenderOptions anyOptions(Random& random) {
     options.textures = !random.oneIn(10);
     options.light = !random.oneIn(8);
     options.fog = !random.oneIn(6);
+    if (random.oneIn(3)) options.mirrors = random.between(0.0, 4.0);
     return options;
 }
 
@@ -129,7 +132,13 @@ World generatedWorld(std::uint64_t seed) {
     for (int i = 0; i < kTextures; ++i) world.textures.push_back(anyPattern(random, i));
     const int blueprints = random.between(1, 12);
     for (int i = 1; i <= blueprints; ++i) world.blueprints.push_back(anyBlueprint(random, i));
-    world.maps.push_back(anyMap(random, blueprints, static_cast<Sky::Kind>(seed % 3)));
+    const bool withFeatures = seed % 2 == 1;
+    const int maps = withFeatures ? random.between(2, 3) : 1;
+    for (int i = 0; i < maps; ++i) {
+        world.maps.push_back(anyMap(random, blueprints, static_cast<Sky::Kind>((seed + static_cast<std::uint64_t>(i)) % 3)));
+        world.maps.back().name += " " + std::to_string(i);
+    }
+    if (withFeatures) addFeatures(random, world);
     world.start.x = {random.between(0, world.maps[0].width * 65536 - 1)};
     world.start.y = {random.between(0, world.maps[0].depth * 65536 - 1)};
     world.start.headingDegrees = random.between(0.0, 360.0);
@@ -145,7 +154,8 @@ GeneratedView generatedView(const World& world, std::uint64_t seed) {
     view.width = size[0];
     view.height = size[1];
 
-    const Map& map = world.maps[0];
+    view.eye.map = random.below(static_cast<int>(world.maps.size()));
+    const Map& map = world.maps[static_cast<std::size_t>(view.eye.map)];
     const int margin = random.oneIn(6) ? 9 : 0;
     Eye& eye = view.eye;
     eye.x = {random.between(-margin * 65536, (map.width + margin) * 65536)};

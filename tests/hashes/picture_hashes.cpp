@@ -145,17 +145,35 @@ bool printScene(const std::filesystem::path& path, std::uint64_t seed) {
     return true;
 }
 
-void printGenerated(std::uint64_t seed) {
+// What generated views show, all together.
+struct Shown {
+    int portals = 0;
+    std::int64_t mirroredRows = 0;
+    std::int64_t layers = 0;
+    std::int64_t objectSlices = 0;
+
+    void add(const FrameReport& report) {
+        portals = std::max(portals, report.deepestPortal);
+        mirroredRows += report.mirroredRows;
+        layers += report.layers;
+        objectSlices += report.objectSlices;
+    }
+    bool isEverything() const { return portals > 4 && mirroredRows > 100'000 && layers > 100'000 && objectSlices > 1000; }
+};
+
+void printGenerated(std::uint64_t seed, Shown& shown) {
     constexpr int kViews = 4;
     const std::string name = "generated " + std::to_string(seed);
     Renderer renderer;
     World world = generatedWorld(seed);
     for (std::uint64_t i = 0; i < kViews; ++i) {
         const GeneratedView view = generatedView(world, seed * kViews + i);
+        world.seconds = 0.37 * static_cast<double>(i);
         printPicture(name + " view " + std::to_string(i), view.width, view.height,
                      [&](const Picture& picture) { return renderer.draw(world, view.eye, view.options, picture); });
+        shown.add(renderer.report());
     }
-    if (seed % 6 == 0) {
+    if (seed % 6 < 2) {
         Session session(std::move(world));
         printRun(name + " run", session, seed, 2000);
     }
@@ -211,7 +229,14 @@ int printAll(const std::filesystem::path& assets) {
         if (!printTour(assets, tour)) return 1;
     }
     constexpr std::uint64_t kWorlds = 96;
-    for (std::uint64_t i = 0; i < kWorlds; ++i) printGenerated(i);
+    Shown shown;
+    for (std::uint64_t i = 0; i < kWorlds; ++i) printGenerated(i, shown);
+    if (!shown.isEverything()) {
+        std::fprintf(stderr, "picture-hashes: generated views show too little: %d portals deep, %" PRId64 " mirrored rows, %" PRId64 " see-through runs, %" PRId64
+                             " slices of objects\n",
+                     shown.portals, shown.mirroredRows, shown.layers, shown.objectSlices);
+        return 1;
+    }
     return 0;
 }
 

@@ -17,11 +17,15 @@ async function open(flavour, path = scene) {
   return session;
 }
 
-function nativeHits(column) {
+function renderNatively(theArguments) {
   const program = join(root, 'build/native/bin/slicecast-render');
-  const result = spawnSync(program, [scene, '--size', `${kWidth}x${kHeight}`, '--hits', `${column}`], { encoding: 'utf8' });
+  const result = spawnSync(program, theArguments, { encoding: 'utf8' });
   assert.equal(result.status, 0, result.stderr ?? String(result.error));
-  return JSON.parse(result.stdout);
+  return result.stdout;
+}
+
+function nativeHits(column) {
+  return JSON.parse(renderNatively([scene, '--size', `${kWidth}x${kHeight}`, '--hits', `${column}`]));
 }
 
 for (const flavour of flavours) {
@@ -37,6 +41,27 @@ for (const flavour of flavours) {
     }
     for (const column of [-1, kWidth]) assert.equal(session.hits(kWidth, kHeight, column), null);
     assert.equal(session.hits(0, 0, 0), null);
+  });
+}
+
+for (const flavour of flavours) {
+  test(`so are those of portals, mirrors and objects (${flavour})`, async () => {
+    const path = join(root, 'tests/scene/everything.json');
+    const session = await open(flavour, path);
+    const { maps } = session.world();
+    for (const [map, eye, key, count] of [
+      ['gallery', [2.5, 1.4, 0.5, 90, 0], 'portals', 2], ['hall', [2.5, 1.5, 0.625, 140, -0.2], 'mirrors', 2], ['hall', [2.5, 1.5, 0.625, 140, -0.2], 'objects', 3],
+    ]) {
+      const [x, y, z, heading, look] = eye;
+      assert.ok(session.setEye({ map: maps.findIndex(({ name }) => name === map), x, y, z, heading, look }));
+      const view = ['--map', map, '--eye', eye.join(','), '--size', `${kWidth}x${kHeight}`];
+      const { scene: title, ...hits } = session.hits(kWidth, kHeight, 320);
+      const { scene: file, ...native } = JSON.parse(renderNatively([path, ...view, '--hits', '320']));
+      assert.equal(file, path);
+      assert.equal(title, session.world().title);
+      assert.deepEqual(hits, native);
+      assert.ok(hits[key].length >= count, `${hits[key].length} ${key}`);
+    }
   });
 }
 

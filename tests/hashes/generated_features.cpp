@@ -1,0 +1,185 @@
+#include "generated_features.h"
+
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+struct Cell {
+    int x;
+    int y;
+    int level;
+};
+
+Cell anyCell(Random& random, const Map& map) {
+    const int x = random.below(map.width);
+    const int y = random.below(map.depth);
+    return {x, y, random.below(map.levels)};
+}
+
+Image anyImage(Random& random, int width, int height) {
+    Image image(width, height);
+    for (Pixel& pixel : image.pixels) {
+        const int bits = random.between(0, 0xffffff);
+        const int alpha = random.oneIn(3) ? 0 : random.oneIn(3) ? random.between(1, 254) : 255;
+        pixel = toPixel({static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16),
+                         static_cast<std::uint8_t>(alpha)});
+    }
+    return image;
+}
+
+// Single pictures, sheets that run, and sheets that are held; some blueprints show them.
+void addSeeThrough(Random& random, World& world) {
+    const int first = static_cast<int>(world.textures.size());
+    for (int i = 0; i < 6; ++i) {
+        const int frames = i < 2 ? 1 : random.between(2, 4);
+        const int size = 8 << random.below(3);
+        const double rate = i < 4 ? random.between(0.5, 20.0) : 0.0;
+        world.textures.push_back(makeTexture("glass " + std::to_string(i), anyImage(random, size * frames, size), frames, rate));
+    }
+    const int shapes = static_cast<int>(world.blueprints.size());
+    for (int id = 1; id < shapes; ++id) {
+        CellBlueprint& blueprint = world.blueprints[static_cast<std::size_t>(id)];
+        blueprint.join = !random.oneIn(3);
+        if (random.oneIn(2)) continue;
+        for (FaceBlueprint& face : blueprint.faces) {
+            if (!random.oneIn(3)) face.texture = static_cast<TextureId>(random.between(first, first + 5));
+            face.glow = random.oneIn(8);
+        }
+    }
+}
+
+void addMirrors(Random& random, World& world) {
+    const auto strength = [&] { return static_cast<std::uint8_t>(random.between(1, 255)); };
+    for (Map& map : world.maps) {
+        if (random.oneIn(2)) map.floor.mirror = strength();
+    }
+    for (CellBlueprint& blueprint : world.blueprints) {
+        if (random.oneIn(3)) blueprint.faces[static_cast<std::size_t>(Face::top)].mirror = strength();
+    }
+}
+
+PortalId anyPortal(Random& random, World& world, int map, Cell at) {
+    Portal portal = {.fromMap = map, .fromX = at.x, .fromY = at.y, .toMap = random.below(static_cast<int>(world.maps.size()))};
+    const Map& exit = world.maps[static_cast<std::size_t>(portal.toMap)];
+    portal.toX = random.below(exit.width);
+    portal.toY = random.below(exit.depth);
+    portal.turn = random.below(4);
+    portal.levels = random.oneIn(3) ? random.between(-2, 2) : 0;
+    world.portals.push_back(portal);
+    return static_cast<PortalId>(world.portals.size() - 1);
+}
+
+void addPortals(Random& random, World& world) {
+    world.portalLimit = random.between(0, 10);
+    for (int m = 0; m < static_cast<int>(world.maps.size()); ++m) {
+        Map& map = world.maps[static_cast<std::size_t>(m)];
+        map.tilePortals.assign(map.occupied.size(), kNoPortal);
+        const int portals = random.between(1, 12);
+        for (int i = 0; i < portals; ++i) {
+            const Cell at = anyCell(random, map);
+            const BlueprintId block = map.cell(at.x, at.y, at.level);
+            if (block == kEmptyCell) {
+                map.tilePortals[map.tileIndex(at.x, at.y)] = anyPortal(random, world, m, at);
+                continue;
+            }
+            CellBlueprint instance = world.blueprints[block];
+            for (FaceBlueprint& face : instance.faces) {
+                if (random.oneIn(2)) face.portal = anyPortal(random, world, m, at);
+            }
+            world.blueprints.push_back(std::move(instance));
+            map.setCell(at.x, at.y, at.level, static_cast<BlueprintId>(world.blueprints.size() - 1));
+        }
+    }
+}
+
+void addObjects(Random& random, World& world) {
+    for (int i = 0; i < 3; ++i) {
+        const int frames = random.between(1, 3);
+        const int height = random.between(5, 40);
+        world.sprites.push_back(makeSprite("figure " + std::to_string(i), anyImage(random, 16 * frames, height), frames, 4.0));
+    }
+    for (int m = 0; m < static_cast<int>(world.maps.size()); ++m) {
+        Map& map = world.maps[static_cast<std::size_t>(m)];
+        const int objects = random.between(0, 60);
+        for (int i = 0; i < objects; ++i) {
+            Object object;
+            object.sprite = static_cast<SpriteId>(random.below(3));
+            object.x = {random.between(0, map.width * 65536 - 1)};
+            object.y = {random.between(0, map.depth * 65536 - 1)};
+            object.z = random.oneIn(2) ? Coordinate{0} : Coordinate{random.between(0, map.levels * 65536)};
+            object.width = {random.between(4096, 2 * 65536)};
+            object.height = {random.between(4096, 2 * 65536)};
+            object.light = random.unit();
+            object.glow = random.oneIn(5);
+            map.objects.push_back(object);
+            if (!random.oneIn(3)) continue;
+            ObjectMotion motion;
+            motion.kind = static_cast<ObjectMotion::Kind>(random.below(3));
+            motion.map = m;
+            motion.object = i;
+            motion.speed = random.between(0.1, 3.0);
+            motion.headingDegrees = random.between(0.0, 360.0);
+            motion.reach = {random.between(16384, 4 * 65536)};
+            motion.random = Random(static_cast<std::uint64_t>(random.between(0, 1 << 30)));
+            world.movingObjects.motions.push_back(motion);
+        }
+    }
+}
+
+// In columns of their own, so that nothing is in their way.
+void addMovers(Random& random, World& world) {
+    for (int i = 0; i < 3; ++i) {
+        Motion motion;
+        motion.name = "motion " + std::to_string(i);
+        motion.edges = i == 0 ? MovingEdges::both : MovingEdges::top;
+        motion.from = {i == 0 ? 0 : -random.between(1, 30000)};
+        motion.to = {i == 0 ? random.between(1, 65536) : 0};
+        motion.periodSteps = random.between(200, 800);
+        motion.phaseSteps = random.below(motion.periodSteps);
+        motion.shape = static_cast<MotionShape>(random.below(3));
+        world.motions.push_back(std::move(motion));
+    }
+    world.gateKinds.push_back({.steps = random.between(10, 200), .opensOnApproach = true, .approach = tileEdge(2), .holdSteps = random.between(1, 200)});
+    const int shapes = static_cast<int>(world.blueprints.size());
+    for (int i = 0; i < 4; ++i) {
+        CellBlueprint moving = world.blueprints[static_cast<std::size_t>(random.between(1, shapes - 1))];
+        for (FaceBlueprint& face : moving.faces) face.portal = kNoPortal;
+        if (i < 3) {
+            moving.motion = i;
+            moving.bottom = {};
+            moving.top = tileEdge(i == 0 ? 0 : 1) + Coordinate{i == 0 ? 20000 : 0};
+        } else {
+            moving.gate = 0;
+            const int held = static_cast<int>(world.textures.size()) - 1;
+            moving.faces[static_cast<std::size_t>(Face::west)].texture = static_cast<TextureId>(held);
+        }
+        world.blueprints.push_back(std::move(moving));
+    }
+    for (Map& map : world.maps) {
+        for (int i = 0; i < 8; ++i) {
+            const Cell at = anyCell(random, map);
+            if (map.levels < 2 || map.tilePortal(at.x, at.y) != kNoPortal) continue;
+            for (int level = 0; level < map.levels; ++level) map.setCell(at.x, at.y, level, kEmptyCell);
+            map.setCell(at.x, at.y, 0, static_cast<BlueprintId>(shapes + random.below(4)));
+        }
+    }
+}
+
+}  // namespace
+
+void addFeatures(Random& random, World& world) {
+    addSeeThrough(random, world);
+    addMirrors(random, world);
+    addPortals(random, world);
+    addObjects(random, world);
+    addMovers(random, world);
+    if (!makeMovers(world).empty() || !makeGates(world).empty()) std::abort();
+    markSeeThrough(world);
+    markPortals(world);
+    startObjects(world);
+}
+
+}  // namespace slicecast

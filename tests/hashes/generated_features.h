@@ -1,0 +1,13 @@
+// What generated worlds have beyond blocks: a second and a third map, see-through textures and sheets, mirrors, portals, objects that stand and move, blocks that
+// move, gates.
+#pragma once
+
+#include "base/random.h"
+#include "world/world.h"
+
+namespace slicecast {
+
+// To a world with one map. The same from every compiler.
+void addFeatures(Random& random, World& world);
+
+}  // namespace slicecast
