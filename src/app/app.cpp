@@ -19,7 +19,7 @@ namespace {
 constexpr double kIntensityStep = 0.1;
 constexpr double kMultiplierStep = 0.5;  // units
 constexpr double kMirrorsStep = 0.1;
-constexpr double kFastFactor = 3.0;      // for the keys of light and mirrors, as for moving
+constexpr double kFastFactor = 3.0;  // for the keys of light and mirrors, as for moving
 constexpr double kSlowFactor = 0.2;
 constexpr double kLargestMouseTurn = 0.5;  // degrees per pixel
 constexpr int kFastSlices = 10;            // by which the inspected slice moves

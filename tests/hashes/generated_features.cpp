@@ -24,8 +24,8 @@ Image anyImage(Random& random, int width, int height) {
     for (Pixel& pixel : image.pixels) {
         const int bits = random.between(0, 0xffffff);
         const int alpha = random.oneIn(3) ? 0 : random.oneIn(3) ? random.between(1, 254) : 255;
-        pixel = toPixel({static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16),
-                         static_cast<std::uint8_t>(alpha)});
+        pixel = toPixel(
+            {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16), static_cast<std::uint8_t>(alpha)});
     }
     return image;
 }

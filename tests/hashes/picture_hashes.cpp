@@ -232,8 +232,9 @@ int printAll(const std::filesystem::path& assets) {
     Shown shown;
     for (std::uint64_t i = 0; i < kWorlds; ++i) printGenerated(i, shown);
     if (!shown.isEverything()) {
-        std::fprintf(stderr, "picture-hashes: generated views show too little: %d portals deep, %" PRId64 " mirrored rows, %" PRId64 " see-through runs, %" PRId64
-                             " slices of objects\n",
+        std::fprintf(stderr,
+                     "picture-hashes: generated views show too little: %d portals deep, %" PRId64 " mirrored rows, %" PRId64 " see-through runs, %" PRId64
+                     " slices of objects\n",
                      shown.portals, shown.mirroredRows, shown.layers, shown.objectSlices);
         return 1;
     }

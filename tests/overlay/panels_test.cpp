@@ -68,14 +68,22 @@ TEST(Panels, TheWindIsTheNearestOfEight) {
 
 TEST(Panels, TheProcessTellsTimesAndCounts) {
     const ProcessTimes times = {.framesPerSecond = 59.94, .stepMilliseconds = 0.012, .viewMilliseconds = 4.5, .overlayMilliseconds = 0.25};
-    const FrameReport report = {.tilesWalked = 12345, .blocksMet = 678, .spansDrawn = 90, .partsBehindPortals = 345, .deepestPortal = 8, .mirroredRows = 4567, .layers = 890, .objectSlices = 21, .rowsFilled = 256001};
+    const FrameReport report = {.tilesWalked = 12345,
+                                .blocksMet = 678,
+                                .spansDrawn = 90,
+                                .partsBehindPortals = 345,
+                                .deepestPortal = 8,
+                                .mirroredRows = 4567,
+                                .layers = 890,
+                                .objectSlices = 21,
+                                .rowsFilled = 256001};
     const OverlayLayout layout = layoutOverlays(640, 400);
     Canvas canvas(640, 400);
-    drawProcessPanel({.times = &times, .report = &report, .intensity = 1.5, .multiplier = 5.0, .mirrors = 1.5, .slicesPerPicture = -3, .slow = true}, canvas.picture);
-    EXPECT_EQ(
-        valuesOf(canvas, layout.process, layout.scale, kProcessPanelRows),
-        (std::vector<std::string>{"640 x 400", "59.9 /s", "0.01 ms", "4.50 ms", "0.25 ms", "12345", "678", "90", "256001", "890", "21", "8", "345", "4567",
-                                  "1.50 x 5.0", "x 1.50", "1 in 3 frames"}));
+    drawProcessPanel({.times = &times, .report = &report, .intensity = 1.5, .multiplier = 5.0, .mirrors = 1.5, .slicesPerPicture = -3, .slow = true},
+                     canvas.picture);
+    EXPECT_EQ(valuesOf(canvas, layout.process, layout.scale, kProcessPanelRows),
+              (std::vector<std::string>{"640 x 400", "59.9 /s", "0.01 ms", "4.50 ms", "0.25 ms", "12345", "678", "90", "256001", "890", "21", "8", "345",
+                                        "4567", "1.50 x 5.0", "x 1.50", "1 in 3 frames"}));
 
     Canvas without(640, 400);
     drawProcessPanel({.intensity = 0.5, .multiplier = 10.0}, without.picture);

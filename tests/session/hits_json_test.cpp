@@ -29,7 +29,8 @@ World portalWorld() {
     world.maps.push_back(makeMap("hall", 6, 3, 1, 0));
     world.maps.push_back(makeMap("cellar", 5, 9, 4, 0));
     world.maps[1].setCell(2, 3, 2, 1);
-    world.maps[1].objects.push_back({.x = toCoordinate(2.5), .y = toCoordinate(1.5), .z = toCoordinate(2.25), .width = toCoordinate(0.5), .height = toCoordinate(0.25)});
+    world.maps[1].objects.push_back(
+        {.x = toCoordinate(2.5), .y = toCoordinate(1.5), .z = toCoordinate(2.25), .width = toCoordinate(0.5), .height = toCoordinate(0.25)});
     world.maps[0].floor.mirror = 128;
     world.portals.push_back({.fromMap = 0, .fromX = 3, .fromY = 1, .toMap = 1, .toX = 2, .toY = 0, .turn = 1, .levels = 2});
     world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
@@ -40,8 +41,9 @@ World portalWorld() {
     return world;
 }
 
-rapidjson::Document hitsOf(int column) {
+rapidjson::Document hitsOf(int column, const char* mirrors = "1") {
     Session session(portalWorld());
+    EXPECT_EQ(session.setOption("mirrors", mirrors), "");
     EXPECT_TRUE(session.setEye({.map = 0, .x = toCoordinate(1.5), .y = toCoordinate(1.5), .z = toCoordinate(0.5)}));
     rapidjson::Document json;
     const std::string text = hitsJson(session, "scene", 101, 80, column);
@@ -110,6 +112,8 @@ TEST(HitsJson, TellsMirrors) {
     EXPECT_EQ(mirror["strength"].GetInt(), 128);
     EXPECT_EQ(mirror["first"].GetInt(), json["planes"][0]["first"].GetInt());
     EXPECT_EQ(mirror["last"].GetInt(), 79);
+    EXPECT_EQ(hitsOf(50, "0.5")["mirrors"][0]["strength"].GetInt(), 64) << "as strong as the option makes it";
+    EXPECT_EQ(hitsOf(50, "0")["mirrors"].Size(), 0u);
 }
 
 }  // namespace

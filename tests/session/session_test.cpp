@@ -227,6 +227,20 @@ TEST(Session, OptionsChangeThePictureAndTheSpeed) {
     EXPECT_NEAR(session.state().speed, 2.0 * kWalkingPace.move, 1e-9);
 }
 
+TEST(Session, MirrorsAreAdjustableWhileItRuns) {
+    World world = yards();
+    world.maps[0].floor.mirror = 100;
+    Session plain(yards());
+    Session session(std::move(world));
+    const Image usual = drawn(session);
+    EXPECT_NE(usual.pixels, drawn(plain).pixels);
+    EXPECT_EQ(session.setOption("mirrors", "0"), "");
+    EXPECT_EQ(drawn(session).pixels, drawn(plain).pixels);
+    EXPECT_EQ(session.setOption("mirrors", "2"), "");
+    EXPECT_NE(drawn(session).pixels, usual.pixels);
+    EXPECT_FALSE(isRecordedOption("mirrors")) << "it bears on pictures alone";
+}
+
 TEST(Session, DrawsTheMinimapInItsCornerWhenAsked) {
     Session session(yards());
     const Image without = drawn(session, 1.0, 320, 200);
