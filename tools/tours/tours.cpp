@@ -147,6 +147,43 @@ void throughTheTemple(Guide& guide) {
     guide.mark("above-the-canyon");
 }
 
+void throughTheGlassworks(Guide& guide) {
+    guide.wait(40);
+    guide.mark("before-the-works");
+    guide.walk({{15, 29.5}, {15, 25}, {15, 21.5}, {15, 17}});
+    guide.lookTo(-0.25);
+    guide.mark("in-the-glasshouse");
+    guide.lookTo(0.0);
+    guide.walk({{15, 8}, {13.5, 7.6}});
+    guide.turnTo(190.0);
+    guide.lookTo(0.15);
+    guide.mark("stained-glass");
+    guide.lookTo(0.0);
+    guide.walk({{10.5, 6.5}, {10.5, 2.5}, {7.5, 2.5}, {4.4, 3.2}});
+    guide.turnTo(75.0);
+    guide.wait(40);
+    guide.mark("behind-the-waterfall");
+    guide.walk({{5, 5.5}, {6.5, 5.5}, {6.5, 8.5}, {6.5, 12}});
+    guide.turnTo(250.0);
+    guide.mark("at-the-stream");
+    guide.walk({{6.5, 20}, {4.5, 22}, {6.5, 23}, {8.5, 23.5}, {15, 23.5}, {15, 21.5}, {15, 15}, {22.5, 15}, {27.5, 15}, {28.6, 13}});
+    guide.turnTo(0.0);
+    guide.lookTo(-0.1);
+    guide.mark("over-the-lava");
+    guide.lookTo(0.0);
+    guide.walk({{32.5, 13}, {29, 13}, {27.5, 15}, {24.5, 15.2}, {24.5, 11}, {24, 9.5}, {24, 3.5}, {7, 3.5}, {4.5, 3.5}, {2.5, 3.5}, {2.5, 14}, {8, 14}});
+    guide.turnTo(35.0);
+    guide.lookTo(-0.35);
+    guide.mark("on-the-rope-bridge");
+    guide.lookTo(0.0);
+    guide.walk({{12, 14}, {27, 14}});
+    guide.setFlying(true);
+    guide.flyTo({30, 26}, 9.0);
+    guide.turnTo(235.0);
+    guide.lookTo(-0.35);
+    guide.mark("above-the-glassworks");
+}
+
 void throughTheWaterPalace(Guide& guide) {
     guide.wait(60);
     guide.mark("the-palace-in-the-lake");
@@ -258,8 +295,13 @@ void throughTheWayhouse(Guide& guide) {
 }
 
 constexpr std::array kTours = {
-    Tour{"castle", throughTheCastle},     Tour{"garden", throughTheGarden}, Tour{"harbour-town", throughTheHarbourTown},
-    Tour{"library", throughTheLibrary},   Tour{"temple", throughTheTemple}, Tour{"water-palace", throughTheWaterPalace},
+    Tour{"castle", throughTheCastle},
+    Tour{"garden", throughTheGarden},
+    Tour{"glassworks", throughTheGlassworks},
+    Tour{"harbour-town", throughTheHarbourTown},
+    Tour{"library", throughTheLibrary},
+    Tour{"temple", throughTheTemple},
+    Tour{"water-palace", throughTheWaterPalace},
     Tour{"wayhouse", throughTheWayhouse},
 };
 
