@@ -1,4 +1,5 @@
-// The menu of scenes: a card for each, with its view from the start, which the engine draws when the menu is opened for the first time.
+// The menu of scenes: a card for each, with its view from the start, which the engine draws when the menu is opened for the first time, and the way to its tour
+// where it has one.
 
 import { sceneAt } from './scene-source.js';
 
@@ -7,7 +8,7 @@ const kAspect = 9 / 16; // of a view
 export class SceneMenu {
   #drawn = false;
 
-  // `addressOf(file)` is the page's address with that scene; `onChoose(file)` opens it here.
+  // `scenes` as in the list that comes with the page; `addressOf(file)` is the page's address with that scene; `onChoose(file)` opens it here.
   constructor(dialog, scenes, { addressOf, onChoose }) {
     this.dialog = dialog;
     this.cards = scenes.map((scene) => ({ scene, ...card(scene, addressOf(scene.file)) }));
@@ -45,6 +46,7 @@ export class SceneMenu {
 function card(scene, address) {
   const item = document.createElement('li');
   const link = document.createElement('a');
+  link.className = 'scene';
   link.href = address;
   const view = document.createElement('canvas');
   view.setAttribute('aria-hidden', 'true');
@@ -54,5 +56,13 @@ function card(scene, address) {
   about.textContent = scene.about;
   link.append(view, title, about);
   item.append(link);
+  if (scene.tour) {
+    const tour = document.createElement('a');
+    tour.className = 'tour';
+    tour.href = `?tour=${encodeURIComponent(scene.file.replace(/\.json$/i, ''))}`;
+    tour.textContent = 'Take the tour';
+    tour.setAttribute('aria-label', `Take the tour: ${scene.title}`);
+    item.append(tour);
+  }
   return { item, link, view };
 }

@@ -9,7 +9,8 @@ import { Trouble } from './trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
 
-// The list of the scenes that come with the page: [{file, title, about}], the opening scene first.
+// The list of the scenes that come with the page: [{file, title, about, tour}], the opening scene first; `tour` is true
+// where a recorded tour has the scene's name.
 export async function listScenes() {
   const address = new URL('index.json', kScenes);
   const bytes = await fetchBytes(address).catch((error) => {

@@ -73,6 +73,8 @@ test('the list of scenes names every scene by its own title, and each opens with
   const list = await read('index.json');
   const there = (await readdir(folder)).filter((name) => name.endsWith('.json') && name !== 'index.json');
   assert.deepEqual(list.map(({ file }) => file).sort(), there.sort());
+  const tours = (await readdir(new URL('../tours/', folder))).map((name) => name.replace(/\.txt$/, '.json'));
+  assert.deepEqual(list.filter(({ tour }) => tour).map(({ file }) => file).sort(), tours.sort());
   const { page } = await openScene(t, browser, { server: { files: { 'scenes/index.json': JSON.stringify(list) } } });
   assert.equal(await page.textContent('#bar-title'), list[0].title);
   for (const { file, title, about } of list) {

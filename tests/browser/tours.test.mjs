@@ -31,6 +31,18 @@ test('a tour of the address opens its scene and plays, until somebody moves', as
   assert.equal((await untilPlayer(page, (now, last) => now.steps > last + 30, rested.steps)).heading, rested.heading);
 });
 
+test('the menu leads to the tours of scenes that have one', async (t) => {
+  const scenes = [{ file: 'room.json', title: 'The coloured room', about: 'Four walls.' }, { file: 'other.json', title: 'The other room', about: 'Four walls too.', tour: true }];
+  const { page } = await openScene(t, browser, { server: { files: { 'scenes/index.json': JSON.stringify(scenes), 'tours/other.txt': tour } } });
+  await page.click('#open-scenes');
+  assert.equal(await page.$$eval('#scene-list .tour', (links) => links.length), 1);
+  await page.click('#scene-list .tour');
+  await page.waitForFunction(() => document.title.startsWith('The other room'));
+  await inState(page, 'paused');
+  assert.match(page.url(), /\?tour=other$/);
+  assert.match(await shown(page), /recorded tour/);
+});
+
 test('the tours that are shipped play in the page, to the same place as anywhere', async (t) => {
   const { page } = await openScene(t, browser, { query: '?tour=library', server: { files: { 'scenes/index.json': '[]' } } });
   assert.equal(await page.title(), 'The library · Slicecast');
