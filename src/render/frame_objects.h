@@ -40,9 +40,9 @@ public:
     bool none() const { return objects_.empty(); }
     double highest() const { return highest_; }  // of their upper edges above the map's floor, units; 0 if there are none
 
-    // The first row below a height, `rise` 1/65536 units above the eye, at a depth. A row through it is below.
-    static int firstRowBelow(const Projection& projection, std::int32_t rise, double depth) {
-        return projection.firstRowBelowRow(projection.horizon - rise / 65536.0 * projection.distance / depth, false);
+    // The first row below a height, `rise` 1/65536 units above the eye, at a depth; a row right through it counts as below if `tieIsBelow`.
+    static int firstRowBelow(const Projection& projection, std::int32_t rise, double depth, bool tieIsBelow = false) {
+        return projection.firstRowBelowRow(projection.horizon - rise / 65536.0 * projection.distance / depth, tieIsBelow);
     }
 
 private:

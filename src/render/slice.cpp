@@ -20,7 +20,7 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 }  // namespace
 
 Slice::Slice(const Frame& frame, SliceMemory& memory, FrameReport& report)
-    : frame_(frame), memory_(memory), open_(memory.open), report_(report), walk_({}, {}, {}) {}
+    : frame_(frame), ownVista_(frame.vistas.ofEye()), memory_(memory), open_(memory.open), report_(report), walk_({}, {}, {}) {}
 
 void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     column_ = column;
@@ -30,17 +30,16 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     parts_ = &memory_.parts;
     parts_->clear();
     memory_.mirrors.clear();
-    Vista& vista = frame_.vistas.ofEye();
-    const Viewpoint& eye = vista.viewpoint;
-    const GroundDirection ray = vista.ray(column);
-    Part& whole = parts_->find(vista, GridWalk({static_cast<std::int32_t>(eye.x)}, {static_cast<std::int32_t>(eye.y)}, ray), {}, 0, 0);
-    whole.rows.assign(1, {0, vista.projection->height});
+    const Viewpoint& eye = ownVista_.viewpoint;
+    const GroundDirection ray = ownVista_.ray(column);
+    Part& whole = parts_->find(ownVista_, GridWalk({static_cast<std::int32_t>(eye.x)}, {static_cast<std::int32_t>(eye.y)}, ray), {}, 0, 0);
+    whole.rows.assign(1, {0, ownVista_.projection->height});
     if (trace_) {
         trace_->column = column;
-        trace_->rayX = ray.x / vista.projection->distance;
-        trace_->rayY = ray.y / vista.projection->distance;
-        trace_->horizonRow = vista.projection->horizon;
-        trace_->projectionDistance = vista.projection->distance;
+        trace_->rayX = ray.x / ownVista_.projection->distance;
+        trace_->rayY = ray.y / ownVista_.projection->distance;
+        trace_->horizonRow = ownVista_.projection->horizon;
+        trace_->projectionDistance = ownVista_.projection->distance;
     }
     drawParts();
     if (!memory_.mirrors.empty()) reflect();
@@ -70,16 +69,18 @@ void Slice::begin(const Part& part) {
     before_ = part.before;
     const bool ceilingMet = !clipped_ || (clip_.isMirror ? ceilingRise_ > clip_.low : ceilingRise_ >= clip_.low && ceilingRise_ <= clip_.high);
     ceilingTiles_ = map_->ceiling.tiles.empty() || !ceilingMet ? nullptr : map_->ceiling.tiles.data();
-    floorMirror_ = mirrorStrength(map_->floor.mirror);
     report_.deepestPortal = std::max(report_.deepestPortal, portals_);
     if (portals_ > 0) ++report_.partsBehindPortals;
 }
 
 void Slice::lookInto(Vista& vista) {
+    ray_ = vista.ray(column_);
+    if (vista_ == &vista) return;
     vista_ = &vista;
     map_ = vista.map;
     projection_ = vista.projection;
-    ray_ = vista.ray(column_);
+    hasTilePortals_ = !map_->tilePortals.empty();
+    floorMirror_ = mirrorStrength(map_->floor.mirror);
     eyeTileX_ = vista.viewpoint.tileX();
     eyeTileY_ = vista.viewpoint.tileY();
     eyeFractionX_ = vista.viewpoint.fractionX();
@@ -131,7 +132,7 @@ double Slice::whereToStop() const {
     if (open_.none()) return 0.0;
     const int firstFalling = projection_->firstFallingRow;
     if (open_.first() >= firstFalling) return kBeyond * eyeHeight_ * vista_->inverseOffsets[static_cast<std::size_t>(open_.first())];
-    if (open_.last() > firstFalling || !map_->tilePortals.empty()) return kNever;
+    if (open_.last() > firstFalling || hasTilePortals_) return kNever;
     const double rise = vista_->highest - eyeHeight_;
     return rise <= 0.0 ? 0.0 : kBeyond * rise * vista_->inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
@@ -139,7 +140,7 @@ double Slice::whereToStop() const {
 // Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open row may meet.
 template <bool portals>
 Slice::Pass Slice::passTilesWith(bool leaveFirst) {
-    skipHiddenObjects();
+    if (object_ != objectsEnd_) skipHiddenObjects();
     constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
     const double stop = whereToStop();
     const double highestEye = eyeHeight_ + kSlack;
@@ -284,7 +285,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
         edgeRow = rowBelow(block.bottom, enter_);
-        const bool isPlain = !block.blueprint->seeThrough && !block.blueprint->hasPortals && !block.cut;
+        const bool isPlain = !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
         opaqueAbove = isPlain;
         if (!isPlain) {
             enterSide(block, topRow, edgeRow);
@@ -332,7 +333,7 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
         Block block = blockAt(std::countr_zero(rest));
         if (clipped_ && !cutToClip(block)) continue;
-        const bool isPlain = !block.blueprint->seeThrough && !block.blueprint->hasPortals && !block.cut;
+        const bool isPlain = !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
         if (block.bottom > 0) {
             const int bottomRow = block.bottom == edge ? edgeRow : rowBelow(block.bottom, enter_);
             const bool covered = block.bottom == edge && opaqueBelow;

@@ -99,7 +99,7 @@ private:
         return strength == 0 ? 0 : static_cast<int>(std::min(255.0, std::floor(strength * frame_.mirrors + 0.5)));
     }
 
-    Pass passTiles(bool leaveFirst) { return map_->tilePortals.empty() ? passTilesWith<false>(leaveFirst) : passTilesWith<true>(leaveFirst); }
+    Pass passTiles(bool leaveFirst) { return hasTilePortals_ ? passTilesWith<true>(leaveFirst) : passTilesWith<false>(leaveFirst); }
     template <bool portals>
     Pass passTilesWith(bool leaveFirst);
     void drawTile();
@@ -131,11 +131,11 @@ private:
     bool isArrival() const { return portals_ > 0 && walk_.tileX == startX_ && walk_.tileY == startY_; }
     bool isJoined(const Block& block, const Map& map, int x, int y, int level) const;
     bool joinsBefore(const Block& block) const;
-    bool joinsAbove(const Block& block) const;
-    bool joinsBelow(const Block& block) const;
+    bool joinsAbove(const Block& block, bool leaving) const;
+    bool joinsBelow(const Block& block, bool leaving) const;
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
-    void passThroughTop(const Block& block, int firstRow, int lastRow);
-    void passThroughBottom(const Block& block, int firstRow, int lastRow);
+    void passThroughTop(const Block& block, int firstRow, int lastRow, bool leaving);
+    void passThroughBottom(const Block& block, int firstRow, int lastRow, bool leaving);
     void leaveThroughSide(const Block& block, int firstRow, int lastRow);
     void seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow);
     void seeThroughPlane(int level, FilledRows::What what, const PlaneRun& run);
@@ -176,6 +176,7 @@ private:
     void traceBlock(const Block& block);
 
     const Frame& frame_;
+    Vista& ownVista_;  // of the eye
     SliceMemory& memory_;
     OpenRows& open_;
     FrameReport& report_;
@@ -203,6 +204,7 @@ private:
     std::uint32_t levelsToEye_ = 0;  // a bit for each level that begins at or below the eye
     const TextureId* ceilingTiles_ = nullptr;  // null where no ceiling can be met
     int floorMirror_ = 0;         // strength
+    bool hasTilePortals_ = false;
     HeightClip clip_;
     bool clipped_ = false;
     std::size_t part_ = 0;  // its number

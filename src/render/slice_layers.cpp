@@ -20,7 +20,8 @@ bool Slice::joinsBefore(const Block& block) const {
 }
 
 // Whether a block of the current tile joins what is above it, or below: a block that it touches, of its own blueprint or a part of the same thing that moves.
-bool Slice::joinsAbove(const Block& block) const {
+// A ray that leaves it may go through a portal there.
+bool Slice::joinsAbove(const Block& block, bool leaving) const {
     if (block.blueprint->top != tileEdge(1) || !block.blueprint->join) return false;
     const std::vector<CellBlueprint>& blueprints = frame_.world->blueprints;
     const auto joins = [&](const Map& map, int x, int y, int level) {
@@ -30,12 +31,12 @@ bool Slice::joinsAbove(const Block& block) const {
     if (clipped_ && block.top == clip_.high) return isArrival() && joins(*before_.map, before_.x, before_.y, block.level + 1 - before_.levels);
     const CellBlueprint& upper = blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level + 1)];
     const PortalId portal = upper.bottom == Coordinate{0} ? upper.face(Face::bottom).portal : kNoPortal;
-    if (!acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, block.level + 1);
+    if (!leaving || !acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, block.level + 1);
     const Portal& to = frame_.world->portals[portal];
     return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, block.level + 1 + to.levels);
 }
 
-bool Slice::joinsBelow(const Block& block) const {
+bool Slice::joinsBelow(const Block& block, bool leaving) const {
     if (block.blueprint->bottom != Coordinate{0} || !block.blueprint->join) return false;
     const std::vector<CellBlueprint>& blueprints = frame_.world->blueprints;
     const auto joins = [&](const Map& map, int x, int y, int level) {
@@ -45,7 +46,7 @@ bool Slice::joinsBelow(const Block& block) const {
     if (clipped_ && block.bottom == clip_.low) return isArrival() && joins(*before_.map, before_.x, before_.y, block.level - 1 - before_.levels);
     const CellBlueprint& lower = blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level - 1)];
     const PortalId portal = lower.top == tileEdge(1) ? lower.face(Face::top).portal : kNoPortal;
-    if (!acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, block.level - 1);
+    if (!leaving || !acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, block.level - 1);
     const Portal& to = frame_.world->portals[portal];
     return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, block.level - 1 + to.levels);
 }
@@ -81,15 +82,15 @@ void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
     if (!isJoined(block, *map_, x, y, block.level)) draw(firstRow, lastRow);
 }
 
-void Slice::passThroughTop(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsAbove(block)) return;
+void Slice::passThroughTop(const Block& block, int firstRow, int lastRow, bool leaving) {
+    if (!open_.mayHold(firstRow, lastRow) || joinsAbove(block, leaving)) return;
     const FaceBlueprint& look = block.blueprint->face(Face::top);
     seeThroughPlane(block.level, FilledRows::What::roof,
                     {{block.top, look.texture, look.light, look.glow, false, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
 }
 
-void Slice::passThroughBottom(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsBelow(block)) return;
+void Slice::passThroughBottom(const Block& block, int firstRow, int lastRow, bool leaving) {
+    if (!open_.mayHold(firstRow, lastRow) || joinsBelow(block, leaving)) return;
     const FaceBlueprint& look = block.blueprint->face(Face::bottom);
     seeThroughPlane(block.level, FilledRows::What::underside,
                     {{block.bottom, look.texture, look.light, look.glow, true, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
@@ -166,7 +167,7 @@ void Slice::drawObject(const FrameObject& object) {
     const double perRow = object.along;
     const auto end = static_cast<std::int64_t>(level.height) << 32;
     bool drawn = false;
-    const int firstRow = object.top <= clip_.high ? object.firstRow : FrameObjects::firstRowBelow(*projection_, clip_.high, object.depth);
+    const int firstRow = object.top <= clip_.high ? object.firstRow : FrameObjects::firstRowBelow(*projection_, clip_.high, object.depth, true);
     const int lastRow = object.bottom >= clip_.low ? object.lastRow : FrameObjects::firstRowBelow(*projection_, clip_.low, object.depth);
     open_.each(firstRow, lastRow, [&](int first, int last) {
         const double down = object.top / 65536.0 - (projection_->horizon - (first + 0.5)) * perRow;

@@ -27,8 +27,8 @@ void Slice::enterTop(const Block& block, int firstRow, int lastRow) {
         HeightClip below;
         below.high = block.top;
         sendThrough(frame_.world->portals[look.portal], firstRow, lastRow, below);
-    } else if (block.blueprint->seeThrough && (mirrorStrength(look.mirror) == 0 || joinsAbove(block))) {
-        passThroughTop(block, firstRow, lastRow);
+    } else if (block.blueprint->seeThrough && (mirrorStrength(look.mirror) == 0 || joinsAbove(block, false))) {
+        passThroughTop(block, firstRow, lastRow, false);
     } else {
         drawRoof(block, firstRow, lastRow);
     }
@@ -41,7 +41,7 @@ void Slice::enterBottom(const Block& block, int firstRow, int lastRow) {
         above.low = block.bottom;
         sendThrough(frame_.world->portals[portal], firstRow, lastRow, above);
     } else if (block.blueprint->seeThrough) {
-        passThroughBottom(block, firstRow, lastRow);
+        passThroughBottom(block, firstRow, lastRow, false);
     } else {
         drawUnderside(block, firstRow, lastRow);
     }
@@ -59,7 +59,7 @@ void Slice::leaveSide(const Block& block, int firstRow, int lastRow) {
 void Slice::leaveTop(const Block& block, int firstRow, int lastRow) {
     if (block.blueprint->face(Face::top).portal != kNoPortal) return;
     if (block.blueprint->seeThrough) {
-        passThroughTop(block, firstRow, lastRow);
+        passThroughTop(block, firstRow, lastRow, true);
     } else {
         drawRoof(block, firstRow, lastRow, true);
     }
@@ -68,7 +68,7 @@ void Slice::leaveTop(const Block& block, int firstRow, int lastRow) {
 void Slice::leaveBottom(const Block& block, int firstRow, int lastRow) {
     if (block.blueprint->face(Face::bottom).portal != kNoPortal) return;
     if (block.blueprint->seeThrough) {
-        passThroughBottom(block, firstRow, lastRow);
+        passThroughBottom(block, firstRow, lastRow, true);
     } else {
         drawUnderside(block, firstRow, lastRow);
     }

@@ -21,11 +21,6 @@ void fillInverseOffsets(const Projection& projection, std::vector<double>& inver
 
 }  // namespace
 
-GroundDirection turned(GroundDirection direction, int quarterTurns) {
-    for (int i = 0; i < quarterTurns; ++i) direction = {-direction.y, direction.x};
-    return direction;
-}
-
 Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
     // Relative to the middle of the portal's tile, then from the middle of the exit tile.
     std::int64_t x = from.x - portal.fromX * kUnit - kUnit / 2;

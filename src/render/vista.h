@@ -46,7 +46,10 @@ struct Viewpoint {
 };
 
 // A level direction turned clockwise by quarter turns.
-GroundDirection turned(GroundDirection direction, int quarterTurns);
+inline GroundDirection turned(GroundDirection direction, int quarterTurns) {
+    for (int i = 0; i < quarterTurns; ++i) direction = {-direction.y, direction.x};
+    return direction;
+}
 
 // Where the eye seems to be for those who have come through a portal.
 Viewpoint throughPortal(const Viewpoint& from, const Portal& portal);
