@@ -131,8 +131,7 @@ private:
     bool isArrival() const { return portals_ > 0 && walk_.tileX == startX_ && walk_.tileY == startY_; }
     bool isJoined(const Block& block, const Map& map, int x, int y, int level) const;
     bool joinsBefore(const Block& block) const;
-    bool joinsAbove(const Block& block, bool leaving) const;
-    bool joinsBelow(const Block& block, bool leaving) const;
+    bool joinsNext(const Block& block, int up, bool leaving) const;
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
     void passThroughTop(const Block& block, int firstRow, int lastRow, bool leaving);
     void passThroughBottom(const Block& block, int firstRow, int lastRow, bool leaving);

@@ -19,36 +19,25 @@ bool Slice::joinsBefore(const Block& block) const {
     return isJoined(block, *map_, beforeX(Border::enter), beforeY(Border::enter), block.level);
 }
 
-// Whether a block of the current tile joins what is above it, or below: a block that it touches, of its own blueprint or a part of the same thing that moves.
+// Whether a block of the current tile joins the one above it, or below: a block that it touches, of its own blueprint or a part of the same thing that moves.
 // A ray that leaves it may go through a portal there.
-bool Slice::joinsAbove(const Block& block, bool leaving) const {
-    if (block.blueprint->top != tileEdge(1) || !block.blueprint->join) return false;
-    const std::vector<CellBlueprint>& blueprints = frame_.world->blueprints;
-    const auto joins = [&](const Map& map, int x, int y, int level) {
-        const CellBlueprint& upper = blueprints[map.cell(x, y, level)];
-        return upper.bottom == Coordinate{0} && (&upper == block.blueprint || (upper.mover >= 0 && upper.mover == block.blueprint->mover));
+bool Slice::joinsNext(const Block& block, int up, bool leaving) const {
+    const bool above = up > 0;
+    const auto reaches = [](const CellBlueprint& blueprint, bool top) { return top ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0}; };
+    if (!reaches(*block.blueprint, above) || !block.blueprint->join) return false;
+    const auto at = [&](const Map& map, int x, int y, int level) -> const CellBlueprint& { return frame_.world->blueprints[map.cell(x, y, level)]; };
+    const auto joins = [&](const CellBlueprint& next) {
+        return reaches(next, !above) && (&next == block.blueprint || (next.mover >= 0 && next.mover == block.blueprint->mover));
     };
-    if (clipped_ && block.top == clip_.high) return isArrival() && joins(*before_.map, before_.x, before_.y, block.level + 1 - before_.levels);
-    const CellBlueprint& upper = blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level + 1)];
-    const PortalId portal = upper.bottom == Coordinate{0} ? upper.face(Face::bottom).portal : kNoPortal;
-    if (!leaving || !acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, block.level + 1);
+    const int level = block.level + up;
+    if (clipped_ && (above ? block.top == clip_.high : block.bottom == clip_.low)) {
+        return isArrival() && joins(at(*before_.map, before_.x, before_.y, level - before_.levels));
+    }
+    const CellBlueprint& next = at(*map_, walk_.tileX, walk_.tileY, level);
+    const PortalId portal = reaches(next, !above) ? next.face(above ? Face::bottom : Face::top).portal : kNoPortal;
+    if (!leaving || !acts(portal)) return joins(next);
     const Portal& to = frame_.world->portals[portal];
-    return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, block.level + 1 + to.levels);
-}
-
-bool Slice::joinsBelow(const Block& block, bool leaving) const {
-    if (block.blueprint->bottom != Coordinate{0} || !block.blueprint->join) return false;
-    const std::vector<CellBlueprint>& blueprints = frame_.world->blueprints;
-    const auto joins = [&](const Map& map, int x, int y, int level) {
-        const CellBlueprint& lower = blueprints[map.cell(x, y, level)];
-        return lower.top == tileEdge(1) && (&lower == block.blueprint || (lower.mover >= 0 && lower.mover == block.blueprint->mover));
-    };
-    if (clipped_ && block.bottom == clip_.low) return isArrival() && joins(*before_.map, before_.x, before_.y, block.level - 1 - before_.levels);
-    const CellBlueprint& lower = blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level - 1)];
-    const PortalId portal = lower.top == tileEdge(1) ? lower.face(Face::top).portal : kNoPortal;
-    if (!leaving || !acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, block.level - 1);
-    const Portal& to = frame_.world->portals[portal];
-    return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, block.level - 1 + to.levels);
+    return joins(at(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY, level + to.levels));
 }
 
 void Slice::enterThroughSide(const Block& block, int firstRow, int lastRow) {
@@ -83,14 +72,14 @@ void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
 }
 
 void Slice::passThroughTop(const Block& block, int firstRow, int lastRow, bool leaving) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsAbove(block, leaving)) return;
+    if (!open_.mayHold(firstRow, lastRow) || joinsNext(block, 1, leaving)) return;
     const FaceBlueprint& look = block.blueprint->face(Face::top);
     seeThroughPlane(block.level, FilledRows::What::roof,
                     {{block.top, look.texture, look.light, look.glow, false, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});
 }
 
 void Slice::passThroughBottom(const Block& block, int firstRow, int lastRow, bool leaving) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsBelow(block, leaving)) return;
+    if (!open_.mayHold(firstRow, lastRow) || joinsNext(block, -1, leaving)) return;
     const FaceBlueprint& look = block.blueprint->face(Face::bottom);
     seeThroughPlane(block.level, FilledRows::What::underside,
                     {{block.bottom, look.texture, look.light, look.glow, true, false}, firstRow, lastRow, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false});

@@ -27,7 +27,7 @@ void Slice::enterTop(const Block& block, int firstRow, int lastRow) {
         HeightClip below;
         below.high = block.top;
         sendThrough(frame_.world->portals[look.portal], firstRow, lastRow, below);
-    } else if (block.blueprint->seeThrough && (mirrorStrength(look.mirror) == 0 || joinsAbove(block, false))) {
+    } else if (block.blueprint->seeThrough && (mirrorStrength(look.mirror) == 0 || joinsNext(block, 1, false))) {
         passThroughTop(block, firstRow, lastRow, false);
     } else {
         drawRoof(block, firstRow, lastRow);
