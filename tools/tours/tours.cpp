@@ -29,7 +29,8 @@ void throughTheHarbourTown(Guide& guide) {
 
 void throughTheCastle(Guide& guide) {
     guide.walk({{44.5, 20}});
-    guide.lookTo(0.3);
+    guide.turnTo(184.0);
+    guide.lookTo(0.12);
     guide.mark("before-the-gate");
     guide.lookTo(0.0);
     guide.walk({{43, 18.9}, {30, 19.1}});
