@@ -167,7 +167,7 @@ private:
         report_.rowsFilled += last - first;
     }
     void note(int level, FilledRows::What what, Face face, int first, int last) {
-        if (trace_) traceRows(level, {what, face, first, last});
+        if (trace_) traceRows(level, {what, face, first, last, vista_->viewpoint.map});
     }
     void traceRows(int level, const FilledRows& rows);
     void traceTile(int x, int y, double along);

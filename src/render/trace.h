@@ -16,6 +16,7 @@ struct FilledRows {
     Face face = Face::top;  // for side, roof and underside
     int first = 0;
     int last = 0;
+    int map = 0;
 };
 
 // A block that a slice's ground line passes, whether or not any of it is seen. Rows are real numbers: row r's centre is r + 0.5, and rows grow downwards.

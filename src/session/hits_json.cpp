@@ -89,14 +89,15 @@ void addRows(Writer& json, int first, int last) {
     add(json, "last", last - 1);
 }
 
-// Planes need no face: the kind says it.
-void addFilled(Writer& json, const char* key, const std::vector<FilledRows>& filled, bool withFace) {
+// Planes need no face: the kind says it. They name their map, as blocks do elsewhere.
+void addFilled(Writer& json, const World& world, const char* key, const std::vector<FilledRows>& filled, bool arePlanes) {
     json.Key(key);
     json.StartArray();
     for (const FilledRows& rows : filled) {
         json.StartObject();
         add(json, "what", std::string(nameOf(rows.what)));
-        if (withFace) add(json, "face", std::string(nameOf(rows.face)));
+        if (arePlanes) add(json, "map", mapName(world, rows.map));
+        if (!arePlanes) add(json, "face", std::string(nameOf(rows.face)));
         addRows(json, rows.first, rows.last);
         json.EndObject();
     }
@@ -138,7 +139,7 @@ void addHit(Writer& json, const World& world, const Hit& hit) {
     add(json, "topFrontRow", hit.topFrontRow);
     add(json, "bottomBackRow", hit.bottomBackRow);
     add(json, "topBackRow", hit.topBackRow);
-    addFilled(json, "filled", hit.filled, true);
+    addFilled(json, world, "filled", hit.filled, false);
     json.EndObject();
 }
 
@@ -224,7 +225,7 @@ std::string hitsJson(Session& session, const std::string& sceneName, int width, 
     addPair(json, "ray", trace.rayX, trace.rayY);
     addAll(json, world, "tiles", trace.tiles, addTile);
     addAll(json, world, "hits", trace.hits, addHit);
-    addFilled(json, "planes", trace.planes, false);
+    addFilled(json, world, "planes", trace.planes, true);
     addAll(json, world, "objects", trace.objects, addObject);
     addAll(json, world, "portals", trace.portals, addPortal);
     addAll(json, world, "mirrors", trace.mirrors, addMirror);

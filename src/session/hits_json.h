@@ -12,7 +12,7 @@
 //                   "bottom", "top",                 heights above the map's floor, units
 //                   "bottomFrontRow", "topFrontRow", "bottomBackRow", "topBackRow",     rows as real numbers; null where infinite
 //                   "filled": [ { "what", "face", "first", "last" } ] } ],              rows from first to last, both included
-//       "planes": [ { "what", "first", "last" } ],   floor, ceiling, sky and haze
+//       "planes": [ { "what", "map", "first", "last" } ],     floor, ceiling, sky and haze
 //       "objects": [ { "map", "portals", "sprite",
 //                      "point": [x, y],              of its middle, units
 //                      "bottom", "top", "width",     heights of feet and head; units

@@ -1,5 +1,6 @@
 // Overlays that are drawn with every picture take no memory for it.
 
+#include "../count_allocations.h"
 #include "canvas.h"
 #include "overlay/minimap.h"
 #include "overlay/panels.h"
@@ -7,25 +8,6 @@
 #include "overlay/slow_drawing.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <new>
-
-namespace {
-long allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    std::abort();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace slicecast {
 namespace {

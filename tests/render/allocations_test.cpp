@@ -1,4 +1,5 @@
 // Pictures take no memory once such pictures have been drawn, whatever is in them and wherever the eye goes.
+#include "../count_allocations.h"
 #include "render/renderer.h"
 #include "world/world.h"
 
@@ -7,25 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 #include <vector>
-
-namespace {
-long allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    std::abort();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace slicecast {
 namespace {

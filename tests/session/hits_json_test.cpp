@@ -67,6 +67,9 @@ TEST(HitsJson, TellsThePortalsThatRowsWentThrough) {
     EXPECT_NEAR(portal["depth"].GetDouble(), 1.5, 1e-12);
     EXPECT_EQ(portal["first"].GetInt(), 0);
     EXPECT_EQ(portal["last"].GetInt(), json["planes"][0]["first"].GetInt() - 1) << "the floor before it did not";
+    EXPECT_EQ(json["planes"][0]["map"], "hall");
+    const auto& beyond = json["planes"][json["planes"].Size() - 1];
+    EXPECT_EQ(beyond["map"], "cellar");
 }
 
 TEST(HitsJson, NamesTheMapOfWhateverIsMet) {
