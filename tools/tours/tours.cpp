@@ -75,9 +75,9 @@ void throughTheCastle(Guide& guide) {
     guide.lookAround();
     guide.mark("on-the-great-tower");
     guide.setFlying(true);
-    guide.flyTo({7, 31}, 15.5);
-    guide.turnTo(320.0);
-    guide.lookTo(-0.25);
+    guide.lookTo(-0.3);
+    guide.flyTo({40, 30}, 13.5);
+    guide.turnTo(205.0);
     guide.mark("above-the-castle");
 }
 
