@@ -97,7 +97,8 @@ void throughTheLibrary(Guide& guide) {
     guide.walk({{16.5, 16.5}});
     guide.mark("over-the-high-bridge");
     guide.walk({{16.5, 18.5}, {14.5, 18.5}, {14.5, 16}});
-    guide.lookTo(-0.5);
+    guide.turnTo(315.0);
+    guide.lookTo(-0.15);
     guide.mark("on-the-tower-of-books");
 }
 
@@ -122,6 +123,7 @@ void throughTheGarden(Guide& guide) {
     guide.lookTo(0.0);
     guide.walk({{21, 15}});
     guide.lookAround();
+    guide.turnTo(180.0);
     guide.mark("on-the-pavilion");
 }
 
