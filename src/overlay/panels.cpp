@@ -99,7 +99,7 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
         count("blocks met", &FrameReport::blocksMet),
         count("spans drawn", &FrameReport::spansDrawn),
         count("rows filled", &FrameReport::rowsFilled),
-        count("see-through runs", &FrameReport::layers),
+        count("see-through", &FrameReport::layers),
         count("object slices", &FrameReport::objectSlices),
         count("portals deep", &FrameReport::deepestPortal),
         count("walks beyond", &FrameReport::partsBehindPortals),

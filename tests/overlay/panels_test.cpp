@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +90,24 @@ TEST(Panels, TheProcessTellsTimesAndCounts) {
     drawProcessPanel({.intensity = 0.5, .multiplier = 10.0}, without.picture);
     EXPECT_EQ(valuesOf(without, layout.process, layout.scale, kProcessPanelRows),
               (std::vector<std::string>{"640 x 400", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-", "0.50 x 10.0", "x 1.00", "all"}));
+}
+
+TEST(Panels, GreatCountsAreNotCut) {
+    constexpr int kGreat = 12345678;
+    const FrameReport report = {.tilesWalked = kGreat,
+                                .blocksMet = kGreat,
+                                .spansDrawn = kGreat,
+                                .partsBehindPortals = kGreat,
+                                .deepestPortal = kGreat,
+                                .mirroredRows = kGreat,
+                                .layers = kGreat,
+                                .objectSlices = kGreat,
+                                .rowsFilled = kGreat};
+    const OverlayLayout layout = layoutOverlays(640, 400);
+    Canvas canvas(640, 400);
+    drawProcessPanel({.report = &report}, canvas.picture);
+    const std::vector<std::string> values = valuesOf(canvas, layout.process, layout.scale, kProcessPanelRows);
+    EXPECT_EQ(std::count(values.begin(), values.end(), std::to_string(kGreat)), 9);
 }
 
 TEST(Panels, ALongNameIsCutNotSpilt) {
