@@ -69,7 +69,8 @@ Sky randomSky(Random& random) {
     sky.high = anyColour(random);
     sky.slope = random.between(0.2, 2.0);
     if (sky.kind == Sky::Kind::panorama) {
-        sky.panorama = Image(random.between(1, 200), random.between(1, 60));
+        const int height = random.between(1, 60);
+        sky.panorama = Image(random.between(1, 200), height);
         for (Pixel& pixel : sky.panorama.pixels) pixel = toPixel(anyColour(random));
     }
     return sky;
@@ -77,8 +78,11 @@ Sky randomSky(Random& random) {
 
 Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse) {
     const int longest = random.oneIn(4) ? 40 : 12;
-    Map map = makeMap("random", random.between(1, longest), random.between(1, longest), random.oneIn(8) ? random.between(7, kMaxLevels) : random.between(1, 5),
-                      anyTexture(random));
+    // One number after another: the order of a call's arguments is the compiler's choice.
+    const TextureId floorTexture = anyTexture(random);
+    const int levels = random.oneIn(8) ? random.between(7, kMaxLevels) : random.between(1, 5);
+    const int depth = random.between(1, longest);
+    Map map = makeMap("random", random.between(1, longest), depth, levels, floorTexture);
     // From a few blocks to nearly solid; some maps repeat one level in all others, so that faces meet flush.
     const double filled = random.oneIn(5) ? random.between(0.5, 0.95) : random.between(0.0, 0.35);
     const int blueprints = static_cast<int>(world.blueprints.size());
@@ -173,8 +177,11 @@ World randomWorld(Random& random, bool coarse) {
     const bool fine = random.oneIn(3);
     // In every other world some textures are see-through.
     const int opaque = random.oneIn(2) ? kTextures : random.between(kTextures - 6, kTextures - 1);
-    for (int i = 0; i < kTextures; ++i)
-        world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque, random.oneIn(4) ? 2 : 1, random.between(0.5, 20.0)));
+    for (int i = 0; i < kTextures; ++i) {
+        const double rate = random.between(0.5, 20.0);
+        const int frames = random.oneIn(4) ? 2 : 1;
+        world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque, frames, rate));
+    }
     world.seconds = random.between(0.0, 100.0);
     const int blueprints = random.between(1, 12);
     for (int i = 0; i < blueprints; ++i) world.blueprints.push_back(randomBlueprint(random, coarse));

@@ -261,8 +261,9 @@ World crowd(std::uint64_t seed, int size) {
         motion.headingDegrees = random.between(0.0, 360.0);
         motion.reach = toCoordinate(motion.kind == ObjectMotion::Kind::wander && random.oneIn(2) ? 0.0 : random.between(0.3, 4.0));
         motion.random = Random(random.next());
-        addMoving(world, random.between(0.0, static_cast<double>(map.width)), random.between(0.0, static_cast<double>(map.depth)), random.between(0.0, 3.0),
-                  motion);
+        const double z = random.between(0.0, 3.0);
+        const double y = random.between(0.0, static_cast<double>(map.depth));
+        addMoving(world, random.between(0.0, static_cast<double>(map.width)), y, z, motion);
         map.objects.back().width = toCoordinate(random.between(0.05, 0.8));
         map.objects.back().height = toCoordinate(random.between(0.1, 1.2));
     }
