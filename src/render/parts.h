@@ -30,6 +30,8 @@ struct Before {
     int x = 0;
     int y = 0;
     int levels = 0;  // the portal's
+
+    friend bool operator==(const Before&, const Before&) = default;
 };
 
 struct Part {
@@ -56,11 +58,11 @@ public:
     std::size_t count() const { return used_; }
     Part& operator[](std::size_t i) { return parts_[i]; }
 
-    // A part like the latest ones goes on with one of them, if that has not begun: `begun` of them have.
-    Part& find(Vista& vista, const GridWalk& walk, const HeightClip& clip, int portals, std::size_t begun) {
+    // Rows that go the same way share a part, if that has not begun: `begun` of them have.
+    Part& find(Vista& vista, const GridWalk& walk, const HeightClip& clip, const Before& before, int portals, std::size_t begun) {
         for (std::size_t i = used_; i-- > begun;) {
             Part& part = parts_[i];
-            if (part.vista == &vista && part.clip == clip && part.portals == portals && part.walk.tileX == walk.tileX && part.walk.tileY == walk.tileY &&
+            if (part.vista == &vista && part.clip == clip && part.before == before && part.portals == portals && part.walk.tileX == walk.tileX && part.walk.tileY == walk.tileY &&
                 part.walk.entered == walk.entered) {
                 return part;
             }
@@ -70,6 +72,7 @@ public:
         part.vista = &vista;
         part.walk = walk;
         part.clip = clip;
+        part.before = before;
         part.portals = portals;
         part.rows.clear();
         return part;

@@ -32,7 +32,7 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     memory_.mirrors.clear();
     const Viewpoint& eye = ownVista_.viewpoint;
     const GroundDirection ray = ownVista_.ray(column);
-    Part& whole = parts_->find(ownVista_, GridWalk({static_cast<std::int32_t>(eye.x)}, {static_cast<std::int32_t>(eye.y)}, ray), {}, 0, 0);
+    Part& whole = parts_->find(ownVista_, GridWalk({static_cast<std::int32_t>(eye.x)}, {static_cast<std::int32_t>(eye.y)}, ray), {}, {}, 0, 0);
     whole.rows.assign(1, {0, ownVista_.projection->height});
     if (trace_) {
         trace_->column = column;

@@ -175,10 +175,8 @@ void Slice::drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t eas
 }
 
 Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
-    const int eyeX = eyeTileX_;
-    const int eyeY = eyeTileY_;
-    TileBox box = {static_cast<double>(std::min(run.fromX, run.toX) - eyeX), static_cast<double>(std::max(run.fromX, run.toX) + 1 - eyeX),
-                   static_cast<double>(std::min(run.fromY, run.toY) - eyeY), static_cast<double>(std::max(run.fromY, run.toY) + 1 - eyeY)};
+    TileBox box = {static_cast<double>(std::min(run.fromX, run.toX) - eyeTileX_), static_cast<double>(std::max(run.fromX, run.toX) + 1 - eyeTileX_),
+                   static_cast<double>(std::min(run.fromY, run.toY) - eyeTileY_), static_cast<double>(std::max(run.fromY, run.toY) + 1 - eyeTileY_)};
     if (run.endless) {
         constexpr double kNever = std::numeric_limits<double>::infinity();
         if (ray_.x > 0.0) box.eastEnd = kNever;

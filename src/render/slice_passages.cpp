@@ -101,9 +101,7 @@ void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const H
     const Before before = clip.any() ? Before{map_, walk_.tileX, walk_.tileY, portal.levels} : Before{map_, beforeX(Border::enter), beforeY(Border::enter), portal.levels};
     open_.take(firstRow, lastRow, [&](int first, int last) {
         if (first < hazeRow) {
-            Part& part = parts_->find(beyond, onward, clip, portals_ + 1, part_ + 1);
-            part.before = before;
-            Parts::addRows(part, first, std::min(last, hazeRow));
+            Parts::addRows(parts_->find(beyond, onward, clip, before, portals_ + 1, part_ + 1), first, std::min(last, hazeRow));
         }
         if (last > hazeRow) {
             std::fill(pixels_ + std::max(first, hazeRow), pixels_ + last, beyond.lighting.haze);
@@ -144,9 +142,7 @@ void Slice::reflect() {
         above.low = -run.height;
         above.isMirror = true;
         Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + run.height);
-        Part& part = memory_.reflectedParts.find(vista, met.walk, above, met.portals, 0);
-        part.before = met.before;
-        Parts::addRows(part, height - run.last, height - run.first);
+        Parts::addRows(memory_.reflectedParts.find(vista, met.walk, above, met.before, met.portals, 0), height - run.last, height - run.first);
     }
     pixels_ = memory_.reflected.data();
     layers_ = &memory_.reflectedLayers;

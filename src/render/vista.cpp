@@ -25,7 +25,7 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
     // Relative to the middle of the portal's tile, then from the middle of the exit tile.
     std::int64_t x = from.x - portal.fromX * kUnit - kUnit / 2;
     std::int64_t y = from.y - portal.fromY * kUnit - kUnit / 2;
-    for (int i = 0; i < portal.turn; ++i) x = std::exchange(y, x), x = -x;
+    for (int i = 0; i < portal.turn; ++i) x = -std::exchange(y, x);
     Viewpoint to = from;
     to.map = portal.toMap;
     to.turn = (from.turn + portal.turn) % 4;

@@ -54,7 +54,7 @@ inline GroundDirection turned(GroundDirection direction, int quarterTurns) {
 // Where the eye seems to be for those who have come through a portal.
 Viewpoint throughPortal(const Viewpoint& from, const Portal& portal);
 
-// What the vistas of a frame have in common.
+// How rays run over the rows of a picture, upright or upside down.
 struct FrameRays {
     const Projection& projection;
     const double* inverseOffsets;  // 1 / |horizon - (row + 0.5)| by row
