@@ -101,6 +101,19 @@ struct GridWalk {
         }
     }
 
+    // To where another walk along the same ray in the same map has come. What has not changed is not written: a copy of the whole is read back by pieces of
+    // another size than it was written in, for which processors wait.
+    void comeTo(const GridWalk& walk) {
+        tileX = walk.tileX;
+        tileY = walk.tileY;
+        entered = walk.entered;
+        x_.distance = walk.x_.distance;
+        x_.along = walk.x_.along;
+        y_.distance = walk.y_.distance;
+        y_.along = walk.y_.along;
+        way_ = walk.way_;
+    }
+
     bool hasEntered() const { return way_ != Way::none; }  // false in the eye's own tile
 
     // The same walk where the current tile is another one, turned clockwise by quarter turns: what is ahead changes, the borders' depths do not.

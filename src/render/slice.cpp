@@ -205,7 +205,7 @@ Slice::Pass Slice::passTilesWith(bool leaveFirst) {
             break;
         }
     }
-    walk_ = walk;
+    walk_.comeTo(walk);
     reached_ = reached;
     report_.tilesWalked += tiles;
     return pass;
