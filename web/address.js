@@ -10,7 +10,7 @@ export function parseView(text) {
   const parts = text.split(',').map((part) => part.trim());
   const numbers = parts.slice(0, 5).map((part) => (part === '' ? NaN : Number(part)));
   if (parts.length < 4 || parts.length > 6 || !numbers.every(Number.isFinite)) {
-    throw new Trouble('The view cannot be read', `view: found "${text}", expected x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map`);
+    throw new Trouble('The view cannot be read', `view: found "${text}", expected x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map`, [], 'address');
   }
   const [x, y, z, heading, look = 0] = numbers;
   return { x, y, z, heading, look, map: parts[5] || null };
@@ -27,7 +27,7 @@ export function formatView({ x, y, z, heading, look, map = null }) {
 export function parseOptions(text) {
   return text.split(/\s+/).filter((part) => part !== '').map((part) => {
     const at = part.indexOf('=');
-    if (at < 1) throw new Trouble('The options cannot be read', `options: found "${part}", expected name=value`);
+    if (at < 1) throw new Trouble('The options cannot be read', `options: found "${part}", expected name=value`, [], 'address');
     return [part.slice(0, at), part.slice(at + 1)];
   });
 }

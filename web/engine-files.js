@@ -3,6 +3,7 @@
 //     const files = await fetchEngine({kind: 'auto', onBytes(loaded, total) {...}});
 //     const engine = await Engine.create({files, canvas});
 
+import { coded, fetchResponse, listenForViolations, readBody, whyNoScript } from './fetch-bytes.js';
 import { Trouble } from './trouble.js';
 
 // The smallest module that uses SIMD: (func (result v128) i32.const 0 i8x16.splat i8x16.popcnt).
@@ -10,73 +11,82 @@ const kSimdModule = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
-const kFolder = new URL('engine/', import.meta.url);
+// The addresses stand here as literals: that is how bundlers find the files.
+const kBuilds = {
+  simd: {
+    importGlue: () => import('./engine/slicecast-simd.js'),
+    program: () => new URL('./engine/slicecast-simd.wasm', import.meta.url),
+  },
+  scalar: {
+    importGlue: () => import('./engine/slicecast-scalar.js'),
+    program: () => new URL('./engine/slicecast-scalar.wasm', import.meta.url),
+  },
+};
+
+let retries = 0;
+
+export function browserHasWebAssembly() {
+  return typeof WebAssembly === 'object' && typeof WebAssembly.validate === 'function';
+}
 
 export function browserHasSimd() {
   return WebAssembly.validate(kSimdModule);
 }
 
-// `kind` is 'simd', 'scalar' or 'auto'. `total` is 0 while it is unknown. Throws a Trouble.
+// The build that `kind` stands for: 'simd', 'scalar', or 'auto' for the one that suits the browser.
+export function chooseBuild(kind) {
+  return kind === 'auto' ? (browserHasSimd() ? 'simd' : 'scalar') : kind;
+}
+
+// `total` is 0 while it is unknown. Throws a Trouble.
 export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
-  const chosen = kind === 'auto' ? (browserHasSimd() ? 'simd' : 'scalar') : kind;
-  const glueAddress = new URL(`slicecast-${chosen}.js`, kFolder).href;
-  const programAddress = new URL(`slicecast-${chosen}.wasm`, kFolder).href;
-  const [glue, program] = await Promise.all([importGlue(glueAddress), compileProgram(programAddress, onBytes)]);
+  if (!browserHasWebAssembly()) {
+    throw new Trouble('This browser has no WebAssembly', 'The engine is a WebAssembly program.', [], 'no-webassembly');
+  }
+  const chosen = chooseBuild(kind);
+  const [glue, program] = await Promise.all([importGlue(kBuilds[chosen]), compileProgram(kBuilds[chosen].program().href, onBytes)]);
   return { kind: chosen, createModule: glue.default, program };
 }
 
-async function importGlue(address) {
+async function importGlue(build) {
   try {
-    return await import(address);
+    return await build.importGlue();
   } catch (error) {
-    throw new Trouble('The engine could not be loaded', `${address} is missing, or the server does not send it as JavaScript. (${error.message})`);
+    const address = /\b(?:https?|blob|data|file):\S+/.exec(error.message)?.[0];
+    if (address === undefined) throw cannotLoad('The script of the engine', coded('fetch', error.message));
+    const cause = await whyNoScript(address, error.message);
+    // A browser remembers which module it could not get; another address makes it ask again.
+    if (cause.code === 'engine') return import(/* @vite-ignore */ `${address}?again=${++retries}`).catch(() => Promise.reject(cannotLoad(address, cause)));
+    throw cannotLoad(address, cause);
   }
 }
 
 async function compileProgram(address, onBytes) {
-  const bytes = await fetchBytes(address, onBytes).catch((error) => {
-    throw new Trouble('The engine could not be loaded', `${address}: ${error.message}`);
+  const bytes = await fetchResponse(address).then((response) => readBody(response, onBytes)).catch((error) => {
+    throw cannotLoad(address, error);
   });
   // A server that answers every address with a page of its own is a common way to fail.
   if (bytes.length < 8 || bytes[0] !== 0 || bytes[1] !== 0x61 || bytes[2] !== 0x73 || bytes[3] !== 0x6d) {
     const beginning = new TextDecoder().decode(bytes.subarray(0, 24)).replace(/\s+/g, ' ').trim();
-    throw new Trouble('The engine could not be loaded', `${address}: found "${beginning}", expected a WebAssembly program.`);
+    throw cannotLoad(address, coded('mime', `found "${beginning}", expected a WebAssembly program`));
   }
+  const violations = listenForViolations();
   try {
     return await WebAssembly.compile(bytes);
   } catch (error) {
-    throw new Trouble('The engine does not run here', `This browser refuses ${address}: ${error.message}`);
+    throw refusal(address, error, violations);
+  } finally {
+    violations.stop();
   }
 }
 
-// The bytes behind an address, with their number as they come. Throws an Error that says why there are none.
-export async function fetchBytes(address, onBytes = () => {}) {
-  let response;
-  try {
-    response = await fetch(address);
-  } catch {
-    throw new Error('the server does not answer');
-  }
-  if (!response.ok) throw new Error(`the server answers ${response.status} ${response.statusText}`.trim());
-  // A compressed answer's length is not the length of what arrives.
-  const total = response.headers.has('Content-Encoding') ? 0 : Number(response.headers.get('Content-Length') ?? 0);
-  if (response.body === null) return new Uint8Array(await response.arrayBuffer());
+function refusal(address, error, { refused }) {
+  const isPolicy = refused.some((one) => one.address === 'wasm-eval') || /content security policy|unsafe-eval/i.test(error.message);
+  return isPolicy
+    ? new Trouble('The page does not let the engine run', 'Its Content-Security-Policy does not allow WebAssembly.', [], 'csp')
+    : new Trouble('The engine does not run here', `This browser refuses ${address}: ${error.message}`, [], 'engine');
+}
 
-  const chunks = [];
-  let loaded = 0;
-  const reader = response.body.getReader();
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    chunks.push(value);
-    loaded += value.length;
-    onBytes(loaded, Math.max(total, loaded));
-  }
-  const bytes = new Uint8Array(loaded);
-  let at = 0;
-  for (const chunk of chunks) {
-    bytes.set(chunk, at);
-    at += chunk.length;
-  }
-  return bytes;
+function cannotLoad(address, error) {
+  return new Trouble('The engine could not be loaded', `${address}: ${error.message}.`, [], error.code);
 }

@@ -4,7 +4,7 @@
 //     readText()         the scene's bytes; throws a Trouble
 //     readFile(name)     the bytes of a file that the scene names, or null
 
-import { fetchBytes } from './engine-files.js';
+import { fetchBytes } from './fetch-bytes.js';
 import { Trouble } from './trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
@@ -14,7 +14,7 @@ const kScenes = new URL('scenes/', document.baseURI);
 export async function listScenes() {
   const address = new URL('index.json', kScenes);
   const bytes = await fetchBytes(address).catch((error) => {
-    throw new Trouble('The list of scenes could not be loaded', `${address.href}: ${error.message}`);
+    throw new Trouble('The list of scenes could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
   });
   return JSON.parse(new TextDecoder().decode(bytes));
 }
@@ -27,7 +27,7 @@ export function sceneAt(reference) {
     name: decodeURIComponent(address.pathname.split('/').pop()),
     async readText() {
       return fetchBytes(address).catch((error) => {
-        throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}`);
+        throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
       });
     },
     readFile: (name, onBytes) => fetchOrNull(new URL(name, address), onBytes),

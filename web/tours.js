@@ -1,6 +1,6 @@
 // Recordings: those that come with the page, and those that people make.
 
-import { fetchBytes } from './engine-files.js';
+import { fetchBytes } from './fetch-bytes.js';
 import { Trouble } from './trouble.js';
 
 // The bytes of one of the page's recordings. Throws a Trouble.
@@ -8,7 +8,7 @@ export async function readTour(name) {
   if (!/^[\w-]+$/.test(name)) throw new Trouble('The address names no such tour', `Found tour=${name}, expected the name of one, as tour=castle.`);
   const address = new URL(`tours/${name}.txt`, document.baseURI);
   return fetchBytes(address).catch((error) => {
-    throw new Trouble('The tour could not be loaded', `${address.href}: ${error.message}`);
+    throw new Trouble('The tour could not be loaded', `${address.href}: ${error.message}.`, [], 'tour');
   });
 }
 

@@ -5,12 +5,13 @@
 
 const kActions = ['again', 'scenes', 'back'];
 
-// `faults` are the engine's: {file, pointer, line, column, row, character, found, expected}.
+// `faults` are the engine's: {file, pointer, line, column, row, character, found, expected}. The code is one of element/faults.js.
 export class Trouble extends Error {
-  constructor(title, text, faults = []) {
+  constructor(title, text, faults = [], code = faults.length > 0 ? 'scene' : 'engine') {
     super(text);
     this.title = title;
     this.faults = faults;
+    this.code = code;
   }
 }
 

@@ -1,0 +1,210 @@
+// The parts of <ray-caster> that need no browser: rows of characters, what is seen in words, faults with codes, and what elements share.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { errorCodes, explain, faultOf, sceneFault } from '../../web/element/faults.js';
+import { fetchOnce, holdCache } from '../../web/element/page-cache.js';
+import { sceneOfRows } from '../../web/element/rows.js';
+import { describeView } from '../../web/element/view-text.js';
+import { fetchBytes } from '../../web/fetch-bytes.js';
+import { parseView } from '../../web/address.js';
+import { Session, loadModule, root } from '../wasm/load.mjs';
+
+const kEverything = `
+  %%%%%%%%%%%%
+  %.,~ ....tT%
+  %.12345...*%
+  %.6789...i.%
+  #b=s=r=w=p=#
+  O>.h.mm+...o
+  %%%+%BSRWPMH
+`;
+
+// A game of those rows, as the element would load it.
+async function play(text, options) {
+  const session = new Session(await loadModule('simd'));
+  const scene = sceneOfRows(text, options);
+  const faults = session.loadText(JSON.stringify(scene), 'rows', (name) => readFileSync(join(root, 'assets/scenes', name)));
+  return { session, scene, faults };
+}
+
+function faultsOf(text) {
+  try {
+    sceneOfRows(text);
+  } catch (error) {
+    return explain(error);
+  }
+  return null;
+}
+
+// What describeView asks of an engine.
+function engineOf(session) {
+  return {
+    hits: (width, height, column) => session.hits(width, height, column),
+    get world() {
+      return session.world();
+    },
+  };
+}
+
+test('every character of the legend is a scene that the engine takes without a warning', async () => {
+  const { session, faults } = await play(kEverything, { title: 'All of it' });
+  assert.deepEqual(faults, []);
+  assert.deepEqual(session.warnings, []);
+  assert.equal(session.world().title, 'All of it');
+  assert.deepEqual([session.world().maps[0].width, session.world().maps[0].depth, session.world().maps[0].levels], [12, 7, 2]);
+  assert.equal(session.world().gates, 2);
+});
+
+test('rows: indentation, empty rows around and short rows', async () => {
+  const { session, faults } = await play('\r\n\n     ####\n     #v\n     ####\n\n   ', {});
+  assert.deepEqual(faults, []);
+  const { x, y, heading } = session.state();
+  assert.deepEqual([x, y, heading], [1.5, 1.5, 90]);
+  assert.deepEqual(sceneOfRows('  ##\n  #v').maps[0].levels, [['##', '#.']]);
+});
+
+for (const [character, heading] of [['>', 0], ['v', 90], ['<', 180], ['^', 270]]) {
+  test(`${character} looks to ${heading} degrees`, () => assert.equal(sceneOfRows(`.${character}`).start.heading, heading));
+}
+
+test('heights: a letter is one block, its other one two, a digit so many tenths', async () => {
+  const { session } = await play('>..5.b.B', {});
+  const slice = session.hits(100, 100, 50);
+  assert.deepEqual(slice.hits.map(({ blueprint, bottom, top }) => [blueprint, bottom, top]), [
+    ['step 5', 0, 0.5], ['brick wall', 0, 1], ['brick wall', 0, 1], ['brick wall', 1, 2],
+  ]);
+});
+
+test('only what stands in the rows is fetched', () => {
+  const { textures, sprites } = sceneOfRows('#>#');
+  assert.deepEqual(Object.keys(textures).sort(), ['flagstones', 'grass-meadow', 'stone-blocks-worn']);
+  assert.deepEqual(sprites, {});
+});
+
+test('a door turns its leaves to where one comes from', () => {
+  const { maps } = sceneOfRows('.>.\n#+#\n...\n.#.\n.+.\n.#.');
+  assert.deepEqual(maps[0].levels[0].map((row) => row[1]).join(''), '.+.#|#');
+});
+
+test('rows with faults: all of them, each with its row and column', () => {
+  const { code, faults } = faultsOf('\n  ##?#\n  #>.Z\n  #^\t#\n');
+  assert.equal(code, 'scene');
+  assert.deepEqual(faults.map(({ place, row, character, found }) => [place, row, character, found]), [
+    ['rows:2:5', 0, 2, '"?"'], ['rows:3:6', 1, 3, '"Z"'], ['rows:4:5', 2, 2, '"\\t"'], ['rows:4:4', 2, 1, 'another start, ^'],
+  ]);
+  assert.match(faults[0].expected, /^one of .*# b.* or a blank$/);
+  assert.match(faults[0].message, /^rows:2:5: found "\?", expected one of/);
+});
+
+test('rows without a start, and no rows at all', () => {
+  assert.equal(faultsOf('###\n#.#').faults[0].found, 'no start');
+  assert.equal(faultsOf(' \n\n').faults[0].found, 'no rows');
+});
+
+test('what is seen, in words', async () => {
+  const { session } = await play('#######\n#>...b#\n#######', { title: 'A corridor' });
+  assert.equal(describeView(engineOf(session), 320, 200),
+    'A corridor. Facing east. Ahead: brick wall at 3.5 units. To the left: stone wall at 1.3 units. To the right: stone wall at 1.3 units.');
+  session.setEye({ x: 1.5, y: 1.5, z: 0.5, heading: -46, look: 0.3 });
+  assert.match(describeView(engineOf(session), 320, 200), /^A corridor\. Facing north-east and up\. Ahead: /);
+});
+
+test('in words: objects, what hides behind a step, nothing, and portals', async () => {
+  const { session } = await play('>.2.t...B', {});
+  assert.match(describeView(engineOf(session), 320, 200), /Ahead: step 2 at 1\.5 units, then birch at 4 units, then brick wall at 7\.5 units\. To the left: nothing near\./);
+  const wayhouse = new Session(await loadModule('simd'));
+  wayhouse.load(join(root, 'assets/scenes/wayhouse.json'));
+  const told = new Set();
+  for (let heading = 0; heading < 360; heading += 10) {
+    const { x, y, z } = wayhouse.state();
+    wayhouse.setEye({ x, y, z, heading });
+    told.add(describeView(engineOf(wayhouse), 320, 200));
+  }
+  assert.match([...told].join('\n'), /a way to \w+.* at \d/);
+  assert.equal(describeView(engineOf(new Session(await loadModule('simd'))), 320, 200), '');
+});
+
+test('every code says what it means and what to do', () => {
+  assert.deepEqual(Object.keys(errorCodes),
+    ['fetch', 'cors', 'mime', 'csp', 'no-webassembly', 'engine', 'scene', 'address', 'tour', 'option', 'not-ready']);
+  for (const [code, { title, means, remedy }] of Object.entries(errorCodes)) {
+    for (const text of [means, remedy]) assert.match(text, /^[A-Za-z].*\.$/, code);
+    const told = explain(faultOf(code, 'This happened'));
+    assert.deepEqual([told.code, told.title, told.message], [code, title, `This happened. ${remedy}`]);
+  }
+});
+
+test('whatever is thrown has a code', (t) => {
+  t.mock.method(console, 'error', () => {});
+  const cases = [
+    [new TypeError('x is not a function'), 'engine', /x is not a function/],
+    ['a text', 'engine', /a text/],
+    [new WebAssembly.RuntimeError('unreachable'), 'engine', /unreachable/],
+    [new RangeError('WebAssembly.Memory(): could not allocate memory'), 'engine', /not enough memory/],
+    [Object.assign(new Error('the server does not answer'), { code: 'cors' }), 'cors', /Access-Control-Allow-Origin/],
+    [Object.assign(new Error('strange'), { code: 'toString' }), 'engine', /strange/],
+    [sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }]), 'scene', /Mend/],
+  ];
+  for (const [thrown, code, message] of cases) {
+    const told = explain(thrown);
+    assert.equal(told.code, code);
+    assert.match(told.message, message);
+  }
+  assert.throws(() => parseView('1,2'), (error) => explain(error).code === 'address');
+  assert.equal(explain(sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }])).faults[0].place, 'a.json:3:4');
+});
+
+let server;
+let address;
+const asked = [];
+const answers = { '/slow': 'slow', '/page': '<!DOCTYPE html><title>Welcome</title>' };
+
+before(async () => {
+  server = createServer((request, response) => {
+    asked.push(request.url);
+    if (!(request.url in answers)) return response.writeHead(404).end();
+    return setTimeout(() => response.end(answers[request.url]), 20);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  address = `http://127.0.0.1:${server.address().port}`;
+});
+
+after(() => server.close());
+
+test('a file is asked for once while anybody holds the cache, and anew afterwards', async () => {
+  const release = holdCache();
+  const heard = [];
+  const [one, other] = await Promise.all([fetchOnce(`${address}/slow`, (loaded) => heard.push(loaded)), fetchOnce(`${address}/slow`)]);
+  assert.equal(new TextDecoder().decode(one), 'slow');
+  assert.equal(one, other);
+  await fetchOnce(`${address}/slow`, (loaded, total) => heard.push(`${loaded} of ${total}`));
+  assert.deepEqual(heard, [4, '4 of 4']);
+  assert.equal(asked.length, 1);
+  release();
+  release();
+  const another = holdCache();
+  await fetchOnce(`${address}/slow`);
+  assert.equal(asked.length, 2);
+  another();
+});
+
+test('without a holder nothing is kept; a failure is forgotten', async () => {
+  asked.length = 0;
+  await fetchOnce(`${address}/slow`);
+  await fetchOnce(`${address}/slow`);
+  assert.equal(asked.length, 2);
+  const release = holdCache();
+  await assert.rejects(fetchOnce(`${address}/late`), { code: 'fetch', message: 'the server answers 404 Not Found' });
+  answers['/late'] = 'here';
+  assert.equal((await fetchOnce(`${address}/late`)).length, 4);
+  release();
+});
+
+test('a fetch that fails says why', async () => {
+  await assert.rejects(fetchBytes(`${address}/page`), { code: 'mime' });
+  await assert.rejects(fetchBytes('http://127.0.0.1:9/'), { code: 'fetch', message: 'the server does not answer' });
+});

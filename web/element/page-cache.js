@@ -1,0 +1,68 @@
+// What all elements of a page share: the engine is fetched and compiled once, and each file that scenes name is fetched once.
+//
+//     const release = holdCache();                                    // while an element is in the page
+//     const files = await sharedEngineFiles('auto', onBytes);         // for Engine.create({files, canvas})
+//     const bytes = await fetchOnce(address, onBytes);                // the same bytes for everybody: not to be written to
+//     release();
+//
+// What has failed is forgotten, so that another try asks again. Files are kept while anybody holds the cache; the compiled engine stays with the page.
+
+import { browserHasWebAssembly, chooseBuild, fetchEngine } from '../engine-files.js';
+import { fetchBytes } from '../fetch-bytes.js';
+
+const engines = new Map();
+const files = new Map();
+let holders = 0;
+
+// What fetchEngine gives, once per page and build.
+export function sharedEngineFiles(kind = 'auto', onBytes = () => {}) {
+  const build = browserHasWebAssembly() ? chooseBuild(kind) : kind;
+  return share(engines, build, (report) => fetchEngine({ kind: build, onBytes: report }), onBytes);
+}
+
+// The bytes behind an address. Throws what fetchBytes throws.
+export function fetchOnce(address, onBytes = () => {}) {
+  const { href } = new URL(address);
+  const bytes = share(files, href, (report) => fetchBytes(href, report), onBytes);
+  const drop = () => holders === 0 && files.delete(href);
+  bytes.then(drop, drop);
+  return bytes;
+}
+
+// Keeps what is fetched until the function that it gives is called.
+export function holdCache() {
+  holders += 1;
+  let isHeld = true;
+  return () => {
+    if (!isHeld) return;
+    isHeld = false;
+    holders -= 1;
+    if (holders === 0) files.clear();
+  };
+}
+
+// One load for all who ask; who comes late hears at once how far it has come.
+function share(entries, key, load, onBytes) {
+  const entry = entries.get(key) ?? begin(entries, key, load);
+  if (entry.progress !== null) onBytes(...entry.progress);
+  entry.listeners?.add(onBytes);
+  return entry.promise;
+}
+
+function begin(entries, key, load) {
+  const entry = { listeners: new Set(), progress: null, promise: null };
+  entries.set(key, entry);
+  entry.promise = load((...progress) => {
+    entry.progress = progress;
+    for (const tell of entry.listeners) tell(...progress);
+  });
+  // A listener belongs to an element, which must not live as long as the page.
+  const forgetListeners = () => {
+    entry.listeners = null;
+  };
+  entry.promise.then(forgetListeners, () => {
+    forgetListeners();
+    if (entries.get(key) === entry) entries.delete(key);
+  });
+  return entry;
+}

@@ -1,0 +1,92 @@
+// Fetches bytes, and finds out why there are none. A browser tells a page only that a fetch failed; the cause takes a second question.
+//
+//     const bytes = await fetchBytes(address, (loaded, total) => {...});
+//
+// It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch', 'cors', 'mime' or 'csp'.
+
+const kProbeMilliseconds = 4000; // a server that has not answered the probe by then counts as one that does not answer
+
+// `total` is never below `loaded`; a compressed answer's length is not known beforehand.
+export async function fetchBytes(address, onBytes = () => {}) {
+  const bytes = await readBody(await fetchResponse(address), onBytes);
+  if (!isPage(bytes)) return bytes;
+  throw coded('mime', 'the server answers with a web page, as it may do for an address that it does not know');
+}
+
+// The answer, its body still to be read.
+export async function fetchResponse(address) {
+  const violations = listenForViolations();
+  let response;
+  try {
+    response = await fetch(address);
+  } catch {
+    throw await causeOf(address, violations);
+  } finally {
+    violations.stop();
+  }
+  if (!response.ok) throw coded('fetch', `the server answers ${response.status} ${response.statusText}`.trim());
+  return response;
+}
+
+export async function readBody(response, onBytes) {
+  const total = response.headers.has('Content-Encoding') ? 0 : Number(response.headers.get('Content-Length') ?? 0);
+  if (response.body === null) return new Uint8Array(await response.arrayBuffer());
+
+  const chunks = [];
+  let loaded = 0;
+  const reader = response.body.getReader();
+  for (;;) {
+    const { done, value } = await reader.read().catch(() => {
+      throw coded('fetch', `the server stopped answering after ${loaded} bytes`);
+    });
+    if (done) break;
+    chunks.push(value);
+    loaded += value.length;
+    onBytes(loaded, Math.max(total, loaded));
+  }
+  const bytes = new Uint8Array(loaded);
+  let at = 0;
+  for (const chunk of chunks) {
+    bytes.set(chunk, at);
+    at += chunk.length;
+  }
+  return bytes;
+}
+
+// Why a module script at this address was refused, as an Error with a code; `reason` is the browser's own.
+export async function whyNoScript(address, reason) {
+  let response;
+  try {
+    response = await fetchResponse(address);
+  } catch (error) {
+    return error;
+  }
+  await response.body?.cancel();
+  const type = (response.headers.get('Content-Type') ?? '').split(';', 1)[0].trim();
+  if (/^(text|application)\/(x-)?(java|ecma)script$/i.test(type)) return coded('engine', reason);
+  return coded('mime', `the server sends it as ${type === '' ? 'no type at all' : type}, a script must come as text/javascript`);
+}
+
+// Hears what the page's Content-Security-Policy refuses meanwhile.
+export function listenForViolations() {
+  const refused = [];
+  const hear = (event) => refused.push({ directive: event.effectiveDirective, address: event.blockedURI });
+  globalThis.document?.addEventListener('securitypolicyviolation', hear);
+  return { refused, stop: () => globalThis.document?.removeEventListener('securitypolicyviolation', hear) };
+}
+
+export function coded(code, message) {
+  return Object.assign(new Error(message), { code });
+}
+
+// A fetch failed without an answer. With no-cors a server answers whatever its headers say, only what it says stays hidden.
+async function causeOf(address, { refused }) {
+  const answers = await fetch(address, { mode: 'no-cors', cache: 'no-store', signal: AbortSignal.timeout?.(kProbeMilliseconds) }).then(() => true, () => false);
+  if (refused.length > 0) return coded('csp', `the page's Content-Security-Policy does not allow it (${refused[0].directive})`);
+  if (answers) return coded('cors', 'the server answers, but does not allow pages of other origins to read it');
+  return coded('fetch', 'the server does not answer');
+}
+
+function isPage(bytes) {
+  return /^\s*<(!doctype html|html|head|body|title)/i.test(new TextDecoder().decode(bytes.subarray(0, 64)));
+}
