@@ -62,22 +62,31 @@ async function importGlue(build) {
 }
 
 async function compileProgram(address, onBytes) {
-  const bytes = await fetchResponse(address).then((response) => readBody(response, onBytes)).catch((error) => {
+  const response = await fetchResponse(address).catch((error) => {
     throw cannotLoad(address, error);
   });
-  // A server that answers every address with a page of its own is a common way to fail.
-  if (bytes.length < 8 || bytes[0] !== 0 || bytes[1] !== 0x61 || bytes[2] !== 0x73 || bytes[3] !== 0x6d) {
-    const beginning = new TextDecoder().decode(bytes.subarray(0, 24)).replace(/\s+/g, ' ').trim();
-    throw cannotLoad(address, coded('mime', `found "${beginning}", expected a WebAssembly program`));
-  }
   const violations = listenForViolations();
   try {
-    return await WebAssembly.compile(bytes);
+    // Compiled while it comes, if the server names its type; browsers then also keep the machine code for the next visit. The copy tells how far it is.
+    const isNamed = /^application\/wasm$/i.test(response.headers.get('Content-Type') ?? '');
+    const copy = isNamed ? response.clone() : response;
+    const streamed = isNamed ? WebAssembly.compileStreaming(response) : null;
+    streamed?.catch(() => {}); // it may fail before it is waited for
+    const bytes = await readBody(copy, onBytes);
+    checkBeginning(bytes);
+    return await (streamed ?? WebAssembly.compile(bytes));
   } catch (error) {
-    throw refusal(address, error, violations);
+    throw typeof error.code === 'string' ? cannotLoad(address, error) : refusal(address, error, violations);
   } finally {
     violations.stop();
   }
+}
+
+// A server that answers every address with a page of its own is a common way to fail.
+function checkBeginning(bytes) {
+  if (bytes.length >= 8 && bytes[0] === 0 && bytes[1] === 0x61 && bytes[2] === 0x73 && bytes[3] === 0x6d) return;
+  const beginning = new TextDecoder().decode(bytes.subarray(0, 24)).replace(/\s+/g, ' ').trim();
+  throw coded('mime', `found "${beginning}", expected a WebAssembly program`);
 }
 
 function refusal(address, error, { refused }) {
