@@ -10,7 +10,8 @@ export function parseView(text) {
   const parts = text.split(',').map((part) => part.trim());
   const numbers = parts.slice(0, 5).map((part) => (part === '' ? NaN : Number(part)));
   if (parts.length < 4 || parts.length > 6 || !numbers.every(Number.isFinite)) {
-    throw new Trouble('The view cannot be read', `view: found "${text}", expected x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map`, [], 'address');
+    const expected = 'x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map';
+    throw new Trouble('The view cannot be read', `view: found "${text}", expected ${expected}`, [], 'address');
   }
   const [x, y, z, heading, look = 0] = numbers;
   return { x, y, z, heading, look, map: parts[5] || null };

@@ -4,6 +4,7 @@
 //
 // It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch', 'cors', 'mime' or 'csp'.
 
+const kViolationMilliseconds = 50; // the news of a violation comes after the failure
 const kProbeMilliseconds = 4000; // a server that has not answered the probe by then counts as one that does not answer
 
 // `total` is never below `loaded`; a compressed answer's length is not known beforehand.
@@ -70,7 +71,9 @@ export async function whyNoScript(address, reason) {
 // Hears what the page's Content-Security-Policy refuses meanwhile.
 export function listenForViolations() {
   const refused = [];
-  const hear = (event) => refused.push({ directive: event.effectiveDirective, address: event.blockedURI });
+  const hear = ({ effectiveDirective, blockedURI, disposition }) => {
+    if (disposition === 'enforce') refused.push({ directive: effectiveDirective, address: blockedURI });
+  };
   globalThis.document?.addEventListener('securitypolicyviolation', hear);
   return { refused, stop: () => globalThis.document?.removeEventListener('securitypolicyviolation', hear) };
 }
@@ -81,8 +84,9 @@ export function coded(code, message) {
 
 // A fetch failed without an answer. With no-cors a server answers whatever its headers say, only what it says stays hidden.
 async function causeOf(address, { refused }) {
-  const answers = await fetch(address, { mode: 'no-cors', cache: 'no-store', signal: AbortSignal.timeout?.(kProbeMilliseconds) }).then(() => true, () => false);
+  await new Promise((resolve) => setTimeout(resolve, kViolationMilliseconds));
   if (refused.length > 0) return coded('csp', `the page's Content-Security-Policy does not allow it (${refused[0].directive})`);
+  const answers = await fetch(address, { mode: 'no-cors', cache: 'no-store', signal: AbortSignal.timeout?.(kProbeMilliseconds) }).then(() => true, () => false);
   if (answers) return coded('cors', 'the server answers, but does not allow pages of other origins to read it');
   return coded('fetch', 'the server does not answer');
 }

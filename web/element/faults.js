@@ -97,5 +97,5 @@ function codedError(error) {
 }
 
 function sentence(text) {
-  return /[.!?)]$/.test(text.trim()) ? text.trim() : `${text.trim()}.`;
+  return /[.!?]\)?$/.test(text.trim()) ? text.trim() : `${text.trim()}.`;
 }
