@@ -1,7 +1,8 @@
 // Hands gamepads to the engine. A browser says that there is one once a button of it was pressed, and tells its state only when asked: each frame while one
 // is connected. SDL could ask too, but its gamepads would add 35 KB to the engine.
 //
-//     new Gamepads({change(pad), press()})
+//     const gamepads = new Gamepads({change(pad), press()});
+//     gamepads.stop();
 //     pad: {leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons}, as slicecast_gamepad takes it; press: a button went down
 
 const kNone = { leftX: 0, leftY: 0, rightX: 0, rightY: 0, leftTrigger: 0, rightTrigger: 0, buttons: 0 };
@@ -10,17 +11,25 @@ const kTriggers = 6; // the first of the two among the buttons, which are axes h
 export class Gamepads {
   #before = kNone;
   #asks = false;
+  #ended = new AbortController();
 
   constructor(actions) {
     this.actions = actions;
-    window.addEventListener('gamepadconnected', () => this.#begin());
+    window.addEventListener('gamepadconnected', () => this.#begin(), { signal: this.#ended.signal });
     if (connected().length > 0) this.#begin();
+  }
+
+  // Asks no more; what was held is let go of.
+  stop() {
+    this.#ended.abort();
+    if (this.#before !== kNone) this.actions.change(kNone);
   }
 
   #begin() {
     if (this.#asks) return;
     this.#asks = true;
     const look = () => {
+      if (this.#ended.signal.aborted) return;
       const pads = connected();
       const now = pads.length > 0 ? stateOf(pads) : kNone;
       if (Object.keys(kNone).some((key) => now[key] !== this.#before[key])) {

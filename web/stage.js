@@ -21,16 +21,28 @@ export function layOut(size, windowWidth, windowHeight) {
   return { ...picture, shownWidth: Math.round(picture.width * scale), shownHeight: Math.round(picture.height * scale) };
 }
 
-// Keeps `frame`, which holds the canvas, laid out in `stage`, and says so whenever the picture's size changes.
+// Keeps `frame`, which holds the canvas, laid out in `stage`, and says so whenever the picture's size changes. stop() ends that.
 export class Stage {
+  #box = null; // as observed: a stage in the flow of a page may end between two pixels
+  #observer = new ResizeObserver((entries) => {
+    this.#box = entries.at(-1).contentRect;
+    this.layOut();
+  });
+  #onWindow = () => this.layOut();
+
   constructor(stage, frame, onPictureSize) {
     this.stage = stage;
     this.frame = frame;
     this.onPictureSize = onPictureSize;
     this.size = 'auto';
-    new ResizeObserver(() => this.layOut()).observe(stage);
+    this.#observer.observe(stage);
     // Moving to another screen changes how large its pixels are, and nothing else.
-    window.addEventListener('resize', () => this.layOut());
+    window.addEventListener('resize', this.#onWindow);
+  }
+
+  stop() {
+    this.#observer.disconnect();
+    window.removeEventListener('resize', this.#onWindow);
   }
 
   setSize(size) {
@@ -40,8 +52,8 @@ export class Stage {
 
   layOut() {
     const ratio = window.devicePixelRatio || 1;
-    const windowWidth = this.stage.clientWidth * ratio;
-    const windowHeight = this.stage.clientHeight * ratio;
+    const windowWidth = (this.#box?.width ?? this.stage.clientWidth) * ratio;
+    const windowHeight = (this.#box?.height ?? this.stage.clientHeight) * ratio;
     const wanted = layOut(this.size, windowWidth, windowHeight);
     this.frame.style.width = `${wanted.shownWidth / ratio}px`;
     this.frame.style.height = `${wanted.shownHeight / ratio}px`;

@@ -1,0 +1,164 @@
+// Who steers a <ray-caster>: nobody, until a click, a tap or Enter on its cover gives the picture the keys; Escape, another focus or the leave button
+// takes them back. Tab is never kept, and what the picture does not use goes on to the page.
+//
+//     const activation = new Activation(tree, {wanted() {...}, canBegin() {...}, changed(isHeld) {...}, engine() {...}});
+//     activation.begin();          // as a click on the cover would
+//     activation.end();            // the cover gets the focus if the picture had it, and with {focus: true} in any case
+//     activation.keys = 'move';
+
+import { Gamepads } from '../gamepads.js';
+import { Thumbs } from '../thumbs.js';
+import { touchLayer } from './touch.js';
+
+// The keys of `keys="move"`: moving, looking, gates, flying, and the cursor's steering.
+const kMoveKeys = new Set([
+  'KeyW', 'KeyA', 'KeyS', 'KeyD', 'KeyQ', 'KeyE', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Space', 'PageUp', 'PageDown', 'KeyC', 'ShiftLeft',
+  'ShiftRight', 'ControlLeft', 'ControlRight', 'KeyX', 'Period', 'Comma', 'KeyR', 'KeyV', 'KeyN', 'Numpad1', 'Numpad2', 'Numpad3', 'Numpad4', 'Numpad6',
+  'Numpad7', 'Numpad8', 'Numpad9',
+]);
+
+export class Activation {
+  keys = 'all';
+  isHeld = false;
+  #byTouch = false;
+  #isWaiting = false;
+  #thumbs = null;
+  #layer = null;
+  #gamepads = null;
+
+  constructor(tree, actions) {
+    this.tree = tree;
+    this.actions = actions;
+    const { box, cover, leave, stage } = tree;
+    cover.addEventListener('pointerdown', ({ pointerType }) => {
+      this.#byTouch = pointerType === 'touch';
+    });
+    cover.addEventListener('keydown', () => {
+      this.#byTouch = false;
+    });
+    cover.addEventListener('click', () => this.begin({ byTouch: this.#byTouch }));
+    leave.addEventListener('click', () => this.end({ focus: true }));
+    box.addEventListener('keydown', (event) => this.#filter(event), { capture: true });
+    box.addEventListener('focusout', ({ relatedTarget }) => {
+      if (this.isHeld && !box.contains(relatedTarget)) this.#hold(false);
+    });
+    // The window has got the focus back, and with it the picture.
+    stage.addEventListener('focusin', () => !this.isHeld && actions.canBegin() && this.#hold(true));
+  }
+
+  begin({ byTouch = false } = {}) {
+    const { cover } = this.tree;
+    // Safari gives pressed buttons no focus; it is what remembers the wish while the scene is still to come.
+    if (this.tree.root.activeElement !== cover) cover.focus({ preventScroll: true });
+    this.actions.wanted();
+    this.#isWaiting = !this.actions.canBegin();
+    if (this.#isWaiting) return;
+    this.#showThumbs(byTouch);
+    this.#hold(true);
+    this.#target.focus({ preventScroll: true });
+  }
+
+  // The scene is there: who pressed the cover before, and is still there, begins now.
+  resume() {
+    if (this.#isWaiting && this.tree.root.activeElement === this.tree.cover) this.begin({ byTouch: this.#byTouch });
+    this.#isWaiting = false;
+  }
+
+  end({ focus = false } = {}) {
+    this.#isWaiting = false;
+    if (!this.isHeld) return;
+    const { cover, stage, root } = this.tree;
+    const hadFocus = focus || stage.contains(root.activeElement);
+    this.#hold(false);
+    if (hadFocus) cover.focus({ preventScroll: true });
+  }
+
+  focus(options) {
+    (this.isHeld ? this.#target : this.tree.cover).focus(options);
+  }
+
+  // A picture without keys leaves them to the page: it never has the focus itself.
+  get #target() {
+    return this.keys === 'none' ? this.tree.stage : this.tree.canvas;
+  }
+
+  // The picture can be tabbed to only while it is played; before, there is its cover.
+  takeCanvas() {
+    const { stage, canvas } = this.tree;
+    const isTarget = (place) => this.#target === place;
+    for (const place of [stage, canvas]) {
+      if (place === null) continue;
+      if (isTarget(place)) place.tabIndex = this.isHeld ? 0 : -1;
+      else place.removeAttribute('tabindex');
+    }
+    canvas?.setAttribute('role', this.isHeld ? 'application' : 'img');
+  }
+
+  setKeys(keys) {
+    if (keys === this.keys) return;
+    this.keys = keys;
+    this.takeCanvas();
+  }
+
+  #hold(isHeld) {
+    const { box, cover, leave, canvas, root } = this.tree;
+    this.isHeld = isHeld;
+    cover.hidden = isHeld;
+    box.classList.toggle('engaged', isHeld);
+    this.takeCanvas();
+    if (isHeld) {
+      this.#gamepads = new Gamepads({ change: (pad) => this.actions.engine()?.setGamepad(pad), press: () => {} });
+    } else {
+      this.#gamepads?.stop();
+      this.#gamepads = null;
+      this.#showThumbs(false);
+      if (canvas !== null && root.pointerLockElement === canvas) document.exitPointerLock();
+    }
+    leave.hidden = !isHeld || this.#layer?.isConnected !== true;
+    this.actions.changed(isHeld);
+  }
+
+  #filter(event) {
+    if (!this.isHeld) return;
+    if (event.code === 'Escape') {
+      // What the picture stands in, a dialog perhaps, is left by the next one.
+      event.stopPropagation();
+      event.preventDefault();
+      this.end({ focus: true });
+    } else if (event.target === this.tree.canvas && this.keys === 'move' && event.code !== 'Tab' && !kMoveKeys.has(event.code) && !event.ctrlKey && !event.metaKey) {
+      event.stopPropagation();
+    }
+  }
+
+  // ---- Thumbs
+
+  #showThumbs(shown) {
+    const { box, leave } = this.tree;
+    box.classList.toggle('touched', shown);
+    if (!shown) {
+      if (this.#layer?.isConnected) this.#thumbs.release();
+      this.#layer?.remove();
+      return;
+    }
+    if (this.#layer === null) {
+      this.#layer = touchLayer();
+      this.#thumbs = new Thumbs(this.#layer, {
+        hold: (held) => this.actions.engine()?.setThumbs(held),
+        drag: (right, down) => this.actions.engine()?.drag(right, down),
+        fly: () => {
+          const engine = this.actions.engine();
+          engine.flying = !engine.state.flying;
+        },
+      });
+    }
+    const { world, state } = this.actions.engine();
+    this.#thumbs.hasGates = world.gates > 0;
+    this.#thumbs.flying = state.flying;
+    leave.before(this.#layer);
+  }
+
+  // What the engine says of flying.
+  set flying(flying) {
+    if (this.#thumbs !== null) this.#thumbs.flying = flying;
+  }
+}

@@ -1,0 +1,52 @@
+// What the buttons of the bar do; all of it a page can do too.
+//
+//     const controls = new Controls(bar, barActions(element, show));
+
+import { formatView } from '../address.js';
+import { saveBlob } from './snapshot.js';
+import { kOverlays } from './attributes.js';
+
+const kUsualOverlay = ['minimap'];
+
+export function barActions(host, show) {
+  return {
+    play: () => (host.paused ? show.hold() : host.pause()),
+    reset: () => host.reset(),
+    overlay: () => toggleOverlays(host, show),
+    save: () => save(host, show),
+    share: () => share(host, show),
+    fullscreen: () => show.toggleFullScreen(),
+  };
+}
+
+// Those of the attribute, or the map.
+function toggleOverlays(host, show) {
+  const isAny = kOverlays.some((name) => host.get(name) === 'on');
+  const names = isAny ? kOverlays : show.overlays.length > 0 ? show.overlays : kUsualOverlay;
+  for (const name of names) host.set(name, !isAny);
+  show.showControls();
+}
+
+async function save(host, show) {
+  const name = host.world.title.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'picture';
+  try {
+    saveBlob(`${name}.png`, await host.snapshot());
+    show.showStatus(`Saved as ${name}.png`);
+  } catch (error) {
+    show.showStatus(error.message);
+  }
+}
+
+// The element as it stands in the page, with the present view.
+async function share(host, show) {
+  const tag = host.cloneNode(true);
+  tag.setAttribute('view', formatView(host.currentView));
+  if (show.source.address !== null) tag.setAttribute('scene', show.source.address.href);
+  const script = `<script type="module" src="${new URL('../ray-caster.js', import.meta.url).href}"></` + 'script>';
+  try {
+    await navigator.clipboard.writeText(`${script}\n${tag.outerHTML}`);
+    show.showStatus('Copied: the tag with this view');
+  } catch {
+    show.showStatus('This browser keeps the clipboard to itself');
+  }
+}

@@ -1,0 +1,131 @@
+// The engine behind one <ray-caster>: fetches it, loads scenes into it, and holds its options as the attributes want them.
+//
+//     const game = new Game({showCanvas(canvas) {...}, hear(event, value) {...}});
+//     if (await game.load({kind, source, tour, onProgress})) game.begin();
+//     game.setOptions([['fov', '75']]);
+//     game.stop();
+
+import { Engine } from '../engine.js';
+import { faultOf, sceneFault } from './faults.js';
+import { sharedEngineFiles } from './page-cache.js';
+import { namedScene, readTour } from './source.js';
+
+const kEngineShare = 0.5; // of the progress, as long as the engine is not there
+
+export class Game {
+  engine = null; // once a scene is loaded
+  source = null; // of the scene that plays
+  #kind = null;
+  #turn = 0;
+  #tour = null;
+  #before = new Map(); // option -> what it was before an attribute set it
+
+  constructor({ showCanvas, hear }) {
+    this.showCanvas = showCanvas;
+    this.hear = hear;
+  }
+
+  // True if the scene can be played now, false if another one was asked for meanwhile; what plays is left alone until then. Throws a Trouble.
+  // `source` may be null with a tour, which names its scene.
+  async load({ kind, source, tour, onProgress }) {
+    const turn = ++this.#turn;
+    const isStale = () => turn !== this.#turn;
+    const begin = this.engine === null ? kEngineShare : 0;
+    onProgress(0, 0);
+    const [files, recording] = await Promise.all([
+      sharedEngineFiles(kind, (loaded, total) => begin > 0 && !isStale() && onProgress((begin * loaded) / Math.max(1, total), loaded)),
+      tour === null ? null : readTour(tour),
+    ]);
+    if (isStale()) return false;
+    const isNew = this.engine === null || files.kind !== this.#kind;
+    const engine = isNew ? await this.#create(files, isStale) : this.engine;
+    if (engine === null) return false;
+    try {
+      const scene = recording === null ? null : checkTour(engine, recording);
+      const found = source ?? namedScene(scene);
+      const faults = await engine.loadScene(found, { onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), bytes) });
+      if (faults === null || isStale()) {
+        if (isNew) engine.stop();
+        return false;
+      }
+      if (faults.length > 0) throw sceneFault(found.name, faults);
+      this.source = found;
+      this.#tour = recording;
+      if (isNew) this.#take(engine, files.kind);
+    } catch (error) {
+      if (isNew) engine.stop();
+      throw error;
+    }
+    if (recording !== null) engine.replay();
+    return true;
+  }
+
+  async #create(files, isStale) {
+    const canvas = document.createElement('canvas');
+    const engine = await Engine.create({ files, canvas, onEvent: (event, value) => this.engine === engine && this.hear(event, value) });
+    if (!isStale()) return engine;
+    engine.stop();
+    return null;
+  }
+
+  #take(engine, kind) {
+    this.engine?.stop();
+    this.engine = engine;
+    this.#kind = kind;
+    this.#before.clear();
+    engine.paused = true;
+    this.showCanvas(engine.canvas);
+  }
+
+  // Sets these options and puts those back that were set before and are no longer named. Throws a Trouble.
+  setOptions(pairs) {
+    const wanted = new Map(pairs);
+    for (const [name, value] of this.#before) {
+      if (wanted.has(name)) continue;
+      this.engine.setOption(name, value);
+      this.#before.delete(name);
+    }
+    for (const [name, value] of wanted) {
+      const before = this.engine.option(name);
+      this.setOption(name, value);
+      if (!this.#before.has(name)) this.#before.set(name, before);
+    }
+  }
+
+  look(view) {
+    return this.engine.look(view);
+  }
+
+  setOption(name, value) {
+    try {
+      this.engine.setOption(name, value);
+    } catch (error) {
+      throw faultOf('option', error.message);
+    }
+  }
+
+  // To the start; a tour begins again too.
+  reset() {
+    this.engine.reset();
+    if (this.#tour === null) return;
+    checkTour(this.engine, this.#tour);
+    this.engine.replay();
+  }
+
+  get hasTour() {
+    return this.#tour !== null;
+  }
+
+  stop() {
+    ++this.#turn;
+    this.engine?.stop();
+    this.engine = this.source = this.#tour = null;
+  }
+}
+
+// The name of its scene.
+function checkTour(engine, { name, bytes }) {
+  const { scene, faults } = engine.readRecording(bytes, name);
+  if (faults.length > 0) throw faultOf('tour', `${name} is no recording that can be played.`, faults);
+  return scene;
+}

@@ -1,0 +1,40 @@
+// Says what is wrong, in the element: the error's title and text, the scene's faults with their places, and a button to try again.
+//
+//     showMessage(section, detail, retry);      // a detail of faults.js's explain
+//     hideMessage(section);
+
+import { node } from './nodes.js';
+
+// With these nothing can ever be shown here: what the page wrote for that case, stands in for the picture.
+const kHopeless = ['no-webassembly', 'csp'];
+
+export function showMessage(section, { code, title, message, faults }, retry) {
+  const again = node('button', { class: 'again', part: 'button', type: 'button' }, 'Try again');
+  again.addEventListener('click', retry);
+  section.replaceChildren(
+    node('h2', {}, title),
+    node('p', {}, message),
+    ...(faults.length > 0 ? [node('ul', {}, ...faults.map(faultItem))] : []),
+    ...(kHopeless.includes(code) ? [node('p', {}, node('slot'))] : [again]),
+  );
+  section.setAttribute('role', 'alert');
+  // A long list is scrolled with the keys, so it must be reachable by them.
+  section.tabIndex = faults.length > 0 ? 0 : -1;
+  section.hidden = false;
+}
+
+export function hideMessage(section) {
+  section.hidden = true;
+  section.removeAttribute('role');
+  section.replaceChildren();
+}
+
+function faultItem({ place, pointer, row, character, found, expected }) {
+  const inside = [pointer, row >= 0 ? `row ${row}` : '', character >= 0 ? `character ${character}` : ''].filter((part) => part !== '' && part !== undefined);
+  return node('li', {},
+    node('span', { class: 'place' }, place),
+    ...(inside.length > 0 ? [' ', node('span', { class: 'inside' }, inside.join(', '))] : []),
+    node('br'),
+    node('span', { class: 'found' }, `Found ${found}`),
+    `; expected ${expected}`);
+}

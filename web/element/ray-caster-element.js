@@ -1,0 +1,150 @@
+// The class of <ray-caster>: what a page can ask of it. What it does is in show.js.
+
+import { parseView } from '../address.js';
+import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
+import { faultOf } from './faults.js';
+import { Show } from './show.js';
+import { snapshotOf } from './snapshot.js';
+import { adoptStyles } from './styles.js';
+
+// Where there is no document the class is there to be imported, and no more.
+const Base = globalThis.HTMLElement ?? class {};
+
+export class RayCaster extends Base {
+  static observedAttributes = kAttributes;
+
+  #show;
+
+  constructor() {
+    super();
+    this.attachShadow({ mode: 'open' });
+    this.#show = new Show(this, this.attachInternals());
+  }
+
+  // ---- Life
+
+  connectedCallback() {
+    takeEarlyProperties(this);
+    this.#show.connect();
+  }
+
+  disconnectedCallback() {
+    this.#show.disconnect();
+  }
+
+  // moveBefore() keeps it as it is.
+  connectedMoveCallback() {}
+
+  adoptedCallback() {
+    this.#show.end();
+    adoptStyles(this.shadowRoot);
+  }
+
+  attributeChangedCallback(name, before, value) {
+    if (before === value || !this.isConnected) return;
+    if (name === 'autoplay' && value !== null) this.#show.autoplay();
+    this.#show.update();
+  }
+
+  focus(options) {
+    this.#show.focus(options);
+  }
+
+  // ---- Properties
+
+  get state() {
+    return this.#show.state;
+  }
+
+  get paused() {
+    return this.#show.paused;
+  }
+
+  get error() {
+    return this.#show.error;
+  }
+
+  get world() {
+    const { ready } = this.#show;
+    return ready === null ? null : { title: ready.title, maps: ready.maps };
+  }
+
+  get memory() {
+    return this.#show.engine?.memoryBytes ?? 0;
+  }
+
+  get currentView() {
+    return this.#show.ready === null ? null : this.#show.engine.view;
+  }
+
+  get picture() {
+    const { canvas } = this.#show;
+    return canvas === null ? { width: 0, height: 0 } : { width: canvas.width, height: canvas.height };
+  }
+
+  get optionList() {
+    return this.#show.ready === null ? [] : this.#show.engine.options;
+  }
+
+  // ---- Methods
+
+  play() {
+    this.#show.play();
+  }
+
+  pause() {
+    this.#show.pause();
+  }
+
+  reset() {
+    this.#engine('reset');
+    this.#show.reset();
+  }
+
+  step(count = 1, input = {}) {
+    this.#engine('step').step(input, count);
+  }
+
+  set(name, value) {
+    this.#engine('set');
+    this.#show.setOption(name, value);
+  }
+
+  get(name) {
+    const option = this.#engine('get').options.find((one) => one.name === name);
+    if (option === undefined) throw faultOf('option', `get: found "${name}", expected the name of an option.`);
+    return option.value;
+  }
+
+  look(view) {
+    return this.#engine('look').look(typeof view === 'string' ? parseView(view) : view);
+  }
+
+  async snapshot({ width, height, type = 'image/png' } = {}) {
+    const engine = this.#engine('snapshot');
+    const { picture } = this;
+    return snapshotOf(engine, { width: width ?? picture.width, height: height ?? picture.height, type });
+  }
+
+  hits(column) {
+    const { width, height } = this.picture;
+    return this.#engine('hits').hits(width, height, column);
+  }
+
+  trace(column) {
+    const engine = this.#engine('trace');
+    const { width, height } = this.picture;
+    return column === undefined ? engine.traceFrame(width, height) : engine.trace(width, height, column);
+  }
+
+  whenReady() {
+    return this.#show.whenReady();
+  }
+
+  #engine(method) {
+    if (this.#show.ready === null) throw faultOf('not-ready', `${method}() was called before there was a scene`);
+    return this.#show.engine;
+  }
+}
+
+reflectAttributes(RayCaster.prototype);

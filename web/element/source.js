@@ -1,0 +1,89 @@
+// Which scene a <ray-caster> shows: an address, or what its children hold. A source is as scene-source.js describes it; its files are fetched once per page.
+//
+//     const scene = findScene(element);             // {key, source(), title}, null without one; throws a Trouble
+//     const source = namedScene('castle');          // one of those that lie beside the script
+
+import { fetchOnce } from './page-cache.js';
+import { sceneOfRows } from './rows.js';
+import { Trouble } from '../trouble.js';
+
+// Where the shipped files lie; what an inline scene names is looked for there.
+const kRoot = new URL('../', import.meta.url);
+const kScenes = new URL('scenes/', kRoot);
+
+const kInline = ':scope > script[type="application/json"]';
+const kRows = ':scope > script[type="text/plain"][data-rows], :scope > pre[slot="rows"]';
+const kName = /^[\w-]+$/;
+
+// The children that may hold a scene, for whoever watches them.
+export const kSceneChildren = `${kInline}, ${kRows}`;
+
+export function findScene(element) {
+  const { scene } = element;
+  if (scene !== '') {
+    const address = addressOf(scene, (name) => new URL(`${name}.json`, kScenes), element, 'scene');
+    return { key: address.href, source: () => sceneFrom(address) };
+  }
+  const inline = element.querySelector(kInline);
+  if (inline !== null) return { key: `json ${inline.textContent}`, source: () => sceneOf('inline scene', inline.textContent) };
+  const rows = element.querySelector(kRows);
+  if (rows === null) return null;
+  const title = element.label || undefined;
+  return { key: `rows ${title} ${rows.textContent}`, source: () => sceneOf('rows', JSON.stringify(sceneOfRows(rows.textContent, { title }))) };
+}
+
+// One of the shipped scenes, as recordings name them.
+export function namedScene(name) {
+  return sceneFrom(new URL(`${name.replace(/\.json$/i, '')}.json`, kScenes));
+}
+
+// The address of a recording: a shipped one by its name, else relative to the document.
+export function tourAddress(element) {
+  return addressOf(element.tour, (name) => new URL(`tours/${name}.txt`, kRoot), element, 'tour');
+}
+
+// {name, bytes} of a recording. Throws a Trouble.
+export async function readTour(address) {
+  const bytes = await fetchOnce(address).catch((error) => {
+    throw new Trouble('The tour could not be loaded', `${address.href}: ${error.message}.`, [], 'tour');
+  });
+  return { name: nameOf(address), bytes };
+}
+
+function addressOf(text, named, element, attribute) {
+  if (kName.test(text)) return named(text);
+  try {
+    return new URL(text, element.ownerDocument.baseURI);
+  } catch {
+    throw new Trouble('An attribute cannot be read', `${attribute}: found "${text}", expected an address or the name of a shipped ${attribute}`, [], 'address');
+  }
+}
+
+function nameOf(address) {
+  return decodeURIComponent(address.pathname.split('/').pop());
+}
+
+function sceneFrom(address) {
+  return {
+    name: nameOf(address),
+    address,
+    readText: () => fetchOnce(address).catch((error) => {
+      throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
+    }),
+    readFile: (file, onBytes) => readBeside(address, file, onBytes),
+  };
+}
+
+function sceneOf(name, text) {
+  return {
+    name,
+    address: null,
+    readText: async () => new TextEncoder().encode(text),
+    readFile: (file, onBytes) => readBeside(kScenes, file, onBytes),
+  };
+}
+
+// null for a file that cannot be read: the engine says which place of the scene names it.
+function readBeside(address, file, onBytes) {
+  return fetchOnce(new URL(file, address), onBytes).catch(() => null);
+}

@@ -1,0 +1,182 @@
+// How a <ray-caster> looks: one sheet for all of a document, adopted, so that no page has to allow inline styles.
+//
+//     adoptStyles(shadowRoot);
+//
+// Things that can be pressed are blocks: square, lit from above, on a darker edge. A page colours them with --ray-caster-accent, --ray-caster-ink (behind
+// the picture and on the accent), --ray-caster-panel and --ray-caster-text.
+
+const kSheet = `
+:host {
+  --accent: var(--ray-caster-accent, #ecc862);
+  --ink: var(--ray-caster-ink, #15131c);
+  --panel: var(--ray-caster-panel, #221b20);
+  --text: var(--ray-caster-text, #f7f1e1);
+  --soft: color-mix(in srgb, var(--text) 78%, var(--panel));
+  --veil: color-mix(in srgb, var(--panel) 84%, transparent);
+  --light: inset 0 1px 0 rgb(255 255 255 / 0.16), inset 0 -3px 0 rgb(0 0 0 / 0.36);
+  --quick: 160ms;
+  display: block;
+  aspect-ratio: 16 / 10;
+  contain: layout paint style;
+  position: relative;
+  overflow: hidden;
+  color-scheme: dark;
+}
+:host([hidden]) { display: none; }
+:host(:fullscreen) { width: 100%; height: 100%; aspect-ratio: auto; }
+@media (prefers-reduced-motion: reduce) { :host { --quick: 0ms; } }
+
+*, *::before, *::after { box-sizing: border-box; }
+[hidden] { display: none !important; }
+p, h2, ul { margin: 0; padding: 0; }
+
+.box {
+  position: absolute;
+  inset: 0;
+  container-type: size;
+  font: 400 14px/1.45 "Segoe UI Variable Text", "Segoe UI", -apple-system, Roboto, Ubuntu, Cantarell, "Noto Sans", "DejaVu Sans Condensed", system-ui, sans-serif;
+  letter-spacing: normal;
+  text-align: start;
+  text-transform: none;
+  text-indent: 0;
+  white-space: normal;
+  color: var(--text);
+  background: var(--ink);
+}
+.stage, .poster, .cover, .message { position: absolute; inset: 0; }
+.stage { overflow: hidden; }
+.stage:focus { outline: none; }
+.frame { position: absolute; }
+.frame canvas { display: block; width: 100% !important; height: 100% !important; outline: none; image-rendering: crisp-edges; image-rendering: pixelated; }
+.poster { width: 100%; height: 100%; object-fit: cover; transition: opacity calc(2 * var(--quick)); }
+.unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+.icon { display: block; width: 16px; height: 16px; fill: currentcolor; shape-rendering: crispedges; }
+
+/* Where the keys go: a ring inside the edge, light on dark, so that it shows on any picture */
+.box::after { content: ""; position: absolute; inset: 0; pointer-events: none; }
+.box.engaged:focus-within::after, .box:has(.cover:focus-visible)::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
+
+button { margin: 0; border: 0; border-radius: 0; font: inherit; color: inherit; cursor: pointer; -webkit-tap-highlight-color: transparent; }
+button:focus { outline: none; }
+button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
+
+/* ---- The cover: one button as large as the picture. A finger on it scrolls the page, its tap begins. */
+
+.cover { display: grid; place-items: center; width: 100%; padding: 0; background: none; touch-action: manipulation; outline: none !important; }
+.glyph {
+  display: grid;
+  place-items: center;
+  width: 72px;
+  height: 72px;
+  color: var(--text);
+  background: var(--veil);
+  box-shadow: var(--light);
+  transition: color var(--quick), background-color var(--quick), opacity var(--quick);
+}
+.glyph .icon { width: 32px; height: 32px; }
+.cover:hover .glyph, .cover:focus-visible .glyph { color: var(--ink); background: var(--accent); }
+.cover:active .glyph { box-shadow: inset 0 3px 0 rgb(0 0 0 / 0.36); }
+.hint { position: absolute; top: 12px; padding: 4px 12px; font-size: 13px; color: var(--text); background: var(--veil); opacity: 0; transition: opacity var(--quick); }
+.box[data-state="playing"] .glyph { opacity: 0; }
+.box[data-state="playing"] .cover:is(:hover, :focus-visible) .hint { opacity: 1; }
+.box[data-state="error"] .cover { display: none; }
+@container (max-width: 220px) or (max-height: 150px) {
+  .glyph { width: 48px; height: 48px; }
+  .glyph .icon { width: 16px; height: 16px; }
+  .hint { display: none; }
+}
+
+/* ---- The bar. It leaves while somebody plays and does not point at it. */
+
+.controls { position: absolute; inset: auto 0 0; display: flex; padding: 0 4px; background: var(--veil); transition: opacity var(--quick); }
+.controls button { display: grid; place-items: center; flex: none; width: 44px; height: 44px; padding: 0; color: var(--soft); background: none; }
+.controls button:hover { color: var(--text); box-shadow: inset 0 -2px 0 var(--accent); }
+.controls button[aria-pressed="true"] { color: var(--accent); }
+.controls button:disabled { opacity: 0.4; cursor: default; box-shadow: none; }
+.controls .space { flex: 1; }
+.box[data-state="playing"]:not(:hover) .controls:not(:focus-within) { opacity: 0; transition: opacity calc(2 * var(--quick)) 600ms; }
+.box[data-state="error"] .controls { display: none; }
+@container (max-width: 260px) { .controls button { width: 36px; } }
+
+/* ---- What goes on */
+
+.progress { position: absolute; inset: auto 0 0; height: 3px; background: var(--veil); }
+.progress::before { content: ""; position: absolute; inset: 0; background: var(--accent); transform-origin: left; transform: scaleX(var(--share, 0)); transition: transform var(--quick); }
+.status { position: absolute; left: 0; top: 0; max-width: 100%; padding: 4px 12px; font-size: 13px; color: var(--text); background: var(--veil); pointer-events: none; }
+.status:empty { padding: 0; }
+
+/* ---- What is wrong */
+
+.message { display: flex; flex-direction: column; gap: 12px; padding: 20px; overflow: auto; overscroll-behavior: auto; background: color-mix(in srgb, var(--panel) 94%, transparent); }
+.message h2 { font-size: 17px; line-height: 1.3; font-weight: 700; padding-left: 12px; box-shadow: inset 4px 0 0 #e3835f; text-wrap: balance; }
+.message p { max-width: 70ch; color: var(--soft); overflow-wrap: anywhere; text-wrap: pretty; }
+.message ul { flex: none; list-style: none; border-bottom: 1px solid var(--veil); }
+.message li { padding: 8px 0; border-top: 1px solid color-mix(in srgb, var(--text) 16%, transparent); overflow-wrap: anywhere; }
+.message .place { font-weight: 600; font-variant-numeric: tabular-nums; }
+.message .inside { color: var(--soft); font-size: 13px; }
+.message .found { color: #f0a183; }
+.message .again { flex: none; align-self: start; min-height: 36px; padding: 4px 16px 6px; font-weight: 600; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
+.message .again:hover { color: var(--ink); background: var(--accent); }
+@container (max-width: 420px) { .message { padding: 12px; gap: 8px; } }
+
+/* ---- Touch: only while it is played by a finger */
+
+.leave { position: absolute; right: 0; top: 0; display: grid; place-items: center; width: 44px; height: 44px; padding: 0; background: var(--veil); }
+.touch { position: absolute; inset: 0; touch-action: none; user-select: none; -webkit-user-select: none; -webkit-touch-callout: none; }
+.box.touched .controls { display: none; }
+.zone { position: absolute; inset: 0 50% 0 0; touch-action: none; }
+.zone + .zone { inset: 0 0 0 50%; }
+.stick {
+  --x: 72px;
+  --y: calc(100% - 72px);
+  position: absolute;
+  left: calc(var(--x) - 56px);
+  top: calc(var(--y) - 56px);
+  width: 112px;
+  height: 112px;
+  display: grid;
+  place-items: center;
+  border: 2px solid rgb(247 241 225 / 0.4);
+  border-radius: 50%;
+  background: rgb(21 19 28 / 0.28);
+  opacity: 0.7;
+  pointer-events: none;
+  transition: opacity var(--quick);
+}
+.stick.held { opacity: 1; background: rgb(21 19 28 / 0.45); border-color: rgb(247 241 225 / 0.7); }
+.stick.runs { border-color: var(--accent); }
+.knob { width: 48px; height: 48px; border-radius: 50%; background: rgb(247 241 225 / 0.75); box-shadow: inset 0 -4px 0 rgb(21 19 28 / 0.25); }
+.stick.runs .knob { background: var(--accent); }
+.buttons { position: absolute; right: 8px; bottom: 8px; display: grid; grid-template-columns: auto auto; gap: 4px; }
+.thumb-button { display: grid; place-items: center; align-content: center; gap: 2px; width: 52px; height: 52px; font-size: 11px; line-height: 14px; font-weight: 600; background: rgb(21 19 28 / 0.5); box-shadow: var(--light); touch-action: none; }
+.thumb-button[data-thumb="fly"] { grid-column: 2; }
+.thumb-button .icon { width: 24px; height: 24px; }
+.thumb-button.on { color: var(--ink); background: var(--accent); }
+@container (max-height: 260px) {
+  .buttons { grid-template-columns: repeat(4, auto); }
+  .thumb-button { width: 44px; height: 44px; }
+  .thumb-button span { display: none; }
+  .thumb-button[data-thumb="fly"] { grid-column: auto; }
+}
+
+@media (forced-colors: active) {
+  .glyph, .controls, .controls button, .leave, .status:not(:empty), .hint, .message, .message .again { border: 1px solid ButtonText; color: ButtonText; background: ButtonFace; forced-color-adjust: none; }
+  .cover:is(:hover, :focus-visible) .glyph, .controls button:is(:hover, [aria-pressed="true"]) { color: HighlightText; background: Highlight; }
+  .message, .message p, .message .found, .message .inside { color: CanvasText; background: Canvas; }
+  .progress::before { background: Highlight; }
+  .box.engaged:focus-within::after, .box:has(.cover:focus-visible)::after { outline: 3px solid Highlight; outline-offset: -3px; }
+}
+`;
+
+const sheets = new WeakMap(); // document -> its sheet: one cannot serve two
+
+export function adoptStyles(root) {
+  const { ownerDocument } = root;
+  let sheet = sheets.get(ownerDocument);
+  if (sheet === undefined) {
+    sheet = new (ownerDocument.defaultView ?? globalThis).CSSStyleSheet();
+    sheet.replaceSync(kSheet);
+    sheets.set(ownerDocument, sheet);
+  }
+  root.adoptedStyleSheets = [sheet];
+}

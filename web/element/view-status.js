@@ -1,0 +1,48 @@
+// Keeps the text of what is seen, for who hears the page: anew when the player has come to rest. It is spoken while the focus is in the element, and can
+// always be read.
+//
+//     const text = new ViewStatus(tree, () => engine);
+//     text.moved();      text.stop();
+
+import { describeView } from './view-text.js';
+
+const kRestMilliseconds = 800;
+
+export class ViewStatus {
+  #timer = 0;
+  #lastMove = 0;
+
+  constructor(tree, engine) {
+    this.tree = tree;
+    this.engine = engine;
+  }
+
+  moved() {
+    this.#lastMove = performance.now();
+    if (this.#timer === 0) this.#wait(kRestMilliseconds);
+  }
+
+  stop() {
+    clearTimeout(this.#timer);
+    this.#timer = 0;
+    this.tree.seen.textContent = '';
+  }
+
+  #wait(milliseconds) {
+    this.#timer = setTimeout(() => {
+      const left = this.#lastMove + kRestMilliseconds - performance.now();
+      if (left > 0) return this.#wait(left);
+      this.#timer = 0;
+      return this.#tell();
+    }, milliseconds);
+  }
+
+  #tell() {
+    const { seen, root, canvas } = this.tree;
+    const engine = this.engine();
+    if (engine === null || canvas === null) return;
+    seen.setAttribute('aria-live', root.activeElement === null ? 'off' : 'polite');
+    const text = describeView(engine, canvas.width, canvas.height);
+    if (text !== seen.textContent) seen.textContent = text;
+  }
+}

@@ -1,0 +1,36 @@
+// Whether elements are near the window or in it. One pair of observers serves the whole page.
+//
+//     const stop = watchVisibility(element, {near() {...}, seen(isSeen) {...}});
+//
+// near: it is in the window or will soon be; told once. seen: some of it is in the window.
+
+const kMargin = '50% 25%'; // of the window, around it
+
+const watched = new Map(); // element -> actions
+let nearObserver = null;
+let seenObserver = null;
+
+export function watchVisibility(element, actions) {
+  nearObserver ??= new IntersectionObserver(tellNear, { rootMargin: kMargin });
+  seenObserver ??= new IntersectionObserver(tellSeen);
+  watched.set(element, actions);
+  nearObserver.observe(element);
+  seenObserver.observe(element);
+  return () => {
+    watched.delete(element);
+    nearObserver.unobserve(element);
+    seenObserver.unobserve(element);
+  };
+}
+
+function tellNear(entries) {
+  for (const { target, isIntersecting } of entries) {
+    if (!isIntersecting) continue;
+    nearObserver.unobserve(target);
+    watched.get(target)?.near();
+  }
+}
+
+function tellSeen(entries) {
+  for (const { target, isIntersecting } of entries) watched.get(target)?.seen(isIntersecting);
+}
