@@ -4,16 +4,21 @@
 //     const {faults} = await engine.loadScene(source);        // a source of scene-source.js
 //     engine.begin();                                         // once: it draws, and listens to the canvas
 //     engine.setOption('fov', 75);
+//     engine.stop();                                          // at the end: nothing of it is left
 //
 // Without a canvas it draws only when asked to (drawOnce). Any number of engines live side by side; they share the compiled program.
 
 import { Trouble } from './trouble.js';
 
+const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
+const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
+
 export class Engine {
-  #module;
+  #running; // the module; null at the end
   #session;
   #begun = false;
   #loads = 0;
+  #mapNames = [];
 
   static async create({ files, canvas = null, onEvent = () => {} }) {
     let refuse;
@@ -39,9 +44,14 @@ export class Engine {
   warnings = []; // of the scene that plays, in the form of faults
 
   constructor(module, canvas) {
-    this.#module = module;
+    this.#running = module;
     this.#session = canvas === null ? module._slicecast_create() : module._slicecast_programSession();
     this.canvas = canvas;
+  }
+
+  get #module() {
+    if (this.#running === null) throw new Error('This engine has been stopped.');
+    return this.#running;
   }
 
   get version() {
@@ -61,6 +71,7 @@ export class Engine {
     const eye = keepEye ? this.state : null;
     const { faults, warnings } = startWith(this.#module, this.#session, names.files, contents);
     this.warnings = warnings;
+    if (faults.length === 0) this.#mapNames = this.world.maps.map(({ name }) => name);
     if (eye !== null && faults.length === 0) this.restore(eye);
     return faults;
   }
@@ -78,27 +89,29 @@ export class Engine {
 
   // One picture of a scene from its start, drawn aside: ImageData, or null if the scene has faults.
   async drawAside(source, width, height) {
-    const session = this.#module._slicecast_create();
+    const module = this.#module;
+    const session = module._slicecast_create();
     try {
-      const { files, faults } = await readNames(this.#module, session, source);
+      const { files, faults } = await readNames(module, session, source);
       if (faults.length > 0) return null;
       const contents = await readContents(files, source);
-      return startWith(this.#module, session, files, contents).faults.length === 0 ? this.#draw(session, width, height, 1) : null;
+      return startWith(module, session, files, contents).faults.length === 0 ? draw(module, session, width, height, 1) : null;
     } finally {
-      this.#module._slicecast_free(session);
+      module._slicecast_free(session);
     }
   }
 
   // The view as it would be drawn now, in any size: ImageData, or null without a game.
   drawOnce(width, height, fraction = 1) {
-    return this.#draw(this.#session, width, height, fraction);
+    return draw(this.#module, this.#session, width, height, fraction);
   }
 
-  #draw(session, width, height, fraction) {
-    if (this.#module._slicecast_draw(session, width, height, fraction) === 0) return null;
-    const at = this.#module._slicecast_picture(session);
-    const bytes = new Uint8ClampedArray(this.#module.HEAPU8.slice(at, at + width * height * 4).buffer);
-    return new ImageData(bytes, width, height);
+  // Steps of exactly 1/120 s each, also while it stands still; the last one's view is drawn. The input is held during all of them: {forward, strafe, turn,
+  // look, fly} from -1 to 1, {jump, fast, slow, use, open, close} true or false. What was replayed is over.
+  step(input = {}, count = 1) {
+    const [axes, buttons] = readInput(input);
+    if (!Number.isInteger(count) || count < 0) throw new Error(`step: found count ${count}, expected a whole number from 0.`);
+    for (let i = 0; i < count; ++i) this.#module._slicecast_step(this.#session, ...axes, 0, 0, buttons);
   }
 
   // Options are those of `--set`; true and false are "on" and "off". Throws if the engine refuses the value.
@@ -113,6 +126,11 @@ export class Engine {
     return withStrings(this.#module, [name], (nameAt) => this.#module.UTF8ToString(this.#module._slicecast_option(this.#session, nameAt)));
   }
 
+  // All options, in the order in which to list them: [{name, kind, least, greatest, choices: [...], standard, description, value}] (src/wasm/bindings.h).
+  get options() {
+    return this.#json(this.#module._slicecast_options(this.#session)).map((option) => ({ ...option, choices: option.choices.split(' ').filter(Boolean) }));
+  }
+
   // {title, maps: [{name, width, depth, levels}]}, or null.
   get world() {
     return this.#json(this.#module._slicecast_world(this.#session));
@@ -121,6 +139,23 @@ export class Engine {
   // {map, x, y, z, heading, look, flying, steps}, or null.
   get state() {
     return this.#json(this.#module._slicecast_state(this.#session));
+  }
+
+  // {map (its name), x, y, z, heading, look} of the eye after the last step, cheap enough for every frame; or null.
+  get view() {
+    const at = this.#module._slicecast_view(this.#session);
+    if (at === 0) return null;
+    const [map, x, y, z, heading, look] = new Float64Array(this.#module.HEAPU8.buffer, at, 6);
+    return { map: this.#mapNames[map], x, y, z, heading, look };
+  }
+
+  // Puts the eye elsewhere, walking or flying as it was where there is room for that; what the view leaves out stays. False if such an eye cannot see.
+  look(view) {
+    const state = this.state;
+    if (state === null) return false;
+    const given = Object.fromEntries(Object.entries(view).filter(([, value]) => (value ?? null) !== null));
+    if (given.map !== undefined) given.map = this.#mapNames.indexOf(given.map);
+    return this.restore({ ...state, ...given });
   }
 
   // Fly mode, or walk mode.
@@ -212,8 +247,16 @@ export class Engine {
     return this.#json(this.#module._slicecast_keys());
   }
 
+  // What it holds of the browser's memory.
+  get memoryBytes() {
+    return this.#module.HEAPU8.length;
+  }
+
+  // Ends everything: no listener and no frame remains, and the memory can be freed. Whoever asks it for anything then gets an Error.
   stop() {
-    this.#module._slicecast_stop();
+    ++this.#loads;
+    this.#running?._slicecast_stop();
+    this.#running = this.canvas = null;
   }
 
   #json(at) {
@@ -257,6 +300,25 @@ function startWith(module, session, files, contents) {
     withBytes(module, bytes, (at) => withStrings(module, [name], (nameAt) => module._slicecast_supply(session, nameAt, at, bytes.length)));
   });
   return JSON.parse(module.UTF8ToString(module._slicecast_start(session)));
+}
+
+function draw(module, session, width, height, fraction) {
+  if (module._slicecast_draw(session, width, height, fraction) === 0) return null;
+  const at = module._slicecast_picture(session);
+  return new ImageData(new Uint8ClampedArray(module.HEAPU8.slice(at, at + width * height * 4).buffer), width, height);
+}
+
+// The five axes, and the sum of the buttons.
+function readInput(input) {
+  for (const name of Object.keys(input)) {
+    if (!kAxes.includes(name) && !(name in kButtons)) throw new Error(`step: found "${name}", expected ${[...kAxes, ...Object.keys(kButtons)].join(', ')}.`);
+  }
+  const axes = kAxes.map((name) => {
+    const value = input[name] ?? 0;
+    if (!(Math.abs(value) <= 1)) throw new Error(`step: found ${name} ${value}, expected a number from -1 to 1.`);
+    return value;
+  });
+  return [axes, Object.entries(kButtons).reduce((sum, [name, bit]) => sum + (input[name] ? bit : 0), 0)];
 }
 
 function withBytes(module, bytes, use) {

@@ -49,8 +49,13 @@ void App::play(std::unique_ptr<Session> game) {
     clock_.stop();
     meter_.skip();
     turnDegrees_ = lookHeights_ = 0.0;
-    stale_ = true;
+    redraw();
     tellChanges();
+}
+
+void App::redraw() {
+    stale_ = true;
+    if (wantsFrame()) shell_.askForFrame();
 }
 
 void App::endReplay() {
@@ -84,7 +89,7 @@ void App::replay(Recording recording) {
 void App::resize(int width, int height) {
     width_ = std::clamp(width, 1, kLargestPictureSide);
     height_ = std::clamp(height, 1, kLargestPictureSide);
-    stale_ = true;
+    redraw();
 }
 
 void App::setPaused(bool paused) {
@@ -92,7 +97,7 @@ void App::setPaused(bool paused) {
     paused_ = paused;
     clock_.stop();
     meter_.skip();
-    stale_ = true;
+    redraw();
     shell_.tell(News::pause, paused);
 }
 
@@ -100,7 +105,7 @@ void App::setHidden(bool hidden) {
     hidden_ = hidden;
     clock_.stop();
     meter_.skip();
-    stale_ = true;
+    redraw();
     releaseKeys();
 }
 
@@ -219,7 +224,7 @@ void App::act(const Key& key) {
             if (!toggle(key.action)) return;
             break;
     }
-    stale_ = true;
+    redraw();
 }
 
 // Switches the option of an action on or off. False if it has none.
@@ -313,20 +318,36 @@ Input App::takeInput() {
     return together(together(input, thumbs_), together(cursor_, gamepadInput(gamepad_)));
 }
 
-void App::step() {
+void App::play() {
     const Input input = takeInput();
-    if (replay_) {
-        if (!isAnything(input) && replay_->step(*game_)) return;
-        endReplay();
+    if (replay_ && !isAnything(input) && replay_->step(*game_)) {
+        tellPortal();
+    } else {
+        step(input);
     }
+}
+
+void App::step(const Input& input) {
+    if (!game_) return;
+    endReplay();
     game_->step(input);
+    tellPortal();
+    redraw();
+}
+
+void App::tellPortal() {
+    const Player& before = game_->beforeStep();
+    const Player& now = game_->player();
+    if (before.leaps == now.leaps) return;
+    const auto nameOf = [&](int map) -> const std::string& { return game_->world().maps[static_cast<std::size_t>(map)].name; };
+    shell_.tellPortal(nameOf(before.map), nameOf(now.map));
 }
 
 bool App::frame(double nowSeconds) {
     if (hidden_ || !game_) return false;
     if (!paused_) {
         const int steps = clock_.advance(nowSeconds);
-        for (int i = 0; i < steps; ++i) step();
+        for (int i = 0; i < steps; ++i) play();
         stale_ = true;
     }
     tellChanges();
@@ -344,16 +365,19 @@ bool App::draw(double nowSeconds) {
         shell_.tellSize(width_, height_);
     }
 
-    // The picture
+    // The picture; while paused, of the last step itself
+    const double fraction = paused_ ? 1.0 : clock_.fraction();
     const Picture picture = {static_cast<Pixel*>(surface_->pixels), width_, height_, surface_->pitch / static_cast<int>(sizeof(Pixel))};
     const double begin = shell_.nowSeconds();
-    if (!game_->draw(picture, clock_.fraction())) return false;
+    if (!game_->draw(picture, fraction)) return false;
     const double end = shell_.nowSeconds();
     shell_.show(*surface_);
 
     // What the shell may want to know
     if (!ready_) shell_.tell(News::ready, true);
     ready_ = true;
+    const Eye eye = game_->eye(fraction);
+    shell_.tellShown(std::exchange(shownEye_, eye) != eye);
     if (!paused_ && meter_.add(nowSeconds, end - begin)) shell_.tellRates(meter_.rates());
     return true;
 }

@@ -79,8 +79,14 @@ public:
     void cursorAt(double x, double y);
     void cursorLeft() { cursor_ = {}; }
 
-    // Something outside has changed what is to be seen, so a picture is drawn even while paused.
-    void redraw() { stale_ = true; }
+    // One step, also while paused. What was replayed is over.
+    void step(const Input& input);
+
+    // Something has changed what is to be seen, so a picture is drawn even while paused.
+    void redraw();
+
+    // Whether there is anything for frame() to do. It becomes true only by calls of the shell's, which is then asked for a frame.
+    bool wantsFrame() const { return game_ && !hidden_ && (stale_ || !paused_); }
 
     // Plays the steps that are due and draws. True if there is a new picture on the screen. The time is of the clock of Shell::nowSeconds: the moment for
     // which the picture is meant.
@@ -96,7 +102,8 @@ private:
     void look(double right, double down);
     void endReplay();
     Input takeInput();
-    void step();
+    void play();
+    void tellPortal();
     void changeLight(const char* option, double now, double by);
     bool toggle(Action action);
     void changeNumber(const char* option, int now, int by, int least, int greatest);
@@ -127,6 +134,7 @@ private:
     bool pointerHeld_ = false;
     bool stale_ = true;
     bool ready_ = false;
+    std::optional<Eye> shownEye_;  // of the last picture
     bool toldFly_ = false;
     bool toldMinimap_ = false;
 };

@@ -78,8 +78,21 @@ EM_JS(int, slicecastHoldsPointer, (), {
 
 EM_JS(void, slicecastLeaveCanvas, (), { Module["canvas"].blur(); });
 
-EM_JS(void, slicecastTell, (const char* event, int yes), {
-    if (Module["onSlicecast"]) Module["onSlicecast"](UTF8ToString(event), yes !== 0);
+// The names stand in the order of News.
+EM_JS(void, slicecastTell, (int news, int yes), {
+    const names = ["ready", "pause", "pointer", "cursor", "recording", "replay", "fly", "minimap", "help", "rate", "fullscreen", "record"];
+    if (Module["onSlicecast"]) Module["onSlicecast"](names[news], yes !== 0);
+});
+
+EM_JS(void, slicecastTellShown, (int moved), {
+    const hear = Module["onSlicecast"];
+    if (!hear) return;
+    if (moved) hear("view", true);
+    hear("frame", true);
+});
+
+EM_JS(void, slicecastTellPortal, (const char* from, const char* to), {
+    if (Module["onSlicecast"]) Module["onSlicecast"]("portal", {from: UTF8ToString(from), to: UTF8ToString(to)});
 });
 
 EM_JS(void, slicecastTellRates, (double framesPerSecond, double drawMilliseconds, double longestMilliseconds), {
@@ -100,43 +113,16 @@ namespace slicecast {
 
 namespace {
 
-const char* nameOf(News news) {
-    switch (news) {
-        case News::ready:
-            return "ready";
-        case News::pause:
-            return "pause";
-        case News::pointer:
-            return "pointer";
-        case News::cursor:
-            return "cursor";
-        case News::recording:
-            return "recording";
-        case News::replay:
-            return "replay";
-        case News::record:
-            return "record";
-        case News::fly:
-            return "fly";
-        case News::minimap:
-            return "minimap";
-        case News::help:
-            return "help";
-        case News::rate:
-            return "rate";
-        case News::fullscreen:
-            return "fullscreen";
-    }
-    return "";
-}
-
 class PageShell : public Shell {
 public:
     double nowSeconds() const override { return emscripten_get_now() * 0.001; }
     void show(SDL_Surface& picture) override {
         slicecastShowPixels(static_cast<uint32_t>(reinterpret_cast<std::uintptr_t>(picture.pixels)), picture.w, picture.h);
     }
-    void tell(News news, bool yes) override { slicecastTell(nameOf(news), yes); }
+    void askForFrame() override;
+    void tell(News news, bool yes) override { slicecastTell(static_cast<int>(news), yes); }
+    void tellShown(bool moved) override { slicecastTellShown(moved); }
+    void tellPortal(const std::string& from, const std::string& to) override { slicecastTellPortal(from.c_str(), to.c_str()); }
     void tellRates(const FrameRates& rates) override { slicecastTellRates(rates.framesPerSecond, rates.drawMilliseconds, rates.longestMilliseconds); }
     void tellSize(int width, int height) override {
         SDL_SetWindowSize(window, width, height);
@@ -146,6 +132,7 @@ public:
     void leave() override { slicecastLeaveCanvas(); }
 
     SDL_Window* window = nullptr;  // null unless the program runs
+    int frame = 0;                 // the browser's number of the frame that was asked for; 0 where none was
 };
 
 PageShell& shell() {
@@ -227,9 +214,14 @@ void listen(bool on) {
 }
 
 EM_BOOL onAnimationFrame(double timeMilliseconds, void*) {
-    if (shell().window == nullptr) return EM_FALSE;
+    shell().frame = 0;
     pageProgram().frame(timeMilliseconds * 0.001);
-    return EM_TRUE;
+    if (pageProgram().wantsFrame()) shell().askForFrame();
+    return EM_FALSE;
+}
+
+void PageShell::askForFrame() {
+    if (window != nullptr && frame == 0) frame = emscripten_request_animation_frame(onAnimationFrame, nullptr);
 }
 
 }  // namespace
@@ -269,12 +261,13 @@ bool beginPageProgram() {
 
     listen(true);
     pageProgram().redraw();
-    emscripten_request_animation_frame_loop(onAnimationFrame, nullptr);
     return true;
 }
 
 void endPageProgram() {
     if (shell().window == nullptr) return;
+    if (shell().frame != 0) emscripten_cancel_animation_frame(shell().frame);
+    shell().frame = 0;
     listen(false);
     pageProgram().releaseKeys();
     pageProgram().pointerHeld(false);

@@ -10,7 +10,7 @@
 
 namespace slicecast {
 
-// What happens in the program, each with a yes or no.
+// What happens in the program, each with a yes or no. page_shell.cpp names them in this order.
 enum class News {
     ready,       // the first picture is on the screen
     pause,       // play stands still, or goes on
@@ -36,7 +36,14 @@ public:
     // Puts a picture (RGBA32) on the screen.
     virtual void show(SDL_Surface& picture) = 0;
 
+    // App::wantsFrame() has become true, so App::frame is to be called, until it is false again.
+    virtual void askForFrame() = 0;
+
     virtual void tell(News news, bool yes) = 0;
+    // A picture is on the screen; `moved` if its eye is not where it was in the picture before.
+    virtual void tellShown(bool moved) = 0;
+    // The player has gone through a portal. Names of maps.
+    virtual void tellPortal(const std::string& from, const std::string& to) = 0;
     virtual void tellRates(const FrameRates& rates) = 0;
     virtual void tellSize(int width, int height) = 0;
 

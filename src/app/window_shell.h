@@ -39,7 +39,10 @@ public:
 
     double nowSeconds() const override;
     void show(SDL_Surface& picture) override;
+    void askForFrame() override {}
     void tell(News news, bool yes) override;
+    void tellShown(bool) override {}
+    void tellPortal(const std::string&, const std::string&) override {}
     void tellRates(const FrameRates& rates) override { rates_ = rates; }
     void tellSize(int, int) override {}
     void tellHits(const std::string& json) override;

@@ -12,6 +12,8 @@ struct Eye {
     Coordinate z;                 // height, > 0
     double headingDegrees = 0.0;  // 0 = east, 90 = south (clockwise seen from above)
     double look = 0.0;            // screen heights that the horizon lies below the middle, positive looks up
+
+    friend bool operator==(const Eye&, const Eye&) = default;
 };
 
 // An eye at or below the floor sees nothing and is refused by the renderer.

@@ -84,6 +84,7 @@ public:
 
     const World& world() const { return world_; }
     const Player& player() const { return player_; }
+    const Player& beforeStep() const { return previous_; }  // the player as it was before the last step; as it is now after a leap
     const SessionOptions& options() const { return options_; }
     const FrameReport& report() const { return renderer_.report(); }
     std::int64_t steps() const { return steps_; }

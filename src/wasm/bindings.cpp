@@ -36,6 +36,7 @@ struct SlicecastSession {
     SessionOptions waiting;  // options set before there is a game
     Image picture;
     std::string answer;
+    double view[6] = {};
 
     Session* game() const { return ofProgram ? pageProgram().game() : own.get(); }
     void changed() const {
@@ -188,8 +189,11 @@ EMSCRIPTEN_KEEPALIVE void slicecast_step(SlicecastSession* session, double forwa
     input.turnDegrees = turnDegrees;
     input.lookHeights = lookHeights;
     takeButtons(input, buttons);
-    game->step(input);
-    session->changed();
+    if (session->ofProgram) {
+        pageProgram().step(input);
+    } else {
+        game->step(input);
+    }
 }
 
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_draw(SlicecastSession* session, int32_t width, int32_t height, double fraction) {
@@ -242,6 +246,15 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
     json.key("intensity").number(state.intensity).key("multiplier").number(state.multiplier);
     json.key("steps").number(static_cast<double>(state.steps)).key("fingerprint").text(fingerprint);
     return session->give(json.endObject().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const double* slicecast_view(SlicecastSession* session) {
+    const Session* game = session->game();
+    if (game == nullptr) return nullptr;
+    const Eye eye = game->eye();
+    double* out = session->view;
+    for (const double number : {static_cast<double>(eye.map), eye.x.value(), eye.y.value(), eye.z.value(), eye.headingDegrees, eye.look}) *out++ = number;
+    return session->view;
 }
 
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees, double look) {

@@ -30,6 +30,12 @@
 //     "hits"        {...}         T was pressed: what the inspected slice meets, as slicecast_hits gives it
 //     "frames"      {"framesPerSecond", "drawMilliseconds", "longestMilliseconds"}   twice a second, over the time since the last one
 //     "size"        {"width", "height"}   pixels of the picture, after every change
+//     "frame"       true          a picture has been put on the canvas
+//     "view"        true          before it: the eye is not where it was in the picture before
+//     "portal"      {"from", "to"}   the player has gone through a portal; names of the maps, which may be the same
+//
+// While it stands still or its page is hidden, the program asks for no frame of the browser's and no timer; whatever changes what is to be seen asks for one
+// frame.
 //
 // The program looks after the canvas's own input: it makes the canvas focusable, focuses it on a press, holds the pointer after a click, and takes the keys
 // that it knows only while the canvas has the focus. Tab and anything with Ctrl, Alt or Meta stay the page's; Escape frees the pointer, then gives the focus
@@ -74,7 +80,7 @@ const char* slicecast_world(SlicecastSession* session);
 // One step of exactly 1/120 s. Axes are -1 to 1: forward, strafe (right), turn (right), look (up), fly (up; negative crouches in walk mode). turnDegrees
 // (right) and lookHeights (up, in screen heights) act at once, for a mouse. `buttons` is a sum of 1 = jump, 2 = fast, 4 = slow, 8 = open or close the gates within reach,
 // 16 = open them, 32 = close them. Without a game: nothing.
-// The program steps its own session by itself.
+// The program steps its own session by itself, and by this function also while it stands still; what it replayed is then over.
 void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn, double look, double fly, double turnDegrees, double lookHeights,
                     int32_t buttons);
 
@@ -100,6 +106,10 @@ const char* slicecast_options(SlicecastSession* session);
 // "intensity", "multiplier", "steps", "fingerprint"}: map by its number, x, y, z of the eye and height of the feet in units, heading in degrees (0 = east,
 // 90 = south), look in screen heights, speed in units per second. The fingerprint is the same text for the same state on every machine. null without a game.
 const char* slicecast_state(SlicecastSession* session);
+
+// The eye after the last step, cheap enough for every frame: map by its number, x, y, z, heading, look, as in slicecast_state. Holds until the next call. Null
+// without a game.
+const double* slicecast_view(SlicecastSession* session);
 
 // Records the game, which has just begun, under the name of the scene's file without its ending. Nothing without a game.
 void slicecast_record(SlicecastSession* session, const char* sceneName);

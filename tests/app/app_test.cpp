@@ -22,7 +22,13 @@ public:
         const auto* pixels = static_cast<const Pixel*>(picture.pixels);
         last.assign(pixels, pixels + static_cast<std::size_t>(picture.w) * static_cast<std::size_t>(picture.h));
     }
+    void askForFrame() override { ++asked; }
     void tell(News what, bool yes) override { news.emplace_back(what, yes); }
+    void tellShown(bool isMoved) override {
+        ++toldShown;
+        moved += isMoved ? 1 : 0;
+    }
+    void tellPortal(const std::string& from, const std::string& to) override { portals.emplace_back(from, to); }
     void tellRates(const FrameRates& told) override { rates.push_back(told); }
     void tellSize(int width, int height) override { sizes.emplace_back(width, height); }
     void tellHits(const std::string& json) override { hits.push_back(json); }
@@ -30,12 +36,16 @@ public:
 
     double now = 100.0;
     int shown = 0;
+    int asked = 0;
+    int toldShown = 0;
+    int moved = 0;
     int left = 0;
     std::vector<Pixel> last;
     std::vector<std::pair<News, bool>> news;
     std::vector<FrameRates> rates;
     std::vector<std::string> hits;
     std::vector<std::pair<int, int>> sizes;
+    std::vector<std::pair<std::string, std::string>> portals;
 };
 
 // An open field with a row of blocks far in the east.
@@ -139,6 +149,84 @@ TEST_F(AppTest, AHiddenScreenNeitherJumpsNorSticks) {
     EXPECT_EQ(x(), before);
     play(1.0);
     EXPECT_LT(x(), before + 0.5) << "the key went up unseen";
+}
+
+TEST_F(AppTest, WhileItStandsStillItWantsAFrameOnlyForAChange) {
+    app.setPaused(true);
+    app.frame(shell.now);
+    EXPECT_FALSE(app.wantsFrame());
+
+    const auto asksForOne = [&] {
+        const bool isAsked = shell.asked > 0 && app.wantsFrame();
+        shell.asked = 0;
+        const int shown = shell.shown;
+        play(0.1);
+        return isAsked && shell.shown == shown + 1 && !app.wantsFrame() && shell.asked == 0;
+    };
+    shell.asked = 0;
+    app.redraw();
+    EXPECT_TRUE(asksForOne());
+    app.resize(60, 40);
+    EXPECT_TRUE(asksForOne());
+    app.step({});
+    EXPECT_TRUE(asksForOne());
+    press(SDL_SCANCODE_V);
+    EXPECT_TRUE(asksForOne());
+    app.setHidden(true);
+    EXPECT_FALSE(app.wantsFrame());
+    EXPECT_EQ(shell.asked, 0);
+    app.redraw();
+    EXPECT_EQ(shell.asked, 0) << "nobody would see it";
+    app.setHidden(false);
+    EXPECT_TRUE(asksForOne());
+
+    app.setPaused(false);
+    EXPECT_GT(shell.asked, 0);
+    play(0.1);
+    EXPECT_TRUE(app.wantsFrame());
+    app.setHidden(true);
+    EXPECT_FALSE(app.wantsFrame());
+}
+
+TEST_F(AppTest, AStepWhilePausedIsDrawnAsItIs) {
+    app.setPaused(true);
+    const double before = x();
+    for (int i = 0; i < 30; ++i) app.step({.forward = 1.0});
+    EXPECT_GT(x(), before + 0.5);
+    app.frame(shell.now);
+    std::vector<Pixel> pixels(80 * 50);
+    ASSERT_TRUE(app.game()->draw({pixels.data(), 80, 50, 80}, 1.0));
+    EXPECT_EQ(shell.last, pixels);
+    EXPECT_EQ(app.game()->steps(), 30);
+}
+
+TEST_F(AppTest, ThePictureAndAMovedEyeAreTold) {
+    EXPECT_EQ(shell.toldShown, 1);
+    EXPECT_EQ(shell.moved, 1) << "there was no picture before";
+    play(0.5);
+    EXPECT_EQ(shell.toldShown, shell.shown);
+    EXPECT_EQ(shell.moved, 1) << "nobody has moved";
+    press(SDL_SCANCODE_RIGHT);
+    play(0.5);
+    EXPECT_GT(shell.moved, 20);
+}
+
+TEST_F(AppTest, APortalIsTold) {
+    World world = makeField();
+    Map cellar = makeMap("cellar", 40, 40, 2, 0);
+    world.maps.push_back(std::move(cellar));
+    world.portals.push_back({.fromMap = 0, .fromX = 22, .fromY = 20, .toMap = 1, .toX = 10, .toY = 20});
+    world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
+    world.maps[0].tilePortals[world.maps[0].tileIndex(22, 20)] = 0;
+    markPortals(world);
+    app.play(std::make_unique<Session>(std::move(world)));
+    press(SDL_SCANCODE_W);
+    play(2.0);
+    EXPECT_EQ(app.game()->player().map, 1);
+    EXPECT_EQ(shell.portals, (std::vector{std::pair<std::string, std::string>{"field", "cellar"}}));
+    app.game()->reset();
+    play(0.1);
+    EXPECT_EQ(shell.portals.size(), 1u) << "nobody has gone through it";
 }
 
 TEST_F(AppTest, ASlowScreenDropsTime) {
