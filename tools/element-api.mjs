@@ -1,0 +1,46 @@
+// Makes from the table of the element's interface (web/element/api.json) what goes beside it into the built page: types, the custom elements manifest, the
+// documentation, and the package's version.
+//
+//     node tools/element-api.mjs FOLDER        // of a built page, with its engine
+
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+import { customElementsManifest } from './element-api/manifest.mjs';
+import { documentation } from './element-api/page.mjs';
+import { table } from './element-api/table.mjs';
+import { declarations } from './element-api/types.mjs';
+
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+
+if (process.argv.length !== 3) {
+  console.error('element-api: one word, the folder of the built page');
+  process.exit(1);
+}
+const folder = resolve(process.argv[2]);
+const inFolder = (name) => pathToFileURL(join(folder, name)).href;
+
+const { errorCodes } = await import(inFolder('element/faults.js'));
+const { load } = await import(inFolder('node/index.js'));
+
+const told = Object.keys(errorCodes).sort().join(' ');
+const listed = [...table.errorCodes].sort().join(' ');
+if (told !== listed) throw new Error(`web/element/api.json lists the error codes ${listed}; web/element/faults.js has ${told}`);
+
+const scene = await load('first-walk', { engine: 'scalar' });
+const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(/project\(Slicecast VERSION ([0-9.]+)/)[1];
+const manifest = { ...JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')), version };
+
+const json = (value) => `${JSON.stringify(value, null, 2)}\n`;
+const files = {
+  ...declarations(table),
+  'custom-elements.json': json(customElementsManifest(table)),
+  'element.html': documentation({ errorCodes, version, options: scene.optionList }),
+  'package.json': json(manifest),
+};
+scene.free();
+for (const [name, text] of Object.entries(files)) {
+  mkdirSync(dirname(join(folder, name)), { recursive: true });
+  writeFileSync(join(folder, name), text);
+}

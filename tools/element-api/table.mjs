@@ -1,0 +1,5 @@
+// The table of the element's interface, read.
+
+import { readFileSync } from 'node:fs';
+
+export const table = JSON.parse(readFileSync(new URL('../../web/element/api.json', import.meta.url), 'utf8'));

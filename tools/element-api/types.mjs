@@ -1,0 +1,99 @@
+// The table as declarations of TypeScript: shapes that know neither page nor Node, the element's module, and that for Node.
+//
+//     const files = declarations(table);      // {'shapes.d.ts': text, 'ray-caster.d.ts': text, 'node/index.d.ts': text}
+
+export function declarations(table) {
+  const shapes = [...table.types, { name: 'ErrorCode', type: table.errorCodes.map((code) => `'${code}'`).join(' | '), description: 'What can go wrong.' }];
+  return {
+    'shapes.d.ts': `// What <ray-caster> and slicecast/node hand out and take.\n\n${shapes.map(shape).join('\n')}`,
+    'ray-caster.d.ts': element(table, shapes.map(({ name }) => name)),
+    'node/index.d.ts': node(table.node, shapes.map(({ name }) => name)),
+  };
+}
+
+function shape({ name, type, fields, description }) {
+  if (fields === undefined) return `${comment(description)}export type ${name} = ${type};\n`;
+  return `${comment(description)}export interface ${name} {\n${fields.map((field) => indented(
+    `${comment(field.description)}${field.name}${field.optional ? '?' : ''}: ${field.type};`)).join('\n')}\n}\n`;
+}
+
+function element(table, names) {
+  const members = [
+    ...table.attributes.map(({ name, type, description }) => `${comment(description)}${name}: ${type};`),
+    ...table.properties.map(({ name, type, readonly, description }) => `${comment(description)}${readonly ? 'readonly ' : ''}${name}: ${type};`),
+    ...table.methods.map(method),
+  ];
+  const events = table.events.map(({ name, detail, description }) => `${comment(description)}${name}: CustomEvent<${detail}>;`);
+  const own = table.events.map(({ name }) => `'${name}'`).join(' | ');
+  const { className } = table;
+  return `${importOf(names, './shapes.js', members.join(' ') + events.join(' ') + table.exports.map(({ type }) => type).join(' '))}
+export * from './shapes.js';
+
+/** The events of <${table.tag}>, and those of every element. */
+export interface ${className}EventMap extends Omit<HTMLElementEventMap, ${own}> {
+${events.map(indented).join('\n')}
+}
+
+${comment(table.description)}export class ${className} extends HTMLElement {
+${members.map(indented).join('\n')}
+${['addEventListener', 'removeEventListener'].map((name) => listener(name, className)).join('\n')}
+}
+
+${table.exports.filter(({ kind }) => kind === 'constant').map(({ name, type, description }) => `${comment(description)}export const ${name}: ${type};\n`).join('\n')}
+declare global {
+  interface HTMLElementTagNameMap {
+    '${table.tag}': ${className};
+  }
+}
+`;
+}
+
+function listener(name, className) {
+  const options = name === 'addEventListener' ? 'boolean | AddEventListenerOptions' : 'boolean | EventListenerOptions';
+  return `  ${name}<K extends keyof ${className}EventMap>(type: K, listener: (this: ${className}, event: ${className}EventMap[K]) => unknown, options?: ${options}): void;
+  ${name}(type: string, listener: EventListenerOrEventListenerObject, options?: ${options}): void;`;
+}
+
+function node(api, names) {
+  const members = [...api.properties.map(({ name, type, description }) => `${comment(description)}readonly ${name}: ${type};`), ...api.methods.map(method)];
+  const types = api.types.map(shape);
+  const functions = api.functions.map((one) => `${comment(one.description)}export function ${one.name}(${parameters(one.parameters)}): ${one.returns.type};\n`);
+  return `${importOf(names, '../shapes.js', [...members, ...types, ...functions].join(' '))}
+export * from '../shapes.js';
+
+${functions.join('\n')}
+${types.join('\n')}
+/** A scene that is loaded. */
+export interface Scene {
+${members.map(indented).join('\n')}
+}
+
+/** What keeps a scene from being loaded; its message lists all faults. */
+export class ${api.error.name} extends Error {
+${api.error.properties.map(({ name, type, description }) => indented(`${comment(description)}readonly ${name}: ${type};`)).join('\n')}
+}
+`;
+}
+
+function method({ name, parameters: all, returns, overloads, description }) {
+  if (overloads === undefined) return `${comment(description)}${name}(${parameters(all)}): ${returns.type};`;
+  return overloads.map((one) => `${comment(description)}${name}(${parameters(one.parameters)}): ${one.returns};`).join('\n');
+}
+
+function parameters(all) {
+  return all.map(({ name, type, optional, default: standard }) => `${name}${optional || standard !== undefined ? '?' : ''}: ${type}`).join(', ');
+}
+
+// Only what the text uses, so that a strict compiler finds nothing idle.
+function importOf(names, from, text) {
+  const used = names.filter((name) => new RegExp(`\\b${name}\\b`).test(text));
+  return `import type { ${used.join(', ')} } from '${from}';\n`;
+}
+
+function comment(text) {
+  return `/** ${text} */\n`;
+}
+
+function indented(text) {
+  return text.replace(/^(?=.)/gm, '  ');
+}
