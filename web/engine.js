@@ -95,7 +95,7 @@ export class Engine {
       const { files, faults } = await readNames(module, session, source);
       if (faults.length > 0) return null;
       const contents = await readContents(files, source);
-      return startWith(module, session, files, contents).faults.length === 0 ? draw(module, session, width, height, 1) : null;
+      return startWith(module, session, files, contents).faults.length === 0 ? imageOf(drawPixels(module, session, width, height, 1), width, height) : null;
     } finally {
       module._slicecast_free(session);
     }
@@ -103,7 +103,12 @@ export class Engine {
 
   // The view as it would be drawn now, in any size: ImageData, or null without a game.
   drawOnce(width, height, fraction = 1) {
-    return draw(this.#module, this.#session, width, height, fraction);
+    return imageOf(this.drawPixels(width, height, fraction), width, height);
+  }
+
+  // The same as bytes, for where there is no ImageData.
+  drawPixels(width, height, fraction = 1) {
+    return drawPixels(this.#module, this.#session, width, height, fraction);
   }
 
   // Steps of exactly 1/120 s each, also while it stands still; the last one's view is drawn. The input is held during all of them: {forward, strafe, turn,
@@ -302,10 +307,14 @@ function startWith(module, session, files, contents) {
   return JSON.parse(module.UTF8ToString(module._slicecast_start(session)));
 }
 
-function draw(module, session, width, height, fraction) {
+function drawPixels(module, session, width, height, fraction) {
   if (module._slicecast_draw(session, width, height, fraction) === 0) return null;
   const at = module._slicecast_picture(session);
-  return new ImageData(new Uint8ClampedArray(module.HEAPU8.slice(at, at + width * height * 4).buffer), width, height);
+  return new Uint8ClampedArray(module.HEAPU8.slice(at, at + width * height * 4).buffer);
+}
+
+function imageOf(pixels, width, height) {
+  return pixels === null ? null : new ImageData(pixels, width, height);
 }
 
 // The five axes, and the sum of the buttons.
