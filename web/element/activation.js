@@ -22,6 +22,7 @@ export class Activation {
   isHeld = false;
   #byTouch = false;
   #isWaiting = false;
+  #pointerHeld = new AbortController();
   #thumbs = null;
   #layer = null;
   #gamepads = null;
@@ -155,6 +156,13 @@ export class Activation {
     this.#thumbs.hasGates = world.gates > 0;
     this.#thumbs.flying = state.flying;
     leave.before(this.#layer);
+  }
+
+  // While the pointer is the picture's, its wheel scrolls nothing.
+  set holdsPointer(holds) {
+    this.#pointerHeld.abort();
+    this.#pointerHeld = new AbortController();
+    if (holds) this.tree.box.addEventListener('wheel', (event) => event.preventDefault(), { passive: false, signal: this.#pointerHeld.signal });
   }
 
   // What the engine says of flying.

@@ -24,7 +24,7 @@ function toggleOverlays(host, show) {
   const isAny = kOverlays.some((name) => host.get(name) === 'on');
   const names = isAny ? kOverlays : show.overlays.length > 0 ? show.overlays : kUsualOverlay;
   for (const name of names) host.set(name, !isAny);
-  show.showControls();
+  show.showState();
 }
 
 async function save(host, show) {

@@ -92,10 +92,6 @@ export class Game {
     }
   }
 
-  look(view) {
-    return this.engine.look(view);
-  }
-
   setOption(name, value) {
     try {
       this.engine.setOption(name, value);

@@ -78,8 +78,7 @@ export class RayCaster extends Base {
   }
 
   get picture() {
-    const { canvas } = this.#show;
-    return canvas === null ? { width: 0, height: 0 } : { width: canvas.width, height: canvas.height };
+    return this.#show.picture;
   }
 
   get optionList() {

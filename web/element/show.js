@@ -1,27 +1,25 @@
 // What a <ray-caster> does behind its attributes and methods: it comes to life in the page, loads what the attributes say, and runs the engine while the
-// world is asked to play (autoplay, play()) or held (activation.js), and can be seen. The pieces: tree.js (inside), game.js (the engine), controls.js.
+// world is asked to play (autoplay, play()) or held (activation.js), and can be seen. The pieces: tree.js and face.js (what is seen), game.js (the engine).
 //
 //     const show = new Show(element, internals);       // with a shadow root
 //     show.connect();   show.update();   show.disconnect();
 //     show.play();      show.pause();
 
 import { Stage } from '../stage.js';
-import { Trouble } from '../trouble.js';
 import { Activation } from './activation.js';
-import { kOverlays, readAttributes } from './attributes.js';
+import { kOverlays } from './attributes.js';
 import { barActions } from './bar-actions.js';
-import { Controls } from './controls.js';
+import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
-import { hideMessage, showMessage } from './message.js';
+import { Loading } from './loading.js';
 import { holdCache } from './page-cache.js';
-import { hasParsed, whenParsed } from './parsing.js';
-import { findScene, tourAddress } from './source.js';
 import { buildTree } from './tree.js';
 import { ViewStatus } from './view-status.js';
 import { watchVisibility } from './visibility.js';
 
-const kFirstPictureMilliseconds = 400; // a hidden page draws none: then the scene counts as ready without
+const kDeadMilliseconds = 500; // without a picture after a failure of some engine, it was this one's
+const kHeldHint = 'Escape leaves';
 const kCursorHint = 'The mouse’s place steers; Escape ends it';
 
 export class Show {
@@ -29,41 +27,33 @@ export class Show {
   error = null; // ErrorDetail
   ready = null; // ReadyDetail of the scene that plays
   #host;
-  #internals;
   #tree;
+  #face;
   #game;
   #activation;
-  #controls;
   #viewStatus;
   #life = null; // while the element is in the document: an AbortController
   #stage = null;
   #waiting = null; // of whenReady(): {promise, resolve, reject}
-  #wanted = null; // what the attributes say; null while one of them is at fault
-  #asked = null; // the key of what is loaded or being loaded, and of what is loaded
-  #loaded = null;
-  #view = null; // the attribute's that was taken
-  #isNear = false;
+  #loading = null; // the same
   #isSeen = false;
   #isAskedToPlay = false;
-  #isUpdating = false;
   #stands = true;
-  #pictureCame = () => {};
+  #pictures = 0;
 
   constructor(host, internals) {
     this.#host = host;
-    this.#internals = internals;
     this.#tree = buildTree(host.shadowRoot);
+    this.#face = new Face(this.#tree, internals, barActions(host, this));
     this.#game = new Game({ showCanvas: (canvas) => this.#showCanvas(canvas), hear: (event, value) => this.#hear(event, value) });
     this.#activation = new Activation(this.#tree, {
-      engine: () => this.#game.engine,
-      wanted: () => this.#loadNow(),
+      engine: () => this.engine,
+      wanted: () => this.#loading?.now(),
       canBegin: () => this.#canPlay,
-      changed: () => this.#run(),
+      changed: (isHeld) => this.#held(isHeld),
     });
-    this.#controls = new Controls(this.#tree.controls, barActions(host, this));
     this.#viewStatus = new ViewStatus(this.#tree, () => this.engine);
-    host.addEventListener('fullscreenchange', () => this.showControls());
-    this.#tree.poster.addEventListener('error', () => this.#tree.poster.toggleAttribute('hidden', true));
+    host.addEventListener('fullscreenchange', () => this.showState());
   }
 
   get engine() {
@@ -74,16 +64,16 @@ export class Show {
     return this.#game.source;
   }
 
-  get canvas() {
-    return this.#tree.canvas;
-  }
-
   get paused() {
     return !this.#isAskedToPlay && !this.#activation.isHeld;
   }
 
   get overlays() {
-    return this.#wanted?.overlay ?? [];
+    return this.#loading?.wanted?.overlay ?? [];
+  }
+
+  get picture() {
+    return this.ready === null ? { width: 0, height: 0 } : { width: this.#stage.width, height: this.#stage.height };
   }
 
   // ---- Life
@@ -94,12 +84,22 @@ export class Show {
     const { signal } = this.#life;
     const until = (act) => signal.addEventListener('abort', act);
     until(holdCache());
-    until(watchVisibility(this.#host, { near: () => this.#loadNow(), seen: (isSeen) => this.#see(isSeen) }));
+    until(watchVisibility(this.#host, { near: () => this.#loading.now(), seen: (isSeen) => this.#see(isSeen) }));
+    this.#loading = new Loading(this.#host, this.#game, {
+      show: (wanted) => this.#show(wanted),
+      changed: () => this.#clearError(),
+      progress: (share, bytes) => this.#tellProgress(share, bytes),
+      loaded: () => this.#loaded(),
+      done: (isNew) => this.#done(isNew),
+      failed: (error) => this.#fail(error),
+    });
+    until(() => this.#loading.stop());
     const children = new MutationObserver(() => this.update());
     children.observe(this.#host, { childList: true, characterData: true, subtree: true });
     until(() => children.disconnect());
     this.#stage = new Stage(this.#tree.stage, this.#tree.frame, (width, height) => this.engine?.resize(width, height));
     until(() => this.#stage.stop());
+    window.addEventListener('error', ({ error }) => isCrash(error) && this.#findDead(error), { signal });
     if (this.#host.autoplay) this.autoplay();
     this.update();
   }
@@ -113,136 +113,45 @@ export class Show {
   end() {
     if (this.#life === null) return;
     this.#life.abort();
-    this.#life = this.#stage = null;
-    this.#game.stop();
+    this.#life = this.#stage = this.#loading = null;
+    this.#drop();
     this.#viewStatus.stop();
+    this.#face.stop();
+    this.error = null;
+    this.#isSeen = this.#isAskedToPlay = false;
+    this.#run();
+  }
+
+  // The game, and the engine with it.
+  #drop() {
+    this.#game.stop();
     this.#tree.canvas?.remove();
-    this.#tree.canvas = this.ready = this.error = this.#asked = this.#loaded = this.#view = null;
-    this.#isNear = this.#isSeen = this.#isAskedToPlay = false;
-    this.#stands = true;
-    hideMessage(this.#tree.message);
-    this.#setState('idle');
-  }
-
-  // ---- What the attributes say
-
-  // Soon, once for all that changes now.
-  update() {
-    if (this.#isUpdating || this.#life === null) return;
-    this.#isUpdating = true;
-    queueMicrotask(() => {
-      this.#isUpdating = false;
-      if (this.#life !== null) this.#take();
-    });
-  }
-
-  #take() {
-    try {
-      this.#wanted = null;
-      const wanted = readAttributes(this.#host);
-      this.#show(wanted);
-      this.#wanted = wanted;
-      if (!this.#isNear && wanted.loading === 'lazy') return;
-      if (this.#host.scene === '' && !hasParsed(this.#host)) {
-        whenParsed(this.#host, () => this.update(), this.#life);
-        return;
-      }
-      const scene = findScene(this.#host);
-      const tour = this.#host.tour === '' ? null : tourAddress(this.#host);
-      if (scene === null && tour === null) throw new Trouble('There is no scene', 'scene: found nothing, expected an address, or a scene inside the element', [], 'address');
-      const key = [scene?.key, tour?.href, wanted.engine].join('\n');
-      if (key !== this.#asked) this.#load(key, { kind: wanted.engine, source: scene?.source() ?? null, tour });
-      else if (key === this.#loaded) this.#settle();
-    } catch (error) {
-      this.#fail(error);
-    }
-  }
-
-  #show({ size, controls, keys, poster }) {
-    if (this.#stage.size !== size) this.#stage.setSize(size);
-    this.#activation.setKeys(keys);
-    this.#controls.show(controls);
-    const image = this.#tree.poster;
-    image.hidden = poster === '' || this.ready !== null;
-    if (poster !== '' && image.getAttribute('src') !== poster) image.src = poster;
-    this.#showNames();
-  }
-
-  #showNames() {
-    const name = this.#host.label || this.ready?.title || 'Raycaster';
-    const { cover, canvas, hint } = this.#tree;
-    const act = this.state === 'playing' ? 'Move around' : 'Play';
-    this.#internals.ariaLabel = name;
-    canvas?.setAttribute('aria-label', name);
-    cover.setAttribute('aria-label', `${act}: ${name}`);
-    hint.textContent = act;
+    this.#tree.canvas = this.ready = null;
+    this.#loading?.forget();
   }
 
   // ---- Loading
 
-  #loadNow() {
-    if (this.#isNear || this.#life === null) return;
-    this.#isNear = true;
-    this.update();
+  update() {
+    this.#loading?.update();
   }
 
-  async #load(key, request) {
-    const isStale = () => this.#asked !== key || this.#life === null;
-    this.#asked = key;
-    this.#clearError();
-    this.#setState('loading');
-    this.#run();
-    try {
-      const isThere = await this.#game.load({ ...request, onProgress: (share, bytes) => !isStale() && this.#showProgress(share, bytes) });
-      if (!isThere || isStale()) return;
-      this.#loaded = key;
-      this.ready = this.#view = null;
-      const { engine } = this.#game;
-      engine.resize(this.#stage.width, this.#stage.height);
-      if (this.#wanted === null) return; // the attribute at fault is shown, and once it is mended, the scene
-      this.#apply();
-      const picture = new Promise((resolve) => {
-        this.#pictureCame = resolve;
-        setTimeout(resolve, kFirstPictureMilliseconds);
-      });
-      engine.begin();
-      await picture;
-      if (!isStale()) this.#settle();
-    } catch (error) {
-      if (isStale()) return;
-      this.#asked = this.#loaded;
-      this.#fail(error);
-    }
-  }
-
-  // Options, overlays and the view, as they are wanted now.
-  #apply() {
-    const { options, overlay, view } = this.#wanted;
-    this.#game.setOptions([...options, ...overlay.map((name) => [name, 'on'])]);
-    if (view === null || this.#host.view === this.#view) return;
-    // A tour begins where it was recorded.
-    if (!this.#game.hasTour && !this.#game.look(view)) {
-      throw new Trouble('There is no such view', `view: found "${this.#host.view}", expected an eye above the floor of one of the scene's maps`, [], 'address');
-    }
-    this.#view = this.#host.view;
+  // The scene is in the engine; its first picture is to come.
+  #loaded() {
+    this.ready = null;
+    if (this.#stage.width === undefined) this.#stage.layOut();
+    this.engine.resize(this.#stage.width, this.#stage.height);
   }
 
   // All is as the attributes say.
-  #settle() {
-    const isNew = this.ready === null;
-    this.#apply();
-    this.engine.begin();
-    this.#clearError();
+  #done(isNew) {
     if (isNew) {
       const { title, maps } = this.engine.world;
       this.ready = { title, maps, memory: this.engine.memoryBytes };
+      this.#face.title = title;
+      this.#face.hidePoster();
     }
-    this.#tree.poster.hidden = true;
-    this.#tree.progress.hidden = true;
-    this.#setState('paused');
-    this.#run();
-    this.#showNames();
-    this.showControls();
+    this.#clearError();
     this.#waiting?.resolve(this.ready);
     this.#waiting = null;
     if (!isNew) return;
@@ -251,50 +160,80 @@ export class Show {
     this.#activation.resume();
   }
 
-  #showProgress(share, bytes) {
-    const { progress } = this.#tree;
-    progress.hidden = share >= 1;
-    progress.style.setProperty('--share', String(share));
-    progress.setAttribute('aria-valuenow', String(Math.round(share * 100)));
+  #show(wanted) {
+    if (this.#stage.size !== wanted.size) this.#stage.setSize(wanted.size);
+    this.#activation.setKeys(wanted.keys);
+    this.#face.attributes(wanted, this.ready !== null);
+  }
+
+  #tellProgress(share, bytes) {
+    this.#face.progress(share);
     this.#tell('progress', { share, bytes });
   }
 
+  // ---- What is wrong
+
   #fail(error) {
-    const detail = explain(error);
-    if (error instanceof WebAssembly.RuntimeError) {
-      this.#game.stop();
-      this.#asked = this.#loaded = this.ready = null;
-    }
-    this.error = detail;
+    if (isCrash(error)) this.#drop();
+    this.error = explain(error);
     this.#activation.end();
-    this.#tree.progress.hidden = true;
-    showMessage(this.#tree.message, detail, () => this.#retry());
-    this.#setState('error');
+    this.#face.trouble(this.error, () => this.#retry());
     this.#run();
-    this.#waiting?.reject(Object.assign(new Error(detail.message), detail));
+    this.#waiting?.reject(asError(this.error));
     this.#waiting = null;
-    this.#tell('error', detail);
+    this.#tell('error', this.error);
   }
 
   #retry() {
     this.#clearError();
-    this.#loadNow();
+    this.#loading.now();
     this.update();
   }
 
   #clearError() {
     this.error = null;
-    hideMessage(this.#tree.message);
+    this.#face.noTrouble();
+    this.#run();
+  }
+
+  // Some engine of the page has failed while it drew; the browser does not say whose.
+  #findDead(error) {
+    const { engine } = this;
+    const before = this.#pictures;
+    if (this.#stands || document.hidden) return;
+    setTimeout(() => this.engine === engine && this.#pictures === before && !this.#stands && this.#fail(error), kDeadMilliseconds);
   }
 
   // ---- Playing
 
   get #canPlay() {
-    return this.ready !== null && this.error === null && this.state !== 'loading';
+    return this.ready !== null && this.error === null && !this.#loading?.isLoading;
+  }
+
+  play() {
+    this.#isAskedToPlay = true;
+    this.#loading?.now();
+    this.#run();
   }
 
   autoplay() {
     if (!matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
+  }
+
+  pause() {
+    this.#isAskedToPlay = false;
+    this.#activation.end();
+    this.#run();
+  }
+
+  // As a click on the picture.
+  hold() {
+    this.#activation.begin();
+  }
+
+  #held(isHeld) {
+    this.#face.status(isHeld && !this.#tree.box.classList.contains('touched') ? kHeldHint : '');
+    this.#run();
   }
 
   #see(isSeen) {
@@ -304,47 +243,35 @@ export class Show {
 
   // The state, and the engine, as they must be now.
   #run() {
-    if (this.#canPlay) this.#setState(this.paused ? 'paused' : 'playing');
-    this.#stands = this.state !== 'playing' || !this.#isSeen;
+    const isReady = this.ready !== null;
+    const state = this.error !== null ? 'error' : this.#loading?.isLoading ? 'loading' : !isReady ? 'idle' : this.paused ? 'paused' : 'playing';
+    this.#stands = state !== 'playing' || !this.#isSeen;
     if (this.engine !== null) this.engine.paused = this.#stands;
-  }
-
-  #setState(state) {
     if (state === this.state) return;
     this.state = state;
-    this.#tree.box.dataset.state = state;
-    this.#showNames();
-    this.showControls();
+    this.showState();
     this.#tell('statechange', { state });
   }
 
-  play() {
-    this.#isAskedToPlay = true;
-    this.#loadNow();
-    this.#run();
+  showState() {
+    const isReady = this.#canPlay;
+    const hasOverlay = isReady && kOverlays.some((name) => this.engine.option(name) === 'on');
+    this.#face.state(this.state, { isReady, hasOverlay, isFullscreen: this.#host.matches(':fullscreen') });
   }
 
-  pause() {
-    this.#isAskedToPlay = false;
-    this.#activation.end();
-    this.#run();
-  }
-
-  // By the cover or the bar: as a click on the picture.
-  hold() {
-    this.#activation.begin();
+  showStatus(text) {
+    this.#face.status(text);
   }
 
   // Where the scene begins for this element.
   reset() {
     this.#game.reset();
-    this.#view = null;
-    this.#apply();
+    this.#loading.applyView();
   }
 
   setOption(name, value) {
     this.#game.setOption(name, value);
-    this.showControls();
+    this.showState();
   }
 
   focus(options) {
@@ -357,8 +284,10 @@ export class Show {
   }
 
   whenReady() {
-    if (this.#canPlay && !this.#isUpdating) return Promise.resolve(this.ready);
-    this.#loadNow();
+    const isSettled = this.#loading?.isSettled === true;
+    if (isSettled && this.#canPlay) return Promise.resolve(this.ready);
+    if (isSettled && this.error !== null) return Promise.reject(asError(this.error));
+    this.#loading?.now();
     this.#waiting ??= withResolvers();
     return this.#waiting.promise;
   }
@@ -372,17 +301,14 @@ export class Show {
     this.#tree.canvas = canvas;
     this.#tree.frame.append(canvas);
     this.#activation.takeCanvas();
-    this.#showNames();
   }
 
   #hear(event, value) {
     switch (event) {
-      case 'ready':
-        this.#pictureCame();
-        break;
       case 'frame':
-        this.#pictureCame();
-        if (this.ready !== null) this.#tell('framechange', { steps: this.engine.steps });
+        ++this.#pictures;
+        this.#loading?.pictureCame();
+        if (this.ready !== null) this.#tell('framechange', frameDetail(this.engine));
         break;
       case 'view':
         this.#viewStatus.moved();
@@ -392,17 +318,19 @@ export class Show {
         this.#tell('portal', value);
         break;
       case 'pause':
-        // Not by us: by its key.
-        if (value !== this.#stands) this.pause();
+        if (value !== this.#stands) this.pause(); // by its key
         break;
       case 'fly':
         this.#activation.flying = value;
         break;
+      case 'pointer':
+        this.#activation.holdsPointer = value;
+        break;
       case 'cursor':
-        this.showStatus(value ? kCursorHint : '');
+        this.#face.status(value ? kCursorHint : '', { stays: true });
         break;
       case 'minimap':
-        this.showControls();
+        this.showState();
         break;
       case 'fullscreen':
         this.toggleFullScreen();
@@ -410,23 +338,26 @@ export class Show {
     }
   }
 
-  showControls() {
-    const isReady = this.#canPlay;
-    this.#controls.state({
-      isReady,
-      isPlaying: this.state === 'playing',
-      hasOverlay: isReady && kOverlays.some((name) => this.engine.option(name) === 'on'),
-      isFullscreen: this.#host.matches(':fullscreen'),
-    });
-  }
-
-  showStatus(text) {
-    this.#tree.status.textContent = text;
-  }
-
   #tell(name, detail) {
     this.#host.dispatchEvent(new CustomEvent(name, { detail }));
   }
+}
+
+function isCrash(error) {
+  return error instanceof (globalThis.WebAssembly?.RuntimeError ?? Promise);
+}
+
+function asError(detail) {
+  return Object.assign(new Error(detail.message), detail);
+}
+
+// Asked for only when somebody reads it: pictures come often.
+function frameDetail(engine) {
+  return {
+    get steps() {
+      return engine.state.steps;
+    },
+  };
 }
 
 function withResolvers() {

@@ -1,0 +1,95 @@
+// What a <ray-caster> shows around its picture: names, the poster, progress, the line of status, what is wrong, and the bar's state.
+//
+//     const face = new Face(tree, internals, actions);
+//     face.attributes({poster, label, controls});
+//     face.state('playing', {isReady, hasOverlay, isFullscreen});
+
+import { Controls } from './controls.js';
+import { hideMessage, showMessage } from './message.js';
+
+const kStatusMilliseconds = 4000;
+
+export class Face {
+  #tree;
+  #internals;
+  #controls;
+  #label = '';
+  #title = '';
+  #state = 'idle';
+  #statusTimer = 0;
+
+  constructor(tree, internals, actions) {
+    this.#tree = tree;
+    this.#internals = internals;
+    this.#controls = new Controls(tree.controls, actions);
+    internals.role = 'group';
+    tree.poster.addEventListener('error', () => this.hidePoster());
+    this.#name();
+  }
+
+  attributes({ controls, poster, label }, hasPicture) {
+    this.#label = label;
+    this.#name();
+    this.#controls.show(controls);
+    const image = this.#tree.poster;
+    image.hidden = poster === '' || hasPicture;
+    if (poster !== '' && image.getAttribute('src') !== poster) image.src = poster;
+  }
+
+  hidePoster() {
+    this.#tree.poster.hidden = true;
+  }
+
+  // Of the scene; the label goes first.
+  set title(title) {
+    this.#title = title;
+    this.#name();
+  }
+
+  state(state, { isReady, hasOverlay, isFullscreen }) {
+    this.#state = state;
+    this.#tree.box.dataset.state = state;
+    if (state !== 'loading') this.#tree.progress.hidden = true;
+    this.#controls.state({ isReady, isPlaying: state === 'playing', hasOverlay, isFullscreen });
+    this.#name();
+  }
+
+  progress(share) {
+    const { progress } = this.#tree;
+    progress.hidden = share >= 1;
+    progress.style.setProperty('--share', String(share));
+    progress.setAttribute('aria-valuenow', String(Math.round(share * 100)));
+  }
+
+  // For a moment, or until another one.
+  status(text, { stays = false } = {}) {
+    clearTimeout(this.#statusTimer);
+    this.#tree.status.textContent = text;
+    if (text !== '' && !stays) this.#statusTimer = setTimeout(() => this.status(''), kStatusMilliseconds);
+  }
+
+  trouble(detail, retry) {
+    showMessage(this.#tree.message, detail, retry);
+  }
+
+  noTrouble() {
+    hideMessage(this.#tree.message);
+  }
+
+  stop() {
+    this.status('');
+    this.noTrouble();
+    this.#title = '';
+    this.#name();
+  }
+
+  #name() {
+    const { cover, canvas, hint } = this.#tree;
+    const name = this.#label || this.#title || 'Raycaster';
+    const act = this.#state === 'playing' ? 'Move around' : 'Play';
+    this.#internals.ariaLabel = name;
+    canvas?.setAttribute('aria-label', name);
+    cover.setAttribute('aria-label', `${act}: ${name}`);
+    hint.textContent = act;
+  }
+}

@@ -1,0 +1,155 @@
+// From the attributes of a <ray-caster> to a scene that can be played: reads them when they change, loads what they name, and applies the rest to what is
+// there. What plays is left alone until the next scene has come.
+//
+//     const loading = new Loading(element, game, {show(wanted), changed(), progress(share, bytes), loaded(), done(isNew), failed(error)});
+//     loading.update();       // soon
+//     loading.now();          // no longer waits until the element is near the window
+//     loading.stop();
+
+import { Trouble } from '../trouble.js';
+import { readAttributes } from './attributes.js';
+import { hasParsed, whenParsed } from './parsing.js';
+import { findScene, tourAddress } from './source.js';
+
+const kFirstPictureMilliseconds = 400; // a hidden page draws none: then the scene counts as ready without
+
+export class Loading {
+  wanted = null; // what the attributes say; null while one of them is at fault
+  isLoading = false;
+  #host;
+  #game;
+  #actions;
+  #life = new AbortController();
+  #asked = null; // the key of what is loaded or being loaded, and of what is loaded
+  #loaded = null;
+  #isReady = false; // what is loaded has been told of
+  #view = null; // the attribute's that was taken
+  #isNear = false;
+  #isUpdating = false;
+  #pictureCame = () => {};
+
+  constructor(host, game, actions) {
+    this.#host = host;
+    this.#game = game;
+    this.#actions = actions;
+  }
+
+  // Nothing is under way, and nothing will be unless something changes.
+  get isSettled() {
+    return !this.#isUpdating && !this.isLoading;
+  }
+
+  // Soon, once for all that changes now.
+  update() {
+    if (this.#isUpdating) return;
+    this.#isUpdating = true;
+    queueMicrotask(() => {
+      this.#isUpdating = false;
+      if (!this.#life.signal.aborted) this.#take();
+    });
+  }
+
+  now() {
+    if (this.#isNear) return;
+    this.#isNear = true;
+    this.update();
+  }
+
+  stop() {
+    this.#life.abort();
+  }
+
+  // What was loaded is lost: it is loaded again.
+  forget() {
+    this.#asked = this.#loaded = null;
+  }
+
+  // Some picture is on the canvas.
+  pictureCame() {
+    this.#pictureCame();
+  }
+
+  // The view of the attribute, again.
+  applyView() {
+    this.#view = null;
+    if (this.wanted !== null) this.#apply();
+  }
+
+  #take() {
+    const host = this.#host;
+    try {
+      this.wanted = null;
+      const wanted = readAttributes(host);
+      this.wanted = wanted;
+      this.#actions.show(wanted);
+      if (!this.#isNear && wanted.loading === 'lazy') {
+        this.#actions.changed();
+        return;
+      }
+      if (host.scene === '' && !hasParsed(host)) {
+        whenParsed(host, () => this.update(), this.#life);
+        return;
+      }
+      const scene = findScene(host);
+      const tour = host.tour === '' ? null : tourAddress(host);
+      if (scene === null && tour === null) throw new Trouble('There is no scene', 'scene: found nothing, expected an address, or a scene inside the element', [], 'address');
+      const key = [scene?.key, tour?.href, wanted.engine].join('\n');
+      if (key !== this.#asked) this.#load(key, { kind: wanted.engine, source: scene?.source() ?? null, tour });
+      else if (key === this.#loaded) this.#settle();
+    } catch (error) {
+      this.#actions.failed(error);
+    }
+  }
+
+  async #load(key, request) {
+    const isStale = () => this.#asked !== key || this.#life.signal.aborted;
+    this.#asked = key;
+    this.isLoading = true;
+    this.#actions.changed();
+    try {
+      const isThere = await this.#game.load({ ...request, onProgress: (share, bytes) => isStale() || this.#actions.progress(share, bytes) });
+      if (!isThere || isStale()) return;
+      this.#loaded = key;
+      this.#view = null;
+      this.#isReady = false;
+      this.#actions.loaded();
+      // With an attribute at fault, that is what is shown, and once it is mended, the scene.
+      if (this.wanted !== null) this.#apply();
+      const picture = new Promise((resolve) => {
+        this.#pictureCame = resolve;
+        setTimeout(resolve, kFirstPictureMilliseconds);
+      });
+      this.#game.engine.begin();
+      await picture;
+      if (isStale()) return;
+      this.isLoading = false;
+      if (this.wanted !== null) this.#settle();
+    } catch (error) {
+      if (isStale()) return;
+      this.#asked = this.#loaded;
+      this.isLoading = false;
+      this.#actions.failed(error);
+    }
+  }
+
+  // Options, overlays and the view, as they are wanted now.
+  #apply() {
+    const { options, overlay, view } = this.wanted;
+    const text = this.#host.view;
+    this.#game.setOptions([...options, ...overlay.map((name) => [name, 'on'])]);
+    if (view === null || text === this.#view) return;
+    // A tour begins where it was recorded.
+    if (!this.#game.hasTour && !this.#game.engine.look(view)) {
+      throw new Trouble('There is no such view', `view: found "${text}", expected an eye above the floor of one of the scene's maps`, [], 'address');
+    }
+    this.#view = text;
+  }
+
+  // All is as the attributes say.
+  #settle() {
+    this.#apply();
+    const isNew = !this.#isReady;
+    this.#isReady = true;
+    this.#actions.done(isNew);
+  }
+}
