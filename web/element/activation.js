@@ -55,7 +55,8 @@ export class Activation {
     this.#isWaiting = !this.actions.canBegin();
     if (this.#isWaiting) return;
     this.#showThumbs(byTouch);
-    this.#hold(true);
+    // The focus goes straight from the cover to the picture, which then is held.
+    this.takeCanvas();
     this.#target.focus({ preventScroll: true });
   }
 

@@ -9,6 +9,7 @@ import { Stage } from '../stage.js';
 import { Activation } from './activation.js';
 import { kOverlays } from './attributes.js';
 import { barActions } from './bar-actions.js';
+import { asError, frameDetail, isCrash, withResolvers } from './details.js';
 import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
@@ -341,28 +342,4 @@ export class Show {
   #tell(name, detail) {
     this.#host.dispatchEvent(new CustomEvent(name, { detail }));
   }
-}
-
-function isCrash(error) {
-  return error instanceof (globalThis.WebAssembly?.RuntimeError ?? Promise);
-}
-
-function asError(detail) {
-  return Object.assign(new Error(detail.message), detail);
-}
-
-// Asked for only when somebody reads it: pictures come often.
-function frameDetail(engine) {
-  return {
-    get steps() {
-      return engine.state.steps;
-    },
-  };
-}
-
-function withResolvers() {
-  const made = {};
-  made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
-  made.promise.catch(() => {}); // whoever waits hears of it
-  return made;
 }

@@ -80,8 +80,11 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 .box[data-state="playing"] .glyph { opacity: 0; }
 .box[data-state="playing"] .cover:is(:hover, :focus-visible) .hint { opacity: 1; }
 .box[data-state="error"] .cover { display: none; }
+@container (max-width: 420px) {
+  .glyph { width: 56px; height: 56px; }
+}
 @container (max-width: 220px) or (max-height: 150px) {
-  .glyph { width: 48px; height: 48px; }
+  .glyph { width: 40px; height: 40px; }
   .glyph .icon { width: 16px; height: 16px; }
   .hint { display: none; }
 }
@@ -102,7 +105,7 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 
 .progress { position: absolute; inset: auto 0 0; height: 3px; background: var(--veil); }
 .progress::before { content: ""; position: absolute; inset: 0; background: var(--accent); transform-origin: left; transform: scaleX(var(--share, 0)); transition: transform var(--quick); }
-.status { position: absolute; left: 0; top: 0; max-width: 100%; padding: 4px 12px; font-size: 13px; color: var(--text); background: var(--veil); pointer-events: none; }
+.status { position: absolute; left: 50%; top: 8px; width: max-content; max-width: calc(100% - 16px); transform: translateX(-50%); text-align: center; padding: 4px 12px; font-size: 13px; color: var(--text); background: var(--veil); pointer-events: none; }
 .status:empty { padding: 0; }
 
 /* ---- What is wrong */
