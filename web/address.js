@@ -2,8 +2,11 @@
 //
 //     view      x,y,z,heading[,look[,map]]     units, degrees (0 = east, 90 = south), screen heights; a map by its name, without one that of the start
 //     options   name=value name=value ...      those of the engine; names and values hold no blanks
+//     overlay   minimap grid ...               what is drawn over the picture: options that are switched on
 
 import { Trouble } from './trouble.js';
+
+export const kOverlays = ['minimap', 'minimapRays', 'minimapTurns', 'playerPanel', 'processPanel', 'inspector', 'grid', 'slow'];
 
 // {x, y, z, heading, look, map}; map is null where none is named. Throws a Trouble.
 export function parseView(text) {
@@ -19,9 +22,17 @@ export function parseView(text) {
 
 // Of an engine's state; read again it is the same eye.
 export function formatView({ x, y, z, heading, look, map = null }) {
-  // Coordinates are whole numbers of 1/65536 unit; five decimals tell them apart.
-  const numbers = [x, y, z, heading, look ?? 0].map((number) => String(Number(number.toFixed(5))));
+  const numbers = [...[x, y, z].map(shortest), ...[heading, look ?? 0].map((number) => String(Number(number.toFixed(5))))];
   return [...numbers, ...(map === null ? [] : [map])].join(',');
+}
+
+// Coordinates are whole numbers of 1/65536 unit: the fewest decimals that tell one from the next.
+function shortest(coordinate) {
+  const raw = (number) => Math.floor(65536 * number + 0.5);
+  for (let decimals = 0; ; ++decimals) {
+    const text = coordinate.toFixed(decimals);
+    if (decimals === 5 || raw(Number(text)) === raw(coordinate)) return String(Number(text));
+  }
 }
 
 // [[name, value]]. Throws a Trouble.
@@ -35,4 +46,18 @@ export function parseOptions(text) {
 
 export function formatOptions(options) {
   return options.map(([name, value]) => `${name}=${value}`).join(' ');
+}
+
+// [name]. Throws a Trouble.
+export function parseOverlay(text) {
+  return text.split(/\s+/).filter((part) => part !== '').map((name) => {
+    if (!kOverlays.includes(name)) throw new Trouble('The overlay cannot be read', `overlay: found "${name}", expected some of ${kOverlays.join(' ')}`);
+    return name;
+  });
+}
+
+// "?scene=castle&view=4.5,2,0.5,90": the characters that views and options are made of stay as they are, which a query may hold. A value of null is left out.
+export function writeQuery(parameters) {
+  const write = (text) => encodeURIComponent(text).replace(/%(?:2C|3A|3D|2F|20)/g, (code) => (code === '%20' ? '+' : decodeURIComponent(code)));
+  return `?${Object.entries(parameters).filter(([, value]) => value !== null).map(([name, value]) => `${name}=${write(value)}`).join('&')}`;
 }

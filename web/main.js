@@ -1,24 +1,30 @@
 // The page: loads the engine and a scene, and carries messages between the engine, the address line, the settings and what is to be seen.
 //
-// Parameters of the address: scene=NAME or a path, tour=NAME (a recording of the folder tours, which names its scene), live=1 (tools/play says when the
-// scene was saved), engine=simd or scalar.
+// Parameters of the address: scene=NAME or a path, view=, options= and overlay= as address.js spells them, tour=NAME (a recording of the folder tours, which
+// names its scene), live=1 (tools/play says when the scene was saved), engine=simd or scalar.
 
+import { formatView, parseView } from './address.js';
 import { fetchEngine } from './engine-files.js';
 import { Engine } from './engine.js';
 import { listenForFiles } from './file-drop.js';
 import { Gamepads } from './gamepads.js';
+import { GivenOptions } from './given-options.js';
 import { showKeys } from './key-help.js';
 import { guardLeaving } from './leave-guard.js';
+import { saveFile } from './save-file.js';
 import { SceneMenu } from './scene-menu.js';
 import { listScenes, sceneAmong, sceneAt } from './scene-source.js';
 import { Settings } from './settings.js';
+import { ShareDialog } from './share.js';
 import { Stage } from './stage.js';
 import { Thumbs } from './thumbs.js';
-import { readTour, saveText } from './tours.js';
+import { readTour } from './tours.js';
 import { Trouble, TroubleSheet, asTrouble } from './trouble.js';
 
 const kEngineShare = 0.5; // of the loading bar
 const kUsualDegreesPerPixel = 0.15; // mouse
+
+const kShareKey = { code: 'KeyZ', keys: 'Z', does: 'share this view' }; // the page's own, beside the engine's
 
 const kModes = {
   recording: 'Recording; F9 saves it',
@@ -34,7 +40,7 @@ const isLive = () => parameters().get('live') === '1';
 class Page {
   engine = null;
   scenes = [];
-  current = null; // what is open or being opened: {source, reference, about}; the reference is null for dropped files
+  current = null; // what is open or being opened: {source, reference, about, view}; the reference is null for dropped files, the view for the scene's start
   #loads = 0;
   #played = false;
   #modes = new Set();
@@ -42,6 +48,8 @@ class Page {
   constructor() {
     this.stage = new Stage(find('stage'), find('frame'), (width, height) => this.engine?.resize(width, height));
     this.settings = new Settings(find('settings').querySelector('form'), (name) => this.applySetting(name));
+    this.given = new GivenOptions(this.settings);
+    this.share = new ShareDialog(find('share'));
     this.trouble = new TroubleSheet(find('trouble'));
     this.#listen();
   }
@@ -69,11 +77,17 @@ class Page {
   // ---- Scenes
 
   async openFromAddress() {
+    const view = parameters().has('view') ? parseView(parameters().get('view')) : null;
+    this.given.take(this.engine, parameters());
     const tour = parameters().get('tour');
     if (tour !== null) return this.openTour(tour);
     const reference = parameters().get('scene') ?? this.scenes[0]?.file;
     if (reference === undefined) throw new Trouble('There is no scene to open', 'The address names none, and the list of scenes could not be loaded.');
-    await this.open(this.#inAddress(reference));
+    await this.open({ ...this.#inAddress(reference), view });
+  }
+
+  #openNewAddress() {
+    this.openFromAddress().catch((error) => this.#fail(asTrouble(error), { again: null }));
   }
 
   // A recording of the page's, played in its scene from the start.
@@ -88,8 +102,8 @@ class Page {
   async #record() {
     const text = this.engine.takeRecording();
     const name = this.current.source.name.replace(/\.json$/i, '');
-    if (text !== '') saveText(`${name}-recording.txt`, text);
-    else if (await this.open(this.current)) {
+    if (text !== '') saveFile(`${name}-recording.txt`, new Blob([text], { type: 'text/plain' }));
+    else if (await this.open({ ...this.current, view: null })) {
       this.engine.record(name);
       this.play();
     }
@@ -97,7 +111,7 @@ class Page {
 
   #inAddress(reference) {
     const listed = this.scenes.find((scene) => scene.file === reference || scene.file === `${reference}.json`);
-    return { source: sceneAt(reference), reference: listed?.file ?? reference, about: listed?.about ?? '' };
+    return { source: sceneAt(reference), reference: listed?.file ?? reference, about: listed?.about ?? '', view: null };
   }
 
   // Opens a scene; true if it can be played now. With `keepEye` the player stays where they are, and no more is shown of it than need be.
@@ -122,6 +136,8 @@ class Page {
       if (faults === null) return false;
       if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
       for (const { message } of this.engine.warnings) console.warn(message);
+      this.#showTitle();
+      if (scene.view !== null) this.#lookFrom(scene.view);
     } catch (error) {
       if (load !== this.#loads) return false;
       this.playsAfterTrouble = wasPlaying;
@@ -131,11 +147,16 @@ class Page {
     }
     this.playsAfterTrouble = false;
     this.trouble.hide();
-    this.#showTitle();
     this.engine.begin();
     if (keepEye && wasPlaying) this.play();
     else if (this.ready) this.#setState('paused'); // else the first picture is still to come
     return true;
+  }
+
+  #lookFrom(view) {
+    if (this.engine.look(view)) return;
+    const maps = this.engine.world.maps.map(({ name }) => name).join(', ');
+    throw new Trouble('There is no such view in this scene', `view: found "${formatView(view)}", expected an eye above the floor of a map among ${maps}.`);
   }
 
   get hasPicture() {
@@ -158,7 +179,7 @@ class Page {
       addressOf: (file) => this.#addressOf(file),
       onChoose: (file) => {
         history.pushState(null, '', this.#addressOf(file));
-        this.open(this.#inAddress(file));
+        this.#openNewAddress();
       },
     });
   }
@@ -174,7 +195,7 @@ class Page {
     if (this.engine === null) return;
     find('scenes').close();
     try {
-      await this.open({ source: sceneAmong(await entries), reference: null, about: '' });
+      await this.open({ source: sceneAmong(await entries), reference: null, about: '', view: null });
     } catch (error) {
       this.#fail(asTrouble(error), { again: null });
     }
@@ -192,7 +213,7 @@ class Page {
     for (const name of this.settings.names) this.applySetting(name);
     this.engine.resize(this.stage.width, this.stage.height);
     this.engine.paused = true;
-    showKeys(find('key-tables'), find('key-table'), this.engine.keys);
+    showKeys(find('key-tables'), find('key-table'), [...this.engine.keys, kShareKey]);
   }
 
   // What the engine tells.
@@ -305,7 +326,14 @@ class Page {
     document.exitPointerLock?.();
     if (name === 'settings') this.#takeOptions();
     if (name === 'scenes') this.menu?.open(this.engine, this.current?.reference);
+    else if (name === 'share') this.#openShare();
     else find(name).showModal();
+  }
+
+  #openShare() {
+    if (!this.ready) return;
+    const { source, reference } = this.current;
+    this.share.open({ engine: this.engine, reference, name: source.name.replace(/\.json$/i, ''), canvas });
   }
 
   toggleFullScreen() {
@@ -326,10 +354,10 @@ class Page {
       });
     }
     document.addEventListener('keydown', (event) => this.#keyDown(event));
-    window.addEventListener('popstate', () => this.engine !== null && this.openFromAddress().catch((error) => this.#fail(asTrouble(error), { again: null })));
+    window.addEventListener('popstate', () => this.engine !== null && this.#openNewAddress());
 
     find('play').addEventListener('click', () => this.play());
-    for (const name of ['scenes', 'keys', 'settings']) find(`open-${name}`).addEventListener('click', () => this.openDialog(name));
+    for (const name of ['scenes', 'keys', 'settings', 'share']) find(`open-${name}`).addEventListener('click', () => this.openDialog(name));
     for (const button of document.querySelectorAll('[data-close]')) button.addEventListener('click', () => button.closest('dialog').close());
     for (const dialog of document.querySelectorAll('dialog')) {
       // A press on what is behind the dialog closes it.
@@ -378,6 +406,8 @@ class Page {
       this.play();
     } else if (isNowhere && event.code === 'KeyH') {
       this.openDialog('keys');
+    } else if ((isNowhere || event.target === canvas) && event.code === kShareKey.code) {
+      this.openDialog('share');
     } else if (isNowhere && event.code === 'KeyF') {
       this.toggleFullScreen();
     }

@@ -19,10 +19,14 @@ export async function listScenes() {
   return JSON.parse(new TextDecoder().decode(bytes));
 }
 
-// `reference` is a name among the page's scenes ("castle" or "castle.json"), or, with a slash in it, an address relative to the page.
-export function sceneAt(reference) {
+// A name among the page's scenes ("castle" or "castle.json"), or, with a slash in it, an address relative to the page.
+export function sceneAddress(reference) {
   const file = /\.json$/i.test(reference) ? reference : `${reference}.json`;
-  const address = new URL(file, file.includes('/') ? document.baseURI : kScenes);
+  return new URL(file, file.includes('/') ? document.baseURI : kScenes);
+}
+
+export function sceneAt(reference) {
+  const address = sceneAddress(reference);
   return {
     name: decodeURIComponent(address.pathname.split('/').pop()),
     async readText() {

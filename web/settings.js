@@ -2,6 +2,7 @@
 //
 //     const settings = new Settings(form, (name, value) => ...);       // called for each setting that changes
 //     settings.value('fov')
+//     settings.lend('fov', 90)        holds until it is changed or taken back, and is not kept
 
 const kStorageKey = 'slicecast.settings';
 
@@ -26,6 +27,7 @@ const kShown = {
 
 export class Settings {
   #values;
+  #lent = new Map();
 
   constructor(form, onChange) {
     this.form = form;
@@ -38,7 +40,7 @@ export class Settings {
   }
 
   value(name) {
-    return this.#values[name];
+    return this.#lent.get(name) ?? this.#values[name];
   }
 
   get names() {
@@ -46,11 +48,28 @@ export class Settings {
   }
 
   set(name, value) {
-    if (this.#values[name] === value) return;
+    if (this.value(name) === value) return;
+    this.#lent.delete(name);
     this.#values[name] = value;
     this.#show(name);
     this.#writeStorage();
     this.onChange(name, value);
+  }
+
+  // Nothing happens for names that are no settings.
+  lend(name, value) {
+    if (!(name in kStandard)) return;
+    this.#lent.set(name, value);
+    this.#show(name);
+    this.onChange(name, value);
+  }
+
+  takeBack() {
+    this.#lent.clear();
+    for (const name of Object.keys(kStandard)) {
+      this.#show(name);
+      this.onChange(name, this.#values[name]);
+    }
   }
 
   backToStandard() {
@@ -64,7 +83,7 @@ export class Settings {
 
   #show(name) {
     const field = this.form.elements[name];
-    const value = this.#values[name];
+    const value = this.value(name);
     if (field.type === 'checkbox') field.checked = value;
     else field.value = String(value);
     if (name in kShown) this.form.querySelector(`output[for="${field.id}"]`).textContent = kShown[name](value);

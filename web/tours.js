@@ -1,4 +1,4 @@
-// Recordings: those that come with the page, and those that people make.
+// Recordings that come with the page.
 
 import { fetchBytes } from './fetch-bytes.js';
 import { Trouble } from './trouble.js';
@@ -10,13 +10,4 @@ export async function readTour(name) {
   return fetchBytes(address).catch((error) => {
     throw new Trouble('The tour could not be loaded', `${address.href}: ${error.message}.`, [], 'tour');
   });
-}
-
-// Hands a text to the browser as a file to keep.
-export function saveText(name, text) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([text], { type: 'text/plain' }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }

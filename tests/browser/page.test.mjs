@@ -112,7 +112,7 @@ test('a phone shows all of it, without overflow', async (t) => {
     viewport: { width: 390, height: 844 },
     context: { isMobile: true, hasTouch: true, deviceScaleFactor: 2 },
   });
-  const outside = () => page.evaluate(() => [...document.querySelectorAll('button, h1, h2, h3, p, kbd, select, input, td, th')]
+  const outside = () => page.evaluate(() => [...document.querySelectorAll('button, h1, h2, h3, p, kbd, select, input, textarea, td, th')]
     .filter((element) => element.checkVisibility() && element.getClientRects().length > 0)
     .filter((element) => {
       const box = element.getBoundingClientRect();
@@ -122,7 +122,7 @@ test('a phone shows all of it, without overflow', async (t) => {
   assert.deepEqual(await outside(), []);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
   assert.match(await page.innerText('#play-hint'), /Tap/);
-  for (const name of ['scenes', 'keys', 'settings']) {
+  for (const name of ['scenes', 'keys', 'settings', 'share']) {
     await page.tap(`#open-${name}`);
     await page.waitForSelector(`#${name}[open]`);
     assert.deepEqual(await outside(), [], name);
