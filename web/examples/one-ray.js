@@ -1,0 +1,105 @@
+// The first lesson: one ray's walk as a plan, as two rulers and as a table, all from what the engine says about one slice.
+
+import { at, compass, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
+import { crossingInto, plan, planBox } from './plan.js';
+
+const kKinds = { '#': 'wall', o: 'pillar', b: 'shelf', f: 'wall' };
+const kRulers = { left: 36, right: 1044, middle: 92, tall: 34 }; // of the drawing
+
+const caster = find('hall');
+const scene = await (await fetch(new URL('scenes/one-ray.json', import.meta.url))).json();
+const [rows] = scene.maps[0].levels;
+find('plan').setAttribute('viewBox', planBox(rows));
+
+let follows = true; // the walk is shown to its end, however long it is
+
+const heading = slider('heading', (value) => `${fixed(value, 0)}°, ${compass(value)}`, (value) => caster.look({ heading: value }));
+const column = slider('column', (value) => `${value} of 480`, () => draw());
+const shown = slider('shown', (value) => (value === 1 ? 'only the first tile' : `${value} tiles`), (value) => {
+  follows = value >= caster.trace(column.value).tiles.length;
+  draw();
+});
+
+follow(caster, draw);
+
+function draw() {
+  const slice = caster.trace(column.value);
+  const count = slice.tiles.length;
+  shown.greatest = count;
+  if (follows) shown.value = count;
+  heading.value = Math.round(((((caster.currentView.heading + 180) % 360) + 360) % 360) - 180);
+  const tiles = Math.min(shown.value, count);
+
+  markColumn(find('hall-mark'), caster.picture, column.value);
+  find('plan').innerHTML = plan({ rows, kinds: kKinds, slice, shown: tiles });
+  find('plan-says').textContent = sentence(slice);
+  find('rulers').innerHTML = rulers(slice, tiles);
+  find('depths').tBodies[0].innerHTML = table(slice, tiles);
+  find('ray-length').textContent = fixed(Math.hypot(...slice.ray), 3);
+}
+
+function sentence({ tiles, hits }) {
+  const block = hits[0] === undefined ? 'leaves the map' : `meets a ${hits[0].blueprint} at depth ${fixed(hits[0].depth)}`;
+  return `Now it comes through ${tiles.length} tiles and ${block}.`;
+}
+
+// Depth to the right: marks of both rulers, as far as the walk went, and the tiles between them.
+function rulers(slice, tiles) {
+  const { left, right, middle, tall } = kRulers;
+  const farthest = slice.tiles.at(-1)[2] || 1;
+  const place = (depth) => left + ((right - left) * depth) / farthest;
+  const parts = [
+    `<rect x="0" y="0" width="1080" height="178" class="sheet"/>`,
+    line(left, middle, right + 20, middle, 'class="axis"'),
+    text(left, 24, 'borders of constant x', 'class="across-text" font-size="15"'),
+    text(left, 166, 'borders of constant y', 'class="along-text" font-size="15"'),
+    text(right + 20, 166, 'depth t, units', 'class="soft" font-size="15" text-anchor="end"'),
+  ];
+  let before = 0;
+  for (let index = 1; index < slice.tiles.length; ++index) {
+    const { alongX, depth } = crossingInto(slice, index);
+    const x = place(depth);
+    const state = index < tiles ? '' : ' opacity="0.25"';
+    parts.push(line(x, middle, x, alongX ? middle - tall : middle + tall, `class="${alongX ? 'across-mark' : 'along-mark'}"${state}`));
+    parts.push(dot(x, middle, 4, `class="${alongX ? 'across-fill' : 'along-fill'}"${state}`));
+    if (x - place(before) > 36 || index === 1) {
+      parts.push(text(x, alongX ? middle - tall - 8 : middle + tall + 20, fixed(depth), `class="soft" font-size="14" text-anchor="middle"${state}`));
+      before = depth;
+    }
+  }
+  for (let index = 0; index + 1 < slice.tiles.length; ++index) {
+    const [from, to] = [place(slice.tiles[index][2]), place(slice.tiles[index + 1][2])];
+    const state = index < tiles ? '' : ' opacity="0.25"';
+    if (to - from > 22) parts.push(text((from + to) / 2, middle - 8, String(index + 1), `class="tile-number" font-size="15" text-anchor="middle"${state}`));
+  }
+  parts.push(dot(left, middle, 7, 'class="eye"'));
+  return parts.join('');
+}
+
+function table(slice, tiles) {
+  const sums = new Map(); // what repeated addition makes of each ruler: {sum, gap}
+  const body = [];
+  for (let index = 1; index < slice.tiles.length; ++index) {
+    const { alongX, border, eye, ray, depth } = crossingInto(slice, index);
+    const quotient = (border - eye) / ray;
+    const ruler = sums.get(alongX);
+    const sum = ruler === undefined ? quotient : ruler.sum + ruler.gap;
+    sums.set(alongX, { sum, gap: Math.abs(1 / ray) });
+    const [x, y] = slice.tiles[index];
+    body.push(`<tr${index === tiles - 1 ? ' class="now"' : ''} data-depth="${depth}" data-quotient="${quotient}">`
+      + `<td class="number">${index + 1}</td>`
+      + `<td class="${alongX ? 'across' : 'along'}">${alongX ? 'x' : 'y'} = ${border}</td>`
+      + `<td>(${border} − ${fixed(eye, 3)}) ÷ ${ray < 0 ? `(${fixed(ray, 4)})` : fixed(ray, 4)}</td>`
+      + `<td class="number">${fixed(quotient, 6)}</td>`
+      + `<td class="number">${quotient === depth ? '= ' : ''}${fixed(depth, 6)}</td>`
+      + `<td class="number">${off(sum - quotient)}</td></tr>`);
+  }
+  return body.join('');
+}
+
+// 4.4 × 10⁻¹⁶
+function off(error) {
+  if (error === 0) return '0';
+  const [digits, power] = Math.abs(error).toExponential(1).split('e-');
+  return `${digits} × 10<sup>−${power}</sup>`;
+}
