@@ -67,6 +67,14 @@ export function slider(id, write, onChange) {
       input.max = String(greatest);
       show();
     },
+    // Over a picture of that many columns; the slider stays where it is when the picture gets another size.
+    spread(columns) {
+      const share = Number(input.value) / Number(input.max);
+      if (columns - 1 === Number(input.max)) return;
+      input.max = String(columns - 1);
+      input.value = String(Math.round(share * (columns - 1)));
+      show();
+    },
   };
 }
 

@@ -1,9 +1,10 @@
 // The first lesson: one ray's walk as a plan, as two rulers and as a table, all from what the engine says about one slice.
 
-import { at, compass, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
+import { compass, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
 import { crossingInto, plan, planBox } from './plan.js';
 
 const kKinds = { '#': 'wall', o: 'pillar', b: 'shelf', f: 'wall' };
+const kFifteenDigits = 1e-15; // of a number
 const kRulers = { left: 36, right: 1044, middle: 92, tall: 34 }; // of the drawing
 
 const caster = find('hall');
@@ -14,7 +15,7 @@ find('plan').setAttribute('viewBox', planBox(rows));
 let follows = true; // the walk is shown to its end, however long it is
 
 const heading = slider('heading', (value) => `${fixed(value, 0)}°, ${compass(value)}`, (value) => caster.look({ heading: value }));
-const column = slider('column', (value) => `${value} of 480`, () => draw());
+const column = slider('column', (value) => `${value} of ${caster.picture.width || 480}`, () => draw());
 const shown = slider('shown', (value) => (value === 1 ? 'only the first tile' : `${value} tiles`), (value) => {
   follows = value >= caster.trace(column.value).tiles.length;
   draw();
@@ -23,6 +24,7 @@ const shown = slider('shown', (value) => (value === 1 ? 'only the first tile' : 
 follow(caster, draw);
 
 function draw() {
+  column.spread(caster.picture.width);
   const slice = caster.trace(column.value);
   const count = slice.tiles.length;
   shown.greatest = count;
@@ -35,6 +37,7 @@ function draw() {
   find('plan-says').textContent = sentence(slice);
   find('rulers').innerHTML = rulers(slice, tiles);
   find('depths').tBodies[0].innerHTML = table(slice, tiles);
+  find('drift').innerHTML = drift(slice);
   find('ray-length').textContent = fixed(Math.hypot(...slice.ray), 3);
 }
 
@@ -77,29 +80,29 @@ function rulers(slice, tiles) {
 }
 
 function table(slice, tiles) {
-  const sums = new Map(); // what repeated addition makes of each ruler: {sum, gap}
   const body = [];
   for (let index = 1; index < slice.tiles.length; ++index) {
     const { alongX, border, eye, ray, depth } = crossingInto(slice, index);
     const quotient = (border - eye) / ray;
-    const ruler = sums.get(alongX);
-    const sum = ruler === undefined ? quotient : ruler.sum + ruler.gap;
-    sums.set(alongX, { sum, gap: Math.abs(1 / ray) });
-    const [x, y] = slice.tiles[index];
-    body.push(`<tr${index === tiles - 1 ? ' class="now"' : ''} data-depth="${depth}" data-quotient="${quotient}">`
+    const agrees = Math.abs(quotient - depth) <= kFifteenDigits * depth;
+    body.push(`<tr${index === tiles - 1 ? ' class="now"' : ''}>`
       + `<td class="number">${index + 1}</td>`
       + `<td class="${alongX ? 'across' : 'along'}">${alongX ? 'x' : 'y'} = ${border}</td>`
       + `<td>(${border} − ${fixed(eye, 3)}) ÷ ${ray < 0 ? `(${fixed(ray, 4)})` : fixed(ray, 4)}</td>`
       + `<td class="number">${fixed(quotient, 6)}</td>`
-      + `<td class="number">${quotient === depth ? '= ' : ''}${fixed(depth, 6)}</td>`
-      + `<td class="number">${off(sum - quotient)}</td></tr>`);
+      + `<td class="number">${agrees ? '= ' : ''}${fixed(depth, 6)}</td></tr>`);
   }
   return body.join('');
 }
 
-// 4.4 × 10⁻¹⁶
-function off(error) {
-  if (error === 0) return '0';
-  const [digits, power] = Math.abs(error).toExponential(1).split('e-');
-  return `${digits} × 10<sup>−${power}</sup>`;
+// How far a thousand additions of the gap between two borders of constant x lead astray, in units.
+function drift({ eye, ray }) {
+  const gap = 1 / Math.abs(ray[0]);
+  const first = (ray[0] > 0 ? Math.floor(eye.x) + 1 - eye.x : eye.x - Math.floor(eye.x)) / Math.abs(ray[0]);
+  let sum = first;
+  for (let i = 0; i < 1000; ++i) sum += gap;
+  const error = Math.abs(sum - (1000 + first * Math.abs(ray[0])) / Math.abs(ray[0]));
+  if (error === 0 || !Number.isFinite(error)) return 'nothing';
+  const [digits, power] = error.toExponential(1).split('e-');
+  return `${digits} × 10<sup>−${power}</sup> units`;
 }
