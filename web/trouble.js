@@ -15,11 +15,16 @@ export class Trouble extends Error {
   }
 }
 
+// Whether the engine itself has failed and cannot go on. Where there is no WebAssembly there is no such error either.
+export function isEngineFailure(error) {
+  return typeof WebAssembly === 'object' && error instanceof WebAssembly.RuntimeError;
+}
+
 // Anything that was thrown, as a Trouble.
 export function asTrouble(error) {
   if (error instanceof Trouble) return error;
   console.error(error);
-  if (error instanceof WebAssembly.RuntimeError) return new Trouble('The engine has stopped', `It cannot go on: ${error.message}. Load the page again.`);
+  if (isEngineFailure(error)) return new Trouble('The engine has stopped', `It cannot go on: ${error.message}. Load the page again.`);
   return new Trouble('Something went wrong', error instanceof Error ? error.message : String(error));
 }
 

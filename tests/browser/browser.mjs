@@ -31,8 +31,9 @@ function findChromium() {
   return found;
 }
 
-export function launch() {
-  return chromium.launch({ executablePath: findChromium(), args: kArguments });
+// `more` are further arguments, as --js-flags.
+export function launch(more = []) {
+  return chromium.launch({ executablePath: findChromium(), args: [...kArguments, ...more] });
 }
 
 // A page on a server of its own. Whatever the page complains about on the console fails the test at its end, unless the test expects complaints.

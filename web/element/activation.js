@@ -105,9 +105,11 @@ export class Activation {
   #hold(isHeld) {
     const { box, cover, leave, canvas, root } = this.tree;
     this.isHeld = isHeld;
+    this.takeCanvas();
+    // The focus goes on before its button is hidden; else it is lost for a moment, and with it the picture.
+    if (isHeld && root.activeElement === cover) this.#target.focus({ preventScroll: true });
     cover.hidden = isHeld;
     box.classList.toggle('engaged', isHeld);
-    this.takeCanvas();
     if (isHeld) {
       this.#gamepads = new Gamepads({ change: (pad) => this.actions.engine()?.setGamepad(pad), press: () => {} });
     } else {

@@ -1,10 +1,5 @@
 // Small things that go out of a <ray-caster>: details of events, errors, promises.
 
-// The engine's program has failed: nothing in it can be trusted any more.
-export function isCrash(error) {
-  return error instanceof (globalThis.WebAssembly?.RuntimeError ?? Promise);
-}
-
 // What the event error carries, as something to throw.
 export function asError(detail) {
   return Object.assign(new Error(detail.message), detail);

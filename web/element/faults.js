@@ -74,7 +74,7 @@ export function faultOf(code, message, faults = []) {
 // The faults of a scene, as the engine or sceneOfRows lists them, as one error.
 export function sceneFault(name, faults) {
   const count = faults.length === 1 ? 'One fault' : `${faults.length} faults`;
-  return new Trouble(`${count} in ${name}`, 'It cannot be shown before they are mended.', faults, 'scene');
+  return new Trouble(`${count} in ${name}`, 'It was read, but cannot be shown.', faults, 'scene');
 }
 
 // What a page shows and the event `error` carries. Each fault has, besides what the engine says of it, `place`: "castle.json:12:5".

@@ -6,10 +6,11 @@
 //     show.play();      show.pause();
 
 import { Stage } from '../stage.js';
+import { isEngineFailure } from '../trouble.js';
 import { Activation } from './activation.js';
 import { kOverlays } from './attributes.js';
 import { barActions } from './bar-actions.js';
-import { asError, frameDetail, isCrash, withResolvers } from './details.js';
+import { asError, frameDetail, withResolvers } from './details.js';
 import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
@@ -100,7 +101,7 @@ export class Show {
     until(() => children.disconnect());
     this.#stage = new Stage(this.#tree.stage, this.#tree.frame, (width, height) => this.engine?.resize(width, height));
     until(() => this.#stage.stop());
-    window.addEventListener('error', ({ error }) => isCrash(error) && this.#findDead(error), { signal });
+    window.addEventListener('error', ({ error }) => isEngineFailure(error) && this.#findDead(error), { signal });
     if (this.#host.autoplay) this.autoplay();
     this.update();
   }
@@ -175,7 +176,7 @@ export class Show {
   // ---- What is wrong
 
   #fail(error) {
-    if (isCrash(error)) this.#drop();
+    if (isEngineFailure(error)) this.#drop();
     this.error = explain(error);
     this.#activation.end();
     this.#face.trouble(this.error, () => this.#retry());

@@ -1,0 +1,220 @@
+// Every cause in the table of web/element/faults.js, provoked for real: the element shows it and sends it with its code.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { launch } from './browser.mjs';
+import { kRoom, openGuest, ready, until } from './guest-page.mjs';
+import { roomFiles, roomScene } from './room.mjs';
+import { serve } from './static-server.mjs';
+import { errorCodes } from '../../web/element/faults.js';
+
+let browser;
+let other; // another host, which shares nothing
+const provoked = new Set();
+before(async () => {
+  browser = await launch();
+  other = await serve({ files: roomFiles() });
+});
+after(async () => {
+  await browser.close();
+  await other.close();
+});
+
+// What the event `error` brought and what the element shows of it; both tell the same.
+async function troubleOf(page, selector = 'ray-caster') {
+  const told = await until(page, (which) => window.told?.find(({ selector: at }) => document.querySelector(which).matches(at)), selector);
+  const shown = await page.evaluate((which) => {
+    const element = document.querySelector(which);
+    const message = element.shadowRoot.querySelector('[part~="message"]');
+    return { text: message.innerText, isVisible: message.checkVisibility(), role: message.getAttribute('role'), state: element.state, error: element.error };
+  }, selector);
+  provoked.add(told.detail.code);
+  assert.equal(shown.isVisible, true);
+  assert.equal(shown.role, 'alert');
+  assert.equal(shown.state, 'error');
+  assert.deepEqual(shown.error, told.detail);
+  assert.ok(shown.text.includes(told.detail.message), shown.text);
+  assert.ok(told.detail.message.endsWith(errorCodes[told.detail.code].remedy), told.detail.message);
+  assert.equal(told.bubbles, false);
+  return { ...told.detail, text: shown.text };
+}
+
+// Hears all errors, from the beginning on.
+function listen() {
+  window.told = [];
+  document.addEventListener('error', ({ target, detail, bubbles }) => {
+    if (target.localName === 'ray-caster') window.told.push({ selector: target.id === '' ? 'ray-caster' : `#${target.id}`, detail, bubbles });
+  }, { capture: true });
+}
+
+function openTroubled(t, options, inBrowser = browser) {
+  return openGuest(t, inBrowser, { expectErrors: true, prepare: (page) => page.addInitScript(listen), ...options });
+}
+
+const withPolicy = (policy) => ({ headers: { 'Content-Security-Policy': policy } });
+const gone = 'http://localhost:9';
+
+for (const [what, code, expected, options] of [
+  ['a scene that is not there', 'fetch', /scenes\/nowhere\.json: the server answers 404/, { body: '<ray-caster scene="nowhere"></ray-caster>' }],
+  ['a server that does not answer', 'fetch', /does not answer/, { body: `<ray-caster scene="${gone}/room.json"></ray-caster>` }],
+  ['an engine that is not there', 'fetch', /slicecast-simd\.wasm: the server answers 404/, { server: { files: { 'engine/slicecast-simd.wasm': null } } }],
+  ['a script of the engine that is not there', 'fetch', /slicecast-simd\.js: the server answers 404/, { server: { files: { 'engine/slicecast-simd.js': null } } }],
+  ['a scene of a host that does not share', 'cors', /does not allow pages of other origins/, () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>` })],
+  ['a script with the wrong type', 'mime', /slicecast-simd\.js: the server sends it as text\/plain/, { server: { types: { 'engine/slicecast-simd.js': 'text/plain' } } }],
+  ['a page in the place of the engine', 'mime', /found "<!doctype html>/, { server: { files: { 'engine/slicecast-simd.wasm': '<!doctype html><title>Welcome</title>' } } }],
+  ['a page in the place of the scene', 'mime', /room\.json: the server answers with a web page/, { server: { files: { 'scenes/room.json': '\n<!DOCTYPE html><title>Welcome</title>' } } }],
+  ['a policy without WebAssembly', 'csp', /does not allow WebAssembly.*'wasm-unsafe-eval'/s, { server: withPolicy("script-src 'self'") }],
+  ['a policy without fetches', 'csp', /connect-src/, { server: withPolicy("script-src 'self' 'wasm-unsafe-eval'; connect-src 'none'") }],
+  ['a policy without that host', 'csp', /connect-src/, () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>`, server: withPolicy("connect-src 'self'") })],
+  ['an engine cut short', 'engine', /refuses .*slicecast-simd\.wasm/, { server: { files: { 'engine/slicecast-simd.wasm': () => Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9]) } } }],
+  ['a view that cannot be read', 'address', /view: found "1,2", expected x,y,z,heading/, { body: kRoom.replace('scene', 'view="1,2" scene') }],
+  ['a view that cannot be', 'address', /view: found "1,2,-3,0"/, { body: kRoom.replace('scene', 'view="1,2,-3,0" scene') }],
+  ['a size that is none', 'address', /size: found "big"/, { body: kRoom.replace('scene', 'size="big" scene') }],
+  ['keys that are none', 'address', /keys: found "few", expected all, move, none/, { body: kRoom.replace('scene', 'keys="few" scene') }],
+  ['no scene at all', 'address', /scene: found nothing/, { body: '<ray-caster></ray-caster>' }],
+  ['options without a value', 'address', /options: found "fov"/, { body: kRoom.replace('scene', 'options="fov" scene') }],
+  ['an option that is none', 'option', /colour/, { body: kRoom.replace('scene', 'options="colour=red" scene') }],
+  ['a value that an option does not take', 'option', /fov/, { body: kRoom.replace('scene', 'options="fov=wide" scene') }],
+  ['a tour that is not there', 'tour', /tours\/nowhere\.txt: the server answers 404/, { body: kRoom.replace('scene', 'tour="nowhere" scene') }],
+  ['a tour that is none', 'tour', /mine\.txt/, { body: kRoom.replace('scene', 'tour="./mine.txt" scene'), server: { files: { 'mine.txt': 'walk about\n' } } }],
+]) {
+  test(`${what}: ${code}`, async (t) => {
+    const { page } = await openTroubled(t, typeof options === 'function' ? options() : options);
+    const { code: found, message } = await troubleOf(page);
+    assert.equal(found, code, message);
+    assert.match(message, expected);
+  });
+}
+
+test('a bad scene: all of its faults, each with its place', async (t) => {
+  const scene = roomScene();
+  scene.maps[0].levels[0][2] = '#..?..#';
+  scene.maps[0].floor = 'gras';
+  const { page } = await openTroubled(t, { server: { files: { 'scenes/room.json': JSON.stringify(scene, null, 1) } } });
+  const { code, title, faults, text } = await troubleOf(page);
+  assert.equal(code, 'scene');
+  assert.equal(title, '2 faults in room.json');
+  assert.deepEqual(faults.map(({ pointer, row, character }) => [pointer, row, character]).sort(), [['/maps/0/floor', -1, -1], ['/maps/0/levels/0', 2, 3]].sort());
+  for (const { place, found, expected } of faults) {
+    assert.match(place, /^room\.json:\d+:\d+$/);
+    for (const part of [place, found, expected]) assert.ok(text.includes(part), `${part} in ${text}`);
+  }
+});
+
+test('pictures that are not there, JSON that is none, and rows with faults: scene', async (t) => {
+  const { page } = await openTroubled(t, {
+    body: `<ray-caster id="one" scene="room"></ray-caster>
+      <ray-caster id="two"><script type="application/json">{ "title": </script></ray-caster>
+      <ray-caster id="three"><script type="text/plain" data-rows>
+#?#
+#>#</script></ray-caster>`,
+    server: { files: { 'scenes/pictures/red.png': null } },
+  });
+  const one = await troubleOf(page, '#one');
+  assert.match(one.faults[0].pointer, /textures\/red/);
+  assert.match((await troubleOf(page, '#two')).faults[0].found, /./);
+  assert.equal((await troubleOf(page, '#three')).faults[0].place, 'rows:2:2');
+});
+
+test('an engine that fails while it plays: engine', async (t) => {
+  const { page } = await openTroubled(t, {
+    prepare: async (opened) => {
+      await opened.addInitScript(listen);
+      // Memory that cannot be had.
+      await opened.addInitScript(() => {
+        const instantiate = WebAssembly.instantiate.bind(WebAssembly);
+        let times = 0;
+        WebAssembly.instantiate = (...values) => (times++ === 0 ? Promise.reject(new RangeError('WebAssembly.instantiate(): Out of memory: Cannot allocate Wasm memory for new instance')) : instantiate(...values));
+      });
+    },
+  });
+  const { code, message } = await troubleOf(page);
+  assert.equal(code, 'engine');
+  assert.match(message, /memory/i);
+  // Another try may go well.
+  await page.getByRole('button', { name: 'Try again' }).click();
+  await until(page, () => document.querySelector('ray-caster').state === 'paused');
+});
+
+test('methods before there is a scene: not-ready', async (t) => {
+  const { page } = await openTroubled(t, { body: '<p style="height: 4000px">Read on.</p><ray-caster scene="room"></ray-caster>' });
+  const thrown = await page.evaluate(async () => {
+    await customElements.whenDefined('ray-caster');
+    const element = document.querySelector('ray-caster');
+    const codes = [];
+    for (const [name, ...values] of [['reset'], ['step'], ['set', 'fov', 75], ['get', 'fov'], ['look', '1,1,1,0'], ['hits', 0], ['trace', 0], ['trace']]) {
+      try {
+        element[name](...values);
+        codes.push(`${name} went well`);
+      } catch (error) {
+        codes.push(error.code);
+      }
+    }
+    codes.push(await element.snapshot().catch((error) => error.code));
+    return codes;
+  });
+  assert.deepEqual(new Set(thrown), new Set(['not-ready']));
+  provoked.add('not-ready');
+});
+
+test('set() with what the engine does not take: an Error with the code option, and the scene goes on', async (t) => {
+  const { page } = await openTroubled(t, {});
+  await ready(page);
+  assert.deepEqual(await page.evaluate(() => ['colour', 'fov'].map((name) => {
+    try {
+      return document.querySelector('ray-caster').set(name, 'wide');
+    } catch (error) {
+      return error.code;
+    }
+  })), ['option', 'option']);
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').state), 'paused');
+});
+
+test('what was wrong can be mended: another try, another address, another attribute', async (t) => {
+  let isThere = false;
+  const { page } = await openTroubled(t, { server: { files: {
+    'scenes/room.json': () => (isThere ? JSON.stringify(roomScene()) : null),
+    'engine/slicecast-simd.js': () => (isThere ? readFileSync(new URL('../../build/web/engine/slicecast-simd.js', import.meta.url)) : null),
+  } } });
+  await troubleOf(page);
+  isThere = true;
+  await page.getByRole('button', { name: 'Try again' }).click();
+  await until(page, () => document.querySelector('ray-caster').state === 'paused');
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').error), null);
+
+  for (const [name, bad, good] of [['view', '1,2', '2.5,2.5,0.6,90'], ['scene', 'nowhere', 'other'], ['options', 'fov=wide', 'fov=75']]) {
+    await page.evaluate(([attribute, value]) => {
+      window.told.length = 0;
+      document.querySelector('ray-caster').setAttribute(attribute, value);
+    }, [name, bad]);
+    await troubleOf(page);
+    await page.evaluate(([attribute, value]) => document.querySelector('ray-caster').setAttribute(attribute, value), [name, good]);
+    await until(page, () => document.querySelector('ray-caster').state === 'paused' && document.querySelector('ray-caster').error === null);
+  }
+});
+
+async function launchWith(t, flags) {
+  const special = await launch([`--js-flags=${flags}`]);
+  t.after(() => special.close());
+  return special;
+}
+
+test('no WebAssembly: no-webassembly, and what the page wrote for that case', async (t) => {
+  const body = '<ray-caster scene="room" style="width: 400px"><p id="text">A room with four walls</p></ray-caster>';
+  const { page } = await openTroubled(t, { body }, await launchWith(t, '--noexpose-wasm'));
+  const { code } = await troubleOf(page);
+  assert.equal(code, 'no-webassembly');
+  assert.equal(await page.isVisible('#text'), true);
+});
+
+test('no SIMD: the other build, without a word', async (t) => {
+  const { page, server } = await openTroubled(t, {}, await launchWith(t, '--no-enable-sse4-1 --no-enable-ssse3'));
+  await ready(page);
+  assert.deepEqual(await page.evaluate(() => window.told), []);
+  assert.deepEqual(server.asked.filter((path) => path.startsWith('engine/')).sort(), ['engine/slicecast-scalar.js', 'engine/slicecast-scalar.wasm']);
+});
+
+test('every code of the table has been provoked', () => {
+  assert.deepEqual([...provoked].sort(), Object.keys(errorCodes).sort());
+});
