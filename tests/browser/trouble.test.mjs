@@ -95,7 +95,7 @@ test('a bad scene: all of its faults, each with its place', async (t) => {
   const { code, title, faults, text } = await troubleOf(page);
   assert.equal(code, 'scene');
   assert.equal(title, '2 faults in room.json');
-  assert.deepEqual(faults.map(({ pointer, row, character }) => [pointer, row, character]).sort(), [['/maps/0/floor', -1, -1], ['/maps/0/levels/0', 2, 3]].sort());
+  assert.deepEqual(faults.map(({ pointer, row, character }) => [pointer, row, character]).sort(), [['/maps/0/floor', -1, -1], ['/maps/0/levels/0/2', 2, 3]].sort());
   for (const { place, found, expected } of faults) {
     assert.match(place, /^room\.json:\d+:\d+$/);
     for (const part of [place, found, expected]) assert.ok(text.includes(part), `${part} in ${text}`);
@@ -104,9 +104,9 @@ test('a bad scene: all of its faults, each with its place', async (t) => {
 
 test('pictures that are not there, JSON that is none, and rows with faults: scene', async (t) => {
   const { page } = await openTroubled(t, {
-    body: `<ray-caster id="one" scene="room"></ray-caster>
-      <ray-caster id="two"><script type="application/json">{ "title": </script></ray-caster>
-      <ray-caster id="three"><script type="text/plain" data-rows>
+    body: `<ray-caster id="one" loading="eager" scene="room"></ray-caster>
+      <ray-caster id="two" loading="eager"><script type="application/json">{ "title": </script></ray-caster>
+      <ray-caster id="three" loading="eager"><script type="text/plain" data-rows>
 #?#
 #>#</script></ray-caster>`,
     server: { files: { 'scenes/pictures/red.png': null } },
@@ -200,9 +200,10 @@ async function launchWith(t, flags) {
   return special;
 }
 
+// Without a compiler there is none, as in the strict modes of browsers.
 test('no WebAssembly: no-webassembly, and what the page wrote for that case', async (t) => {
   const body = '<ray-caster scene="room" style="width: 400px"><p id="text">A room with four walls</p></ray-caster>';
-  const { page } = await openTroubled(t, { body }, await launchWith(t, '--noexpose-wasm'));
+  const { page } = await openTroubled(t, { body }, await launchWith(t, '--jitless'));
   const { code } = await troubleOf(page);
   assert.equal(code, 'no-webassembly');
   assert.equal(await page.isVisible('#text'), true);
