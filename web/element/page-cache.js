@@ -4,6 +4,7 @@
 //     const files = await sharedEngineFiles('auto', onBytes);         // for Engine.create({files, canvas})
 //     const bytes = await fetchOnce(address, onBytes);                // the same bytes for everybody: not to be written to
 //     release();
+//     forgetFiles();                                                  // before another try
 //
 // What has failed is forgotten, so that another try asks again. Files are kept while anybody holds the cache; the compiled engine stays with the page.
 
@@ -27,6 +28,11 @@ export function fetchOnce(address, onBytes = () => {}) {
   const drop = () => holders === 0 && files.delete(href);
   bytes.then(drop, drop);
   return bytes;
+}
+
+// Whoever tries again after a fault wants the files as they are now.
+export function forgetFiles() {
+  files.clear();
 }
 
 // Keeps what is fetched until the function that it gives is called.

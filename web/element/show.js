@@ -15,7 +15,7 @@ import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
 import { Loading } from './loading.js';
-import { holdCache } from './page-cache.js';
+import { forgetFiles, holdCache } from './page-cache.js';
 import { buildTree } from './tree.js';
 import { ViewStatus } from './view-status.js';
 import { watchVisibility } from './visibility.js';
@@ -187,6 +187,7 @@ export class Show {
   }
 
   #retry() {
+    forgetFiles();
     this.#clearError();
     this.#loading.now();
     this.update();
