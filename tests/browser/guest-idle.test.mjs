@@ -209,37 +209,44 @@ test('an element that is moved goes on; one that is taken away while it loads le
   assert.equal(await page.evaluate(() => window.watch.memories.filter((reference) => reference.deref() !== undefined).length), 1);
 });
 
-test('start times: the first picture, and an element more', async (t) => {
-  const { page } = await openGuest(t, browser, {
-    body: '<div id="place"></div>',
-    server: { files: { 'start.js': startScript, 'start.html': guestPage('<ray-caster scene="room" loading="eager" style="width: 320px"></ray-caster>', { script: '<script type="module" src="start.js"></script>' }) } },
-  });
-  const firsts = [];
-  for (let round = 0; round < 3; ++round) {
+// On a machine with nothing else to do the limits are 300, 10 and 20 ms; here others may be at work. The figures are in the report.
+test('start times: the first picture, an engine more, and an element more', async (t) => {
+  const startPage = guestPage(kRoom.replace('scene', 'loading="eager" scene'), { script: '<script type="module" src="start.js"></script>' });
+  const { page } = await openGuest(t, browser, { server: { files: { 'start.js': startScript, 'start.html': startPage } } });
+  const first = [];
+  for (let round = 0; round < 4; ++round) {
     await page.goto(page.url().replace(/[^/]*$/, 'start.html'));
-    firsts.push(await until(page, () => window.firstPicture));
+    first.push(await until(page, () => window.firstPicture));
   }
-  const more = [];
-  for (let round = 0; round < 8; ++round) {
-    more.push(await page.evaluate(async () => {
-      const element = document.createElement('ray-caster');
-      element.scene = 'room';
-      element.loading = 'eager';
-      element.style.width = '320px';
+  const [engines, elements] = await page.evaluate(async (count) => {
+    const { Engine } = await import('./engine.js');
+    const { findScene } = await import('./element/source.js');
+    const { sharedEngineFiles } = await import('./element/page-cache.js');
+    const shown = document.querySelector('ray-caster');
+    const times = [[], []];
+    for (let round = 0; round < count; ++round) {
+      const canvas = document.createElement('canvas');
+      let begin = performance.now();
+      const engine = await Engine.create({ files: await sharedEngineFiles('auto'), canvas });
+      await engine.loadScene(findScene(shown).source());
+      engine.begin();
+      times[0].push(performance.now() - begin);
+      engine.stop();
+
+      const element = shown.cloneNode(true);
       const came = new Promise((resolve) => element.addEventListener('ready', () => resolve(performance.now()), { once: true }));
-      const begin = performance.now();
+      begin = performance.now();
       document.querySelector('main').append(element);
-      const end = await came;
+      times[1].push((await came) - begin);
       element.remove();
-      return end - begin;
-    }));
-  }
-  const least = (numbers) => Math.min(...numbers);
-  const round = (numbers) => numbers.map((number) => number.toFixed(0)).join(' ');
-  t.diagnostic(`first picture after the script's start: ${round(firsts)} ms; of an element more: ${round(more)} ms`);
-  // On a machine with nothing else to do these are 300 and 10 ms; here others may be at work.
-  assert.ok(least(firsts) < 900, `${round(firsts)} ms`);
-  assert.ok(least(more) < 60, `${round(more)} ms`);
+    }
+    return times;
+  }, 8);
+  const list = (numbers) => numbers.map((number) => number.toFixed(0)).join(' ');
+  t.diagnostic(`ms: first picture after the script's start ${list(first)}; an engine more ${list(engines)}; an element more, with its picture ${list(elements)}`);
+  assert.ok(Math.min(...first) < 1200, `first picture: ${list(first)} ms`);
+  assert.ok(Math.min(...engines) < 30, `an engine more: ${list(engines)} ms`);
+  assert.ok(Math.min(...elements) < 60, `an element more: ${list(elements)} ms`);
 });
 
 const startScript = `

@@ -32,6 +32,7 @@ export class Game {
     const isStale = () => turn !== this.#turn;
     const begin = this.engine === null ? kEngineShare : 0;
     onProgress(0, 0);
+    source?.readText().catch(() => {}); // it comes beside the engine; what is wrong with it is told when it is read
     const [files, recording] = await Promise.all([
       sharedEngineFiles(kind, (loaded, total) => begin > 0 && !isStale() && onProgress((begin * loaded) / Math.max(1, total), loaded)),
       tour === null ? null : readTour(tour),
