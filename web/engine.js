@@ -211,6 +211,16 @@ export class Engine {
     return this.#json(this.#module._slicecast_hits(this.#session, width, height, column));
   }
 
+  // Everything that the renderer did for one column of a picture of that size, number for number (src/session/trace_json.h), or null.
+  trace(width, height, column) {
+    return column < 0 ? null : this.#json(this.#module._slicecast_trace(this.#session, width, height, column));
+  }
+
+  // The same for the whole picture: totals, and for each column what is nearest and how many rows of each kind it has.
+  traceFrame(width, height) {
+    return this.#json(this.#module._slicecast_trace(this.#session, width, height, -1));
+  }
+
   reset() {
     this.#module._slicecast_reset(this.#session);
   }

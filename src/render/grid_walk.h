@@ -114,6 +114,10 @@ struct GridWalk {
         way_ = walk.way_;
     }
 
+    // Where the next border of either axis lies.
+    double nextAlongX() const { return x_.along; }
+    double nextAlongY() const { return y_.along; }
+
     bool hasEntered() const { return way_ != Way::none; }  // false in the eye's own tile
 
     // The same walk where the current tile is another one, turned clockwise by quarter turns: what is ahead changes, the borders' depths do not.

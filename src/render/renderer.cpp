@@ -57,6 +57,10 @@ SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptio
     FrameReport report;
     const Frame frame(world, eye, options, width, height, s.textures, s.vistas);
     Slice(frame, s.slice, report).draw(column, s.strip.column(0), &trace);
+    for (const FilledRows& rows : trace.filled) {
+        if (rows.hit >= 0) trace.hits[static_cast<std::size_t>(rows.hit)].filled.push_back(rows);
+        if (rows.hit < 0 && rows.object < 0) trace.planes.push_back(rows);
+    }
     for (Hit& hit : trace.hits) {
         std::sort(hit.filled.begin(), hit.filled.end(), [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });
     }

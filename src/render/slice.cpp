@@ -20,7 +20,7 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 }  // namespace
 
 Slice::Slice(const Frame& frame, SliceMemory& memory, FrameReport& report)
-    : frame_(frame), ownVista_(frame.vistas.ofEye()), memory_(memory), open_(memory.open), report_(report), walk_({}, {}, {}) {}
+    : frame_(frame), ownVista_(frame.vistas.ofEye()), memory_(memory), open_(memory.open), report_(report), walk_({}, {}, {}), tracedWalk_({}, {}, {}) {}
 
 void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     column_ = column;
@@ -61,6 +61,7 @@ void Slice::begin(const Part& part) {
     lookInto(*part.vista);
     open_.openOnly(part.rows, projection_->height);
     walk_ = part.walk;
+    if (trace_) tracedWalk_ = walk_;
     clip_ = part.clip;
     clipped_ = clip_.any();
     portals_ = part.portals;

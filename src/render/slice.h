@@ -160,6 +160,12 @@ private:
     bool isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows) const;
     void fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, const FrameTexture& texture, Lay lay);
     void drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east, std::uint32_t south, bool southReversed, const PlaneRows& rows, Lay lay, Pixel there);
+    // The point of a plane that one row shows, as fractions of a tile in 1/2^32.
+    struct PlanePoint {
+        std::uint32_t east;
+        std::uint32_t south;
+    };
+    PlanePoint planePoint(const PlaneLine& line, const TileBox& box, double inverse) const;
     TileBox boxAround(const PlaneRun& run) const;
     void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there);
     void count(int first, int last) {
@@ -167,9 +173,13 @@ private:
         report_.rowsFilled += last - first;
     }
     void note(int level, FilledRows::What what, Face face, int first, int last) {
-        if (trace_) traceRows(level, {what, face, first, last, vista_->viewpoint.map});
+        if (trace_) traceRows(level, what, face, first, last);
     }
-    void traceRows(int level, const FilledRows& rows);
+    FilledRows& traceRun(int level, FilledRows::What what, Face face, int first, int last, TextureId texture, bool layer);
+    void traceRows(int level, FilledRows::What what, Face face, int first, int last);
+    void traceSide(const Block& block, Face face, const Crossing& border, const SideView& view, int first, int last, bool layer);
+    void tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first, int last, bool layer);
+    void traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step, int first, int last);
     void traceTile(int x, int y, double along);
     void traceBlocks(std::uint32_t levels);
     void traceBlock(const Block& block);
@@ -225,6 +235,7 @@ private:
     PlaneRun falling_;  // of a plane below the eye
     PlaneRun rising_;   // of a plane above it
     std::uint32_t tracedLevels_ = 0;  // of the current tile, whose blocks are the trace's last hits
+    GridWalk tracedWalk_;             // the same walk again, for what the trace tells of its borders
 };
 
 // Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the horizon, so a run grows towards it. Inlined always, and here and

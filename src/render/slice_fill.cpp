@@ -70,15 +70,31 @@ void Slice::drawSide(const Block& block, Face face, const Crossing& border, cons
         const SideRun run = sideRun(block, face, border, view, first, last);
         fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step, run.factor, run.fog, vista_->lighting.haze);
         count(first, last);
-        note(block.level, FilledRows::What::side, face, first, last);
+        if (trace_) traceSide(block, face, border, view, first, last, false);
     });
 }
 
 void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
         layers_->add(sideRun(block, face, border, view, first, last));
-        note(block.level, FilledRows::What::side, face, first, last);
+        if (trace_) traceSide(block, face, border, view, first, last, true);
     });
+}
+
+void Slice::traceSide(const Block& block, Face face, const Crossing& border, const SideView& view, int first, int last, bool layer) {
+    const TextureId texture = block.blueprint->face(face).texture;
+    FilledRows& rows = traceRun(block.level, FilledRows::What::side, face, first, last, texture, layer);
+    const FrameTexture& shown = frame_.textures[texture];
+    const SideRun run = sideRun(block, face, border, view, first, last);
+    const int detail = frame_.detail.levelAt(view.depth, shown.size, shown.last);
+    const TextureLevel& level = shown.levels[detail];
+    const auto texelAt = [&](int row) {
+        return TracedTexel{view.depth, detail, static_cast<int>((run.texels - level.texels.data()) >> level.bits),
+                           static_cast<int>((run.start + static_cast<std::uint64_t>(row - first) * run.step) >> run.shift), run.factor, run.fog};
+    };
+    rows.top = texelAt(first);
+    rows.bottom = texelAt(last - 1);
+    rows.rowsOfDetail[static_cast<std::size_t>(detail)] = static_cast<std::uint16_t>(last - first);
 }
 
 // Fills a run's rows, if there are any, and leaves it empty.
@@ -150,17 +166,21 @@ bool Slice::isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRo
 
 // Those are rare, so a run that has one is drawn slowly, row by row.
 void Slice::fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, const FrameTexture& texture, Lay lay) {
-    const int turn = vista_->viewpoint.turn;
     const TileBox box = boxAround(run);
     const double depthPerInverse = Coordinate{run.plane.rise < 0 ? -run.plane.rise : run.plane.rise}.value() * projection_->distance;
     for (int row = run.first; row < run.last; ++row) {
         const double inverse = rows.inverseOffsets[row];
-        const auto before = [](std::uint32_t bits, bool isTurned) { return bits == 0 && isTurned ? ~std::uint32_t{0} : bits; };
-        const std::uint32_t east = before(held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse), turn != 3);
-        const std::uint32_t south = before(held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse), turn != 1);
-        drawPlaneTexel(row, texture.levels[frame_.detail.levelAt(depthPerInverse * inverse, texture.size, texture.last)], east, south, line.southReversed, rows,
-                       lay, pixels_[row]);
+        const PlanePoint point = planePoint(line, box, inverse);
+        drawPlaneTexel(row, texture.levels[frame_.detail.levelAt(depthPerInverse * inverse, texture.size, texture.last)], point.east, point.south,
+                       line.southReversed, rows, lay, pixels_[row]);
     }
+}
+
+Slice::PlanePoint Slice::planePoint(const PlaneLine& line, const TileBox& box, double inverse) const {
+    const int turn = vista_->viewpoint.turn;
+    const auto before = [turn](std::uint32_t bits, bool isTurned) { return bits == 0 && turn != 0 && isTurned ? ~std::uint32_t{0} : bits; };
+    return {before(held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse), turn != 3),
+            before(held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse), turn != 1)};
 }
 
 // One row from the texel at a fraction of a tile, in 1/2^32.

@@ -91,7 +91,7 @@ void Slice::seeThroughPlane(int level, FilledRows::What what, const PlaneRun& ru
         part.first = first;
         part.last = last;
         layers_->add(part, *vista_);
-        note(level, what, what == FilledRows::What::roof ? Face::top : Face::bottom, first, last);
+        if (trace_) tracePlane(level, what, what == FilledRows::What::roof ? Face::top : Face::bottom, run, first, last, true);
     });
 }
 
@@ -167,7 +167,7 @@ void Slice::drawObject(const FrameObject& object) {
         layers_->add({level.texels.data() + static_cast<std::size_t>(u) * static_cast<std::size_t>(level.height), 32, first, last,
                       static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step), object.factor, object.fog, vista_->lighting.haze});
         drawn = true;
-        if (trace_) trace_->objects.push_back({vista_->viewpoint.map, portals_, object.index, object.depth, first, last});
+        if (trace_) traceObject(object, u, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step), first, last);
     });
     if (drawn) ++report_.objectSlices;
 }

@@ -108,6 +108,11 @@ void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const H
             count(std::max(first, hazeRow), last);
         }
         if (trace_) {
+            if (last > hazeRow) {
+                FilledRows& haze = traceRun(kNoLevel, FilledRows::What::haze, Face::top, std::max(first, hazeRow), last, kNoTexture, false);
+                haze.map = portal.toMap;
+                ++haze.portals;
+            }
             const auto id = static_cast<PortalId>(&portal - frame_.world->portals.data());
             trace_->portals.push_back({id, portals_, enter_.along * projection_->distance, first, last});
         }

@@ -6,16 +6,77 @@
 
 namespace slicecast {
 
-void Slice::traceRows(int level, const FilledRows& rows) {
-    if (level == kNoLevel) {
-        trace_->planes.push_back(rows);
-        return;
-    }
-    const int above = std::popcount(tracedLevels_ >> level);
-    trace_->hits[trace_->hits.size() - static_cast<std::size_t>(above)].filled.push_back(rows);
+FilledRows& Slice::traceRun(int level, FilledRows::What what, Face face, int first, int last, TextureId texture, bool layer) {
+    FilledRows rows;
+    rows.what = what;
+    rows.face = face;
+    rows.first = first;
+    rows.last = last;
+    rows.map = vista_->viewpoint.map;
+    rows.portals = portals_;
+    rows.layer = layer;
+    rows.texture = texture;
+    if (level != kNoLevel) rows.hit = static_cast<int>(trace_->hits.size()) - std::popcount(tracedLevels_ >> level);
+    trace_->filled.push_back(rows);
+    return trace_->filled.back();
 }
 
-void Slice::traceTile(int x, int y, double along) { trace_->tiles.push_back({vista_->viewpoint.map, x, y, along * projection_->distance}); }
+// What is no side: the rows of a plane have just been gathered.
+void Slice::traceRows(int level, FilledRows::What what, Face face, int first, int last) {
+    if (what == FilledRows::What::sky || what == FilledRows::What::haze) {
+        traceRun(level, what, face, first, last, kNoTexture, false);
+    } else {
+        tracePlane(level, what, face, falling_.first <= first && last <= falling_.last ? falling_ : rising_, first, last, false);
+    }
+}
+
+void Slice::tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first, int last, bool layer) {
+    const Plane& plane = run.plane;
+    FilledRows& traced = traceRun(level, what, face, first, last, plane.texture, layer);
+    const FrameTexture& texture = frame_.textures[plane.texture];
+    const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
+    const PlaneLine line = {eyeFractionX_, eyeFractionY_, distance * ray_.x, distance * ray_.y, plane.southReversed};
+    const TileBox box = boxAround(run);
+    const auto texelAt = [&](int row) {
+        const double inverse = vista_->inverseOffsets[row];
+        const double depth = distance * projection_->distance * inverse;
+        const int detail = frame_.detail.levelAt(depth, texture.size, texture.last);
+        const TextureLevel& shown = texture.levels[detail];
+        const PlanePoint point = planePoint(line, box, inverse);
+        const int v = static_cast<int>(std::uint64_t{point.south} >> (32 - shown.bits));
+        const Shade shade = vista_->lighting.at(depth, plane.light, plane.glow);
+        return TracedTexel{depth, detail, static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits)), plane.southReversed ? shown.size - 1 - v : v,
+                           shade.factor, shade.fog};
+    };
+    traced.top = texelAt(first);
+    traced.bottom = texelAt(last - 1);
+    for (int row = first; row < last; ++row) {
+        ++traced.rowsOfDetail[static_cast<std::size_t>(frame_.detail.levelAt(distance * projection_->distance * vista_->inverseOffsets[row], texture.size, texture.last))];
+    }
+}
+
+// An object's column of texels, `u` of it; positions as drawObject counts them.
+void Slice::traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step, int first, int last) {
+    const SpriteId sprite = map_->objects[static_cast<std::size_t>(object.index)].sprite;
+    FilledRows& rows = traceRun(kNoLevel, FilledRows::What::object, Face::top, first, last, sprite, true);
+    rows.object = static_cast<int>(trace_->objects.size());
+    const int detail = static_cast<int>(object.level - frame_.world->sprites[sprite].levelsAt(frame_.world->seconds).data());
+    const auto texelAt = [&](int row) {
+        return TracedTexel{object.depth, detail, u, static_cast<int>((start + static_cast<std::uint64_t>(row - first) * step) >> 32), object.factor, object.fog};
+    };
+    rows.top = texelAt(first);
+    rows.bottom = texelAt(last - 1);
+    rows.rowsOfDetail[static_cast<std::size_t>(detail)] = static_cast<std::uint16_t>(last - first);
+    trace_->objects.push_back({vista_->viewpoint.map, portals_, object.index, object.depth, first, last});
+}
+
+// The walk itself goes on with its own numbers only; it is walked again up to here.
+void Slice::traceTile(int x, int y, double along) {
+    while (tracedWalk_.tileX != x || tracedWalk_.tileY != y || tracedWalk_.entered != along) tracedWalk_.advance();
+    const Crossing border = tracedWalk_.enter();
+    trace_->tiles.push_back({vista_->viewpoint.map, x, y, along * projection_->distance, portals_, tracedWalk_.hasEntered(), border.alongX, along, border.distance,
+                             border.speed, tracedWalk_.nextAlongX(), tracedWalk_.nextAlongY()});
+}
 
 void Slice::traceBlocks(std::uint32_t levels) {
     tracedLevels_ = levels;

@@ -4,19 +4,41 @@
 #include "base/coordinate.h"
 #include "world/blueprint.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace slicecast {
 
-// Rows [first, last) of a slice that one face or plane filled.
+// The texel that one row shows, and in what light.
+struct TracedTexel {
+    double depth = 0.0;       // perpendicular depth t, units
+    int detail = 0;           // level of detail m
+    int u = 0;                // which texel of that level, from the left and from the top as its picture is seen
+    int v = 0;
+    std::uint32_t light = 0;  // q, 0 to 256
+    std::uint32_t fog = 0;    // weight, 0 to 255
+};
+
+// A texture of 1024 texels a side has so many levels.
+inline constexpr int kMostDetails = 11;
+
+// Rows [first, last) of a slice that one face, plane or object filled.
 struct FilledRows {
-    enum class What : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze };
+    enum class What : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze, object };
     What what = What::side;
     Face face = Face::top;  // for side, roof and underside
     int first = 0;
     int last = 0;
     int map = 0;
+    int portals = 0;           // that the rays had passed before
+    int hit = -1;              // whose block it is: index into SliceTrace::hits; of what is no block, -1
+    int object = -1;           // index into SliceTrace::objects
+    bool layer = false;        // laid over what is behind, which is told too
+    TextureId texture = kNoTexture;  // or the sprite's number; none for the sky and haze
+    TracedTexel top = {};      // of the first row, where there is a texture
+    TracedTexel bottom = {};   // of the last row
+    std::array<std::uint16_t, kMostDetails> rowsOfDetail = {};  // how many rows show each level of detail
 };
 
 // A block that a slice's ground line passes, whether or not any of it is seen. Rows are real numbers: row r's centre is r + 0.5, and rows grow downwards.
@@ -44,12 +66,21 @@ struct Hit {
     std::vector<FilledRows> filled;  // what was seen of it, from the top
 };
 
-// One tile that the walk entered.
+// One tile that the walk entered. The walk counts in `along`, the share of the ray's direction (SliceTrace::ray times the distance to the projection plane)
+// that lies behind: along = distance / speed, depth = along * projectionDistance. The tile is left by whichever of the two borders ahead comes first.
 struct WalkedTile {
     int map = 0;
     int x = 0;
     int y = 0;
-    double depth = 0.0;  // perpendicular depth on entering
+    double depth = 0.0;     // perpendicular depth on entering
+    int portals = 0;        // that the line has passed before
+    bool entered = false;   // false in the tile in which a walk begins
+    bool alongX = false;    // entered through a border of constant x
+    double along = 0.0;
+    double distance = 0.0;  // of that border from the eye, along its axis, units
+    double speed = 1.0;     // size of the ray's direction on that axis
+    double nextX = 0.0;     // `along` of the next border of constant x, infinite if there is none
+    double nextY = 0.0;
 };
 
 // An object that a slice shows, and the rows [first, last) in which it is seen through its holes or not.
@@ -89,7 +120,8 @@ struct SliceTrace {
     double projectionDistance = 0.0;  // pixels
     std::vector<WalkedTile> tiles;
     std::vector<Hit> hits;
-    std::vector<FilledRows> planes;  // floor, ceiling, sky and haze
+    std::vector<FilledRows> filled;  // all, in the order in which they were met
+    std::vector<FilledRows> planes;  // those of floor, ceiling, sky and haze
     std::vector<SeenObject> objects;
     std::vector<PassedPortal> portals;
     std::vector<MirroredRows> mirrors;  // what is seen in them is not told

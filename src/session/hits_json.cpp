@@ -1,15 +1,8 @@
 #include "session/hits_json.h"
 
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-
-#include <cmath>
 #include <cstddef>
 
 namespace slicecast {
-namespace {
-
-using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
 
 const char* nameOf(FilledRows::What what) {
     switch (what) {
@@ -25,6 +18,8 @@ const char* nameOf(FilledRows::What what) {
             return "ceiling";
         case FilledRows::What::sky:
             return "sky";
+        case FilledRows::What::object:
+            return "object";
         case FilledRows::What::haze:
             break;
     }
@@ -35,202 +30,131 @@ const char* nameOf(Face face) {
     return kFaceNames[static_cast<std::size_t>(face)];
 }
 
-// JSON has no infinite numbers.
-void addNumber(Writer& json, double number) {
-    if (std::isfinite(number)) {
-        json.Double(number);
-    } else {
-        json.Null();
-    }
-}
-
-void add(Writer& json, const char* key, double number) {
-    json.Key(key);
-    addNumber(json, number);
-}
-
-void add(Writer& json, const char* key, int number) {
-    json.Key(key);
-    json.Int(number);
-}
-
-void add(Writer& json, const char* key, const std::string& text) {
-    json.Key(key);
-    json.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
-}
-
-void addPair(Writer& json, const char* key, double a, double b) {
-    json.Key(key);
-    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
-    json.StartArray();
-    addNumber(json, a);
-    addNumber(json, b);
-    json.EndArray();
-    json.SetFormatOptions(rapidjson::kFormatDefault);
-}
-
-void addPair(Writer& json, const char* key, int a, int b) {
-    json.Key(key);
-    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
-    json.StartArray();
-    json.Int(a);
-    json.Int(b);
-    json.EndArray();
-    json.SetFormatOptions(rapidjson::kFormatDefault);
-}
-
 const std::string& mapName(const World& world, int map) {
     return world.maps[static_cast<std::size_t>(map)].name;
 }
 
-// Rows from first to last, both included.
-void addRows(Writer& json, int first, int last) {
-    add(json, "first", first);
-    add(json, "last", last - 1);
+void writePair(JsonText& json, const char* key, double a, double b) {
+    json.key(key).beginArray().number(a).number(b).endArray();
 }
+
+void writeRows(JsonText& json, int first, int last) {
+    json.key("first").number(first).key("last").number(last - 1);
+}
+
+void writeView(JsonText& json, const Session& session, const std::string& sceneName, int width, int height) {
+    const Eye eye = session.eye();
+    json.line(1).key("scene").text(sceneName);
+    json.line(1).key("map").text(mapName(session.world(), eye.map));
+    writePair(json.line(1), "size", width, height);
+    json.line(1).key("eye").beginObject().key("x").number(eye.x.value()).key("y").number(eye.y.value()).key("z").number(eye.z.value());
+    json.key("heading").number(eye.headingDegrees).key("look").number(eye.look).endObject();
+    json.line(1).key("fov").number(session.options().render.fovDegrees);
+}
+
+namespace {
 
 // Planes need no face: the kind says it. They name their map, as blocks do elsewhere.
-void addFilled(Writer& json, const World& world, const char* key, const std::vector<FilledRows>& filled, bool arePlanes) {
-    json.Key(key);
-    json.StartArray();
+void writeFilled(JsonText& json, const World& world, const std::vector<FilledRows>& filled, bool arePlanes) {
+    json.beginArray();
     for (const FilledRows& rows : filled) {
-        json.StartObject();
-        add(json, "what", std::string(nameOf(rows.what)));
-        if (arePlanes) add(json, "map", mapName(world, rows.map));
-        if (!arePlanes) add(json, "face", std::string(nameOf(rows.face)));
-        addRows(json, rows.first, rows.last);
-        json.EndObject();
+        json.beginObject().key("what").text(nameOf(rows.what));
+        if (arePlanes) {
+            json.key("map").text(mapName(world, rows.map));
+        } else {
+            json.key("face").text(nameOf(rows.face));
+        }
+        writeRows(json, rows.first, rows.last);
+        json.endObject();
     }
-    json.EndArray();
+    json.endArray();
 }
 
-void addTile(Writer& json, const World& world, const WalkedTile& tile) {
-    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
-    json.StartArray();
-    json.Int(tile.x);
-    json.Int(tile.y);
-    addNumber(json, tile.depth);
-    const std::string& map = mapName(world, tile.map);
-    json.String(map.data(), static_cast<rapidjson::SizeType>(map.size()));
-    json.EndArray();
-    json.SetFormatOptions(rapidjson::kFormatDefault);
+void writeTile(JsonText& json, const World& world, const WalkedTile& tile) {
+    json.beginArray().number(tile.x).number(tile.y).number(tile.depth).text(mapName(world, tile.map)).endArray();
 }
 
-void addHit(Writer& json, const World& world, const Hit& hit) {
-    json.StartObject();
-    add(json, "map", mapName(world, hit.map));
-    add(json, "portals", hit.portals);
-    addPair(json, "tile", hit.tileX, hit.tileY);
-    add(json, "level", hit.level);
-    add(json, "blueprint", world.blueprints[hit.blueprint].name);
-    json.Key("face");
+void writeHit(JsonText& json, const World& world, const Hit& hit) {
+    json.beginObject().key("map").text(mapName(world, hit.map)).key("portals").number(hit.portals);
+    writePair(json, "tile", hit.tileX, hit.tileY);
+    json.key("level").number(hit.level).key("blueprint").text(world.blueprints[hit.blueprint].name).key("face");
     if (hit.entered) {
-        json.String(nameOf(hit.face));
+        json.text(nameOf(hit.face));
     } else {
-        json.Null();
+        json.null();
     }
-    addPair(json, "point", hit.x, hit.y);
-    add(json, "rawDepth", hit.rawDepth);
-    add(json, "depth", hit.depth);
-    add(json, "backDepth", hit.backDepth);
-    add(json, "bottom", hit.bottom.value());
-    add(json, "top", hit.top.value());
-    add(json, "bottomFrontRow", hit.bottomFrontRow);
-    add(json, "topFrontRow", hit.topFrontRow);
-    add(json, "bottomBackRow", hit.bottomBackRow);
-    add(json, "topBackRow", hit.topBackRow);
-    addFilled(json, world, "filled", hit.filled, false);
-    json.EndObject();
+    writePair(json, "point", hit.x, hit.y);
+    json.key("rawDepth").number(hit.rawDepth).key("depth").number(hit.depth).key("backDepth").number(hit.backDepth);
+    json.key("bottom").number(hit.bottom.value()).key("top").number(hit.top.value());
+    json.key("bottomFrontRow").number(hit.bottomFrontRow).key("topFrontRow").number(hit.topFrontRow);
+    json.key("bottomBackRow").number(hit.bottomBackRow).key("topBackRow").number(hit.topBackRow);
+    writeFilled(json.key("filled"), world, hit.filled, false);
+    json.endObject();
 }
 
-void addObject(Writer& json, const World& world, const SeenObject& seen) {
+void writeObject(JsonText& json, const World& world, const SeenObject& seen) {
     const Object& object = world.maps[static_cast<std::size_t>(seen.map)].objects[static_cast<std::size_t>(seen.object)];
-    json.StartObject();
-    add(json, "map", mapName(world, seen.map));
-    add(json, "portals", seen.portals);
-    add(json, "sprite", world.sprites[object.sprite].name);
-    addPair(json, "point", object.x.value(), object.y.value());
-    add(json, "bottom", object.z.value());
-    add(json, "top", (object.z + object.height).value());
-    add(json, "width", object.width.value());
-    add(json, "depth", seen.depth);
-    addRows(json, seen.first, seen.last);
-    json.EndObject();
+    json.beginObject().key("map").text(mapName(world, seen.map)).key("portals").number(seen.portals);
+    json.key("sprite").text(world.sprites[object.sprite].name);
+    writePair(json, "point", object.x.value(), object.y.value());
+    json.key("bottom").number(object.z.value()).key("top").number((object.z + object.height).value()).key("width").number(object.width.value());
+    json.key("depth").number(seen.depth);
+    writeRows(json, seen.first, seen.last);
+    json.endObject();
 }
 
-void addEnd(Writer& json, const World& world, const char* key, int map, int x, int y) {
-    json.Key(key);
-    json.StartObject();
-    add(json, "map", mapName(world, map));
-    addPair(json, "tile", x, y);
-    json.EndObject();
+void writeEnd(JsonText& json, const World& world, const char* key, int map, int x, int y) {
+    json.key(key).beginObject().key("map").text(mapName(world, map));
+    writePair(json, "tile", x, y);
+    json.endObject();
 }
 
-void addPortal(Writer& json, const World& world, const PassedPortal& passed) {
+void writePortal(JsonText& json, const World& world, const PassedPortal& passed) {
     const Portal& portal = world.portals[passed.portal];
-    json.StartObject();
-    add(json, "portals", passed.portals);
-    addEnd(json, world, "from", portal.fromMap, portal.fromX, portal.fromY);
-    addEnd(json, world, "to", portal.toMap, portal.toX, portal.toY);
-    add(json, "turn", 90 * portal.turn);
-    add(json, "levels", portal.levels);
-    add(json, "depth", passed.depth);
-    addRows(json, passed.first, passed.last);
-    json.EndObject();
+    json.beginObject().key("portals").number(passed.portals);
+    writeEnd(json, world, "from", portal.fromMap, portal.fromX, portal.fromY);
+    writeEnd(json, world, "to", portal.toMap, portal.toX, portal.toY);
+    json.key("turn").number(90 * portal.turn).key("levels").number(portal.levels).key("depth").number(passed.depth);
+    writeRows(json, passed.first, passed.last);
+    json.endObject();
 }
 
-void addMirror(Writer& json, const World& world, const MirroredRows& mirror) {
-    json.StartObject();
-    add(json, "map", mapName(world, mirror.map));
-    add(json, "height", mirror.height.value());
-    add(json, "strength", mirror.strength);
-    addRows(json, mirror.first, mirror.last);
-    json.EndObject();
+void writeMirror(JsonText& json, const World& world, const MirroredRows& mirror) {
+    json.beginObject().key("map").text(mapName(world, mirror.map)).key("height").number(mirror.height.value()).key("strength").number(mirror.strength);
+    writeRows(json, mirror.first, mirror.last);
+    json.endObject();
 }
 
 template <typename Thing>
-void addAll(Writer& json, const World& world, const char* key, const std::vector<Thing>& things, void (*addOne)(Writer&, const World&, const Thing&)) {
-    json.Key(key);
-    json.StartArray();
-    for (const Thing& thing : things) addOne(json, world, thing);
-    json.EndArray();
+void writeAll(JsonText& json, const World& world, const char* key, const std::vector<Thing>& things, void (*writeOne)(JsonText&, const World&, const Thing&)) {
+    json.line(1).key(key).beginArray();
+    for (const Thing& thing : things) writeOne(json.line(2), world, thing);
+    if (!things.empty()) json.line(1);
+    json.endArray();
 }
 
 }  // namespace
 
-std::string hitsJson(Session& session, const std::string& sceneName, int width, int height, int column) {
+void writeHits(JsonText& json, const Session& session, const SliceTrace& trace) {
     const World& world = session.world();
-    const Eye eye = session.eye();
-    const SliceTrace trace = session.trace(width, height, column);
+    json.line(1).key("column").number(trace.column);
+    json.line(1).key("horizonRow").number(trace.horizonRow);
+    json.line(1).key("projectionDistance").number(trace.projectionDistance);
+    writePair(json.line(1), "ray", trace.rayX, trace.rayY);
+    writeAll(json, world, "tiles", trace.tiles, writeTile);
+    writeAll(json, world, "hits", trace.hits, writeHit);
+    writeFilled(json.line(1).key("planes"), world, trace.planes, true);
+    writeAll(json, world, "objects", trace.objects, writeObject);
+    writeAll(json, world, "portals", trace.portals, writePortal);
+    writeAll(json, world, "mirrors", trace.mirrors, writeMirror);
+}
 
-    rapidjson::StringBuffer text;
-    Writer json(text);
-    json.SetIndent(' ', 2);
-    json.StartObject();
-    add(json, "scene", sceneName);
-    add(json, "map", mapName(world, eye.map));
-    addPair(json, "size", width, height);
-    add(json, "column", trace.column);
-    json.Key("eye");
-    json.StartObject();
-    add(json, "x", eye.x.value());
-    add(json, "y", eye.y.value());
-    add(json, "z", eye.z.value());
-    add(json, "heading", eye.headingDegrees);
-    add(json, "look", eye.look);
-    json.EndObject();
-    add(json, "fov", session.options().render.fovDegrees);
-    add(json, "horizonRow", trace.horizonRow);
-    add(json, "projectionDistance", trace.projectionDistance);
-    addPair(json, "ray", trace.rayX, trace.rayY);
-    addAll(json, world, "tiles", trace.tiles, addTile);
-    addAll(json, world, "hits", trace.hits, addHit);
-    addFilled(json, world, "planes", trace.planes, true);
-    addAll(json, world, "objects", trace.objects, addObject);
-    addAll(json, world, "portals", trace.portals, addPortal);
-    addAll(json, world, "mirrors", trace.mirrors, addMirror);
-    json.EndObject();
-    return std::string(text.GetString(), text.GetSize()) + "\n";
+std::string hitsJson(Session& session, const std::string& sceneName, int width, int height, int column) {
+    JsonText json;
+    json.beginObject();
+    writeView(json, session, sceneName, width, height);
+    writeHits(json, session, session.trace(width, height, column));
+    return json.line(0).endObject().str() + "\n";
 }
 
 }  // namespace slicecast

@@ -26,6 +26,7 @@
 //                      "first", "last" } ] }         what is seen in them is not told
 #pragma once
 
+#include "session/json_text.h"
 #include "session/session.h"
 
 #include <string>
@@ -34,5 +35,15 @@ namespace slicecast {
 
 // The session's view in a picture of that size; `column` lies within it.
 std::string hitsJson(Session& session, const std::string& sceneName, int width, int height, int column);
+
+// Parts of it, which traces consist of too (trace_json.h). From "scene" to "fov":
+void writeView(JsonText& json, const Session& session, const std::string& sceneName, int width, int height);
+// The rest, from "column" on:
+void writeHits(JsonText& json, const Session& session, const SliceTrace& trace);
+void writePair(JsonText& json, const char* key, double a, double b);
+void writeRows(JsonText& json, int first, int last);  // [first, last) as both included
+const char* nameOf(FilledRows::What what);
+const char* nameOf(Face face);
+const std::string& mapName(const World& world, int map);
 
 }  // namespace slicecast

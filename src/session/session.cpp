@@ -275,6 +275,12 @@ SliceTrace Session::trace(int width, int height, int column) {
     return renderer_.trace(world_, eye(), options_.render, width, height, column);
 }
 
+FrameReport Session::measure(int width, int height) {
+    Image image(width, height);
+    const bool isDrawn = renderer_.draw(world_, eye(), options_.render, {image.pixels.data(), width, height, width});
+    return isDrawn ? renderer_.report() : FrameReport{};
+}
+
 std::uint64_t Session::fingerprint() const {
     Hash hash;
     const Player& p = player_;

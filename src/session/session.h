@@ -93,6 +93,10 @@ public:
     Eye eye(double fraction = 1.0) const;
     // Everything that one column of a picture of that size does.
     SliceTrace trace(int width, int height, int column);
+    // What it takes to draw a picture of that size by the exact method, overlays apart; all 0 where it cannot be drawn.
+    FrameReport measure(int width, int height);
+    // How long the parts of a picture have taken lately; null without a clock.
+    const ProcessTimes* times() const { return clock_.times(); }
     // The column that is inspected in a picture of that width: the option's, or the middle one.
     int inspectedColumn(int width) const;
     // A number that two sessions share if they are in the same state: the player, what moves and opens, the options that bear on a step, and the steps done.

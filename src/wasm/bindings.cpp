@@ -7,7 +7,8 @@
 #include "session/hits_json.h"
 #include "session/recording_text.h"
 #include "session/session.h"
-#include "wasm/json_text.h"
+#include "session/trace_json.h"
+#include "session/json_text.h"
 
 #include <emscripten/emscripten.h>
 
@@ -85,6 +86,11 @@ const char* kindName(OptionKind kind) {
 std::string currentValue(const SlicecastSession& session, std::string_view name) {
     const Session* game = session.game();
     return game != nullptr ? game->option(name) : optionValue(session.waiting, name);
+}
+
+// Whether a picture may have that size.
+bool canBe(int32_t width, int32_t height) {
+    return width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide;
 }
 
 void takeButtons(Input& input, int32_t buttons) {
@@ -198,7 +204,7 @@ EMSCRIPTEN_KEEPALIVE void slicecast_step(SlicecastSession* session, double forwa
 
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_draw(SlicecastSession* session, int32_t width, int32_t height, double fraction) {
     Session* game = session->game();
-    if (game == nullptr || width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide) return 0;
+    if (game == nullptr || !canBe(width, height)) return 0;
     if (session->picture.width != width || session->picture.height != height) session->picture = Image(width, height);
     return game->draw({session->picture.pixels.data(), width, height, width}, fraction) ? 1 : 0;
 }
@@ -273,9 +279,15 @@ EMSCRIPTEN_KEEPALIVE int32_t slicecast_goToMap(SlicecastSession* session, int32_
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height, int32_t column) {
     Session* game = session->game();
-    const bool exists = width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide && column >= 0 && column < width;
-    if (game == nullptr || !exists) return session->give("null");
+    if (game == nullptr || !canBe(width, height) || column < 0 || column >= width) return session->give("null");
     return session->give(hitsJson(*game, game->world().title, width, height, column));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height, int32_t column) {
+    Session* game = session->game();
+    if (game == nullptr || !canBe(width, height) || column >= width) return session->give("null");
+    const std::string& title = game->world().title;
+    return session->give(column < 0 ? frameTraceJson(*game, title, width, height) : traceJson(*game, title, width, height, column));
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecast_setFlying(SlicecastSession* session, int32_t flying) {

@@ -145,6 +145,10 @@ int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 // "scene" is the scene's title. null without a game or such a column.
 const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height, int32_t column);
 
+// Everything that the renderer did for one column of a picture of that size, or, with a column below 0, for the whole picture, as session/trace_json.h
+// describes both. null without a game or such a column.
+const char* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height, int32_t column);
+
 // Fly mode (1) or walk mode (0).
 void slicecast_setFlying(SlicecastSession* session, int32_t flying);
 

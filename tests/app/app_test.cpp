@@ -592,7 +592,7 @@ TEST_F(AppTest, AKeyTellsWhatTheInspectedSliceMeets) {
     press(SDL_SCANCODE_T);
     ASSERT_EQ(shell.hits.size(), 1u);
     EXPECT_EQ(shell.hits[0], hitsJson(*app.game(), "", 80, 50, 7));
-    EXPECT_NE(shell.hits[0].find("\"column\": 7,"), std::string::npos);
+    EXPECT_NE(shell.hits[0].find("\"column\":7,"), std::string::npos);
 }
 
 TEST_F(AppTest, KeysChooseTheLevelOfTheMinimap) {

@@ -1,5 +1,7 @@
-#include "wasm/json_text.h"
+#include "session/json_text.h"
 
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 
@@ -8,6 +10,19 @@ namespace slicecast {
 void JsonText::separate() {
     if (needsComma_) out_ += ',';
     needsComma_ = true;
+    beginLine();
+}
+
+void JsonText::beginLine() {
+    if (steps_ < 0) return;
+    out_ += '\n';
+    out_.append(2 * static_cast<std::size_t>(steps_), ' ');
+    steps_ = -1;
+}
+
+JsonText& JsonText::line(int steps) {
+    steps_ = steps;
+    return *this;
 }
 
 JsonText& JsonText::open(char bracket) {
@@ -18,6 +33,7 @@ JsonText& JsonText::open(char bracket) {
 }
 
 JsonText& JsonText::close(char bracket) {
+    beginLine();
     out_ += bracket;
     needsComma_ = true;
     return *this;
@@ -38,6 +54,7 @@ JsonText& JsonText::text(std::string_view value) {
 }
 
 JsonText& JsonText::number(double value) {
+    if (!std::isfinite(value)) return null();
     separate();
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.15g", value);
@@ -49,6 +66,12 @@ JsonText& JsonText::number(double value) {
 JsonText& JsonText::yesNo(bool value) {
     separate();
     out_ += value ? "true" : "false";
+    return *this;
+}
+
+JsonText& JsonText::null() {
+    separate();
+    out_ += "null";
     return *this;
 }
 
