@@ -141,6 +141,10 @@ export class Session {
     return this.json(this.module._slicecast_hits(this.address, width, height, column));
   }
 
+  trace(width, height, column) {
+    return this.json(this.module._slicecast_trace(this.address, width, height, column));
+  }
+
   record(sceneName) {
     this.withMemory([cString(sceneName)], (nameAt) => this.module._slicecast_record(this.address, nameAt));
   }
