@@ -34,7 +34,9 @@ function draw() {
 
   markColumn(find('yard-mark'), caster.picture, column.value);
   find('strip').innerHTML = strip(slice, shown);
-  find('side').innerHTML = side(slice, shown);
+  const width = find('side').clientWidth < kSide.phone ? kSide.narrow : kSide.wide;
+  find('side').setAttribute('viewBox', `0 0 ${width} ${kSide.bottom}`);
+  find('side').innerHTML = side(slice, shown, width);
   find('side-says').textContent = `Now the ray passes ${slice.hits.length} blocks, and ${runs.length} runs fill the ${slice.size[1]} rows.`;
   find('hits').tBodies[0].innerHTML = table(slice, shown);
 }
@@ -45,7 +47,7 @@ function nameOf({ hits }, { what, hit }) {
 
 // ---- The rows of the slice, as tall as the drawing
 
-const kStrip = { left: 12, width: 120, height: 412, right: 420, label: 22 }; // a label's height
+const kStrip = { left: 12, width: 120, height: 394, right: 420, label: 22 }; // a label's height
 
 function strip(slice, shown) {
   const { left, width, height, right, label } = kStrip;
@@ -84,10 +86,11 @@ function spread(labels, tall, height) {
 
 // ---- From the side
 
-const kSide = { left: 56, right: 1064, top: 16, floor: 340, bottom: 380, width: 1080 };
+const kSide = { left: 56, top: 16, floor: 340, bottom: 380, wide: 1080, narrow: 560, phone: 640 }; // widths of the drawing, and of a place that is narrow
 
-function side(slice, shown) {
-  const { left, right, top, floor, bottom, width } = kSide;
+function side(slice, shown, width) {
+  const { left, top, floor, bottom } = kSide;
+  const right = width - 16;
   const { eye, hits, horizonRow, projectionDistance } = slice;
   const farthest = Math.max(4, ...hits.map(({ backDepth, depth }) => Math.min(backDepth ?? depth + 1, depth + 2))) * 1.04;
   const highest = Math.max(eye.z + 0.5, ...hits.map((hit) => hit.top)) * 1.12;
@@ -133,7 +136,7 @@ function side(slice, shown) {
     const [markX, markY] = [(x(upper[0]) + x(lower[0])) / 2, (y(upper[1]) + y(lower[1])) / 2];
     if (markX > left && markX < width - 12) parts.push(dot(markX, markY, 10, 'class="badge"'), text(markX, markY + 5, String(index + 1), 'class="badge-number" font-size="13" text-anchor="middle"'));
   });
-  for (let depth = 0; depth <= farthest; depth += farthest > 10 ? 2 : 1) parts.push(text(x(depth), floor + 26, String(depth), 'class="soft" font-size="14" text-anchor="middle"'));
+  for (let depth = 0; x(depth) < width - 130; depth += farthest > 10 ? 2 : 1) parts.push(text(x(depth), floor + 26, String(depth), 'class="soft" font-size="14" text-anchor="middle"'));
   for (let z = 0; z <= highest; ++z) parts.push(text(left - 26, y(z) + 5, String(z), 'class="soft" font-size="14" text-anchor="end"'), line(left - 20, y(z), left - 12, y(z), 'class="measure"'));
   parts.push(text(width - 12, bottom - 8, 'depth, units', 'class="soft" font-size="14" text-anchor="end"'), dot(left, y(eye.z), 9, 'class="eye"'));
   return parts.join('');

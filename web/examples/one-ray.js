@@ -4,7 +4,6 @@ import { compass, dot, find, fixed, follow, line, markColumn, slider, text } fro
 import { crossingInto, plan, planBox } from './plan.js';
 
 const kKinds = { '#': 'wall', o: 'pillar', b: 'shelf', f: 'wall' };
-const kFifteenDigits = 1e-15; // of a number
 const kRulers = { left: 36, right: 1044, middle: 92, tall: 34 }; // of the drawing
 
 const caster = find('hall');
@@ -17,7 +16,7 @@ let follows = true; // the walk is shown to its end, however long it is
 const heading = slider('heading', (value) => `${fixed(value, 0)}°, ${compass(value)}`, (value) => caster.look({ heading: value }));
 const column = slider('column', (value) => `${value} of ${caster.picture.width || 480}`, () => draw());
 const shown = slider('shown', (value) => (value === 1 ? 'only the first tile' : `${value} tiles`), (value) => {
-  follows = value >= caster.trace(column.value).tiles.length;
+  follows = value >= caster.trace(column.value).walk.length;
   draw();
 });
 
@@ -26,7 +25,7 @@ follow(caster, draw);
 function draw() {
   column.spread(caster.picture.width);
   const slice = caster.trace(column.value);
-  const count = slice.tiles.length;
+  const count = slice.walk.length;
   shown.greatest = count;
   if (follows) shown.value = count;
   heading.value = Math.round(((((caster.currentView.heading + 180) % 360) + 360) % 360) - 180);
@@ -41,15 +40,15 @@ function draw() {
   find('ray-length').textContent = fixed(Math.hypot(...slice.ray), 3);
 }
 
-function sentence({ tiles, hits }) {
+function sentence({ walk, hits }) {
   const block = hits[0] === undefined ? 'leaves the map' : `meets a ${hits[0].blueprint} at depth ${fixed(hits[0].depth)}`;
-  return `Now it comes through ${tiles.length} tiles and ${block}.`;
+  return `Now it comes through ${walk.length} tiles and ${block}.`;
 }
 
 // Depth to the right: marks of both rulers, as far as the walk went, and the tiles between them.
 function rulers(slice, tiles) {
   const { left, right, middle, tall } = kRulers;
-  const farthest = slice.tiles.at(-1)[2] || 1;
+  const farthest = slice.walk.at(-1).depth || 1;
   const place = (depth) => left + ((right - left) * depth) / farthest;
   const parts = [
     `<rect x="0" y="0" width="1080" height="178" class="sheet"/>`,
@@ -59,7 +58,7 @@ function rulers(slice, tiles) {
     text(right + 20, 166, 'depth t, units', 'class="soft" font-size="15" text-anchor="end"'),
   ];
   let before = 0;
-  for (let index = 1; index < slice.tiles.length; ++index) {
+  for (let index = 1; index < slice.walk.length; ++index) {
     const { alongX, depth } = crossingInto(slice, index);
     const x = place(depth);
     const state = index < tiles ? '' : ' opacity="0.25"';
@@ -70,8 +69,8 @@ function rulers(slice, tiles) {
       before = depth;
     }
   }
-  for (let index = 0; index + 1 < slice.tiles.length; ++index) {
-    const [from, to] = [place(slice.tiles[index][2]), place(slice.tiles[index + 1][2])];
+  for (let index = 0; index + 1 < slice.walk.length; ++index) {
+    const [from, to] = [place(slice.walk[index].depth), place(slice.walk[index + 1].depth)];
     const state = index < tiles ? '' : ' opacity="0.25"';
     if (to - from > 22) parts.push(text((from + to) / 2, middle - 8, String(index + 1), `class="tile-number" font-size="15" text-anchor="middle"${state}`));
   }
@@ -81,16 +80,17 @@ function rulers(slice, tiles) {
 
 function table(slice, tiles) {
   const body = [];
-  for (let index = 1; index < slice.tiles.length; ++index) {
-    const { alongX, border, eye, ray, depth } = crossingInto(slice, index);
-    const quotient = (border - eye) / ray;
-    const agrees = Math.abs(quotient - depth) <= kFifteenDigits * depth;
+  for (let index = 1; index < slice.walk.length; ++index) {
+    const { alongX, border, distance, speed, depth } = crossingInto(slice, index);
+    const eye = alongX ? slice.eye.x : slice.eye.y;
+    const ray = alongX ? slice.ray[0] : slice.ray[1];
+    const quotient = (distance / speed) * slice.projectionDistance;
     body.push(`<tr${index === tiles - 1 ? ' class="now"' : ''}>`
       + `<td class="number">${index + 1}</td>`
       + `<td class="${alongX ? 'across' : 'along'}">${alongX ? 'x' : 'y'} = ${border}</td>`
       + `<td>(${border} − ${fixed(eye, 3)}) ÷ ${ray < 0 ? `(${fixed(ray, 4)})` : fixed(ray, 4)}</td>`
       + `<td class="number">${fixed(quotient, 6)}</td>`
-      + `<td class="number">${agrees ? '= ' : ''}${fixed(depth, 6)}</td></tr>`);
+      + `<td class="number">${quotient === depth ? '= ' : ''}${fixed(depth, 6)}</td></tr>`);
   }
   return body.join('');
 }

@@ -112,8 +112,8 @@ function drawLengths(traced, hit, edges) {
     line(x, hitY, hitX, hitY, 'class="across-line"'),
     dot(hitX, hitY, 6, 'class="ray-fill"'),
     dot(x, y, 9, 'class="eye"'),
-    text(x + (slope < 0 ? 10 : -10), (y + hitY) / 2 + 24, `depth ${fixed(hit.depth)}`, `class="across-text" font-size="16" text-anchor="${slope < 0 ? 'start' : 'end'}"`),
-    text((x + hitX) / 2 + (slope < 0 ? -14 : 14), (y + hitY) / 2 + 14, `distance ${fixed(distance)}`, `class="ray-text" font-size="16" text-anchor="${slope < 0 ? 'end' : 'start'}"`),
+    text(x + (slope < 0 ? 10 : -10), (y + hitY) / 2 + 24, `depth ${fixed(hit.depth)}`, `class="across-text halo" font-size="16" text-anchor="${slope < 0 ? 'start' : 'end'}"`),
+    text((x + hitX) / 2 + (slope < 0 ? -14 : 14), (y + hitY) / 2 + 14, `distance ${fixed(distance)}`, `class="ray-text halo" font-size="16" text-anchor="${slope < 0 ? 'end' : 'start'}"`),
   );
   find('lengths').innerHTML = parts.join('');
   find('length-depth').textContent = fixed(hit.depth, 3);
