@@ -112,6 +112,13 @@ test('it runs only while it is seen, and while it was asked to or has the focus'
   await until(page, () => window.watch.pending.size > 0);
   assert.equal(await grows(), true);
 
+  // Hidden by the page, and shown again
+  await page.evaluate(() => document.querySelector('main').style.setProperty('display', 'none'));
+  await atRest(page);
+  assert.equal(await grows(), false);
+  await page.evaluate(() => document.querySelector('main').style.removeProperty('display'));
+  await until(page, () => window.watch.pending.size > 0);
+
   // Not asked to any more
   await page.evaluate(() => document.querySelector('ray-caster').pause());
   await atRest(page);

@@ -114,7 +114,7 @@ test('pictures that are not there, JSON that is none, and rows with faults: scen
   const one = await troubleOf(page, '#one');
   assert.match(one.faults[0].pointer, /textures\/red/);
   assert.match((await troubleOf(page, '#two')).faults[0].found, /./);
-  assert.equal((await troubleOf(page, '#three')).faults[0].place, 'rows:2:2');
+  assert.equal((await troubleOf(page, '#three')).faults[0].place, 'rows:1:2');
 });
 
 test('an engine that fails while it plays: engine', async (t) => {

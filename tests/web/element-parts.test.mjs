@@ -93,11 +93,11 @@ test('a door turns its leaves to where one comes from', () => {
 test('rows with faults: all of them, each with its row and column', () => {
   const { code, faults } = faultsOf('\n  ##?#\n  #>.Z\n  #^\t#\n');
   assert.equal(code, 'scene');
-  assert.deepEqual(faults.map(({ place, row, character, found }) => [place, row, character, found]), [
-    ['rows:2:5', 0, 2, '"?"'], ['rows:3:6', 1, 3, '"Z"'], ['rows:4:5', 2, 2, '"\\t"'], ['rows:4:4', 2, 1, 'another start, ^'],
+  assert.deepEqual(faults.map(({ place, found }) => [place, found]), [
+    ['rows:1:3', '"?"'], ['rows:2:4', '"Z"'], ['rows:3:3', '"\\t"'], ['rows:3:2', 'another start, ^'],
   ]);
   assert.match(faults[0].expected, /^one of .*# b.* or a blank$/);
-  assert.match(faults[0].message, /^rows:2:5: found "\?", expected one of/);
+  assert.match(faults[0].message, /^rows:1:3: found "\?", expected one of/);
 });
 
 test('rows without a start, and no rows at all', () => {
@@ -126,6 +126,14 @@ test('in words: objects, what hides behind a step, nothing, and portals', async 
   }
   assert.match([...told].join('\n'), /a way to \w+.* at \d/);
   assert.equal(describeView(engineOf(new Session(await loadModule('simd'))), 320, 200), '');
+});
+
+test('where there is no document the element can be imported, and does nothing', async () => {
+  assert.equal(globalThis.document, undefined);
+  const { RayCaster, apiVersion, errorCodes: exported } = await import('../../web/ray-caster.js');
+  assert.equal(typeof RayCaster, 'function');
+  assert.equal(apiVersion, 1);
+  assert.equal(exported, errorCodes);
 });
 
 test('every code says what it means and what to do', () => {

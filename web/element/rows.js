@@ -1,6 +1,8 @@
 // A scene out of plain rows of characters, as one types them into a page: the north edge first, one character for each tile.
 //
-//     const scene = sceneOfRows('#####\n#>..#\n#####', {title: 'A room'});      // throws a Trouble that lists every fault with its row and column
+//     const scene = sceneOfRows('#####\n#>..#\n#####', {title: 'A room'});
+//
+// It throws a Trouble that lists every fault: rows:3:5 is the fifth character of the third row.
 //
 //     | characters      | what stands there                                                                          |
 //     | --------------- | ------------------------------------------------------------------------------------------ |
@@ -55,9 +57,9 @@ const kLegend = new Set([
 
 // An object as a scene file holds it, for the folder of the shipped scenes; `name` stands in messages.
 export function sceneOfRows(text, { title = 'A map', name = 'rows' } = {}) {
-  const { rows, firstLine, indentation } = rowsOf(text);
+  const rows = rowsOf(text);
   const tiles = rows.flatMap((row, y) => row.map((character, x) => ({ character, x, y })));
-  const faults = faultsOf(tiles, (tile, found, expected) => faultAt({ name, firstLine, indentation, tile, found, expected }));
+  const faults = faultsOf(tiles, (tile, found, expected) => faultAt(name, tile, found, expected));
   if (faults.length > 0) throw sceneFault(name, faults);
 
   const start = tiles.find(({ character }) => character in kHeadings);
@@ -93,12 +95,12 @@ function rowsOf(text) {
   const lines = text.replaceAll('\r', '').split('\n').map((line) => line.trimEnd());
   const isEmpty = (line) => line === '';
   const first = lines.findIndex((line) => !isEmpty(line));
-  if (first < 0) return { rows: [], firstLine: 1, indentation: 0 };
+  if (first < 0) return [];
   const kept = lines.slice(first, lines.findLastIndex((line) => !isEmpty(line)) + 1);
   const indentation = Math.min(...kept.filter((line) => !isEmpty(line)).map((line) => /^[ \t]*/.exec(line)[0].length));
   const rows = kept.map((line) => [...line.slice(indentation)]);
   const width = Math.max(...rows.map((row) => row.length));
-  return { rows: rows.map((row) => [...row, ...new Array(width - row.length).fill(' ')]), firstLine: first + 1, indentation };
+  return rows.map((row) => [...row, ...new Array(width - row.length).fill(' ')]);
 }
 
 function faultsOf(tiles, fault) {
@@ -110,13 +112,11 @@ function faultsOf(tiles, fault) {
   return [...unknown, ...starts.slice(1).map((tile) => fault(tile, `another start, ${tile.character}`, isStart))];
 }
 
-// As the engine tells faults; the line and the column are those of the text.
-function faultAt({ name, firstLine, indentation, tile, found, expected }) {
-  const { x = -1, y = -1 } = tile ?? {};
-  const line = tile === null ? 0 : firstLine + y;
-  const column = tile === null ? 0 : indentation + x + 1;
-  const message = `${name}${tile === null ? '' : `:${line}:${column}`}: found ${found}, expected ${expected}`;
-  return { file: name, pointer: '', line, column, row: y, character: x, found, expected, message };
+// As the engine tells faults. Line and column are those of the rows as they are shown, without what is left out; 0 where there is no place.
+function faultAt(name, tile, found, expected) {
+  const [line, column] = tile === null ? [0, 0] : [tile.y + 1, tile.x + 1];
+  const message = `${tile === null ? name : `${name}:${line}:${column}`}: found ${found}, expected ${expected}`;
+  return { file: name, pointer: '', line, column, row: -1, character: -1, found, expected, message };
 }
 
 function levelsOf(rows) {
