@@ -3,10 +3,9 @@
 //     const wanted = readAttributes(element);       // throws a Trouble with the code 'address' that names the attribute at fault
 //     reflectAttributes(RayCaster.prototype);
 
-import { parseOptions, parseView } from '../address.js';
+import { parseOptions, parseOverlay, parseView } from '../address.js';
 import { Trouble } from '../trouble.js';
 
-export const kOverlays = ['minimap', 'minimapRays', 'minimapTurns', 'playerPanel', 'processPanel', 'inspector', 'grid', 'slow'];
 export const kButtons = ['play', 'reset', 'overlay', 'save', 'share', 'fullscreen'];
 
 const kLargestSide = 4096; // pixels, as the engine's
@@ -23,9 +22,9 @@ export function readAttributes(element) {
   return {
     view: element.view === '' ? null : parseView(element.view),
     size: readSize(element.size),
-    controls: readList('controls', element.controls, kButtons),
+    controls: readControls(element.controls),
     options: parseOptions(element.options),
-    overlay: readList('overlay', element.overlay, kOverlays) ?? [],
+    overlay: parseOverlay(element.overlay),
     loading: readChoice('loading', element.loading, ['lazy', 'eager']),
     keys: readChoice('keys', element.keys, ['all', 'move', 'none']),
     engine: readChoice('engine', element.engine, ['auto', 'simd', 'scalar']),
@@ -74,15 +73,14 @@ function readChoice(name, text, choices) {
   return text;
 }
 
-// null without the attribute, all of them where it is empty but there.
-function readList(name, text, known) {
+// null without the attribute, all of them where it is there but empty.
+function readControls(text) {
   if (text === null) return null;
-  const words = text.split(/[\s,]+/).filter((word) => word !== '');
+  const words = text.split(/\s+/).filter((word) => word !== '');
   for (const word of words) {
-    if (!known.includes(word)) throw misread(name, word, `some of ${known.join(' ')}`);
+    if (!kButtons.includes(word)) throw misread('controls', word, `some of ${kButtons.join(' ')}`);
   }
-  if (words.length === 0) return name === 'controls' ? known : [];
-  return known.filter((word) => words.includes(word));
+  return words.length === 0 ? kButtons : kButtons.filter((word) => words.includes(word));
 }
 
 function misread(name, found, expected) {

@@ -2,9 +2,9 @@
 //
 //     const controls = new Controls(bar, barActions(element, show));
 
-import { formatView } from '../address.js';
-import { saveBlob } from './snapshot.js';
-import { kOverlays } from './attributes.js';
+import { kOverlays } from '../address.js';
+import { saveFile } from '../save-file.js';
+import { sharedParameters } from '../share-links.js';
 
 const kUsualOverlay = ['minimap'];
 
@@ -15,8 +15,13 @@ export function barActions(host, show) {
     overlay: () => toggleOverlays(host, show),
     save: () => save(host, show),
     share: () => share(host, show),
-    fullscreen: () => show.toggleFullScreen(),
+    fullscreen: () => toggleFullScreen(host, show),
   };
+}
+
+export function toggleFullScreen(host, show) {
+  if (host.matches(':fullscreen')) document.exitFullscreen();
+  else host.requestFullscreen?.().catch(() => show.showStatus('This page does not allow full screen'));
 }
 
 // Those of the attribute, or the map.
@@ -30,17 +35,21 @@ function toggleOverlays(host, show) {
 async function save(host, show) {
   const name = host.world.title.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'picture';
   try {
-    saveBlob(`${name}.png`, await host.snapshot());
+    saveFile(`${name}.png`, await host.snapshot());
     show.showStatus(`Saved as ${name}.png`);
   } catch (error) {
     show.showStatus(error.message);
   }
 }
 
-// The element as it stands in the page, with the present view.
+// The element as the page wrote it, with the view and the options of now.
 async function share(host, show) {
   const tag = host.cloneNode(true);
-  tag.setAttribute('view', formatView(host.currentView));
+  const { view, options, overlay } = sharedParameters({ reference: '', view: host.currentView, options: host.optionList });
+  for (const [name, value] of Object.entries({ view, options, overlay })) {
+    if (value === null) tag.removeAttribute(name);
+    else tag.setAttribute(name, value);
+  }
   if (show.source.address !== null) tag.setAttribute('scene', show.source.address.href);
   const script = `<script type="module" src="${new URL('../ray-caster.js', import.meta.url).href}"></` + 'script>';
   try {

@@ -17,6 +17,7 @@ export function showMessage(section, { code, title, message, faults }, retry) {
     ...(faults.length > 0 ? [node('ul', {}, ...faults.map(faultItem))] : []),
     ...(kHopeless.includes(code) ? [node('p', {}, node('slot'))] : [again]),
   );
+  section.classList.toggle('hopeless', kHopeless.includes(code));
   section.setAttribute('role', 'alert');
   // A long list is scrolled with the keys, so it must be reachable by them.
   section.tabIndex = faults.length > 0 ? 0 : -1;

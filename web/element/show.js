@@ -5,23 +5,26 @@
 //     show.connect();   show.update();   show.disconnect();
 //     show.play();      show.pause();
 
+import { kOverlays } from '../address.js';
 import { Stage } from '../stage.js';
 import { isEngineFailure } from '../trouble.js';
 import { Activation } from './activation.js';
-import { kOverlays } from './attributes.js';
-import { barActions } from './bar-actions.js';
+import { barActions, toggleFullScreen } from './bar-actions.js';
 import { asError, frameDetail, withResolvers } from './details.js';
 import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
+import { KeySheet } from './key-sheet.js';
 import { Loading } from './loading.js';
 import { forgetFiles, holdCache } from './page-cache.js';
+import { adoptStyles } from './styles.js';
 import { buildTree } from './tree.js';
 import { ViewStatus } from './view-status.js';
 import { watchVisibility } from './visibility.js';
 
 const kDeadMilliseconds = 500; // without a picture after a failure of some engine, it was this one's
 const kHeldHint = 'Escape leaves';
+const kKeysHint = 'Escape leaves, H shows the keys';
 const kCursorHint = 'The mouse’s place steers; Escape ends it';
 
 export class Show {
@@ -34,6 +37,7 @@ export class Show {
   #game;
   #activation;
   #viewStatus;
+  #keySheet;
   #life = null; // while the element is in the document: an AbortController
   #stage = null;
   #waiting = null; // of whenReady(): {promise, resolve, reject}
@@ -55,6 +59,7 @@ export class Show {
       changed: (isHeld) => this.#held(isHeld),
     });
     this.#viewStatus = new ViewStatus(this.#tree, () => this.engine);
+    this.#keySheet = new KeySheet(this.#tree.keys, { closed: () => this.#activation.focus() });
     host.addEventListener('fullscreenchange', () => this.showState());
   }
 
@@ -119,6 +124,7 @@ export class Show {
     this.#drop();
     this.#viewStatus.stop();
     this.#face.stop();
+    this.#keySheet.hide();
     this.error = null;
     this.#isSeen = this.#isAskedToPlay = false;
     this.#run();
@@ -163,7 +169,10 @@ export class Show {
   }
 
   #show(wanted) {
-    if (this.#stage.size !== wanted.size) this.#stage.setSize(wanted.size);
+    if (this.#stage.size !== wanted.size) {
+      adoptStyles(this.#tree.root, wanted.size === 'auto' ? null : wanted.size.replace('x', ' / '));
+      this.#stage.setSize(wanted.size);
+    }
     this.#activation.setKeys(wanted.keys);
     this.#face.attributes(wanted, this.ready !== null);
   }
@@ -235,7 +244,8 @@ export class Show {
   }
 
   #held(isHeld) {
-    this.#face.status(isHeld && !this.#tree.box.classList.contains('touched') ? kHeldHint : '');
+    if (isHeld) this.#keySheet.hide();
+    this.#face.status(!isHeld || this.#tree.box.classList.contains('touched') ? '' : this.#activation.keys === 'all' ? kKeysHint : kHeldHint);
     this.#run();
   }
 
@@ -279,11 +289,6 @@ export class Show {
 
   focus(options) {
     this.#activation.focus(options);
-  }
-
-  toggleFullScreen() {
-    if (this.#host.matches(':fullscreen')) document.exitFullscreen();
-    else this.#host.requestFullscreen?.().catch(() => this.showStatus('This page does not allow full screen'));
   }
 
   whenReady() {
@@ -335,8 +340,12 @@ export class Show {
       case 'minimap':
         this.showState();
         break;
+      case 'help':
+        this.pause();
+        this.#keySheet.open(this.engine.keys);
+        break;
       case 'fullscreen':
-        this.toggleFullScreen();
+        toggleFullScreen(this.#host, this);
         break;
     }
   }

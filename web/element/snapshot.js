@@ -1,10 +1,8 @@
 // The view as an image file.
 //
 //     const blob = await snapshotOf(engine, {width: 1280, height: 800, type: 'image/png'});
-//     saveBlob('castle.png', blob);
 
 const kLargestSide = 4096; // pixels, as the engine's
-const kKeepMilliseconds = 10000; // until the browser has surely begun to read it
 
 export async function snapshotOf(engine, { width, height, type }) {
   for (const [name, side] of Object.entries({ width, height })) {
@@ -20,12 +18,4 @@ export async function snapshotOf(engine, { width, height, type }) {
   if (blob === null) throw new Error(`snapshot: this browser cannot make a picture of ${width} x ${height} pixels.`);
   if (blob.type !== type) throw new Error(`snapshot: found type ${type}, expected a type of image that this browser writes, as image/png.`);
   return blob;
-}
-
-export function saveBlob(name, blob) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), kKeepMilliseconds);
 }

@@ -1,6 +1,6 @@
 // How a <ray-caster> looks: one sheet for all of a document, adopted, so that no page has to allow inline styles.
 //
-//     adoptStyles(shadowRoot);
+//     adoptStyles(shadowRoot, '640 / 400');
 //
 // Things that can be pressed are blocks: square, lit from above, on a darker edge. A page colours them with --ray-caster-accent, --ray-caster-ink (behind
 // the picture and on the accent), --ray-caster-panel and --ray-caster-text.
@@ -12,6 +12,7 @@ const kSheet = `
   --panel: var(--ray-caster-panel, #221b20);
   --text: var(--ray-caster-text, #f7f1e1);
   --soft: color-mix(in srgb, var(--text) 78%, var(--panel));
+  --line: color-mix(in srgb, var(--text) 16%, transparent);
   --veil: color-mix(in srgb, var(--panel) 84%, transparent);
   --light: inset 0 1px 0 rgb(255 255 255 / 0.16), inset 0 -3px 0 rgb(0 0 0 / 0.36);
   --quick: 160ms;
@@ -43,7 +44,7 @@ p, h2, ul { margin: 0; padding: 0; }
   color: var(--text);
   background: var(--ink);
 }
-.stage, .poster, .cover, .message { position: absolute; inset: 0; }
+.stage, .poster, .cover { position: absolute; inset: 0; }
 .stage { overflow: hidden; }
 .stage:focus { outline: none; }
 .frame { position: absolute; }
@@ -92,14 +93,13 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 /* ---- The bar. It leaves while somebody plays and does not point at it. */
 
 .controls { position: absolute; inset: auto 0 0; display: flex; padding: 0 4px; background: var(--veil); transition: opacity var(--quick); }
-.controls button { display: grid; place-items: center; flex: none; width: 44px; height: 44px; padding: 0; color: var(--soft); background: none; }
+.controls button { display: grid; place-items: center; flex: 0 1 44px; min-width: 0; height: 44px; padding: 0; color: var(--soft); background: none; }
 .controls button:hover { color: var(--text); box-shadow: inset 0 -2px 0 var(--accent); }
 .controls button[aria-pressed="true"] { color: var(--accent); }
 .controls button:disabled { opacity: 0.4; cursor: default; box-shadow: none; }
 .controls .space { flex: 1; }
 .box[data-state="playing"]:not(:hover) .controls:not(:focus-within) { opacity: 0; transition: opacity calc(2 * var(--quick)) 600ms; }
 .box[data-state="error"] .controls { display: none; }
-@container (max-width: 260px) { .controls button { width: 36px; } }
 
 /* ---- What goes on */
 
@@ -108,19 +108,27 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 .status { position: absolute; left: 50%; top: 8px; width: max-content; max-width: calc(100% - 16px); transform: translateX(-50%); text-align: center; padding: 4px 12px; font-size: 13px; color: var(--text); background: var(--veil); pointer-events: none; }
 .status:empty { padding: 0; }
 
-/* ---- What is wrong */
+/* ---- Sheets over the picture: what is wrong, and the keys */
 
-.message { display: flex; flex-direction: column; gap: 12px; padding: 20px; overflow: auto; overscroll-behavior: auto; background: color-mix(in srgb, var(--panel) 94%, transparent); }
-.message h2 { font-size: 17px; line-height: 1.3; font-weight: 700; padding-left: 12px; box-shadow: inset 4px 0 0 #e3835f; text-wrap: balance; }
-.message p { max-width: 70ch; color: var(--soft); overflow-wrap: anywhere; text-wrap: pretty; }
-.message ul { flex: none; list-style: none; border-bottom: 1px solid var(--veil); }
-.message li { padding: 8px 0; border-top: 1px solid color-mix(in srgb, var(--text) 16%, transparent); overflow-wrap: anywhere; }
+.sheet { position: absolute; inset: 0; display: flex; flex-direction: column; gap: 12px; padding: 20px; overflow: auto; background: color-mix(in srgb, var(--panel) 94%, transparent); }
+.sheet h2 { font-size: 17px; line-height: 1.3; font-weight: 700; text-wrap: balance; }
+.sheet p { max-width: 70ch; color: var(--soft); overflow-wrap: anywhere; text-wrap: pretty; }
+.sheet .again { flex: none; align-self: start; min-height: 36px; padding: 4px 16px 6px; font-weight: 600; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
+.sheet .again:hover { color: var(--ink); background: var(--accent); }
+.message h2 { padding-left: 12px; box-shadow: inset 4px 0 0 #e3835f; }
+.message ul { flex: none; list-style: none; border-bottom: 1px solid var(--line); }
+.message li { padding: 8px 0; border-top: 1px solid var(--line); overflow-wrap: anywhere; }
 .message .place { font-weight: 600; font-variant-numeric: tabular-nums; }
 .message .inside { color: var(--soft); font-size: 13px; }
 .message .found { color: #f0a183; }
-.message .again { flex: none; align-self: start; min-height: 36px; padding: 4px 16px 6px; font-weight: 600; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
-.message .again:hover { color: var(--ink); background: var(--accent); }
-@container (max-width: 420px) { .message { padding: 12px; gap: 8px; } }
+/* Where there never will be a picture, the poster stays */
+.poster:not([hidden]) ~ .message.hopeless { inset: auto 0 0; max-height: 75%; }
+.keys .again { position: absolute; top: 14px; right: 20px; }
+.keys dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(280px, 100%), 1fr)); gap: 4px 24px; margin: 0; }
+.keys dl div { display: grid; grid-template-columns: 124px 1fr; align-items: baseline; gap: 8px; }
+.keys dd { margin: 0; color: var(--soft); }
+.keys kbd { display: inline-block; min-width: 24px; margin: 0 4px 2px 0; padding: 0 6px 2px; font: inherit; font-size: 12px; text-align: center; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
+@container (max-width: 420px) { .sheet { padding: 12px; gap: 8px; } .keys .again { top: 6px; right: 12px; } }
 
 /* ---- Touch: only while it is played by a finger */
 
@@ -163,9 +171,9 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 }
 
 @media (forced-colors: active) {
-  .glyph, .controls, .controls button, .leave, .status:not(:empty), .hint, .message, .message .again { border: 1px solid ButtonText; color: ButtonText; background: ButtonFace; forced-color-adjust: none; }
+  .glyph, .controls, .controls button, .leave, .status:not(:empty), .hint, .sheet, .sheet .again, .keys kbd { border: 1px solid ButtonText; color: ButtonText; background: ButtonFace; forced-color-adjust: none; }
   .cover:is(:hover, :focus-visible) .glyph, .controls button:is(:hover, [aria-pressed="true"]) { color: HighlightText; background: Highlight; }
-  .message, .message p, .message .found, .message .inside { color: CanvasText; background: Canvas; }
+  .sheet, .sheet p, .message .found, .message .inside, .keys dd { color: CanvasText; background: Canvas; }
   .progress::before { background: Highlight; }
   .box.engaged:focus-within::after, .box:has(.cover:focus-visible)::after { outline: 3px solid Highlight; outline-offset: -3px; }
 }
@@ -173,13 +181,14 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 
 const sheets = new WeakMap(); // document -> its sheet: one cannot serve two
 
-export function adoptStyles(root) {
+// `ratio` is that of the picture, as CSS writes it, where it has one of its own.
+export function adoptStyles(root, ratio = null) {
   const { ownerDocument } = root;
-  let sheet = sheets.get(ownerDocument);
-  if (sheet === undefined) {
-    sheet = new (ownerDocument.defaultView ?? globalThis).CSSStyleSheet();
-    sheet.replaceSync(kSheet);
-    sheets.set(ownerDocument, sheet);
-  }
-  root.adoptedStyleSheets = [sheet];
+  const make = (text) => {
+    const sheet = new (ownerDocument.defaultView ?? globalThis).CSSStyleSheet();
+    sheet.replaceSync(text);
+    return sheet;
+  };
+  if (!sheets.has(ownerDocument)) sheets.set(ownerDocument, make(kSheet));
+  root.adoptedStyleSheets = [sheets.get(ownerDocument), ...(ratio === null ? [] : [make(`:host { aspect-ratio: ${ratio}; }`)])];
 }

@@ -19,9 +19,10 @@ export function buildTree(root) {
   const progress = node('div', { class: 'progress', role: 'progressbar', 'aria-label': 'Loading', 'aria-valuemin': '0', 'aria-valuemax': '100', hidden: '' });
   const status = node('p', { class: 'status', part: 'status', role: 'status' });
   const seen = node('p', { class: 'unseen', id: 'seen', 'aria-live': 'off' });
-  const message = node('section', { class: 'message', part: 'message', hidden: '' });
-  const box = node('div', { class: 'box' }, stage, poster, cover, leave, controls, progress, status, seen, message);
+  const message = node('section', { class: 'sheet message', part: 'message', hidden: '' });
+  const keys = node('section', { class: 'sheet keys', role: 'dialog', 'aria-labelledby': 'keys-title', hidden: '' });
+  const box = node('div', { class: 'box' }, stage, poster, cover, leave, controls, progress, status, seen, keys, message);
   root.append(box);
   adoptStyles(root);
-  return { root, box, stage, frame, poster, cover, hint, leave, controls, progress, status, seen, message, canvas: null };
+  return { root, box, stage, frame, poster, cover, hint, leave, controls, progress, status, seen, keys, message, canvas: null };
 }
