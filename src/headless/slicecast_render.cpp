@@ -1,4 +1,4 @@
-// slicecast-render: draws one view of a scene into a PNG file, without a screen; or tells what one of its columns meets.
+// slicecast-render: draws one view of a scene into a PNG file, without a screen; or tells what one of its columns meets and what it took to draw it.
 
 #include "base/image.h"
 #include "headless/replay_file.h"
@@ -7,6 +7,7 @@
 #include "headless/write_file.h"
 #include "session/hits_json.h"
 #include "session/session.h"
+#include "session/trace_json.h"
 
 #include <CLI/CLI.hpp>
 
@@ -35,7 +36,8 @@ struct Arguments {
     std::vector<std::string> options;  // OPTION=VALUE
     std::string replay;
     std::string at;
-    std::string column;
+    std::string hits;
+    std::string trace;
     std::string out;
 };
 
@@ -56,6 +58,7 @@ std::string footer() {
         "  slicecast-render castle.json --map cellar --eye 4,4,0.5,0,0 --set light=off --set detail=off --out cellar.png\n"
         "  slicecast-render castle.json --time 2.5 --out later.png\n"
         "  slicecast-render castle.json --hits 640 > hits.json\n"
+        "  slicecast-render castle.json --size 320x200 --trace all > trace.json\n"
         "  slicecast-render castle.json --replay castle.txt --at on-the-bridge --out bridge.png\n"
         "\nAn eye is X,Y,Z in units (x to the east, y to the south, z up from the floor), a heading in degrees (0 east, 90 south) and a look\n"
         "in screen heights (0 level, positive up). The exit status is 1 for a faulty scene and 2 for a wrong command line.\n";
@@ -72,8 +75,9 @@ void describeArguments(CLI::App& cli, Arguments& arguments) {
     cli.add_option("--set", arguments.options, "set an option of the view; see below")->type_name("OPTION=VALUE")->allow_extra_args(false);
     CLI::Option* replay = cli.add_option("--replay", arguments.replay, "recording to play first, from the scene's start")->type_name("FILE")->excludes(time);
     cli.add_option("--at", arguments.at, "how much of it: a number of steps (1/120 s) or the name of a mark; without it, all")->type_name("STEP")->needs(replay);
-    cli.add_option("--hits", arguments.column, "print what this column of the picture meets, as JSON; 0 is the leftmost")->type_name("COLUMN");
-    cli.add_option("--out", arguments.out, "PNG file to write; may be left out with --hits")->type_name("PICTURE.png");
+    CLI::Option* hits = cli.add_option("--hits", arguments.hits, "print what this column of the picture meets, as JSON; 0 is the leftmost")->type_name("COLUMN");
+    cli.add_option("--trace", arguments.trace, "print everything that was done to draw this column, or \"all\" of them, as JSON")->type_name("COLUMN")->excludes(hits);
+    cli.add_option("--out", arguments.out, "PNG file to write; may be left out with --hits or --trace")->type_name("PICTURE.png");
     cli.footer(footer());
 }
 
@@ -156,7 +160,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& fault) {
         return cli.exit(fault) == 0 ? 0 : kWrongUse;
     }
-    if (arguments.out.empty() && arguments.column.empty()) return fail("nothing to do; expected --out PICTURE.png, --hits COLUMN or both", kWrongUse);
+    const std::string& asked = arguments.hits.empty() ? arguments.trace : arguments.hits;  // at most one of them
+    if (arguments.out.empty() && asked.empty()) return fail("nothing to do; expected --out PICTURE.png, --hits COLUMN or --trace COLUMN", kWrongUse);
     PictureSize size;
     if (!arguments.size.empty()) {
         const Read<PictureSize> read = readSize(arguments.size);
@@ -164,9 +169,10 @@ int main(int argc, char** argv) {
         size = *read.value;
     }
     int column = 0;
-    if (!arguments.column.empty()) {
-        const Read<int> read = readColumn(arguments.column, size.width);
-        if (!read.value) return fail("--hits: " + read.fault, kWrongUse);
+    const bool isWhole = arguments.trace == "all";
+    if (!asked.empty() && !isWhole) {
+        const Read<int> read = readColumn(asked, size.width);
+        if (!read.value) return fail((arguments.hits.empty() ? "--trace: " : "--hits: ") + read.fault, kWrongUse);
         column = *read.value;
     }
 
@@ -188,6 +194,12 @@ int main(int argc, char** argv) {
         const std::string fault = drawTo(arguments.out, session, size);
         if (!fault.empty()) return fail(fault, 1);
     }
-    if (!arguments.column.empty()) std::fputs(hitsJson(session, arguments.scene, size.width, size.height, column).c_str(), stdout);
+    if (!asked.empty()) {
+        const auto [width, height] = size;
+        const std::string text = isWhole                  ? frameTraceJson(session, arguments.scene, width, height)
+                                 : arguments.hits.empty() ? traceJson(session, arguments.scene, width, height, column)
+                                                          : hitsJson(session, arguments.scene, width, height, column);
+        std::fputs(text.c_str(), stdout);
+    }
     return std::fflush(stdout) == 0 ? 0 : fail("the standard output cannot be written", 1);
 }

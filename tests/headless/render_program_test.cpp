@@ -163,6 +163,23 @@ TEST(RenderProgram, TellsTheHitsOfAColumn) {
     EXPECT_EQ(json["planes"][1]["last"].GetInt(), 25);
 }
 
+TEST(RenderProgram, TellsTheTraceOfAColumnOrOfAll) {
+    const TestFolder folder;
+    const std::string scene = corridor(folder);
+    rapidjson::Document json;
+    const Finished column = render({scene, "--eye", "1.5,2.5,0.5,0,0", "--fov", "90", "--size", "64x64", "--trace", "32"});
+    ASSERT_EQ(column.status, 0) << column.err;
+    ASSERT_FALSE(json.Parse(column.out.c_str()).HasParseError()) << column.out;
+    EXPECT_EQ(json["walk"][1]["depth"].GetDouble(), 0.5);
+    EXPECT_EQ(json["runs"][0]["what"], "side");
+    EXPECT_NEAR(json["runs"][0]["texels"][0]["depth"].GetDouble(), 2.5, 1e-12);
+    const Finished all = render({scene, "--eye", "1.5,2.5,0.5,0,0", "--size", "64x48", "--trace", "all"});
+    ASSERT_EQ(all.status, 0) << all.err;
+    ASSERT_FALSE(json.Parse(all.out.c_str()).HasParseError()) << all.out;
+    EXPECT_EQ(json["columns"]["nearest"].Size(), 64u);
+    EXPECT_EQ(json["totals"]["rowsFilled"].GetInt(), 64 * 48);
+}
+
 TEST(RenderProgram, HasNullForWhatIsInfinite) {
     const TestFolder folder;
     const Finished finished = render({corridor(folder), "--eye", "0.5,3.5,0.5,0,0", "--size", "64x64", "--hits", "32"});
@@ -189,7 +206,7 @@ TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
     const std::string out = (folder / "picture.png").string();
     const std::vector<WrongUse> uses = {
         {{}, "SCENE is required"},
-        {{kScene}, "expected --out PICTURE.png, --hits COLUMN or both"},
+        {{kScene}, "expected --out PICTURE.png, --hits COLUMN or --trace COLUMN"},
         {{kScene, "--out", out, "--size", "64"}, "found \"64\", expected WxH in pixels"},
         {{kScene, "--out", out, "--size", "0x5"}, "found \"0x5\""},
         {{kScene, "--out", out, "--size", "8193x5"}, "8192x8192"},
@@ -212,6 +229,8 @@ TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
         {{kScene, "--hits", "64", "--size", "64x48"}, "found \"64\", expected a column of the picture, 0 to 63"},
         {{kScene, "--hits", "-1"}, "0 to 1279"},
         {{kScene, "--hits", "middle"}, "found \"middle\""},
+        {{kScene, "--trace", "64", "--size", "64x48"}, "--trace: found \"64\", expected a column of the picture, 0 to 63"},
+        {{kScene, "--trace", "1", "--hits", "1"}, "--hits"},
         {{kScene, "--out", out, "--quick"}, "--quick"},
     };
     for (const WrongUse& use : uses) {
@@ -243,7 +262,7 @@ TEST(RenderProgram, TellsTheFaultsOfAScene) {
 TEST(RenderProgram, HasHelp) {
     const Finished finished = render({"--help"});
     EXPECT_EQ(finished.status, 0);
-    for (const char* word : {"--map", "--eye", "--time", "--size", "--fov", "--set", "--hits", "--out", "Examples:"}) {
+    for (const char* word : {"--map", "--eye", "--time", "--size", "--fov", "--set", "--hits", "--trace", "--out", "Examples:"}) {
         EXPECT_NE(finished.out.find(word), std::string::npos) << word;
     }
     for (const OptionInfo& option : knownOptions()) EXPECT_NE(finished.out.find("  " + std::string(option.name) + " "), std::string::npos) << option.name;

@@ -1,0 +1,83 @@
+// Putting a picture on the canvas costs what one putImageData of a view on the engine's memory costs, and nothing on top.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch, openScene } from './browser.mjs';
+
+const kFrames = 60;
+const kSlack = 1.3; // of the medians; a copy of the picture on the way would double them
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+// Notes, for each picture, what is handed to the canvas, and the time from when it was drawn (the program's last look at the clock) to when it is there.
+function watch() {
+  window.shown = [];
+  let drawn = 0;
+  const now = performance.now.bind(performance);
+  performance.now = () => (drawn = now());
+  const { prototype } = CanvasRenderingContext2D;
+  const { putImageData } = prototype;
+  prototype.putImageData = function put(image, ...place) {
+    putImageData.call(this, image, ...place);
+    window.shown.push({ image, place, milliseconds: now() - drawn });
+  };
+  for (const name of ['drawImage', 'createImageData', 'getImageData']) {
+    const original = prototype[name];
+    prototype[name] = function call(...parameters) {
+      window.shown.push({ call: name });
+      return original.apply(this, parameters);
+    };
+  }
+  // A picture's worth of bytes of the memory put on a canvas of the same size: the least that presenting can be.
+  window.putAgain = ({ image, place }, context) => {
+    const view = new ImageData(new Uint8ClampedArray(image.data.buffer, image.data.byteOffset, image.data.length), image.width, image.height);
+    const begin = now();
+    putImageData.call(context, view, ...place);
+    return now() - begin;
+  };
+}
+
+test('a picture is put on the canvas straight out of the memory, in the time that this takes', async (t) => {
+  const { page } = await openScene(t, browser, { viewport: { width: 1280, height: 720 }, prepare: (newPage) => newPage.addInitScript(watch) });
+  const result = await page.evaluate(async (frames) => {
+    const nextFrame = () => new Promise((resolve) => { requestAnimationFrame(resolve); });
+    const other = document.createElement('canvas');
+    const engine = window.slicecast.engine;
+    engine.resize(1280, 720);
+    await nextFrame();
+    await nextFrame();
+    Object.assign(other, { width: 1280, height: 720 });
+    const context = other.getContext('2d', { alpha: false });
+    const bare = [];
+    window.shown.length = 0;
+    for (let i = 0; i < frames; ++i) {
+      engine.look({ heading: i });
+      await nextFrame();
+      await nextFrame();
+      bare.push(window.putAgain(window.shown.at(-1), context));
+    }
+    const median = (numbers) => [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)];
+    const calls = window.shown.filter(({ call }) => call !== undefined).map(({ call }) => call);
+    const pictures = window.shown.filter(({ image }) => image !== undefined);
+    return {
+      calls,
+      count: pictures.length,
+      sizes: [...new Set(pictures.map(({ image }) => `${image.width}x${image.height}`))],
+      isView: pictures.every(({ image }) => image.data.buffer.byteLength === engine.memoryBytes),
+      objects: new Set(pictures.map(({ image }) => image)).size,
+      presenting: median(pictures.map(({ milliseconds }) => milliseconds)),
+      putting: median(bare),
+    };
+  }, kFrames);
+  t.diagnostic(`presenting ${result.presenting.toFixed(2)} ms, putImageData alone ${result.putting.toFixed(2)} ms`);
+  assert.deepEqual(result.calls, []);
+  assert.equal(result.count, kFrames, 'one for each picture');
+  assert.deepEqual(result.sizes, ['1280x720']);
+  assert.ok(result.isView, "the bytes are the engine's own memory");
+  assert.equal(result.objects, 1, 'and are wrapped once');
+  assert.ok(result.presenting <= result.putting * kSlack + 0.1, `presenting takes ${result.presenting} ms, putImageData ${result.putting} ms`);
+});
