@@ -54,7 +54,8 @@ class Scene {
   }
 
   get world() {
-    return this.#engine.world;
+    const { title, maps } = this.#engine.world;
+    return { title, maps };
   }
 
   get currentView() {

@@ -1,0 +1,198 @@
+// The element is what the table of its interface says, row by row, and nothing else: web/element/api.json against the class in Chromium.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+
+import { launch } from './browser.mjs';
+import { roomFiles, roomScene } from './room.mjs';
+import { serve } from './static-server.mjs';
+
+const table = JSON.parse(readFileSync(new URL('../../web/element/api.json', import.meta.url), 'utf8'));
+const names = (rows) => rows.map(({ name }) => name);
+const sorted = (list) => [...list].sort();
+
+// What every custom element has for the browser's sake, and the focus that it hands on.
+const kCallbacks = ['connectedCallback', 'disconnectedCallback', 'connectedMoveCallback', 'adoptedCallback', 'attributeChangedCallback'];
+const kOfEveryElement = ['constructor', 'focus'];
+
+const portalScene = {
+  ...roomScene(),
+  maps: ['room', 'next'].map((name) => ({
+    ...roomScene().maps[0], name, portals: name === 'room' ? [{ x: 4, y: 3, to: { map: 'next', x: 2, y: 3 } }] : [],
+  })),
+};
+
+const kPage = `<!doctype html><title>The table</title><style>ray-caster { display: block; width: 320px; height: 200px }</style>
+<script type="module">
+  import * as slicecast from './ray-caster.js';
+  window.slicecast = slicecast;
+</script>`;
+
+let browser;
+let server;
+let page;
+
+before(async () => {
+  browser = await launch();
+  server = await serve({
+    files: { ...roomFiles(), 'table.html': kPage, 'scenes/portal.json': JSON.stringify(portalScene), 'scenes/broken.json': '{"title": 7}' },
+  });
+  page = await browser.newPage({ viewport: { width: 800, height: 600 } });
+  await page.goto(`${server.address}table.html`);
+  await page.waitForFunction(() => window.slicecast !== undefined);
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.close();
+});
+
+test('the module exports what the table lists', async () => {
+  assert.deepEqual(await page.evaluate(() => Object.keys(slicecast).sort()), sorted(names(table.exports)));
+  assert.equal(await page.evaluate(() => slicecast.apiVersion), table.apiVersion);
+  assert.deepEqual(await page.evaluate(() => Object.keys(slicecast.errorCodes).sort()), sorted(table.errorCodes));
+  assert.ok(await page.evaluate((tag) => customElements.get(tag) === slicecast.RayCaster, table.tag));
+});
+
+test('nothing is public on the class that the table does not list', async () => {
+  const found = await page.evaluate(() => ({
+    prototype: Object.getOwnPropertyNames(slicecast.RayCaster.prototype),
+    statics: Object.getOwnPropertyNames(slicecast.RayCaster).filter((name) => !['length', 'name', 'prototype'].includes(name)),
+    instance: Object.getOwnPropertyNames(document.createElement('ray-caster')),
+  }));
+  const listed = [...names(table.attributes), ...names(table.properties), ...names(table.methods)];
+  assert.deepEqual(sorted(found.prototype.filter((name) => !kCallbacks.includes(name))), sorted([...listed, ...kOfEveryElement]));
+  assert.deepEqual(found.statics, ['observedAttributes']);
+  assert.deepEqual(found.instance, []);
+});
+
+test('each attribute is observed and reflects', async () => {
+  assert.deepEqual(await page.evaluate(() => [...slicecast.RayCaster.observedAttributes].sort()), sorted(names(table.attributes)));
+  for (const { name, type, values, default: standard } of table.attributes) {
+    const value = type === 'boolean' ? true : values?.at(-1) ?? '1,2,3,4';
+    const found = await page.evaluate(([attribute, given]) => {
+      const element = document.createElement('ray-caster');
+      const without = element[attribute];
+      element[attribute] = given;
+      const asAttribute = element.getAttribute(attribute);
+      const other = document.createElement('ray-caster');
+      other.setAttribute(attribute, given === true ? '' : given);
+      const asProperty = other[attribute];
+      other.removeAttribute(attribute);
+      return { without, asAttribute, asProperty, again: other[attribute] };
+    }, [name, value]);
+    assert.deepEqual(found, { without: standard, asAttribute: value === true ? '' : value, asProperty: value, again: standard }, name);
+  }
+});
+
+test('each property can only be read, and is there from the beginning', async () => {
+  for (const { name, readonly, default: standard } of table.properties) {
+    const found = await page.evaluate((property) => {
+      const { get, set } = Object.getOwnPropertyDescriptor(slicecast.RayCaster.prototype, property);
+      return { isRead: typeof get === 'function', isWritten: typeof set === 'function', without: document.createElement('ray-caster')[property] };
+    }, name);
+    assert.deepEqual(found, { isRead: true, isWritten: !readonly, without: standard }, name);
+  }
+});
+
+test('each method takes what the table says, and needs a scene where the table says so', async () => {
+  for (const { name, parameters, needsScene = false } of table.methods) {
+    const found = await page.evaluate(async (method) => {
+      const element = document.createElement('ray-caster');
+      const call = async () => element[method]('fov', '60');
+      const code = method === 'whenReady' ? null : await call().then(() => null, (error) => error.code);
+      return { length: element[method].length, needsScene: code === 'not-ready' };
+    }, name);
+    const withoutDefault = parameters.findIndex((row) => row.default !== undefined);
+    assert.deepEqual(found, { length: withoutDefault < 0 ? parameters.length : withoutDefault, needsScene }, name);
+  }
+});
+
+test('each method gives what the table says', async () => {
+  const kinds = await page.evaluate(async () => {
+    const element = document.body.appendChild(Object.assign(document.createElement('ray-caster'), { scene: 'room', size: '64x40' }));
+    const ready = await element.whenReady();
+    const column = 32;
+    const kindOf = (value) => (value instanceof Blob ? 'Blob' : value === null ? 'null' : typeof value);
+    const found = {
+      play: kindOf(element.play()),
+      pause: kindOf(element.pause()),
+      reset: kindOf(element.reset()),
+      step: kindOf(element.step(2, { forward: 1 })),
+      set: kindOf(element.set('fov', 70)),
+      get: kindOf(element.get('fov')),
+      look: kindOf(element.look('2.5,2.5,0.6,90')),
+      snapshot: kindOf(await element.snapshot({ width: 32, height: 20 })),
+      hits: kindOf(element.hits(column)),
+      trace: kindOf(element.trace(column)),
+      whenReady: kindOf(ready),
+    };
+    element.remove();
+    return found;
+  });
+  const expected = { void: 'undefined', string: 'string', boolean: 'boolean', 'Promise<Blob>': 'Blob' };
+  assert.deepEqual(kinds, Object.fromEntries(table.methods.map(({ name, returns }) => [name, expected[returns.type] ?? 'object'])));
+});
+
+test('each event comes, with the details of its shape, and does not bubble', async () => {
+  const heard = await page.evaluate(async (events) => {
+    const found = {};
+    const hear = (element) => events.forEach((name) => element.addEventListener(name, (event) => {
+      found[name] = { isCustom: event instanceof CustomEvent, bubbles: event.bubbles, composed: event.composed, detail: event.detail };
+    }));
+    const add = (scene) => {
+      const element = Object.assign(document.createElement('ray-caster'), { scene, size: '64x40' });
+      hear(element);
+      return document.body.appendChild(element);
+    };
+    const walker = add('portal');
+    await walker.whenReady();
+    walker.step(240, { forward: 1 });
+    const broken = add('broken');
+    await broken.whenReady().catch(() => {});
+    for (let wait = 0; events.some((name) => !(name in found)) && wait < 40; ++wait) await new Promise((resolve) => setTimeout(resolve, 50));
+    walker.remove();
+    broken.remove();
+    return found;
+  }, names(table.events));
+  for (const { name, detail } of table.events) {
+    const { fields } = table.types.find((shape) => shape.name === detail);
+    assert.ok(name in heard, `${name} never came`);
+    assert.deepEqual({ ...heard[name], detail: sorted(Object.keys(heard[name].detail)) },
+      { isCustom: true, bubbles: false, composed: false, detail: sorted(names(fields)) }, name);
+  }
+  const fault = table.types.find((shape) => shape.name === 'Fault');
+  assert.deepEqual(sorted(Object.keys(heard.error.detail.faults[0])), sorted(names(fault.fields)));
+});
+
+test('slots, parts and custom properties are those of the table', async () => {
+  const found = await page.evaluate(async () => {
+    const add = (attributes) => {
+      const element = Object.assign(document.createElement('ray-caster'), attributes);
+      document.body.append(element);
+      return element;
+    };
+    const ready = add({ scene: 'room', controls: '', poster: 'favicon.svg' });
+    const broken = add({ scene: 'broken' });
+    await ready.whenReady();
+    await broken.whenReady().catch(() => {});
+    const { validate } = WebAssembly;
+    WebAssembly.validate = undefined;
+    const unable = add({ scene: 'room', engine: 'scalar' });
+    await unable.whenReady().catch(() => {});
+    WebAssembly.validate = validate;
+    const inside = (selector) => [ready, broken, unable].flatMap((element) => [...element.shadowRoot.querySelectorAll(selector)]);
+    const rules = ready.shadowRoot.adoptedStyleSheets.flatMap((sheet) => [...sheet.cssRules].map((rule) => rule.cssText)).join('\n');
+    const result = {
+      parts: [...new Set(inside('[part]').flatMap((node) => [...node.part]))],
+      slots: inside('slot').map(({ name }) => name),
+      properties: [...new Set(rules.match(/--ray-caster-[\w-]+/g))],
+    };
+    for (const element of [ready, broken, unable]) element.remove();
+    return result;
+  });
+  assert.deepEqual(sorted(found.parts), sorted(names(table.cssParts)));
+  assert.deepEqual(sorted(found.slots), sorted(names(table.slots)));
+  assert.deepEqual(sorted(found.properties), sorted(names(table.cssProperties)));
+});

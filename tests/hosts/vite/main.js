@@ -1,0 +1,3 @@
+import { apiVersion } from 'slicecast';
+
+document.documentElement.dataset.apiVersion = apiVersion;
