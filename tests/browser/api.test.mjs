@@ -139,7 +139,7 @@ test('each event comes, with the details of its shape, and does not bubble', asy
   const heard = await page.evaluate(async (events) => {
     const found = {};
     const hear = (element) => events.forEach((name) => element.addEventListener(name, (event) => {
-      found[name] = { isCustom: event instanceof CustomEvent, bubbles: event.bubbles, composed: event.composed, detail: event.detail };
+      found[name] = { isCustom: event instanceof CustomEvent, bubbles: event.bubbles, composed: event.composed, detail: { ...event.detail } };
     }));
     const add = (scene) => {
       const element = Object.assign(document.createElement('ray-caster'), { scene, size: '64x40' });

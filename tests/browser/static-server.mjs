@@ -25,15 +25,15 @@ const kTypes = {
 };
 
 // `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function that gives one of them. `headers` go with every answer,
-// what `isSlow(path)` picks comes in pieces. `asked` lists the paths in the order in which they were wanted.
-export async function serve({ files = {}, prefix = '/', headers = {}, types = {}, isSlow = () => false } = {}) {
+// what `isSlow(path)` picks comes in pieces. `asked` lists the paths in the order in which they were wanted. `folder` is another one than the page's.
+export async function serve({ folder = kPage, files = {}, prefix = '/', headers = {}, types = {}, isSlow = () => false } = {}) {
   const asked = [];
   const server = createServer(async (request, response) => {
     const address = decodeURIComponent(request.url.split(/[?#]/, 1)[0]);
     if (!address.startsWith(prefix)) return response.writeHead(404).end();
     const name = address.slice(prefix.length) || 'index.html';
     asked.push(name);
-    const content = await contentOf(name, files);
+    const content = await contentOf(folder, name, files);
     if (content === null) return response.writeHead(404, { 'Content-Type': 'text/plain' }).end('There is no such file.');
     const type = types[name] ?? kTypes[path.extname(name)] ?? 'application/octet-stream';
     response.writeHead(200, { 'Content-Type': type, 'Content-Length': content.length, ...headers });
@@ -59,8 +59,8 @@ async function sendInPieces(response, content) {
   }
 }
 
-async function contentOf(name, files) {
-  if (!(name in files)) return readFile(path.join(kPage, path.normalize(`/${name}`))).catch(() => null);
+async function contentOf(folder, name, files) {
+  if (!(name in files)) return readFile(path.join(folder, path.normalize(`/${name}`))).catch(() => null);
   const content = typeof files[name] === 'function' ? files[name]() : files[name];
   return content === null ? null : Buffer.from(content);
 }

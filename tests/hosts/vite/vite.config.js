@@ -1,4 +1,5 @@
 export default {
-  base: './',
+  publicDir: process.env.SLICECAST_PUBLIC,
+  cacheDir: process.env.SLICECAST_CACHE,
   optimizeDeps: { exclude: ['slicecast'] },
 };

@@ -1,0 +1,175 @@
+// The package as others use it: the packed file is installed, and drawn with in a plain page, a Vite app, a VitePress site and a program under Node.
+// Needs build/slicecast-VERSION.tgz (tools/package), and nothing from the network.
+
+import assert from 'node:assert/strict';
+import { execFile, spawn } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { cp, mkdir, readFile, readdir, rm } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+
+import { launch } from '../browser/browser.mjs';
+import { serve } from '../browser/static-server.mjs';
+
+const hosts = fileURLToPath(new URL('.', import.meta.url));
+const root = path.join(hosts, '../..');
+const installed = path.join(hosts, 'node_modules/slicecast');
+const built = path.join(root, 'build/hosts');
+const shared = path.join(built, 'public'); // what an app's own folder of files holds: the shipped scenes and their pictures
+
+const kArt = ['scenes', 'textures', 'see-through', 'sheets', 'sprites', 'tours'];
+const kSize = { width: 320, height: 200 };
+const kWaitMilliseconds = 15000;
+const kToolMilliseconds = 90000;
+
+const run = promisify(execFile);
+let tarball;
+let browser;
+let expected; // the picture's bytes, hashed
+
+before(async () => {
+  const names = (await readdir(path.join(root, 'build'))).filter((name) => /^slicecast-.*\.tgz$/.test(name));
+  assert.equal(names.length, 1, 'one packed file in build/, by tools/package');
+  tarball = path.join(root, 'build', names[0]);
+  await rm(installed, { recursive: true, force: true });
+  await run('npm', ['install', '--no-save', '--offline', '--no-audit', '--no-fund', '--ignore-scripts', tarball], { cwd: hosts });
+  await rm(built, { recursive: true, force: true });
+  for (const name of kArt) await cp(path.join(installed, name), path.join(shared, 'slicecast', name), { recursive: true });
+
+  const { load } = await import('slicecast/node');
+  const scene = await load('first-walk');
+  expected = hashOf(scene.picture(kSize).data);
+  scene.free();
+  browser = await launch();
+});
+
+after(() => browser?.close());
+
+function hashOf(bytes) {
+  return createHash('sha256').update(bytes).digest('hex');
+}
+
+// The element at an address draws the scene's picture, and nothing in the page complains.
+async function assertDraws(address) {
+  const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
+  page.setDefaultTimeout(kWaitMilliseconds);
+  const complaints = [];
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()));
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  try {
+    await page.goto(address);
+    const found = await page.evaluate(async () => {
+      await customElements.whenDefined('ray-caster');
+      const element = document.querySelector('ray-caster');
+      await element.whenReady().catch(() => {});
+      if (element.error !== null) return element.error;
+      const canvas = element.shadowRoot.querySelector('canvas');
+      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+      const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', data));
+      return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+    });
+    assert.deepEqual(complaints, []);
+    assert.deepEqual(found, expected);
+  } finally {
+    await page.close();
+  }
+}
+
+async function assertFolderDraws(folder) {
+  const server = await serve({ folder });
+  try {
+    await assertDraws(server.address);
+  } finally {
+    await server.close();
+  }
+}
+
+// The tools of the hosts run as commands, as their users run them. The folder of shared files reaches them by a variable.
+const toolOptions = { cwd: hosts, env: { ...process.env, SLICECAST_PUBLIC: shared, SLICECAST_CACHE: path.join(built, 'cache'), NO_COLOR: '1' } };
+
+function runTool(file, words) {
+  return run(process.execPath, [path.join(hosts, 'node_modules', file), ...words], { ...toolOptions, timeout: kToolMilliseconds });
+}
+
+// A tool that serves: its address, once it tells it, and a way to end it.
+function startTool(file, words) {
+  const child = spawn(process.execPath, [path.join(hosts, 'node_modules', file), ...words], { ...toolOptions, stdio: ['ignore', 'pipe', 'pipe'] });
+  const ended = new Promise((resolve) => child.on('close', resolve));
+  const address = new Promise((resolve, reject) => {
+    let said = '';
+    const hear = (text) => {
+      said += text;
+      const found = /http:\/\/localhost:\d+\//.exec(said);
+      if (found !== null) resolve(found[0]);
+    };
+    child.stdout.on('data', hear);
+    child.stderr.on('data', hear);
+    ended.then(() => reject(new Error(`${file} ends: ${said}`)));
+  });
+  return {
+    address,
+    end() {
+      child.kill();
+      return ended;
+    },
+  };
+}
+
+test('a plain page beside the copied folder', async () => {
+  const folder = path.join(built, 'plain');
+  await cp(path.join(hosts, 'plain'), folder, { recursive: true });
+  await cp(installed, path.join(folder, 'slicecast'), { recursive: true });
+  await assertFolderDraws(folder);
+});
+
+test('an app that Vite builds', async () => {
+  const outDir = path.join(built, 'vite');
+  await runTool('vite/bin/vite.js', ['build', 'vite', '--outDir', outDir, '--emptyOutDir', '--logLevel', 'warn']);
+  await assertFolderDraws(outDir);
+});
+
+test('an app that Vite serves while it is written', async () => {
+  const server = startTool('vite/bin/vite.js', ['vite', '--host', 'localhost', '--port', '5190']);
+  try {
+    await assertDraws(await server.address);
+  } finally {
+    await server.end();
+  }
+});
+
+test('a site that VitePress builds, its pages drawn on the server', async () => {
+  const outDir = path.join(built, 'vitepress');
+  await runTool('vitepress/bin/vitepress.js', ['build', 'vitepress', '--outDir', outDir]);
+  assert.match(await readFile(path.join(outDir, 'index.html'), 'utf8'), /<ray-caster scene="\/slicecast\/scenes\/first-walk.json"/);
+  await assertFolderDraws(outDir);
+});
+
+test('a site that VitePress serves while it is written', async () => {
+  const server = startTool('vitepress/bin/vitepress.js', ['dev', 'vitepress', '--host', 'localhost', '--port', '5191']);
+  try {
+    await assertDraws(await server.address);
+  } finally {
+    await server.end();
+  }
+});
+
+test('a program under Node', async () => {
+  const file = path.join(built, 'first-walk.png');
+  await mkdir(built, { recursive: true });
+  await run(process.execPath, [path.join(hosts, 'node/draw.mjs'), file]);
+  const { decode } = await import('fast-png');
+  const { width, height, data } = decode(await readFile(file));
+  assert.deepEqual({ width, height, hash: hashOf(data) }, { ...kSize, hash: expected });
+});
+
+test('publint finds nothing', async () => {
+  await run(process.execPath, [path.join(root, 'tests/node_modules/publint/src/cli.js'), tarball, '--strict']);
+});
+
+// It takes a page for a module, which nobody imports.
+test('the types are right', { skip: Number(process.versions.node.split('.')[0]) < 20 && 'its tool needs Node 20' }, async () => {
+  const tool = path.join(root, 'tests/node_modules/@arethetypeswrong/cli/dist/index.js');
+  await run(process.execPath, [tool, tarball, '--profile', 'esm-only', '--exclude-entrypoints', 'embed.html', '--no-color']);
+});
