@@ -117,11 +117,11 @@ function rows(kind, titles, all) {
   return `<table class="reference ${kind}">\n<thead><tr>${heads}</tr></thead>\n<tbody>\n${body.join('\n')}\n</tbody>\n</table>`;
 }
 
-function shape({ name, type: alias, fields, description }) {
+function shape({ name, type: alias, extends: base, fields, description }) {
   const lines = fields === undefined
     ? `<p>${typeText(alias)}</p>`
     : `<dl>${fields.map((field) => `<dt>${code(field.name + (field.optional ? '?' : ''))} ${typeText(field.type)}</dt><dd>${text(field.description)}</dd>`).join('')}</dl>`;
-  return `<details class="shape" id="shape-${name}"><summary>${code(name)} ${text(description)}</summary>${lines}</details>`;
+  return `<details class="shape" id="shape-${name}"><summary>${code(name)} ${text(description)}</summary>${base ? `<p>All of ${typeText(base)}, and:</p>` : ''}${lines}</details>`;
 }
 
 function snippet(source) {

@@ -11,9 +11,9 @@ export function declarations(table) {
   };
 }
 
-function shape({ name, type, fields, description }) {
+function shape({ name, type, extends: base, fields, description }) {
   if (fields === undefined) return `${comment(description)}export type ${name} = ${type};\n`;
-  return `${comment(description)}export interface ${name} {\n${fields.map((field) => indented(
+  return `${comment(description)}export interface ${name}${base ? ` extends ${base}` : ''} {\n${fields.map((field) => indented(
     `${comment(field.description)}${field.name}${field.optional ? '?' : ''}: ${field.type};`)).join('\n')}\n}\n`;
 }
 

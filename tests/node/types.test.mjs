@@ -1,0 +1,71 @@
+// The declarations made from the table compile strictly, refuse what is wrong, and describe what the engine really hands out.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { test } from 'node:test';
+import Ajv from 'ajv';
+
+import { load } from '../../build/web/node/index.js';
+import { complaints } from './types.mjs';
+
+const kSize = { width: 96, height: 60 };
+const kScenes = ['wayhouse', 'water-palace', 'garden', 'glassworks']; // portals, mirrors, objects, see-through faces
+
+test('a page that uses the element compiles', () => {
+  assert.deepEqual(complaints(`
+    import { apiVersion, errorCodes, RayCaster, type View } from './ray-caster.js';
+    const element = document.createElement('ray-caster');
+    const version: 1 = apiVersion;
+    element.addEventListener('error', ({ detail }) => console.log(errorCodes[detail.code].remedy, detail.faults[0]?.place));
+    element.addEventListener('click', ({ clientX }) => console.log(clientX));
+    element.addEventListener('anything', () => {});
+    const view: View | null = element.currentView;
+    element.keys = 'move';
+    element.step(2, { forward: 1, jump: true });
+    element.look({ heading: 90 });
+    const picture: Promise<Blob> = element.snapshot({ width: 320, height: 200 });
+    console.log(version, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals);`), []);
+});
+
+test('a program under Node compiles', () => {
+  assert.deepEqual(complaints(`
+    import { load, SceneError } from './node/index.js';
+    const scene = await load('castle', { engine: 'scalar' }).catch((error: SceneError) => { throw new Error(error.faults.join()); });
+    scene.set('fov', 75);
+    const bytes: Uint8Array = await scene.png({ width: 32, height: 20 });
+    console.log(scene.hits(3)?.hits, scene.trace(3)?.runs, scene.trace().columns, bytes, scene.picture().data);
+    scene.free();
+    export {};`), []);
+});
+
+for (const [what, line] of [
+  ['a value that an attribute does not take', "element.keys = 'some';"],
+  ['a write to what is read-only', "element.state = 'idle';"],
+  ['an input that there is not', 'element.step(1, { sideways: 1 });'],
+  ['a detail that an event does not have', "element.addEventListener('progress', ({ detail }) => detail.percent);"],
+]) {
+  test(`the compiler refuses ${what}`, () => {
+    assert.equal(complaints(`import './ray-caster.js'; const element = document.createElement('ray-caster');\n${line}`).length, 1);
+  });
+}
+
+test('hits and traces of real scenes are as they are declared', async () => {
+  const lines = ["import type { FrameTrace, Hits, SliceTrace } from './shapes.js';"];
+  for (const name of kScenes) {
+    const scene = await load(name);
+    for (let column = 0; column < kSize.width; column += 16) {
+      lines.push(`export const ${name.replace('-', '')}${column}: [Hits, SliceTrace] = [${JSON.stringify(scene.hits(column, kSize))}, ${JSON.stringify(scene.trace(column, kSize))}];`);
+    }
+    lines.push(`export const ${name.replace('-', '')}: FrameTrace = ${JSON.stringify(scene.trace(undefined, kSize))};`);
+    scene.free();
+  }
+  assert.deepEqual(complaints(lines.join('\n')), []);
+});
+
+test('the manifest is one', async () => {
+  const schema = JSON.parse(await readFile(createRequire(import.meta.url).resolve('custom-elements-manifest/schema.json'), 'utf8'));
+  const manifest = JSON.parse(await readFile(new URL('../../build/web/custom-elements.json', import.meta.url), 'utf8'));
+  const ajv = new Ajv({ strict: false });
+  assert.ok(ajv.validate(schema, manifest), ajv.errorsText());
+});
