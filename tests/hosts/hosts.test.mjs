@@ -60,8 +60,8 @@ async function assertDraws(address) {
   page.on('pageerror', (error) => complaints.push(String(error)));
   try {
     await page.goto(address);
+    await page.waitForFunction(() => customElements.get('ray-caster') !== undefined).catch(() => assert.fail(`the element is not defined: ${complaints.join('\n')}`));
     const found = await page.evaluate(async () => {
-      await customElements.whenDefined('ray-caster');
       const element = document.querySelector('ray-caster');
       await element.whenReady().catch(() => {});
       if (element.error !== null) return element.error;

@@ -58,7 +58,8 @@ function node(api, names) {
   const members = [...api.properties.map(({ name, type, description }) => `${comment(description)}readonly ${name}: ${type};`), ...api.methods.map(method)];
   const types = api.types.map(shape);
   const functions = api.functions.map((one) => `${comment(one.description)}export function ${one.name}(${parameters(one.parameters)}): ${one.returns.type};\n`);
-  return `${importOf(names, '../shapes.js', [...members, ...types, ...functions].join(' '))}
+  const ofError = api.error.properties.map(({ name, type, description }) => `${comment(description)}readonly ${name}: ${type};`);
+  return `${importOf(names, '../shapes.js', [...members, ...types, ...functions, ...ofError].join(' '))}
 export * from '../shapes.js';
 
 ${functions.join('\n')}
@@ -70,7 +71,7 @@ ${members.map(indented).join('\n')}
 
 /** What keeps a scene from being loaded; its message lists all faults. */
 export class ${api.error.name} extends Error {
-${api.error.properties.map(({ name, type, description }) => indented(`${comment(description)}readonly ${name}: ${type};`)).join('\n')}
+${ofError.map(indented).join('\n')}
 }
 `;
 }

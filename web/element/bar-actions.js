@@ -5,6 +5,7 @@
 import { kOverlays } from '../address.js';
 import { saveFile } from '../save-file.js';
 import { sharedParameters } from '../share-links.js';
+import { kHome } from './home.js';
 
 const kUsualOverlay = ['minimap'];
 
@@ -51,7 +52,7 @@ async function share(host, show) {
     else tag.setAttribute(name, value);
   }
   if (show.source.address !== null) tag.setAttribute('scene', show.source.address.href);
-  const script = `<script type="module" src="${new URL('../ray-caster.js', import.meta.url).href}"></` + 'script>';
+  const script = `<script type="module" src="${new URL('ray-caster.js', kHome).href}"></` + 'script>';
   try {
     await navigator.clipboard.writeText(`${script}\n${tag.outerHTML}`);
     show.showStatus('Copied: the tag with this view');

@@ -3,13 +3,12 @@
 //     const scene = findScene(element);             // {key, source(), title}, null without one; throws a Trouble
 //     const source = namedScene('castle');          // one of those that lie beside the script
 
+import { kHome } from './home.js';
 import { fetchOnce } from './page-cache.js';
 import { sceneOfRows } from './rows.js';
 import { Trouble } from '../trouble.js';
 
-// Where the shipped files lie; what an inline scene names is looked for there.
-const kRoot = new URL('../', import.meta.url);
-const kScenes = new URL('scenes/', kRoot);
+const kScenes = new URL('scenes/', kHome); // what an inline scene names is looked for there
 
 const kInline = ':scope > script[type="application/json"]';
 const kRows = ':scope > script[type="text/plain"][data-rows], :scope > pre[slot="rows"]';
@@ -39,7 +38,7 @@ export function namedScene(name) {
 
 // The address of a recording: a shipped one by its name, else relative to the document.
 export function tourAddress(element) {
-  return addressOf(element.tour, (name) => new URL(`tours/${name}.txt`, kRoot), element, 'tour');
+  return addressOf(element.tour, (name) => new URL(`tours/${name}.txt`, kHome), element, 'tour');
 }
 
 // {name, bytes} of a recording. Throws a Trouble.
