@@ -146,15 +146,6 @@ test('a site that VitePress builds, its pages drawn on the server', async () => 
   await assertFolderDraws(outDir);
 });
 
-test('a site that VitePress serves while it is written', async () => {
-  const server = startTool('vitepress/bin/vitepress.js', ['dev', 'vitepress', '--host', 'localhost', '--port', '5191']);
-  try {
-    await assertDraws(await server.address);
-  } finally {
-    await server.end();
-  }
-});
-
 test('a program under Node', async () => {
   const file = path.join(built, 'first-walk.png');
   await mkdir(built, { recursive: true });
