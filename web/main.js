@@ -153,8 +153,15 @@ class Page {
     return true;
   }
 
+  // Who looked from the air goes on flying there: whether there is ground is known after a step.
   #lookFrom(view) {
-    if (this.engine.look(view)) return;
+    if (this.engine.look(view)) {
+      this.engine.step();
+      const stands = this.engine.state.onGround;
+      this.engine.look(view);
+      if (!stands) this.engine.flying = true;
+      return;
+    }
     const maps = this.engine.world.maps.map(({ name }) => name).join(', ');
     throw new Trouble('There is no such view in this scene', `view: found "${formatView(view)}", expected an eye above the floor of a map among ${maps}.`);
   }

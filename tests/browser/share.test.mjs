@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { inState, launch, openPage, openScene, pictureHash, play, player } from './browser.mjs';
+import { inState, launch, openPage, openScene, pictureHash, play, player, untilPlayer } from './browser.mjs';
 import { roomFiles, roomPictures, roomScene } from './room.mjs';
 
 let browser;
@@ -70,14 +70,14 @@ test('the link leads somebody else to the very same picture', async (t) => {
   const { page, server } = await openScene(t, browser, { query: '?scene=other' });
   await page.evaluate(() => {
     const { engine } = window.slicecast;
-    engine.look({ x: 2.123, y: 4.7, z: 0.6, heading: 33.25, look: -0.1 });
+    engine.look({ x: 2.123, y: 4.7, heading: 33.25, look: -0.1 });
     engine.setOption('hazeColour', '#a0b4c8');
     engine.setOption('textures', 'off');
     engine.setOption('playerPanel', 'on');
   });
   await openShare(page);
   const link = await page.inputValue('#share-link');
-  assert.match(link.slice(server.address.length), /^\?scene=other&view=2\.123,4\.7,0\.6,33\.25,-0\.1,room&options=textures=off\+hazeColour=%23a0b4c8&overlay=playerPanel$/);
+  assert.match(link.slice(server.address.length), /^\?scene=other&view=2\.123,4\.7,0\.5,33\.25,-0\.1,room&options=textures=off\+hazeColour=%23a0b4c8&overlay=playerPanel$/);
   const other = await openPage(t, browser, {});
   await other.page.goto(link);
   await inState(other.page, 'paused');
@@ -87,6 +87,16 @@ test('the link leads somebody else to the very same picture', async (t) => {
   await openShare(page);
   await page.uncheck('#share-from-view');
   assert.doesNotMatch(await page.inputValue('#share-link'), /view=/);
+});
+
+test('a view from the air stays in the air, one from the ground on the ground', async (t) => {
+  const { page, server } = await openScene(t, browser, { query: '?scene=room&view=3.5,3.5,2.5,0' });
+  await play(page);
+  await untilPlayer(page, ({ steps }) => steps > 30);
+  assert.deepEqual(await page.evaluate(() => [window.slicecast.engine.state.z, window.slicecast.engine.state.flying]), [2.5, true]);
+  await page.goto(`${server.address}?scene=room&view=3.5,3.5,0.5,0`);
+  await inState(page, 'paused');
+  assert.equal((await player(page)).flying, false);
 });
 
 test('the tag and the frame say the same, whatever is in a title', async (t) => {
