@@ -3,12 +3,12 @@
 // Parameters of the address: scene=NAME or a path, view=, options= and overlay= as address.js spells them, tour=NAME (a recording of the folder tours, which
 // names its scene), live=1 (tools/play says when the scene was saved), engine=simd or scalar.
 
-import { formatView, parseView } from './address.js';
+import { parseView } from './address.js';
 import { fetchEngine } from './engine-files.js';
 import { Engine } from './engine.js';
 import { listenForFiles } from './file-drop.js';
 import { Gamepads } from './gamepads.js';
-import { GivenOptions } from './given-options.js';
+import { GivenOptions, lookFrom } from './given.js';
 import { showKeys } from './key-help.js';
 import { guardLeaving } from './leave-guard.js';
 import { saveFile } from './save-file.js';
@@ -137,7 +137,7 @@ class Page {
       if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
       for (const { message } of this.engine.warnings) console.warn(message);
       this.#showTitle();
-      if (scene.view !== null) this.#lookFrom(scene.view);
+      if (scene.view !== null) lookFrom(this.engine, scene.view);
     } catch (error) {
       if (load !== this.#loads) return false;
       this.playsAfterTrouble = wasPlaying;
@@ -151,19 +151,6 @@ class Page {
     if (keepEye && wasPlaying) this.play();
     else if (this.ready) this.#setState('paused'); // else the first picture is still to come
     return true;
-  }
-
-  // Who looked from the air goes on flying there: whether there is ground is known after a step.
-  #lookFrom(view) {
-    if (this.engine.look(view)) {
-      this.engine.step();
-      const stands = this.engine.state.onGround;
-      this.engine.look(view);
-      if (!stands) this.engine.flying = true;
-      return;
-    }
-    const maps = this.engine.world.maps.map(({ name }) => name).join(', ');
-    throw new Trouble('There is no such view in this scene', `view: found "${formatView(view)}", expected an eye above the floor of a map among ${maps}.`);
   }
 
   get hasPicture() {

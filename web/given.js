@@ -1,10 +1,11 @@
-// Options and overlays that the page's address gives. Such an address shows a view as somebody else saw it: what it does not name is at its standard, whatever
-// the visitor's own settings are, and those come back with the next address that gives nothing.
+// The view, options and overlays that the page's address gives. Such an address shows what somebody else saw: options that it does not name are at their
+// standard, whatever the visitor's own settings are, and those come back with the next address that gives nothing.
 //
 //     const given = new GivenOptions(settings);
 //     given.take(engine, parameters);          throws a Trouble, and then nothing has changed
+//     lookFrom(engine, view);                  of a scene that has just been loaded; throws a Trouble
 
-import { parseOptions, parseOverlay } from './address.js';
+import { formatView, parseOptions, parseOverlay } from './address.js';
 import { Trouble } from './trouble.js';
 
 const kGiving = ['view', 'options', 'overlay'];
@@ -48,4 +49,16 @@ function setAll(engine, known, wanted) {
 function valueOf(kind, text) {
   if (kind === 'onOff') return text === 'on';
   return kind === 'number' ? Number(text) : text;
+}
+
+// Who looked from the air goes on flying there: whether there is ground is known after a step.
+export function lookFrom(engine, view) {
+  if (!engine.look(view)) {
+    const maps = engine.world.maps.map(({ name }) => name).join(', ');
+    throw new Trouble('There is no such view in this scene', `view: found "${formatView(view)}", expected an eye above the floor of a map among ${maps}.`);
+  }
+  engine.step();
+  const stands = engine.state.onGround;
+  engine.look(view);
+  if (!stands) engine.flying = true;
 }
