@@ -98,9 +98,10 @@ test('who presses the cover before the scene is there plays when it is, unless t
   await page.click('#b');
   await page.click('#else');
   await page.click('#a');
-  await inElementState(page, 'a', 'playing');
+  await Promise.all([ready(page, 'a'), ready(page, 'b')]);
+  await page.waitForTimeout(200);
+  assert.deepEqual(await page.evaluate(() => ['a', 'b'].map((id) => document.getElementById(id).state)), ['playing', 'paused']);
   assert.equal(await focusOf(page), 'a canvas');
-  await inElementState(page, 'b', 'paused');
 });
 
 test('H shows the keys on a sheet; H and Escape close it and give the focus back', async (t) => {

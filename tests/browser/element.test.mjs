@@ -322,22 +322,60 @@ test('events tell of pictures, of the eye, and of portals', async (t) => {
 test('a tour leads through its scene when play begins, and begins again', async (t) => {
   const { page } = await openElements(t, browser, '<ray-caster id="a" tour="castle" size="160x100"></ray-caster>');
   assert.equal((await ready(page, 'a')).title, 'The castle in the lake');
-  const view = () => page.evaluate(() => document.getElementById('a').currentView);
-  const start = await view();
-  await page.evaluate(() => document.getElementById('a').play());
-  await page.waitForFunction(({ x, y }) => {
-    const { currentView } = document.getElementById('a');
-    return Math.hypot(currentView.x - x, currentView.y - y) > 0.5;
-  }, start);
-  await page.evaluate(() => {
+  // Where the eye is after each number of steps that is seen
+  const play = () => page.evaluate(async () => {
     const a = document.getElementById('a');
+    const places = [];
+    let first = null; // the world's time goes on over a reset
+    const note = ({ detail: { steps } }) => {
+      first ??= steps;
+      places.push([steps - first, a.currentView.x, a.currentView.y, a.currentView.heading].join());
+    };
+    a.addEventListener('framechange', note);
+    a.play();
+    await new Promise((resolve) => setTimeout(resolve, 1200));
     a.pause();
+    a.removeEventListener('framechange', note);
     a.reset();
+    return places;
   });
-  assert.deepEqual(await view(), start);
-  await page.evaluate(() => document.getElementById('a').play());
-  await page.waitForFunction(({ x, y }) => {
-    const { currentView } = document.getElementById('a');
-    return Math.hypot(currentView.x - x, currentView.y - y) > 0.5;
-  }, start);
+  const start = await page.evaluate(() => document.getElementById('a').currentView);
+  const once = await play();
+  assert.deepEqual(await page.evaluate(() => document.getElementById('a').currentView), start);
+  const again = await play();
+  assert.ok(new Set(once.map((place) => place.split(',').slice(1).join())).size > 3, 'the eye moves');
+  const steps = (places) => new Map(places.map((place) => [place.split(',', 1)[0], place]));
+  const common = [...steps(once)].filter(([count]) => steps(again).has(count));
+  assert.ok(common.length > 5);
+  assert.deepEqual(common.map(([, place]) => place), common.map(([count]) => steps(again).get(count)));
+});
+
+test('trace() tells what the engine did for one slice, and for the picture', async (t) => {
+  const { page } = await openElements(t, browser, kRoom);
+  await ready(page, 'a');
+  const seen = await page.evaluate(() => {
+    const a = document.getElementById('a');
+    const slice = a.trace(80);
+    const frame = a.trace();
+    return { slice: Object.keys(slice), frame: Object.keys(frame), column: slice.column, none: a.trace(160), hits: slice.hits.map(({ blueprint, depth }) => [blueprint, Math.round(depth * 10)]),
+      hit: a.hits(80).hits.map(({ blueprint, depth }) => [blueprint, Math.round(depth * 10)]) };
+  });
+  assert.equal(seen.column, 80);
+  assert.equal(seen.none, null);
+  assert.deepEqual(seen.hits, seen.hit);
+  assert.deepEqual(seen.hits[0], ['wall', 25]);
+  assert.ok(seen.slice.includes('tiles') && seen.frame.includes('totals'), `${seen.slice} / ${seen.frame}`);
+});
+
+test('reset goes back to the view of the attribute', async (t) => {
+  const { page } = await openElements(t, browser, '<ray-caster id="a" scene="room" view="2.5,3.5,0.5,0"></ray-caster>');
+  await ready(page, 'a');
+  const places = await page.evaluate(() => {
+    const a = document.getElementById('a');
+    a.step(120, { forward: 1 });
+    const walked = a.currentView.x;
+    a.reset();
+    return [walked > 3, a.currentView.x];
+  });
+  assert.deepEqual(places, [true, 2.5]);
 });
