@@ -51,8 +51,8 @@ export function formatOptions(options) {
 // [name]. Throws a Trouble.
 export function parseOverlay(text) {
   return text.split(/\s+/).filter((part) => part !== '').map((name) => {
-    if (!kOverlays.includes(name)) throw new Trouble('The overlay cannot be read', `overlay: found "${name}", expected some of ${kOverlays.join(' ')}`);
-    return name;
+    if (kOverlays.includes(name)) return name;
+    throw new Trouble('The overlay cannot be read', `overlay: found "${name}", expected some of ${kOverlays.join(' ')}`, [], 'address');
   });
 }
 
