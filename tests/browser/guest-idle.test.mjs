@@ -55,6 +55,7 @@ test('twelve idle elements use no time, no timer and no frame', async (t) => {
 test('several elements fetch each file once and compile once; each tells what it holds', async (t) => {
   const { page, server } = await openGuest(t, browser, { body: twelve, ...watched });
   await ready(page);
+  assert.deepEqual(server.asked.filter((path) => path.endsWith('.js')).sort(), ['engine/slicecast-simd.js', 'ray-caster.js']);
   const often = server.asked.filter((path, index) => server.asked.indexOf(path) !== index);
   assert.deepEqual(often, []);
   assert.equal(await page.evaluate(() => window.watch.compiled), 1);
@@ -228,10 +229,12 @@ test('start times: the first picture, an engine more, and an element more', asyn
   const [engines, elements] = await page.evaluate(async (count) => {
     const { Engine } = await import('./engine.js');
     const { findScene } = await import('./element/source.js');
-    const { sharedEngineFiles } = await import('./element/page-cache.js');
+    const { holdCache, sharedEngineFiles } = await import('./element/page-cache.js');
+    // The modules beside the element's script keep a cache of their own: the first round fills it, and does not count.
+    holdCache();
     const shown = document.querySelector('ray-caster');
     const times = [[], []];
-    for (let round = 0; round < count; ++round) {
+    for (let round = 0; round <= count; ++round) {
       const canvas = document.createElement('canvas');
       let begin = performance.now();
       const engine = await Engine.create({ files: await sharedEngineFiles('auto'), canvas });
@@ -247,11 +250,11 @@ test('start times: the first picture, an engine more, and an element more', asyn
       times[1].push((await came) - begin);
       element.remove();
     }
-    return times;
+    return times.map((list) => list.slice(1));
   }, 8);
   const list = (numbers) => numbers.map((number) => number.toFixed(0)).join(' ');
   t.diagnostic(`ms: first picture after the script's start ${list(first)}; an engine more ${list(engines)}; an element more, with its picture ${list(elements)}`);
-  assert.ok(Math.min(...first) < 1200, `first picture: ${list(first)} ms`);
+  assert.ok(Math.min(...first) < 900, `first picture: ${list(first)} ms`);
   assert.ok(Math.min(...engines) < 30, `an engine more: ${list(engines)} ms`);
   assert.ok(Math.min(...elements) < 60, `an element more: ${list(elements)} ms`);
 });

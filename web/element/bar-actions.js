@@ -3,9 +3,9 @@
 //     const controls = new Controls(bar, barActions(element, show));
 
 import { kOverlays } from '../address.js';
+import { kHome } from '../home.js';
 import { saveFile } from '../save-file.js';
 import { sharedParameters } from '../share-links.js';
-import { kHome } from './home.js';
 
 const kUsualOverlay = ['minimap'];
 

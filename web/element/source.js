@@ -3,7 +3,7 @@
 //     const scene = findScene(element);             // {key, source(), title}, null without one; throws a Trouble
 //     const source = namedScene('castle');          // one of those that lie beside the script
 
-import { kHome } from './home.js';
+import { kHome } from '../home.js';
 import { fetchOnce } from './page-cache.js';
 import { sceneOfRows } from './rows.js';
 import { Trouble } from '../trouble.js';

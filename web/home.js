@@ -5,4 +5,4 @@
 // A bundler takes `new URL('...', import.meta.url)` for a file to be bundled; this is a folder to be asked while the page runs.
 const here = import.meta.url;
 
-export const kHome = new URL('../', here);
+export const kHome = new URL('./', here);
