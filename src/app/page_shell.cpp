@@ -2,42 +2,65 @@
 
 #ifdef __EMSCRIPTEN__
 
-#include <SDL2/SDL.h>
+#include <SDL2/SDL_surface.h>
 #include <emscripten/emscripten.h>
-#include <emscripten/html5.h>
 
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <string_view>
 
 // ---------------------------------------------------------------------------------------------- what only JavaScript can
 
 // clang-format off
 
-// SDL looks for "#canvas" in the document: it is told which canvas is meant, and gets an element of nobody's for its keys.
-EM_JS(int, slicecastOpenCanvas, (), {
+// Everything that is heard on the way in, before the page's own listeners; the C++ below decides which keys are taken from the page. `code` has room for
+// the longest name of a key that it knows.
+EM_JS(int, slicecastOpenCanvas, (char* code, int codeBytes), {
     const canvas = Module["canvas"];
     if (!canvas) return 0;
-    specialHTMLTargets["#canvas"] = canvas;
-    specialHTMLTargets["#no-keys"] = document.createElement("div");
     if (!canvas.hasAttribute("tabindex")) canvas.tabIndex = 0;
+    const listeners = new AbortController();
+    const on = (target, type, hear) => target.addEventListener(type, hear, {signal: listeners.signal, capture: true});
+    const screen = {context: canvas.getContext("2d", {alpha: false}), image: null, listeners, asks: false, held: false, lockEnd: -Infinity};
+
+    const key = (event, isDown) => {
+        stringToUTF8(event.code, code, codeBytes);
+        const flags = (event.ctrlKey ? 1 : 0) | (event.altKey ? 2 : 0) | (event.metaKey ? 4 : 0) | (event.repeat ? 8 : 0);
+        if (_slicecastKey(isDown, flags)) event.preventDefault();
+    };
+    on(canvas, "keydown", (event) => key(event, 1));
+    on(canvas, "keyup", (event) => key(event, 0));
+    on(canvas, "blur", () => _slicecastBlurred());
+    on(document, "visibilitychange", () => _slicecastHidden(document.hidden ? 1 : 0));
+
+    // -1 to 1 from edge to edge, where that is wanted.
+    on(canvas, "mousemove", (event) => {
+        if (!_slicecastPointerMoved(event.movementX, event.movementY)) return;
+        const box = canvas.getBoundingClientRect();
+        if (box.width > 0 && box.height > 0) _slicecastCursorAt(2 * (event.clientX - box.left) / box.width - 1, 2 * (event.clientY - box.top) / box.height - 1);
+    });
+    on(canvas, "mouseleave", () => _slicecastCursorLeft());
 
     // A press of the mouse gives the focus without scrolling, and so does a tap; a finger that moves on scrolls the page. A click asks for the pointer; where
     // that is refused, the cursor's place steers. A browser also refuses for a moment after Escape, which means nothing.
-    const listeners = new AbortController();
     const until = {signal: listeners.signal};
     canvas.addEventListener("pointerdown", (event) => event.pointerType !== "touch" && canvas.focus({preventScroll: true}), until);
-    const screen = {context: canvas.getContext("2d", {alpha: false}), image: null, listeners, asks: false, lockEnd: -Infinity};
+    const holdsPointer = () => canvas.getRootNode().pointerLockElement === canvas;
     const refused = () => {
         if (screen.asks && !listeners.signal.aborted && performance.now() - screen.lockEnd > 2000) _slicecast_steerByCursor(1);
         screen.asks = false;
     };
     document.addEventListener("pointerlockerror", refused, until);
+    on(document, "pointerlockchange", () => {
+        if (holdsPointer()) screen.asks = false;
+        else if (screen.held) screen.lockEnd = performance.now();
+        screen.held = holdsPointer();
+        _slicecastPointerHeld(screen.held ? 1 : 0);
+    });
     canvas.addEventListener("click", (event) => {
         canvas.focus({preventScroll: true});
         if (event.pointerType && event.pointerType !== "mouse") return;
-        if (canvas.getRootNode().pointerLockElement === canvas) return;
+        if (holdsPointer()) return;
         screen.asks = true;
         if (!canvas.requestPointerLock) return refused();
         const asked = canvas.requestPointerLock();
@@ -66,15 +89,8 @@ EM_JS(void, slicecastShowPixels, (uint32_t address, int width, int height), {
     screen.context.putImageData(image, 0, 0);
 });
 
-EM_JS(int, slicecastHoldsPointer, (), {
-    const canvas = Module["canvas"];
-    const holds = canvas.getRootNode().pointerLockElement === canvas;
-    const screen = Module["slicecastScreen"];
-    if (holds) screen.asks = false;
-    else if (screen.held) screen.lockEnd = performance.now();
-    screen.held = holds;
-    return holds ? 1 : 0;
-});
+EM_JS(int, slicecastAskForFrame, (), { return requestAnimationFrame((time) => _slicecastFrame(time)); });
+EM_JS(void, slicecastForgetFrame, (int frame), { cancelAnimationFrame(frame); });
 
 EM_JS(void, slicecastLeaveCanvas, (), { Module["canvas"].blur(); });
 
@@ -100,6 +116,8 @@ EM_JS(void, slicecastTellRates, (double framesPerSecond, double drawMilliseconds
 });
 
 EM_JS(void, slicecastTellSize, (int width, int height), {
+    Module["canvas"].width = width;
+    Module["canvas"].height = height;
     if (Module["onSlicecast"]) Module["onSlicecast"]("size", {width, height});
 });
 
@@ -124,15 +142,13 @@ public:
     void tellShown(bool moved) override { slicecastTellShown(moved); }
     void tellPortal(const std::string& from, const std::string& to) override { slicecastTellPortal(from.c_str(), to.c_str()); }
     void tellRates(const FrameRates& rates) override { slicecastTellRates(rates.framesPerSecond, rates.drawMilliseconds, rates.longestMilliseconds); }
-    void tellSize(int width, int height) override {
-        SDL_SetWindowSize(window, width, height);
-        slicecastTellSize(width, height);
-    }
+    void tellSize(int width, int height) override { slicecastTellSize(width, height); }
     void tellHits(const std::string& json) override { slicecastTellHits(json.c_str()); }
     void leave() override { slicecastLeaveCanvas(); }
 
-    SDL_Window* window = nullptr;  // null unless the program runs
-    int frame = 0;                 // the browser's number of the frame that was asked for; 0 where none was
+    bool isOpen = false;
+    std::array<char, 32> code{};  // of the key that is told
+    int frame = 0;                // the browser's number of the frame that was asked for; 0 where none was
 };
 
 PageShell& shell() {
@@ -146,85 +162,70 @@ bool isArrow(Action action) {
     return action == Action::turnLeft || action == Action::turnRight || action == Action::lookUp || action == Action::lookDown;
 }
 
-// The answer is whether the key is taken from the page.
-EM_BOOL onKeyDown(int, const EmscriptenKeyboardEvent* event, void*) {
-    App& app = pageProgram();
-    if (event->metaKey) {
-        // While Meta is down, macOS tells of no key that goes up.
-        app.releaseKeys();
-        return EM_FALSE;
-    }
-    const Key* key = findKeyByCode(event->code);
-    if (key == nullptr || event->altKey) return EM_FALSE;
-
-    // Ctrl with another key is the browser's. The arrows mean nothing to it, so they turn slowly.
-    const bool slow = key->action == Action::slow;
-    if (event->ctrlKey && !slow && !isArrow(key->action)) return EM_FALSE;
-    app.keyDown(*key, event->repeat);
-    return !event->ctrlKey && !slow && key->action != Action::fast && key->action != Action::leave;
-}
-
-EM_BOOL onKeyUp(int, const EmscriptenKeyboardEvent* event, void*) {
-    if (const Key* key = findKeyByCode(event->code)) pageProgram().keyUp(*key);
-    return EM_FALSE;
-}
-
-EM_BOOL onBlur(int, const EmscriptenFocusEvent*, void*) {
-    pageProgram().releaseKeys();
-    return EM_FALSE;
-}
-
-EM_BOOL onMouseMove(int, const EmscriptenMouseEvent* event, void*) {
-    App& app = pageProgram();
-    app.pointerMoved(static_cast<double>(event->movementX), static_cast<double>(event->movementY));
-    double width = 0.0;
-    double height = 0.0;
-    if (app.cursorSteers() && emscripten_get_element_css_size("#canvas", &width, &height) == EMSCRIPTEN_RESULT_SUCCESS && width > 0.0 && height > 0.0) {
-        app.cursorAt(2.0 * static_cast<double>(event->targetX) / width - 1.0, 2.0 * static_cast<double>(event->targetY) / height - 1.0);
-    }
-    return EM_FALSE;
-}
-
-EM_BOOL onMouseLeave(int, const EmscriptenMouseEvent*, void*) {
-    pageProgram().cursorLeft();
-    return EM_FALSE;
-}
-
-EM_BOOL onPointerLockChange(int, const EmscriptenPointerlockChangeEvent*, void*) {
-    pageProgram().pointerHeld(slicecastHoldsPointer() != 0);
-    return EM_FALSE;
-}
-
-EM_BOOL onVisibilityChange(int, const EmscriptenVisibilityChangeEvent* event, void*) {
-    pageProgram().setHidden(event->hidden);
-    return EM_FALSE;
-}
-
-// Removing takes away every listener of that kind, SDL's too, so it comes after SDL's end or where SDL's is not wanted.
-void listen(bool on) {
-    const char* canvas = "#canvas";
-    void* app = nullptr;
-    emscripten_set_keydown_callback(canvas, app, EM_TRUE, on ? onKeyDown : nullptr);
-    emscripten_set_keyup_callback(canvas, app, EM_TRUE, on ? onKeyUp : nullptr);
-    emscripten_set_blur_callback(canvas, app, EM_TRUE, on ? onBlur : nullptr);
-    emscripten_set_mousemove_callback(canvas, app, EM_TRUE, on ? onMouseMove : nullptr);
-    emscripten_set_mouseleave_callback(canvas, app, EM_TRUE, on ? onMouseLeave : nullptr);
-    emscripten_set_pointerlockchange_callback(EMSCRIPTEN_EVENT_TARGET_DOCUMENT, app, EM_TRUE, on ? onPointerLockChange : nullptr);
-    emscripten_set_visibilitychange_callback(app, EM_TRUE, on ? onVisibilityChange : nullptr);
-}
-
-EM_BOOL onAnimationFrame(double timeMilliseconds, void*) {
-    shell().frame = 0;
-    pageProgram().frame(timeMilliseconds * 0.001);
-    if (pageProgram().wantsFrame()) shell().askForFrame();
-    return EM_FALSE;
-}
-
 void PageShell::askForFrame() {
-    if (window != nullptr && frame == 0) frame = emscripten_request_animation_frame(onAnimationFrame, nullptr);
+    if (isOpen && frame == 0) frame = slicecastAskForFrame();
 }
 
 }  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE void slicecastFrame(double timeMilliseconds) {
+    shell().frame = 0;
+    pageProgram().frame(timeMilliseconds * 0.001);
+    if (pageProgram().wantsFrame()) shell().askForFrame();
+}
+
+// The answer is whether the key is taken from the page. Flags: 1 Ctrl, 2 Alt, 4 Meta, 8 repeated.
+EMSCRIPTEN_KEEPALIVE int slicecastKey(int isDown, int flags) {
+    App& app = pageProgram();
+    const bool ctrl = (flags & 1) != 0;
+    const Key* key = findKeyByCode(shell().code.data());
+    if (isDown == 0) {
+        if (key != nullptr) app.keyUp(*key);
+        return 0;
+    }
+    if ((flags & 4) != 0) {
+        // While Meta is down, macOS tells of no key that goes up.
+        app.releaseKeys();
+        return 0;
+    }
+    if (key == nullptr || (flags & 2) != 0) return 0;
+
+    // Ctrl with another key is the browser's. The arrows mean nothing to it, so they turn slowly.
+    const bool slow = key->action == Action::slow;
+    if (ctrl && !slow && !isArrow(key->action)) return 0;
+    app.keyDown(*key, (flags & 8) != 0);
+    return !ctrl && !slow && key->action != Action::fast && key->action != Action::leave ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecastBlurred(void) {
+    pageProgram().releaseKeys();
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecastHidden(int hidden) {
+    pageProgram().setHidden(hidden != 0);
+}
+
+// The answer is whether the cursor's place is wanted.
+EMSCRIPTEN_KEEPALIVE int slicecastPointerMoved(double right, double down) {
+    pageProgram().pointerMoved(right, down);
+    return pageProgram().cursorSteers() ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecastCursorAt(double x, double y) {
+    pageProgram().cursorAt(x, y);
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecastCursorLeft(void) {
+    pageProgram().cursorLeft();
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecastPointerHeld(int held) {
+    pageProgram().pointerHeld(held != 0);
+}
+
+}  // extern "C"
 
 App& pageProgram() {
     static App app(shell());
@@ -232,48 +233,23 @@ App& pageProgram() {
 }
 
 bool beginPageProgram() {
-    if (shell().window != nullptr) return true;
-    if (!slicecastOpenCanvas()) {
+    if (shell().isOpen) return true;
+    if (!slicecastOpenCanvas(shell().code.data(), static_cast<int>(shell().code.size()))) {
         std::fputs("slicecast: there is no canvas; give one as Module.canvas.\n", stderr);
         return false;
     }
-    SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#no-keys");
-    if (SDL_Init(SDL_INIT_VIDEO) == 0) {
-        // A title would become the page's.
-        shell().window = SDL_CreateWindow(nullptr, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, pageProgram().width(), pageProgram().height(), 0);
-    }
-    if (shell().window == nullptr) {
-        std::fprintf(stderr, "slicecast: SDL cannot use the canvas: %s\n", SDL_GetError());
-        slicecastCloseCanvas();
-        return false;
-    }
-
-    // SDL's own listeners take nothing from the page: what is not enabled is neither sent nor prevented.
-    SDL_StopTextInput();
-    for (const SDL_EventType type : std::to_array<SDL_EventType>(
-             {SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP, SDL_MOUSEWHEEL, SDL_FINGERDOWN, SDL_FINGERUP, SDL_FINGERMOTION, SDL_WINDOWEVENT})) {
-        SDL_EventState(type, SDL_IGNORE);
-    }
-    const char* canvas = "#canvas";
-    emscripten_set_touchend_callback(canvas, nullptr, EM_FALSE, nullptr);
-    emscripten_set_touchcancel_callback(canvas, nullptr, EM_FALSE, nullptr);
-    emscripten_set_beforeunload_callback(nullptr, nullptr);
-
-    listen(true);
+    shell().isOpen = true;
     pageProgram().redraw();
     return true;
 }
 
 void endPageProgram() {
-    if (shell().window == nullptr) return;
-    if (shell().frame != 0) emscripten_cancel_animation_frame(shell().frame);
+    if (!shell().isOpen) return;
+    if (shell().frame != 0) slicecastForgetFrame(shell().frame);
     shell().frame = 0;
-    listen(false);
     pageProgram().releaseKeys();
     pageProgram().pointerHeld(false);
-    SDL_DestroyWindow(shell().window);
-    shell().window = nullptr;
-    SDL_Quit();
+    shell().isOpen = false;
     slicecastCloseCanvas();
 }
 

@@ -1,7 +1,7 @@
 // The program in a page: Module.canvas is its screen, and its keys and mouse are those of the canvas. Several modules in one page do not see each other.
 //
-// SDL brings the surface and the canvas's size. Keys and mouse come from the canvas directly, because SDL takes every key of the page away, Tab and the
-// browser's own combinations included, and never lets a click give the focus.
+// SDL brings the surface. The canvas itself, its keys and its mouse are used directly: SDL takes every key of the page away, Tab and the
+// browser's own combinations included, never lets a click give the focus, and its window would be a third of the program.
 #pragma once
 
 #ifdef __EMSCRIPTEN__
@@ -13,7 +13,7 @@ namespace slicecast {
 // The one program of this module. It exists before it is begun, so a page can load a scene meanwhile.
 App& pageProgram();
 
-// Begins to draw and to listen. False if there is no canvas or SDL cannot use it.
+// Begins to draw and to listen. False if there is no canvas.
 bool beginPageProgram();
 
 // Ends both, if they have begun.

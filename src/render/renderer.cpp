@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include "base/sort.h"
 #include "render/frame.h"
 #include "render/slice.h"
 #include "render/strip.h"
@@ -62,7 +63,7 @@ SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptio
         if (rows.hit < 0 && rows.object < 0) trace.planes.push_back(rows);
     }
     for (Hit& hit : trace.hits) {
-        std::sort(hit.filled.begin(), hit.filled.end(), [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });
+        heapSort(hit.filled, [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });
     }
     return trace;
 }

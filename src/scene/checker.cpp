@@ -1,5 +1,6 @@
 #include "scene/checker.h"
 
+#include "base/sort.h"
 #include "scene/limits.h"
 
 #include <algorithm>
@@ -61,6 +62,7 @@ bool Checker::isFull() const {
 Checker::Placed Checker::placed(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) const {
     const Place place = source_.place(offset);
     return {offset,
+            faults_.size() + warnings_.size(),
             {.file = file_,
              .pointer = std::move(pointer),
              .line = place.line,
@@ -109,7 +111,7 @@ void Checker::addSyntax(const SyntaxFault& fault) {
 }
 
 std::vector<Fault> Checker::inOrder(std::vector<Placed> list) {
-    std::stable_sort(list.begin(), list.end(), [](const Placed& a, const Placed& b) { return a.offset < b.offset; });
+    heapSort(list, [](const Placed& a, const Placed& b) { return a.offset != b.offset ? a.offset < b.offset : a.number < b.number; });
     std::vector<Fault> faults;
     for (Placed& entry : list) faults.push_back(std::move(entry.fault));
     return faults;

@@ -67,6 +67,7 @@ public:
 private:
     struct Placed {
         std::size_t offset;
+        std::size_t number;  // as they were found
         Fault fault;
     };
     // Beyond the most faults that are listed, the others are only counted; nothing that costs time should be done for them.

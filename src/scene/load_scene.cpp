@@ -1,3 +1,4 @@
+#include "base/sort.h"
 #include "scene/checker.h"
 #include "scene/description.h"
 #include "scene/limits.h"
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace slicecast {
@@ -55,8 +57,7 @@ public:
 
     // In the order of the text.
     std::vector<Fault> takeFaults() {
-        std::stable_sort(faults_.begin(), faults_.end(),
-                         [](const Fault& a, const Fault& b) { return a.line != b.line ? a.line < b.line : a.column < b.column; });
+        heapSort(faults_, [](const Fault& a, const Fault& b) { return std::tie(a.line, a.column, a.pointer, a.found) < std::tie(b.line, b.column, b.pointer, b.found); });
         if (faults_.size() > kMaxFaults) {
             const std::size_t omitted = faults_.size() - kMaxFaults;
             faults_.resize(kMaxFaults);

@@ -1,6 +1,8 @@
 #include "world/moving_cells.h"
 
-#include <algorithm>
+#include "base/sort.h"
+
+#include <functional>
 #include <unordered_map>
 
 namespace slicecast {
@@ -41,7 +43,7 @@ bool groupCells(const Map& map, const std::vector<BlueprintId>& kinds, std::size
                     }
                 }
                 limit -= group.size();
-                std::sort(group.begin(), group.end());
+                heapSort(group, std::less<>());
                 groups.push_back(std::move(group));
             }
         }

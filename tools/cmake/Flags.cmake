@@ -61,5 +61,5 @@ target_compile_options(slicecast_strict INTERFACE -Wconversion -Wno-sign-convers
 # For parts that run once: the page loads sooner when they are small.
 add_library(slicecast_small INTERFACE)
 if(EMSCRIPTEN)
-  target_compile_options(slicecast_small INTERFACE -Os)
+  target_compile_options(slicecast_small INTERFACE -Oz)
 endif()
