@@ -6,9 +6,11 @@ import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import Ajv from 'ajv';
 
+import { sceneOfRows } from '../../build/web/element/rows.js';
 import { load } from '../../build/web/node/index.js';
 import { complaints } from './types.mjs';
 
+const table = JSON.parse(await readFile(new URL('../../web/element/api.json', import.meta.url), 'utf8'));
 const kSize = { width: 96, height: 60 };
 const kScenes = ['wayhouse', 'water-palace', 'garden', 'glassworks']; // portals, mirrors, objects, see-through faces
 
@@ -68,4 +70,21 @@ test('the manifest is one', async () => {
   const manifest = JSON.parse(await readFile(new URL('../../build/web/custom-elements.json', import.meta.url), 'utf8'));
   const ajv = new Ajv({ strict: false });
   assert.ok(ajv.validate(schema, manifest), ajv.errorsText());
+});
+
+test('plain rows may hold the characters of the table, and no others', () => {
+  const listed = new Set(table.rows.flatMap(({ characters }) => characters.split(' ').map((character) => (character === 'blank' ? ' ' : character))));
+  const starts = ['>', 'v', '<', '^'];
+  for (let code = 32; code < 127; ++code) {
+    const character = String.fromCharCode(code);
+    const rows = starts.includes(character) ? character : `.${character}.>`;
+    const isTaken = (() => {
+      try {
+        return sceneOfRows(rows) !== null;
+      } catch {
+        return false;
+      }
+    })();
+    assert.equal(isTaken, listed.has(character), JSON.stringify(character));
+  }
 });

@@ -4,11 +4,11 @@
 //     const session = new Session(module);
 //     session.load('assets/scenes/first-walk.json');       the list of its faults
 
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
+import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { fileURLToPath } from 'node:url';
+
+import { readEngine } from '../../build/web/node/engine-files.js';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const flavours = ['simd', 'scalar'];
@@ -19,34 +19,15 @@ export const shippedScenes = readdirSync(join(root, 'assets/scenes'))
 
 export const shippedTours = readdirSync(join(root, 'assets/tours')).map((name) => join(root, 'assets/tours', name));
 
-const engineFolder = join(root, 'build/web/engine');
-const loaded = new Map();
-
-// The factory and the compiled program of a flavour.
-export async function loadFlavour(flavour) {
-  if (!loaded.has(flavour)) loaded.set(flavour, await importFlavour(flavour));
-  return loaded.get(flavour);
-}
-
-async function importFlavour(flavour) {
-  // The page's files end in .js, which Node would not take for a module; and Emscripten 3.1.6 expects the names of old modules in new ones.
-  const folder = mkdtempSync(join(tmpdir(), 'slicecast-'));
-  try {
-    const copy = join(folder, 'engine.mjs');
-    writeFileSync(copy, readFileSync(join(engineFolder, `slicecast-${flavour}.js`)));
-    globalThis.require ??= createRequire(import.meta.url);
-    globalThis.__dirname ??= folder;
-    const { default: create } = await import(pathToFileURL(copy).href);
-    return { create, wasmBinary: readFileSync(join(engineFolder, `slicecast-${flavour}.wasm`)) };
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
-}
-
 // A new instance, with memory of its own.
 export async function loadModule(flavour) {
-  const { create, wasmBinary } = await loadFlavour(flavour);
-  return create({ wasmBinary });
+  const { createModule, program } = await readEngine(flavour);
+  return createModule({
+    instantiateWasm(imports, done) {
+      WebAssembly.instantiate(program, imports).then((instance) => done(instance, program));
+      return {};
+    },
+  });
 }
 
 export class Session {

@@ -28,6 +28,9 @@ export function documentation({ errorCodes, version, options }) {
     methods: rows('method', ['Method', 'Gives', 'What it does'], table.methods.map(method)),
     events: rows('event', ['Event', 'Detail', 'What has happened'], table.events.map((row) => [row.name, typeText(row.detail), text(row.description)])),
     slots: table.slots.map(({ description }) => `<p>${text(description)}</p>`).join('\n'),
+    rows: rows('rows', ['Characters', 'What stands there'], table.rows.map((row) => [
+      { id: row.characters.replaceAll(' ', ''), html: row.characters.split(' ').map((character) => code(character)).join(' ') }, text(row.description),
+    ])),
     cssParts: rows('part', ['Part', 'What it is'], table.cssParts.map((row) => [row.name, text(row.description)])),
     cssProperties: rows('css', ['Custom property', 'Default', 'What it colours'], table.cssProperties.map((row) =>
       [row.name, colour(row.default), text(row.description)])),
