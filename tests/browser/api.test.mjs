@@ -2,12 +2,14 @@
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 
 import { launch } from './browser.mjs';
 import { roomFiles, roomScene } from './room.mjs';
 import { serve } from './static-server.mjs';
 
+const axeFile = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 const table = JSON.parse(readFileSync(new URL('../../web/element/api.json', import.meta.url), 'utf8'));
 const names = (rows) => rows.map(({ name }) => name);
 const sorted = (list) => [...list].sort();
@@ -195,4 +197,27 @@ test('slots, parts and custom properties are those of the table', async () => {
   assert.deepEqual(sorted(found.parts), sorted(names(table.cssParts)));
   assert.deepEqual(sorted(found.slots), sorted(names(table.slots)));
   assert.deepEqual(sorted(found.properties), sorted(names(table.cssProperties)));
+});
+
+test('the documentation names every row, its examples run, and axe finds nothing in it', async (t) => {
+  const complaints = [];
+  const opened = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  t.after(() => opened.close());
+  opened.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
+  opened.on('pageerror', (error) => complaints.push(String(error)));
+  await opened.goto(`${server.address}element.html`);
+  const states = await opened.evaluate(() => Promise.all([...document.querySelectorAll('ray-caster')].map((element) =>
+    element.whenReady().then(() => element.state, (error) => error.message))));
+  assert.ok(states.length > 4);
+  assert.deepEqual([...new Set(states)], ['paused']);
+  const kinds = { attribute: table.attributes, property: table.properties, method: table.methods, event: table.events, part: table.cssParts, css: table.cssProperties };
+  for (const [kind, rows] of Object.entries(kinds)) {
+    for (const name of names(rows)) assert.equal(await opened.evaluate((id) => document.getElementById(id)?.localName, `${kind}-${name}`), 'tr', name);
+  }
+  assert.ok(await opened.locator('#option-fov').count() === 1 && await opened.locator('#error-cors').count() === 1);
+  for (const details of await opened.locator('details').all()) await details.evaluate((one) => { one.open = true; });
+  await opened.addScriptTag({ path: axeFile });
+  const violations = await opened.evaluate(async () => (await axe.run()).violations.map(({ id, nodes }) => [id, nodes.length, nodes[0].html]));
+  assert.deepEqual(violations, []);
+  assert.deepEqual(complaints, []);
 });

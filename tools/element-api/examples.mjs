@@ -69,7 +69,7 @@ export const live = [
     text: 'A page may ask what is seen: here, what the middle slice meets, and how far away.',
     code: `<ray-caster id="garden" scene="garden" controls label="A garden">
 </ray-caster>
-<pre id="met"></pre>
+<pre id="met" tabindex="0"></pre>
 
 <script type="module">
   const garden = document.getElementById('garden');

@@ -29,7 +29,7 @@ export function documentation({ errorCodes, version, options }) {
     events: rows('event', ['Event', 'Detail', 'What has happened'], table.events.map((row) => [row.name, typeText(row.detail), text(row.description)])),
     slots: table.slots.map(({ description }) => `<p>${text(description)}</p>`).join('\n'),
     rows: rows('rows', ['Characters', 'What stands there'], table.rows.map((row) => [
-      { id: row.characters.replaceAll(' ', ''), html: row.characters.split(' ').map((character) => code(character)).join(' ') }, text(row.description),
+      { id: null, html: row.characters.split(' ').map((character) => code(character)).join(' ') }, text(row.description),
     ])),
     cssParts: rows('part', ['Part', 'What it is'], table.cssParts.map((row) => [row.name, text(row.description)])),
     cssProperties: rows('css', ['Custom property', 'Default', 'What it colours'], table.cssProperties.map((row) =>
@@ -109,12 +109,12 @@ function method({ name, parameters, returns, needsScene, description }) {
 
 // ---- Blocks
 
-// The first cell of a row is a name, or {id, html}.
+// The first cell of a row is a name, or {id, html}; the id is null where nothing leads there.
 function rows(kind, titles, all) {
   const body = all.map(([head, ...cells]) => {
     const { id, html } = typeof head === 'string' ? { id: head, html: code(head) } : head;
     const others = cells.map((cell, index) => `<td data-label="${text(titles[index + 1])}">${cell}</td>`).join('');
-    return `<tr id="${kind}-${text(id)}"><th scope="row">${html}</th>${others}</tr>`;
+    return `<tr${id === null ? '' : ` id="${kind}-${text(id)}"`}><th scope="row">${html}</th>${others}</tr>`;
   });
   const heads = titles.map((title) => `<th scope="col">${text(title)}</th>`).join('');
   return `<table class="reference ${kind}">\n<thead><tr>${heads}</tr></thead>\n<tbody>\n${body.join('\n')}\n</tbody>\n</table>`;
