@@ -262,6 +262,7 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
       start, walked, back, looked, turned, refused,
       options: [a.get('fov'), a.get('light'), a.optionList.find(({ name }) => name === 'fov').value, a.optionList.length > 20],
       badOption: failure(() => a.set('fov', 'wide')), noOption: failure(() => a.get('colour')), badStep: failure(() => a.step(1, { sideways: 1 })),
+      badViews: [{ x: 'three' }, { north: 1 }, null, { map: 3 }].map((view) => failure(() => a.look(view))), badColumn: failure(() => a.hits(1.5)),
       middle: [...canvas.getContext('2d').getImageData(32, 20, 1, 1).data.subarray(0, 3)],
       type: (await a.snapshot()).type, jpeg: (await a.snapshot({ type: 'image/jpeg' })).type,
       tooLarge: await a.snapshot({ width: 9000 }).catch((error) => error.message), badType: await a.snapshot({ type: 'image/tiff' }).catch((error) => error.message),
@@ -277,6 +278,11 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
   assert.match(seen.badOption, /^option: .*fov/);
   assert.match(seen.noOption, /^option: get: found "colour"/);
   assert.match(seen.badStep, /sideways/);
+  assert.match(seen.badViews[0], /^address: look: found x three, expected a number/);
+  assert.match(seen.badViews[1], /found north 1, expected a view with some of x, y/);
+  assert.match(seen.badViews[2], /found view null/);
+  assert.match(seen.badViews[3], /found map 3, expected the name of a map/);
+  assert.match(seen.badColumn, /hits: found column 1.5, expected a whole number/);
   assert.deepEqual(seen.middle, kBlue);
   assert.deepEqual([seen.type, seen.jpeg], ['image/png', 'image/jpeg']);
   assert.match(seen.tooLarge, /found width 9000, expected a whole number from 1 to 4096/);

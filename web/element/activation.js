@@ -52,7 +52,7 @@ export class Activation {
     // Safari gives pressed buttons no focus; it is what remembers the wish while the scene is still to come.
     if (this.tree.root.activeElement !== cover) cover.focus({ preventScroll: true });
     this.actions.wanted();
-    this.#isWaiting = !this.actions.canBegin();
+    this.#wait(!this.actions.canBegin());
     if (this.#isWaiting) return;
     this.#showThumbs(byTouch);
     // The focus goes straight from the cover to the picture, which then is held.
@@ -63,11 +63,11 @@ export class Activation {
   // The scene is there: who pressed the cover before, and is still there, begins now.
   resume() {
     if (this.#isWaiting && this.tree.root.activeElement === this.tree.cover) this.begin({ byTouch: this.#byTouch });
-    this.#isWaiting = false;
+    this.#wait(false);
   }
 
   end({ focus = false } = {}) {
-    this.#isWaiting = false;
+    this.#wait(false);
     if (!this.isHeld) return;
     const { cover, stage, root } = this.tree;
     const hadFocus = focus || stage.contains(root.activeElement);
@@ -100,6 +100,12 @@ export class Activation {
     if (keys === this.keys) return;
     this.keys = keys;
     this.takeCanvas();
+  }
+
+  // Pressed while the scene is still to come: the cover shows that it knows.
+  #wait(isWaiting) {
+    this.#isWaiting = isWaiting;
+    this.tree.box.classList.toggle('waiting', isWaiting);
   }
 
   #hold(isHeld) {

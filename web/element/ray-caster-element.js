@@ -1,7 +1,6 @@
 // The class of <ray-caster>: what a page can ask of it. What it does is in show.js.
 
-import { parseView } from '../address.js';
-import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
+import { kAttributes, readView, reflectAttributes, takeEarlyProperties } from './attributes.js';
 import { faultOf } from './faults.js';
 import { Show } from './show.js';
 import { snapshotOf } from './snapshot.js';
@@ -116,7 +115,7 @@ export class RayCaster extends Base {
   }
 
   look(view) {
-    return this.#engine('look').look(typeof view === 'string' ? parseView(view) : view);
+    return this.#engine('look').look(readView(view));
   }
 
   async snapshot({ width, height, type = 'image/png' } = {}) {
@@ -127,13 +126,13 @@ export class RayCaster extends Base {
 
   hits(column) {
     const { width, height } = this.picture;
-    return this.#engine('hits').hits(width, height, column);
+    return this.#engine('hits').hits(width, height, checkColumn('hits', column));
   }
 
   trace(column) {
     const engine = this.#engine('trace');
     const { width, height } = this.picture;
-    return column === undefined ? engine.traceFrame(width, height) : engine.trace(width, height, column);
+    return column === undefined ? engine.traceFrame(width, height) : engine.trace(width, height, checkColumn('trace', column));
   }
 
   whenReady() {
@@ -144,6 +143,11 @@ export class RayCaster extends Base {
     if (this.#show.ready === null) throw faultOf('not-ready', `${method}() was called before there was a scene`);
     return this.#show.engine;
   }
+}
+
+function checkColumn(method, column) {
+  if (!Number.isInteger(column)) throw new RangeError(`${method}: found column ${column}, expected a whole number.`);
+  return column;
 }
 
 reflectAttributes(RayCaster.prototype);

@@ -55,7 +55,9 @@ p, h2, ul { margin: 0; padding: 0; }
 
 /* Where the keys go: a ring inside the edge, light on dark, so that it shows on any picture */
 .box::after { content: ""; position: absolute; inset: 0; pointer-events: none; }
-.box.engaged:focus-within::after, .box:has(.cover:focus-visible)::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
+.box.engaged:focus-within::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
+.cover:focus-visible { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
+.box:has(.cover:focus-visible)::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
 
 button { margin: 0; border: 0; border-radius: 0; font: inherit; color: inherit; cursor: pointer; -webkit-tap-highlight-color: transparent; }
 button:focus { outline: none; }
@@ -75,7 +77,7 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
   transition: color var(--quick), background-color var(--quick), opacity var(--quick);
 }
 .glyph .icon { width: 32px; height: 32px; }
-.cover:hover .glyph, .cover:focus-visible .glyph { color: var(--ink); background: var(--accent); }
+.cover:hover .glyph, .cover:focus-visible .glyph, .waiting .glyph { color: var(--ink); background: var(--accent); }
 .cover:active .glyph { box-shadow: inset 0 3px 0 rgb(0 0 0 / 0.36); }
 .hint { position: absolute; top: 12px; padding: 4px 12px; font-size: 13px; color: var(--text); background: var(--veil); opacity: 0; transition: opacity var(--quick); }
 .box[data-state="playing"] .glyph { opacity: 0; }
@@ -175,7 +177,8 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
   .cover:is(:hover, :focus-visible) .glyph, .controls button:is(:hover, [aria-pressed="true"]) { color: HighlightText; background: Highlight; }
   .sheet, .sheet p, .message .found, .message .inside, .keys dd { color: CanvasText; background: Canvas; }
   .progress::before { background: Highlight; }
-  .box.engaged:focus-within::after, .box:has(.cover:focus-visible)::after { outline: 3px solid Highlight; outline-offset: -3px; }
+  .box.engaged:focus-within::after { outline: 3px solid Highlight; outline-offset: -3px; }
+  .cover:focus-visible { outline: 3px solid Highlight !important; outline-offset: -3px; }
 }
 `;
 
