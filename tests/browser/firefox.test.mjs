@@ -1,0 +1,112 @@
+// The element in a second engine: Firefox, driven over WebDriver BiDi. The same pixels as in Chromium and under Node, played by keys, and left again.
+
+import assert from 'node:assert/strict';
+import { accessSync, constants } from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import puppeteer from 'puppeteer-core';
+
+import { launch } from './browser.mjs';
+import { hashHeadless } from './headless.mjs';
+import { roomFiles } from './room.mjs';
+import { serve } from './static-server.mjs';
+
+const kStartMilliseconds = 60000; // a first start makes a profile
+const kWaitMilliseconds = 15000;
+const kPage = `<!doctype html><html lang="en"><title>Another engine</title>
+<style>ray-caster { display: block; width: 320px; height: 200px } p { height: 3000px }</style>
+<script type="module" src="ray-caster.js"></script>
+<ray-caster scene="room" size="320x200"></ray-caster><button id="next">Next</button><p></p></html>`;
+
+function findFirefox() {
+  const places = [
+    process.env.SLICECAST_FIREFOX,
+    ...(process.env.PATH ?? '').split(path.delimiter).flatMap((folder) => ['firefox-esr', 'firefox'].map((name) => path.join(folder, name))),
+    '/Applications/Firefox.app/Contents/MacOS/firefox',
+  ];
+  return places.find((place) => {
+    try {
+      accessSync(place ?? '', constants.X_OK);
+      return true;
+    } catch {
+      return false;
+    }
+  });
+}
+
+const executablePath = findFirefox();
+const skip = executablePath === undefined && 'there is no Firefox; tools/setup installs it where the system has a package, or SLICECAST_FIREFOX names it';
+let browser;
+let server;
+let page;
+const complaints = [];
+
+before(async () => {
+  if (skip) return;
+  server = await serve({ files: { ...roomFiles(), 'firefox.html': kPage } });
+  browser = await puppeteer.launch({ browser: 'firefox', executablePath, headless: true, timeout: kStartMilliseconds });
+  page = await browser.newPage();
+  page.setDefaultTimeout(kWaitMilliseconds);
+  page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  await page.setViewport({ width: 800, height: 600 });
+  await page.goto(`${server.address}firefox.html`);
+  await page.waitForFunction(() => document.querySelector('ray-caster').state === 'paused');
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.close();
+});
+
+const hashOf = async () => {
+  const canvas = document.querySelector('ray-caster').shadowRoot.querySelector('canvas');
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', data));
+  return `${canvas.width}x${canvas.height} ${[...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('')}`;
+};
+
+const state = () => page.evaluate(() => document.querySelector('ray-caster').state);
+const view = () => page.evaluate(() => document.querySelector('ray-caster').currentView);
+
+test('the first picture has the bytes that Node draws', { skip }, async () => {
+  assert.equal(await page.evaluate(hashOf), await hashHeadless('room.json', roomFiles(), 320, 200));
+});
+
+test('the same steps lead to the same picture as in Chromium', { skip }, async () => {
+  const walk = () => document.querySelector('ray-caster').step(90, { forward: 1, turn: 0.4, jump: true });
+  const chromium = await launch();
+  try {
+    const other = await chromium.newPage();
+    await other.goto(`${server.address}firefox.html`);
+    await other.waitForFunction(() => document.querySelector('ray-caster').state === 'paused');
+    await other.evaluate(walk);
+    await page.evaluate(walk);
+    assert.deepEqual(await view(), await other.evaluate(() => document.querySelector('ray-caster').currentView));
+    assert.equal(await page.evaluate(hashOf), await other.evaluate(hashOf));
+  } finally {
+    await chromium.close();
+  }
+});
+
+test('it is played by keys after a click, without scrolling the page; Escape leaves, Tab moves on', { skip }, async () => {
+  await page.mouse.click(160, 100);
+  await page.waitForFunction(() => document.querySelector('ray-caster').state === 'playing');
+  const { heading } = await view();
+  await page.keyboard.down('ArrowDown');
+  await page.keyboard.down('ArrowRight');
+  await page.waitForFunction((before) => document.querySelector('ray-caster').currentView.heading !== before, {}, heading);
+  await page.keyboard.up('ArrowRight');
+  await page.keyboard.up('ArrowDown');
+  assert.equal(await page.evaluate(() => scrollY), 0);
+
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => document.querySelector('ray-caster').state === 'paused');
+  await page.keyboard.press('Tab');
+  await page.waitForFunction(() => document.activeElement?.id === 'next');
+  await page.keyboard.press('ArrowDown');
+  await page.waitForFunction(() => scrollY > 0);
+  assert.equal(await state(), 'paused');
+});
+
+test('nothing complained', { skip }, () => assert.deepEqual(complaints, []));
