@@ -18,7 +18,8 @@ before(async () => {
 });
 after(() => browser.close());
 
-const twelve = Array.from({ length: kElements }, (_, index) => `<ray-caster scene="${index % 2 === 0 ? 'room' : 'other'}" loading="eager" controls style="width: 180px"></ray-caster>`).join('');
+const one = (scene) => `<ray-caster scene="${scene}" loading="eager" controls style="width: 180px"></ray-caster>`;
+const twelve = Array.from({ length: kElements }, (_, index) => one(index % 2 === 0 ? 'room' : 'other')).join('');
 const watched = { prepare: (page) => page.addInitScript(watchPage) };
 
 // Nothing is scheduled any more.

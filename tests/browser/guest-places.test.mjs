@@ -2,9 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch, pictureHash } from './browser.mjs';
+import { launch } from './browser.mjs';
 import { hashHeadless } from './headless.mjs';
-import { guestPage, kRoom, kScript, openGuest, ready, until, wait } from './guest-page.mjs';
+import { guestPage, kRoom, openGuest, ready, until, wait } from './guest-page.mjs';
 import { serve } from './static-server.mjs';
 import { roomFiles, roomPictures, roomScene } from './room.mjs';
 
@@ -30,16 +30,12 @@ const hashIn = (frame, selector = 'ray-caster') => frame.evaluate(async (which) 
 }, selector);
 
 async function frameOf(page, name) {
-  return until2(() => page.frame(name));
-}
-
-async function until2(ask) {
-  for (let i = 0; i < 200; ++i) {
-    const found = await ask();
-    if (found) return found;
+  for (let tries = 0; tries < 200; ++tries) {
+    const frame = page.frame(name);
+    if (frame !== null) return frame;
     await wait(30);
   }
-  throw new Error('This did not come true.');
+  throw new Error(`There is no frame ${name}.`);
 }
 
 // Another host, with or without leave for others to read.
@@ -118,7 +114,9 @@ test('in a sandboxed iframe, scenes of a host that does not share: the code cors
 
 test('in a sandboxed iframe of a host that does not share, the script itself is refused: the page\'s fallback stays', async (t) => {
   const closed = await otherHost(t, { 'inner.html': guestPage('<ray-caster scene="room">A room with four walls</ray-caster>') }, false);
-  const { page } = await openGuest(t, browser, { script: '', expectErrors: true, body: `<iframe name="box" sandbox="allow-scripts" src="${closed.address}inner.html" title="box"></iframe>` });
+  const { page } = await openGuest(t, browser, {
+    script: '', expectErrors: true, body: `<iframe name="box" sandbox="allow-scripts" src="${closed.address}inner.html" title="box"></iframe>`,
+  });
   const frame = await frameOf(page, 'box');
   await frame.waitForLoadState('load');
   await wait(200);
@@ -126,7 +124,12 @@ test('in a sandboxed iframe of a host that does not share, the script itself is 
   assert.equal(await frame.evaluate(() => customElements.get('ray-caster') === undefined), true);
 });
 
-const kStrict = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self'; connect-src 'self'; require-trusted-types-for 'script'";
+const kStrict = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self'; connect-src 'self'; " +
+  "require-trusted-types-for 'script'";
+const kHearViolations = `window.violations = [];
+document.addEventListener('securitypolicyviolation', (event) => {
+  violations.push([event.effectiveDirective, event.blockedURI, event.sourceFile, event.lineNumber].join(' '));
+});`;
 
 test('under a strict policy nothing is refused, whatever it shows', async (t) => {
   const { page, complaints } = await openGuest(t, browser, {
@@ -136,7 +139,7 @@ test('under a strict policy nothing is refused, whatever it shows', async (t) =>
       headers: { 'Content-Security-Policy': kStrict },
       files: {
         'guest.css': 'ray-caster { width: 320px }',
-        'violations.js': 'window.violations = []; document.addEventListener("securitypolicyviolation", (event) => violations.push(`${event.effectiveDirective} ${event.blockedURI} ${event.sourceFile}:${event.lineNumber}`));',
+        'violations.js': kHearViolations,
         'scenes/broken.json': '{"title": 3}',
         'poster.png': roomPictures()['red.png'],
       },

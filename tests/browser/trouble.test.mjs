@@ -95,7 +95,8 @@ test('a bad scene: all of its faults, each with its place', async (t) => {
   const { code, title, faults, text } = await troubleOf(page);
   assert.equal(code, 'scene');
   assert.equal(title, '2 faults in room.json');
-  assert.deepEqual(faults.map(({ pointer, row, character }) => [pointer, row, character]).sort(), [['/maps/0/floor', -1, -1], ['/maps/0/levels/0/2', 2, 3]].sort());
+  const places = faults.map(({ pointer, row, character }) => [pointer, row, character]);
+  assert.deepEqual(places.sort(), [['/maps/0/floor', -1, -1], ['/maps/0/levels/0/2', 2, 3]]);
   for (const { place, found, expected } of faults) {
     assert.match(place, /^room\.json:\d+:\d+$/);
     for (const part of [place, found, expected]) assert.ok(text.includes(part), `${part} in ${text}`);
@@ -113,19 +114,39 @@ test('pictures that are not there, JSON that is none, and rows with faults: scen
   });
   const one = await troubleOf(page, '#one');
   assert.match(one.faults[0].pointer, /textures\/red/);
+  assert.match(one.faults[0].found, /"pictures\/red\.png", which could not be read: the server answers 404/);
   assert.match((await troubleOf(page, '#two')).faults[0].found, /./);
   assert.equal((await troubleOf(page, '#three')).faults[0].place, 'rows:1:2');
 });
 
-test('an engine that fails while it plays: engine', async (t) => {
+test('pictures of a host that does not share: the scene\'s fault says so', async (t) => {
+  const pictures = new URL('scenes/pictures/', other.address).href;
+  const shared = await serve({ files: { 'far.json': () => JSON.stringify(roomScene()) }, headers: { 'Access-Control-Allow-Origin': '*' } });
+  t.after(() => shared.close());
+  const { page } = await openTroubled(t, {
+    body: `<ray-caster scene="${shared.address}far.json"></ray-caster>`,
+    prepare: async (opened) => {
+      await opened.addInitScript(listen);
+      await opened.route('**/pictures/*.png', (route) => {
+        const elsewhere = pictures + route.request().url().split('/').pop();
+        return route.fulfill({ status: 302, headers: { 'Location': elsewhere, 'Access-Control-Allow-Origin': '*' } });
+      });
+    },
+  });
+  assert.match((await troubleOf(page)).faults[0].found, /does not allow pages of other origins/);
+});
+
+test('no memory for the engine: engine', async (t) => {
   const { page } = await openTroubled(t, {
     prepare: async (opened) => {
       await opened.addInitScript(listen);
       // Memory that cannot be had.
       await opened.addInitScript(() => {
         const instantiate = WebAssembly.instantiate.bind(WebAssembly);
-        let times = 0;
-        WebAssembly.instantiate = (...values) => (times++ === 0 ? Promise.reject(new RangeError('WebAssembly.instantiate(): Out of memory: Cannot allocate Wasm memory for new instance')) : instantiate(...values));
+        WebAssembly.instantiate = () => {
+          WebAssembly.instantiate = instantiate;
+          return Promise.reject(new RangeError('WebAssembly.instantiate(): Out of memory: Cannot allocate Wasm memory for new instance'));
+        };
       });
     },
   });

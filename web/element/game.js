@@ -32,7 +32,7 @@ export class Game {
     const isStale = () => turn !== this.#turn;
     const begin = this.engine === null ? kEngineShare : 0;
     onProgress(0, 0);
-    source?.readText().catch(() => {}); // it comes beside the engine; what is wrong with it is told when it is read
+    const begun = source === null ? null : beginReading(source);
     const [files, recording] = await Promise.all([
       sharedEngineFiles(kind, (loaded, total) => begin > 0 && !isStale() && onProgress((begin * loaded) / Math.max(1, total), loaded)),
       tour === null ? null : readTour(tour),
@@ -43,13 +43,13 @@ export class Game {
     if (engine === null) return false;
     try {
       const scene = recording === null ? null : checkTour(engine, recording);
-      const found = source ?? namedScene(scene);
+      const found = begun ?? namedScene(scene);
       const faults = await engine.loadScene(found, { onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), bytes) });
       if (faults === null || isStale()) {
         if (isNew) engine.stop();
         return false;
       }
-      if (faults.length > 0) throw sceneFault(found.name, faults);
+      if (faults.length > 0) throw sceneFault(found.name, faults.map((fault) => withReason(fault, found.failures)));
       this.source = found;
       this.#tour = recording;
       if (isNew) this.#take(engine, files.kind);
@@ -118,6 +118,19 @@ export class Game {
     this.engine?.stop();
     this.engine = this.source = this.#tour = null;
   }
+}
+
+// The text comes beside the engine; what is wrong with it is told when it is read.
+function beginReading(source) {
+  const text = source.readText();
+  text.catch(() => {});
+  return { ...source, readText: () => text };
+}
+
+// The engine knows of a file only that it did not come.
+function withReason(fault, failures) {
+  const reason = [...failures].find(([file]) => fault.found.startsWith(`"${file}", `))?.[1];
+  return reason === undefined ? fault : { ...fault, found: `${fault.found}: ${reason}` };
 }
 
 // The name of its scene.

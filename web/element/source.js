@@ -2,6 +2,7 @@
 //
 //     const scene = findScene(element);             // {key, source(), title}, null without one; throws a Trouble
 //     const source = namedScene('castle');          // one of those that lie beside the script
+//     source.failures                               // file -> why it could not be read
 
 import { kHome } from '../home.js';
 import { fetchOnce } from './page-cache.js';
@@ -69,20 +70,22 @@ function sceneFrom(address) {
     readText: () => fetchOnce(address).catch((error) => {
       throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
     }),
-    readFile: (file, onBytes) => readBeside(address, file, onBytes),
+    ...filesBeside(address),
   };
 }
 
 function sceneOf(name, text) {
-  return {
-    name,
-    address: null,
-    readText: async () => new TextEncoder().encode(text),
-    readFile: (file, onBytes) => readBeside(kScenes, file, onBytes),
-  };
+  return { name, address: null, readText: async () => new TextEncoder().encode(text), ...filesBeside(kScenes) };
 }
 
-// null for a file that cannot be read: the engine says which place of the scene names it.
-function readBeside(address, file, onBytes) {
-  return fetchOnce(new URL(file, address), onBytes).catch(() => null);
+// readFile gives null for a file that cannot be read: the engine says which place of the scene names it, `failures` why.
+function filesBeside(address) {
+  const failures = new Map();
+  return {
+    failures,
+    readFile: (file, onBytes) => fetchOnce(new URL(file, address), onBytes).catch((error) => {
+      failures.set(file, error.message);
+      return null;
+    }),
+  };
 }
