@@ -57,6 +57,11 @@ for (const [what, options, arrive] of [
     await page.tap('ray-caster');
     await inState(page, 'playing');
   }],
+  ['the sheet of keys', { body: element() }, async (page) => {
+    await play(page);
+    await page.keyboard.press('h');
+    await inState(page, 'paused');
+  }],
   ['an error to try again', { body: element().replace('"room"', '"nowhere"'), expectErrors: true }, (page) => inState(page, 'error')],
   ['a scene with many faults', { body: element().replace('"room"', '"broken"'), server: { files: { 'scenes/broken.json': JSON.stringify({ title: 3, maps: [1, 2, 3, 4, 5], textures: 4 }) } } },
     (page) => inState(page, 'error')],

@@ -23,9 +23,7 @@ import { ViewStatus } from './view-status.js';
 import { watchVisibility } from './visibility.js';
 
 const kDeadMilliseconds = 500; // without a picture after a failure of some engine, it was this one's
-const kHeldHint = 'Escape leaves';
-const kKeysHint = 'Escape leaves, H shows the keys';
-const kCursorHint = 'The mouse’s place steers; Escape ends it';
+const kHints = { held: 'Escape leaves', keys: 'Escape leaves, H shows the keys', cursor: 'The mouse’s place steers; Escape ends it' };
 
 export class Show {
   state = 'idle';
@@ -95,7 +93,10 @@ export class Show {
     this.#loading = new Loading(this.#host, this.#game, {
       show: (wanted) => this.#show(wanted),
       changed: () => this.#clearError(),
-      progress: (share, bytes) => this.#tellProgress(share, bytes),
+      progress: (share, bytes) => {
+        this.#face.progress(share);
+        this.#tell('progress', { share, bytes });
+      },
       loaded: () => this.#loaded(),
       done: (isNew) => this.#done(isNew),
       failed: (error) => this.#fail(error),
@@ -177,11 +178,6 @@ export class Show {
     this.#face.attributes(wanted, this.ready !== null);
   }
 
-  #tellProgress(share, bytes) {
-    this.#face.progress(share);
-    this.#tell('progress', { share, bytes });
-  }
-
   // ---- What is wrong
 
   #fail(error) {
@@ -245,7 +241,7 @@ export class Show {
 
   #held(isHeld) {
     if (isHeld) this.#keySheet.hide();
-    this.#face.status(!isHeld || this.#tree.box.classList.contains('touched') ? '' : this.#activation.keys === 'all' ? kKeysHint : kHeldHint);
+    this.#face.status(!isHeld || this.#tree.box.classList.contains('touched') ? '' : this.#activation.keys === 'all' ? kHints.keys : kHints.held);
     this.#run();
   }
 
@@ -335,7 +331,7 @@ export class Show {
         this.#activation.holdsPointer = value;
         break;
       case 'cursor':
-        this.#face.status(value ? kCursorHint : '', { stays: true });
+        this.#face.status(value ? kHints.cursor : '', { stays: true });
         break;
       case 'minimap':
         this.showState();
