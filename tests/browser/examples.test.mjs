@@ -83,6 +83,28 @@ test('without JavaScript a lesson is text and pictures', async (t) => {
   }
 });
 
+test('posters are the pictures that the engine draws', async (t) => {
+  for (const name of kLessons) {
+    const { page } = await openLesson(t, name);
+    const different = await page.evaluate(async () => {
+      const pixels = async (blob) => {
+        const image = await createImageBitmap(blob);
+        const copy = new OffscreenCanvas(image.width, image.height).getContext('2d');
+        copy.drawImage(image, 0, 0);
+        return copy.getImageData(0, 0, image.width, image.height);
+      };
+      const names = [];
+      for (const caster of document.querySelectorAll('ray-caster[poster]')) {
+        const poster = await pixels(await (await fetch(caster.poster)).blob());
+        const now = await pixels(await caster.snapshot({ width: poster.width, height: poster.height }));
+        if (poster.data.some((byte, index) => byte !== now.data[index])) names.push(caster.poster);
+      }
+      return names;
+    });
+    assert.deepEqual(different, [], 'node tools/lesson-posters.mjs draws them anew');
+  }
+});
+
 test('one ray: plan, rulers and table are the engine’s walk', async (t) => {
   const { page } = await openLesson(t, 'one-ray');
   for (const [heading, share] of [[11, 0.5], [-40, 0.9], [150, 0.1], [90, 0.5]]) {
