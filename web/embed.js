@@ -34,6 +34,7 @@ function show(parameters) {
   if (kTourName.test(parameters.get('tour') ?? '')) caster.setAttribute('tour', new URL(`tours/${parameters.get('tour')}.txt`, document.baseURI).href);
   caster.addEventListener('ready', ({ detail }) => {
     document.title = `${detail.title} · Slicecast`;
+    find('title').textContent = detail.title;
   });
   caster.addEventListener('statechange', ({ detail }) => {
     document.body.dataset.state = detail.state;

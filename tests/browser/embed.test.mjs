@@ -1,9 +1,12 @@
 // The page for frames: one picture that fills the window, from its address alone.
 
 import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { launch, openPage } from './browser.mjs';
 import { serve } from './static-server.mjs';
+
+const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
 let browser;
 before(async () => {
@@ -26,6 +29,8 @@ test('a frame shows the scene, view and options of its address, and fills its wi
     view: [2.5, 4.25, 0.75, 200], fov: '90', light: 'off', grid: 'on', picture: { width: 320, height: 180 }, width: 640, height: 360, label: 'My room',
   });
   assert.equal(await page.title(), 'The coloured room · Slicecast');
+  await page.addScriptTag({ path: kAxe });
+  assert.deepEqual(await page.evaluate(async () => (await window.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`)), []);
 });
 
 test('the link leads to the same in the play page', async (t) => {
@@ -35,6 +40,17 @@ test('the link leads to the same in the play page', async (t) => {
   await other.waitForFunction(() => document.body.dataset.state === 'paused');
   assert.match(other.url(), /index\.html\?scene=other&view=2\.5,4\.25,0\.75,200,0,room&options=fov=90$/);
   assert.equal(await other.evaluate(() => window.slicecast.engine.state.x), 2.5);
+});
+
+test('a tour leads through its scene, by itself where the address says so', async (t) => {
+  const { page } = await openPage(t, browser, { query: 'embed.html?tour=castle&autoplay&size=160x100', context: { reducedMotion: 'no-preference' } });
+  await page.waitForFunction(() => document.querySelector('ray-caster')?.state === 'playing');
+  assert.equal(await page.innerText('#title'), 'The castle in the lake');
+  const start = await page.evaluate(() => document.querySelector('ray-caster').currentView);
+  await page.waitForFunction(({ x, y, heading }) => {
+    const now = document.querySelector('ray-caster').currentView;
+    return now.x !== x || now.y !== y || now.heading !== heading;
+  }, start);
 });
 
 test('a bad parameter is told in the frame', async (t) => {

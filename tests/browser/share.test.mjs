@@ -2,9 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { inState, launch, openPage, openScene, pictureHash, play, player, untilPlayer } from './browser.mjs';
 import { roomFiles, roomPictures, roomScene } from './room.mjs';
+
+const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
 let browser;
 before(async () => {
@@ -172,4 +175,12 @@ test('a scene of the visitor’s own files has no address, but can be pictured',
   assert.match(await page.innerText('#share-no-address'), /no address/);
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#share-save')]);
   assert.equal(download.suggestedFilename(), 'mine-640x360.png');
+});
+
+test('axe finds nothing wrong with the dialog', async (t) => {
+  const { page } = await openScene(t, browser);
+  await openShare(page);
+  await page.addScriptTag({ path: kAxe });
+  const { violations } = await page.evaluate(() => window.axe.run(document.getElementById('share')));
+  assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`), []);
 });
