@@ -36,7 +36,10 @@ before(async () => {
   await rm(installed, { recursive: true, force: true });
   await run('npm', ['install', '--no-save', '--offline', '--no-audit', '--no-fund', '--ignore-scripts', tarball], { cwd: hosts });
   await rm(built, { recursive: true, force: true });
-  for (const name of kArt) await cp(path.join(installed, name), path.join(shared, 'slicecast', name), { recursive: true });
+  // By an address they may lie anywhere; by their names they are looked for beside the built script.
+  for (const place of ['slicecast', 'assets']) {
+    for (const name of kArt) await cp(path.join(installed, name), path.join(shared, place, name), { recursive: true });
+  }
 
   const { load } = await import('slicecast/node');
   const scene = await load('first-walk');
@@ -62,9 +65,11 @@ async function assertDraws(address) {
     await page.goto(address);
     await page.waitForFunction(() => customElements.get('ray-caster') !== undefined).catch(() => assert.fail(`the element is not defined: ${complaints.join('\n')}`));
     const found = await page.evaluate(async () => {
-      const element = document.querySelector('ray-caster');
-      await element.whenReady().catch(() => {});
-      if (element.error !== null) return element.error;
+      const elements = [...document.querySelectorAll('ray-caster')];
+      await Promise.all(elements.map((element) => element.whenReady().catch(() => {})));
+      const fault = elements.find(({ error }) => error !== null);
+      if (fault !== undefined) return fault.error;
+      const [element] = elements;
       const canvas = element.shadowRoot.querySelector('canvas');
       const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
       const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', data));
