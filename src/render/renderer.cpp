@@ -31,6 +31,17 @@ bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, i
            options.detailThreshold > 0.0 && options.mirrors >= 0.0 && options.mirrors <= kMaxMirrors && width > 0 && height > 0 && width <= kMaxPictureSide && height <= kMaxPictureSide;
 }
 
+// Gives the blocks their rows, from the top, and the planes theirs.
+void shareOut(SliceTrace& trace) {
+    for (const FilledRows& rows : trace.filled) {
+        if (rows.hit >= 0) trace.hits[static_cast<std::size_t>(rows.hit)].filled.push_back(rows);
+        if (rows.hit < 0 && rows.object < 0) trace.planes.push_back(rows);
+    }
+    for (Hit& hit : trace.hits) {
+        heapSort(hit.filled, [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });
+    }
+}
+
 }  // namespace
 
 bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& options, const Picture& picture) {
@@ -58,13 +69,8 @@ SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptio
     FrameReport report;
     const Frame frame(world, eye, options, width, height, s.textures, s.vistas);
     Slice(frame, s.slice, report).draw(column, s.strip.column(0), &trace);
-    for (const FilledRows& rows : trace.filled) {
-        if (rows.hit >= 0) trace.hits[static_cast<std::size_t>(rows.hit)].filled.push_back(rows);
-        if (rows.hit < 0 && rows.object < 0) trace.planes.push_back(rows);
-    }
-    for (Hit& hit : trace.hits) {
-        heapSort(hit.filled, [](const FilledRows& a, const FilledRows& b) { return a.first < b.first; });
-    }
+    shareOut(trace);
+    for (SliceTrace& reflection : trace.reflection) shareOut(reflection);
     return trace;
 }
 

@@ -179,6 +179,8 @@ private:
     void traceRows(int level, FilledRows::What what, Face face, int first, int last);
     void traceSide(const Block& block, Face face, const Crossing& border, const SideView& view, int first, int last, bool layer);
     void tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first, int last, bool layer);
+    SliceTrace& traceReflection();
+    static void turnUpright(SliceTrace& trace, int height);
     void traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step, int first, int last);
     void traceTile(int x, int y, double along);
     void traceBlocks(std::uint32_t levels);

@@ -152,12 +152,13 @@ void Slice::reflect() {
     pixels_ = memory_.reflected.data();
     layers_ = &memory_.reflectedLayers;
     parts_ = &memory_.reflectedParts;
-    trace_ = nullptr;
+    if (trace_) trace_ = &traceReflection();
     drawParts();
     if (!layers_->empty()) layOver();
     pixels_ = pixels;
     layers_ = &memory_.layers;
     trace_ = trace;
+    if (trace_) turnUpright(trace_->reflection.back(), height);
     for (const MirrorRun& run : memory_.mirrors) {
         blendReversed(pixels_ + run.first, run.last - run.first, memory_.reflected.data() + (height - run.last), run.strength);
     }

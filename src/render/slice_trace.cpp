@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace slicecast {
 
@@ -68,6 +69,30 @@ void Slice::traceObject(const FrameObject& object, int u, std::uint64_t start, s
     rows.bottom = texelAt(last - 1);
     rows.rowsOfDetail[static_cast<std::size_t>(detail)] = static_cast<std::uint16_t>(last - first);
     trace_->objects.push_back({vista_->viewpoint.map, portals_, object.index, object.depth, first, last});
+}
+
+SliceTrace& Slice::traceReflection() {
+    SliceTrace& reflection = trace_->reflection.emplace_back();
+    reflection.column = column_;
+    reflection.rayX = trace_->rayX;
+    reflection.rayY = trace_->rayY;
+    reflection.horizonRow = trace_->horizonRow;
+    reflection.projectionDistance = trace_->projectionDistance;
+    return reflection;
+}
+
+// Of what was drawn upside down.
+void Slice::turnUpright(SliceTrace& trace, int height) {
+    const auto turn = [height](auto& rows) { rows.first = height - std::exchange(rows.last, height - rows.first); };
+    for (FilledRows& rows : trace.filled) {
+        turn(rows);
+        std::swap(rows.top, rows.bottom);
+    }
+    for (SeenObject& object : trace.objects) turn(object);
+    for (PassedPortal& portal : trace.portals) turn(portal);
+    for (Hit& hit : trace.hits) {
+        for (double* row : {&hit.topFrontRow, &hit.bottomFrontRow, &hit.topBackRow, &hit.bottomBackRow}) *row = height - *row;
+    }
 }
 
 // The walk itself goes on with its own numbers only; it is walked again up to here.

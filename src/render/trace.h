@@ -124,7 +124,8 @@ struct SliceTrace {
     std::vector<FilledRows> planes;  // those of floor, ceiling, sky and haze
     std::vector<SeenObject> objects;
     std::vector<PassedPortal> portals;
-    std::vector<MirroredRows> mirrors;  // what is seen in them is not told
+    std::vector<MirroredRows> mirrors;
+    std::vector<SliceTrace> reflection;  // one, of what is seen in them, if there are any; its rows are those of the picture
 };
 
 // Sums over a frame.

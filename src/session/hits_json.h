@@ -23,7 +23,7 @@
 //                      "depth", "first", "last" } ], of the tile's border; the rows whose rays went through
 //       "mirrors": [ { "map", "height",
 //                      "strength",                   1 to 255
-//                      "first", "last" } ] }         what is seen in them is not told
+//                      "first", "last" } ] }         what is seen in them, a trace tells (trace_json.h)
 #pragma once
 
 #include "session/json_text.h"

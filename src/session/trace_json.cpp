@@ -89,6 +89,15 @@ void writeRun(JsonText& json, const World& world, const FilledRows& rows) {
     json.endArray().endObject();
 }
 
+void writeSlice(JsonText& json, const Session& session, const SliceTrace& trace) {
+    writeHits(json, session, trace);
+    json.line(1).key("walk").beginArray();
+    for (const WalkedTile& tile : trace.tiles) writeTile(json.line(2), session.world(), tile, trace.projectionDistance);
+    json.endArray().line(1).key("runs").beginArray();
+    for (const FilledRows& rows : trace.filled) writeRun(json.line(2), session.world(), rows);
+    json.endArray();
+}
+
 // One number for each column.
 void writeColumns(JsonText& json, const char* key, const std::vector<double>& numbers) {
     json.line(2).key(key).beginArray();
@@ -150,17 +159,20 @@ void writeTextures(JsonText& json, const World& world, const Sums& sums) {
 }  // namespace
 
 std::string traceJson(Session& session, const std::string& sceneName, int width, int height, int column) {
-    const World& world = session.world();
     const SliceTrace trace = session.trace(width, height, column);
     JsonText json;
     json.beginObject();
     writeView(json, session, sceneName, width, height);
-    writeHits(json, session, trace);
-    json.line(1).key("walk").beginArray();
-    for (const WalkedTile& tile : trace.tiles) writeTile(json.line(2), world, tile, trace.projectionDistance);
-    json.endArray().line(1).key("runs").beginArray();
-    for (const FilledRows& rows : trace.filled) writeRun(json.line(2), world, rows);
-    return json.endArray().line(0).endObject().str() + "\n";
+    writeSlice(json, session, trace);
+    json.line(1).key("reflection");
+    if (trace.reflection.empty()) {
+        json.null();
+    } else {
+        json.beginObject();
+        writeSlice(json, session, trace.reflection[0]);
+        json.endObject();
+    }
+    return json.line(0).endObject().str() + "\n";
 }
 
 std::string frameTraceJson(Session& session, const std::string& sceneName, int width, int height) {

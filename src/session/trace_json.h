@@ -22,6 +22,9 @@
 //                                "u", "v",             which of them, from the left and from the top
 //                                "light", "fog" } ] } ]        q, 0 to 256, and the weight of the haze, 0 to 255
 //
+//     "reflection": { "column" ... "runs" }            what is seen in "mirrors", told in the same way, in the rows of the picture; null where there are none. A
+//                                                      mirrored row shows both, blended by the mirror's strength
+//
 // "ray" is the direction per unit of depth; the walk's is that times projectionDistance, so "speed" is projectionDistance * |ray| on its axis. Through rows
 // between those two, texels go evenly on a side and an object; on a level plane u and v follow 1 / (row + 0.5 - horizonRow).
 //

@@ -69,7 +69,7 @@ World hall() {
         for (int x = 0; x < 14; ++x) map.ceiling.tiles[map.tileIndex(x, y)] = 0;
     }
     map.objects.push_back({.x = toCoordinate(5.5), .y = toCoordinate(4.25), .z = toCoordinate(0.25), .width = toCoordinate(0.5), .height = toCoordinate(0.5)});
-    map.floor.mirror = 0;
+    map.floor.mirror = 255;
     map.fog = {.on = true, .start = 2.0, .end = 12.0};
     world.maps.push_back(std::move(map));
     world.maps.push_back(makeMap("garden", 9, 9, 2, 2));
@@ -326,6 +326,46 @@ TEST_F(TraceJsonTest, AnObjectsTexelsAreThoseOfThePicture) {
         }
     }
     EXPECT_GT(compared, 6);
+}
+
+// A mirror of full strength shows nothing but what is in it.
+TEST_F(TraceJsonTest, TheReflectionsTexelsAreThoseOfThePicture) {
+    set("mirrors", "1");
+    set("light", "off");
+    set("fog", "off");
+    ASSERT_TRUE(session.setEye({.map = 0, .x = toCoordinate(2.3), .y = toCoordinate(5.2), .z = toCoordinate(0.6), .headingDegrees = 5.0, .look = -0.3}));
+    const std::vector<Pixel> pixels = picture();
+    std::map<std::string, int> compared;
+    for (int column = 0; column < kWidth; ++column) {
+        const rapidjson::Document json = trace(column);
+        std::vector<int> mirrored(kHeight, 0);
+        for (const Json& mirror : json["mirrors"].GetArray()) {
+            EXPECT_EQ(mirror["strength"].GetInt(), 255);
+            for (int row = mirror["first"].GetInt(); row <= mirror["last"].GetInt(); ++row) ++mirrored[static_cast<std::size_t>(row)];
+        }
+        ASSERT_FALSE(json["reflection"].IsNull());
+        const Json& reflection = json["reflection"];
+        const std::vector<bool> bare = bareRows(reflection);
+        const std::vector<bool> bareBefore = bareRows(json);
+        std::vector<int> filled(kHeight, 0);
+        for (const Json& run : reflection["runs"].GetArray()) {
+            if (run["layer"].GetBool()) continue;
+            for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row) ++filled.at(static_cast<std::size_t>(row));
+            for (const Json& texel : run["texels"].GetArray()) {
+                const int row = texel["row"].GetInt();
+                if (!bare[static_cast<std::size_t>(row)] || !bareBefore[static_cast<std::size_t>(row)]) continue;
+                const Colour own = texelOf(run, texel);
+                const Colour is = toColour(pixels[static_cast<std::size_t>(row * kWidth + column)]);
+                ASSERT_EQ(own.r, is.r) << "column " << column << ", row " << row << ", " << run["what"].GetString();
+                ASSERT_EQ(own.g, is.g) << "column " << column << ", row " << row << ", " << run["what"].GetString();
+                ++compared[run["what"].GetString()];
+            }
+        }
+        ASSERT_EQ(filled, mirrored) << "column " << column;
+    }
+    for (const char* what : {"side", "ceiling"}) EXPECT_GT(compared[what], 10) << what;
+    set("mirrors", "0");
+    EXPECT_TRUE(trace(60)["reflection"].IsNull());
 }
 
 TEST_F(TraceJsonTest, ItHoldsWhatTheHitsHold) {
