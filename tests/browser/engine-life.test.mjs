@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, openPage } from './browser.mjs';
+import { roomScene } from './room.mjs';
 
 let browser;
 before(async () => {
@@ -11,6 +12,13 @@ before(async () => {
 after(() => browser.close());
 
 const kPage = '<!doctype html><html lang="en"><title>An engine</title><link rel="icon" href="favicon.svg"><body></body></html>';
+
+// The room, and a tile before its eastern wall that leads into a cellar like it.
+function doubleRoom() {
+  const scene = roomScene();
+  const portals = [{ x: 5, y: 3, to: { map: 'cellar', x: 1, y: 3 } }];
+  return JSON.stringify({ ...scene, maps: [{ ...scene.maps[0], portals }, { ...scene.maps[0], name: 'cellar' }], start: { ...scene.start, map: 'room' } });
+}
 
 // Notes down what the page schedules and listens to, before anything of it runs.
 function watch() {
@@ -45,7 +53,7 @@ function watch() {
   window.listening = () => known.map(([target, type]) => `${target.constructor.name} ${type}`);
 
   // An engine in a room, and everything that it tells.
-  window.startEngine = async ({ paused = true } = {}) => {
+  window.startEngine = async ({ paused = true, scene = 'room' } = {}) => {
     const [{ fetchEngine }, { Engine }, { sceneAt }] = await Promise.all(['./engine-files.js', './engine.js', './scene-source.js'].map((name) => import(name)));
     window.files ??= await fetchEngine();
     const canvas = document.body.appendChild(document.createElement('canvas'));
@@ -53,7 +61,7 @@ function watch() {
     const engine = await Engine.create({ files: window.files, canvas, onEvent: (event, value) => told.push([event, value]) });
     engine.resize(160, 100);
     engine.paused = paused;
-    await engine.loadScene(sceneAt('room'));
+    await engine.loadScene(sceneAt(scene));
     engine.begin();
     while (!told.some(([event]) => event === 'ready')) await new Promise((resolve) => { requestAnimationFrame(resolve); });
     return { engine, canvas, told };
@@ -61,7 +69,7 @@ function watch() {
 }
 
 async function openEngine(t, options) {
-  const { page } = await openPage(t, browser, { query: 'engine.html', server: { files: { 'engine.html': kPage } }, prepare: (newPage) => newPage.addInitScript(watch) });
+  const { page } = await openPage(t, browser, { query: 'engine.html', server: { files: { 'engine.html': kPage, 'scenes/double.json': doubleRoom() } }, prepare: (newPage) => newPage.addInitScript(watch) });
   await page.evaluate(async (wanted) => { Object.assign(window, await window.startEngine(wanted)); }, options);
   return page;
 }
@@ -127,6 +135,21 @@ test('a step is exactly 1/120 s, and the view, the picture and the news say what
   const method = options.find(({ name }) => name === 'method');
   assert.ok(method.choices.length >= 2 && method.choices.includes(method.value), JSON.stringify(method));
   assert.ok(await page.evaluate(() => window.engine.memoryBytes) >= 1024 * 1024);
+});
+
+test('going through a portal is told with the names of both maps', async (t) => {
+  const page = await openEngine(t, { scene: 'double' });
+  assert.equal(await page.evaluate(() => window.engine.view.map), 'room');
+  await page.evaluate(() => { window.told.length = 0; window.engine.step({ forward: 1 }, 120); });
+  await rest(page);
+  assert.deepEqual(await page.evaluate(() => window.told), [['portal', { from: 'room', to: 'cellar' }], ['view', true], ['frame', true]]);
+  assert.equal(await page.evaluate(() => window.engine.view.map), 'cellar');
+  await page.evaluate(() => { window.told.length = 0; window.engine.look({ map: 'room' }); window.engine.reset(); });
+  await rest(page);
+  assert.equal(await page.evaluate(() => window.told.some(([event]) => event === 'portal')), false, 'nobody has gone through one');
+  assert.equal(await page.evaluate(() => window.engine.look({ map: 'cellar', x: 2.5, y: 2.5 }) && window.engine.view.map), 'cellar');
+  assert.equal(await page.evaluate(() => window.engine.traceFrame(40, 30).columns.nearest.length), 40);
+  assert.equal(await page.evaluate(() => window.engine.trace(40, 30, 20).map), 'cellar');
 });
 
 test('nothing is left of an engine that has been stopped', async (t) => {
