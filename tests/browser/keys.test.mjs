@@ -100,12 +100,12 @@ test('Tab moves on from the canvas to the buttons, with a ring around them', asy
   assert.equal(await focused(page), 'open-scenes');
   await inState(page, 'paused');
   const order = [];
-  for (let i = 0; i < 4; ++i) {
+  for (let i = 0; i < 6; ++i) {
     const ring = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
     order.push(`${await focused(page)} ${ring}`);
     await page.keyboard.press('Tab');
   }
-  assert.deepEqual(order, ['open-scenes solid', 'open-keys solid', 'open-settings solid', 'full-screen solid']);
+  assert.deepEqual(order, ['open-scenes solid', 'open-lessons solid', 'open-keys solid', 'open-settings solid', 'open-share solid', 'full-screen solid']);
   assert.equal(await focused(page), 'play');
   await page.keyboard.press('Enter');
   await inState(page, 'playing');
