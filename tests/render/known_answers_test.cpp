@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+#include <vector>
+
 namespace slicecast::known {
 namespace {
 
@@ -275,6 +278,21 @@ TEST(KnownAnswers, TheTraceOfAWall) {
     ASSERT_EQ(trace.planes.size(), 2u);
     EXPECT_EQ(trace.planes[0].what, FilledRows::What::floor);
     EXPECT_EQ(trace.planes[1].what, FilledRows::What::sky);
+}
+
+// Faces whose rows begin together are told in one order by every compiler: by where their rows end. The far side is drawn in two runs, above and below the eye.
+TEST(KnownAnswers, TheTraceOfAPaneAcrossThePicture) {
+    World world = emptyWorld(9, 5, 1, plain("floor", {0, 0, 0, 255}));
+    world.maps[0].setCell(5, 2, 0, addBlock(world, addTexture(world, plain("glass", {200, 220, 255, 90}))));
+    markSeeThrough(world);
+    Renderer renderer;
+    const SliceTrace trace = renderer.trace(world, eyeAt(4.875, 2.5, 0.5, 0.0), {.fovDegrees = 90.0}, 201, 60, 100);
+    ASSERT_EQ(trace.hits.size(), 1u);
+    const std::vector<FilledRows>& filled = trace.hits[0].filled;
+    ASSERT_EQ(filled.size(), 3u);
+    EXPECT_EQ(std::tuple(filled[0].first, filled[0].last, filled[0].face), std::tuple(0, 30, Face::east));
+    EXPECT_EQ(std::tuple(filled[1].first, filled[1].last, filled[1].face), std::tuple(0, 60, Face::west));
+    EXPECT_EQ(std::tuple(filled[2].first, filled[2].last, filled[2].face), std::tuple(30, 60, Face::east));
 }
 
 }  // namespace
