@@ -1,5 +1,7 @@
 #include "base/image.h"
 
+#include "base/words.h"
+
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -45,30 +47,49 @@ void* reallocateBounded(void* memory, std::size_t bytes) { return bytes > kMaxAl
 
 namespace slicecast {
 
+// Without a function for each pixel, which costs more than all else where code is built for size.
+bool Image::isOpaque() const {
+    Pixel common = ~Pixel{0};
+    for (const Pixel pixel : pixels) common &= pixel;
+    return toColour(common).a == 255;
+}
+
 DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight) {
     // Larger files than this cannot be images within the limits; it also keeps the length within stb_image's int.
     constexpr std::size_t kMaxBytes = 64u << 20;
     constexpr std::uint8_t kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     if (bytes.size() < sizeof kSignature || std::memcmp(bytes.data(), kSignature, sizeof kSignature) != 0) return {{}, "is not a PNG file"};
-    if (bytes.size() > kMaxBytes) return {{}, "has " + std::to_string(bytes.size()) + " bytes; at most " + std::to_string(kMaxBytes) + " are read"};
+    if (bytes.size() > kMaxBytes) return {{}, words("has ", bytes.size(), " bytes; at most ", kMaxBytes, " are read")};
 
     const int length = static_cast<int>(bytes.size());
     int width = 0;
     int height = 0;
     int channels = 0;
     if (!stbi_info_from_memory(bytes.data(), length, &width, &height, &channels)) {
-        return {{}, std::string("is a damaged PNG file (") + stbi_failure_reason() + ")"};
+        return {{}, words("is a damaged PNG file (", stbi_failure_reason(), ")")};
     }
     if (width > maxWidth || height > maxHeight) {
-        return {{}, "is " + std::to_string(width) + "x" + std::to_string(height) + " pixels; at most " + std::to_string(maxWidth) + "x" +
-                        std::to_string(maxHeight) + " are read"};
+        return {{}, words("is ", width, "x", height, " pixels; at most ", maxWidth, "x", maxHeight, " are read")};
     }
     stbi_uc* decoded = stbi_load_from_memory(bytes.data(), length, &width, &height, &channels, 4);
-    if (!decoded) return {{}, std::string("is a damaged PNG file (") + stbi_failure_reason() + ")"};
-    Image image(width, height);
-    std::memcpy(image.pixels.data(), decoded, image.pixels.size() * sizeof(Pixel));
+    if (!decoded) return {{}, words("is a damaged PNG file (", stbi_failure_reason(), ")")};
+    Image image;
+    image.width = width;
+    image.height = height;
+    const auto* first = reinterpret_cast<const Pixel*>(decoded);
+    image.pixels.assign(first, first + static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     stbi_image_free(decoded);
     return {std::move(image), {}};
+}
+
+std::vector<std::uint8_t> compressed(std::span<const std::uint8_t> bytes) {
+    constexpr int kQuality = 32;  // how many earlier places are compared; more make nothing smaller
+    int size = 0;
+    // It only reads them.
+    unsigned char* packed = stbi_zlib_compress(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()), &size, kQuality);
+    std::vector<std::uint8_t> result(packed, packed + size);
+    std::free(packed);
+    return result;
 }
 
 std::vector<std::uint8_t> encodePng(const Pixel* pixels, int width, int height, int pitch) {

@@ -1,15 +1,35 @@
-// A sort for lists that are short or sorted once. std::sort is written out anew, some kilobytes each time, for every kind of thing and order; what a page
-// loads should be small, and this is a tenth of it.
+// A sort that is little code for each kind of thing: std::sort is written out anew, some kilobytes each time, and what a page loads should be small.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace slicecast {
 
-// Heap sort. The order is total: no two things are equal in it.
-template <typename Things, typename Less>
-void heapSort(Things& things, Less isBefore) {
-    std::partial_sort(things.begin(), things.end(), things.end(), isBefore);
+// Merge sort: what is equal stays in its order. `room` is needed meanwhile, and can be kept where there should be no allocation.
+template <typename Thing, typename Less>
+void mergeSort(std::vector<Thing>& things, std::vector<Thing>& room, Less isBefore) {
+    const std::size_t count = things.size();
+    room.resize(count);
+    for (std::size_t run = 1; run < count; run *= 2) {
+        std::size_t to = 0;
+        while (to < count) {
+            std::size_t a = to;
+            const std::size_t aEnd = std::min(a + run, count);
+            std::size_t b = aEnd;
+            const std::size_t bEnd = std::min(b + run, count);
+            while (to < bEnd) room[to++] = std::move(a < aEnd && (b >= bEnd || !isBefore(things[b], things[a])) ? things[a++] : things[b++]);
+        }
+        things.swap(room);
+    }
+}
+
+template <typename Thing, typename Less>
+void mergeSort(std::vector<Thing>& things, Less isBefore) {
+    std::vector<Thing> room;
+    mergeSort(things, room, isBefore);
 }
 
 }  // namespace slicecast

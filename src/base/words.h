@@ -1,0 +1,95 @@
+// Texts put together from texts and numbers, in little code at each place that does it:
+//
+//     words("at most ", kMaxLevels, " in a map")
+//     words("x ", Fixed{1.5, 2})                                            "x 1.50"
+//     words("a level of ", Counted{3, "row"})                               "a level of 3 rows"
+#pragma once
+
+#include "base/number_text.h"
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace slicecast {
+
+// A number with so many digits behind the point, 0 to 6; and in the fewest digits that give it back (base/number_text.h).
+struct Fixed {
+    double number;
+    int decimals;
+};
+struct Shortest {
+    double number;
+};
+// "1 row", "3 rows"
+struct Counted {
+    std::int64_t count;
+    const char* noun;
+};
+
+// A text, which is not copied, or a number.
+class Word {
+public:
+    Word(std::string_view text) : text_(text.data()), kind_(kText), whole_(static_cast<std::int64_t>(text.size())) {}
+    Word(const std::string& text) : Word(std::string_view(text)) {}
+    Word(const NumberText& text) : Word(std::string_view(text)) {}
+    Word(const char* text) : text_(text), kind_(kTextToZero) {}
+    Word(std::integral auto number) : kind_(kWhole), whole_(static_cast<std::int64_t>(number)) {}
+    Word(Counted things) : text_(things.noun), kind_(kCounted), whole_(things.count) {}
+    Word(Fixed number) : kind_(number.decimals), number_(number.number) {}
+    Word(Shortest number) : kind_(kShortest), number_(number.number) {}
+
+    // Calls take(std::string_view) with what it says, piece by piece.
+    template <typename Take>
+    void say(Take take) const;
+
+private:
+    static constexpr int kText = -1;
+    static constexpr int kTextToZero = -2;
+    static constexpr int kWhole = -3;
+    static constexpr int kCounted = -4;
+    static constexpr int kShortest = -5;
+
+    const char* text_ = nullptr;
+    int kind_;  // one of the above, or the decimals of a number
+    union {
+        std::int64_t whole_;  // or the text's length
+        double number_;
+    };
+};
+
+// Words that a function takes, and uses before it returns: one, or several in braces.
+class Words {
+public:
+    Words(std::initializer_list<Word> words) : single_(0), count_(words.size()) { first_ = words.begin(); }
+    template <typename Piece>
+    requires std::constructible_from<Word, const Piece&> Words(const Piece& piece) : single_(piece), first_(&single_), count_(1) {}
+    Words(const Words&) = delete;
+    Words& operator=(const Words&) = delete;
+
+    const Word* begin() const { return first_; }
+    const Word* end() const { return first_ + count_; }
+    std::string str() const;
+
+private:
+    Word single_;
+    const Word* first_;
+    std::size_t count_;
+};
+
+// Appended to a text.
+void add(std::string& text, const Words& words);
+
+// Into a place of a fixed size, as much as there is room for.
+std::string_view write(std::span<char> place, const Words& words);
+
+template <typename... Pieces>
+std::string words(const Pieces&... pieces) {
+    return Words({Word(pieces)...}).str();
+}
+
+}  // namespace slicecast
