@@ -51,7 +51,7 @@ Names texturesShown(const World& world) {
 }
 
 bool isVisible(const Texture& texture) {
-    const std::vector<Pixel>& pixels = texture.image.pixels;
+    const std::vector<Pixel>& pixels = texture.levels[0].texels;
     return std::any_of(pixels.begin(), pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 0; });
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/image.h"
 #include "catalogue.h"
+#include "palette_png.h"
 #include "sheet.h"
 
 namespace {
@@ -41,7 +42,8 @@ bool write(const std::string& path, const slicecast::textures::Picture& picture)
     for (const slicecast::Colour& colour : picture.pixels) {
         pixels.push_back(slicecast::toPixel(colour));
     }
-    const std::vector<std::uint8_t> bytes = slicecast::encodePng(pixels.data(), picture.width, picture.height, picture.width);
+    std::vector<std::uint8_t> bytes = slicecast::textures::encodePalettePng(pixels, picture.width, picture.height);
+    if (bytes.empty()) bytes = slicecast::encodePng(pixels.data(), picture.width, picture.height, picture.width);
     std::ofstream file(path, std::ios::binary);
     file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     if (!file.flush()) {
