@@ -3,7 +3,7 @@
 //     const files = await fetchEngine({kind: 'auto', onBytes(loaded, total) {...}});
 //     const engine = await Engine.create({files, canvas});
 
-import { coded, fetchResponse, listenForViolations, readBody, whyNoScript } from './fetch-bytes.js';
+import { coded, fetchResponse, listenForViolations, readBody } from './fetch-bytes.js';
 import { Trouble } from './trouble.js';
 
 // The smallest module that uses SIMD: (func (result v128) i32.const 0 i8x16.splat i8x16.popcnt).
@@ -13,17 +13,9 @@ const kSimdModule = new Uint8Array([
 
 // The addresses stand here as literals: that is how bundlers find the files.
 const kBuilds = {
-  simd: {
-    importGlue: () => import('./engine/slicecast-simd.js'),
-    program: () => new URL('./engine/slicecast-simd.wasm', import.meta.url),
-  },
-  scalar: {
-    importGlue: () => import('./engine/slicecast-scalar.js'),
-    program: () => new URL('./engine/slicecast-scalar.wasm', import.meta.url),
-  },
+  simd: () => new URL('./engine/slicecast-simd.wasm', import.meta.url),
+  scalar: () => new URL('./engine/slicecast-scalar.wasm', import.meta.url),
 };
-
-let retries = 0;
 
 export function browserHasWebAssembly() {
   return typeof WebAssembly === 'object' && typeof WebAssembly.validate === 'function';
@@ -44,21 +36,7 @@ export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
     throw new Trouble('This browser has no WebAssembly', 'The engine is a WebAssembly program.', [], 'no-webassembly');
   }
   const chosen = chooseBuild(kind);
-  const [glue, program] = await Promise.all([importGlue(kBuilds[chosen]), compileProgram(kBuilds[chosen].program().href, onBytes)]);
-  return { kind: chosen, createModule: glue.default, program };
-}
-
-async function importGlue(build) {
-  try {
-    return await build.importGlue();
-  } catch (error) {
-    const address = /\b(?:https?|blob|data|file):\S+/.exec(error.message)?.[0];
-    if (address === undefined) throw cannotLoad('The script of the engine', coded('fetch', error.message));
-    const cause = await whyNoScript(address, error.message);
-    // A browser remembers which module it could not get; another address makes it ask again.
-    if (cause.code === 'engine') return import(/* @vite-ignore */ `${address}?again=${++retries}`).catch(() => Promise.reject(cannotLoad(address, cause)));
-    throw cannotLoad(address, cause);
-  }
+  return { kind: chosen, program: await compileProgram(kBuilds[chosen]().href, onBytes) };
 }
 
 async function compileProgram(address, onBytes) {

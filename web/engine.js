@@ -8,6 +8,7 @@
 //
 // Without a canvas it draws only when asked to (drawOnce). Any number of engines live side by side; they share the compiled program.
 
+import { createModule } from './engine-module.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
@@ -21,21 +22,8 @@ export class Engine {
   #mapNames = [];
 
   static async create({ files, canvas = null, onEvent = () => {} }) {
-    let refuse;
-    const refused = new Promise((_, reject) => {
-      refuse = reject;
-    });
-    const created = files.createModule({
-      canvas,
-      onSlicecast: onEvent,
-      instantiateWasm(imports, done) {
-        WebAssembly.instantiate(files.program, imports).then((instance) => done(instance, files.program), refuse);
-        return {};
-      },
-      onAbort: (what) => refuse(new Error(String(what))),
-    });
     try {
-      return new Engine(await Promise.race([created, refused]), canvas);
+      return new Engine(await createModule(files.program, { canvas, onSlicecast: onEvent }), canvas);
     } catch (error) {
       throw new Trouble('The engine does not start', error.message);
     }
@@ -66,21 +54,33 @@ export class Engine {
     const names = await readNames(this.#module, this.#session, source, () => load === this.#loads);
     if (names === null) return null;
     if (names.faults.length > 0) return names.faults;
-    const contents = await readContents(names.files, source, onProgress);
+    await supplyFiles(this.#module, this.#session, names.files, source, { onProgress, isWanted: () => load === this.#loads });
     if (load !== this.#loads) return null;
     const eye = keepEye ? this.state : null;
-    const { faults, warnings } = startWith(this.#module, this.#session, names.files, contents);
+    const { faults, warnings } = start(this.#module, this.#session);
     this.warnings = warnings;
     if (faults.length === 0) this.#mapNames = this.world.maps.map(({ name }) => name);
     if (eye !== null && faults.length === 0) this.restore(eye);
     return faults;
   }
 
+  // Has the scene of another engine of the same build, from its start, in a fraction of the time that loading takes: the other's memory is all that there is
+  // of it. Only before begin(), and nothing of another load may be under way. False if the other has none.
+  adopt(other) {
+    if ((other?.#running ?? null) === null) return false;
+    const end = other.#running._slicecast_memoryEnd();
+    if (end > this.memoryBytes) this.#module._malloc(end - this.#module._slicecast_memoryEnd());
+    this.#module.HEAPU8.set(other.#running.HEAPU8.subarray(0, end));
+    this.warnings = other.warnings;
+    this.#mapNames = other.#mapNames;
+    return this.#module._slicecast_adopt() === 1;
+  }
+
   // Begins to draw into the canvas and to listen to it. The second call does nothing.
   begin() {
     if (this.#begun) return;
     this.#begun = true;
-    this.#module.callMain([]);
+    if (this.#module._slicecast_begin() === 0) throw new Error('There is no canvas.');
   }
 
   get hasBegun() {
@@ -94,8 +94,8 @@ export class Engine {
     try {
       const { files, faults } = await readNames(module, session, source);
       if (faults.length > 0) return null;
-      const contents = await readContents(files, source);
-      return startWith(module, session, files, contents).faults.length === 0 ? imageOf(drawPixels(module, session, width, height, 1), width, height) : null;
+      await supplyFiles(module, session, files, source);
+      return start(module, session).faults.length === 0 ? imageOf(drawPixels(module, session, width, height, 1), width, height) : null;
     } finally {
       module._slicecast_free(session);
     }
@@ -287,13 +287,13 @@ async function readNames(module, session, source, isWanted = () => true) {
     JSON.parse(module.UTF8ToString(module._slicecast_parse(session, textAt, text.length, nameAt)))));
 }
 
-// The bytes of the files that it names, null for each that cannot be read.
-function readContents(files, source, onProgress = () => {}) {
+// The files that it names: each is handed over when it comes, and its picture decoded while the others are on their way.
+async function supplyFiles(module, session, files, source, { onProgress = () => {}, isWanted = () => true } = {}) {
   const shares = new Array(files.length).fill(0);
   let bytesLoaded = 0;
+  let isOver = false;
   const report = () => onProgress(shares.reduce((sum, share) => sum + share, 0) / Math.max(1, shares.length), bytesLoaded);
-  report();
-  return Promise.all(files.map(async (name, index) => {
+  const supply = async (name, index) => {
     let before = 0;
     const bytes = await source.readFile(name, (loaded, total) => {
       bytesLoaded += loaded - before;
@@ -301,19 +301,21 @@ function readContents(files, source, onProgress = () => {}) {
       shares[index] = loaded / total;
       report();
     });
+    if (isOver || !isWanted()) return;
+    if (bytes !== null) withBytes(module, bytes, (at) => withStrings(module, [name], (nameAt) => module._slicecast_supply(session, nameAt, at, bytes.length)));
     shares[index] = 1;
     report();
-    return bytes;
-  }));
+  };
+  report();
+  try {
+    await Promise.all(files.map(supply));
+  } finally {
+    isOver = true;
+  }
 }
 
-// The world: {faults, warnings}. A file that is not supplied becomes one, with the place that names it.
-function startWith(module, session, files, contents) {
-  files.forEach((name, index) => {
-    const bytes = contents[index];
-    if (bytes === null) return;
-    withBytes(module, bytes, (at) => withStrings(module, [name], (nameAt) => module._slicecast_supply(session, nameAt, at, bytes.length)));
-  });
+// The world: {faults, warnings}. A file that could not be read becomes one, with the place that names it.
+function start(module, session) {
   return JSON.parse(module.UTF8ToString(module._slicecast_start(session)));
 }
 

@@ -5,6 +5,7 @@
 // It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch', 'cors', 'mime' or 'csp'.
 
 const kViolationMilliseconds = 50; // the news of a violation comes after the failure
+const kOnePiece = 131072; // bytes that are read without telling how far they are
 const kProbeMilliseconds = 4000; // a server that has not answered the probe by then counts as one that does not answer
 
 // `total` is never below `loaded`; a compressed answer's length is not known beforehand.
@@ -31,7 +32,7 @@ export async function fetchResponse(address) {
 
 export async function readBody(response, onBytes) {
   const total = response.headers.has('Content-Encoding') ? 0 : Number(response.headers.get('Content-Length') ?? 0);
-  if (response.body === null) return new Uint8Array(await response.arrayBuffer());
+  if (response.body === null || (total > 0 && total <= kOnePiece)) return readPiece(response, total, onBytes);
 
   const chunks = [];
   let loaded = 0;
@@ -52,6 +53,15 @@ export async function readBody(response, onBytes) {
     at += chunk.length;
   }
   return bytes;
+}
+
+// Each piece takes its time: what is short comes in one.
+async function readPiece(response, total, onBytes) {
+  const bytes = await response.arrayBuffer().catch(() => {
+    throw coded('fetch', `the server stopped answering before all ${total} bytes were there`);
+  });
+  onBytes(bytes.byteLength, Math.max(total, bytes.byteLength));
+  return new Uint8Array(bytes);
 }
 
 // Why a module script at this address was refused, as an Error with a code; `reason` is the browser's own.

@@ -1,5 +1,5 @@
 // Hands gamepads to the engine. A browser says that there is one once a button of it was pressed, and tells its state only when asked: each frame while one
-// is connected. SDL could ask too, but its gamepads would add 35 KB to the engine.
+// is connected. SDL could ask too, but a page uses nothing of it but surfaces.
 //
 //     const gamepads = new Gamepads({change(pad), press()});
 //     gamepads.stop();

@@ -1,6 +1,7 @@
 #include "app/app.h"
 
 #include "base/angle.h"
+#include "base/number_text.h"
 #include "overlay/minimap.h"
 #include "overlay/slow_drawing.h"
 #include "session/hits_json.h"
@@ -238,7 +239,7 @@ bool App::toggle(Action action) {
 }
 
 void App::changeNumber(const char* option, int now, int by, int least, int greatest) {
-    game_->setOption(option, std::to_string(std::clamp(now + by, least, greatest)));
+    game_->setOption(option, wholeText(std::clamp(now + by, least, greatest)));
 }
 
 // Below the lowest level comes whichever level the player is on.
@@ -254,9 +255,7 @@ void App::changeLight(const char* option, double now, double by) {
     const double wanted = now + by * factor;
     for (const OptionInfo& info : knownOptions()) {
         if (info.name != std::string_view(option)) continue;
-        char value[32];
-        std::snprintf(value, sizeof value, "%.2f", std::clamp(wanted, info.least, info.greatest));
-        game_->setOption(option, value);
+        game_->setOption(option, fixedText(std::clamp(wanted, info.least, info.greatest), 2));
     }
 }
 

@@ -1,15 +1,6 @@
-// The program. In a page it begins to draw into the canvas and returns at once; in a window it plays a scene until the window is closed.
+// The program in a window: plays a scene until the window is closed. In a page src/wasm begins it.
 
-#ifdef __EMSCRIPTEN__
-
-#include "app/page_shell.h"
-
-// SDL has a page call main with arguments; one without would never be called.
-int main(int, char**) {
-    return slicecast::beginPageProgram() ? 0 : 1;
-}
-
-#else
+#ifndef __EMSCRIPTEN__
 
 #include "app/arguments.h"
 #include "app/scene_file.h"

@@ -7,125 +7,36 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdio>
+#include <memory>
 
 // ---------------------------------------------------------------------------------------------- what only JavaScript can
 
-// clang-format off
+// web/engine-module.js has them all.
+#define SLICECAST_PAGE(name) __attribute__((import_module("page"), import_name(name)))
 
-// Everything that is heard on the way in, before the page's own listeners; the C++ below decides which keys are taken from the page. `code` has room for
-// the longest name of a key that it knows.
-EM_JS(int, slicecastOpenCanvas, (char* code, int codeBytes), {
-    const canvas = Module["canvas"];
-    if (!canvas) return 0;
-    if (!canvas.hasAttribute("tabindex")) canvas.tabIndex = 0;
-    const listeners = new AbortController();
-    const on = (target, type, hear) => target.addEventListener(type, hear, {signal: listeners.signal, capture: true});
-    const screen = {context: canvas.getContext("2d", {alpha: false}), image: null, listeners, asks: false, held: false, lockEnd: -Infinity};
+extern "C" {
 
-    const key = (event, isDown) => {
-        stringToUTF8(event.code, code, codeBytes);
-        const flags = (event.ctrlKey ? 1 : 0) | (event.altKey ? 2 : 0) | (event.metaKey ? 4 : 0) | (event.repeat ? 8 : 0);
-        if (_slicecastKey(isDown, flags)) event.preventDefault();
-    };
-    on(canvas, "keydown", (event) => key(event, 1));
-    on(canvas, "keyup", (event) => key(event, 0));
-    on(canvas, "blur", () => _slicecastBlurred());
-    on(document, "visibilitychange", () => _slicecastHidden(document.hidden ? 1 : 0));
+// The canvas is heard from now on. `code` has room for the longest name of a key that the program knows. 0 if there is none.
+SLICECAST_PAGE("openCanvas") int slicecastOpenCanvas(char* code, int codeBytes);
+SLICECAST_PAGE("closeCanvas") void slicecastCloseCanvas(void);
+SLICECAST_PAGE("leaveCanvas") void slicecastLeaveCanvas(void);
+SLICECAST_PAGE("showPixels") void slicecastShowPixels(uint32_t address, int width, int height);
+SLICECAST_PAGE("askForFrame") int slicecastAskForFrame(void);
+SLICECAST_PAGE("forgetFrame") void slicecastForgetFrame(int frame);
+SLICECAST_PAGE("tell") void slicecastTell(int news, int yes);
+SLICECAST_PAGE("tellShown") void slicecastTellShown(int moved);
+SLICECAST_PAGE("tellPortal") void slicecastTellPortal(const char* from, const char* to);
+SLICECAST_PAGE("tellRates") void slicecastTellRates(double framesPerSecond, double drawMilliseconds, double longestMilliseconds);
+SLICECAST_PAGE("tellSize") void slicecastTellSize(int width, int height);
+SLICECAST_PAGE("tellHits") void slicecastTellHits(const char* json);
 
-    // -1 to 1 from edge to edge, where that is wanted.
-    on(canvas, "mousemove", (event) => {
-        if (!_slicecastPointerMoved(event.movementX, event.movementY)) return;
-        const box = canvas.getBoundingClientRect();
-        if (box.width > 0 && box.height > 0) _slicecastCursorAt(2 * (event.clientX - box.left) / box.width - 1, 2 * (event.clientY - box.top) / box.height - 1);
-    });
-    on(canvas, "mouseleave", () => _slicecastCursorLeft());
+// What SDL would wait with, if it were asked to: a page cannot wait.
+void emscripten_sleep(unsigned) {}
+int emscripten_has_asyncify(void) {
+    return 0;
+}
 
-    // A press of the mouse gives the focus without scrolling, and so does a tap; a finger that moves on scrolls the page. A click asks for the pointer; where
-    // that is refused, the cursor's place steers. A browser also refuses for a moment after Escape, which means nothing.
-    const until = {signal: listeners.signal};
-    canvas.addEventListener("pointerdown", (event) => event.pointerType !== "touch" && canvas.focus({preventScroll: true}), until);
-    const holdsPointer = () => canvas.getRootNode().pointerLockElement === canvas;
-    const refused = () => {
-        if (screen.asks && !listeners.signal.aborted && performance.now() - screen.lockEnd > 2000) _slicecast_steerByCursor(1);
-        screen.asks = false;
-    };
-    document.addEventListener("pointerlockerror", refused, until);
-    on(document, "pointerlockchange", () => {
-        if (holdsPointer()) screen.asks = false;
-        else if (screen.held) screen.lockEnd = performance.now();
-        screen.held = holdsPointer();
-        _slicecastPointerHeld(screen.held ? 1 : 0);
-    });
-    canvas.addEventListener("click", (event) => {
-        canvas.focus({preventScroll: true});
-        if (event.pointerType && event.pointerType !== "mouse") return;
-        if (holdsPointer()) return;
-        screen.asks = true;
-        if (!canvas.requestPointerLock) return refused();
-        const asked = canvas.requestPointerLock();
-        if (asked && asked.catch) asked.catch(refused);
-    }, until);
-
-    Module["slicecastScreen"] = screen;
-    return 1;
-});
-
-EM_JS(void, slicecastCloseCanvas, (), {
-    const canvas = Module["canvas"];
-    if (canvas.getRootNode().pointerLockElement === canvas) document.exitPointerLock();
-    Module["slicecastScreen"].listeners.abort();
-    delete Module["slicecastScreen"];
-});
-
-// The image is a view on the surface's own memory; growing memory moves it.
-EM_JS(void, slicecastShowPixels, (uint32_t address, int width, int height), {
-    const screen = Module["slicecastScreen"];
-    const start = address >>> 0;
-    let image = screen.image;
-    if (!image || image.data.buffer !== HEAPU8.buffer || image.data.byteOffset !== start || image.width !== width || image.height !== height) {
-        image = screen.image = new ImageData(new Uint8ClampedArray(HEAPU8.buffer, start, width * height * 4), width, height);
-    }
-    screen.context.putImageData(image, 0, 0);
-});
-
-EM_JS(int, slicecastAskForFrame, (), { return requestAnimationFrame((time) => _slicecastFrame(time)); });
-EM_JS(void, slicecastForgetFrame, (int frame), { cancelAnimationFrame(frame); });
-
-EM_JS(void, slicecastLeaveCanvas, (), { Module["canvas"].blur(); });
-
-// The names stand in the order of News.
-EM_JS(void, slicecastTell, (int news, int yes), {
-    const names = ["ready", "pause", "pointer", "cursor", "recording", "replay", "fly", "minimap", "help", "rate", "fullscreen", "record"];
-    if (Module["onSlicecast"]) Module["onSlicecast"](names[news], yes !== 0);
-});
-
-EM_JS(void, slicecastTellShown, (int moved), {
-    const hear = Module["onSlicecast"];
-    if (!hear) return;
-    if (moved) hear("view", true);
-    hear("frame", true);
-});
-
-EM_JS(void, slicecastTellPortal, (const char* from, const char* to), {
-    if (Module["onSlicecast"]) Module["onSlicecast"]("portal", {from: UTF8ToString(from), to: UTF8ToString(to)});
-});
-
-EM_JS(void, slicecastTellRates, (double framesPerSecond, double drawMilliseconds, double longestMilliseconds), {
-    if (Module["onSlicecast"]) Module["onSlicecast"]("frames", {framesPerSecond, drawMilliseconds, longestMilliseconds});
-});
-
-EM_JS(void, slicecastTellSize, (int width, int height), {
-    Module["canvas"].width = width;
-    Module["canvas"].height = height;
-    if (Module["onSlicecast"]) Module["onSlicecast"]("size", {width, height});
-});
-
-EM_JS(void, slicecastTellHits, (const char* json), {
-    if (Module["onSlicecast"]) Module["onSlicecast"]("hits", JSON.parse(UTF8ToString(json)));
-});
-
-// clang-format on
+}  // extern "C"
 
 namespace slicecast {
 
@@ -169,6 +80,11 @@ void PageShell::askForFrame() {
 }  // namespace
 
 extern "C" {
+
+// In place of SDL's own (src/CMakeLists.txt). It says what SDL's says: that something failed.
+int __wrap_SDL_SetError(const char*, ...) {
+    return -1;
+}
 
 EMSCRIPTEN_KEEPALIVE void slicecastFrame(double timeMilliseconds) {
     shell().frame = 0;
@@ -232,14 +148,19 @@ App& pageProgram() {
     return app;
 }
 
+void renewPageProgram() {
+    App& app = pageProgram();
+    shell() = PageShell();
+    std::destroy_at(&app);
+    std::construct_at(&app, shell());
+}
+
 bool beginPageProgram() {
     if (shell().isOpen) return true;
-    if (!slicecastOpenCanvas(shell().code.data(), static_cast<int>(shell().code.size()))) {
-        std::fputs("slicecast: there is no canvas; give one as Module.canvas.\n", stderr);
-        return false;
-    }
+    if (!slicecastOpenCanvas(shell().code.data(), static_cast<int>(shell().code.size()))) return false;
+    // The first picture is drawn at once.
     shell().isOpen = true;
-    pageProgram().redraw();
+    slicecastFrame(emscripten_get_now());
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "overlay/minimap.h"
 
 #include "base/angle.h"
+#include "base/words.h"
 #include "overlay/blend.h"
 #include "overlay/layout.h"
 #include "overlay/map_ray.h"
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <string_view>
 
 namespace slicecast {
@@ -277,8 +277,7 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
     // Which level it is, where there are several
     if (map.levels > 1) {
         std::array<char, 20> text;
-        std::snprintf(text.data(), text.size(), "level %d", level);
-        const std::string_view label(text.data());
+        const std::string_view label = write(text, {"level ", level});
         const int height = textHeight(label, scale);
         const int x = view.area.x + 3 * scale;
         const int y = view.area.y + view.area.height - height - scale;

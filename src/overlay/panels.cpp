@@ -1,33 +1,26 @@
 #include "overlay/panels.h"
 
+#include "base/words.h"
 #include "overlay/layout.h"
 #include "overlay/text.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdarg>
-#include <cstdio>
 #include <span>
 
 namespace slicecast {
 namespace {
 
 constexpr Colour kLabelColour = {168, 180, 192, 255};
-constexpr int kValueSize = kPanelColumns + 1;
 
 struct Row {
     std::string_view label;
-    std::array<char, kValueSize> value{};
-};
+    std::array<char, kPanelColumns> room{};
+    int length = 0;  // of the value
 
-__attribute__((format(printf, 2, 3))) Row row(const char* label, const char* format, ...) {
-    Row made{label, {}};
-    std::va_list values;
-    va_start(values, format);
-    std::vsnprintf(made.value.data(), made.value.size(), format, values);
-    va_end(values);
-    return made;
-}
+    Row(std::string_view name, const Words& value) : label(name) { length = static_cast<int>(write(room, value).size()); }
+    std::string_view value() const { return {room.data(), static_cast<std::size_t>(length)}; }
+};
 
 // Names on the left, values against the right edge, so that nothing moves but the digits that change.
 void drawRows(const Picture& picture, PixelRect panel, int scale, std::span<const Row> rows) {
@@ -37,9 +30,7 @@ void drawRows(const Picture& picture, PixelRect panel, int scale, std::span<cons
     const int right = panel.x + panel.width - kPanelPadding * scale;
     int y = panel.y + kPanelPadding * scale;
     for (const Row& each : rows) {
-        std::string_view value(each.value.data());
-        const std::size_t room = static_cast<std::size_t>(kPanelColumns) - each.label.size() - 1;
-        value = value.substr(0, room);
+        const std::string_view value = each.value().substr(0, static_cast<std::size_t>(kPanelColumns) - each.label.size() - 1);
         drawText(picture, left, y, each.label, {.colour = kLabelColour, .scale = scale});
         drawText(picture, right - textWidth(value, scale), y, value, {.scale = scale});
         y += kLineAdvance * scale;
@@ -65,17 +56,17 @@ int panelHeightDots(int rows) {
 void drawPlayerPanel(const PlayerFigures& player, const Picture& picture) {
     const OverlayLayout layout = layoutOverlays(picture.width, picture.height);
     const std::array<Row, kPlayerPanelRows> rows = {
-        row("map", "%.*s", static_cast<int>(player.map.size()), player.map.data()),
-        row("x", "%.2f", player.x),
-        row("y", "%.2f", player.y),
-        row("height", "%.2f", player.z),
-        row("heading", "%s %5.1f", windOf(player.headingDegrees), player.headingDegrees),
-        row("look", "%+.3f", player.look),
-        row("speed", "%.2f /s", player.speed),
-        row("mode", "%s",
-            player.flying     ? "flying"
-            : player.crouched ? "crouching"
-                              : "walking"),
+        Row("map", player.map),
+        Row("x", Fixed{player.x, 2}),
+        Row("y", Fixed{player.y, 2}),
+        Row("height", Fixed{player.z, 2}),
+        Row("heading", {windOf(player.headingDegrees), player.headingDegrees < 99.95 ? player.headingDegrees < 9.95 ? "   " : "  " : " ",
+                        Fixed{player.headingDegrees, 1}}),
+        Row("look", {player.look < 0.0 ? "" : "+", Fixed{player.look, 3}}),
+        Row("speed", {Fixed{player.speed, 2}, " /s"}),
+        Row("mode", player.flying     ? "flying"
+                    : player.crouched ? "crouching"
+                                      : "walking"),
     };
     drawRows(picture, layout.player, layout.scale, rows);
 }
@@ -83,15 +74,15 @@ void drawPlayerPanel(const PlayerFigures& player, const Picture& picture) {
 void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
     const OverlayLayout layout = layoutOverlays(picture.width, picture.height);
     const auto milliseconds = [&](const char* label, double ProcessTimes::*value) {
-        return process.times != nullptr ? row(label, "%.2f ms", process.times->*value) : row(label, "-");
+        return process.times != nullptr ? Row(label, {Fixed{process.times->*value, 2}, " ms"}) : Row(label, "-");
     };
     const auto count = [&](const char* label, auto FrameReport::*value) {
-        return process.report != nullptr ? row(label, "%lld", static_cast<long long>(process.report->*value)) : row(label, "-");
+        return process.report != nullptr ? Row(label, process.report->*value) : Row(label, "-");
     };
     const int slices = process.slicesPerPicture;
     const std::array<Row, kProcessPanelRows> rows = {
-        row("picture", "%d x %d", picture.width, picture.height),
-        process.times != nullptr ? row("frames", "%.1f /s", process.times->framesPerSecond) : row("frames", "-"),
+        Row("picture", {picture.width, " x ", picture.height}),
+        process.times != nullptr ? Row("frames", {Fixed{process.times->framesPerSecond, 1}, " /s"}) : Row("frames", "-"),
         milliseconds("steps", &ProcessTimes::stepMilliseconds),
         milliseconds("view", &ProcessTimes::viewMilliseconds),
         milliseconds("overlays", &ProcessTimes::overlayMilliseconds),
@@ -104,11 +95,11 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
         count("portals deep", &FrameReport::deepestPortal),
         count("walks beyond", &FrameReport::partsBehindPortals),
         count("mirrored rows", &FrameReport::mirroredRows),
-        row("light", "%.2f x %.1f", process.intensity, process.multiplier),
-        row("mirrors", "x %.2f", process.mirrors),
-        !process.slow ? row("slices", "all")
-        : slices < 0  ? row("slices", "1 in %d frames", -slices)
-                      : row("slices", "%d a frame", slices),
+        Row("light", {Fixed{process.intensity, 2}, " x ", Fixed{process.multiplier, 1}}),
+        Row("mirrors", {"x ", Fixed{process.mirrors, 2}}),
+        !process.slow ? Row("slices", "all")
+        : slices < 0  ? Row("slices", {"1 in ", -slices, " frames"})
+                      : Row("slices", {slices, " a frame"}),
     };
     drawRows(picture, layout.process, layout.scale, rows);
 }

@@ -1,11 +1,11 @@
 #include "overlay/pixel_grid.h"
 
+#include "base/words.h"
 #include "overlay/blend.h"
 #include "overlay/layout.h"
 #include "overlay/text.h"
 
 #include <array>
-#include <cstdio>
 
 namespace slicecast {
 namespace {
@@ -20,8 +20,7 @@ constexpr Colour kClearDark = {0, 0, 0, 110};
 
 void drawLabel(const Picture& picture, int x, int y, int number, int scale) {
     std::array<char, 12> text;
-    std::snprintf(text.data(), text.size(), "%d", number);
-    const std::string_view label(text.data());
+    const std::string_view label = write(text, number);
     blendRect(picture, {x, y, textWidth(label, scale) + 4 * scale, 11 * scale}, kPanelColour);
     drawText(picture, x + 2 * scale, y + 2 * scale, label, {.scale = scale});
 }

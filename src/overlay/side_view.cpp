@@ -1,4 +1,5 @@
 // The slice inspector's view from the side.
+#include "base/words.h"
 #include "overlay/slice_inspector.h"
 
 #include "overlay/beyond_portals.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 namespace slicecast {
@@ -81,16 +81,14 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
     // Depths below, heights on the left; "+ 0.0" makes 0 of -0
     const double across = markStep(plot.depth, plot.area.width, 30 * scale);
     for (double depth = across; depth < plot.depth * 0.97; depth += across) {
-        std::snprintf(text.data(), text.size(), "%.0f", depth);
-        const std::string_view label(text.data());
+        const std::string_view label = write(text, Fixed{depth, 0});
         const int x = static_cast<int>(plot.x(depth));
         blendRect(picture, {x, bottom, 1, 3 * scale}, kAxis);
         drawText(picture, x - textWidth(label, scale) / 2, bottom + 4 * scale, label, {.colour = kAxis, .scale = scale});
     }
     const double up = markStep(plot.highest - plot.lowest, plot.area.height, 14 * scale);
     for (double height = std::ceil(plot.lowest / up) * up + 0.0; height < plot.highest; height += up) {
-        std::snprintf(text.data(), text.size(), "%.0f", height);
-        const std::string_view label(text.data());
+        const std::string_view label = write(text, Fixed{height, 0});
         const int y = static_cast<int>(plot.y(height));
         if (y - 4 * scale < plot.area.y) break;
         blendRect(picture, {plot.area.x - 3 * scale, y, 3 * scale, 1}, kAxis);
@@ -281,8 +279,7 @@ private:
 // Which slice it is, and against the right edge what the colours in it mean.
 void drawTitle(const SliceTrace& trace, PixelRect panel, int scale, const Picture& picture) {
     std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), "slice %d   %zu blocks   %zu tiles", trace.column, trace.hits.size(), trace.tiles.size());
-    std::string_view title(text.data());
+    std::string_view title = write(text, {"slice ", trace.column, "   ", trace.hits.size(), " blocks   ", trace.tiles.size(), " tiles"});
     const int room = panel.width - 2 * kPanelPadding * scale;
     const Legend legend(trace);
     const int gap = kGlyphAdvance * scale;

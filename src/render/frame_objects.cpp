@@ -1,5 +1,7 @@
 #include "render/frame_objects.h"
 
+#include "base/sort.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +28,7 @@ void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t e
         if (columnOf(left, depth) > projection.width + 1.0 || columnOf(left + object.width.value(), depth) < -1.0) continue;
         seen_.push_back({depth, left, static_cast<int>(i)});
     }
-    std::sort(seen_.begin(), seen_.end(), [](const Seen& a, const Seen& b) { return a.depth != b.depth ? a.depth < b.depth : a.index < b.index; });
+    mergeSort(seen_, room_, [](const Seen& a, const Seen& b) { return a.depth < b.depth; });  // else in the map's order
 
     for (const Seen& seen : seen_) {
         const Object& object = map.objects[static_cast<std::size_t>(seen.index)];

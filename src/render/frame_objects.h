@@ -56,6 +56,7 @@ private:
     };
 
     std::vector<Seen> seen_;
+    std::vector<Seen> room_;  // while they are sorted
     std::vector<FrameObject> objects_;
     std::vector<std::vector<int>> groups_;
     double highest_ = 0.0;

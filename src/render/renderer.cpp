@@ -39,7 +39,7 @@ void shareOut(SliceTrace& trace) {
         if (rows.hit < 0 && rows.object < 0) trace.planes.push_back(rows);
     }
     for (Hit& hit : trace.hits) {
-        heapSort(hit.filled, [](const FilledRows& a, const FilledRows& b) {
+        mergeSort(hit.filled, [](const FilledRows& a, const FilledRows& b) {
             return std::tie(a.first, a.last, a.what, a.face) < std::tie(b.first, b.last, b.what, b.face);
         });
     }

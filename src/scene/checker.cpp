@@ -33,8 +33,8 @@ std::string listed(const std::vector<std::string_view>& keys) {
 Fault moreFaults(const std::string& file, std::size_t count) {
     Fault last;
     last.file = file;
-    last.found = counted(static_cast<std::int64_t>(count), "more fault");
-    last.expected = "fewer; no more than " + std::to_string(kMaxFaults) + " are listed";
+    last.found = words(Counted{static_cast<std::int64_t>(count), "more fault"});
+    last.expected = words("fewer; no more than ", kMaxFaults, " are listed");
     return last;
 }
 
@@ -51,67 +51,49 @@ std::string quoted(std::string_view text) {
     return shown + (offset < text.size() ? "...\"" : "\"");
 }
 
-std::string counted(std::int64_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 bool Checker::isFull() const {
     return faults_.size() >= kMaxFaults;
 }
 
-Checker::Placed Checker::placed(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) const {
+// Beyond the most faults, they are only counted.
+void Checker::addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row, int character, const Words& found, const Words& expected) {
+    if (list.size() >= kMaxFaults) {
+        if (&list == &faults_) ++omitted_;
+        return;
+    }
     const Place place = source_.place(offset);
-    return {offset,
-            faults_.size() + warnings_.size(),
-            {.file = file_,
-             .pointer = std::move(pointer),
-             .line = place.line,
-             .column = place.column,
-             .row = row,
-             .character = character,
-             .found = std::move(found),
-             .expected = std::move(expected)}};
+    Placed& added = list.emplace_back();
+    added.offset = offset;
+    added.number = faults_.size() + warnings_.size();
+    added.fault = {file_, at != nullptr ? at->pointer() : std::string(), place.line, place.column, row, character, found.str(), expected.str()};
 }
 
-void Checker::addAt(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) {
-    faults_.push_back(placed(offset, std::move(pointer), row, character, std::move(found), std::move(expected)));
+void Checker::warn(JsonValue at, const Words& found, const Words& expected) {
+    addAt(warnings_, at.offset(), &at, -1, -1, found, expected);
 }
 
-void Checker::warn(JsonValue at, std::string found, std::string expected) {
-    if (warnings_.size() < kMaxFaults) warnings_.push_back(placed(at.offset(), at.pointer(), -1, -1, std::move(found), std::move(expected)));
+void Checker::add(JsonValue at, const Words& found, const Words& expected) {
+    addAt(faults_, at.offset(), &at, -1, -1, found, expected);
 }
 
-void Checker::add(JsonValue at, std::string found, std::string expected) {
-    if (isFull()) {
-        ++omitted_;
-        return;
-    }
-    addAt(at.offset(), at.pointer(), -1, -1, std::move(found), std::move(expected));
+void Checker::addAtKey(JsonValue member, const Words& found, const Words& expected) {
+    addAt(faults_, member.keyOffset(), &member, -1, -1, found, expected);
 }
 
-void Checker::addAtKey(JsonValue member, std::string found, std::string expected) {
-    if (isFull()) {
-        ++omitted_;
-        return;
-    }
-    addAt(member.keyOffset(), member.pointer(), -1, -1, std::move(found), std::move(expected));
+void Checker::refuse(JsonValue value, const Words& expected) {
+    add(value, shown(value), expected);
 }
 
-void Checker::addInRow(JsonValue text, int row, int character, std::string found, std::string expected) {
-    if (isFull()) {
-        ++omitted_;
-        return;
-    }
-    const std::size_t offset = source_.characterOffset(text.offset(), character);
-    addAt(offset, text.pointer(), row, character, std::move(found), std::move(expected));
+void Checker::addInRow(JsonValue text, int row, int character, const Words& found, const Words& expected) {
+    addAt(faults_, source_.characterOffset(text.offset(), character), &text, row, character, found, expected);
 }
 
 void Checker::addSyntax(const SyntaxFault& fault) {
-    addAt(fault.offset, "", -1, -1, fault.found, fault.expected);
+    addAt(faults_, fault.offset, nullptr, -1, -1, fault.found, fault.expected);
 }
 
 std::vector<Fault> Checker::inOrder(std::vector<Placed> list) {
-    heapSort(list, [](const Placed& a, const Placed& b) { return a.offset != b.offset ? a.offset < b.offset : a.number < b.number; });
+    mergeSort(list, [](const Placed& a, const Placed& b) { return a.offset != b.offset ? a.offset < b.offset : a.number < b.number; });
     std::vector<Fault> faults;
     for (Placed& entry : list) faults.push_back(std::move(entry.fault));
     return faults;
@@ -138,34 +120,35 @@ std::string Checker::shown(JsonValue value) const {
             // As it was typed.
             const std::string_view rest = source_.text().substr(value.offset(), 30);
             const std::size_t end = std::min(rest.find_first_not_of("0123456789+-.eE"), rest.size());
-            return "the number " + std::string(rest.substr(0, end));
+            return words("the number ", rest.substr(0, end));
         }
         case JsonValue::Kind::text:
-            return "the text " + quoted(value.text());
+            return words("the text ", quoted(value.text()));
         case JsonValue::Kind::array:
-            return value.count() == 0 ? "an empty array" : "an array of " + std::to_string(value.count());
+            return value.count() == 0 ? "an empty array" : words("an array of ", value.count());
         case JsonValue::Kind::object:
             return "an object";
     }
     return {};
 }
 
-std::optional<Fields> Checker::fields(JsonValue value, std::vector<std::string_view> known, std::string expected) {
+std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::string_view> known, const char* expected) {
     if (!value.isObject()) {
-        add(value, shown(value), std::move(expected));
+        refuse(value, expected);
         return std::nullopt;
     }
     Fields fields(*this, value);
     for (const JsonValue member : value) {
         if (member.key() == "comment") {
-            if (!member.isText()) add(member, shown(member), "a text");
+            if (!member.isText()) refuse(member, "a text");
         } else if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
             continue;
         } else if (isFull()) {
             ++omitted_;
         } else {
-            addAtKey(member, "the unknown key " + quoted(member.key()), "one of the keys " + listed(known) + suggestion(member.key(), known));
-            const std::string_view meant = nearestName(member.key(), known);
+            const std::vector<std::string_view> keys(known.begin(), known.end());
+            addAtKey(member, {"the unknown key ", quoted(member.key())}, {"one of the keys ", listed(keys), suggestion(member.key(), keys)});
+            const std::string_view meant = nearestName(member.key(), keys);
             if (!meant.empty()) fields.addMisspelt(meant, member);
         }
     }
@@ -177,7 +160,7 @@ std::optional<double> Checker::number(JsonValue value, const NumberRange& range)
         const double v = value.number();
         if ((range.aboveLow ? v > range.low : v >= range.low) && v <= range.high) return v;
     }
-    add(value, shown(value), range.words);
+    refuse(value, range.words);
     return std::nullopt;
 }
 
@@ -185,37 +168,37 @@ std::optional<int> Checker::wholeNumber(JsonValue value, const NumberRange& rang
     const std::optional<double> v = number(value, range);
     if (!v) return std::nullopt;
     if (*v == std::floor(*v)) return static_cast<int>(*v);
-    add(value, shown(value), range.words);
+    refuse(value, range.words);
     return std::nullopt;
 }
 
 std::optional<bool> Checker::flag(JsonValue value) {
     if (value.kind() == JsonValue::Kind::boolean) return value.boolean();
-    add(value, shown(value), "true or false");
+    refuse(value, "true or false");
     return std::nullopt;
 }
 
-std::optional<std::string> Checker::text(JsonValue value, std::size_t longest, std::string expected) {
+std::optional<std::string> Checker::text(JsonValue value, std::size_t longest, const Words& expected) {
     if (value.isText()) {
         const std::size_t length = countCharacters(value.text());
         if (length >= 1 && length <= longest) return std::string(value.text());
         if (length > longest) {
-            add(value, "a text of " + std::to_string(length) + " characters", expected + " of at most " + std::to_string(longest));
+            add(value, {"a text of ", length, " characters"}, words(expected.str(), " of at most ", longest));
             return std::nullopt;
         }
     }
-    add(value, shown(value), std::move(expected));
+    refuse(value, expected);
     return std::nullopt;
 }
 
-std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& names, const std::string& what) {
-    const std::optional<std::string> name = text(value, kMaxNameLength, "the name of a " + what);
+std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& names, const char* what) {
+    const std::optional<std::string> name = text(value, kMaxNameLength, {"the name of a ", what});
     if (!name) return std::nullopt;
     const std::optional<std::uint16_t> id = names.find(*name);
     if (!id && isFull()) {
         ++omitted_;
     } else if (!id) {
-        add(value, "the name " + quoted(*name), "the name of a " + what + names.suggestionFor(*name));
+        add(value, {"the name ", quoted(*name)}, {"the name of a ", what, names.suggestionFor(*name)});
     }
     return id;
 }
@@ -231,41 +214,41 @@ std::optional<Colour> Checker::colour(JsonValue value) {
         if (isSound) channels[i] = static_cast<std::uint8_t>(*high * 16 + *low);
     }
     if (isSound) return Colour{channels[0], channels[1], channels[2], 255};
-    add(value, shown(value), "a colour as \"#rrggbb\", with two hexadecimal digits each for red, green and blue");
+    refuse(value, "a colour as \"#rrggbb\", with two hexadecimal digits each for red, green and blue");
     return std::nullopt;
 }
 
-std::optional<JsonValue> Fields::find(std::string_view key) const {
-    if (const std::optional<JsonValue> member = object_.find(key)) return member;
+FoundValue Fields::find(const char* key) const {
+    if (const FoundValue member = object_.find(key)) return member;
     for (const auto& [meant, member] : misspelt_) {
         if (meant == key) return member;
     }
-    return std::nullopt;
+    return {};
 }
 
-std::optional<JsonValue> Fields::require(std::string_view key, std::string_view expected) const {
-    const std::optional<JsonValue> member = find(key);
-    if (!member) checker_->add(object_, "no key " + quoted(key), quoted(key) + ", " + std::string(expected));
+FoundValue Fields::require(const char* key, const char* expected) const {
+    const FoundValue member = find(key);
+    if (!member) checker_->add(object_, {"no key ", quoted(key)}, {quoted(key), ", ", expected});
     return member;
 }
 
-double Fields::number(std::string_view key, const NumberRange& range, double fallback) const {
-    const std::optional<JsonValue> member = find(key);
+double Fields::number(const char* key, const NumberRange& range, double fallback) const {
+    const FoundValue member = find(key);
     return member ? checker_->number(*member, range).value_or(fallback) : fallback;
 }
 
-int Fields::wholeNumber(std::string_view key, const NumberRange& range, int fallback) const {
-    const std::optional<JsonValue> member = find(key);
+int Fields::wholeNumber(const char* key, const NumberRange& range, int fallback) const {
+    const FoundValue member = find(key);
     return member ? checker_->wholeNumber(*member, range).value_or(fallback) : fallback;
 }
 
-bool Fields::flag(std::string_view key, bool fallback) const {
-    const std::optional<JsonValue> member = find(key);
+bool Fields::flag(const char* key, bool fallback) const {
+    const FoundValue member = find(key);
     return member ? checker_->flag(*member).value_or(fallback) : fallback;
 }
 
-Colour Fields::colour(std::string_view key, Colour fallback) const {
-    const std::optional<JsonValue> member = find(key);
+Colour Fields::colour(const char* key, Colour fallback) const {
+    const FoundValue member = find(key);
     return member ? checker_->colour(*member).value_or(fallback) : fallback;
 }
 

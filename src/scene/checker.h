@@ -3,12 +3,15 @@
 #pragma once
 
 #include "base/colour.h"
+#include "base/words.h"
 #include "scene/json_tree.h"
 #include "scene/names.h"
 #include "scene/scene.h"
 #include "scene/source_text.h"
 
+#include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,13 +39,15 @@ public:
     // Faults so far; a part of the tree is sound if none was added while it was read.
     std::size_t count() const { return faults_.size() + omitted_; }
 
-    void add(JsonValue at, std::string found, std::string expected);
-    void addAtKey(JsonValue member, std::string found, std::string expected);
+    void add(JsonValue at, const Words& found, const Words& expected);
+    void addAtKey(JsonValue member, const Words& found, const Words& expected);
+    // Finds the value itself.
+    void refuse(JsonValue value, const Words& expected);
     // In a row of a grid: `row` and `character` count from 0 in the north and west.
-    void addInRow(JsonValue text, int row, int character, std::string found, std::string expected);
+    void addInRow(JsonValue text, int row, int character, const Words& found, const Words& expected);
     void addSyntax(const SyntaxFault& fault);
     // What may be meant so, but probably is not.
-    void warn(JsonValue at, std::string found, std::string expected);
+    void warn(JsonValue at, const Words& found, const Words& expected);
 
     // All faults in the order of the text.
     std::vector<Fault> take();
@@ -52,15 +57,16 @@ public:
     std::string shown(JsonValue value) const;
 
     // The members of an object; `known` are the keys that it may have, besides "comment". Nothing if it is no object.
-    std::optional<Fields> fields(JsonValue value, std::vector<std::string_view> known, std::string expected);
+    std::optional<Fields> fields(JsonValue value, std::span<const std::string_view> known, const char* expected);
+    std::optional<Fields> fields(JsonValue value, std::initializer_list<std::string_view> known, const char* expected);
 
     std::optional<double> number(JsonValue value, const NumberRange& range);
     std::optional<int> wholeNumber(JsonValue value, const NumberRange& range);
     std::optional<bool> flag(JsonValue value);
     // A text of 1 to `longest` characters; `expected` says what it is.
-    std::optional<std::string> text(JsonValue value, std::size_t longest, std::string expected);
+    std::optional<std::string> text(JsonValue value, std::size_t longest, const Words& expected);
     // The number of a name out of `names`; `what` says of what: "texture".
-    std::optional<std::uint16_t> name(JsonValue value, const NameTable& names, const std::string& what);
+    std::optional<std::uint16_t> name(JsonValue value, const NameTable& names, const char* what);
     // "#rrggbb"
     std::optional<Colour> colour(JsonValue value);
 
@@ -72,9 +78,8 @@ private:
     };
     // Beyond the most faults that are listed, the others are only counted; nothing that costs time should be done for them.
     bool isFull() const;
-    void addAt(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected);
+    void addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row, int character, const Words& found, const Words& expected);
     static std::vector<Fault> inOrder(std::vector<Placed> list);
-    Placed placed(std::size_t offset, std::string pointer, int row, int character, std::string found, std::string expected) const;
 
     const SourceText& source_;
     std::string file_;
@@ -91,14 +96,14 @@ public:
     // An unknown key, which is a fault already, is read as the one that it is nearest to: what it means is not missed a second time.
     void addMisspelt(std::string_view key, JsonValue member) { misspelt_.emplace_back(key, member); }
 
-    std::optional<JsonValue> find(std::string_view key) const;
+    FoundValue find(const char* key) const;
     // Reports a fault where there is no such member.
-    std::optional<JsonValue> require(std::string_view key, std::string_view expected) const;
+    FoundValue require(const char* key, const char* expected) const;
 
-    double number(std::string_view key, const NumberRange& range, double fallback) const;
-    int wholeNumber(std::string_view key, const NumberRange& range, int fallback) const;
-    bool flag(std::string_view key, bool fallback) const;
-    Colour colour(std::string_view key, Colour fallback) const;
+    double number(const char* key, const NumberRange& range, double fallback) const;
+    int wholeNumber(const char* key, const NumberRange& range, int fallback) const;
+    bool flag(const char* key, bool fallback) const;
+    Colour colour(const char* key, Colour fallback) const;
 
 private:
     Checker* checker_;
@@ -106,13 +111,14 @@ private:
     std::vector<std::pair<std::string_view, JsonValue>> misspelt_;
 };
 
+inline std::optional<Fields> Checker::fields(JsonValue value, std::initializer_list<std::string_view> known, const char* expected) {
+    return fields(value, std::span(known.begin(), known.size()), expected);
+}
+
 // The last entry of a list that leaves out others.
 Fault moreFaults(const std::string& file, std::size_t count);
 
 // A text in quotes, shortened if it is long.
 std::string quoted(std::string_view text);
-
-// "1 row", "3 rows"
-std::string counted(std::int64_t count, const std::string& noun);
 
 }  // namespace slicecast

@@ -1,16 +1,18 @@
+#include "base/words.h"
 #include "scene/scene.h"
 
 namespace slicecast {
 
 std::string describe(const Fault& fault) {
-    std::string words = fault.file;
-    if (fault.line > 0) words += ":" + std::to_string(fault.line) + ":" + std::to_string(fault.column);
+    std::string text = fault.file;
+    if (fault.line > 0) add(text, {":", fault.line, ":", fault.column});
     if (!fault.pointer.empty()) {
-        words += " (" + fault.pointer;
-        if (fault.row >= 0) words += ", row " + std::to_string(fault.row) + ", character " + std::to_string(fault.character);
-        words += ")";
+        add(text, {" (", fault.pointer});
+        if (fault.row >= 0) add(text, {", row ", fault.row, ", character ", fault.character});
+        add(text, ")");
     }
-    return words + ": found " + fault.found + ", expected " + fault.expected;
+    add(text, {": found ", fault.found, ", expected ", fault.expected});
+    return text;
 }
 
 }  // namespace slicecast

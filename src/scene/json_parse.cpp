@@ -1,4 +1,6 @@
 // Text to tree, by RapidJSON's SAX reader.
+#include "base/number_text.h"
+#include "base/words.h"
 #include "scene/json_tree.h"
 #include "scene/limits.h"
 
@@ -13,10 +15,12 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 
 namespace slicecast {
 namespace {
 
+constexpr std::size_t kLongestWord = 30;  // in a message
 constexpr const char* kHalfPair = "half of a surrogate pair";
 constexpr const char* kWholePair = "both halves, as in \\ud83e\\uddf1";
 
@@ -34,26 +38,31 @@ public:
         tree_.nodes.back().boolean = value;
         return true;
     }
-    bool Int(int value) { return Double(value); }
-    bool Uint(unsigned value) { return Double(value); }
-    bool Int64(std::int64_t value) { return Double(static_cast<double>(value)); }
-    bool Uint64(std::uint64_t value) { return Double(static_cast<double>(value)); }
-    bool Double(double value) {
+    // Numbers come as they are written; those of other kinds only without the flag that is used.
+    bool RawNumber(const char* characters, rapidjson::SizeType length, bool) {
+        const double number = readNumber({characters, length}).value_or(0.0);
+        if (!std::isfinite(number)) {
+            fault = {tokenStart(), std::string(characters, std::min<std::size_t>(length, kLongestWord)), "a finite number, at most about 1.8e308"};
+            return false;
+        }
         if (!addScalar(JsonValue::Kind::number)) return false;
-        tree_.nodes.back().number = value;
+        tree_.nodes.back().number = number;
         return true;
     }
-    bool RawNumber(const char*, rapidjson::SizeType, bool) { return false; }  // only with a flag that is not used
+    bool Int(int) { return false; }
+    bool Uint(unsigned) { return false; }
+    bool Int64(std::int64_t) { return false; }
+    bool Uint64(std::uint64_t) { return false; }
+    bool Double(double) { return false; }
     bool String(const char* characters, rapidjson::SizeType length, bool) {
         if (!isWellFormed({characters, length}) || !addScalar(JsonValue::Kind::text)) return false;
-        tree_.nodes.back().text = {keep(characters, length), length};
+        tree_.nodes.back().text = keep(characters, length);
         return true;
     }
     bool Key(const char* characters, rapidjson::SizeType length, bool) {
         if (!isWellFormed({characters, length})) return false;
         keyOffset_ = tokenStart();
-        keyStart_ = keep(characters, length);
-        keyLength_ = length;
+        key_ = keep(characters, length);
         end_ = stream_.Tell();
         return true;
     }
@@ -74,22 +83,20 @@ public:
 private:
     bool add(JsonValue::Kind kind) {
         if (tree_.nodes.size() >= kMaxSceneValues) {
-            fault = {tokenStart(), "more than " + std::to_string(kMaxSceneValues) + " values",
+            fault = {tokenStart(), words("more than ", kMaxSceneValues, " values"),
                      "a scene with at most that many numbers, texts, rows, arrays and objects together"};
             return false;
         }
-        JsonTree::Node node;
+        JsonNode node;
         node.kind = kind;
         node.offset = static_cast<std::uint32_t>(tokenStart());
-        node.end = static_cast<std::uint32_t>(tree_.nodes.size() + 1);
         if (!open_.empty()) {
-            node.parent = open_.back();
-            JsonTree::Node& parent = tree_.nodes[node.parent];
+            JsonNode& parent = tree_.nodes[open_.back()];
+            node.up = static_cast<std::uint32_t>(tree_.nodes.size()) - open_.back();
             ++parent.count;
             if (parent.kind == JsonValue::Kind::object) {
                 node.keyOffset = static_cast<std::uint32_t>(keyOffset_);
-                node.keyStart = keyStart_;
-                node.keyLength = keyLength_;
+                node.key = key_;
             }
         }
         tree_.nodes.push_back(node);
@@ -104,11 +111,11 @@ private:
 
     bool open(JsonValue::Kind kind) {
         if (open_.size() >= static_cast<std::size_t>(kMaxNesting)) {
-            fault = {tokenStart(), "arrays and objects nested more than " + std::to_string(kMaxNesting) + " deep", "a scene, which needs 5"};
+            fault = {tokenStart(), words("arrays and objects nested more than ", kMaxNesting, " deep"), "a scene, which needs 5"};
             return false;
         }
         if (!add(kind)) return false;
-        JsonTree::Node& node = tree_.nodes.back();
+        JsonNode& node = tree_.nodes.back();
         node.count = 0;
         open_.push_back(static_cast<std::uint32_t>(tree_.nodes.size() - 1));
         end_ = node.offset + 1;
@@ -116,7 +123,7 @@ private:
     }
 
     bool close() {
-        tree_.nodes[open_.back()].end = static_cast<std::uint32_t>(tree_.nodes.size());
+        tree_.nodes[open_.back()].nodes = static_cast<std::uint32_t>(tree_.nodes.size()) - open_.back();
         open_.pop_back();
         end_ = tokenStart() + 1;
         return true;
@@ -132,10 +139,11 @@ private:
         return true;
     }
 
-    std::uint32_t keep(const char* characters, std::size_t length) {
-        const auto start = static_cast<std::uint32_t>(tree_.characters.size());
-        tree_.characters.append(characters, length);
-        return start;
+    // There is room for all of them: no text is longer than it is written.
+    JsonNode::TextRange keep(const char* characters, std::size_t length) {
+        const std::size_t start = tree_.characters.size();
+        tree_.characters.insert(tree_.characters.end(), characters, characters + length);
+        return {tree_.characters.data() + start, static_cast<std::uint32_t>(length)};
     }
 
     std::string_view text_;
@@ -144,8 +152,7 @@ private:
     std::vector<std::uint32_t> open_;  // containers that are not closed yet
     std::size_t end_ = 0;              // of the last token
     std::size_t keyOffset_ = 0;
-    std::uint32_t keyStart_ = 0;
-    std::uint32_t keyLength_ = 0;
+    JsonNode::TextRange key_ = {nullptr, 0};
 };
 
 bool isWordCharacter(char c) {
@@ -154,14 +161,13 @@ bool isWordCharacter(char c) {
 
 // The word or character at an offset, as a message shows it.
 std::string shown(std::string_view text, std::size_t offset) {
-    constexpr std::size_t kLongestWord = 30;
     if (offset >= text.size()) return "the end of the file";
     std::size_t end = offset;
     while (end < text.size() && end < offset + kLongestWord && isWordCharacter(text[end])) ++end;
     if (end > offset) return std::string(text.substr(offset, end - offset));
     if (static_cast<unsigned char>(text[offset]) < 0x20) return "a control character";
     if (text[offset] == '\'') return "a single quote";
-    return "'" + std::string(text.substr(offset, static_cast<std::size_t>(std::max(1, utf8Length(text, offset))))) + "'";
+    return words("'", text.substr(offset, static_cast<std::size_t>(std::max(1, utf8Length(text, offset)))), "'");
 }
 
 bool standsAt(std::string_view text, std::size_t offset, std::string_view wanted) {
@@ -178,8 +184,8 @@ SyntaxFault explainMissing(std::string_view text, std::size_t offset, std::strin
     } else if (another && (standsAt(text, offset, "]") || standsAt(text, offset, "}"))) {
         const std::size_t before = text.substr(0, offset).find_last_not_of(" \t\r\n");
         if (before != std::string_view::npos && text[before] == ',') {
-            found = "a comma before " + found;
-            expected = std::string(another) + " behind the comma, or no comma";
+            found = words("a comma before ", found);
+            expected = words(another, " behind the comma, or no comma");
         }
     }
     return {offset, found, expected};
@@ -249,7 +255,7 @@ ParsedJson parseJson(const SourceText& source) {
     parsed.tree.characters.reserve(text.size());
 
     rapidjson::Reader reader;
-    const rapidjson::ParseResult result = reader.Parse<rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag>(stream, builder);
+    const rapidjson::ParseResult result = reader.Parse<rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag>(stream, builder);
     if (builder.fault) {
         parsed.fault = builder.fault;
     } else if (result.IsError()) {
@@ -259,7 +265,7 @@ ParsedJson parseJson(const SourceText& source) {
         parsed.fault = SyntaxFault{stream.Tell(), "a zero byte", "the end of the file"};
     }
     if (parsed.fault) parsed.fault->offset += source.start();
-    for (JsonTree::Node& node : parsed.tree.nodes) {
+    for (JsonNode& node : parsed.tree.nodes) {
         node.offset += static_cast<std::uint32_t>(source.start());
         node.keyOffset += static_cast<std::uint32_t>(source.start());
     }

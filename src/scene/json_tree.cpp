@@ -1,7 +1,7 @@
 #include "scene/json_tree.h"
 
-#include <algorithm>
-#include <unordered_map>
+#include "base/name_index.h"
+#include "base/words.h"
 
 namespace slicecast {
 namespace {
@@ -23,85 +23,43 @@ std::string escapedKey(std::string_view key) {
 
 }  // namespace
 
-JsonValue::Kind JsonValue::kind() const {
-    return tree_->nodes[node_].kind;
-}
-
-bool JsonValue::boolean() const {
-    return tree_->nodes[node_].boolean;
-}
-
-double JsonValue::number() const {
-    return tree_->nodes[node_].number;
-}
-
-std::string_view JsonValue::text() const {
-    const JsonTree::Node& node = tree_->nodes[node_];
-    return std::string_view(tree_->characters).substr(node.text.start, node.text.length);
-}
-
-std::string_view JsonValue::key() const {
-    const JsonTree::Node& node = tree_->nodes[node_];
-    return std::string_view(tree_->characters).substr(node.keyStart, node.keyLength);
-}
-
-std::size_t JsonValue::offset() const {
-    return tree_->nodes[node_].offset;
-}
-
-std::size_t JsonValue::keyOffset() const {
-    return tree_->nodes[node_].keyOffset;
-}
-
 std::string JsonValue::pointer() const {
     std::string pointer;
-    for (std::uint32_t node = node_; node != 0; node = tree_->nodes[node].parent) {
-        const JsonValue parent(tree_, tree_->nodes[node].parent);
+    for (const JsonNode* node = node_; node->up != 0; node -= node->up) {
+        const JsonValue parent(node - node->up);
         std::string step;
         if (parent.isObject()) {
-            step = escapedKey(JsonValue(tree_, node).key());
+            step = escapedKey(JsonValue(node).key());
         } else {
             int index = 0;
             for (const JsonValue sibling : parent) {
                 if (sibling.node_ == node) break;
                 ++index;
             }
-            step = std::to_string(index);
+            step = words(index);
         }
-        pointer = "/" + step + pointer;
+        pointer = words("/", step, pointer);
     }
     return pointer;
 }
 
-JsonValue::Iterator& JsonValue::Iterator::operator++() {
-    node_ = tree_->nodes[node_].end;
-    return *this;
-}
-
-JsonValue::Iterator JsonValue::end() const {
-    return {tree_, tree_->nodes[node_].end};
-}
-
-std::size_t JsonValue::count() const {
-    return tree_->nodes[node_].count;
-}
-
-std::optional<JsonValue> JsonValue::find(std::string_view wanted) const {
+FoundValue JsonValue::find(std::string_view wanted) const {
     for (const JsonValue member : *this) {
         if (member.key() == wanted) return member;
     }
-    return std::nullopt;
+    return {};
 }
 
 std::vector<std::pair<JsonValue, JsonValue>> JsonTree::duplicateKeys() const {
     std::vector<std::pair<JsonValue, JsonValue>> duplicates;
-    for (std::uint32_t node = 0; node < nodes.size(); ++node) {
-        const JsonValue value(this, node);
+    for (const JsonNode& node : nodes) {
+        const JsonValue value(&node);
         if (!value.isObject() || value.count() < 2) continue;
-        std::unordered_map<std::string_view, JsonValue> firsts;
+        NameIndex firsts;
         for (const JsonValue member : value) {
-            const auto [first, isNew] = firsts.emplace(member.key(), member);
-            if (!isNew) duplicates.emplace_back(member, first->second);
+            const auto number = static_cast<std::uint32_t>(member.node_ - nodes.data());
+            const std::uint32_t first = firsts.add(member.key(), number);
+            if (first != number) duplicates.emplace_back(member, JsonValue(&nodes[first]));
         }
     }
     return duplicates;

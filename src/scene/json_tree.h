@@ -19,83 +19,103 @@
 
 namespace slicecast {
 
-class JsonTree;
+// One value as it is kept. Values stand in the order of the text, a container before its children.
+struct JsonNode {
+    enum class Kind : std::uint8_t { null, boolean, number, text, array, object };
+    struct TextRange {
+        const char* start;
+        std::uint32_t length;
+    };
 
-// A value of a tree: a handle, cheap to copy, valid as long as its tree.
+    Kind kind = Kind::null;
+    bool boolean = false;
+    std::uint32_t offset = 0;
+    std::uint32_t keyOffset = 0;
+    TextRange key = {nullptr, 0};
+    std::uint32_t up = 0;     // nodes from its parent to it; 0 for the root
+    std::uint32_t nodes = 1;  // itself and all its descendants, which follow it
+    union {
+        double number = 0.0;
+        TextRange text;
+        std::uint32_t count;  // children
+    };
+};
+
+class FoundValue;
+
+// A value of a tree: a handle of one pointer, valid as long as its tree.
 class JsonValue {
 public:
-    enum class Kind : std::uint8_t { null, boolean, number, text, array, object };
+    using Kind = JsonNode::Kind;
 
-    JsonValue(const JsonTree* tree, std::uint32_t node) : tree_(tree), node_(node) {}
+    explicit JsonValue(const JsonNode* node) : node_(node) {}
 
-    Kind kind() const;
+    Kind kind() const { return node_->kind; }
     bool isObject() const { return kind() == Kind::object; }
     bool isArray() const { return kind() == Kind::array; }
     bool isText() const { return kind() == Kind::text; }
 
-    bool boolean() const;           // of a boolean
-    double number() const;          // of a number
-    std::string_view text() const;  // of a text, escapes resolved
-    std::string_view key() const;   // of a member of an object
-    std::size_t offset() const;     // of the value's first byte
-    std::size_t keyOffset() const;  // of the opening quote of a member's key
-    std::string pointer() const;    // JSON pointer, "" for the root
+    bool boolean() const { return node_->boolean; }                                    // of a boolean
+    double number() const { return node_->number; }                                    // of a number
+    std::string_view text() const { return {node_->text.start, node_->text.length}; }  // of a text, escapes resolved
+    std::string_view key() const { return {node_->key.start, node_->key.length}; }     // of a member of an object
+    std::size_t offset() const { return node_->offset; }                               // of the value's first byte
+    std::size_t keyOffset() const { return node_->keyOffset; }                         // of the opening quote of a member's key
+    std::size_t count() const { return node_->count; }                                 // of the children of an array or object
+    std::string pointer() const;                                                       // JSON pointer, "" for the root
 
     // Children of an array or object, in order.
     class Iterator {
     public:
-        Iterator(const JsonTree* tree, std::uint32_t node) : tree_(tree), node_(node) {}
-        JsonValue operator*() const { return {tree_, node_}; }
-        Iterator& operator++();
+        explicit Iterator(const JsonNode* node) : node_(node) {}
+        JsonValue operator*() const { return JsonValue(node_); }
+        Iterator& operator++() {
+            node_ += node_->nodes;
+            return *this;
+        }
         bool operator!=(const Iterator& other) const { return node_ != other.node_; }
 
     private:
-        const JsonTree* tree_;
-        std::uint32_t node_;
+        const JsonNode* node_;
     };
-    Iterator begin() const { return {tree_, node_ + 1}; }
-    Iterator end() const;
-    std::size_t count() const;
+    Iterator begin() const { return Iterator(node_ + 1); }
+    Iterator end() const { return Iterator(node_ + node_->nodes); }
 
     // The first member of an object with this key.
-    std::optional<JsonValue> find(std::string_view wanted) const;
+    FoundValue find(std::string_view wanted) const;
 
 private:
-    const JsonTree* tree_;
-    std::uint32_t node_;
+    friend class FoundValue;
+    friend struct JsonTree;
+    const JsonNode* node_;
 };
 
-class JsonTree {
+// A value that may be missing, used like a std::optional.
+class FoundValue {
 public:
-    struct TextRange {
-        std::uint32_t start;  // in `characters`
-        std::uint32_t length;
-    };
+    FoundValue() : value_(nullptr) {}
+    FoundValue(JsonValue value) : value_(value) {}
+    explicit operator bool() const { return value_.node_ != nullptr; }
+    const JsonValue& operator*() const { return value_; }
+    const JsonValue* operator->() const { return &value_; }
 
-    // Values stand in the order of the text, a container before its children.
-    struct Node {
-        JsonValue::Kind kind = JsonValue::Kind::null;
-        bool boolean = false;
-        std::uint32_t offset = 0;
-        std::uint32_t keyOffset = 0;
-        std::uint32_t keyStart = 0;  // in `characters`
-        std::uint32_t keyLength = 0;
-        std::uint32_t parent = 0;  // the root is its own parent
-        std::uint32_t end = 0;     // the node behind the last descendant
-        union {
-            double number = 0.0;
-            TextRange text;
-            std::uint32_t count;  // children
-        };
-    };
+private:
+    JsonValue value_;
+};
 
-    JsonValue root() const { return {this, 0}; }
+// Nodes point into the characters: a tree can be moved, but not copied.
+struct JsonTree {
+    JsonTree() = default;
+    JsonTree(JsonTree&&) = default;
+    JsonTree& operator=(JsonTree&&) = default;
+
+    JsonValue root() const { return JsonValue(nodes.data()); }
 
     // The members whose key stood in their object before, each with the first one of that key.
     std::vector<std::pair<JsonValue, JsonValue>> duplicateKeys() const;
 
-    std::vector<Node> nodes;
-    std::string characters;  // of all texts and keys
+    std::vector<JsonNode> nodes;
+    std::vector<char> characters;  // of all texts and keys
 };
 
 // Why a text is not JSON.

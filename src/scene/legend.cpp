@@ -1,9 +1,9 @@
 #include "scene/legend.h"
 
+#include "base/number_text.h"
 #include "scene/limits.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace slicecast {
 namespace {
@@ -13,10 +13,12 @@ constexpr std::size_t kMostReportedPerRow = 16;  // different characters
 // A character as a message shows it.
 std::string shownCharacter(char32_t c) {
     if (c == ' ') return "a space";
-    if (isPrintable(c)) return "'" + toUtf8(c) + "'";
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "U+%04X", static_cast<unsigned>(c));
-    return std::string("the invisible character ") + digits;
+    if (isPrintable(c)) return words("'", toUtf8(c), "'");
+    std::string digits(hexText(c, c > 0xfffff ? 6 : c > 0xffff ? 5 : 4));
+    for (char& digit : digits) {
+        if (digit >= 'a') digit = static_cast<char>(digit - 'a' + 'A');
+    }
+    return words("the invisible character U+", digits);
 }
 
 }  // namespace
@@ -32,7 +34,12 @@ void Legend::set(char32_t character, std::uint16_t id) {
     if (character < ascii_.size()) {
         ascii_[character] = id;
     } else {
-        others_[character] = id;
+        const auto place = std::lower_bound(others_.begin(), others_.end(), std::pair(character, std::uint16_t{0}));
+        if (place != others_.end() && place->first == character) {
+            place->second = id;
+        } else {
+            others_.insert(place, {character, id});
+        }
     }
 }
 
@@ -40,8 +47,8 @@ std::optional<std::uint16_t> Legend::find(char32_t character) const {
     if (character < ascii_.size()) {
         if (ascii_[character] != kNone) return static_cast<std::uint16_t>(ascii_[character]);
     } else {
-        const auto other = others_.find(character);
-        if (other != others_.end()) return other->second;
+        const auto other = std::lower_bound(others_.begin(), others_.end(), std::pair(character, std::uint16_t{0}));
+        if (other != others_.end() && other->first == character) return other->second;
     }
     if (takesAny_) return std::uint16_t{0};
     return std::nullopt;
@@ -50,19 +57,19 @@ std::optional<std::uint16_t> Legend::find(char32_t character) const {
 std::string Legend::characters() const {
     constexpr std::size_t kMostShown = 24;
     std::string list;
-    for (std::size_t i = 0; i < std::min(order_.size(), kMostShown); ++i) list += shownCharacter(order_[i]) + ", ";
+    for (std::size_t i = 0; i < std::min(order_.size(), kMostShown); ++i) add(list, {shownCharacter(order_[i]), ", "});
     if (order_.size() > kMostShown) list += "..., ";
-    return list + "'.' or a space";
+    return words(list, "'.' or a space");
 }
 
-void readLegend(Checker& checker, JsonValue value, const NameTable& names, const std::string& what, Legend& legend) {
+void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what, Legend& legend) {
     if (!value.isObject()) {
-        checker.add(value, checker.shown(value), "a legend: an object with a " + what + "'s name for each character");
+        checker.refuse(value, {"a legend: an object with a ", what, "'s name for each character"});
         legend.takeAny();
         return;
     }
     if (value.count() > kMaxLegend) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "character"), "at most " + std::to_string(kMaxLegend));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "character"}, {"at most ", kMaxLegend});
         legend.takeAny();
         return;
     }
@@ -73,11 +80,11 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         const bool isSingle = !key.empty() && end == key.size();
         const bool isReserved = key == "." || key == " ";
         if (isReserved) {
-            checker.addAtKey(member, "the key " + quoted(key), "another character; '.' and the space have a meaning of their own");
+            checker.addAtKey(member, {"the key ", quoted(key)}, "another character; '.' and the space have a meaning of their own");
         } else if (isSingle && !isPrintable(character)) {
-            checker.addAtKey(member, "a key that is " + shownCharacter(character), "a single character that can be seen");
+            checker.addAtKey(member, {"a key that is ", shownCharacter(character)}, "a single character that can be seen");
         } else if (!isSingle) {
-            checker.addAtKey(member, "the key " + quoted(key), "a single character that can be seen");
+            checker.addAtKey(member, {"the key ", quoted(key)}, "a single character that can be seen");
         }
         const std::uint16_t id = checker.name(member, names, what).value_or(0);
         // A character of a faulty key, or with a faulty meaning, is known all the same: its uses in the grids are no faults of their own.
@@ -101,11 +108,11 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
         } else if (reported.size() < kMostReportedPerRow && std::find(reported.begin(), reported.end(), character) == reported.end()) {
             // Once per row: a character that was forgotten in the legend would fill the list otherwise.
             reported.push_back(character);
-            checker.addInRow(value, row, x, shownCharacter(character), "a character of the legend: " + legend.characters());
+            checker.addInRow(value, row, x, shownCharacter(character), {"a character of the legend: ", legend.characters()});
         }
     }
     if (x != width) {
-        checker.addInRow(value, row, std::min(x, width), "a row of " + counted(x, "character"), counted(width, "character") + ", as in the other rows");
+        checker.addInRow(value, row, std::min(x, width), {"a row of ", Counted{x, "character"}}, {Counted{width, "character"}, ", as in the other rows"});
     }
 }
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace slicecast {
@@ -30,14 +30,14 @@ public:
 private:
     static constexpr std::int32_t kNone = -1;
     std::array<std::int32_t, 128> ascii_;
-    std::unordered_map<char32_t, std::uint16_t> others_;
+    std::vector<std::pair<char32_t, std::uint16_t>> others_;  // by character
     std::vector<char32_t> order_;
     bool takesAny_ = false;
 };
 
 // Adds the members of a legend object, whose values are names out of `names`; `what` says of what: "blueprint" or "texture". Characters defined before get
 // their new meaning.
-void readLegend(Checker& checker, JsonValue value, const NameTable& names, const std::string& what, Legend& legend);
+void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what, Legend& legend);
 
 // The number of tiles of a grid.
 struct GridSize {

@@ -1,4 +1,5 @@
 #include "base/sort.h"
+#include "base/words.h"
 #include "scene/checker.h"
 #include "scene/description.h"
 #include "scene/limits.h"
@@ -16,7 +17,7 @@ namespace {
 // Reads the images of one scene, and collects what is wrong with them.
 class ImageReader {
 public:
-    ImageReader(const SceneDescription& description, const SceneFiles& files) : description_(description), files_(files) {}
+    ImageReader(const SceneDescription& description, const SceneFiles& files, EarlyImages& early) : description_(description), files_(files), early_(early) {}
 
     Texture texture(const TextureReference& texture, std::string name) {
         const ImageReference& reference = texture.image;
@@ -25,10 +26,9 @@ public:
         const bool fits = image.width == image.height * texture.frames;
         const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(image.height));
         if (!fits || !isPowerOfTwo || image.height < kMinTextureSize) {
-            const std::string sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
-            add(reference, "which is " + sizeOf(image) + " pixels",
-                texture.frames == 1 ? "a square texture with " + sizes
-                                    : "a sheet of " + std::to_string(texture.frames) + " square frames side by side, with " + sizes);
+            constexpr const char* sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
+            add(reference, {"which is ", image.width, "x", image.height, " pixels"},
+                texture.frames == 1 ? words("a square texture with ", sizes) : words("a sheet of ", texture.frames, " square frames side by side, with ", sizes));
             return {};
         }
         return take(reference, image) ? makeTexture(std::move(name), image, texture.frames, texture.rate) : Texture{};
@@ -39,7 +39,7 @@ public:
         const Image image = decode(reference, kMaxSpriteSide * sprite.frames, kMaxSpriteSide);
         if (image.empty()) return {};
         if (image.width % sprite.frames != 0) {
-            add(reference, "which is " + sizeOf(image) + " pixels", "a sheet of " + std::to_string(sprite.frames) + " frames of one width side by side");
+            add(reference, {"which is ", image.width, "x", image.height, " pixels"}, {"a sheet of ", sprite.frames, " frames of one width side by side"});
             return {};
         }
         return take(reference, image) ? makeSprite(std::move(name), image, sprite.frames, sprite.rate) : Sprite{};
@@ -57,7 +57,7 @@ public:
 
     // In the order of the text.
     std::vector<Fault> takeFaults() {
-        heapSort(faults_, [](const Fault& a, const Fault& b) { return std::tie(a.line, a.column, a.pointer, a.found) < std::tie(b.line, b.column, b.pointer, b.found); });
+        mergeSort(faults_, [](const Fault& a, const Fault& b) { return std::tie(a.line, a.column, a.pointer, a.found) < std::tie(b.line, b.column, b.pointer, b.found); });
         if (faults_.size() > kMaxFaults) {
             const std::size_t omitted = faults_.size() - kMaxFaults;
             faults_.resize(kMaxFaults);
@@ -67,16 +67,14 @@ public:
     }
 
 private:
-    static std::string sizeOf(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
-
-    void add(const ImageReference& reference, const std::string& found, std::string expected) {
+    void add(const ImageReference& reference, const Words& found, const Words& expected) {
         Fault fault;
         fault.file = description_.fileName;
         fault.pointer = reference.pointer;
         fault.line = reference.place.line;
         fault.column = reference.place.column;
-        fault.found = "\"" + reference.file + "\", " + found;
-        fault.expected = std::move(expected);
+        fault.found = words("\"", reference.file, "\", ", found.str());
+        fault.expected = expected.str();
         faults_.push_back(std::move(fault));
     }
 
@@ -86,9 +84,11 @@ private:
             add(reference, "which could not be read", "a PNG file of that name, seen from the scene's folder");
             return {};
         }
+        Image early = early_.take(reference.file);
+        if (!early.empty() && early.width <= maxWidth && early.height <= maxHeight) return early;
         DecodedImage decoded = decodePng(file->second, maxWidth, maxHeight);
         if (!decoded.fault.empty()) {
-            add(reference, "which " + decoded.fault, "a PNG file of at most " + std::to_string(maxWidth) + "x" + std::to_string(maxHeight) + " pixels");
+            add(reference, {"which ", decoded.fault}, {"a PNG file of at most ", maxWidth, "x", maxHeight, " pixels"});
         }
         return std::move(decoded.image);
     }
@@ -97,25 +97,24 @@ private:
     bool take(const ImageReference& reference, const Image& image) {
         texels_ += static_cast<std::int64_t>(image.pixels.size());
         if (texels_ <= kMaxSceneTexels) return true;
-        add(reference, "with which the scene has " + std::to_string(texels_) + " pixels of images", "at most " + std::to_string(kMaxSceneTexels));
+        add(reference, {"with which the scene has ", texels_, " pixels of images"}, {"at most ", kMaxSceneTexels});
         texels_ -= static_cast<std::int64_t>(image.pixels.size());
         return false;
     }
 
     // Nothing lies behind the sky.
     bool isOpaque(const ImageReference& reference, const Image& image) {
+        if (image.isOpaque()) return true;
         const auto seeThrough = std::find_if(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 255; });
-        if (seeThrough != image.pixels.end()) {
-            const auto index = seeThrough - image.pixels.begin();
-            add(reference, "which has a see-through pixel at column " + std::to_string(index % image.width) + ", row " + std::to_string(index / image.width),
-                "an opaque picture: nothing lies behind the sky");
-            return false;
-        }
-        return true;
+        const auto index = seeThrough - image.pixels.begin();
+        add(reference, {"which has a see-through pixel at column ", index % image.width, ", row ", index / image.width},
+            "an opaque picture: nothing lies behind the sky");
+        return false;
     }
 
     const SceneDescription& description_;
     const SceneFiles& files_;
+    EarlyImages& early_;
     std::vector<Fault> faults_;
     std::map<std::string, Image> panoramas_;
     std::int64_t texels_ = 0;
@@ -132,14 +131,27 @@ void widenObjects(const World& world, Map& map) {
 
 }  // namespace
 
-LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files) {
+void EarlyImages::decode(const std::string& name, std::span<const std::uint8_t> bytes) {
+    // What is wrong with others is found when it is known what they are for.
+    Image image = decodePng(bytes, kMaxPanoramaWidth, kMaxPanoramaHeight).image;
+    if (texels_ + static_cast<std::int64_t>(image.pixels.size()) > kMaxSceneTexels) return;
+    texels_ += static_cast<std::int64_t>(image.pixels.size());
+    images_[name] = std::move(image);
+}
+
+Image EarlyImages::take(const std::string& name) {
+    const auto found = images_.find(name);
+    return found != images_.end() ? std::exchange(found->second, {}) : Image{};
+}
+
+LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files, EarlyImages early) {
     LoadedScene loaded;
     if (!scene.description) {
         loaded.faults = scene.faults;
         return loaded;
     }
     const SceneDescription& description = *scene.description;
-    ImageReader reader(description, files);
+    ImageReader reader(description, files, early);
     World world = description.world;
     for (std::size_t i = 0; i < world.textures.size(); ++i) {
         world.textures[i] = reader.texture(description.textures[i], std::move(world.textures[i].name));

@@ -1,5 +1,7 @@
 #include "scene/names.h"
 
+#include "base/words.h"
+
 #include <algorithm>
 #include <array>
 
@@ -58,16 +60,17 @@ std::string_view nearestName(std::string_view wanted, const std::vector<std::str
 
 std::string suggestion(std::string_view wanted, const std::vector<std::string_view>& names) {
     const std::string_view nearest = nearestName(wanted, names);
-    return nearest.empty() ? std::string() : "; did you mean \"" + std::string(nearest) + "\"?";
+    return nearest.empty() ? std::string() : words("; did you mean \"", nearest, "\"?");
 }
 
 void NameTable::add(std::string_view name, std::uint16_t id) {
-    if (ids_.emplace(name, id).second) order_.push_back(name);
+    if (ids_.find(name)) return;
+    ids_.add(name, id);
+    order_.push_back(name);
 }
 
 std::optional<std::uint16_t> NameTable::find(std::string_view name) const {
-    const auto found = ids_.find(name);
-    if (found != ids_.end()) return found->second;
+    if (const auto id = ids_.find(name)) return static_cast<std::uint16_t>(*id);
     if (takesAny_) return std::uint16_t{0};
     return std::nullopt;
 }

@@ -1,11 +1,12 @@
 // Names that a scene gives to its textures, blueprints and maps, and the nearest one to a name that nobody has given.
 #pragma once
 
+#include "base/name_index.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace slicecast {
@@ -29,7 +30,7 @@ public:
 
 private:
     // Names are views into the scene's tree, which outlives the tables.
-    std::unordered_map<std::string_view, std::uint16_t> ids_;
+    NameIndex ids_;
     std::vector<std::string_view> order_;
     bool takesAny_ = false;
 };

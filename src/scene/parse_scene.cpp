@@ -1,8 +1,8 @@
+#include "base/name_index.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace slicecast {
 namespace {
@@ -51,9 +51,10 @@ void readScene(Reading& reading, JsonValue root) {
 // The files that a scene names, each once, in the order of the text.
 std::vector<std::string> filesOf(const SceneDescription& description) {
     std::vector<std::string> files;
-    std::unordered_set<std::string_view> known;
+    NameIndex known;
     const auto add = [&](const ImageReference& image) {
-        if (known.insert(image.file).second) files.push_back(image.file);
+        const auto number = static_cast<std::uint32_t>(files.size());
+        if (known.add(image.file, number) == number) files.push_back(image.file);
     };
     for (const TextureReference& texture : description.textures) add(texture.image);
     for (const TextureReference& sprite : description.sprites) add(sprite.image);
@@ -63,13 +64,18 @@ std::vector<std::string> filesOf(const SceneDescription& description) {
 
 }  // namespace
 
+ParsedScene::ParsedScene() = default;
+ParsedScene::ParsedScene(ParsedScene&&) noexcept = default;
+ParsedScene& ParsedScene::operator=(ParsedScene&&) noexcept = default;
+ParsedScene::~ParsedScene() = default;
+
 ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     ParsedScene parsed;
     if (text.size() > kMaxSceneBytes) {
         Fault fault;
         fault.file = fileName;
-        fault.found = "a file of " + std::to_string(text.size()) + " bytes";
-        fault.expected = "at most " + std::to_string(kMaxSceneBytes);
+        fault.found = words("a file of ", text.size(), " bytes");
+        fault.expected = words("at most ", kMaxSceneBytes);
         parsed.faults.push_back(std::move(fault));
         return parsed;
     }
@@ -93,10 +99,10 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     // Tree to description.
     for (const auto& [again, first] : json.tree.duplicateKeys()) {
         const Place place = source.place(first.keyOffset());
-        checker.addAtKey(again, "the key " + quoted(again.key()) + " a second time",
-                         "each key once; the first is at line " + std::to_string(place.line) + ", column " + std::to_string(place.column));
+        checker.addAtKey(again, {"the key ", quoted(again.key()), " a second time"},
+                         {"each key once; the first is at line ", place.line, ", column ", place.column});
     }
-    const auto description = std::make_shared<SceneDescription>();
+    auto description = std::make_unique<SceneDescription>();
     description->fileName = fileName;
     Reading reading{checker, *description, {}, {}, {}, {}, false, {}, 0};
     readScene(reading, json.tree.root());
@@ -104,7 +110,7 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     if (parsed.faults.empty()) {
         parsed.warnings = checker.takeWarnings();
         parsed.files = filesOf(*description);
-        parsed.description = description;
+        parsed.description = std::move(description);
     }
     return parsed;
 }

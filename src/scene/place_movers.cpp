@@ -4,7 +4,7 @@
 #include "world/mover.h"
 
 #include <algorithm>
-#include <set>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -28,20 +28,19 @@ void addFault(Reading& reading, JsonValue maps, const PlacingFault& fault) {
 // The frames of sheets that gates show become textures.
 void checkGateFrames(Reading& reading, JsonValue maps) {
     const World& world = reading.description.world;
-    std::set<TextureId> sheets;
+    std::vector<bool> isSheet(world.textures.size());
     for (const Gate& gate : world.gates) {
         for (const BlueprintId part : gate.parts) {
-            for (const FaceBlueprint& face : world.blueprints[part].faces) sheets.insert(face.texture);
+            for (const FaceBlueprint& face : world.blueprints[part].faces) isSheet[face.texture] = true;
         }
     }
     std::size_t textures = world.textures.size();
-    for (const TextureId sheet : sheets) {
-        const TextureReference& texture = reading.description.textures[sheet];
-        if (texture.rate == 0.0) textures += static_cast<std::size_t>(texture.frames - 1);
+    for (std::size_t i = 0; i < isSheet.size(); ++i) {
+        const TextureReference& texture = reading.description.textures[i];
+        if (isSheet[i] && texture.rate == 0.0) textures += static_cast<std::size_t>(texture.frames - 1);
     }
     if (textures <= static_cast<std::size_t>(kMaxTextures)) return;
-    reading.checker.add(maps, counted(static_cast<std::int64_t>(textures), "texture") + ", with the frames of the gates",
-                        "at most " + std::to_string(kMaxTextures));
+    reading.checker.add(maps, {Counted{static_cast<std::int64_t>(textures), "texture"}, ", with the frames of the gates"}, {"at most ", kMaxTextures});
 }
 
 }  // namespace

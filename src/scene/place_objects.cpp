@@ -38,8 +38,7 @@ void placeObjects(Reading& reading) {
             if (order.map != map) continue;
             if (!taken) taken.emplace(world.maps[map]);
             if (sowObjects(world, static_cast<int>(map), order.sowing, *taken)) continue;
-            reading.checker.add(order.value, "more than " + std::to_string(kMaxObjects) + " objects, with those before",
-                                "at most " + std::to_string(kMaxObjects) + " in a map");
+            reading.checker.add(order.value, {"more than ", kMaxObjects, " objects, with those before"}, {"at most ", kMaxObjects, " in a map"});
             break;
         }
     }

@@ -9,7 +9,7 @@ namespace {
 
 // A key of "faces" and the faces that it means, from the widest to the narrowest: a narrower key overrides a wider one.
 struct FaceKey {
-    std::string_view key;
+    const char* key;
     std::array<bool, kFaces> faces;  // north, east, south, west, top, bottom
 };
 constexpr FaceKey kFaceKeys[] = {
@@ -67,7 +67,7 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
         if (blueprint.faces[i].texture == kNoTexture) missing += (missing.empty() ? "" : ", ") + std::string(kFaceNames[i]);
     }
     if (!missing.empty()) {
-        reading.checker.add(value, "no texture for " + missing, "a texture for each of the six faces, by \"all\" for instance");
+        reading.checker.add(value, {"no texture for ", missing}, "a texture for each of the six faces, by \"all\" for instance");
     }
 }
 
@@ -112,19 +112,19 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
 void readBlueprints(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.add(value, checker.shown(value), "the blueprints: an object with a blueprint for each name");
+        checker.refuse(value, "the blueprints: an object with a blueprint for each name");
         reading.blueprints.takeAny();
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxBlueprints)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "blueprint"), "at most " + std::to_string(kMaxBlueprints));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "blueprint"}, {"at most ", kMaxBlueprints});
         reading.blueprints.takeAny();
         return;
     }
     std::vector<CellBlueprint>& blueprints = reading.description.world.blueprints;
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, "the name " + quoted(member.key()), "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+            checker.addAtKey(member, {"the name ", quoted(member.key())}, {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         reading.blueprints.add(member.key(), static_cast<BlueprintId>(blueprints.size()));
         blueprints.push_back(readBlueprint(reading, member));

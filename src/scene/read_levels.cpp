@@ -1,7 +1,7 @@
 #include "scene/limits.h"
 #include "scene/readers.h"
 
-#include <map>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -10,24 +10,27 @@ namespace {
 class Votes {
 public:
     void add(std::size_t size) {
-        const auto [vote, isNew] = counts_.emplace(size, 0);
-        if (isNew) order_.push_back(size);
-        ++vote->second;
+        for (Vote& vote : votes_) {
+            if (vote.size != size) continue;
+            ++vote.count;
+            return;
+        }
+        votes_.push_back({size, 1});
     }
     std::size_t winner() const {
-        std::size_t best = 0;
-        int most = 0;
-        for (const std::size_t size : order_) {
-            if (counts_.at(size) <= most) continue;
-            most = counts_.at(size);
-            best = size;
+        Vote best;
+        for (const Vote& vote : votes_) {
+            if (vote.count > best.count) best = vote;
         }
-        return best;
+        return best.size;
     }
 
 private:
-    std::map<std::size_t, int> counts_;
-    std::vector<std::size_t> order_;
+    struct Vote {
+        std::size_t size = 0;
+        int count = 0;
+    };
+    std::vector<Vote> votes_;
 };
 
 // Checks that all is arrays of arrays of texts, and finds the size that most rows and levels have. Nothing if there is no row at all.
@@ -36,7 +39,7 @@ std::optional<GridSize> measure(Checker& checker, JsonValue value) {
     Votes depths;
     for (const JsonValue level : value) {
         if (!level.isArray()) {
-            checker.add(level, checker.shown(level), "a level: an array of rows, or [] for an empty level");
+            checker.refuse(level, "a level: an array of rows, or [] for an empty level");
             continue;
         }
         if (level.count() > 0) depths.add(level.count());
@@ -44,7 +47,7 @@ std::optional<GridSize> measure(Checker& checker, JsonValue value) {
             if (row.isText()) {
                 widths.add(countCharacters(row.text()));
             } else {
-                checker.add(row, checker.shown(row), "a row: a text with one character for each tile");
+                checker.refuse(row, "a row: a text with one character for each tile");
             }
         }
     }
@@ -55,8 +58,7 @@ std::optional<GridSize> measure(Checker& checker, JsonValue value) {
         return std::nullopt;
     }
     if (width > static_cast<std::size_t>(kMaxMapWidth) || depth > static_cast<std::size_t>(kMaxMapDepth)) {
-        checker.add(value, "a map of " + std::to_string(width) + " x " + std::to_string(depth) + " tiles",
-                    "at most " + std::to_string(kMaxMapWidth) + " x " + std::to_string(kMaxMapDepth));
+        checker.add(value, {"a map of ", width, " x ", depth, " tiles"}, {"at most ", kMaxMapWidth, " x ", kMaxMapDepth});
         return std::nullopt;
     }
     return GridSize{static_cast<int>(width), static_cast<int>(depth)};
@@ -67,7 +69,7 @@ std::optional<GridSize> measure(Checker& checker, JsonValue value) {
 void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.add(value, checker.shown(value), "an array of levels, each of them an array of rows");
+        checker.refuse(value, "an array of levels, each of them an array of rows");
         return;
     }
     bool isFlat = value.count() > 0;
@@ -77,7 +79,7 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxLevels)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "level"), "at most " + std::to_string(kMaxLevels));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "level"}, {"at most ", kMaxLevels});
         return;
     }
     const std::optional<GridSize> size = measure(checker, value);
@@ -88,8 +90,8 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
     const std::int64_t cells = std::int64_t{size->width} * size->depth * levels;
     reading.cells += cells;
     if (reading.cells > kMaxSceneCells) {
-        checker.add(value, "a map of " + counted(cells, "cell") + ", " + std::to_string(reading.cells) + " with the maps before",
-                    "at most " + std::to_string(kMaxSceneCells) + " in all maps together");
+        checker.add(value, {"a map of ", Counted{cells, "cell"}, ", ", reading.cells, " with the maps before"},
+                    {"at most ", kMaxSceneCells, " in all maps together"});
         reading.cells -= cells;
         return;
     }
@@ -108,8 +110,8 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
         ++level;
         if (!rows.isArray() || rows.count() == 0) continue;
         if (rows.count() != static_cast<std::size_t>(size->depth)) {
-            checker.add(rows, "a level of " + counted(static_cast<std::int64_t>(rows.count()), "row"),
-                        counted(size->depth, "row") + ", as in the other levels");
+            checker.add(rows, {"a level of ", Counted{static_cast<std::int64_t>(rows.count()), "row"}},
+                        {Counted{size->depth, "row"}, ", as in the other levels"});
         }
         int y = -1;
         for (const JsonValue row : rows) {

@@ -14,7 +14,7 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
     if (!name) return;
     map.name = *name;
     if (reading.maps.find(*name)) {
-        reading.checker.add(*member, "the name " + quoted(*name) + " a second time", "a name that no other map has");
+        reading.checker.add(*member, {"the name ", quoted(*name), " a second time"}, "a name that no other map has");
     } else {
         reading.maps.add(member->text(), index);
     }
@@ -53,12 +53,12 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
 void readMaps(Reading& reading, JsonValue value, const Legend& legend) {
     Checker& checker = reading.checker;
     if (!value.isArray() || value.count() == 0) {
-        checker.add(value, checker.shown(value), "an array of at least one map");
+        checker.refuse(value, "an array of at least one map");
         reading.maps.takeAny();
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxMaps)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "map"), "at most " + std::to_string(kMaxMaps));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "map"}, {"at most ", kMaxMaps});
         reading.maps.takeAny();
         return;
     }

@@ -1,11 +1,11 @@
 // Motions of blocks, and gates.
+#include "base/number_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/player.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace slicecast {
 namespace {
@@ -25,7 +25,7 @@ Choice readChoice(Checker& checker, JsonValue value, const std::pair<std::string
     for (const auto& [word, choice] : choices) {
         if (value.isText() && value.text() == word) return choice;
     }
-    checker.add(value, checker.shown(value), words);
+    checker.refuse(value, words);
     return choices[0].second;
 }
 
@@ -35,12 +35,6 @@ constexpr std::pair<std::string_view, MotionShape> kShapes[] = {
 
 int stepsOf(double seconds) {
     return static_cast<int>(std::floor(seconds * kStepsPerSecond + 0.5));
-}
-
-std::string shortNumber(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", number);
-    return text;
 }
 
 // { "moves", "from", "to", "period", "phase", "shape" }
@@ -65,7 +59,7 @@ Motion readMotion(Checker& checker, JsonValue value) {
     motion.phaseSteps = static_cast<int>(std::floor(phase * motion.periodSteps + 0.5)) % motion.periodSteps;
     const double fastest = fastestSpeed(motion.shape, to - from, period);
     if (checker.count() == faultsBefore && fastest > kFastestMotion) {
-        checker.add(value, "a motion that is as fast as " + shortNumber(fastest) + " units per second",
+        checker.add(value, {"a motion that is as fast as ", roundedText(fastest, 4), " units per second"},
                     "at most 4 units per second, by a longer period for instance");
     }
     return motion;
@@ -76,19 +70,19 @@ Motion readMotion(Checker& checker, JsonValue value) {
 void readMotions(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.add(value, checker.shown(value), "the motions: an object with a motion for each name");
+        checker.refuse(value, "the motions: an object with a motion for each name");
         reading.motions.takeAny();
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxBlueprints)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "motion"), "at most " + std::to_string(kMaxBlueprints));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "motion"}, {"at most ", kMaxBlueprints});
         reading.motions.takeAny();
         return;
     }
     std::vector<Motion>& motions = reading.description.world.motions;
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, "the name " + quoted(member.key()), "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+            checker.addAtKey(member, {"the name ", quoted(member.key())}, {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         reading.motions.add(member.key(), static_cast<std::uint16_t>(motions.size()));
         motions.push_back(readMotion(checker, member));
@@ -104,7 +98,7 @@ int readGate(Reading& reading, JsonValue value) {
         kind.steps = std::max(1, stepsOf(fields->number("seconds", kOpening, 0.8)));
         kind.reach = toCoordinate(fields->number("reach", kReach, 2.0));
         kind.keyed = fields->flag("keyed", true);
-        kind.opensOnApproach = fields->find("approach").has_value();
+        kind.opensOnApproach = static_cast<bool>(fields->find("approach"));
         kind.approach = toCoordinate(fields->number("approach", kReach, 0.0));
         kind.holdSteps = stepsOf(fields->number("hold", kHold, 1.0));
         kind.startsOpen = fields->flag("open", false);

@@ -16,7 +16,7 @@ std::optional<ObjectMotion::Kind> readKind(Checker& checker, JsonValue value) {
     if (value.isText() && value.text() == "wander") return ObjectMotion::Kind::wander;
     if (value.isText() && value.text() == "pace") return ObjectMotion::Kind::pace;
     if (value.isText() && value.text() == "circle") return ObjectMotion::Kind::circle;
-    checker.add(value, checker.shown(value), kKinds);
+    checker.refuse(value, kKinds);
     return std::nullopt;
 }
 
@@ -31,7 +31,7 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value) {
     fields->require("speed", kSpeed.words);
     read.motion.speed = fields->number("speed", kSpeed, 1.0);
     read.motion.headingDegrees = fields->number("heading", kHeading, 0.0);
-    read.hasHeading = fields->find("heading").has_value();
+    read.hasHeading = static_cast<bool>(fields->find("heading"));
     // Only a wanderer may do without.
     if (read.motion.kind != ObjectMotion::Kind::wander) fields->require("reach", kReach.words);
     read.motion.reach = toCoordinate(fields->number("reach", kReach, 0.0));

@@ -29,7 +29,7 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     const std::size_t faultsBefore = checker.count();
     Object object;
     if (const auto sprite = fields->require("sprite", "the name of a sprite")) object.sprite = checker.name(*sprite, reading.sprites, "sprite").value_or(0);
-    for (const std::string_view key : {"x", "y"}) fields->require(key, kAcross.words);
+    for (const char* key : {"x", "y"}) fields->require(key, kAcross.words);
     fields->require("height", kSize.words);
     object.x = toCoordinate(fields->number("x", kAcross, 0.0));
     object.y = toCoordinate(fields->number("y", kAcross, 0.0));
@@ -41,7 +41,7 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     std::optional<ReadMotion> moves;
     if (const auto motion = fields->find("motion")) moves = readObjectMotion(reading, *motion);
     if (checker.count() == faultsBefore && hasSize && !map.contains(object.x.tile(), object.y.tile())) {
-        checker.add(value, "an object that is not on the map", "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
+        checker.add(value, "an object that is not on the map", {"x below ", map.width, " and y below ", map.depth});
     }
     if (checker.count() != faultsBefore) return std::nullopt;
     if (moves) addMotion(reading, value, moves->motion, static_cast<int>(map.objects.size()));
@@ -53,18 +53,18 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
 void readSprites(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.add(value, checker.shown(value), "the sprites: an object with a PNG file for each name");
+        checker.refuse(value, "the sprites: an object with a PNG file for each name");
         reading.sprites.takeAny();
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxTextures)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "sprite"), "at most " + std::to_string(kMaxTextures));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "sprite"}, {"at most ", kMaxTextures});
         reading.sprites.takeAny();
         return;
     }
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, "the name " + quoted(member.key()), "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+            checker.addAtKey(member, {"the name ", quoted(member.key())}, {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         reading.sprites.add(member.key(), static_cast<SpriteId>(reading.description.sprites.size()));
         Sprite sprite;
@@ -77,11 +77,11 @@ void readSprites(Reading& reading, JsonValue value) {
 void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.add(value, checker.shown(value), "an array of objects");
+        checker.refuse(value, "an array of objects");
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxObjects)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "object"), "at most " + std::to_string(kMaxObjects));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "object"}, {"at most ", kMaxObjects});
         return;
     }
     for (const JsonValue element : value) {

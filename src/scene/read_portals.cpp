@@ -41,7 +41,7 @@ constexpr bool overlap(const Stretch& a, const Stretch& b) {
 }
 
 std::string cellText(const GridTile& tile, int level) {
-    return "x " + std::to_string(tile.x) + ", y " + std::to_string(tile.y) + ", level " + std::to_string(level);
+    return words("x ", tile.x, ", y ", tile.y, ", level ", level);
 }
 
 Face opposite(Face face) {
@@ -82,7 +82,7 @@ private:
         const auto fields = checker_.fields(value, {"x", "y", "level", "face", "to", "turn", "twoWay"}, "a portal: an object with \"x\", \"y\" and \"to\"");
         if (!fields) return std::nullopt;
         PortalOrder order{value, value, {}, 0, 0, std::nullopt, false};
-        for (const std::string_view key : {"x", "y"}) fields->require(key, kTileNumber.words);
+        for (const char* key : {"x", "y"}) fields->require(key, kTileNumber.words);
         order.portal.fromMap = static_cast<int>(map);
         order.portal.fromX = fields->wholeNumber("x", kTileNumber, 0);
         order.portal.fromY = fields->wholeNumber("y", kTileNumber, 0);
@@ -100,8 +100,8 @@ private:
         if (!name) return Face::north;
         const auto found = std::find(names.begin(), names.end(), *name);
         if (found != names.end()) return static_cast<Face>(found - names.begin());
-        checker_.add(value, "the name " + quoted(*name),
-                     "one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"" + suggestion(*name, names));
+        checker_.add(value, {"the name ", quoted(*name)},
+                     {"one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"", suggestion(*name, names)});
         return Face::north;
     }
 
@@ -109,7 +109,7 @@ private:
         const auto degrees = checker_.number(value, kTurn);
         if (!degrees) return 0;
         const int quarters = static_cast<int>(*degrees) / 90;
-        if (90.0 * quarters != *degrees) checker_.add(value, checker_.shown(value), kTurn.words);
+        if (90.0 * quarters != *degrees) checker_.refuse(value, kTurn.words);
         return quarters;
     }
 
@@ -117,7 +117,7 @@ private:
         const auto fields = checker_.fields(value, {"map", "x", "y", "level"}, "where it leads: an object with \"x\" and \"y\"");
         if (!fields) return;
         order.exit = value;
-        for (const std::string_view key : {"x", "y"}) fields->require(key, kTileNumber.words);
+        for (const char* key : {"x", "y"}) fields->require(key, kTileNumber.words);
         order.portal.toMap = order.portal.fromMap;
         if (const auto map = fields->find("map")) order.portal.toMap = checker_.name(*map, reading_.maps, "map").value_or(0);
         order.portal.toX = fields->wholeNumber("x", kTileNumber, 0);
@@ -134,16 +134,14 @@ private:
 
     const Map& mapAt(int map) const { return world_.maps[static_cast<std::size_t>(map)]; }
 
-    bool isOnMap(JsonValue at, int mapIndex, GridTile tile, int level, const std::string& what) {
+    bool isOnMap(JsonValue at, int mapIndex, GridTile tile, int level, const char* what) {
         const Map& map = mapAt(mapIndex);
         if (!map.contains(tile.x, tile.y)) {
-            checker_.add(at, what + " that is not on the map " + quoted(map.name),
-                         "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
+            checker_.add(at, {what, " that is not on the map ", quoted(map.name)}, {"x below ", map.width, " and y below ", map.depth});
             return false;
         }
         if (level > map.levels) {
-            checker_.add(at, what + " on level " + std::to_string(level),
-                         "a level of the map " + quoted(map.name) + ", at most " + std::to_string(map.levels) + ", above all its blocks");
+            checker_.add(at, {what, " on level ", level}, {"a level of the map ", quoted(map.name), ", at most ", map.levels, ", above all its blocks"});
             return false;
         }
         return true;
@@ -180,7 +178,7 @@ private:
         const GridTile tile = {portal.fromX, portal.fromY};
         const BlueprintId id = mapAt(portal.fromMap).cell(tile.x, tile.y, order.level);
         if (id == kEmptyCell) {
-            checker_.add(order.value, "no block at " + cellText(tile, order.level),
+            checker_.add(order.value, {"no block at ", cellText(tile, order.level)},
                          "a block that has this face; without \"face\" the whole tile is the portal");
             return;
         }
@@ -206,8 +204,8 @@ private:
         const BlueprintId backId = mapAt(back.fromMap).cell(back.fromX, back.fromY, backLevel);
         const Face fitting = backFace == Face::top ? Face::bottom : Face::top;
         if (backId == kEmptyCell || (isLevel && edge(backFace, backLevel, world_.blueprints[backId]) != edge(fitting, order.toLevel, world_.blueprints[id]))) {
-            checker_.add(order.value, "no block for the way back at " + cellText({back.fromX, back.fromY}, backLevel),
-                         std::string("a block whose ") + kFaceNames[static_cast<std::size_t>(backFace)] + " face is behind the exit, or no \"twoWay\"");
+            checker_.add(order.value, {"no block for the way back at ", cellText({back.fromX, back.fromY}, backLevel)},
+                         {"a block whose ", kFaceNames[static_cast<std::size_t>(backFace)], " face is behind the exit, or no \"twoWay\""});
             return;
         }
         const CellBlueprint& other = world_.blueprints[backId];
@@ -232,7 +230,7 @@ private:
     }
 
     // Exits are not inside blocks. Where the player does not fit, one may still look through.
-    bool hasRoom(JsonValue at, int mapIndex, GridTile tile, const Stretch& opening, const std::string& what) {
+    bool hasRoom(JsonValue at, int mapIndex, GridTile tile, const Stretch& opening, const char* what) {
         const Map& map = mapAt(mapIndex);
         std::vector<Stretch> free;
         Coordinate low = {0};
@@ -253,19 +251,19 @@ private:
         free.push_back({low, kMaxBodyHeight});
         const auto leadsInto = [&](const Stretch& room) { return overlap(room, opening); };
         if (std::none_of(free.begin(), free.end(), leadsInto)) {
-            checker_.add(at, what + " inside the block " + quoted(inTheWay) + " at " + cellText(tile, levelInTheWay), "an exit into the open");
+            checker_.add(at, {what, " inside the block ", quoted(inTheWay), " at ", cellText(tile, levelInTheWay)}, "an exit into the open");
             return false;
         }
         const auto isHighEnough = [&](const Stretch& room) { return leadsInto(room) && room.high - room.low >= kCrouchedHeight; };
         if (std::none_of(free.begin(), free.end(), isHighEnough)) {
-            checker_.warn(at, what + " where the player does not fit", "room of at least 0.35 above one another, to be entered");
+            checker_.warn(at, {what, " where the player does not fit"}, "room of at least 0.35 above one another, to be entered");
         }
         return true;
     }
 
     std::optional<PortalId> add(JsonValue at, const Portal& portal) {
         if (world_.portals.size() >= static_cast<std::size_t>(kMaxPortals)) {
-            checker_.add(at, "more than " + std::to_string(kMaxPortals) + " portals", "at most as many in all maps together");
+            checker_.add(at, {"more than ", kMaxPortals, " portals"}, "at most as many in all maps together");
             return std::nullopt;
         }
         world_.portals.push_back(portal);
@@ -277,7 +275,7 @@ private:
         if (map.tilePortals.empty()) map.tilePortals.assign(map.occupied.size(), kNoPortal);
         PortalId& place = map.tilePortals[map.tileIndex(portal.fromX, portal.fromY)];
         if (place != kNoPortal) {
-            checker_.add(at, "a second portal at x " + std::to_string(portal.fromX) + ", y " + std::to_string(portal.fromY) + " of the map " + quoted(map.name),
+            checker_.add(at, {"a second portal at x ", portal.fromX, ", y ", portal.fromY, " of the map ", quoted(map.name)},
                          "one portal for each tile, ways back of others among them");
             return false;
         }
@@ -291,12 +289,12 @@ private:
         const GridTile tile = {portal.fromX, portal.fromY};
         BlueprintId id = map.cell(tile.x, tile.y, level);
         if (!isStill(world_.blueprints[id])) {
-            checker_.add(at, "a portal at the block " + quoted(world_.blueprints[id].name) + ", which moves or opens", "a block that stands still");
+            checker_.add(at, {"a portal at the block ", quoted(world_.blueprints[id].name), ", which moves or opens"}, "a block that stands still");
             return false;
         }
         if (id < firstOwn_) {
             if (world_.blueprints.size() >= static_cast<std::size_t>(kMaxBlueprints)) {
-                checker_.add(at, "more than " + std::to_string(kMaxBlueprints) + " blueprints, with those of the blocks that have portals", "fewer of them");
+                checker_.add(at, {"more than ", kMaxBlueprints, " blueprints, with those of the blocks that have portals"}, "fewer of them");
                 return false;
             }
             CellBlueprint own = world_.blueprints[id];
@@ -307,10 +305,10 @@ private:
         }
         PortalId& place = world_.blueprints[id].faces[static_cast<std::size_t>(face)].portal;
         if (place != kNoPortal) {
-            checker_.add(at,
-                         std::string("a second portal on the ") + kFaceNames[static_cast<std::size_t>(face)] + " face at " + cellText(tile, level) +
-                             " of the map " + quoted(map.name),
-                         "one portal for each face, ways back of others among them");
+            checker_.add(
+                at,
+                {"a second portal on the ", kFaceNames[static_cast<std::size_t>(face)], " face at ", cellText(tile, level), " of the map ", quoted(map.name)},
+                "one portal for each face, ways back of others among them");
             return false;
         }
         const auto added = add(at, portal);

@@ -41,7 +41,7 @@ template <typename Read>
 void readNames(Checker& checker, JsonValue value, const char* expected, Read read) {
     if (value.isText()) return read(value);
     if (!value.isArray() || value.count() == 0) {
-        checker.add(value, checker.shown(value), expected);
+        checker.refuse(value, expected);
         return;
     }
     for (const JsonValue element : value) read(element);
@@ -79,7 +79,7 @@ void readSown(Reading& reading, JsonValue value) {
     sowing.density = fields->number("density", kUnitRange, 0.0);
     if (const auto seed = fields->find("seed")) {
         const double number = checker.number(*seed, kSeed).value_or(0.0);
-        if (number != std::floor(number)) checker.add(*seed, checker.shown(*seed), kSeed.words);
+        if (number != std::floor(number)) checker.refuse(*seed, kSeed.words);
         sowing.seed = static_cast<std::uint64_t>(number);
     }
     if (const auto height = fields->require("height", kSize.words)) sowing.height = readRange(checker, *height, kSize).value_or(CoordinateRange{});
@@ -102,11 +102,11 @@ void readSown(Reading& reading, JsonValue value) {
 void readSowing(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.add(value, checker.shown(value), "an array of what is sown");
+        checker.refuse(value, "an array of what is sown");
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxSowings)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "kind"), "at most " + std::to_string(kMaxSowings));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "kind"}, {"at most ", kMaxSowings});
         return;
     }
     for (const JsonValue element : value) readSown(reading, element);

@@ -26,7 +26,7 @@ std::string obstacle(const World& world, const Map& map, const Box& body) {
                 if (id == kEmptyCell || tileEdge(level) + block.top <= body.bottom || tileEdge(level) + block.bottom >= body.top) continue;
                 const bool isBeside = tileEdge(x) >= body.east || tileEdge(y) >= body.south;
                 if (isBeside) continue;
-                return "into the block \"" + block.name + "\" at x " + std::to_string(x) + ", y " + std::to_string(y) + ", level " + std::to_string(level);
+                return words("into the block \"", block.name, "\" at x ", x, ", y ", y, ", level ", level);
             }
         }
     }
@@ -38,7 +38,7 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     const World& world = reading.description.world;
     const Map& map = world.maps[static_cast<std::size_t>(start.map)];
     if (!map.contains(start.x.tile(), start.y.tile())) {
-        reading.checker.add(value, "a start that is not on the map", "x below " + std::to_string(map.width) + " and y below " + std::to_string(map.depth));
+        reading.checker.add(value, "a start that is not on the map", {"x below ", map.width, " and y below ", map.depth});
         return;
     }
     // The player starts crouched where there is no room to stand.
@@ -53,7 +53,7 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
                              "a way out: over no more than 0.79, the height of a jump, and at least 0.35 high");
         return;
     }
-    reading.checker.add(value, "a start that reaches " + obstacle(world, map, body), "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
+    reading.checker.add(value, {"a start that reaches ", obstacle(world, map, body)}, "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
 }
 
 // Every map can be gone to by its number; nobody should be shut in there.
@@ -65,8 +65,7 @@ void checkEntries(Reading& reading) {
         const MapEntry entry = findMapEntry(world, index);
         if (!entry.stands || hasWayOut(world, index, entry.x, entry.y, entry.feet)) continue;
         reading.checker.warn(reading.mapValues[map],
-                             "a map whose number leads to x " + std::to_string(entry.x.tile()) + ", y " + std::to_string(entry.y.tile()) +
-                                 ", from where no other tile can be walked to",
+                             {"a map whose number leads to x ", entry.x.tile(), ", y ", entry.y.tile(), ", from where no other tile can be walked to"},
                              "a way out of the free tile nearest to the map's middle");
     }
 }
@@ -82,7 +81,7 @@ void readStart(Reading& reading, JsonValue value) {
     if (const auto member = fields->find("map")) {
         start.map = checker.name(*member, reading.maps, "map").value_or(0);
     }
-    for (const std::string_view key : {"x", "y"}) fields->require(key, kAcross.words);
+    for (const char* key : {"x", "y"}) fields->require(key, kAcross.words);
     start.x = toCoordinate(fields->number("x", kAcross, 0.0));
     start.y = toCoordinate(fields->number("y", kAcross, 0.0));
     start.z = toCoordinate(fields->number("z", kHeight, 0.0));

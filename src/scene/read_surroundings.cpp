@@ -21,19 +21,19 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
     const auto rows = fields.find("tiles");
     if (!rows) return;
     if (!rows->isArray()) {
-        checker.add(*rows, checker.shown(*rows), "an array of rows, as in a level");
+        checker.refuse(*rows, "an array of rows, as in a level");
         return;
     }
     const bool fits = rows->count() == static_cast<std::size_t>(map.depth);
     if (hasSize && !fits) {
-        checker.add(*rows, counted(static_cast<std::int64_t>(rows->count()), "row"), counted(map.depth, "row") + ", as in the map's levels");
+        checker.add(*rows, Counted{static_cast<std::int64_t>(rows->count()), "row"}, {Counted{map.depth, "row"}, ", as in the map's levels"});
     }
     std::vector<std::uint16_t> ids;
     int y = -1;
     for (const JsonValue row : *rows) {
         ++y;
         if (!row.isText()) {
-            checker.add(row, checker.shown(row), "a row: a text with one character for each tile");
+            checker.refuse(row, "a row: a text with one character for each tile");
             continue;
         }
         if (!hasSize) continue;

@@ -1,9 +1,8 @@
+#include "base/name_index.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
 #include <cmath>
-#include <map>
-#include <tuple>
 
 namespace slicecast {
 namespace {
@@ -32,11 +31,11 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value) {
     std::optional<std::string> name = checker.text(value, kMaxPathLength, expected);
     if (!name) return std::nullopt;
     if (!isPortable(*name)) {
-        checker.add(value, "the file name " + quoted(*name), expected + ", with forward slashes and none of \\ : ? # % * \" < > |");
+        checker.add(value, {"the file name ", quoted(*name)}, {expected, ", with forward slashes and none of \\ : ? # % * \" < > |"});
         return std::nullopt;
     }
     if (!isPng(*name)) {
-        checker.add(value, "the file name " + quoted(*name), "a name that ends in .png; only PNG files are read");
+        checker.add(value, {"the file name ", quoted(*name)}, "a name that ends in .png; only PNG files are read");
         return std::nullopt;
     }
     return name;
@@ -60,7 +59,7 @@ TextureReference readTexture(Checker& checker, JsonValue value) {
     constexpr NumberRange kRate = {0.0, kMaxFrameRate, true, "a number of frames per second, above 0 and at most 120"};
     if (const auto frames = fields->require("frames", kFrames.words)) {
         const double count = checker.number(*frames, kFrames).value_or(2.0);
-        if (count != std::floor(count)) checker.add(*frames, checker.shown(*frames), kFrames.words);
+        if (count != std::floor(count)) checker.refuse(*frames, kFrames.words);
         texture.frames = static_cast<int>(count);
     }
     if (const auto rate = fields->find("rate")) texture.rate = checker.number(*rate, kRate).value_or(1.0);
@@ -70,31 +69,33 @@ TextureReference readTexture(Checker& checker, JsonValue value) {
 void readTextures(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.add(value, checker.shown(value), "the textures: an object with a PNG file for each name");
+        checker.refuse(value, "the textures: an object with a PNG file for each name");
         reading.textures.takeAny();
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxTextures)) {
-        checker.add(value, counted(static_cast<std::int64_t>(value.count()), "texture"), "at most " + std::to_string(kMaxTextures));
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "texture"}, {"at most ", kMaxTextures});
         reading.textures.takeAny();
         return;
     }
-    std::map<std::tuple<std::string, int, double>, TextureId> ids;
+    NameIndex ids;
+    std::vector<std::string> sheets;  // the names in the index, which stay where they are
+    sheets.reserve(value.count());
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, "the name " + quoted(member.key()), "a name of 1 to " + std::to_string(kMaxNameLength) + " characters");
+            checker.addAtKey(member, {"the name ", quoted(member.key())}, {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         // A faulty texture is known by its name all the same.
         TextureReference reference = readTexture(checker, member);
-        const auto [known, isNew] = ids.emplace(std::tuple(reference.image.file, reference.frames, reference.rate),
-                                                static_cast<TextureId>(reading.description.textures.size()));
-        if (isNew) {
+        const auto next = static_cast<std::uint32_t>(reading.description.textures.size());
+        const std::uint32_t id = ids.add(sheets.emplace_back(words(reference.image.file, "\n", reference.frames, " ", Shortest{reference.rate})), next);
+        if (id == next) {
             Texture texture;
             texture.name = std::string(member.key());
             reading.description.world.textures.push_back(std::move(texture));
             reading.description.textures.push_back(std::move(reference));
         }
-        reading.textures.add(member.key(), known->second);
+        reading.textures.add(member.key(), static_cast<TextureId>(id));
     }
 }
 

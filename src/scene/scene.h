@@ -9,12 +9,14 @@
 // may hold is written down in assets/scene.schema.json.
 #pragma once
 
+#include "base/image.h"
 #include "world/world.h"
 
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,10 +43,15 @@ std::string describe(const Fault& fault);
 struct SceneDescription;  // the checked text; opaque
 
 struct ParsedScene {
-    std::shared_ptr<const SceneDescription> description;  // null when there are faults
+    std::unique_ptr<const SceneDescription> description;  // null when there are faults
     std::vector<std::string> files;                       // image files named by the scene, relative to it, each once, in order of appearance
     std::vector<Fault> faults;
-    std::vector<Fault> warnings = {};  // none where there are faults
+    std::vector<Fault> warnings;  // none where there are faults
+
+    ParsedScene();
+    ParsedScene(ParsedScene&&) noexcept;
+    ParsedScene& operator=(ParsedScene&&) noexcept;
+    ~ParsedScene();
 };
 
 ParsedScene parseScene(std::string_view text, const std::string& fileName);
@@ -58,6 +65,19 @@ struct LoadedScene {
 // The bytes of the files by name; a name without an entry is a fault ("could not be read").
 using SceneFiles = std::map<std::string, std::vector<std::uint8_t>>;
 
-LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files);
+// Images that are decoded while other files are still on their way, as far as they are images.
+class EarlyImages {
+public:
+    void decode(const std::string& name, std::span<const std::uint8_t> bytes);
+    // An empty one if there is none, or no longer.
+    Image take(const std::string& name);
+
+private:
+    std::map<std::string, Image> images_;
+    std::int64_t texels_ = 0;
+};
+
+// What has been decoded early is not decoded again; `files` has all of them.
+LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files, EarlyImages early = {});
 
 }  // namespace slicecast

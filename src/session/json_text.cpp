@@ -1,9 +1,9 @@
 #include "session/json_text.h"
 
+#include "base/number_text.h"
+
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 
 namespace slicecast {
 
@@ -56,10 +56,7 @@ JsonText& JsonText::text(std::string_view value) {
 JsonText& JsonText::number(double value) {
     if (!std::isfinite(value)) return null();
     separate();
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.15g", value);
-    if (std::strtod(digits, nullptr) != value) std::snprintf(digits, sizeof digits, "%.17g", value);
-    out_ += digits;
+    out_ += std::string_view(shortestText(value));
     return *this;
 }
 
@@ -82,9 +79,8 @@ void JsonText::quote(std::string_view value) {
             out_ += '\\';
             out_ += c;
         } else if (static_cast<unsigned char>(c) < 0x20) {
-            char escape[8];
-            std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
-            out_ += escape;
+            out_ += "\\u";
+            out_ += std::string_view(hexText(static_cast<unsigned char>(c), 4));
         } else {
             out_ += c;
         }

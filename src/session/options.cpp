@@ -1,5 +1,7 @@
 #include "session/options.h"
 
+#include "base/number_text.h"
+#include "base/words.h"
 #include "overlay/slow_drawing.h"
 #include "render/picture.h"
 #include "world/limits.h"
@@ -8,8 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <type_traits>
 #include <variant>
 
@@ -91,27 +91,10 @@ const Entry* findEntry(std::string_view name) {
     return nullptr;
 }
 
-// The fewest digits that give the number back; a whole number as people write it (60, not 6e+01).
-std::string shortest(double number) {
-    char text[32];
-    if (number == std::floor(number) && std::abs(number) < 1e15) {
-        std::snprintf(text, sizeof text, "%.0f", number);
-        return text;
-    }
-    for (int digits = 1; digits <= 17; ++digits) {
-        std::snprintf(text, sizeof text, "%.*g", digits, number);
-        if (std::strtod(text, nullptr) == number) break;
-    }
-    return text;
-}
-
 // A decimal number that is the whole of the text.
-std::optional<double> readNumber(std::string_view text) {
-    if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return std::nullopt;
-    const std::string copy(text);
-    char* end = nullptr;
-    const double number = std::strtod(copy.c_str(), &end);
-    return end == copy.c_str() + copy.size() && std::isfinite(number) ? std::optional(number) : std::nullopt;
+std::optional<double> readFinite(std::string_view text) {
+    const std::optional<double> number = readNumber(text);
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 // The words of a choice: each, until there are none.
@@ -128,20 +111,20 @@ std::string listed(std::string_view words) {
     while (!words.empty()) {
         const std::string_view word = nextWord(words);
         text += text.empty() ? "" : words.empty() ? " or " : ", ";
-        text += "\"" + std::string(word) + "\"";
+        add(text, {"\"", word, "\""});
     }
     return text;
 }
 
 std::string expected(const OptionInfo& info) {
-    const std::string range = shortest(info.least) + " to " + shortest(info.greatest);
+    const std::string range = words(Shortest{info.least}, " to ", Shortest{info.greatest});
     switch (info.kind) {
         case OptionKind::onOff:
             return "\"on\" or \"off\"";
         case OptionKind::wholeNumber:
-            return "a whole number from " + range;
+            return words("a whole number from ", range);
         case OptionKind::ownOrNumber:
-            return "\"map\" (each map's own) or a number from " + range;
+            return words("\"map\" (each map's own) or a number from ", range);
         case OptionKind::choice:
             return listed(info.choices);
         case OptionKind::ownOrColour:
@@ -149,7 +132,7 @@ std::string expected(const OptionInfo& info) {
         case OptionKind::number:
             break;
     }
-    return "a number from " + range;
+    return words("a number from ", range);
 }
 
 // The member of the options that an entry is kept in.
@@ -176,7 +159,7 @@ bool read(const OptionInfo&, std::string_view text, bool& value) {
 }
 
 bool read(const OptionInfo& info, std::string_view text, double& value) {
-    const std::optional<double> number = readNumber(text);
+    const std::optional<double> number = readFinite(text);
     if (!number || *number < info.least || *number > info.greatest) return false;
     value = *number;
     return true;
@@ -228,19 +211,17 @@ std::string written(const OptionInfo&, bool value) {
     return value ? "on" : "off";
 }
 std::string written(const OptionInfo&, int value) {
-    return std::to_string(value);
+    return words(value);
 }
 std::string written(const OptionInfo&, double value) {
-    return shortest(value);
+    return words(Shortest{value});
 }
 std::string written(const OptionInfo&, const std::optional<double>& value) {
-    return value ? shortest(*value) : "map";
+    return value ? words(Shortest{*value}) : "map";
 }
 std::string written(const OptionInfo&, const std::optional<Colour>& value) {
     if (!value) return "map";
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", value->r, value->g, value->b);
-    return text;
+    return words("#", hexText(static_cast<std::uint64_t>(value->r << 16 | value->g << 8 | value->b), 6));
 }
 template <typename Value>
     requires std::is_enum_v<Value>
@@ -259,13 +240,13 @@ std::span<const OptionInfo> knownOptions() {
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value) {
     const Entry* entry = findEntry(name);
     if (entry == nullptr) {
-        std::string message = "found the option \"" + std::string(name) + "\", expected one of ";
-        for (const Entry& known : kEntries) message += (&known == kEntries.data() ? "" : ", ") + std::string(known.info.name);
+        std::string message = words("found the option \"", name, "\", expected one of ");
+        for (const Entry& known : kEntries) add(message, {&known == kEntries.data() ? "" : ", ", known.info.name});
         return message;
     }
     const auto readInto = [&](auto place) { return read(entry->info, value, member(options, place)); };
     if (std::visit(readInto, entry->place)) return {};
-    return "option " + std::string(name) + ": found \"" + std::string(value) + "\", expected " + expected(entry->info);
+    return words("option ", name, ": found \"", value, "\", expected ", expected(entry->info));
 }
 
 std::string nextChoice(std::string_view name, std::string_view value) {

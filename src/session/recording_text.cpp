@@ -1,6 +1,8 @@
 #include "session/recording_text.h"
 
 #include "base/coordinate.h"
+#include "base/number_text.h"
+#include "base/words.h"
 #include "render/picture.h"
 #include "scene/checker.h"
 #include "scene/limits.h"
@@ -11,8 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cinttypes>
-#include <cstdio>
 
 namespace slicecast {
 namespace {
@@ -49,40 +49,34 @@ constexpr std::array kButtons = {
 
 // ------------------------------------------------------------------------------------------------------------ writing
 
-std::string hexText(std::uint64_t number) {
-    char text[20];
-    std::snprintf(text, sizeof text, "%016" PRIx64, number);
-    return text;
-}
-
 struct Writer {
     std::string& out;
 
     void operator()(const RecordedSteps& entry) const {
-        out += std::to_string(entry.count);
+        add(out, entry.count);
         for (const Amount& amount : kAmounts) {
             const int value = entry.input.*amount.member;
-            if (value != 0) out += " " + std::string(amount.word) + " " + std::to_string(value);
+            if (value != 0) add(out, {" ", amount.word, " ", value});
         }
         for (const Button& button : kButtons) {
-            if (entry.input.*button.member) out += " " + std::string(button.word);
+            if (entry.input.*button.member) add(out, {" ", button.word});
         }
     }
     void operator()(const RecordedFlying& entry) const { out += entry.flying ? "fly on" : "fly off"; }
     void operator()(const RecordedLevelLook&) const { out += "level"; }
-    void operator()(const RecordedHeading& entry) const { out += "heading " + std::to_string(entry.heading); }
+    void operator()(const RecordedHeading& entry) const { add(out, {"heading ", entry.heading}); }
     void operator()(const RecordedReset&) const { out += "reset"; }
     void operator()(const RecordedEye& entry) const {
         out += "eye";
-        for (const int number : {entry.map, entry.x, entry.y, entry.z, entry.heading, entry.look}) out += " " + std::to_string(number);
+        for (const int number : {entry.map, entry.x, entry.y, entry.z, entry.heading, entry.look}) add(out, {" ", number});
     }
-    void operator()(const RecordedOption& entry) const { out += "set " + entry.name + " " + entry.value; }
-    void operator()(const RecordedMark& entry) const { out += "mark " + entry.name + " " + hexText(entry.pose); }
+    void operator()(const RecordedOption& entry) const { add(out, {"set ", entry.name, " ", entry.value}); }
+    void operator()(const RecordedMark& entry) const { add(out, {"mark ", entry.name, " ", hexText(entry.pose, 16)}); }
 };
 
 // ------------------------------------------------------------------------------------------------------------ reading
 
-struct Word {
+struct Token {
     std::string_view text;
     std::size_t offset = 0;  // in the whole text
 };
@@ -129,41 +123,41 @@ std::optional<std::uint64_t> hexNumber(std::string_view text) {
 // The words of one line, taken one after the other. The first that is wrong is remembered, and from then on nothing is found.
 class Line {
 public:
-    Line(std::vector<Word> words, std::size_t end) : words_(std::move(words)), end_(end) {}
+    Line(std::vector<Token> tokens, std::size_t end) : tokens_(std::move(tokens)), end_(end) {}
 
-    bool hasMore() const { return !wrong_ && at_ < words_.size(); }
-    std::string_view peek() const { return words_[at_].text; }
+    bool hasMore() const { return !wrong_ && at_ < tokens_.size(); }
+    std::string_view peek() const { return tokens_[at_].text; }
     const std::optional<Wrong>& wrong() const { return wrong_; }
 
-    void refuse(const std::string& expected) {
+    void refuse(const Words& expected) {
         if (wrong_) return;
-        if (at_ < words_.size()) {
-            wrong_ = Wrong{words_[at_].offset, quoted(words_[at_].text), expected};
+        if (at_ < tokens_.size()) {
+            wrong_ = Wrong{tokens_[at_].offset, quoted(tokens_[at_].text), expected.str()};
         } else {
-            wrong_ = Wrong{end_, "the end of the line", expected};
+            wrong_ = Wrong{end_, "the end of the line", expected.str()};
         }
     }
     void take() { ++at_; }
 
-    std::int64_t number(std::int64_t least, std::int64_t greatest, const std::string& what) {
+    std::int64_t number(std::int64_t least, std::int64_t greatest, const char* what) {
         const auto value = hasMore() ? wholeNumber(peek()) : std::nullopt;
         if (!value || *value < least || *value > greatest) {
-            refuse(what + ", a whole number from " + std::to_string(least) + " to " + std::to_string(greatest));
+            refuse({what, ", a whole number from ", least, " to ", greatest});
             return 0;
         }
         take();
         return *value;
     }
-    int smallNumber(std::int64_t least, std::int64_t greatest, const std::string& what) { return static_cast<int>(number(least, greatest, what)); }
+    int smallNumber(std::int64_t least, std::int64_t greatest, const char* what) { return static_cast<int>(number(least, greatest, what)); }
     std::uint64_t pose() {
         const auto value = hasMore() ? hexNumber(peek()) : std::nullopt;
         if (!value) refuse("where the eye is, 16 digits from 0 to f");
         take();
         return value.value_or(0);
     }
-    std::string name(const std::string& what) {
+    std::string name(const char* what) {
         if (!hasMore() || !isName(peek())) {
-            refuse(what + ", of at most " + std::to_string(kMaxRecordedName) + " letters, digits, '-', '_' and '.'");
+            refuse({what, ", of at most ", kMaxRecordedName, " letters, digits, '-', '_' and '.'"});
             return {};
         }
         const std::string name(peek());
@@ -175,7 +169,7 @@ public:
     }
 
 private:
-    std::vector<Word> words_;
+    std::vector<Token> tokens_;
     std::size_t end_;
     std::size_t at_ = 0;
     std::optional<Wrong> wrong_;
@@ -238,7 +232,7 @@ RecordedOption readOption(Line& line) {
             return option;
         }
     }
-    line.refuse("a value of the option " + option.name);
+    line.refuse({"a value of the option ", option.name});
     return option;
 }
 
@@ -287,9 +281,9 @@ public:
     ReadRecording read() {
         const std::string_view text = source_.text();
         if (text.size() > kMaxRecordingBytes) {
-            add({0, std::to_string(text.size()) + " bytes", "a recording of at most " + std::to_string(kMaxRecordingBytes) + " bytes"});
+            addWrong({0, words(text.size(), " bytes"), words("a recording of at most ", kMaxRecordingBytes, " bytes")});
         } else if (source_.invalidByte()) {
-            add({*source_.invalidByte(), "a byte that is not UTF-8", "a recording, which is UTF-8 text"});
+            addWrong({*source_.invalidByte(), "a byte that is not UTF-8", "a recording, which is UTF-8 text"});
         } else {
             readLines(text);
         }
@@ -307,32 +301,32 @@ private:
         std::size_t begin = source_.start();
         while (begin < text.size()) {
             const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
-            std::vector<Word> words = wordsOf(text, begin, end);
-            if (!words.empty() && words[0].text[0] != '#') {
-                const bool goesOn = readLine(Line(std::move(words), end), text.substr(begin, end - begin));
+            std::vector<Token> tokens = tokensOf(text, begin, end);
+            if (!tokens.empty() && tokens[0].text[0] != '#') {
+                const bool goesOn = readLine(Line(std::move(tokens), end), text.substr(begin, end - begin));
                 if (!goesOn) return;
             }
             begin = end + 1;
         }
-        if (awaited_ != Awaited::nothing) add({text.size(), "the end of the file", expectedNext()});
+        if (awaited_ != Awaited::nothing) addWrong({text.size(), "the end of the file", expectedNext()});
     }
 
-    static std::vector<Word> wordsOf(std::string_view text, std::size_t begin, std::size_t end) {
-        std::vector<Word> words;
+    static std::vector<Token> tokensOf(std::string_view text, std::size_t begin, std::size_t end) {
+        std::vector<Token> tokens;
         while (begin < end) {
             const std::size_t first = text.find_first_not_of(" \t", begin);
             if (first >= end) break;
             const std::size_t last = std::min(text.find_first_of(" \t\r\n", first), end);
-            words.push_back({text.substr(first, last - first), first});
+            tokens.push_back({text.substr(first, last - first), first});
             begin = last;
         }
-        return words;
+        return tokens;
     }
 
     std::string expectedNext() const {
         switch (awaited_) {
             case Awaited::version:
-                return "\"" + std::string(kFirstLine) + std::to_string(kRecordingVersion) + "\"";
+                return words("\"", kFirstLine, kRecordingVersion, "\"");
             case Awaited::scene:
                 return "\"scene\" and its name";
             case Awaited::entries:
@@ -347,7 +341,7 @@ private:
     bool readLine(Line line, std::string_view whole) {
         switch (awaited_) {
             case Awaited::version:
-                if (whole != std::string(kFirstLine) + std::to_string(kRecordingVersion)) {
+                if (whole != words(kFirstLine, kRecordingVersion)) {
                     line.refuse(expectedNext());
                     addOf(line);
                     return false;
@@ -380,7 +374,7 @@ private:
             awaited_ = Awaited::nothing;
             line.take();
             if (isSumKnown_ && line.hasMore() && wholeNumber(line.peek()) != recording_.steps) {
-                line.refuse(std::to_string(recording_.steps) + ", the sum of all steps");
+                line.refuse({recording_.steps, ", the sum of all steps"});
             }
             line.take();
             recording_.endPose = line.pose();
@@ -391,7 +385,7 @@ private:
             if (const auto* steps = std::get_if<RecordedSteps>(&*entry)) recording_.steps += steps->count;
             if (recording_.steps > kMaxRecordedSteps && isSumKnown_) {
                 isSumKnown_ = false;
-                line.refuse("at most " + std::to_string(kMaxRecordedSteps) + " steps in all");
+                line.refuse({"at most ", kMaxRecordedSteps, " steps in all"});
             }
             recording_.entries.push_back(*entry);
         } else {
@@ -400,10 +394,10 @@ private:
     }
 
     void addOf(const Line& line) {
-        if (line.wrong()) add(*line.wrong());
+        if (line.wrong()) addWrong(*line.wrong());
     }
 
-    void add(const Wrong& wrong) {
+    void addWrong(const Wrong& wrong) {
         if (faults_.size() >= kMaxFaults) {
             ++omitted_;
             return;
@@ -430,12 +424,13 @@ private:
 }  // namespace
 
 std::string writeRecording(const Recording& recording) {
-    std::string text = std::string(kFirstLine) + std::to_string(kRecordingVersion) + "\nscene " + recording.scene + "\n";
+    std::string text = words(kFirstLine, kRecordingVersion, "\nscene ", recording.scene, "\n");
     for (const RecordedEntry& entry : recording.entries) {
         std::visit(Writer{text}, entry);
         text += "\n";
     }
-    return text + "end " + std::to_string(recording.steps) + " " + hexText(recording.endPose) + "\n";
+    add(text, {"end ", recording.steps, " ", hexText(recording.endPose, 16), "\n"});
+    return text;
 }
 
 ReadRecording readRecording(std::string_view text, const std::string& fileName) {

@@ -168,6 +168,12 @@ void Session::reset() {
     previous_ = player_;
 }
 
+World Session::takeWorld() {
+    lights_.apply({}, world_.maps);
+    world_.seconds = 0.0;
+    return std::move(world_);
+}
+
 void Session::levelLook() {
     if (recorder_ != nullptr) recorder_->add(RecordedLevelLook{});
     slicecast::levelLook(world_, player_);

@@ -82,6 +82,9 @@ public:
     std::string setOption(std::string_view name, std::string_view value);
     std::string option(std::string_view name) const;
 
+    // The world as it came, for another session; what this one does then means nothing.
+    World takeWorld();
+
     const World& world() const { return world_; }
     const Player& player() const { return player_; }
     const Player& beforeStep() const { return previous_; }  // the player as it was before the last step; as it is now after a leap

@@ -3,6 +3,7 @@
 #include "app/keys.h"
 #include "app/page_shell.h"
 #include "base/image.h"
+#include "base/number_text.h"
 #include "scene/scene.h"
 #include "session/hits_json.h"
 #include "session/recording_text.h"
@@ -11,10 +12,10 @@
 #include "session/json_text.h"
 
 #include <emscripten/emscripten.h>
+#include <unistd.h>
 
-#include <cinttypes>
 #include <cstddef>
-#include <cstdio>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,7 @@ struct SlicecastSession {
     bool ofProgram = false;
     ParsedScene parsed;
     SceneFiles files;
+    EarlyImages early;  // of the files that have come
     std::optional<Recorder> recorder;  // of the own game, which writes to it
     std::optional<Replay> replay;
     std::unique_ptr<Session> own;
@@ -130,6 +132,7 @@ EMSCRIPTEN_KEEPALIVE SlicecastSession* slicecast_programSession(void) {
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes, const char* fileName) {
     session->files.clear();
+    session->early = {};
     session->parsed = parseScene(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
     JsonText json;
     json.beginObject().key("files").beginArray();
@@ -141,12 +144,14 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, cons
 
 EMSCRIPTEN_KEEPALIVE void slicecast_supply(SlicecastSession* session, const char* fileName, const uint8_t* bytes, int32_t byteCount) {
     session->files[fileName].assign(bytes, bytes + byteCount);
+    session->early.decode(fileName, session->files[fileName]);
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
     // A scene whose text is at fault says so again, and makes no world.
-    LoadedScene loaded = session->parsed.description ? loadScene(session->parsed, session->files) : LoadedScene{{}, session->parsed.faults};
+    LoadedScene loaded = session->parsed.description ? loadScene(session->parsed, session->files, std::move(session->early)) : LoadedScene{{}, session->parsed.faults};
     session->files.clear();
+    session->early = {};
     JsonText json;
     json.beginObject();
     writeFaults(json, "faults", loaded.faults);
@@ -165,6 +170,19 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
     }
     session->parsed = {};
     return session->give(json.str());
+}
+
+EMSCRIPTEN_KEEPALIVE uint32_t slicecast_memoryEnd(void) {
+    return static_cast<uint32_t>(reinterpret_cast<std::uintptr_t>(sbrk(0)));
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_adopt(void) {
+    if (pageProgram().game() == nullptr) return 0;
+    auto anew = std::make_unique<Session>(pageProgram().game()->takeWorld());
+    renewPageProgram();
+    *slicecast_programSession() = {.ofProgram = true};
+    pageProgram().play(std::move(anew));
+    return 1;
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_world(SlicecastSession* session) {
@@ -241,8 +259,6 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
     const Session* game = session->game();
     if (game == nullptr) return session->give("null");
     const SessionState state = game->state();
-    char fingerprint[20];
-    std::snprintf(fingerprint, sizeof fingerprint, "%016" PRIx64, game->fingerprint());
     JsonText json;
     json.beginObject();
     json.key("map").number(game->player().map).key("mapName").text(state.map);
@@ -250,7 +266,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
     json.key("heading").number(state.headingDegrees).key("look").number(state.look).key("speed").number(state.speed);
     json.key("flying").yesNo(state.flying).key("crouched").yesNo(state.crouched).key("onGround").yesNo(state.onGround);
     json.key("intensity").number(state.intensity).key("multiplier").number(state.multiplier);
-    json.key("steps").number(static_cast<double>(state.steps)).key("fingerprint").text(fingerprint);
+    json.key("steps").number(static_cast<double>(state.steps)).key("fingerprint").text(hexText(game->fingerprint(), 16));
     return session->give(json.endObject().str());
 }
 
@@ -428,6 +444,10 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_keys(void) {
         return json.endArray().str();
     }();
     return text.c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_begin(void) {
+    return beginPageProgram() ? 1 : 0;
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecast_stop(void) {

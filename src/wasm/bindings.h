@@ -1,19 +1,19 @@
 // What JavaScript may call in the WebAssembly module: the same functions serve a page, where the program draws into a canvas, and Node, where there is
 // neither canvas nor SDL. Plain C; each function `slicecast_NAME` is `module._slicecast_NAME` in JavaScript.
 //
-//     const module = await createSlicecast({canvas, onSlicecast(event, value) {...}});         // {wasmBinary} under Node
+//     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});   // web/engine-module.js; without a canvas under Node
 //
 //     const session = module._slicecast_programSession();                                     // or module._slicecast_create() without the program
 //     {files, faults} = JSON.parse(module.UTF8ToString(module._slicecast_parse(session, text, textBytes, name)));
 //     for each of the files:    module._slicecast_supply(session, fileName, bytes, byteCount);  // no call: the file could not be read
 //     {faults, warnings} = JSON.parse(module.UTF8ToString(module._slicecast_start(session)));  // no faults: it plays
-//     module.callMain([]);                                                                    // once, in a page: the program begins to draw and listen
+//     module._slicecast_begin();                                                              // once, in a page: the program begins to draw and listen
 //
 // Strings in are UTF-8; those without a byte count end in a zero byte. What goes in is copied: the caller frees its own memory at once. Strings out belong
 // to the session and hold until the next call for the same session that returns a string. A fault is
 // {"file", "pointer", "line", "column", "row", "character", "found", "expected", "message"} as scene/scene.h describes it; `message` says all in one line.
 //
-// The program tells the page what happens by calling module.onSlicecast(event, value), if there is one:
+// The program tells the page what happens by calling onSlicecast(event, value), if there is one:
 //
 //     "ready"       true          the first picture is on the canvas
 //     "pause"       true, false   play stands still or goes on (P, slicecast_pause); a hidden tab stands still without this event
@@ -67,12 +67,18 @@ SlicecastSession* slicecast_programSession(void);
 // running goes on until slicecast_start. What was supplied for an earlier text is forgotten.
 const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes, const char* fileName);
 
-// Supplies the bytes of one of those files. A file never supplied becomes a fault ("could not be read").
+// Supplies the bytes of one of those files, whose picture is decoded at once. A file never supplied becomes a fault ("could not be read").
 void slicecast_supply(SlicecastSession* session, const char* fileName, const uint8_t* bytes, int32_t byteCount);
 
 // Builds the world and begins to play it. Gives {"faults": [...], "warnings": [...]}; with any fault the game that ran before, if any, goes on, warnings keep
 // nothing from playing. Options are kept.
 const char* slicecast_start(SlicecastSession* session);
+
+// How much of the module's memory is in use, in bytes from its beginning. A module whose memory has been overwritten with that of another one of the same
+// build then has the scene of the other's program by slicecast_adopt: from its start, with all options as in the beginning, and without a canvas. 1 on success,
+// 0 if there was no game.
+uint32_t slicecast_memoryEnd(void);
+int32_t slicecast_adopt(void);
 
 // The running world: {"title", "maps": [{"name", "width", "depth", "levels"}], "gates": how many}; null without a game.
 const char* slicecast_world(SlicecastSession* session);
@@ -155,7 +161,7 @@ void slicecast_setFlying(SlicecastSession* session, int32_t flying);
 // Back to the scene's start, at rest.
 void slicecast_reset(SlicecastSession* session);
 
-// ---- The program in a page: these act on it and its session. They may be called before main too.
+// ---- The program in a page: these act on it and its session, also before it begins.
 
 // The size of the picture in pixels, 1 to 4096 a side; the page scales the canvas with CSS. 640 x 400 until then.
 void slicecast_resize(int32_t width, int32_t height);
@@ -184,6 +190,9 @@ void slicecast_steerByCursor(int32_t on);
 
 // The keys for a help text: [{"keys", "does"}] in the order in which to show them. Never freed.
 const char* slicecast_keys(void);
+
+// Begins to draw into the canvas and to listen to it; the second call does nothing. 0 if there is no canvas.
+int32_t slicecast_begin(void);
 
 // Ends the program: no picture, no listener, no timer remains, and the module may be dropped.
 void slicecast_stop(void);

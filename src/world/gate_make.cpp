@@ -1,4 +1,5 @@
 // Finding the gates of a world, and giving each of them blueprints of its own.
+#include "base/words.h"
 #include "world/gate.h"
 #include "world/mover.h"
 #include "world/moving_cells.h"
@@ -37,13 +38,12 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
 // The texture of the sheet's second frame, the others behind it. The sheet itself keeps its first one, which it shows wherever it is no gate.
 TextureId framesOf(World& world, TextureId sheet) {
     const auto later = static_cast<TextureId>(world.textures.size());
-    const std::vector<std::vector<TextureLevel>> frames = std::move(world.textures[sheet].laterFrames);
+    std::vector<std::vector<TextureLevel>> frames = std::move(world.textures[sheet].laterFrames);
     world.textures[sheet].laterFrames.clear();
-    for (std::size_t i = 0; i < frames.size(); ++i) {
+    for (std::vector<TextureLevel>& levels : frames) {
         Texture texture;
         texture.name = world.textures[sheet].name;
-        texture.image = frameOf(world.textures[sheet].image, static_cast<int>(i) + 1, world.textures[sheet].size());
-        texture.levels = frames[i];
+        texture.levels = std::move(levels);
         texture.seeThrough = world.textures[sheet].seeThrough;
         world.textures.push_back(std::move(texture));
     }
@@ -60,14 +60,14 @@ std::vector<PlacingFault> makeGates(World& world) {
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         std::vector<std::vector<CellPlace>> groups;
         if (!groupCells(world.maps[map], kinds, cells, groups)) {
-            faults.push_back({static_cast<int>(map), 0, 0, 0, "more than " + std::to_string(kMaxMovingCells) + " cells of gates", "fewer or smaller ones"});
+            faults.push_back({static_cast<int>(map), 0, 0, 0, words("more than ", kMaxMovingCells, " cells of gates"), "fewer or smaller ones"});
             break;
         }
         for (const std::vector<CellPlace>& group : groups) {
             // A gate has at most as many parts as cells.
             if (world.blueprints.size() + group.size() > static_cast<std::size_t>(kMaxBlueprints)) {
                 faults.push_back({static_cast<int>(map), group[0].x, group[0].y, group[0].level,
-                                  "a gate with which there are more than " + std::to_string(kMaxBlueprints) + " blueprints", "fewer gates"});
+                                  words("a gate with which there are more than ", kMaxBlueprints, " blueprints"), "fewer gates"});
                 return faults;
             }
             world.gates.push_back(makeGate(world, static_cast<int>(map), group));

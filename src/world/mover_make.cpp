@@ -1,4 +1,6 @@
 // Finding the movers of a world, and giving each of them blueprints of its own.
+#include "base/number_text.h"
+#include "base/words.h"
 #include "world/mover.h"
 #include "world/moving_cells.h"
 #include "world/world.h"
@@ -26,7 +28,7 @@ struct Maker {
     void addFault(int map, const CellPlace& at, std::string found, std::string expected) {
         faults.push_back({map, at.x, at.y, at.level, std::move(found), std::move(expected)});
     }
-    std::string blockOf(BlueprintId id) const { return "the moving block \"" + world.blueprints[id].name + "\""; }
+    std::string blockOf(BlueprintId id) const { return words("the moving block \"", world.blueprints[id].name, "\""); }
 
     void makeMover(int mapIndex, const std::vector<CellPlace>& group);
     bool makeShaft(int mapIndex, const CellPlace& at, const Run& run, const Motion& motion, int mover, Shaft& shaft);
@@ -34,7 +36,7 @@ struct Maker {
 };
 
 std::string heightText(Coordinate height) {
-    std::string text = std::to_string(height.value());
+    std::string text(fixedText(height.value(), 6));
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text;
@@ -46,7 +48,7 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     const std::string block = blockOf(run.blueprints[0]);
     for (std::size_t i = 0; i + 1 < run.blueprints.size(); ++i) {
         if (world.blueprints[run.blueprints[i]].top == tileEdge(1) && world.blueprints[run.blueprints[i + 1]].bottom == Coordinate{0}) continue;
-        addFault(mapIndex, at, block + " stacked without touching", "a bottom of 0 and a top of 1 where a moving block is stacked");
+        addFault(mapIndex, at, words(block, " stacked without touching"), "a bottom of 0 and a top of 1 where a moving block is stacked");
         return false;
     }
     shaft.low = tileEdge(run.firstLevel) + world.blueprints[run.blueprints.front()].bottom;
@@ -58,12 +60,12 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     const Coordinate lowest = motion.edges == MovingEdges::top ? shaft.low : shaft.low + least;
     const Coordinate highest = motion.edges == MovingEdges::bottom ? shaft.high : shaft.high + most;
     if (lowest < Coordinate{0} || highest > tileEdge(map.levels)) {
-        addFault(mapIndex, at, block + " that moves from height " + heightText(lowest) + " to " + heightText(highest),
-                 "a motion that stays between 0 and the map's " + std::to_string(map.levels) + " levels");
+        addFault(mapIndex, at, words(block, " that moves from height ", heightText(lowest), " to ", heightText(highest)),
+                 words("a motion that stays between 0 and the map's ", map.levels, " levels"));
         return false;
     }
     if (lowest >= highest) {
-        addFault(mapIndex, at, block + " whose top never gets above its bottom", "a motion with which the block is to be seen");
+        addFault(mapIndex, at, words(block, " whose top never gets above its bottom"), "a motion with which the block is to be seen");
         return false;
     }
     shaft.firstLevel = std::min(run.firstLevel, lowest.tile());
@@ -72,7 +74,7 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     // A blueprint for each level
     const std::size_t parts = static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1);
     if (world.blueprints.size() + parts > static_cast<std::size_t>(kMaxBlueprints)) {
-        addFault(mapIndex, at, block + ", with whose parts there are more than " + std::to_string(kMaxBlueprints) + " blueprints",
+        addFault(mapIndex, at, words(block, ", with whose parts there are more than ", kMaxBlueprints, " blueprints"),
                  "fewer moving blocks and gates, or fewer levels that they reach");
         return false;
     }
@@ -93,7 +95,7 @@ bool Maker::takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& s
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const std::size_t reached = static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1) - run.blueprints.size();
     if (reached > cells) {
-        addFault(mapIndex, at, "moving blocks that reach more than " + std::to_string(kMaxMovingCells) + " cells", "fewer or smaller ones");
+        addFault(mapIndex, at, words("moving blocks that reach more than ", kMaxMovingCells, " cells"), "fewer or smaller ones");
         return false;
     }
     cells -= reached;
@@ -102,7 +104,7 @@ bool Maker::takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& s
         const bool isOwn = level >= run.firstLevel && level <= run.lastLevel();
         if (!isOwn && there != kEmptyCell) {
             const CellBlueprint& other = world.blueprints[there];
-            addFault(mapIndex, at, blockOf(run.blueprints[0]) + " that runs into \"" + other.name + "\" on level " + std::to_string(level),
+            addFault(mapIndex, at, words(blockOf(run.blueprints[0]), " that runs into \"", other.name, "\" on level ", level),
                      other.mover >= 0 ? "moving blocks that do not reach each other" : "empty cells wherever it moves");
             return false;
         }
@@ -156,7 +158,7 @@ std::vector<PlacingFault> makeMovers(World& world) {
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         std::vector<std::vector<CellPlace>> groups;
         if (!groupCells(world.maps[map], kinds, maker.cells, groups)) {
-            maker.addFault(static_cast<int>(map), {}, "more than " + std::to_string(kMaxMovingCells) + " cells of moving blocks", "fewer or smaller ones");
+            maker.addFault(static_cast<int>(map), {}, words("more than ", kMaxMovingCells, " cells of moving blocks"), "fewer or smaller ones");
             break;
         }
         for (const std::vector<CellPlace>& group : groups) {

@@ -1,9 +1,9 @@
 #include "world/moving_cells.h"
 
+#include "base/name_index.h"
 #include "base/sort.h"
 
 #include <functional>
-#include <unordered_map>
 
 namespace slicecast {
 namespace {
@@ -14,9 +14,9 @@ constexpr CellPlace kNeighbours[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0
 
 std::vector<BlueprintId> kindsOf(const World& world, int CellBlueprint::*index) {
     std::vector<BlueprintId> kinds(world.blueprints.size(), kEmptyCell);
-    std::unordered_map<std::string, BlueprintId> firstOf;
+    NameIndex firstOf;
     for (std::size_t id = 1; id < kinds.size(); ++id) {
-        if (world.blueprints[id].*index >= 0) kinds[id] = firstOf.emplace(world.blueprints[id].name, static_cast<BlueprintId>(id)).first->second;
+        if (world.blueprints[id].*index >= 0) kinds[id] = static_cast<BlueprintId>(firstOf.add(world.blueprints[id].name, static_cast<std::uint32_t>(id)));
     }
     return kinds;
 }
@@ -43,7 +43,7 @@ bool groupCells(const Map& map, const std::vector<BlueprintId>& kinds, std::size
                     }
                 }
                 limit -= group.size();
-                heapSort(group, std::less<>());
+                mergeSort(group, std::less<>());
                 groups.push_back(std::move(group));
             }
         }

@@ -25,183 +25,27 @@ struct Openings {
     Opening above;
 };
 
-inline const Portal* portalOf(const World& world, PortalId id) {
-    return id == kNoPortal ? nullptr : &world.portals[id];
-}
+// Null for none.
+const Portal* portalOf(const World& world, PortalId id);
 
-// The block of a cell if it has portals.
-inline const CellBlueprint* portalBlock(const World& world, const Map& map, int x, int y, int level) {
-    const BlueprintId id = map.cell(x, y, level);
-    return id != kEmptyCell && world.blueprints[id].hasPortals ? &world.blueprints[id] : nullptr;
-}
+// The block of a cell if it has portals, or null.
+const CellBlueprint* portalBlock(const World& world, const Map& map, int x, int y, int level);
 
-// The side of a tile that faces another one beside it; nothing for tiles that have no side in common.
-inline std::optional<Face> sideTowards(GridTile tile, GridTile other) {
-    const int x = other.x - tile.x;
-    const int y = other.y - tile.y;
-    if (x == 0 && y == -1) return Face::north;
-    if (x == 1 && y == 0) return Face::east;
-    if (x == 0 && y == 1) return Face::south;
-    if (x == -1 && y == 0) return Face::west;
-    return std::nullopt;
-}
-
-class PortalSolids {
+class PortalSolids final : public Solids {
 public:
     PortalSolids(const World& world, const Traveller& body)
         : world_(world), map_(mapAt(body.map)), behind_(body.behind), eye_(body.eye), eyeTile_{body.eye.x.tile(), body.eye.y.tile()} {}
 
-    template <typename Met>
-    void visit(int x, int y, Coordinate low, Coordinate high, Met met) const {
-        // Behind the threshold
-        Coordinate from = {-kBoundless.raw};
-        Coordinate to = kBoundless;
-        if (behind_.isOn) {
-            if (isBehind(x, y)) return visitThrough(behind_.back, x, y, from, to, low, high, met);
-            if (behind_.side == Face::top) {
-                to = behind_.height;
-                visitThrough(behind_.back, x, y, to, kBoundless, low, high, met);
-            } else if (behind_.side == Face::bottom) {
-                from = behind_.height;
-                visitThrough(behind_.back, x, y, Coordinate{-kBoundless.raw}, from, low, high, met);
-            }
-        }
-        // Through a tile
-        const GridTile tile = {x, y};
-        const Portal* portal = tile == eyeTile_ ? nullptr : portalOf(world_, map_.tilePortal(x, y));
-        if (portal != nullptr) return visitThrough(*portal, x, y, from, to, low, high, met);
-        // Through faces
-        const Openings openings = openingsAbove(tile);
-        const auto clipped = [&](Coordinate bottom, Coordinate top) {
-            const Opening& a = openings.below;
-            const Opening& b = openings.above;
-            if (a.portal == nullptr && b.portal == nullptr) return meet(bottom, top, from, to, met);
-            if (a.portal != nullptr) meet(bottom, top, from, std::min(to, a.low), met);
-            const Coordinate middle = a.portal != nullptr ? std::max(from, a.high) : from;
-            meet(bottom, top, middle, b.portal != nullptr ? std::min(to, b.low) : to, met);
-            if (b.portal != nullptr) meet(bottom, top, std::max(from, b.high), to, met);
-        };
-        MapSolids(world_, map_).visit(x, y, low, high, clipped);
-        for (const Opening& opening : {openings.below, openings.above}) {
-            if (opening.portal == nullptr) continue;
-            visitThrough(*opening.portal, x, y, std::max(from, opening.low), std::min(to, opening.high), low, high, met);
-        }
-    }
+    void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const override;
 
 private:
     const Map& mapAt(int map) const { return world_.maps[static_cast<std::size_t>(map)]; }
-
-    bool isBehind(int x, int y) const {
-        switch (behind_.side) {
-            case Face::north:
-                return y < behind_.back.fromY;
-            case Face::east:
-                return x > behind_.back.fromX;
-            case Face::south:
-                return y > behind_.back.fromY;
-            case Face::west:
-                return x < behind_.back.fromX;
-            default:
-                return false;
-        }
-    }
-
-    // What of a thing lies between two heights; planes at these heights too.
-    template <typename Met>
-    static void meet(Coordinate bottom, Coordinate top, Coordinate low, Coordinate high, Met& met) {
-        const Coordinate from = std::max(bottom, low);
-        const Coordinate to = std::min(top, high);
-        if (from < to || (bottom == top && from == to)) met(from, to);
-    }
-
-    template <typename Met>
-    void visitThrough(const Portal& portal, int x, int y, Coordinate from, Coordinate to, Coordinate low, Coordinate high, Met& met) const {
-        if (from >= to) return;
-        const GridTile tile = carried(portal, GridTile{x, y});
-        const Coordinate shift = tileEdge(portal.levels);
-        MapSolids(world_, mapAt(portal.toMap)).visit(tile.x, tile.y, low + shift, high + shift, [&](Coordinate bottom, Coordinate top) {
-            meet(bottom - shift, top - shift, from, to, met);
-        });
-    }
-
-    Openings openingsAbove(GridTile tile) const {
-        Openings openings;
-        if (tile == eyeTile_) {
-            // Down to the next block and up to the next one.
-            for (int level = std::min(eye_.z.tile(), map_.levels - 1); level >= 0; --level) {
-                if (!map_.isOccupied(tile.x, tile.y, level)) continue;
-                const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
-                const Coordinate top = tileEdge(level) + block.top;
-                if (top > eye_.z) continue;
-                openings.below = {portalOf(world_, block.face(Face::top).portal), {-kBoundless.raw}, top};
-                break;
-            }
-            for (int level = std::max(eye_.z.tile(), 0); level < map_.levels; ++level) {
-                if (!map_.isOccupied(tile.x, tile.y, level)) continue;
-                const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
-                const Coordinate bottom = tileEdge(level) + block.bottom;
-                if (bottom <= eye_.z) continue;
-                openings.above = {portalOf(world_, block.face(Face::bottom).portal), bottom, kBoundless};
-                break;
-            }
-            return openings;
-        }
-        // Beside the eye, or beside what is beside it where both lead on side by side
-        const GridTile across = {tile.x, eyeTile_.y};
-        const GridTile along = {eyeTile_.x, tile.y};
-        if (const std::optional<Face> side = sideTowards(tile, eyeTile_)) {
-            openings.below = openingBeside(tile, *side, nullptr);
-        } else {
-            for (const GridTile between : {across, along}) {
-                const std::optional<Face> towardsEye = sideTowards(between, eyeTile_);
-                if (!towardsEye || !sideTowards(between, tile)) continue;
-                const Portal* const other = openingBeside(between, *towardsEye, nullptr).portal;
-                if (other != nullptr && openings.below.portal == nullptr) openings.below = openingBeside(tile, *towardsEye, other);
-            }
-        }
-        if (openings.below.portal != nullptr) return openings;
-        // Beside a top or bottom that the eye is above or below
-        const Openings ofEye = openingsAbove(eyeTile_);
-        if (ofEye.below.portal != nullptr)
-            openings.below = {portalAt(tile, ofEye.below.high, Face::top, *ofEye.below.portal), ofEye.below.low, ofEye.below.high};
-        if (ofEye.above.portal != nullptr)
-            openings.above = {portalAt(tile, ofEye.above.low, Face::bottom, *ofEye.above.portal), ofEye.above.low, ofEye.above.high};
-        return openings;
-    }
-
-    // The opening of a side at the eye's height, with the blocks right above and below that lead on in the same way; if `like` is given, one that leads on as
-    // that.
-    Opening openingBeside(GridTile tile, Face side, const Portal* like) const {
-        const int eyeLevel = eye_.z.tile();
-        const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, eyeLevel);
-        if (block == nullptr) return {};
-        const Portal* const portal = portalOf(world_, block->face(side).portal);
-        Opening opening = {portal, tileEdge(eyeLevel) + block->bottom, tileEdge(eyeLevel) + block->top};
-        if (portal == nullptr || eye_.z < opening.low || eye_.z >= opening.high || (like != nullptr && !leadOnTogether(*like, *portal))) return {};
-        for (int level = eyeLevel + 1; opening.high == tileEdge(level); ++level) {
-            block = portalBlock(world_, map_, tile.x, tile.y, level);
-            if (block == nullptr || block->bottom.raw != 0 || !leadsOn(*portal, block->face(side))) break;
-            opening.high = tileEdge(level) + block->top;
-        }
-        for (int level = eyeLevel - 1; opening.low == tileEdge(level + 1); --level) {
-            block = portalBlock(world_, map_, tile.x, tile.y, level);
-            if (block == nullptr || block->top != tileEdge(1) || !leadsOn(*portal, block->face(side))) break;
-            opening.low = tileEdge(level) + block->bottom;
-        }
-        return opening;
-    }
-
-    // The portal of a top or bottom at that height if it leads on as the other one does.
-    const Portal* portalAt(GridTile tile, Coordinate height, Face face, const Portal& other) const {
-        const int level = face == Face::top ? Coordinate{height.raw - 1}.tile() : height.tile();
-        const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, level);
-        if (block == nullptr || tileEdge(level) + (face == Face::top ? block->top : block->bottom) != height) return nullptr;
-        return leadsOn(other, block->face(face)) ? portalOf(world_, block->face(face).portal) : nullptr;
-    }
-
-    bool leadsOn(const Portal& portal, const FaceBlueprint& face) const {
-        return face.portal != kNoPortal && leadOnTogether(portal, world_.portals[face.portal]);
-    }
+    bool isBehind(int x, int y) const;
+    void visitThrough(const Portal& portal, int x, int y, Coordinate from, Coordinate to, Coordinate low, Coordinate high, Meeting met) const;
+    Openings openingsAbove(GridTile tile) const;
+    Opening openingBeside(GridTile tile, Face side, const Portal* like) const;
+    const Portal* portalAt(GridTile tile, Coordinate height, Face face, const Portal& other) const;
+    bool leadsOn(const Portal& portal, const FaceBlueprint& face) const;
 
     const World& world_;
     const Map& map_;

@@ -1,14 +1,11 @@
-// How boxes meet solid things, for whatever `Solids` tells what is solid where:
-//
-//     solids.visit(x, y, low, high, met)      calls met(bottom, top) for the solid things above tile (x, y) that touch the heights from `low` to `high`,
-//                                             and maybe for some that do not; planes have bottom == top
-//
-// collision.cpp asks a map, traveller.cpp what a body sees that stands among portals.
+// How boxes meet solid things. collision.cpp asks a map, traveller.cpp what a body sees that stands among portals.
 #pragma once
 
 #include "world/collision.h"
 
-#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
 
 namespace slicecast {
 
@@ -26,164 +23,51 @@ constexpr SolidRange reached(Coordinate low, Coordinate high) {
     return {low.tile(), Coordinate{high.raw - 1}.tile()};
 }
 
+// What is called with the bottom and top of a solid thing. It refers to a function object, which must outlive it.
+class Meeting {
+public:
+    template <typename Met>
+    requires(!std::is_same_v<Met, Meeting>) Meeting(const Met& met)
+        : met_(&met), call_([](const void* called, Coordinate bottom, Coordinate top) { (*static_cast<const Met*>(called))(bottom, top); }) {}
+    void operator()(Coordinate bottom, Coordinate top) const { call_(met_, bottom, top); }
+
+private:
+    const void* met_;
+    void (*call_)(const void*, Coordinate, Coordinate);
+};
+
+// Tells what is solid where.
+class Solids {
+public:
+    // Calls met(bottom, top) for the solid things above tile (x, y) that touch the heights from `low` to `high`, and maybe for some that do not; planes have
+    // bottom == top.
+    virtual void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const = 0;
+
+protected:
+    ~Solids() = default;
+};
+
 // A map with its floor, ceiling and outline, and the end of the air.
-class MapSolids {
+class MapSolids final : public Solids {
 public:
     MapSolids(const World& world, const Map& map) : world_(world), map_(map) {}
-
-    template <typename Met>
-    void visit(int x, int y, Coordinate low, Coordinate high, Met met) const {
-        visitWithout(0, x, y, low, high, met);
-    }
-
-    // Leaves out the blocks of some levels.
-    template <typename Met>
-    void visitWithout(std::uint32_t levels, int x, int y, Coordinate low, Coordinate high, Met met) const {
-        if (!map_.contains(x, y)) return met(Coordinate{-kBoundless.raw}, kBoundless);
-        met(Coordinate{-kBoundless.raw}, Coordinate{0});
-        met(kMaxBodyHeight, kBoundless);
-        const std::size_t tile = map_.tileIndex(x, y);
-        const std::uint32_t occupied = map_.occupied[tile] & ~levels;
-        const int first = std::max(0, Coordinate{low.raw - 1}.tile());
-        const int last = std::min(map_.levels - 1, high.tile());
-        for (int level = first; level <= last; ++level) {
-            if ((occupied >> level & 1u) == 0) continue;
-            const CellBlueprint& block = world_.blueprints[map_.cells[map_.cellIndex(x, y, level)]];
-            if (block.passable) continue;
-            met(tileEdge(level) + block.bottom, tileEdge(level) + block.top);
-        }
-        if (!map_.ceiling.tiles.empty() && map_.ceiling.tiles[tile] != kNoTexture) met(map_.ceiling.height, map_.ceiling.height);
-    }
+    void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const override;
 
 private:
     const World& world_;
     const Map& map_;
 };
 
-// Calls met(bottom, top) for every tile that the box reaches into.
-template <typename Solids, typename Met>
-void visitBox(const Solids& solids, const Box& box, Met met) {
-    const SolidRange columns = reached(box.west, box.east);
-    const SolidRange rows = reached(box.north, box.south);
-    for (int y = rows.first; y <= rows.last; ++y) {
-        for (int x = columns.first; x <= columns.last; ++x) solids.visit(x, y, box.bottom, box.top, met);
-    }
-}
+bool isFreeAmong(const Solids& solids, const Box& box);
 
-template <typename Solids>
-bool isFreeAmong(const Solids& solids, const Box& box) {
-    bool free = true;
-    visitBox(solids, box, [&](Coordinate bottom, Coordinate top) { free = free && (bottom >= box.top || top <= box.bottom); });
-    return free;
-}
-
-template <typename Solids>
-bool tileBlocks(const Solids& solids, int x, int y, Coordinate bottom, Coordinate top) {
-    bool blocks = false;
-    solids.visit(x, y, bottom, top, [&](Coordinate low, Coordinate high) { blocks = blocks || (low < top && high > bottom); });
-    return blocks;
-}
-
-// How far a side at `side` gets on its way along an axis of the grid, if blocks(i) tells whether tile i of that axis is in the way. Whatever stops it begins
-// at a tile's edge.
-template <typename Blocks>
-Coordinate sweepAcross(Coordinate low, Coordinate high, Coordinate distance, Blocks blocks) {
-    if (distance.raw > 0) {
-        const int last = Coordinate{high.raw + distance.raw - 1}.tile();
-        for (int i = Coordinate{high.raw - 1}.tile() + 1; i <= last; ++i) {
-            if (blocks(i)) return tileEdge(i) - high;
-        }
-    } else if (distance.raw < 0) {
-        const int last = (low + distance).tile();
-        for (int i = low.tile() - 1; i >= last; --i) {
-            if (blocks(i)) return tileEdge(i + 1) - low;
-        }
-    }
-    return distance;
-}
-
-template <typename Solids>
-Coordinate sweepXAmong(const Solids& solids, const Box& box, Coordinate distance) {
-    const SolidRange rows = reached(box.north, box.south);
-    return sweepAcross(box.west, box.east, distance, [&](int x) {
-        for (int y = rows.first; y <= rows.last; ++y) {
-            if (tileBlocks(solids, x, y, box.bottom, box.top)) return true;
-        }
-        return false;
-    });
-}
-
-template <typename Solids>
-Coordinate sweepYAmong(const Solids& solids, const Box& box, Coordinate distance) {
-    const SolidRange columns = reached(box.west, box.east);
-    return sweepAcross(box.north, box.south, distance, [&](int y) {
-        for (int x = columns.first; x <= columns.last; ++x) {
-            if (tileBlocks(solids, x, y, box.bottom, box.top)) return true;
-        }
-        return false;
-    });
-}
-
-template <typename Solids>
-Coordinate sweepZAmong(const Solids& solids, const Box& box, Coordinate distance) {
-    Box way = box;
-    if (distance.raw > 0) {
-        Coordinate end = box.top + distance;
-        way.bottom = box.top;
-        way.top = end;
-        visitBox(solids, way, [&](Coordinate bottom, Coordinate) {
-            if (bottom >= box.top) end = std::min(end, bottom);
-        });
-        return end - box.top;
-    }
-    Coordinate end = box.bottom + distance;
-    way.bottom = end;
-    way.top = box.bottom;
-    visitBox(solids, way, [&](Coordinate, Coordinate top) {
-        if (top <= box.bottom) end = std::max(end, top);
-    });
-    return end - box.bottom;
-}
-
-template <typename Solids>
-std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, Coordinate limit) {
-    // Onto the highest thing in the way, again and again: each time is higher than the last.
-    Box raised = box;
-    for (;;) {
-        Coordinate bottom = raised.bottom;
-        visitBox(solids, raised, [&](Coordinate low, Coordinate high) {
-            if (low < raised.top && high > raised.bottom) bottom = std::max(bottom, high);
-        });
-        const Coordinate rise = bottom - box.bottom;
-        if (rise > limit) return std::nullopt;
-        if (bottom == raised.bottom) return rise;
-        raised = moved(box, {.x = {}, .y = {}, .z = rise});
-    }
-}
+// As the functions of collision.h with such names, wherever the box is.
+Coordinate sweepXAmong(const Solids& solids, const Box& box, Coordinate distance);
+Coordinate sweepYAmong(const Solids& solids, const Box& box, Coordinate distance);
+Coordinate sweepZAmong(const Solids& solids, const Box& box, Coordinate distance);
+std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, Coordinate limit);
 
 // One part of a slide, along one axis and over a step if need be; no longer than kLongestSlide. True if it got all the way.
-template <typename Solids>
-bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance, Coordinate step) {
-    Offset way;
-    way.*axis = axis == &Offset::x ? sweepXAmong(solids, state.box, distance) : sweepYAmong(solids, state.box, distance);
-    if (way.*axis == distance) {
-        state.box = moved(state.box, way);
-        return true;
-    }
-    // Up, if there is room, and across. The rise is the least that frees the body over there, so it comes to rest there without a way down, and nothing is
-    // in its way across: the part is shorter than the body, which has reached into all the same tiles when it arrives.
-    Offset wholeWay;
-    wholeWay.*axis = distance;
-    const std::optional<Coordinate> rise = step.raw > 0 ? leastRiseAmong(solids, moved(state.box, wholeWay), step) : std::nullopt;
-    if (rise && sweepZAmong(solids, state.box, *rise) == *rise) {
-        wholeWay.z = *rise;
-        state.box = moved(state.box, wholeWay);
-        state.rise = state.rise + *rise;
-        return true;
-    }
-    state.box = moved(state.box, way);
-    return false;
-}
+bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance, Coordinate step);
 
 // Part i of `parts` of a way.
 constexpr Coordinate partOf(Coordinate whole, std::int64_t i, std::int64_t parts) {

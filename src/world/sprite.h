@@ -17,7 +17,6 @@ struct SpriteLevel {
 
 struct Sprite {
     std::string name;
-    Image image;  // as it was read
     std::vector<std::vector<SpriteLevel>> frames;
     double rate = 0.0;  // frames per second, for ever around; 0 where there is one frame
 
@@ -25,6 +24,6 @@ struct Sprite {
     const std::vector<SpriteLevel>& levelsAt(double seconds) const;
 };
 
-Sprite makeSprite(std::string name, Image image, int frames = 1, double rate = 0.0);
+Sprite makeSprite(std::string name, const Image& image, int frames = 1, double rate = 0.0);
 
 }  // namespace slicecast

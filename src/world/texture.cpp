@@ -8,57 +8,74 @@
 namespace slicecast {
 namespace {
 
-TextureLevel columnsOf(const Image& image) {
-    TextureLevel level;
-    level.size = image.width;
-    level.bits = std::countr_zero(static_cast<unsigned>(image.width));
-    level.texels.resize(image.pixels.size());
-    for (int u = 0; u < image.width; ++u) {
-        for (int v = 0; v < image.height; ++v) level.texels[static_cast<std::size_t>((u << level.bits) + v)] = image.at(u, v);
-    }
-    return level;
-}
-
-std::vector<TextureLevel> levelsOf(Image image) {
-    std::vector<TextureLevel> levels = {columnsOf(image)};
-    while (image.width > 1) {
-        image = halved(image);
-        levels.push_back(columnsOf(image));
+std::vector<TextureLevel> levelsOf(const Image& sheet, int frame) {
+    std::vector<TextureLevel> levels;
+    for (int size = sheet.height; size >= 1; size /= 2) {
+        std::vector<Pixel> texels = levels.empty() ? columnsOf(sheet, frame, size) : halved(levels.back().texels, 2 * size);
+        levels.push_back({size, std::countr_zero(static_cast<unsigned>(size)), std::move(texels)});
     }
     return levels;
 }
 
+// As many pixels to be written over: bytes are copied far faster than zeros are constructed.
+std::vector<Pixel> firstOf(const std::vector<Pixel>& pixels, std::size_t count) { return {pixels.data(), pixels.data() + count}; }
+
+// The mean of texels that are not all opaque.
+Pixel meanByAlpha(const Pixel (&four)[4]) {
+    unsigned alpha = 0;
+    unsigned red = 0;
+    unsigned green = 0;
+    unsigned blue = 0;
+    for (const Pixel pixel : four) {
+        const Colour c = toColour(pixel);
+        alpha += c.a;
+        red += unsigned{c.r} * c.a;
+        green += unsigned{c.g} * c.a;
+        blue += unsigned{c.b} * c.a;
+    }
+    if (alpha == 0) return 0;
+    const auto weighted = [alpha](unsigned sum) { return static_cast<std::uint8_t>((sum + alpha / 2) / alpha); };
+    return toPixel({weighted(red), weighted(green), weighted(blue), static_cast<std::uint8_t>((alpha + 2) / 4)});
+}
+
+// The mean of opaque ones, where (sum * 255 + 510) / 1020 is (sum + 2) / 4: two channels at a time, each with 16 bits for its sum.
+Pixel mean(const Pixel (&four)[4]) {
+    constexpr Pixel kChannels = 0x00ff00ff;
+    constexpr Pixel kHalf = 0x00020002;
+    Pixel even = kHalf;
+    Pixel odd = kHalf;
+    for (const Pixel pixel : four) {
+        even += pixel & kChannels;
+        odd += (pixel >> 8) & kChannels;
+    }
+    return ((even >> 2) & kChannels) | ((odd >> 2) & kChannels) << 8;
+}
+
 }  // namespace
 
-Image halved(const Image& image) {
-    Image half(image.width / 2, image.height / 2);
-    for (int y = 0; y < half.height; ++y) {
-        for (int x = 0; x < half.width; ++x) {
-            const Colour four[4] = {toColour(image.at(2 * x, 2 * y)), toColour(image.at(2 * x + 1, 2 * y)), toColour(image.at(2 * x, 2 * y + 1)),
-                                    toColour(image.at(2 * x + 1, 2 * y + 1))};
-            int alpha = 0;
-            int red = 0;
-            int green = 0;
-            int blue = 0;
-            for (const Colour& c : four) {
-                alpha += c.a;
-                red += c.r * c.a;
-                green += c.g * c.a;
-                blue += c.b * c.a;
-            }
-            const auto weighted = [alpha](int sum) { return static_cast<std::uint8_t>(alpha == 0 ? 0 : (sum + alpha / 2) / alpha); };
-            half.at(x, y) = toPixel({weighted(red), weighted(green), weighted(blue), static_cast<std::uint8_t>((alpha + 2) / 4)});
+std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width) {
+    std::vector<Pixel> columns = firstOf(sheet.pixels, static_cast<std::size_t>(width) * static_cast<std::size_t>(sheet.height));
+    for (int y = 0; y < sheet.height; ++y) {
+        const Pixel* row = &sheet.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(sheet.width) + static_cast<std::size_t>(frame * width)];
+        Pixel* out = columns.data() + y;
+        for (int x = 0; x < width; ++x, out += sheet.height) *out = row[x];
+    }
+    return columns;
+}
+
+std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height) {
+    std::vector<Pixel> half = firstOf(columns, columns.size() / 4);
+    const Pixel* left = columns.data();
+    Pixel* out = half.data();
+    for (const Pixel* end = left + columns.size(); left != end; left += height) {
+        const Pixel* right = left + height;
+        for (int y = 0; y < height; y += 2, left += 2, right += 2) {
+            const Pixel four[4] = {left[0], left[1], right[0], right[1]};
+            const bool isOpaque = (four[0] & four[1] & four[2] & four[3]) >> 24 == 255;
+            *out++ = isOpaque ? mean(four) : meanByAlpha(four);
         }
     }
     return half;
-}
-
-Image frameOf(const Image& sheet, int frame, int width) {
-    Image image(width, sheet.height);
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < width; ++x) image.at(x, y) = sheet.at(frame * width + x, y);
-    }
-    return image;
 }
 
 int frameAt(double seconds, double rate, int frames) {
@@ -66,14 +83,13 @@ int frameAt(double seconds, double rate, int frames) {
     return std::min(frames - 1, static_cast<int>(std::fmod(std::floor(seconds * rate), static_cast<double>(frames))));
 }
 
-Texture makeTexture(std::string name, Image image, int frames, double rate) {
+Texture makeTexture(std::string name, const Image& image, int frames, double rate) {
     Texture texture;
     texture.name = std::move(name);
     texture.rate = frames > 1 ? rate : 0.0;
-    texture.seeThrough = std::any_of(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a < 255; });
-    texture.levels = levelsOf(frames > 1 ? frameOf(image, 0, image.height) : image);
-    for (int frame = 1; frame < frames; ++frame) texture.laterFrames.push_back(levelsOf(frameOf(image, frame, image.height)));
-    texture.image = std::move(image);
+    texture.seeThrough = !image.isOpaque();
+    texture.levels = levelsOf(image, 0);
+    for (int frame = 1; frame < frames; ++frame) texture.laterFrames.push_back(levelsOf(image, frame));
     return texture;
 }
 

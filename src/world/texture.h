@@ -22,13 +22,12 @@ struct TextureLevel {
 
 struct Texture {
     std::string name;
-    Image image;                       // as it was read, rows from the top; a sheet holds its frames side by side
     std::vector<TextureLevel> levels;  // levels[0] is the image, or a sheet's first frame, the last one is a single texel
     std::vector<std::vector<TextureLevel>> laterFrames;
     double rate = 0.0;                 // frames per second, for ever around; 0 where there is one frame, or the first is held
     bool seeThrough = false;           // a texel has alpha below 255
 
-    int size() const { return image.height; }
+    int size() const { return levels[0].size; }
     int frames() const { return 1 + static_cast<int>(laterFrames.size()); }
     // A sheet without a rate: it shows its first frame, and on a gate the one of its progress.
     bool isHeld() const { return frames() > 1 && rate == 0.0; }
@@ -38,16 +37,16 @@ struct Texture {
     const std::vector<TextureLevel>& levelsOf(int frame) const { return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)]; }
 };
 
-// The next level of detail of an image whose sides are even.
-Image halved(const Image& image);
+// A frame of a sheet, `width` pixels wide: column after column.
+std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width);
 
-// A frame of a sheet, `width` pixels wide.
-Image frameOf(const Image& sheet, int frame, int width);
+// The next level of detail of columns `height` texels long; both sides are even.
+std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height);
 
 // floor(seconds * rate) modulo `frames`; 0 before the beginning.
 int frameAt(double seconds, double rate, int frames);
 
 // The levels of a square image whose side is a power of two, or of a sheet of `frames` such images side by side.
-Texture makeTexture(std::string name, Image image, int frames = 1, double rate = 0.0);
+Texture makeTexture(std::string name, const Image& image, int frames = 1, double rate = 0.0);
 
 }  // namespace slicecast

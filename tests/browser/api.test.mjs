@@ -179,6 +179,7 @@ test('slots, parts and custom properties are those of the table', async () => {
     const broken = add({ scene: 'broken' });
     await ready.whenReady();
     await broken.whenReady().catch(() => {});
+    while (ready.shadowRoot.querySelector('.controls') === null) await new Promise(requestAnimationFrame);
     const { validate } = WebAssembly;
     WebAssembly.validate = undefined;
     const unable = add({ scene: 'room', engine: 'scalar' });

@@ -96,8 +96,6 @@ for (const [what, server, query, expected] of [
   ['an engine that is not there', { files: { 'engine/slicecast-simd.wasm': null } }, '', /slicecast-simd\.wasm: the server answers 404/],
   ['a page in the place of the engine', { files: { 'engine/slicecast-simd.wasm': '<!doctype html><title>Welcome</title>' } }, '', /found "<!doctype html>.*expected a WebAssembly program/],
   ['an engine cut short', { files: { 'engine/slicecast-simd.wasm': () => Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9]) } }, '', /does not run here.*refuses/],
-  ['a script sent as something else', { types: { 'engine/slicecast-simd.js': 'text/plain' } }, '', /slicecast-simd\.js: the server sends it as text\/plain, a script must come as text\/javascript/],
-  ['a script that is not there', { files: { 'engine/slicecast-simd.js': null } }, '', /slicecast-simd\.js: the server answers 404/],
   ['an engine that nobody knows', {}, '?engine=turbo', /Found engine=turbo, expected engine=simd or engine=scalar/],
   ['a list of scenes that is not there', { files: { 'scenes/index.json': null } }, '', /There is no scene to open/],
 ]) {

@@ -27,6 +27,7 @@ async function complaintsOf(page) {
 }
 
 const element = (attributes = '', content = '') => `<ray-caster scene="room" controls ${attributes} style="width: 480px">${content}</ray-caster>`;
+const hasBar = (page) => until(page, () => document.querySelector('ray-caster').shadowRoot.querySelector('.controls button') !== null);
 const inState = (page, state) => until(page, (wanted) => document.querySelector('ray-caster').state === wanted, state);
 
 async function play(page) {
@@ -40,7 +41,10 @@ for (const [what, options, arrive] of [
   ['idle, with a poster', { body: `<p style="height: 4000px">Read on.</p>${element('poster="poster.png" label="A room"')}`, server: { files: { 'poster.png': roomPictures()['red.png'] } } },
     (page) => inState(page, 'idle')],
   ['loading', { body: element(), prepare: (page) => page.route('**/*.wasm', () => {}) }, (page) => inState(page, 'loading')],
-  ['paused', { body: element() }, ready],
+  ['paused', { body: element() }, async (page) => {
+    await ready(page);
+    await hasBar(page);
+  }],
   ['paused, three with names of their own', { body: element() + element('label="The same room"') + element('label="And again"') }, ready],
   ['without controls', { body: element().replace('controls', '') }, ready],
   ['played', { body: element() }, play],
@@ -80,6 +84,7 @@ for (const [what, options, arrive] of [
 test('axe would complain', async (t) => {
   const { page } = await openGuest(t, browser, { body: element() });
   await ready(page);
+  await hasBar(page);
   await page.evaluate(() => document.querySelector('ray-caster').shadowRoot.querySelector('button').removeAttribute('aria-label'));
   assert.match((await complaintsOf(page)).join(), /button-name/);
 });

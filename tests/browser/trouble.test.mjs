@@ -59,9 +59,7 @@ for (const [what, code, expected, options] of [
   ['a scene that is not there', 'fetch', /scenes\/nowhere\.json: the server answers 404/, { body: '<ray-caster scene="nowhere"></ray-caster>' }],
   ['a server that does not answer', 'fetch', /does not answer/, { body: `<ray-caster scene="${gone}/room.json"></ray-caster>` }],
   ['an engine that is not there', 'fetch', /slicecast-simd\.wasm: the server answers 404/, { server: { files: { 'engine/slicecast-simd.wasm': null } } }],
-  ['a script of the engine that is not there', 'fetch', /slicecast-simd\.js: the server answers 404/, { server: { files: { 'engine/slicecast-simd.js': null } } }],
   ['a scene of a host that does not share', 'cors', /does not allow pages of other origins/, () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>` })],
-  ['a script with the wrong type', 'mime', /slicecast-simd\.js: the server sends it as text\/plain/, { server: { types: { 'engine/slicecast-simd.js': 'text/plain' } } }],
   ['a page in the place of the engine', 'mime', /found "<!doctype html>/, { server: { files: { 'engine/slicecast-simd.wasm': '<!doctype html><title>Welcome</title>' } } }],
   ['a page in the place of the scene', 'mime', /room\.json: the server answers with a web page/, { server: { files: { 'scenes/room.json': '\n<!DOCTYPE html><title>Welcome</title>' } } }],
   ['a policy without WebAssembly', 'csp', /does not allow WebAssembly.*'wasm-unsafe-eval'/s, { server: withPolicy("script-src 'self'") }],
@@ -196,7 +194,7 @@ test('what was wrong can be mended: another try, another address, another attrib
   let isThere = false;
   const { page } = await openTroubled(t, { server: { files: {
     'scenes/room.json': () => (isThere ? JSON.stringify(roomScene()) : null),
-    'engine/slicecast-simd.js': () => (isThere ? readFileSync(new URL('../../build/web/engine/slicecast-simd.js', import.meta.url)) : null),
+    'engine/slicecast-simd.wasm': () => (isThere ? readFileSync(new URL('../../build/web/engine/slicecast-simd.wasm', import.meta.url)) : null),
   } } });
   await troubleOf(page);
   isThere = true;
@@ -214,6 +212,38 @@ test('what was wrong can be mended: another try, another address, another attrib
     await until(page, () => document.querySelector('ray-caster').state === 'paused' && document.querySelector('ray-caster').error === null);
   }
 });
+
+test('what one steers by is not there: who wants to play is told, who passes is not', async (t) => {
+  let isThere = false;
+  const { page } = await openTroubled(t, { server: { files: {
+    'ray-caster-steering.js': () => (isThere ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url)) : null),
+  } } });
+  await ready(page);
+  await page.hover('ray-caster');
+  await page.waitForTimeout(300);
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').state), 'paused');
+  await page.click('ray-caster');
+  const { code, message } = await troubleOf(page);
+  assert.equal(code, 'fetch', message);
+  assert.match(message, /ray-caster-steering\.js: the server answers 404/);
+  isThere = true;
+  await page.getByRole('button', { name: 'Try again' }).click();
+  await until(page, () => document.querySelector('ray-caster').state === 'paused');
+  await page.click('ray-caster');
+  await until(page, () => document.querySelector('ray-caster').state === 'playing');
+});
+
+for (const [what, code, expected, server] of [
+  ['not there', 'fetch', /ray-caster-rows\.js: the server answers 404/, { files: { 'ray-caster-rows.js': null } }],
+  ['sent as something else', 'mime', /ray-caster-rows\.js: the server sends it as text\/plain/, { types: { 'ray-caster-rows.js': 'text/plain' } }],
+]) {
+  test(`what reads rows is ${what}: ${code}`, async (t) => {
+    const { page } = await openTroubled(t, { body: '<ray-caster><script type="text/plain" data-rows>#>#</script></ray-caster>', server });
+    const { code: found, message } = await troubleOf(page);
+    assert.equal(found, code, message);
+    assert.match(message, expected);
+  });
+}
 
 async function launchWith(t, flags) {
   const special = await launch([`--js-flags=${flags}`]);
@@ -234,7 +264,7 @@ test('no SIMD: the other build, without a word', async (t) => {
   const { page, server } = await openTroubled(t, {}, await launchWith(t, '--no-enable-sse4-1 --no-enable-ssse3'));
   await ready(page);
   assert.deepEqual(await page.evaluate(() => window.told), []);
-  assert.deepEqual(server.asked.filter((path) => path.startsWith('engine/')).sort(), ['engine/slicecast-scalar.js', 'engine/slicecast-scalar.wasm']);
+  assert.deepEqual(server.asked.filter((path) => path.startsWith('engine/')).sort(), ['engine/slicecast-scalar.wasm']);
 });
 
 test('every code of the table has been provoked', () => {

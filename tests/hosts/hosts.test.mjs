@@ -54,7 +54,7 @@ function hashOf(bytes) {
   return createHash('sha256').update(bytes).digest('hex');
 }
 
-// The element at an address draws the scene's picture, and nothing in the page complains.
+// The element at an address draws the scene's picture, a click plays it, and nothing in the page complains.
 async function assertDraws(address) {
   const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
   page.setDefaultTimeout(kWaitMilliseconds);
@@ -75,8 +75,10 @@ async function assertDraws(address) {
       const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', data));
       return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
     });
-    assert.deepEqual(complaints, []);
     assert.deepEqual(found, expected);
+    await page.click('ray-caster');
+    await page.waitForFunction(() => document.querySelector('ray-caster').state === 'playing');
+    assert.deepEqual(complaints, []);
   } finally {
     await page.close();
   }

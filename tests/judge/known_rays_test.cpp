@@ -8,10 +8,14 @@ namespace {
 
 constexpr BlueprintId kWall = 1;
 
-Texture plain(Colour colour) {
+Image plainImage(Colour colour) {
     Image image(8, 8);
     for (Pixel& pixel : image.pixels) pixel = toPixel(colour);
-    return makeTexture("plain", std::move(image));
+    return image;
+}
+
+Texture plain(Colour colour) {
+    return makeTexture("plain", plainImage(colour));
 }
 
 // Two maps, 9 x 9 and 7 x 5 tiles, three levels, without light; one blueprint, a full block.
@@ -159,7 +163,7 @@ TEST(Tracer, RisesAgainFromAMirror) {
 // An object of the other map is met behind the portal only, where that map lies along the ray.
 TEST(Tracer, MeetsObjectsOfTheMapThatItIsIn) {
     World world = twoMaps();
-    world.sprites.push_back(makeSprite("plain", plain({9, 9, 9, 255}).image));
+    world.sprites.push_back(makeSprite("plain", plainImage({9, 9, 9, 255})));
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 1, 0});
     const auto objectAt = [](double x, double y) {
         Object object;

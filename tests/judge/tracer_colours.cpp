@@ -47,19 +47,27 @@ Tracer::Tracer(const World& world, const View& view) : world_(world), view_(view
     forwardX_ = cosDegrees(view.headingDegrees);
     forwardY_ = sinDegrees(view.headingDegrees);
     // A sheet's frames follow one another for ever.
-    const auto levelsOf = [&](const Image& sheet, int frames, double rate) {
-        const int width = sheet.width / frames;
-        const int frame = frames == 1 ? 0 : static_cast<int>(static_cast<std::int64_t>(std::floor(world.seconds * rate)) % frames);
-        Image shown(width, sheet.height);
-        for (int y = 0; y < shown.height; ++y) {
-            for (int x = 0; x < width; ++x) shown.at(x, y) = sheet.at(frame * width + x, y);
+    const auto frameOf = [&](std::size_t frames, double rate) {
+        return frames == 1 ? 0 : static_cast<std::size_t>(static_cast<std::int64_t>(std::floor(world.seconds * rate)) % static_cast<std::int64_t>(frames));
+    };
+    const auto levelsOf = [](const std::vector<Pixel>& columns, int width, int height) {
+        Image shown(width, height);
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) shown.at(x, y) = columns[static_cast<std::size_t>(x * height + y)];
         }
         std::vector<Image> levels = {shown};
         while (levels.back().width % 2 == 0 && levels.back().height % 2 == 0) levels.push_back(nextLevel(levels.back()));
         return levels;
     };
-    for (const Texture& texture : world.textures) levels_.push_back(levelsOf(texture.image, texture.image.width / texture.image.height, texture.rate));
-    for (const Sprite& sprite : world.sprites) spriteLevels_.push_back(levelsOf(sprite.image, static_cast<int>(sprite.frames.size()), sprite.rate));
+    for (const Texture& texture : world.textures) {
+        const std::size_t frame = frameOf(1 + texture.laterFrames.size(), texture.rate);
+        const TextureLevel& shown = frame == 0 ? texture.levels[0] : texture.laterFrames[frame - 1][0];
+        levels_.push_back(levelsOf(shown.texels, shown.size, shown.size));
+    }
+    for (const Sprite& sprite : world.sprites) {
+        const SpriteLevel& shown = sprite.frames[frameOf(sprite.frames.size(), sprite.rate)][0];
+        spriteLevels_.push_back(levelsOf(shown.texels, shown.width, shown.height));
+    }
 }
 
 const std::vector<Image>& Tracer::levelsOf(const Sight& sight) const {

@@ -21,16 +21,17 @@ TextureId turnedTexture(World& world, TextureId id, int turn) {
     if (id == kNoTexture || turn == 0) return id;
     const Texture& texture = world.textures[id];
     const int size = texture.size();
-    Image image(texture.image.width, size);
+    Image image(texture.frames() * size, size);
     for (int y = 0; y < size; ++y) {
         for (int column = 0; column < image.width; ++column) {
             const Tile to = turnedWithin({column % size, y}, size, size, turn, 1);
-            image.at(column - column % size + to.x, to.y) = texture.image.at(column, y);
+            const TextureLevel& frame = texture.levelsOf(column / size)[0];
+            image.at(column - column % size + to.x, to.y) = frame.texels[static_cast<std::size_t>(column % size * size + y)];
         }
     }
     const double rate = texture.rate;
     const int frames = texture.frames();
-    world.textures.push_back(makeTexture("turned", std::move(image), frames, rate));
+    world.textures.push_back(makeTexture("turned", image, frames, rate));
     return static_cast<TextureId>(world.textures.size() - 1);
 }
 

@@ -126,7 +126,7 @@ TEST(Limits, AreTheSchemasToo) {
     ASSERT_FALSE(json.fault.has_value());
     // The number behind a path of keys; -1 if there is none.
     const auto number = [&](std::initializer_list<std::string_view> path) {
-        std::optional<JsonValue> value = json.tree.root();
+        FoundValue value = json.tree.root();
         for (const std::string_view key : path) {
             if (value) value = value->find(key);
         }

@@ -394,5 +394,35 @@ TEST(LoadScene, CanBeRepeated) {
     EXPECT_TRUE(loadScene(parsed, files).world.has_value());
 }
 
+TEST(LoadScene, TakesImagesThatWereDecodedEarly) {
+    const ParsedScene parsed = parseScene(smallScene(), "test.json");
+    SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
+    const LoadedScene expected = loadScene(parsed, files);
+    EarlyImages early;
+    for (auto& [name, bytes] : files) {
+        early.decode(name, bytes);
+        bytes = {1, 2, 3};  // not looked at again
+    }
+    const LoadedScene loaded = loadScene(parsed, files, std::move(early));
+    ASSERT_TRUE(loaded.world.has_value()) << (loaded.faults.empty() ? "" : describe(loaded.faults[0]));
+    ASSERT_EQ(loaded.world->textures.size(), expected.world->textures.size());
+    for (std::size_t i = 0; i < loaded.world->textures.size(); ++i) {
+        EXPECT_EQ(loaded.world->textures[i].levels[0].texels, expected.world->textures[i].levels[0].texels);
+    }
+}
+
+TEST(LoadScene, TellsTheFaultsOfImagesThatWereDecodedEarly) {
+    const ParsedScene parsed = parseScene(smallScene(), "test.json");
+    const std::vector<Pixel> pixels(2048 * 2048, toPixel({1, 2, 3, 255}));
+    for (const std::vector<std::uint8_t>& bytes : {encodePng(pixels.data(), 2048, 2048, 2048), encodePng(pixels.data(), 24, 24, 24), std::vector<std::uint8_t>{1}}) {
+        SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
+        EarlyImages early;
+        for (auto& [name, content] : files) early.decode(name, content = bytes);
+        const std::vector<Fault> expected = loadScene(parsed, files).faults;
+        EXPECT_FALSE(expected.empty());
+        EXPECT_EQ(loadScene(parsed, files, std::move(early)).faults, expected);
+    }
+}
+
 }  // namespace
 }  // namespace slicecast

@@ -8,6 +8,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { createModule } from '../../build/web/engine-module.js';
 import { readEngine } from '../../build/web/node/engine-files.js';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -21,13 +22,8 @@ export const shippedTours = readdirSync(join(root, 'assets/tours')).map((name) =
 
 // A new instance, with memory of its own.
 export async function loadModule(flavour) {
-  const { createModule, program } = await readEngine(flavour);
-  return createModule({
-    instantiateWasm(imports, done) {
-      WebAssembly.instantiate(program, imports).then((instance) => done(instance, program));
-      return {};
-    },
-  });
+  const { program } = await readEngine(flavour);
+  return createModule(program);
 }
 
 export class Session {

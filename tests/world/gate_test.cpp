@@ -205,7 +205,9 @@ TEST(Gates, ShowTheFrameOfTheirProgress) {
                 sheet.at(8 * frame + x, y) = toPixel({static_cast<std::uint8_t>(50 * frame), 1, 2, static_cast<std::uint8_t>(frame == 3 ? 0 : 255)});
         }
     }
-    world.textures.push_back(makeTexture("plain", frameOf(sheet, 0, 8)));
+    Image plain(8, 8);
+    for (Pixel& pixel : plain.pixels) pixel = toPixel({0, 1, 2, 255});
+    world.textures.push_back(makeTexture("plain", plain));
     world.textures.push_back(makeTexture("sheet", sheet, 4));
     const BlueprintId id = addGate(world, {});
     for (FaceBlueprint& face : world.blueprints[id].faces) face.texture = 0;

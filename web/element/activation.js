@@ -1,8 +1,8 @@
 // Who steers a <ray-caster>: nobody, until a click, a tap or Enter on its cover gives the picture the keys; Escape, another focus or the leave button
 // takes them back. Tab is never kept, and what the picture does not use goes on to the page.
 //
-//     const activation = new Activation(tree, {wanted() {...}, canBegin() {...}, changed(isHeld) {...}, engine() {...}});
-//     activation.begin();          // as a click on the cover would
+//     const activation = new Activation(tree, {canBegin() {...}, changed(isHeld) {...}, engine() {...}});
+//     activation.begin();          // as a click on the cover does, which has the focus
 //     activation.end();            // the cover gets the focus if the picture had it, and with {focus: true} in any case
 //     activation.keys = 'move';
 
@@ -20,8 +20,7 @@ const kMoveKeys = new Set([
 export class Activation {
   keys = 'all';
   isHeld = false;
-  #byTouch = false;
-  #isWaiting = false;
+  #wish = null; // of who has pressed the cover while the scene is still to come; the cover shows that it knows
   #pointerHeld = new AbortController();
   #thumbs = null;
   #layer = null;
@@ -30,14 +29,7 @@ export class Activation {
   constructor(tree, actions) {
     this.tree = tree;
     this.actions = actions;
-    const { box, cover, leave, stage } = tree;
-    cover.addEventListener('pointerdown', ({ pointerType }) => {
-      this.#byTouch = pointerType === 'touch';
-    });
-    cover.addEventListener('keydown', () => {
-      this.#byTouch = false;
-    });
-    cover.addEventListener('click', () => this.begin({ byTouch: this.#byTouch }));
+    const { box, leave, stage } = tree;
     leave.addEventListener('click', () => this.end({ focus: true }));
     box.addEventListener('keydown', (event) => this.#filter(event), { capture: true });
     box.addEventListener('focusout', ({ relatedTarget }) => {
@@ -48,12 +40,9 @@ export class Activation {
   }
 
   begin({ byTouch = false } = {}) {
-    const { cover } = this.tree;
-    // Safari gives pressed buttons no focus; it is what remembers the wish while the scene is still to come.
-    if (this.tree.root.activeElement !== cover) cover.focus({ preventScroll: true });
-    this.actions.wanted();
-    this.#wait(!this.actions.canBegin());
-    if (this.#isWaiting) return;
+    this.#wish = this.actions.canBegin() ? null : { byTouch };
+    this.tree.box.classList.toggle('waiting', this.#wish !== null);
+    if (this.#wish !== null) return;
     this.#showThumbs(byTouch);
     // The focus goes straight from the cover to the picture, which then is held.
     this.takeCanvas();
@@ -62,12 +51,12 @@ export class Activation {
 
   // The scene is there: who pressed the cover before, and is still there, begins now.
   resume() {
-    if (this.#isWaiting && this.tree.root.activeElement === this.tree.cover) this.begin({ byTouch: this.#byTouch });
-    this.#wait(false);
+    if (this.#wish !== null && this.tree.root.activeElement === this.tree.cover) this.begin(this.#wish);
+    this.#forget();
   }
 
   end({ focus = false } = {}) {
-    this.#wait(false);
+    this.#forget();
     if (!this.isHeld) return;
     const { cover, stage, root } = this.tree;
     const hadFocus = focus || stage.contains(root.activeElement);
@@ -102,10 +91,9 @@ export class Activation {
     this.takeCanvas();
   }
 
-  // Pressed while the scene is still to come: the cover shows that it knows.
-  #wait(isWaiting) {
-    this.#isWaiting = isWaiting;
-    this.tree.box.classList.toggle('waiting', isWaiting);
+  #forget() {
+    this.#wish = null;
+    this.tree.box.classList.remove('waiting');
   }
 
   #hold(isHeld) {

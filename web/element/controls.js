@@ -4,7 +4,8 @@
 //     controls.show(['play', 'reset']);                             // or null for none
 //     controls.state({isReady, isPlaying, hasOverlay, isFullscreen});
 
-import { icon, node } from './nodes.js';
+import { icon } from './icons.js';
+import { node } from './nodes.js';
 
 const kNames = { play: 'Play', reset: 'Back to the start', overlay: 'Map and panels', save: 'Save the picture', share: 'Copy the tag', fullscreen: 'Full screen' };
 const kAfterSpace = 'overlay'; // from here on, buttons stand at the right

@@ -1,10 +1,9 @@
-// What a <ray-caster> shows around its picture: names, the poster, progress, the line of status, what is wrong, and the bar's state.
+// What a <ray-caster> shows around its picture: names, the poster, progress, the line of status, what is wrong.
 //
-//     const face = new Face(tree, internals, actions);
-//     face.attributes({poster, label, controls});
-//     face.state('playing', {isReady, hasOverlay, isFullscreen});
+//     const face = new Face(tree, internals);
+//     face.attributes({poster, label}, hasPicture);
+//     face.state('playing');
 
-import { Controls } from './controls.js';
 import { hideMessage, showMessage } from './message.js';
 
 const kStatusMilliseconds = 4000;
@@ -12,25 +11,22 @@ const kStatusMilliseconds = 4000;
 export class Face {
   #tree;
   #internals;
-  #controls;
   #label = '';
   #title = '';
   #state = 'idle';
   #statusTimer = 0;
 
-  constructor(tree, internals, actions) {
+  constructor(tree, internals) {
     this.#tree = tree;
     this.#internals = internals;
-    this.#controls = new Controls(tree.controls, actions);
     internals.role = 'group';
     tree.poster.addEventListener('error', () => this.hidePoster());
     this.#name();
   }
 
-  attributes({ controls, poster, label }, hasPicture) {
+  attributes({ poster, label }, hasPicture) {
     this.#label = label;
     this.#name();
-    this.#controls.show(controls);
     const image = this.#tree.poster;
     image.hidden = poster === '' || hasPicture;
     if (poster !== '' && image.getAttribute('src') !== poster) image.src = poster;
@@ -46,11 +42,10 @@ export class Face {
     this.#name();
   }
 
-  state(state, { isReady, hasOverlay, isFullscreen }) {
+  state(state) {
     this.#state = state;
     this.#tree.box.dataset.state = state;
     if (state !== 'loading') this.#tree.progress.hidden = true;
-    this.#controls.state({ isReady, isPlaying: state === 'playing', hasOverlay, isFullscreen });
     this.#name();
   }
 

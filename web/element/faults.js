@@ -8,7 +8,7 @@
 import { Trouble, asTrouble, placeOf } from '../trouble.js';
 
 // `means` says what has happened, `remedy` what to do about it.
-export const errorCodes = Object.freeze({
+export const errorCodes = /* @__PURE__ */ Object.freeze({
   'fetch': {
     title: 'A file could not be fetched',
     means: 'The server of the engine or the scene does not answer, or it answers with an error such as 404.',
@@ -92,7 +92,10 @@ function codedError(error) {
   if (error instanceof Trouble) return error;
   const isOutOfMemory = error instanceof RangeError && /memory|allocat/i.test(error.message);
   if (isOutOfMemory) return faultOf('engine', `There is not enough memory: ${error.message}`);
-  if (error instanceof Error && Object.hasOwn(errorCodes, error.code)) return faultOf(error.code, error.message);
+  // Of a script with a copy of Trouble of its own, too.
+  if (error instanceof Error && Object.hasOwn(errorCodes, error.code)) {
+    return new Trouble(error.title ?? errorCodes[error.code].title, error.message, error.faults, error.code);
+  }
   return error;
 }
 

@@ -1,13 +1,13 @@
 // The engine behind one <ray-caster>: fetches it, loads scenes into it, and holds its options as the attributes want them.
 //
 //     const game = new Game({showCanvas(canvas) {...}, hear(event, value) {...}});
-//     if (await game.load({kind, source, tour, onProgress})) game.begin();
+//     if (await game.load({key, kind, source, tour, onProgress})) game.engine.begin();      // the key stands for all that is asked
 //     game.setOptions([['fov', '75']]);
 //     game.stop();
 
 import { Engine } from '../engine.js';
 import { faultOf, sceneFault } from './faults.js';
-import { sharedEngineFiles } from './page-cache.js';
+import { players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
 
 const kEngineShare = 0.5; // of the progress, as long as the engine is not there
@@ -27,12 +27,14 @@ export class Game {
 
   // True if the scene can be played now, false if another one was asked for meanwhile; what plays is left alone until then. Throws a Trouble.
   // `source` may be null with a tour, which names its scene.
-  async load({ kind, source, tour, onProgress }) {
+  async load({ key, kind, source, tour, onProgress }) {
     const turn = ++this.#turn;
     const isStale = () => turn !== this.#turn;
     const begin = this.engine === null ? kEngineShare : 0;
     onProgress(0, 0);
-    const begun = source === null ? null : beginReading(source);
+    // Another element may play the same already.
+    const findTwin = () => [...players.keys()].find((engine) => players.get(engine) === key);
+    const begun = source === null || findTwin() !== undefined ? source : beginReading(source, isStale);
     const [files, recording] = await Promise.all([
       sharedEngineFiles(kind, (loaded, total) => begin > 0 && !isStale() && onProgress((begin * loaded) / Math.max(1, total), loaded)),
       tour === null ? null : readTour(tour),
@@ -42,17 +44,21 @@ export class Game {
     const engine = isNew ? await this.#create(files, isStale) : this.engine;
     if (engine === null) return false;
     try {
+      const isAdopted = isNew && engine.adopt(findTwin());
       const scene = recording === null ? null : checkTour(engine, recording);
       const found = begun ?? namedScene(scene);
-      const faults = await engine.loadScene(found, { onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), bytes) });
+      players.delete(engine);
+      const faults = isAdopted ? [] : await engine.loadScene(found, { onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), bytes) });
       if (faults === null || isStale()) {
         if (isNew) engine.stop();
         return false;
       }
       if (faults.length > 0) throw sceneFault(found.name, faults.map((fault) => withReason(fault, found.failures)));
+      if (isAdopted) onProgress(1, 0);
       this.source = found;
       this.#tour = recording;
       if (isNew) this.#take(engine, files.kind);
+      players.set(engine, key);
     } catch (error) {
       if (isNew) engine.stop();
       throw error;
@@ -70,7 +76,7 @@ export class Game {
   }
 
   #take(engine, kind) {
-    this.engine?.stop();
+    this.#stopEngine();
     this.engine = engine;
     this.#kind = kind;
     this.#before.clear();
@@ -115,15 +121,24 @@ export class Game {
 
   stop() {
     ++this.#turn;
-    this.engine?.stop();
+    this.#stopEngine();
     this.engine = this.source = this.#tour = null;
+  }
+
+  #stopEngine() {
+    players.delete(this.engine);
+    this.engine?.stop();
   }
 }
 
-// The text comes beside the engine; what is wrong with it is told when it is read.
-function beginReading(source) {
+// The text comes beside the engine, and so do the pictures that it seems to name; what is wrong with it is told when it is read.
+function beginReading(source, isStale) {
   const text = source.readText();
-  text.catch(() => {});
+  text.then(async (bytes) => {
+    if (isStale()) return;
+    const names = new TextDecoder().decode(bytes).matchAll(/"([^"\\]+\.png)"/gi);
+    await Promise.all(Array.from(new Set(Array.from(names, ([, file]) => file)), (file) => source.readFile(file)));
+  }).catch(() => {});
   return { ...source, readText: () => text };
 }
 

@@ -94,7 +94,7 @@ export class Loading {
       const tour = host.tour === '' ? null : tourAddress(host);
       if (scene === null && tour === null) throw new Trouble('There is no scene', 'scene: found nothing, expected an address, or a scene inside the element', [], 'address');
       const key = [scene?.key, tour?.href, wanted.engine].join('\n');
-      if (key !== this.#asked) this.#load(key, { kind: wanted.engine, source: scene?.source() ?? null, tour });
+      if (key !== this.#asked) this.#load(key, { key, kind: wanted.engine, source: scene?.source() ?? null, tour });
       else if (key === this.#loaded) this.#settle();
     } catch (error) {
       this.#actions.failed(error);

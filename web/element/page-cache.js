@@ -1,8 +1,10 @@
-// What all elements of a page share: the engine is fetched and compiled once, and each file that scenes name is fetched once.
+// What all elements of a page share: the engine is fetched and compiled once, each file that scenes name is fetched once, and a scene that one of them plays is
+// loaded once.
 //
 //     const release = holdCache();                                    // while an element is in the page
 //     const files = await sharedEngineFiles('auto', onBytes);         // for Engine.create({files, canvas})
 //     const bytes = await fetchOnce(address, onBytes);                // the same bytes for everybody: not to be written to
+//     players.set(engine, key);                                       // a further engine of that key can adopt its scene
 //     release();
 //     forgetFiles();                                                  // before another try
 //
@@ -14,6 +16,9 @@ import { fetchBytes } from '../fetch-bytes.js';
 const engines = new Map();
 const files = new Map();
 let holders = 0;
+
+// The engines that play, with all that was asked of each: build, scene and tour. Who stops one takes it out.
+export const players = new Map();
 
 // What fetchEngine gives, once per page and build.
 export function sharedEngineFiles(kind = 'auto', onBytes = () => {}) {
@@ -33,6 +38,7 @@ export function fetchOnce(address, onBytes = () => {}) {
 // Whoever tries again after a fault wants the files as they are now.
 export function forgetFiles() {
   files.clear();
+  players.clear();
 }
 
 // Keeps what is fetched until the function that it gives is called.

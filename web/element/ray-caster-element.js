@@ -4,7 +4,6 @@ import { kAttributes, readView, reflectAttributes, takeEarlyProperties } from '.
 import { faultOf } from './faults.js';
 import { Show } from './show.js';
 import { snapshotOf } from './snapshot.js';
-import { adoptStyles } from './styles.js';
 
 // Where there is no document the class is there to be imported, and no more.
 const Base = globalThis.HTMLElement ?? class {};
@@ -35,8 +34,7 @@ export class RayCaster extends Base {
   connectedMoveCallback() {}
 
   adoptedCallback() {
-    this.#show.end();
-    adoptStyles(this.shadowRoot);
+    this.#show.adopted();
   }
 
   attributeChangedCallback(name, before, value) {

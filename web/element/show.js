@@ -1,5 +1,6 @@
 // What a <ray-caster> does behind its attributes and methods: it comes to life in the page, loads what the attributes say, and runs the engine while the
-// world is asked to play (autoplay, play()) or held (activation.js), and can be seen. The pieces: tree.js and face.js (what is seen), game.js (the engine).
+// world is asked to play (autoplay, play()) or held (steering.js), and can be seen. The pieces: tree.js and face.js (what is seen), game.js (the engine),
+// loading.js (from the attributes to the engine).
 //
 //     const show = new Show(element, internals);       // with a shadow root
 //     show.connect();   show.update();   show.disconnect();
@@ -8,22 +9,20 @@
 import { kOverlays } from '../address.js';
 import { Stage } from '../stage.js';
 import { isEngineFailure } from '../trouble.js';
-import { Activation } from './activation.js';
-import { barActions, toggleFullScreen } from './bar-actions.js';
 import { asError, frameDetail, withResolvers } from './details.js';
 import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
-import { KeySheet } from './key-sheet.js';
+import { bringSteering } from './late.js';
 import { Loading } from './loading.js';
 import { forgetFiles, holdCache } from './page-cache.js';
-import { adoptStyles } from './styles.js';
+import { Styles } from './styles.js';
 import { buildTree } from './tree.js';
 import { ViewStatus } from './view-status.js';
 import { watchVisibility } from './visibility.js';
 
 const kDeadMilliseconds = 500; // without a picture after a failure of some engine, it was this one's
-const kHints = { held: 'Escape leaves', keys: 'Escape leaves, H shows the keys', cursor: 'The mouse’s place steers; Escape ends it' };
+const kNear = ['pointerenter', 'pointerdown', 'focusin']; // who does this may soon steer
 
 export class Show {
   state = 'idle';
@@ -33,9 +32,9 @@ export class Show {
   #tree;
   #face;
   #game;
-  #activation;
+  #styles;
+  #steering = null; // once it was wanted
   #viewStatus;
-  #keySheet;
   #life = null; // while the element is in the document: an AbortController
   #stage = null;
   #waiting = null; // of whenReady(): {promise, resolve, reject}
@@ -48,16 +47,12 @@ export class Show {
   constructor(host, internals) {
     this.#host = host;
     this.#tree = buildTree(host.shadowRoot);
-    this.#face = new Face(this.#tree, internals, barActions(host, this));
+    this.#styles = new Styles(host.shadowRoot);
+    this.#face = new Face(this.#tree, internals);
     this.#game = new Game({ showCanvas: (canvas) => this.#showCanvas(canvas), hear: (event, value) => this.#hear(event, value) });
-    this.#activation = new Activation(this.#tree, {
-      engine: () => this.engine,
-      wanted: () => this.#loading?.now(),
-      canBegin: () => this.#canPlay,
-      changed: (isHeld) => this.#held(isHeld),
-    });
     this.#viewStatus = new ViewStatus(this.#tree, () => this.engine);
-    this.#keySheet = new KeySheet(this.#tree.keys, { closed: () => this.#activation.focus() });
+    this.#listenToCover(this.#tree.cover);
+    for (const type of kNear) this.#tree.box.addEventListener(type, () => this.#steered().catch(() => {}), { once: true });
     host.addEventListener('fullscreenchange', () => this.showState());
   }
 
@@ -70,7 +65,7 @@ export class Show {
   }
 
   get paused() {
-    return !this.#isAskedToPlay && !this.#activation.isHeld;
+    return !this.#isAskedToPlay && this.#steering?.isHeld !== true;
   }
 
   get overlays() {
@@ -114,8 +109,13 @@ export class Show {
 
   // Moving it within the document takes it out and puts it in again at once.
   disconnect() {
-    this.#activation.end();
+    this.#steering?.end();
     queueMicrotask(() => !this.#host.isConnected && this.end());
+  }
+
+  adopted() {
+    this.end();
+    this.#styles.adopt();
   }
 
   end() {
@@ -125,10 +125,10 @@ export class Show {
     this.#drop();
     this.#viewStatus.stop();
     this.#face.stop();
-    this.#keySheet.hide();
+    this.#steering?.stop();
     this.error = null;
     this.#isSeen = this.#isAskedToPlay = false;
-    this.#run();
+    this.run();
   }
 
   // The game, and the engine with it.
@@ -163,19 +163,21 @@ export class Show {
     this.#clearError();
     this.#waiting?.resolve(this.ready);
     this.#waiting = null;
-    if (!isNew) return;
-    this.#viewStatus.moved();
-    this.#tell('ready', this.ready);
-    this.#activation.resume();
+    if (isNew) {
+      this.#viewStatus.moved();
+      this.#tell('ready', this.ready);
+      this.#steering?.resume();
+    }
+    if (this.#loading.wanted.controls !== null) this.#steered().catch((error) => this.#life !== null && this.#fail(error));
   }
 
   #show(wanted) {
     if (this.#stage.size !== wanted.size) {
-      adoptStyles(this.#tree.root, wanted.size === 'auto' ? null : wanted.size.replace('x', ' / '));
+      this.#styles.ratio = wanted.size === 'auto' ? null : wanted.size.replace('x', ' / ');
       this.#stage.setSize(wanted.size);
     }
-    this.#activation.setKeys(wanted.keys);
     this.#face.attributes(wanted, this.ready !== null);
+    this.#steering?.attributes(wanted);
   }
 
   // ---- What is wrong
@@ -183,9 +185,9 @@ export class Show {
   #fail(error) {
     if (isEngineFailure(error)) this.#drop();
     this.error = explain(error);
-    this.#activation.end();
+    this.#steering?.end();
     this.#face.trouble(this.error, () => this.#retry());
-    this.#run();
+    this.run();
     this.#waiting?.reject(asError(this.error));
     this.#waiting = null;
     this.#tell('error', this.error);
@@ -201,7 +203,7 @@ export class Show {
   #clearError() {
     this.error = null;
     this.#face.noTrouble();
-    this.#run();
+    this.run();
   }
 
   // Some engine of the page has failed while it drew; the browser does not say whose.
@@ -214,14 +216,14 @@ export class Show {
 
   // ---- Playing
 
-  get #canPlay() {
+  get canPlay() {
     return this.ready !== null && this.error === null && !this.#loading?.isLoading;
   }
 
   play() {
     this.#isAskedToPlay = true;
     this.#loading?.now();
-    this.#run();
+    this.run();
   }
 
   autoplay() {
@@ -230,28 +232,60 @@ export class Show {
 
   pause() {
     this.#isAskedToPlay = false;
-    this.#activation.end();
-    this.#run();
+    this.#steering?.end();
+    this.run();
   }
 
   // As a click on the picture.
-  hold() {
-    this.#activation.begin();
+  hold({ byTouch = false } = {}) {
+    const { root, box, cover } = this.#tree;
+    // Safari gives pressed buttons no focus; it is what remembers the wish while anything is still to come.
+    if (root.activeElement !== cover) cover.focus({ preventScroll: true });
+    this.#loading?.now();
+    if (this.#steering !== null) {
+      this.#steering.begin({ byTouch });
+      return;
+    }
+    box.classList.add('waiting');
+    this.#steered().then((steering) => {
+      box.classList.remove('waiting');
+      if (root.activeElement === cover) steering.begin({ byTouch });
+    }, (error) => {
+      box.classList.remove('waiting');
+      if (this.#life !== null) this.#fail(error);
+    });
   }
 
-  #held(isHeld) {
-    if (isHeld) this.#keySheet.hide();
-    this.#face.status(!isHeld || this.#tree.box.classList.contains('touched') ? '' : this.#activation.keys === 'all' ? kHints.keys : kHints.held);
-    this.#run();
+  #listenToCover(cover) {
+    let byTouch = false;
+    cover.addEventListener('pointerdown', ({ pointerType }) => {
+      byTouch = pointerType === 'touch';
+    });
+    cover.addEventListener('keydown', () => {
+      byTouch = false;
+    });
+    cover.addEventListener('click', () => this.hold({ byTouch }));
+  }
+
+  // What one steers by, fetched when somebody comes near or wants the bar.
+  async #steered() {
+    const { Steering } = await bringSteering();
+    if (this.#steering === null) {
+      this.#steering = new Steering(this.#host, this, this.#tree, this.#styles);
+      if (this.#loading?.wanted) this.#steering.attributes(this.#loading.wanted);
+      if (this.#tree.canvas !== null) this.#steering.takeCanvas();
+      this.showState();
+    }
+    return this.#steering;
   }
 
   #see(isSeen) {
     this.#isSeen = isSeen;
-    this.#run();
+    this.run();
   }
 
   // The state, and the engine, as they must be now.
-  #run() {
+  run() {
     const isReady = this.ready !== null;
     const state = this.error !== null ? 'error' : this.#loading?.isLoading ? 'loading' : !isReady ? 'idle' : this.paused ? 'paused' : 'playing';
     this.#stands = state !== 'playing' || !this.#isSeen;
@@ -263,13 +297,14 @@ export class Show {
   }
 
   showState() {
-    const isReady = this.#canPlay;
+    const isReady = this.canPlay;
     const hasOverlay = isReady && kOverlays.some((name) => this.engine.option(name) === 'on');
-    this.#face.state(this.state, { isReady, hasOverlay, isFullscreen: this.#host.matches(':fullscreen') });
+    this.#face.state(this.state);
+    this.#steering?.state({ isReady, isPlaying: this.state === 'playing', hasOverlay, isFullscreen: this.#host.matches(':fullscreen') });
   }
 
-  showStatus(text) {
-    this.#face.status(text);
+  showStatus(text, how) {
+    this.#face.status(text, how);
   }
 
   // Where the scene begins for this element.
@@ -284,12 +319,12 @@ export class Show {
   }
 
   focus(options) {
-    this.#activation.focus(options);
+    (this.#steering ?? this.#tree.cover).focus(options);
   }
 
   whenReady() {
     const isSettled = this.#loading?.isSettled === true;
-    if (isSettled && this.#canPlay) return Promise.resolve(this.ready);
+    if (isSettled && this.canPlay) return Promise.resolve(this.ready);
     if (isSettled && this.error !== null) return Promise.reject(asError(this.error));
     this.#loading?.now();
     this.#waiting ??= withResolvers();
@@ -304,7 +339,10 @@ export class Show {
     this.#tree.canvas?.remove();
     this.#tree.canvas = canvas;
     this.#tree.frame.append(canvas);
-    this.#activation.takeCanvas();
+    // Only who steers it can tab to it; before, there is its cover.
+    canvas.tabIndex = -1;
+    canvas.setAttribute('role', 'img');
+    this.#steering?.takeCanvas();
   }
 
   #hear(event, value) {
@@ -324,25 +362,11 @@ export class Show {
       case 'pause':
         if (value !== this.#stands) this.pause(); // by its key
         break;
-      case 'fly':
-        this.#activation.flying = value;
-        break;
-      case 'pointer':
-        this.#activation.holdsPointer = value;
-        break;
-      case 'cursor':
-        this.#face.status(value ? kHints.cursor : '', { stays: true });
-        break;
       case 'minimap':
         this.showState();
         break;
-      case 'help':
-        this.pause();
-        this.#keySheet.open(this.engine.keys);
-        break;
-      case 'fullscreen':
-        toggleFullScreen(this.#host, this);
-        break;
+      default:
+        this.#steering?.hear(event, value);
     }
   }
 

@@ -5,8 +5,8 @@
 //     source.failures                               // file -> why it could not be read
 
 import { kHome } from '../home.js';
+import { bringRows } from './late.js';
 import { fetchOnce } from './page-cache.js';
-import { sceneOfRows } from './rows.js';
 import { Trouble } from '../trouble.js';
 
 const kScenes = new URL('scenes/', kHome); // what an inline scene names is looked for there
@@ -25,11 +25,13 @@ export function findScene(element) {
     return { key: address.href, source: () => sceneFrom(address) };
   }
   const inline = element.querySelector(kInline);
-  if (inline !== null) return { key: `json ${inline.textContent}`, source: () => sceneOf('inline scene', inline.textContent) };
+  if (inline !== null) return { key: `json ${inline.textContent}`, source: () => sceneOf('inline scene', async () => inline.textContent) };
   const rows = element.querySelector(kRows);
   if (rows === null) return null;
   const title = element.label || undefined;
-  return { key: `rows ${title} ${rows.textContent}`, source: () => sceneOf('rows', JSON.stringify(sceneOfRows(rows.textContent, { title }))) };
+  const text = rows.textContent;
+  const read = async () => JSON.stringify((await bringRows()).sceneOfRows(text, { title }));
+  return { key: `rows ${title} ${text}`, source: () => sceneOf('rows', read) };
 }
 
 // One of the shipped scenes, as recordings name them.
@@ -74,18 +76,21 @@ function sceneFrom(address) {
   };
 }
 
-function sceneOf(name, text) {
-  return { name, address: null, readText: async () => new TextEncoder().encode(text), ...filesBeside(kScenes) };
+function sceneOf(name, read) {
+  return { name, address: null, readText: async () => new TextEncoder().encode(await read()), ...filesBeside(kScenes) };
 }
 
-// readFile gives null for a file that cannot be read: the engine says which place of the scene names it, `failures` why.
+// readFile gives null for a file that cannot be read, which is tried once: the engine says which place of the scene names it, `failures` why.
 function filesBeside(address) {
   const failures = new Map();
   return {
     failures,
-    readFile: (file, onBytes) => fetchOnce(new URL(file, address), onBytes).catch((error) => {
-      failures.set(file, error.message);
-      return null;
-    }),
+    async readFile(file, onBytes) {
+      if (failures.has(file)) return null;
+      return fetchOnce(new URL(file, address), onBytes).catch((error) => {
+        failures.set(file, error.message);
+        return null;
+      });
+    },
   };
 }

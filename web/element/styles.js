@@ -1,6 +1,9 @@
-// How a <ray-caster> looks: one sheet for all of a document, adopted, so that no page has to allow inline styles.
+// How a <ray-caster> looks: sheets for all of a document, adopted, so that no page has to allow inline styles.
 //
-//     adoptStyles(shadowRoot, '640 / 400');
+//     const styles = new Styles(shadowRoot);
+//     styles.ratio = '640 / 400';      // of the picture, where it has one of its own; or null
+//     styles.add(sheet);               // the text of another one
+//     styles.adopt();                  // in another document
 //
 // Things that can be pressed are blocks: square, lit from above, on a darker edge. A page colours them with --ray-caster-accent, --ray-caster-ink (behind
 // the picture and on the accent), --ray-caster-panel and --ray-caster-text.
@@ -55,7 +58,6 @@ p, h2, ul { margin: 0; padding: 0; }
 
 /* Where the keys go: a ring inside the edge, light on dark, so that it shows on any picture */
 .box::after { content: ""; position: absolute; inset: 0; pointer-events: none; }
-.box.engaged:focus-within::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
 .cover:focus-visible { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
 .box:has(.cover:focus-visible)::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
 
@@ -92,25 +94,12 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
   .hint { display: none; }
 }
 
-/* ---- The bar. It leaves while somebody plays and does not point at it. */
-
-.controls { position: absolute; inset: auto 0 0; display: flex; padding: 0 4px; background: var(--veil); transition: opacity var(--quick); }
-.controls button { display: grid; place-items: center; flex: 0 1 44px; min-width: 0; height: 44px; padding: 0; color: var(--soft); background: none; }
-.controls button:hover { color: var(--text); box-shadow: inset 0 -2px 0 var(--accent); }
-.controls button[aria-pressed="true"] { color: var(--accent); }
-.controls button:disabled { opacity: 0.4; cursor: default; box-shadow: none; }
-.controls .space { flex: 1; }
-.box[data-state="playing"]:not(:hover) .controls:not(:focus-within) { opacity: 0; transition: opacity calc(2 * var(--quick)) 600ms; }
-.box[data-state="error"] .controls { display: none; }
-
 /* ---- What goes on */
 
 .progress { position: absolute; inset: auto 0 0; height: 3px; background: var(--veil); }
 .progress::before { content: ""; position: absolute; inset: 0; background: var(--accent); transform-origin: left; transform: scaleX(var(--share, 0)); transition: transform var(--quick); }
-.status { position: absolute; left: 50%; top: 8px; width: max-content; max-width: calc(100% - 16px); transform: translateX(-50%); text-align: center; padding: 4px 12px; font-size: 13px; color: var(--text); background: var(--veil); pointer-events: none; }
-.status:empty { padding: 0; }
 
-/* ---- Sheets over the picture: what is wrong, and the keys */
+/* ---- Sheets over the picture: what is wrong, and, in steering-styles.js, the keys */
 
 .sheet { position: absolute; inset: 0; display: flex; flex-direction: column; gap: 12px; padding: 20px; overflow: auto; background: color-mix(in srgb, var(--panel) 94%, transparent); }
 .sheet h2 { font-size: 17px; line-height: 1.3; font-weight: 700; text-wrap: balance; }
@@ -125,73 +114,50 @@ button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 .message .found { color: #f0a183; }
 /* Where there never will be a picture, the poster stays */
 .poster:not([hidden]) ~ .message.hopeless { inset: auto 0 0; max-height: 75%; }
-.keys .again { position: absolute; top: 14px; right: 20px; }
-.keys dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(280px, 100%), 1fr)); gap: 4px 24px; margin: 0; }
-.keys dl div { display: grid; grid-template-columns: 124px 1fr; align-items: baseline; gap: 8px; }
-.keys dd { margin: 0; color: var(--soft); }
-.keys kbd { display: inline-block; min-width: 24px; margin: 0 4px 2px 0; padding: 0 6px 2px; font: inherit; font-size: 12px; text-align: center; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
-@container (max-width: 420px) { .sheet { padding: 12px; gap: 8px; } .keys .again { top: 6px; right: 12px; } }
-
-/* ---- Touch: only while it is played by a finger */
-
-.leave { position: absolute; right: 0; top: 0; display: grid; place-items: center; width: 44px; height: 44px; padding: 0; background: var(--veil); }
-.touch { position: absolute; inset: 0; touch-action: none; user-select: none; -webkit-user-select: none; -webkit-touch-callout: none; }
-.box.touched .controls { display: none; }
-.zone { position: absolute; inset: 0 50% 0 0; touch-action: none; }
-.zone + .zone { inset: 0 0 0 50%; }
-.stick {
-  --x: 72px;
-  --y: calc(100% - 72px);
-  position: absolute;
-  left: calc(var(--x) - 56px);
-  top: calc(var(--y) - 56px);
-  width: 112px;
-  height: 112px;
-  display: grid;
-  place-items: center;
-  border: 2px solid rgb(247 241 225 / 0.4);
-  border-radius: 50%;
-  background: rgb(21 19 28 / 0.28);
-  opacity: 0.7;
-  pointer-events: none;
-  transition: opacity var(--quick);
-}
-.stick.held { opacity: 1; background: rgb(21 19 28 / 0.45); border-color: rgb(247 241 225 / 0.7); }
-.stick.runs { border-color: var(--accent); }
-.knob { width: 48px; height: 48px; border-radius: 50%; background: rgb(247 241 225 / 0.75); box-shadow: inset 0 -4px 0 rgb(21 19 28 / 0.25); }
-.stick.runs .knob { background: var(--accent); }
-.buttons { position: absolute; right: 8px; bottom: 8px; display: grid; grid-template-columns: auto auto; gap: 4px; }
-.thumb-button { display: grid; place-items: center; align-content: center; gap: 2px; width: 52px; height: 52px; font-size: 11px; line-height: 14px; font-weight: 600; background: rgb(21 19 28 / 0.5); box-shadow: var(--light); touch-action: none; }
-.thumb-button[data-thumb="fly"] { grid-column: 2; }
-.thumb-button .icon { width: 24px; height: 24px; }
-.thumb-button.on { color: var(--ink); background: var(--accent); }
-@container (max-height: 260px) {
-  .buttons { grid-template-columns: repeat(4, auto); }
-  .thumb-button { width: 44px; height: 44px; }
-  .thumb-button span { display: none; }
-  .thumb-button[data-thumb="fly"] { grid-column: auto; }
-}
+@container (max-width: 420px) { .sheet { padding: 12px; gap: 8px; } }
 
 @media (forced-colors: active) {
-  .glyph, .controls, .controls button, .leave, .status:not(:empty), .hint, .sheet, .sheet .again, .keys kbd { border: 1px solid ButtonText; color: ButtonText; background: ButtonFace; forced-color-adjust: none; }
-  .cover:is(:hover, :focus-visible) .glyph, .controls button:is(:hover, [aria-pressed="true"]) { color: HighlightText; background: Highlight; }
-  .sheet, .sheet p, .message .found, .message .inside, .keys dd { color: CanvasText; background: Canvas; }
+  .glyph, .hint, .sheet, .sheet .again { border: 1px solid ButtonText; color: ButtonText; background: ButtonFace; forced-color-adjust: none; }
+  .cover:is(:hover, :focus-visible) .glyph { color: HighlightText; background: Highlight; }
+  .sheet, .sheet p, .message .found, .message .inside { color: CanvasText; background: Canvas; }
   .progress::before { background: Highlight; }
-  .box.engaged:focus-within::after { outline: 3px solid Highlight; outline-offset: -3px; }
   .cover:focus-visible { outline: 3px solid Highlight !important; outline-offset: -3px; }
 }
 `;
 
-const sheets = new WeakMap(); // document -> its sheet: one cannot serve two
+const sheets = new WeakMap(); // document -> text -> its sheet: one cannot serve two
 
-// `ratio` is that of the picture, as CSS writes it, where it has one of its own.
-export function adoptStyles(root, ratio = null) {
-  const { ownerDocument } = root;
-  const make = (text) => {
-    const sheet = new (ownerDocument.defaultView ?? globalThis).CSSStyleSheet();
-    sheet.replaceSync(text);
-    return sheet;
-  };
-  if (!sheets.has(ownerDocument)) sheets.set(ownerDocument, make(kSheet));
-  root.adoptedStyleSheets = [sheets.get(ownerDocument), ...(ratio === null ? [] : [make(`:host { aspect-ratio: ${ratio}; }`)])];
+export class Styles {
+  #root;
+  #texts = [kSheet];
+  #ratio = null;
+
+  constructor(root) {
+    this.#root = root;
+    this.adopt();
+  }
+
+  set ratio(ratio) {
+    this.#ratio = ratio;
+    this.adopt();
+  }
+
+  add(text) {
+    this.#texts.push(text);
+    this.adopt();
+  }
+
+  adopt() {
+    const { ownerDocument } = this.#root;
+    const make = (text) => {
+      const sheet = new (ownerDocument.defaultView ?? globalThis).CSSStyleSheet();
+      sheet.replaceSync(text);
+      return sheet;
+    };
+    if (!sheets.has(ownerDocument)) sheets.set(ownerDocument, new Map());
+    const made = sheets.get(ownerDocument);
+    for (const text of this.#texts) if (!made.has(text)) made.set(text, make(text));
+    const own = this.#ratio === null ? [] : [make(`:host { aspect-ratio: ${this.#ratio}; }`)];
+    this.#root.adoptedStyleSheets = [...this.#texts.map((text) => made.get(text)), ...own];
+  }
 }

@@ -3,7 +3,8 @@
 //     const layer = touchLayer();
 //     const thumbs = new Thumbs(layer, actions);
 
-import { icon, node } from './nodes.js';
+import { icon } from './icons.js';
+import { node } from './nodes.js';
 
 const kButtons = [['use', 'Gate'], ['fly', 'Fly'], ['crouch', 'Crouch'], ['jump', 'Jump']];
 

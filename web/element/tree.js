@@ -3,26 +3,22 @@
 //     const tree = buildTree(shadowRoot);
 //     tree.cover.hidden = true;
 //
-// From back to front: the picture, the poster, the cover (one button over the whole picture, which begins play), thumbs for touch, bars and messages.
+// From back to front: the picture, the poster, the cover (one button over the whole picture, which begins play), progress and messages. steering.js adds
+// thumbs, bar and keys.
 
-import { icon, node } from './nodes.js';
-import { adoptStyles } from './styles.js';
+import { drawing, kPlay, node } from './nodes.js';
 
 export function buildTree(root) {
   const frame = node('div', { class: 'frame' });
   const stage = node('div', { class: 'stage' }, frame);
   const poster = node('img', { class: 'poster', part: 'poster', alt: '', hidden: '' });
   const hint = node('span', { class: 'hint', 'aria-hidden': 'true' });
-  const cover = node('button', { class: 'cover', type: 'button' }, node('span', { class: 'glyph', part: 'button play' }, icon('play')), hint);
-  const leave = node('button', { class: 'leave', part: 'button', type: 'button', 'aria-label': 'Leave the picture', hidden: '' }, icon('leave'));
-  const controls = node('div', { class: 'controls', part: 'controls', role: 'group', 'aria-label': 'Controls', hidden: '' });
+  const cover = node('button', { class: 'cover', type: 'button' }, node('span', { class: 'glyph', part: 'button play' }, drawing(kPlay)), hint);
   const progress = node('div', { class: 'progress', role: 'progressbar', 'aria-label': 'Loading', 'aria-valuemin': '0', 'aria-valuemax': '100', hidden: '' });
   const status = node('p', { class: 'status', part: 'status', role: 'status' });
   const seen = node('p', { class: 'unseen', id: 'seen', 'aria-live': 'off' });
   const message = node('section', { class: 'sheet message', part: 'message', hidden: '' });
-  const keys = node('section', { class: 'sheet keys', role: 'dialog', 'aria-labelledby': 'keys-title', hidden: '' });
-  const box = node('div', { class: 'box' }, stage, poster, cover, leave, controls, progress, status, seen, keys, message);
+  const box = node('div', { class: 'box' }, stage, poster, cover, progress, status, seen, message);
   root.append(box);
-  adoptStyles(root);
-  return { root, box, stage, frame, poster, cover, hint, leave, controls, progress, status, seen, keys, message, canvas: null };
+  return { root, box, stage, frame, poster, cover, hint, progress, status, seen, message, canvas: null };
 }

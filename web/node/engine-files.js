@@ -3,8 +3,6 @@
 //     const engine = await Engine.create({ files: await readEngine('auto') });
 
 import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
-import { fileURLToPath } from 'node:url';
 
 import { browserHasSimd } from '../engine-files.js';
 
@@ -21,21 +19,5 @@ export function readEngine(kind) {
 }
 
 async function readBuild(kind) {
-  const [glue, bytes] = await Promise.all([
-    import(new URL(`slicecast-${kind}.js`, kEngine).href),
-    readFile(new URL(`slicecast-${kind}.wasm`, kEngine)),
-  ]);
-  return { kind, createModule: (options) => withNamesOfScripts(() => glue.default(options)), program: await WebAssembly.compile(bytes) };
-}
-
-// The glue of older Emscriptens looks for two names of scripts that modules do not have; it does so only while it begins.
-function withNamesOfScripts(begin) {
-  const names = { require: createRequire(import.meta.url), __dirname: fileURLToPath(kEngine) };
-  const missing = Object.keys(names).filter((name) => !(name in globalThis));
-  for (const name of missing) globalThis[name] = names[name];
-  try {
-    return begin();
-  } finally {
-    for (const name of missing) delete globalThis[name];
-  }
+  return { kind, program: await WebAssembly.compile(await readFile(new URL(`slicecast-${kind}.wasm`, kEngine))) };
 }

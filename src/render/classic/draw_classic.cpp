@@ -103,7 +103,7 @@ private:
         for (int row = 0; row < rows_.rows; ++row) paint(row, colouring_.ofBackground(ray_, rows_.middle(row)));
         order_.resize(surfaces_.size());
         std::iota(order_.begin(), order_.end(), std::size_t{0});
-        heapSort(order_, [this](std::size_t a, std::size_t b) {
+        mergeSort(order_, [this](std::size_t a, std::size_t b) {
             const double distanceA = surfaces_[a].thingDistance;
             const double distanceB = surfaces_[b].thingDistance;
             return distanceA != distanceB ? distanceA > distanceB : a < b;

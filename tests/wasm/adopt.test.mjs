@@ -1,0 +1,79 @@
+// A scene that one engine plays is another's from its start, as if that one had loaded it.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Engine } from '../../build/web/engine.js';
+import { readEngine } from '../../build/web/node/engine-files.js';
+import { openScene } from '../../build/web/node/scene-files.js';
+import { flavours } from './load.mjs';
+
+const kSize = [160, 100];
+
+// One that draws into a canvas has its scene in the program's session; none of these begins to draw.
+async function createEngine(flavour) {
+  return Engine.create({ files: await readEngine(flavour), canvas: {} });
+}
+
+// What one sees of a walk, and the state at its end.
+function walk(engine) {
+  const seen = [0, 60, 120, 120].map((steps) => {
+    engine.step({ forward: 1, turn: 0.3, use: steps === 60 }, steps);
+    return Buffer.from(engine.drawPixels(...kSize)).toString('base64');
+  });
+  return { seen, state: engine.state, options: engine.options, world: engine.world, warnings: engine.warnings, view: engine.view };
+}
+
+for (const flavour of flavours) {
+  for (const name of ['castle', 'garden', 'glassworks', 'wayhouse']) {
+    test(`${flavour}: ${name} is adopted from an engine that has played it for a while`, async () => {
+      const fresh = await createEngine(flavour);
+      assert.deepEqual(await fresh.loadScene(openScene(name)), []);
+      const player = await createEngine(flavour);
+      assert.deepEqual(await player.loadScene(openScene(name)), []);
+      // Things move, gates open, and options change what is drawn and what maps keep of it.
+      player.setOption('lightPreset', 'dusk');
+      player.setOption('intensity', '0.3');
+      player.setOption('fov', '90');
+      player.setOption('minimap', true);
+      player.flying = true;
+      player.step({ forward: 1, fly: 0.2, open: true }, 400);
+      player.paused = true;
+      player.resize(300, 200);
+      player.record(name);
+      player.step({ turn: 1 }, 20);
+      const before = player.state;
+
+      const adopter = await createEngine(flavour);
+      assert.equal(adopter.adopt(player), true);
+      assert.equal(adopter.paused, false);
+      assert.equal(adopter.takeRecording(), '');
+      assert.deepEqual(walk(adopter), walk(fresh));
+      assert.deepEqual(player.state, before);
+      // And so on.
+      const third = await createEngine(flavour);
+      assert.equal(third.adopt(adopter), true);
+      assert.equal(third.state.fingerprint, (await reloaded(flavour, name)).state.fingerprint);
+    });
+  }
+
+  test(`${flavour}: where memory has grown, and where there is nothing to adopt`, async () => {
+    const player = await createEngine(flavour);
+    assert.equal((await createEngine(flavour)).adopt(player), false);
+    await player.loadScene(openScene('first-steps'));
+    player.drawPixels(4096, 4096);
+    assert.ok(player.memoryBytes > 64e6);
+    const adopter = await createEngine(flavour);
+    assert.equal(adopter.adopt(player), true);
+    assert.ok(adopter.memoryBytes >= player.memoryBytes);
+    assert.deepEqual(walk(adopter), walk(await reloaded(flavour, 'first-steps')));
+    player.stop();
+    assert.equal((await createEngine(flavour)).adopt(player), false);
+  });
+}
+
+async function reloaded(flavour, name) {
+  const engine = await createEngine(flavour);
+  await engine.loadScene(openScene(name));
+  return engine;
+}

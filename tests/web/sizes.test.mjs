@@ -1,0 +1,21 @@
+// What a page loads until an element in it shows its first picture: the program and the element's script, as a server sends them.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { gzipSync } from 'node:zlib';
+import { root } from '../wasm/load.mjs';
+
+const kLoaded = ['ray-caster.js', 'engine/slicecast-simd.wasm'];
+const kLater = ['ray-caster-steering.js', 'ray-caster-rows.js'];
+const kLimit = 180_000; // bytes
+
+const sizeOf = (name) => gzipSync(readFileSync(join(root, 'build/web', name)), { level: 9 }).length;
+
+test('the first picture takes few bytes', (t) => {
+  const sizes = kLoaded.map(sizeOf);
+  const sum = sizes.reduce((total, size) => total + size, 0);
+  t.diagnostic(`gzip -9: ${sum} bytes: ${kLoaded.map((name, index) => `${name} ${sizes[index]}`).join(', ')}; later ${kLater.map((name) => `${name} ${sizeOf(name)}`).join(', ')}`);
+  assert.ok(sum <= kLimit, `${sum} bytes, at most ${kLimit}`);
+});

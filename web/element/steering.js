@@ -1,0 +1,110 @@
+// Everything by which somebody steers a <ray-caster>: its bar, keys, thumbs, gamepads. It comes after the first picture, when somebody comes near or the
+// bar is wanted (show.js).
+//
+//     const steering = new Steering(host, show, tree, styles);
+//     steering.attributes({controls, keys});      steering.state(state);
+//     steering.begin();                           // as a click on the cover does
+
+import { Activation } from './activation.js';
+import { barActions, toggleFullScreen } from './bar-actions.js';
+import { Controls } from './controls.js';
+import { icon } from './icons.js';
+import { KeySheet } from './key-sheet.js';
+import { node } from './nodes.js';
+import { kSheet } from './steering-styles.js';
+
+const kHints = { held: 'Escape leaves', keys: 'Escape leaves, H shows the keys', cursor: 'The mouse’s place steers; Escape ends it' };
+
+export class Steering {
+  #host;
+  #show;
+  #tree;
+  #activation;
+  #controls;
+  #keySheet;
+
+  constructor(host, show, tree, styles) {
+    this.#host = host;
+    this.#show = show;
+    this.#tree = tree;
+    styles.add(kSheet);
+    tree.leave = node('button', { class: 'leave', part: 'button', type: 'button', 'aria-label': 'Leave the picture', hidden: '' }, icon('leave'));
+    const bar = node('div', { class: 'controls', part: 'controls', role: 'group', 'aria-label': 'Controls', hidden: '' });
+    const keys = node('section', { class: 'sheet keys', role: 'dialog', 'aria-labelledby': 'keys-title', hidden: '' });
+    tree.cover.after(tree.leave, bar);
+    tree.message.before(keys);
+    this.#controls = new Controls(bar, barActions(host, show));
+    this.#keySheet = new KeySheet(keys, { closed: () => this.focus() });
+    this.#activation = new Activation(tree, {
+      engine: () => show.engine,
+      canBegin: () => show.canPlay,
+      changed: (isHeld) => this.#held(isHeld),
+    });
+  }
+
+  get isHeld() {
+    return this.#activation.isHeld;
+  }
+
+  attributes({ controls, keys }) {
+    this.#controls.show(controls);
+    this.#activation.setKeys(keys);
+  }
+
+  state(state) {
+    this.#controls.state(state);
+  }
+
+  begin(options) {
+    this.#activation.begin(options);
+  }
+
+  resume() {
+    this.#activation.resume();
+  }
+
+  end() {
+    this.#activation.end();
+  }
+
+  stop() {
+    this.#activation.end();
+    this.#keySheet.hide();
+  }
+
+  focus(options) {
+    this.#activation.focus(options);
+  }
+
+  takeCanvas() {
+    this.#activation.takeCanvas();
+  }
+
+  // What the engine tells.
+  hear(event, value) {
+    switch (event) {
+      case 'fly':
+        this.#activation.flying = value;
+        break;
+      case 'pointer':
+        this.#activation.holdsPointer = value;
+        break;
+      case 'cursor':
+        this.#show.showStatus(value ? kHints.cursor : '', { stays: true });
+        break;
+      case 'help':
+        this.#host.pause();
+        this.#keySheet.open(this.#show.engine.keys);
+        break;
+      case 'fullscreen':
+        toggleFullScreen(this.#host, this.#show);
+        break;
+    }
+  }
+
+  #held(isHeld) {
+    if (isHeld) this.#keySheet.hide();
+    this.#show.showStatus(!isHeld || this.#tree.box.classList.contains('touched') ? '' : this.#activation.keys === 'all' ? kHints.keys : kHints.held);
+    this.#show.run();
+  }
+}

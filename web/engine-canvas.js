@@ -1,0 +1,74 @@
+// A canvas as the engine's screen, keys and mouse. Everything is heard on the way in, before the page's own listeners; the engine decides which keys are
+// taken from the page.
+//
+//     const screen = openCanvas(canvas, exports, writeCode);      // exports of src/app/page_shell.cpp; writeCode(text) names the key that it is told of
+//     screen.show(buffer, at, width, height);                     // pixels in the engine's memory
+//     screen.close();
+
+const kLockRestMilliseconds = 2000; // after the pointer was let go, in which a browser may refuse it without meaning anything
+
+export function openCanvas(canvas, exports, writeCode) {
+  if (!canvas.hasAttribute('tabindex')) canvas.tabIndex = 0;
+  const context = canvas.getContext('2d', { alpha: false });
+  const listeners = new AbortController();
+  const until = { signal: listeners.signal };
+  const on = (target, type, hear) => target.addEventListener(type, hear, { ...until, capture: true });
+  let image = null; // a view on the engine's own memory; growing memory moves it
+
+  const key = (event, isDown) => {
+    writeCode(event.code);
+    const flags = (event.ctrlKey ? 1 : 0) | (event.altKey ? 2 : 0) | (event.metaKey ? 4 : 0) | (event.repeat ? 8 : 0);
+    if (exports.slicecastKey(isDown, flags)) event.preventDefault();
+  };
+  on(canvas, 'keydown', (event) => key(event, 1));
+  on(canvas, 'keyup', (event) => key(event, 0));
+  on(canvas, 'blur', () => exports.slicecastBlurred());
+  on(document, 'visibilitychange', () => exports.slicecastHidden(document.hidden ? 1 : 0));
+
+  // -1 to 1 from edge to edge, where that is wanted.
+  on(canvas, 'mousemove', ({ clientX, clientY, movementX, movementY }) => {
+    if (!exports.slicecastPointerMoved(movementX, movementY)) return;
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    if (width > 0 && height > 0) exports.slicecastCursorAt((2 * (clientX - left)) / width - 1, (2 * (clientY - top)) / height - 1);
+  });
+  on(canvas, 'mouseleave', () => exports.slicecastCursorLeft());
+
+  // A press of the mouse gives the focus without scrolling, and so does a tap; a finger that moves on scrolls the page. A click asks for the pointer; where
+  // that is refused, the cursor's place steers.
+  let asks = false;
+  let held = false;
+  let lockEnd = -Infinity;
+  const holdsPointer = () => canvas.getRootNode().pointerLockElement === canvas;
+  const refused = () => {
+    if (asks && !listeners.signal.aborted && performance.now() - lockEnd > kLockRestMilliseconds) exports.slicecast_steerByCursor(1);
+    asks = false;
+  };
+  canvas.addEventListener('pointerdown', ({ pointerType }) => pointerType !== 'touch' && canvas.focus({ preventScroll: true }), until);
+  document.addEventListener('pointerlockerror', refused, until);
+  on(document, 'pointerlockchange', () => {
+    if (holdsPointer()) asks = false;
+    else if (held) lockEnd = performance.now();
+    held = holdsPointer();
+    exports.slicecastPointerHeld(held ? 1 : 0);
+  });
+  canvas.addEventListener('click', ({ pointerType }) => {
+    canvas.focus({ preventScroll: true });
+    if ((pointerType && pointerType !== 'mouse') || holdsPointer()) return;
+    asks = true;
+    if (canvas.requestPointerLock) canvas.requestPointerLock()?.catch(refused);
+    else refused();
+  }, until);
+
+  return {
+    show(buffer, at, width, height) {
+      if (image?.data.buffer !== buffer || image.data.byteOffset !== at || image.width !== width || image.height !== height) {
+        image = new ImageData(new Uint8ClampedArray(buffer, at, width * height * 4), width, height);
+      }
+      context.putImageData(image, 0, 0);
+    },
+    close() {
+      if (holdsPointer()) document.exitPointerLock();
+      listeners.abort();
+    },
+  };
+}

@@ -1,0 +1,88 @@
+// The engine's WebAssembly with what it asks of a page: src/wasm/bindings.h for JavaScript. Under Node it asks for nothing but the time.
+//
+//     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});      // of a compiled program: as many as are wanted
+//     module._slicecast_NAME(...);      module.HEAPU8;      module.UTF8ToString(at);
+
+import { openCanvas } from './engine-canvas.js';
+
+const kSystem = 'wasi_snapshot_preview1';
+const kNotHere = 52; // what it answers where there is no such thing
+const kPageBytes = 65536;
+const kNanoseconds = 1e6; // of a millisecond
+
+// In the order of News in src/app/shell.h.
+const kNews = ['ready', 'pause', 'pointer', 'cursor', 'recording', 'replay', 'fly', 'minimap', 'help', 'rate', 'fullscreen', 'record'];
+
+export async function createModule(program, { canvas = null, onSlicecast = () => {} } = {}) {
+  const decoder = new TextDecoder();
+  const module = {
+    // Anew whenever memory has grown.
+    get HEAPU8() {
+      if (bytes.buffer !== exports.memory.buffer) bytes = new Uint8Array(exports.memory.buffer);
+      return bytes;
+    },
+    UTF8ToString(at) {
+      const { HEAPU8 } = module;
+      return at === 0 ? '' : decoder.decode(HEAPU8.subarray(at, HEAPU8.indexOf(0, at)));
+    },
+  };
+  let bytes = new Uint8Array();
+  let screen = null;
+
+  // src/app/page_shell.cpp
+  const page = {
+    openCanvas(code, codeBytes) {
+      if (canvas === null) return 0;
+      screen = openCanvas(canvas, exports, (text) => {
+        const { written } = new TextEncoder().encodeInto(text, module.HEAPU8.subarray(code, code + codeBytes - 1));
+        module.HEAPU8[code + written] = 0;
+      });
+      return 1;
+    },
+    closeCanvas() {
+      screen.close();
+      screen = null;
+    },
+    showPixels: (at, width, height) => screen.show(module.HEAPU8.buffer, at >>> 0, width, height),
+    askForFrame: () => requestAnimationFrame((time) => exports.slicecastFrame(time)),
+    forgetFrame: (frame) => cancelAnimationFrame(frame),
+    leaveCanvas: () => canvas.blur(),
+    tell: (news, yes) => onSlicecast(kNews[news], yes !== 0),
+    tellShown(moved) {
+      if (moved) onSlicecast('view', true);
+      onSlicecast('frame', true);
+    },
+    tellPortal: (from, to) => onSlicecast('portal', { from: module.UTF8ToString(from), to: module.UTF8ToString(to) }),
+    tellRates: (framesPerSecond, drawMilliseconds, longestMilliseconds) => onSlicecast('frames', { framesPerSecond, drawMilliseconds, longestMilliseconds }),
+    tellSize(width, height) {
+      canvas.width = width;
+      canvas.height = height;
+      onSlicecast('size', { width, height });
+    },
+    tellHits: (json) => onSlicecast('hits', JSON.parse(module.UTF8ToString(json))),
+  };
+  const system = {
+    clock_time_get(clock, precision, at) {
+      new DataView(exports.memory.buffer).setBigUint64(at, BigInt(Math.round(performance.now() * kNanoseconds)), true);
+      return 0;
+    },
+    proc_exit(status) {
+      throw new WebAssembly.RuntimeError(`the engine has ended itself (${status})`);
+    },
+  };
+
+  // The engine takes no more memory than it needs at the moment; a fifth more keeps it from asking often.
+  const growFurther = () => {
+    try {
+      exports.memory.grow(Math.floor(exports.memory.buffer.byteLength / kPageBytes / 5));
+    } catch {
+      // There is no more than that.
+    }
+  };
+  // What else a library asks of the system, it is not given: files, an environment.
+  for (const { module: from, name } of WebAssembly.Module.imports(program)) if (from === kSystem) system[name] ??= () => kNotHere;
+  const { exports } = await WebAssembly.instantiate(program, { page, [kSystem]: system, env: { emscripten_notify_memory_growth: growFurther } });
+  exports._initialize();
+  for (const [name, value] of Object.entries(exports)) module[`_${name}`] = value;
+  return module;
+}
