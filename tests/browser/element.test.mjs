@@ -332,16 +332,18 @@ test('a tour leads through its scene when play begins, and begins again', async 
   const play = () => page.evaluate(async () => {
     const a = document.getElementById('a');
     const places = [];
-    let first = null; // the world's time goes on over a reset
-    const note = ({ detail: { steps } }) => {
-      first ??= steps;
-      places.push([steps - first, a.currentView.x, a.currentView.y, a.currentView.heading].join());
-    };
-    a.addEventListener('framechange', note);
-    a.play();
-    await new Promise((resolve) => setTimeout(resolve, 1200));
+    await new Promise((resolve) => {
+      let first = null; // the world's time goes on over a reset
+      a.addEventListener('framechange', function note({ detail: { steps } }) {
+        first ??= steps;
+        places.push([steps - first, a.currentView.x, a.currentView.y, a.currentView.heading].join());
+        if (steps < first + 240) return;
+        a.removeEventListener('framechange', note);
+        resolve();
+      });
+      a.play();
+    });
     a.pause();
-    a.removeEventListener('framechange', note);
     a.reset();
     return places;
   });

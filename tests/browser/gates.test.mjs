@@ -30,14 +30,20 @@ const halts = async (page) => {
   return now.x < 4;
 };
 
+// As long as it takes to open or to close, and more
+async function gateMoves(page) {
+  const { steps } = await player(page);
+  await untilPlayer(page, (state, before) => state.steps > before + 60, steps);
+}
+
 test('X opens the gate and closes it again', async (t) => {
   const { page } = await openScene(t, browser, { server: { files: files() } });
   await play(page);
   assert.ok(await halts(page), 'it is closed');
   await page.keyboard.press('x');
-  await page.waitForTimeout(600);
+  await gateMoves(page);
   await page.keyboard.press('x');
-  await page.waitForTimeout(600);
+  await gateMoves(page);
   assert.ok(await halts(page), 'it is closed again');
   await page.keyboard.press('Period');
   await page.keyboard.down('w');
@@ -58,7 +64,7 @@ test('a thumb opens the gate; without gates there is no such button', async (t) 
   assert.equal(await plain.isVisible('[data-thumb="fly"]'), true);
   const { page, touches } = await open({ server: { files: files() } });
   await page.tap('[data-thumb="use"]');
-  await page.waitForTimeout(600);
+  await gateMoves(page);
   const touch = (type, ...touchPoints) => touches.send('Input.dispatchTouchEvent', { type, touchPoints });
   await touch('touchStart', { id: 1, x: 90, y: 600 });
   await touch('touchMove', { id: 1, x: 90, y: 530 });

@@ -18,14 +18,12 @@ test('the loading bar shows real progress and goes', async (t) => {
     async prepare(newPage) {
       await newPage.addInitScript(() => {
         window.seen = [];
-        const look = () => {
+        // Each change, however short it stands there.
+        new MutationObserver(() => {
           const bar = document.getElementById('loading-bar');
-          if (bar !== null && bar.checkVisibility()) {
-            window.seen.push({ value: bar.value, step: document.getElementById('loading-step').textContent, bytes: document.getElementById('loading-bytes').textContent });
-          }
-          setTimeout(look, 10);
-        };
-        look();
+          if (bar === null || !bar.checkVisibility()) return;
+          window.seen.push({ value: bar.value, step: document.getElementById('loading-step').textContent, bytes: document.getElementById('loading-bytes').textContent });
+        }).observe(document, { subtree: true, childList: true, attributes: true, characterData: true });
       });
     },
   });
