@@ -10,21 +10,23 @@ namespace slicecast {
 namespace {
 
 constexpr int kMostDigits = 800;  // every double has fewer, and so has every border between two of them
+constexpr int kFewDigits = 40;    // enough for all numbers but those that lie next to a border
 constexpr int kMostShift = 59;    // ten times a number of so many bits fits into 64
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// An exact decimal, not negative: 0.d0 d1 d2 ... * 10^point, without zeros at the end.
+// A decimal, not negative: 0.d0 d1 d2 ... * 10^point, without zeros at the end. It is exact unless it has more digits than are kept.
 struct Decimal {
     std::uint8_t digits[kMostDigits];
+    int kept = kMostDigits;
     int count = 0;
     int point = 0;
-    bool isMore = false;  // than these digits say, by less than one in the last place
+    bool isMore = false;  // than these digits say
 
     void add(int digit) {
-        if (count < kMostDigits) {
+        if (count < kept) {
             digits[count++] = static_cast<std::uint8_t>(digit);
         } else {
             isMore = isMore || digit != 0;
@@ -40,12 +42,13 @@ struct Decimal {
     void shift(int bits);
     void roundTo(int wanted);
     std::uint64_t rounded() const;
-    double value() const;
+    std::optional<double> value(int keptDigits) const;
 
 private:
     void shiftLeft(int bits);
     void shiftRight(int bits);
     bool roundsUp(int at) const;
+    bool isDoubtful(int at) const;
 };
 
 void Decimal::setWhole(std::uint64_t number) {
@@ -94,6 +97,10 @@ void Decimal::shiftRight(int bits) {
         add(static_cast<int>(rest >> bits));
         rest &= (std::uint64_t{1} << bits) - 1;
         if (read >= length && rest == 0) break;
+        if (count == kept) {
+            isMore = true;
+            break;
+        }
         rest = 10 * rest + (read < length ? digits[read] : 0u);
     }
     trim();
@@ -130,11 +137,23 @@ std::uint64_t Decimal::rounded() const {
     return whole + (roundsUp(point) ? 1 : 0);
 }
 
-double Decimal::value() const {
+// Whether roundsUp might be wrong because digits have been left out: they make up less than 1e-19 of a whole one in all steps of value().
+bool Decimal::isDoubtful(int at) const {
+    if (!isMore || at < 0 || at + 19 > count || digits[at] != 4) return false;
+    return std::all_of(digits + at + 1, digits + at + 19, [](std::uint8_t digit) { return digit == 9; });
+}
+
+// Nothing if so many digits are too few to tell.
+std::optional<double> Decimal::value(int keptDigits) const {
     if (count == 0 || point < -400) return 0.0;
     if (point > 400) return HUGE_VAL;
     // Halved and doubled until it lies between 1/2 and 1; three halvings never lose a whole digit.
-    Decimal scaled = *this;
+    Decimal scaled;
+    scaled.kept = keptDigits;
+    scaled.point = point;
+    scaled.isMore = isMore;
+    for (int i = 0; i < count; ++i) scaled.add(digits[i]);
+    scaled.trim();
     int exponent = 0;
     const auto by = [&](int bits) {
         scaled.shift(bits);
@@ -146,6 +165,7 @@ double Decimal::value() const {
     // 53 bits of it, fewer of the smallest numbers
     const int bits = std::clamp(exponent + 1074, 0, 53);
     scaled.shift(bits);
+    if (keptDigits < kMostDigits && scaled.isDoubtful(scaled.point)) return std::nullopt;
     return std::ldexp(static_cast<double>(scaled.rounded()), exponent - bits);
 }
 
@@ -232,7 +252,7 @@ NumberText fixedText(double number, int decimals) {
 
 std::optional<double> readNumber(std::string_view text) {
     std::size_t at = 0;
-    const auto next = [&](char wanted) { return at < text.size() && (text[at] | 32) == (wanted | 32) && ++at > 0; };
+    const auto next = [&](char wanted) { return at < text.size() && (text[at] == wanted || (wanted == 'e' && text[at] == 'E')) && ++at > 0; };
     const bool isNegative = next('-');
     if (!isNegative) next('+');
 
@@ -258,9 +278,9 @@ std::optional<double> readNumber(std::string_view text) {
         const bool isSmall = next('-');
         if (!isSmall) next('+');
         if (at == text.size()) return std::nullopt;
-        int exponent = 0;
-        for (; at < text.size() && isDigit(text[at]); ++at) exponent = std::min(100000, 10 * exponent + (text[at] - '0'));
-        decimal.point += isSmall ? -exponent : exponent;
+        std::int64_t exponent = 0;  // no text is long enough to make up for more than a thousand million
+        for (; at < text.size() && isDigit(text[at]); ++at) exponent = std::min<std::int64_t>(1'000'000'000, 10 * exponent + (text[at] - '0'));
+        decimal.point += static_cast<int>(isSmall ? -exponent : exponent);
     }
     if (at != text.size()) return std::nullopt;
     decimal.trim();
@@ -268,14 +288,15 @@ std::optional<double> readNumber(std::string_view text) {
     // Up to 15 digits and the powers of ten up to 22 are numbers themselves: one rounding is all that happens.
     double value;
     const int power = decimal.point - decimal.count;
-    if (decimal.count <= 15 && std::abs(power) <= 22) {
+    if (!decimal.isMore && decimal.count <= 15 && std::abs(power) <= 22) {
         value = 0.0;
         for (int i = 0; i < decimal.count; ++i) value = 10.0 * value + decimal.digits[i];
         double tens = 1.0;
         for (int i = 0; i < std::abs(power); ++i) tens *= 10.0;
         value = power < 0 ? value / tens : value * tens;
     } else {
-        value = decimal.value();
+        const std::optional<double> quick = decimal.value(kFewDigits);
+        value = quick ? *quick : *decimal.value(kMostDigits);
     }
     return isNegative ? -value : value;
 }

@@ -17,7 +17,7 @@
 
 namespace slicecast {
 
-// A number with so many digits behind the point, 0 to 6; and in the fewest digits that give it back (base/number_text.h).
+// A number with so many digits behind the point, 0 to 6; and in few digits that give it back (base/number_text.h).
 struct Fixed {
     double number;
     int decimals;

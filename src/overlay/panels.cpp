@@ -55,14 +55,14 @@ int panelHeightDots(int rows) {
 
 void drawPlayerPanel(const PlayerFigures& player, const Picture& picture) {
     const OverlayLayout layout = layoutOverlays(picture.width, picture.height);
+    const NumberText heading = fixedText(player.headingDegrees, 1);  // up to "360.0", right-aligned
     const std::array<Row, kPlayerPanelRows> rows = {
         Row("map", player.map),
         Row("x", Fixed{player.x, 2}),
         Row("y", Fixed{player.y, 2}),
         Row("height", Fixed{player.z, 2}),
-        Row("heading", {windOf(player.headingDegrees), player.headingDegrees < 99.95 ? player.headingDegrees < 9.95 ? "   " : "  " : " ",
-                        Fixed{player.headingDegrees, 1}}),
-        Row("look", {player.look < 0.0 ? "" : "+", Fixed{player.look, 3}}),
+        Row("heading", {windOf(player.headingDegrees), std::string_view("      ").substr(std::string_view(heading).size()), heading}),
+        Row("look", {player.look < 0.0 ? "" : "+", Fixed{player.look + 0.0, 3}}),
         Row("speed", {Fixed{player.speed, 2}, " /s"}),
         Row("mode", player.flying     ? "flying"
                     : player.crouched ? "crouching"

@@ -109,7 +109,8 @@ TEST(NumberText, RoundsAtTheBordersExactly) {
 }
 
 TEST(NumberText, ReadsNothingElse) {
-    for (const char* text : {"", "+", "-", ".", "e5", "1e", "1e+", "1.2.3", " 1", "1 ", "0x10", "inf", "nan", "1,5", "--1", "+-1", "1e5.0", "1e5e5"}) {
+    for (const char* text : {"",    "+",   "-",   ".",   "e5",    "1e",    "1e+", "1.2.3", " 1",    "1 ",    "0x10", "inf",
+                             "nan", "1,5", "--1", "+-1", "1e5.0", "1e5e5", "\r5", "\v5",   "1e\r5", "1e\v5", "1E",   "1\x05"}) {
         EXPECT_FALSE(readNumber(text)) << text;
     }
     EXPECT_EQ(readNumber("+1.5E3"), 1500.0);
@@ -122,6 +123,14 @@ TEST(NumberText, ReadsNothingElse) {
     EXPECT_EQ(readNumber("-1e309"), -HUGE_VAL);
     EXPECT_EQ(readNumber("1e-99999999999999999999"), 0.0);
     EXPECT_EQ(readNumber("0e99999999999999999999"), 0.0);
+}
+
+TEST(NumberText, ReadsHoweverManyDigitsThereAre) {
+    // An exact border of few digits, and something far behind it
+    EXPECT_EQ(readNumber("9223372050000000000." + std::string(800, '0') + "1"), 9223372050000001024.0);
+    EXPECT_EQ(readNumber("9223372050000000000." + std::string(800, '0')), 9223372049999998976.0);
+    EXPECT_EQ(readNumber("0." + std::string(200000, '0') + "1e200001"), 1.0);
+    EXPECT_EQ(readNumber("1" + std::string(200000, '0') + "e-200000"), 1.0);
 }
 
 TEST(NumberText, TheShortestGivesTheNumberBackInTheFewestDigits) {

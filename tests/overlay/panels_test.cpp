@@ -57,6 +57,17 @@ TEST(Panels, ThePlayersTellsWhereAndHow) {
     }
 }
 
+TEST(Panels, NumbersKeepTheirPlaces) {
+    const OverlayLayout layout = layoutOverlays(640, 400);
+    for (const auto& [heading, shown] : {std::pair{0.0, "E   0.0"}, {9.94, "E   9.9"}, {9.95, "E   9.9"}, {9.96, "E  10.0"}, {99.96, "S 100.0"}}) {
+        Canvas canvas(640, 400);
+        drawPlayerPanel({.map = "m", .headingDegrees = heading, .look = -0.0}, canvas.picture);
+        const std::vector<std::string> values = valuesOf(canvas, layout.player, layout.scale, kPlayerPanelRows);
+        EXPECT_EQ(values[4], shown) << heading;
+        EXPECT_EQ(values[5], "+0.000");
+    }
+}
+
 TEST(Panels, TheWindIsTheNearestOfEight) {
     const OverlayLayout layout = layoutOverlays(640, 400);
     for (const auto& [heading, wind] : {std::pair{0.0, "E"}, {22.4, "E"}, {22.6, "SE"}, {90.0, "S"}, {180.0, "W"}, {270.0, "N"}, {315.0, "NE"}, {359.9, "E"}}) {
