@@ -12,8 +12,12 @@ namespace {
 // of 4 bytes, with a byte a row.
 constexpr std::size_t kMaxAllocation = 8192ull * 4096 * 4 + 4096;
 
-void* allocateBounded(std::size_t bytes) { return bytes > kMaxAllocation ? nullptr : std::malloc(bytes); }
-void* reallocateBounded(void* memory, std::size_t bytes) { return bytes > kMaxAllocation ? nullptr : std::realloc(memory, bytes); }
+void* allocateBounded(std::size_t bytes) {
+    return bytes > kMaxAllocation ? nullptr : std::malloc(bytes);
+}
+void* reallocateBounded(void* memory, std::size_t bytes) {
+    return bytes > kMaxAllocation ? nullptr : std::realloc(memory, bytes);
+}
 
 }  // namespace
 
@@ -46,6 +50,12 @@ void* reallocateBounded(void* memory, std::size_t bytes) { return bytes > kMaxAl
 #endif
 
 namespace slicecast {
+namespace {
+
+// Larger files than this cannot be images within the limits; it also keeps the length within stb_image's int.
+constexpr std::size_t kMaxPngBytes = 64u << 20;
+
+}  // namespace
 
 // Without a function for each pixel, which costs more than all else where code is built for size.
 bool Image::isOpaque() const {
@@ -54,12 +64,18 @@ bool Image::isOpaque() const {
     return toColour(common).a == 255;
 }
 
+std::int64_t pixelsOfPng(std::span<const std::uint8_t> bytes) {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (bytes.size() > kMaxPngBytes || !stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels)) return 0;
+    return std::int64_t{width} * height;
+}
+
 DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight) {
-    // Larger files than this cannot be images within the limits; it also keeps the length within stb_image's int.
-    constexpr std::size_t kMaxBytes = 64u << 20;
     constexpr std::uint8_t kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     if (bytes.size() < sizeof kSignature || std::memcmp(bytes.data(), kSignature, sizeof kSignature) != 0) return {{}, "is not a PNG file"};
-    if (bytes.size() > kMaxBytes) return {{}, words("has ", bytes.size(), " bytes; at most ", kMaxBytes, " are read")};
+    if (bytes.size() > kMaxPngBytes) return {{}, words("has ", bytes.size(), " bytes; at most ", kMaxPngBytes, " are read")};
 
     const int length = static_cast<int>(bytes.size());
     int width = 0;

@@ -32,6 +32,9 @@ struct DecodedImage {
     std::string fault;
 };
 
+// How many pixels the file says that it has; 0 if it is no PNG. Nothing else of it is read.
+std::int64_t pixelsOfPng(std::span<const std::uint8_t> bytes);
+
 // Reads a PNG of at most maxWidth x maxHeight pixels; the size is checked before any pixel memory is taken.
 DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight);
 

@@ -51,16 +51,14 @@ std::string quoted(std::string_view text) {
     return shown + (offset < text.size() ? "...\"" : "\"");
 }
 
-bool Checker::isFull() const {
-    return faults_.size() >= kMaxFaults;
+bool Checker::onlyCounts() {
+    if (faults_.size() < kMaxFaults) return false;
+    ++omitted_;
+    return true;
 }
 
-// Beyond the most faults, they are only counted.
 void Checker::addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row, int character, const Words& found, const Words& expected) {
-    if (list.size() >= kMaxFaults) {
-        if (&list == &faults_) ++omitted_;
-        return;
-    }
+    if (&list == &faults_ ? onlyCounts() : list.size() >= kMaxFaults) return;
     const Place place = source_.place(offset);
     Placed& added = list.emplace_back();
     added.offset = offset;
@@ -80,11 +78,18 @@ void Checker::addAtKey(JsonValue member, const Words& found, const Words& expect
     addAt(faults_, member.keyOffset(), &member, -1, -1, found, expected);
 }
 
+void Checker::addSecondKey(JsonValue again, JsonValue first) {
+    if (onlyCounts()) return;
+    const Place place = source_.place(first.keyOffset());
+    addAtKey(again, {"the key ", quoted(again.key()), " a second time"}, {"each key once; the first is at line ", place.line, ", column ", place.column});
+}
+
 void Checker::refuse(JsonValue value, const Words& expected) {
     add(value, shown(value), expected);
 }
 
 void Checker::addInRow(JsonValue text, int row, int character, const Words& found, const Words& expected) {
+    if (onlyCounts()) return;
     addAt(faults_, source_.characterOffset(text.offset(), character), &text, row, character, found, expected);
 }
 
@@ -143,9 +148,7 @@ std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::stri
             if (!member.isText()) refuse(member, "a text");
         } else if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
             continue;
-        } else if (isFull()) {
-            ++omitted_;
-        } else {
+        } else if (!onlyCounts()) {
             const std::vector<std::string_view> keys(known.begin(), known.end());
             addAtKey(member, {"the unknown key ", quoted(member.key())}, {"one of the keys ", listed(keys), suggestion(member.key(), keys)});
             const std::string_view meant = nearestName(member.key(), keys);
@@ -195,9 +198,7 @@ std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& nam
     const std::optional<std::string> name = text(value, kMaxNameLength, {"the name of a ", what});
     if (!name) return std::nullopt;
     const std::optional<std::uint16_t> id = names.find(*name);
-    if (!id && isFull()) {
-        ++omitted_;
-    } else if (!id) {
+    if (!id && !onlyCounts()) {
         add(value, {"the name ", quoted(*name)}, {"the name of a ", what, names.suggestionFor(*name)});
     }
     return id;

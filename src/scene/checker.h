@@ -41,6 +41,7 @@ public:
 
     void add(JsonValue at, const Words& found, const Words& expected);
     void addAtKey(JsonValue member, const Words& found, const Words& expected);
+    void addSecondKey(JsonValue again, JsonValue first);
     // Finds the value itself.
     void refuse(JsonValue value, const Words& expected);
     // In a row of a grid: `row` and `character` count from 0 in the north and west.
@@ -76,8 +77,8 @@ private:
         std::size_t number;  // as they were found
         Fault fault;
     };
-    // Beyond the most faults that are listed, the others are only counted; nothing that costs time should be done for them.
-    bool isFull() const;
+    // Beyond the most faults that are listed, the others are only counted, which this has done then; nothing that costs time should be done for them.
+    bool onlyCounts();
     void addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row, int character, const Words& found, const Words& expected);
     static std::vector<Fault> inOrder(std::vector<Placed> list);
 

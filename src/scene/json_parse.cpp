@@ -93,11 +93,13 @@ private:
         if (!open_.empty()) {
             JsonNode& parent = tree_.nodes[open_.back()];
             node.up = static_cast<std::uint32_t>(tree_.nodes.size()) - open_.back();
-            ++parent.count;
             if (parent.kind == JsonValue::Kind::object) {
-                node.keyOffset = static_cast<std::uint32_t>(keyOffset_);
+                node.place = static_cast<std::uint32_t>(keyOffset_);
                 node.key = key_;
+            } else {
+                node.place = parent.count;
             }
+            ++parent.count;
         }
         tree_.nodes.push_back(node);
         return true;
@@ -267,7 +269,7 @@ ParsedJson parseJson(const SourceText& source) {
     if (parsed.fault) parsed.fault->offset += source.start();
     for (JsonNode& node : parsed.tree.nodes) {
         node.offset += static_cast<std::uint32_t>(source.start());
-        node.keyOffset += static_cast<std::uint32_t>(source.start());
+        if (node.key.start != nullptr) node.place += static_cast<std::uint32_t>(source.start());
     }
     return parsed;
 }

@@ -1,6 +1,6 @@
 #include "scene/json_tree.h"
 
-#include "base/name_index.h"
+#include "base/sort.h"
 #include "base/words.h"
 
 namespace slicecast {
@@ -27,18 +27,7 @@ std::string JsonValue::pointer() const {
     std::string pointer;
     for (const JsonNode* node = node_; node->up != 0; node -= node->up) {
         const JsonValue parent(node - node->up);
-        std::string step;
-        if (parent.isObject()) {
-            step = escapedKey(JsonValue(node).key());
-        } else {
-            int index = 0;
-            for (const JsonValue sibling : parent) {
-                if (sibling.node_ == node) break;
-                ++index;
-            }
-            step = words(index);
-        }
-        pointer = words("/", step, pointer);
+        pointer = words("/", parent.isObject() ? escapedKey(JsonValue(node).key()) : words(node->place), pointer);
     }
     return pointer;
 }
@@ -52,14 +41,21 @@ FoundValue JsonValue::find(std::string_view wanted) const {
 
 std::vector<std::pair<JsonValue, JsonValue>> JsonTree::duplicateKeys() const {
     std::vector<std::pair<JsonValue, JsonValue>> duplicates;
+    std::vector<const JsonNode*> members;
+    std::vector<const JsonNode*> room;
     for (const JsonNode& node : nodes) {
         const JsonValue value(&node);
         if (!value.isObject() || value.count() < 2) continue;
-        NameIndex firsts;
-        for (const JsonValue member : value) {
-            const auto number = static_cast<std::uint32_t>(member.node_ - nodes.data());
-            const std::uint32_t first = firsts.add(member.key(), number);
-            if (first != number) duplicates.emplace_back(member, JsonValue(&nodes[first]));
+        members.clear();
+        for (const JsonValue member : value) members.push_back(member.node_);
+        mergeSort(members, room, [](const JsonNode* a, const JsonNode* b) { return JsonValue(a).key() < JsonValue(b).key(); });
+        const JsonNode* first = members[0];
+        for (std::size_t i = 1; i < members.size(); ++i) {
+            if (JsonValue(members[i]).key() == JsonValue(first).key()) {
+                duplicates.emplace_back(members[i], first);
+            } else {
+                first = members[i];
+            }
         }
     }
     return duplicates;

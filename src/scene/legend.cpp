@@ -88,7 +88,8 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         }
         const std::uint16_t id = checker.name(member, names, what).value_or(0);
         // A character of a faulty key, or with a faulty meaning, is known all the same: its uses in the grids are no faults of their own.
-        for (std::size_t offset = 0; offset < key.size() && !isReserved;) {
+        std::size_t offset = 0;
+        for (std::size_t taken = 0; offset < key.size() && taken < kMaxNameLength && !isReserved; ++taken) {
             const char32_t meant = takeCodePoint(key, offset);
             if (isSingle || !legend.find(meant)) legend.set(meant, id);
         }

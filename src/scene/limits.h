@@ -10,7 +10,7 @@ namespace slicecast {
 
 inline constexpr std::size_t kMaxSceneBytes = 128u << 20;  // room for 64 million cells and their floors; offsets keep within 32 bits
 inline constexpr int kMaxNesting = 32;                     // arrays and objects within each other; a scene needs 5
-inline constexpr std::size_t kMaxSceneValues = 2'000'000;  // values in the JSON text, 40 bytes each; one row of a map is one value
+inline constexpr std::size_t kMaxSceneValues = 2'000'000;  // values in the JSON text, up to 56 bytes each; one row of a map is one value
 inline constexpr std::size_t kMaxNameLength = 100;         // characters of the name of a texture, blueprint or map
 inline constexpr std::size_t kMaxPathLength = 1000;        // characters of a file's name
 inline constexpr std::size_t kMaxTitleLength = 200;        // characters

@@ -28,7 +28,8 @@ public:
         if (!fits || !isPowerOfTwo || image.height < kMinTextureSize) {
             constexpr const char* sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
             add(reference, {"which is ", image.width, "x", image.height, " pixels"},
-                texture.frames == 1 ? words("a square texture with ", sizes) : words("a sheet of ", texture.frames, " square frames side by side, with ", sizes));
+                texture.frames == 1 ? words("a square texture with ", sizes)
+                                    : words("a sheet of ", texture.frames, " square frames side by side, with ", sizes));
             return {};
         }
         return take(reference, image) ? makeTexture(std::move(name), image, texture.frames, texture.rate) : Texture{};
@@ -57,7 +58,9 @@ public:
 
     // In the order of the text.
     std::vector<Fault> takeFaults() {
-        mergeSort(faults_, [](const Fault& a, const Fault& b) { return std::tie(a.line, a.column, a.pointer, a.found) < std::tie(b.line, b.column, b.pointer, b.found); });
+        mergeSort(faults_, [](const Fault& a, const Fault& b) {
+            return std::tie(a.line, a.column, a.pointer, a.found) < std::tie(b.line, b.column, b.pointer, b.found);
+        });
         if (faults_.size() > kMaxFaults) {
             const std::size_t omitted = faults_.size() - kMaxFaults;
             faults_.resize(kMaxFaults);
@@ -133,8 +136,8 @@ void widenObjects(const World& world, Map& map) {
 
 void EarlyImages::decode(const std::string& name, std::span<const std::uint8_t> bytes) {
     // What is wrong with others is found when it is known what they are for.
+    if (texels_ + pixelsOfPng(bytes) > kMaxSceneTexels) return;
     Image image = decodePng(bytes, kMaxPanoramaWidth, kMaxPanoramaHeight).image;
-    if (texels_ + static_cast<std::int64_t>(image.pixels.size()) > kMaxSceneTexels) return;
     texels_ += static_cast<std::int64_t>(image.pixels.size());
     images_[name] = std::move(image);
 }

@@ -98,9 +98,7 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
 
     // Tree to description.
     for (const auto& [again, first] : json.tree.duplicateKeys()) {
-        const Place place = source.place(first.keyOffset());
-        checker.addAtKey(again, {"the key ", quoted(again.key()), " a second time"},
-                         {"each key once; the first is at line ", place.line, ", column ", place.column});
+        checker.addSecondKey(again, first);
     }
     auto description = std::make_unique<SceneDescription>();
     description->fileName = fileName;

@@ -1,26 +1,26 @@
 #include "scene/limits.h"
 #include "scene/readers.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace slicecast {
 namespace {
 
-// Counts how often each size occurs; the most frequent one is what was meant, the first one of equals.
+// Counts how often each size occurs; the most frequent one is what was meant, the first one of equals. All that are too large count as the first of them.
 class Votes {
 public:
+    explicit Votes(int most) : votes_(static_cast<std::size_t>(most) + 2) {}
     void add(std::size_t size) {
-        for (Vote& vote : votes_) {
-            if (vote.size != size) continue;
-            ++vote.count;
-            return;
-        }
-        votes_.push_back({size, 1});
+        Vote& vote = votes_[std::min(size, votes_.size() - 1)];
+        if (vote.count++ > 0) return;
+        vote.size = size;
+        vote.place = ++sizes_;
     }
     std::size_t winner() const {
         Vote best;
         for (const Vote& vote : votes_) {
-            if (vote.count > best.count) best = vote;
+            if (vote.count > best.count || (vote.count == best.count && vote.place < best.place)) best = vote;
         }
         return best.size;
     }
@@ -29,14 +29,16 @@ private:
     struct Vote {
         std::size_t size = 0;
         int count = 0;
+        int place = 0;  // among the sizes, as they came
     };
     std::vector<Vote> votes_;
+    int sizes_ = 0;
 };
 
 // Checks that all is arrays of arrays of texts, and finds the size that most rows and levels have. Nothing if there is no row at all.
 std::optional<GridSize> measure(Checker& checker, JsonValue value) {
-    Votes widths;
-    Votes depths;
+    Votes widths(kMaxMapWidth);
+    Votes depths(kMaxMapDepth);
     for (const JsonValue level : value) {
         if (!level.isArray()) {
             checker.refuse(level, "a level: an array of rows, or [] for an empty level");

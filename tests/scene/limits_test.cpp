@@ -42,6 +42,41 @@ TEST(Limits, TheLargestMapIsReadInSeconds) {
     EXPECT_EQ(loaded.world->maps[0].depth, kMaxMapDepth);
 }
 
+// Texts that would take minutes if anything in their reading went with the square of a length, or slowly digit by digit.
+TEST(Limits, HostileTextsAreReadInSeconds) {
+    const auto repeated = [](const std::string& text, int times) {
+        std::string all;
+        for (int i = 0; i < times; ++i) all += (i > 0 ? "," : "") + text;
+        return all;
+    };
+    // A legend's key of many characters, none of them a second time and each before the others
+    std::string key;
+    for (char32_t c = 0x10000 + 200000; c > 0x10000; --c) key += toUtf8(c);
+    // Rows of every width, and then many more
+    std::string rows;
+    for (int width = 10000; width > 1; --width) rows += "\"" + std::string(static_cast<std::size_t>(width), '.') + "\",";
+    // The keys of one object, a third of them twice
+    std::string members;
+    for (int i = 0; i < 300000; ++i) members += (i > 0 ? ",\"" : "\"") + std::to_string(i % 200000) + "\":0";
+    const std::string texts[] = {
+        smallScene(R"([["###", "#.#", "###"]])", "\"legend\": { \"" + key + "\": \"wall\" }"),
+        "[" + repeated("9e307", 100000) + "]",
+        smallScene("[[" + rows + repeated("\".\"", 400000) + "]]"),
+        smallScene("[[" + repeated("\".\"", 400000) + "," + repeated("1", 1000) + "]]"),
+        "{" + members + "}",
+    };
+    for (const std::string& text : texts) {
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_FALSE(faultsOf(text).empty());
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+#ifndef SLICECAST_SANITIZED
+        EXPECT_LT(seconds, 2.0) << text.substr(0, 60);
+#else
+        EXPECT_LT(seconds, 20.0) << text.substr(0, 60);
+#endif
+    }
+}
+
 TEST(Limits, EmptyLevelsCountAsCells) {
     // 4096 x 4096 x 4 cells are more than 64 million; the text says so in a few bytes.
     const std::vector<Fault> faults = faultsOf(smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + ",[],[],[]]"));
