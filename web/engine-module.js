@@ -8,7 +8,6 @@ import { openCanvas } from './engine-canvas.js';
 const kSystem = 'wasi_snapshot_preview1';
 const kNotHere = 52; // what it answers where there is no such thing
 const kPageBytes = 65536;
-const kNanoseconds = 1e6; // of a millisecond
 
 // In the order of News in src/app/shell.h.
 const kNews = ['ready', 'pause', 'pointer', 'cursor', 'recording', 'replay', 'fly', 'minimap', 'help', 'rate', 'fullscreen', 'record'];
@@ -43,6 +42,7 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
       screen.close();
       screen = null;
     },
+    now: () => performance.now(),
     showPixels: (at, width, height) => screen.show(module.HEAPU8.buffer, at >>> 0, width, height),
     askForFrame: () => requestAnimationFrame((time) => exports.slicecastFrame(time)),
     forgetFrame: (frame) => cancelAnimationFrame(frame),
@@ -62,10 +62,6 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
     tellHits: (json) => onSlicecast('hits', JSON.parse(module.UTF8ToString(json))),
   };
   const system = {
-    clock_time_get(clock, precision, at) {
-      new DataView(exports.memory.buffer).setBigUint64(at, BigInt(Math.round(performance.now() * kNanoseconds)), true);
-      return 0;
-    },
     proc_exit(status) {
       throw new WebAssembly.RuntimeError(`the engine has ended itself (${status})`);
     },
@@ -79,7 +75,7 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
       // There is no more than that.
     }
   };
-  // What else a library asks of the system, it is not given: files, an environment.
+  // What else a library asks of the system, it is not given: files, an environment, a clock.
   for (const { module: from, name } of WebAssembly.Module.imports(program)) if (from === kSystem) system[name] ??= () => kNotHere;
   const { exports } = await WebAssembly.instantiate(program, { page, [kSystem]: system, env: { emscripten_notify_memory_growth: growFurther } });
   exports._initialize();

@@ -19,6 +19,8 @@ extern "C" {
 // The canvas is heard from now on. `code` has room for the longest name of a key that the program knows. 0 if there is none.
 SLICECAST_PAGE("openCanvas") int slicecastOpenCanvas(char* code, int codeBytes);
 SLICECAST_PAGE("closeCanvas") void slicecastCloseCanvas(void);
+// Milliseconds on the clock of the browser's frames.
+SLICECAST_PAGE("now") double slicecastNow(void);
 SLICECAST_PAGE("leaveCanvas") void slicecastLeaveCanvas(void);
 SLICECAST_PAGE("showPixels") void slicecastShowPixels(uint32_t address, int width, int height);
 SLICECAST_PAGE("askForFrame") int slicecastAskForFrame(void);
@@ -44,7 +46,7 @@ namespace {
 
 class PageShell : public Shell {
 public:
-    double nowSeconds() const override { return emscripten_get_now() * 0.001; }
+    double nowSeconds() const override { return slicecastNow() * 0.001; }
     void show(SDL_Surface& picture) override {
         slicecastShowPixels(static_cast<uint32_t>(reinterpret_cast<std::uintptr_t>(picture.pixels)), picture.w, picture.h);
     }
@@ -160,7 +162,7 @@ bool beginPageProgram() {
     if (!slicecastOpenCanvas(shell().code.data(), static_cast<int>(shell().code.size()))) return false;
     // The first picture is drawn at once.
     shell().isOpen = true;
-    slicecastFrame(emscripten_get_now());
+    slicecastFrame(slicecastNow());
     return true;
 }
 

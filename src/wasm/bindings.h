@@ -1,5 +1,5 @@
 // What JavaScript may call in the WebAssembly module: the same functions serve a page, where the program draws into a canvas, and Node, where there is
-// neither canvas nor SDL. Plain C; each function `slicecast_NAME` is `module._slicecast_NAME` in JavaScript.
+// no canvas. Plain C; each function `slicecast_NAME` is `module._slicecast_NAME` in JavaScript.
 //
 //     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});   // web/engine-module.js; without a canvas under Node
 //
@@ -60,7 +60,7 @@ SlicecastSession* slicecast_create(void);
 // Ends a session that slicecast_create made, and all of its memory.
 void slicecast_free(SlicecastSession* session);
 
-// The session that the program shows. It exists from the beginning, before main is called, and is never freed.
+// The session that the program shows. It exists from the beginning and is never freed.
 SlicecastSession* slicecast_programSession(void);
 
 // Checks the text of a scene; `fileName` stands in the faults. Gives {"files": [names of the images needed], "faults": [...]}. A game that is already
@@ -84,9 +84,9 @@ int32_t slicecast_adopt(void);
 const char* slicecast_world(SlicecastSession* session);
 
 // One step of exactly 1/120 s. Axes are -1 to 1: forward, strafe (right), turn (right), look (up), fly (up; negative crouches in walk mode). turnDegrees
-// (right) and lookHeights (up, in screen heights) act at once, for a mouse. `buttons` is a sum of 1 = jump, 2 = fast, 4 = slow, 8 = open or close the gates within reach,
-// 16 = open them, 32 = close them. Without a game: nothing.
-// The program steps its own session by itself, and by this function also while it stands still; what it replayed is then over.
+// (right) and lookHeights (up, in screen heights) act at once, for a mouse. `buttons` is a sum of 1 = jump, 2 = fast, 4 = slow, 8 = open or close the gates
+// within reach, 16 = open them, 32 = close them. Without a game: nothing. The program steps its own session by itself, and by this function also while it
+// stands still; what it replayed is then over.
 void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn, double look, double fly, double turnDegrees, double lookHeights,
                     int32_t buttons);
 
@@ -146,9 +146,8 @@ int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, doubl
 // map.
 int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 
-// Everything that one column of a picture of that size meets, as session/hits_json.h describes it: eye, tiles walked, blocks with their depths and rows, planes,
-// objects, portals and mirrors.
-// "scene" is the scene's title. null without a game or such a column.
+// Everything that one column of a picture of that size meets, as session/hits_json.h describes it: eye, tiles walked, blocks with their depths and rows,
+// planes, objects, portals and mirrors. "scene" is the scene's title. null without a game or such a column.
 const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height, int32_t column);
 
 // Everything that the renderer did for one column of a picture of that size, or, with a column below 0, for the whole picture, as session/trace_json.h

@@ -137,6 +137,33 @@ test('a step is exactly 1/120 s, and the view, the picture and the news say what
   assert.ok(await page.evaluate(() => window.engine.memoryBytes) >= 1024 * 1024);
 });
 
+test('the engine has a clock that goes on for as long as a page is open', async (t) => {
+  const { page } = await openPage(t, browser, { query: 'engine.html', server: { files: { 'engine.html': kPage } }, prepare: async (newPage) => {
+    await newPage.addInitScript(watch);
+    await newPage.addInitScript(() => {
+      // A page that was opened three hours ago, as it says itself
+      const now = performance.now.bind(performance);
+      const later = 3 * 3600 * 1000;
+      performance.now = () => now() + later;
+      const ask = window.requestAnimationFrame.bind(window);
+      window.requestAnimationFrame = (act) => ask((time) => act(time + later));
+    });
+  } });
+  const rates = await page.evaluate(async () => {
+    const { engine, told } = await window.startEngine({ paused: false });
+    engine.resize(640, 400);
+    const frames = () => told.filter(([event]) => event === 'frames').map(([, value]) => value);
+    while (frames().length < 3) await new Promise((resolve) => { setTimeout(resolve, 50); });
+    engine.stop();
+    return frames();
+  });
+  for (const { framesPerSecond, drawMilliseconds, longestMilliseconds } of rates) {
+    assert.ok(framesPerSecond > 1 && framesPerSecond < 300, `${framesPerSecond} frames per second`);
+    assert.ok(drawMilliseconds > 0.01 && drawMilliseconds < 1000, `${drawMilliseconds} ms`);
+    assert.ok(longestMilliseconds > 0 && longestMilliseconds < 10000, `${longestMilliseconds} ms`);
+  }
+});
+
 test('going through a portal is told with the names of both maps', async (t) => {
   const page = await openEngine(t, { scene: 'double' });
   assert.equal(await page.evaluate(() => window.engine.view.map), 'room');
