@@ -12,6 +12,7 @@ import { createModule } from './engine-module.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
+const kAdoptedSlack = 8 << 20; // bytes that playing takes beside the scene: the picture, and what is noted of the view
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
 export class Engine {
@@ -20,6 +21,7 @@ export class Engine {
   #begun = false;
   #loads = 0;
   #mapNames = [];
+  #sceneEnd = 0; // of the memory, once the scene was there
 
   static async create({ files, canvas = null, onEvent = () => {} }) {
     try {
@@ -47,32 +49,38 @@ export class Engine {
   }
 
   // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that was running alone. Gives null if another scene was
-  // asked for meanwhile. With `keepEye` the player goes on from where they are, if the new scene has such a place. `onProgress` hears the share that has
+  // asked for meanwhile, or `isWanted` says so. With `keepEye` the player goes on from where they are, if the new scene has such a place. `onProgress` hears the share that has
   // come, 0 to 1, and the number of bytes. `warnings` then tells what in the scene is probably not meant so.
-  async loadScene(source, { onProgress, keepEye = false } = {}) {
+  async loadScene(source, { onProgress, keepEye = false, isWanted = () => true } = {}) {
     const load = ++this.#loads;
-    const names = await readNames(this.#module, this.#session, source, () => load === this.#loads);
+    const isLatest = () => load === this.#loads && isWanted();
+    const names = await readNames(this.#module, this.#session, source, isLatest);
     if (names === null) return null;
     if (names.faults.length > 0) return names.faults;
-    await supplyFiles(this.#module, this.#session, names.files, source, { onProgress, isWanted: () => load === this.#loads });
-    if (load !== this.#loads) return null;
+    await supplyFiles(this.#module, this.#session, names.files, source, { onProgress, isWanted: isLatest });
+    if (!isLatest()) return null;
     const eye = keepEye ? this.state : null;
     const { faults, warnings } = start(this.#module, this.#session);
     this.warnings = warnings;
-    if (faults.length === 0) this.#mapNames = this.world.maps.map(({ name }) => name);
+    if (faults.length === 0) {
+      this.#mapNames = this.world.maps.map(({ name }) => name);
+      this.#sceneEnd = this.#module._slicecast_memoryEnd();
+    }
     if (eye !== null && faults.length === 0) this.restore(eye);
     return faults;
   }
 
   // Has the scene of another engine of the same build, from its start, in a fraction of the time that loading takes: the other's memory is all that there is
-  // of it. Only before begin(), and nothing of another load may be under way. False if the other has none.
+  // of it. Only before begin(), and nothing of another load may be under way. False if the other has none, or has taken much more memory since.
   adopt(other) {
     if ((other?.#running ?? null) === null) return false;
     const end = other.#running._slicecast_memoryEnd();
-    if (end > this.memoryBytes) this.#module._malloc(end - this.#module._slicecast_memoryEnd());
+    if (end > other.#sceneEnd + kAdoptedSlack) return false;
+    if (end > this.memoryBytes && this.#module._malloc(end - this.#module._slicecast_memoryEnd()) === 0) return false;
     this.#module.HEAPU8.set(other.#running.HEAPU8.subarray(0, end));
     this.warnings = other.warnings;
     this.#mapNames = other.#mapNames;
+    this.#sceneEnd = other.#sceneEnd;
     return this.#module._slicecast_adopt() === 1;
   }
 
