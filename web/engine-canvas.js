@@ -9,6 +9,7 @@ const kLockRestMilliseconds = 2000; // after the pointer was let go, in which a 
 
 export function openCanvas(canvas, exports, writeCode) {
   if (!canvas.hasAttribute('tabindex')) canvas.tabIndex = 0;
+  const page = canvas.ownerDocument; // which may be another one than the script's
   const context = canvas.getContext('2d', { alpha: false });
   const listeners = new AbortController();
   const until = { signal: listeners.signal };
@@ -23,7 +24,7 @@ export function openCanvas(canvas, exports, writeCode) {
   on(canvas, 'keydown', (event) => key(event, 1));
   on(canvas, 'keyup', (event) => key(event, 0));
   on(canvas, 'blur', () => exports.slicecastBlurred());
-  on(document, 'visibilitychange', () => exports.slicecastHidden(document.hidden ? 1 : 0));
+  on(page, 'visibilitychange', () => exports.slicecastHidden(page.hidden ? 1 : 0));
 
   // -1 to 1 from edge to edge, where that is wanted.
   on(canvas, 'mousemove', ({ clientX, clientY, movementX, movementY }) => {
@@ -44,8 +45,8 @@ export function openCanvas(canvas, exports, writeCode) {
     asks = false;
   };
   canvas.addEventListener('pointerdown', ({ pointerType }) => pointerType !== 'touch' && canvas.focus({ preventScroll: true }), until);
-  document.addEventListener('pointerlockerror', refused, until);
-  on(document, 'pointerlockchange', () => {
+  page.addEventListener('pointerlockerror', refused, until);
+  on(page, 'pointerlockchange', () => {
     if (holdsPointer()) asks = false;
     else if (held) lockEnd = performance.now();
     held = holdsPointer();
@@ -67,7 +68,7 @@ export function openCanvas(canvas, exports, writeCode) {
       context.putImageData(image, 0, 0);
     },
     close() {
-      if (holdsPointer()) document.exitPointerLock();
+      if (holdsPointer()) page.exitPointerLock();
       listeners.abort();
     },
   };

@@ -34,7 +34,7 @@ export function sceneAt(reference) {
         throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
       });
     },
-    readFile: (name, onBytes) => fetchOrNull(new URL(name, address), onBytes),
+    readFile: (name, onBytes) => fetchOrNull(name, address, onBytes),
   };
 }
 
@@ -53,7 +53,7 @@ export function sceneAmong(entries) {
       const path = joinPath(folder, name);
       const baseName = name.split('/').pop();
       const entry = entries.find((other) => other.path === path) ?? entries.find((other) => other.file.name === baseName);
-      return entry === undefined ? fetchOrNull(new URL(name, kScenes), onBytes) : new Uint8Array(await entry.file.arrayBuffer());
+      return entry === undefined ? fetchOrNull(name, kScenes, onBytes) : new Uint8Array(await entry.file.arrayBuffer());
     },
   };
 }
@@ -94,9 +94,9 @@ function joinPath(folder, name) {
   return steps.join('/');
 }
 
-async function fetchOrNull(address, onBytes) {
+async function fetchOrNull(name, base, onBytes) {
   try {
-    return await fetchBytes(address, onBytes);
+    return await fetchBytes(new URL(name, base), onBytes);
   } catch {
     return null;
   }

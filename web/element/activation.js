@@ -4,7 +4,7 @@
 //     const activation = new Activation(tree, {canBegin() {...}, changed(isHeld) {...}, engine() {...}});
 //     activation.begin();          // as a click on the cover does, which has the focus
 //     activation.end();            // the cover gets the focus if the picture had it, and with {focus: true} in any case
-//     activation.keys = 'move';
+//     activation.setKeys('move');
 
 import { Gamepads } from '../gamepads.js';
 import { Thumbs } from '../thumbs.js';
@@ -110,7 +110,7 @@ export class Activation {
       this.#gamepads?.stop();
       this.#gamepads = null;
       this.#showThumbs(false);
-      if (canvas !== null && root.pointerLockElement === canvas) document.exitPointerLock();
+      if (canvas !== null && root.pointerLockElement === canvas) canvas.ownerDocument.exitPointerLock();
     }
     leave.hidden = !isHeld || this.#layer?.isConnected !== true;
     this.actions.changed(isHeld);

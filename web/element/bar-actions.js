@@ -21,7 +21,7 @@ export function barActions(host, show) {
 }
 
 export function toggleFullScreen(host, show) {
-  if (host.matches(':fullscreen')) document.exitFullscreen();
+  if (host.matches(':fullscreen')) host.ownerDocument.exitFullscreen();
   else host.requestFullscreen?.().catch(() => show.showStatus('This page does not allow full screen'));
 }
 

@@ -22,7 +22,7 @@ export class Controls {
   }
 
   show(names) {
-    const wanted = (names ?? []).filter((name) => name !== 'fullscreen' || document.fullscreenEnabled);
+    const wanted = (names ?? []).filter((name) => name !== 'fullscreen' || this.bar.ownerDocument.fullscreenEnabled);
     this.bar.hidden = wanted.length === 0;
     if (wanted.join() === [...this.#buttons.keys()].join()) return;
     this.#buttons = new Map(wanted.map((name) => [name, this.#make(name)]));

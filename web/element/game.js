@@ -33,7 +33,7 @@ export class Game {
     const begin = this.engine === null ? kEngineShare : 0;
     onProgress(0, 0);
     // Another element may play the same already.
-    const findTwin = () => [...players.keys()].find((engine) => players.get(engine) === key);
+    const findTwin = () => [...players].find(([, played]) => played === key)?.[0];
     const begun = source === null || findTwin() !== undefined ? source : beginReading(source, isStale);
     const [files, recording] = await Promise.all([
       sharedEngineFiles(kind, (loaded, total) => begin > 0 && !isStale() && onProgress((begin * loaded) / Math.max(1, total), loaded)),
@@ -47,8 +47,14 @@ export class Game {
       const isAdopted = isNew && engine.adopt(findTwin());
       const scene = recording === null ? null : checkTour(engine, recording);
       const found = begun ?? namedScene(scene);
+      if (scene !== null && found.address !== null && sceneName(found.name) !== sceneName(scene)) {
+        throw faultOf('tour', `${recording.name} was recorded in the scene ${sceneName(scene)}, and this one is ${sceneName(found.name)}.`);
+      }
       players.delete(engine);
-      const faults = isAdopted ? [] : await engine.loadScene(found, { onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), bytes) });
+      const faults = isAdopted ? [] : await engine.loadScene(found, {
+        isWanted: () => !isStale(),
+        onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), bytes),
+      });
       if (faults === null || isStale()) {
         if (isNew) engine.stop();
         return false;
@@ -141,6 +147,8 @@ function beginReading(source, isStale) {
   }).catch(() => {});
   return { ...source, readText: () => text };
 }
+
+const sceneName = (file) => file.replace(/\.json$/i, '');
 
 // The engine knows of a file only that it did not come.
 function withReason(fault, failures) {

@@ -1,8 +1,18 @@
-// The parts of <ray-caster> that come later than its script, each fetched once for the page. They throw a Trouble where they cannot come.
+// The parts of <ray-caster> that come later than its script, each once for the page; what could not come is asked for again. They throw a Trouble where they
+// cannot come.
 
 import { importScript } from '../import-script.js';
 
-const bring = (load) => importScript(load, 'A part of the element could not be loaded');
+function once(load) {
+  let coming = null;
+  return () => {
+    coming ??= importScript(load, 'A part of the element could not be loaded').catch((error) => {
+      coming = null;
+      throw error;
+    });
+    return coming;
+  };
+}
 
-export const bringSteering = () => bring(() => import('../ray-caster-steering.js'));
-export const bringRows = () => bring(() => import('../ray-caster-rows.js'));
+export const bringSteering = once(() => import('../ray-caster-steering.js'));
+export const bringRows = once(() => import('../ray-caster-rows.js'));

@@ -4,6 +4,7 @@
 //     const loading = new Loading(element, game, {show(wanted), changed(), progress(share, bytes), loaded(), done(isNew), failed(error)});
 //     loading.update();       // soon
 //     loading.now();          // no longer waits until the element is near the window
+//     loading.again();        // what has failed is tried once more; else only another scene is
 //     loading.stop();
 
 import { Trouble } from '../trouble.js';
@@ -22,6 +23,7 @@ export class Loading {
   #life = new AbortController();
   #asked = null; // the key of what is loaded or being loaded, and of what is loaded
   #loaded = null;
+  #failed = null; // the key of what could not be loaded
   #isReady = false; // what is loaded has been told of
   #view = null; // the attribute's that was taken
   #isNear = false;
@@ -51,6 +53,12 @@ export class Loading {
 
   now() {
     if (this.#isNear) return;
+    this.#isNear = true;
+    this.update();
+  }
+
+  again() {
+    this.#failed = null;
     this.#isNear = true;
     this.update();
   }
@@ -94,9 +102,11 @@ export class Loading {
       const tour = host.tour === '' ? null : tourAddress(host);
       if (scene === null && tour === null) throw new Trouble('There is no scene', 'scene: found nothing, expected an address, or a scene inside the element', [], 'address');
       const key = [scene?.key, tour?.href, wanted.engine].join('\n');
+      if (key === this.#failed) return;
       if (key !== this.#asked) this.#load(key, { key, kind: wanted.engine, source: scene?.source() ?? null, tour });
       else if (key === this.#loaded) this.#settle();
     } catch (error) {
+      this.#failed = null;
       this.#actions.failed(error);
     }
   }
@@ -104,6 +114,7 @@ export class Loading {
   async #load(key, request) {
     const isStale = () => this.#asked !== key || this.#life.signal.aborted;
     this.#asked = key;
+    this.#failed = null;
     this.isLoading = true;
     this.#actions.changed();
     try {
@@ -126,6 +137,7 @@ export class Loading {
       if (this.wanted !== null) this.#settle();
     } catch (error) {
       if (isStale()) return;
+      if (this.#loaded !== key) this.#failed = key;
       this.#asked = this.#loaded;
       this.isLoading = false;
       this.#actions.failed(error);
@@ -148,6 +160,8 @@ export class Loading {
   // All is as the attributes say.
   #settle() {
     this.#apply();
+    this.#failed = null;
+    this.#game.engine.begin(); // it has, unless the first try had a fault
     const isNew = !this.#isReady;
     this.#isReady = true;
     this.#actions.done(isNew);

@@ -35,7 +35,7 @@ export function fetchOnce(address, onBytes = () => {}) {
   return bytes;
 }
 
-// Whoever tries again after a fault wants the files as they are now.
+// Whoever tries again after a fault wants the files as they are now, and no scene that was made of them before.
 export function forgetFiles() {
   files.clear();
   players.clear();

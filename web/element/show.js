@@ -41,6 +41,8 @@ export class Show {
   #loading = null; // the same
   #isSeen = false;
   #isAskedToPlay = false;
+  #isTouched = false;
+  #wantsHold = false; // who has pressed plays once what one steers by has come
   #stands = true;
   #pictures = 0;
 
@@ -51,7 +53,7 @@ export class Show {
     this.#face = new Face(this.#tree, internals);
     this.#game = new Game({ showCanvas: (canvas) => this.#showCanvas(canvas), hear: (event, value) => this.#hear(event, value) });
     this.#viewStatus = new ViewStatus(this.#tree, () => this.engine);
-    this.#listenToCover(this.#tree.cover);
+    this.#listenToPresses(this.#tree);
     for (const type of kNear) this.#tree.box.addEventListener(type, () => this.#steered().catch(() => {}), { once: true });
     host.addEventListener('fullscreenchange', () => this.showState());
   }
@@ -109,7 +111,7 @@ export class Show {
 
   // Moving it within the document takes it out and puts it in again at once.
   disconnect() {
-    this.#steering?.end();
+    this.#letGo();
     queueMicrotask(() => !this.#host.isConnected && this.end());
   }
 
@@ -172,10 +174,8 @@ export class Show {
   }
 
   #show(wanted) {
-    if (this.#stage.size !== wanted.size) {
-      this.#styles.ratio = wanted.size === 'auto' ? null : wanted.size.replace('x', ' / ');
-      this.#stage.setSize(wanted.size);
-    }
+    this.#styles.ratio = wanted.size === 'auto' ? null : wanted.size.replace('x', ' / ');
+    if (this.#stage.size !== wanted.size) this.#stage.setSize(wanted.size);
     this.#face.attributes(wanted, this.ready !== null);
     this.#steering?.attributes(wanted);
   }
@@ -184,26 +184,34 @@ export class Show {
 
   #fail(error) {
     if (isEngineFailure(error)) this.#drop();
+    const { root, message } = this.#tree;
+    const hadFocus = root.activeElement !== null;
+    const before = this.error;
     this.error = explain(error);
-    this.#steering?.end();
-    this.#face.trouble(this.error, () => this.#retry());
-    this.run();
     this.#waiting?.reject(asError(this.error));
     this.#waiting = null;
+    // What is wrong already is not told again: the page may write about it into the element, which then looks whether it is still wrong.
+    if (JSON.stringify(this.error) === JSON.stringify(before)) return;
+    this.#letGo();
+    this.#face.trouble(this.error, () => this.#retry());
+    this.run();
+    if (hadFocus) message.focus({ preventScroll: true });
     this.#tell('error', this.error);
   }
 
   #retry() {
     forgetFiles();
     this.#clearError();
-    this.#loading.now();
-    this.update();
+    this.#loading.again();
   }
 
   #clearError() {
+    const { root, message, cover } = this.#tree;
+    const hadFocus = message.contains(root.activeElement);
     this.error = null;
     this.#face.noTrouble();
     this.run();
+    if (hadFocus) cover.focus({ preventScroll: true });
   }
 
   // Some engine of the page has failed while it drew; the browser does not say whose.
@@ -227,48 +235,60 @@ export class Show {
   }
 
   autoplay() {
-    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+    this.#isAskedToPlay = true;
+    this.run();
   }
 
   pause() {
     this.#isAskedToPlay = false;
-    this.#steering?.end();
+    this.#letGo();
     this.run();
   }
 
+  // Nobody steers, nor is about to.
+  #letGo() {
+    this.#wantsHold = false;
+    this.#tree.box.classList.remove('waiting');
+    this.#steering?.end();
+  }
+
   // As a click on the picture.
-  hold({ byTouch = false } = {}) {
+  hold() {
     const { root, box, cover } = this.#tree;
     // Safari gives pressed buttons no focus; it is what remembers the wish while anything is still to come.
     if (root.activeElement !== cover) cover.focus({ preventScroll: true });
     this.#loading?.now();
     if (this.#steering !== null) {
-      this.#steering.begin({ byTouch });
+      this.#steering.begin({ byTouch: this.#isTouched });
       return;
     }
+    this.#wantsHold = true;
     box.classList.add('waiting');
     this.#steered().then((steering) => {
-      box.classList.remove('waiting');
-      if (root.activeElement === cover) steering.begin({ byTouch });
+      const isWanted = this.#wantsHold && root.activeElement === cover;
+      this.#letGo();
+      if (isWanted) steering.begin({ byTouch: this.#isTouched });
     }, (error) => {
-      box.classList.remove('waiting');
+      this.#letGo();
       if (this.#life !== null) this.#fail(error);
     });
   }
 
-  #listenToCover(cover) {
-    let byTouch = false;
-    cover.addEventListener('pointerdown', ({ pointerType }) => {
-      byTouch = pointerType === 'touch';
-    });
-    cover.addEventListener('keydown', () => {
-      byTouch = false;
-    });
-    cover.addEventListener('click', () => this.hold({ byTouch }));
+  // The last press was a finger's: then there are thumbs.
+  #listenToPresses({ box, cover }) {
+    box.addEventListener('pointerdown', ({ pointerType }) => {
+      this.#isTouched = pointerType === 'touch';
+    }, { capture: true });
+    box.addEventListener('keydown', () => {
+      this.#isTouched = false;
+    }, { capture: true });
+    cover.addEventListener('click', () => this.hold());
   }
 
   // What one steers by, fetched when somebody comes near or wants the bar.
   async #steered() {
+    if (this.#steering !== null) return this.#steering;
     const { Steering } = await bringSteering();
     if (this.#steering === null) {
       this.#steering = new Steering(this.#host, this, this.#tree, this.#styles);

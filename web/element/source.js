@@ -1,6 +1,6 @@
 // Which scene a <ray-caster> shows: an address, or what its children hold. A source is as scene-source.js describes it; its files are fetched once per page.
 //
-//     const scene = findScene(element);             // {key, source(), title}, null without one; throws a Trouble
+//     const scene = findScene(element);             // {key, source()}, null without one; throws a Trouble
 //     const source = namedScene('castle');          // one of those that lie beside the script
 //     source.failures                               // file -> why it could not be read
 
@@ -14,9 +14,6 @@ const kScenes = new URL('scenes/', kHome); // what an inline scene names is look
 const kInline = ':scope > script[type="application/json"]';
 const kRows = ':scope > script[type="text/plain"][data-rows], :scope > pre[slot="rows"]';
 const kName = /^[\w-]+$/;
-
-// The children that may hold a scene, for whoever watches them.
-export const kSceneChildren = `${kInline}, ${kRows}`;
 
 export function findScene(element) {
   const { scene } = element;
@@ -61,8 +58,20 @@ function addressOf(text, named, element, attribute) {
   }
 }
 
+// Others (data:, blob:) have neither a name nor anything beside them: what they hold is as a scene inside the element.
+function isFile(address) {
+  return /^(https?|file):$/.test(address.protocol);
+}
+
+// For messages.
 function nameOf(address) {
-  return decodeURIComponent(address.pathname.split('/').pop());
+  if (!isFile(address)) return `${address.protocol} address`;
+  const name = address.pathname.split('/').pop();
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    return name;
+  }
 }
 
 function sceneFrom(address) {
@@ -72,7 +81,7 @@ function sceneFrom(address) {
     readText: () => fetchOnce(address).catch((error) => {
       throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
     }),
-    ...filesBeside(address),
+    ...filesBeside(isFile(address) ? address : kScenes),
   };
 }
 
@@ -87,10 +96,12 @@ function filesBeside(address) {
     failures,
     async readFile(file, onBytes) {
       if (failures.has(file)) return null;
-      return fetchOnce(new URL(file, address), onBytes).catch((error) => {
+      try {
+        return await fetchOnce(new URL(file, address), onBytes);
+      } catch (error) {
         failures.set(file, error.message);
         return null;
-      });
+      }
     },
   };
 }

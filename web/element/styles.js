@@ -62,8 +62,8 @@ p, h2, ul { margin: 0; padding: 0; }
 .box:has(.cover:focus-visible)::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
 
 button { margin: 0; border: 0; border-radius: 0; font: inherit; color: inherit; cursor: pointer; -webkit-tap-highlight-color: transparent; }
-button:focus { outline: none; }
-button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
+button:focus, .message:focus { outline: none; }
+button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 
 /* ---- The cover: one button as large as the picture. A finger on it scrolls the page, its tap begins. */
 
@@ -138,6 +138,7 @@ export class Styles {
   }
 
   set ratio(ratio) {
+    if (ratio === this.#ratio) return;
     this.#ratio = ratio;
     this.adopt();
   }

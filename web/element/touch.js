@@ -1,4 +1,4 @@
-// Thumbs on the picture of a <ray-caster> (thumbs.js), and gamepads, while it has them.
+// Thumbs on the picture of a <ray-caster> (thumbs.js).
 //
 //     const layer = touchLayer();
 //     const thumbs = new Thumbs(layer, actions);
@@ -9,10 +9,9 @@ import { node } from './nodes.js';
 const kButtons = [['use', 'Gate'], ['fly', 'Fly'], ['crouch', 'Crouch'], ['jump', 'Jump']];
 
 export function touchLayer() {
-  const layer = node('div', { class: 'touch', 'aria-hidden': 'true' },
+  return node('div', { class: 'touch', 'aria-hidden': 'true' },
     node('div', { class: 'zone', 'data-thumb': 'walk' }, node('div', { class: 'stick', 'data-thumb': 'stick' }, node('div', { class: 'knob' }))),
     node('div', { class: 'zone', 'data-thumb': 'look' }),
     node('div', { class: 'buttons' }, ...kButtons.map(([name, text]) =>
       node('div', { class: 'thumb-button', 'data-thumb': name }, icon(name), node('span', {}, text)))));
-  return layer;
 }

@@ -1,0 +1,261 @@
+// What may befall a <ray-caster> in a page that does not stand still: faults that are mended, wishes that overtake each other, another document.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch } from './browser.mjs';
+import { guestPage, kRoom, openGuest, ready, until, wait } from './guest-page.mjs';
+import { kBlue, kGreen, roomScene } from './room.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const stateIs = (page, state) => until(page, (wanted) => document.querySelector('ray-caster').state === wanted, state);
+
+// The colour in the middle of the canvas.
+const middle = (page) => page.evaluate(async () => {
+  await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  const canvas = document.querySelector('ray-caster').shadowRoot.querySelector('canvas');
+  return [...canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data.subarray(0, 3)];
+});
+
+// Counts the errors of the first element, before it is there.
+const countErrors = (page) => page.addInitScript(() => {
+  window.errors = [];
+  document.addEventListener('error', ({ target, detail }) => target.localName === 'ray-caster' && window.errors.push(detail), { capture: true });
+});
+const errorsOf = (page) => page.evaluate(() => window.errors.map(({ code }) => code));
+const failing = { expectErrors: true, prepare: countErrors };
+
+const inFocus = (page) => page.evaluate(() => {
+  const inside = document.activeElement?.shadowRoot?.activeElement;
+  return inside ? inside.classList[inside.classList.length - 1] ?? inside.localName : document.activeElement?.localName;
+});
+
+for (const [name, bad, good] of [['options', 'fov=wide', 'fov=75'], ['view', '1,2,0.5,0,0,attic', '3.5,3.5,0.5,0']]) {
+  test(`a first load with a faulty ${name} shows its picture once that is mended`, async (t) => {
+    const { page } = await openGuest(t, browser, { body: kRoom.replace('<ray-caster', `<ray-caster ${name}="${bad}"`), ...failing });
+    await stateIs(page, 'error');
+    await page.evaluate(([attribute, value]) => document.querySelector('ray-caster').setAttribute(attribute, value), [name, good]);
+    await stateIs(page, 'paused');
+    assert.deepEqual(await middle(page), kGreen);
+  });
+}
+
+for (const [what, attributes] of [['that is not there', 'scene="nowhere"'], ['behind a faulty attribute', 'scene="room" size="big"']]) {
+  test(`an error about a scene ${what} is told once, whatever the page then writes about it`, async (t) => {
+    const { page, server } = await openGuest(t, browser, { body: '', ...failing });
+    await page.evaluate((markup) => {
+      document.addEventListener('error', ({ target, detail }) => {
+        if (target.localName !== 'ray-caster') return;
+        target.textContent = detail.message;
+        target.label = `${detail.title} (${window.errors.length})`;
+      }, { capture: true });
+      document.querySelector('main').insertAdjacentHTML('beforeend', `<ray-caster ${markup}></ray-caster>`);
+    }, attributes);
+    await stateIs(page, 'error');
+    await wait(300);
+    assert.equal((await errorsOf(page)).length, 1);
+    assert.ok(server.asked.filter((path) => path === 'scenes/nowhere.json').length <= 1);
+    await page.evaluate(() => { document.querySelector('ray-caster').label = 'Another'; });
+    await wait(200);
+    assert.equal((await errorsOf(page)).length, 1);
+    assert.ok(server.asked.filter((path) => path === 'scenes/nowhere.json').length <= 1);
+    // And yet it is only a wish away.
+    await page.evaluate(() => Object.assign(document.querySelector('ray-caster'), { scene: 'room', size: 'auto' }));
+    await stateIs(page, 'paused');
+    await page.evaluate(() => { document.querySelector('ray-caster').scene = 'nowhere'; });
+    await stateIs(page, 'error');
+  });
+}
+
+test('what failed, was left and is wanted again fails again; the scene that plays stays', async (t) => {
+  const { page } = await openGuest(t, browser, failing);
+  await ready(page);
+  for (let round = 1; round <= 2; ++round) {
+    await page.evaluate(() => { document.querySelector('ray-caster').scene = 'nowhere'; });
+    await stateIs(page, 'error');
+    assert.equal((await errorsOf(page)).length, round);
+    await page.evaluate(() => { document.querySelector('ray-caster').scene = 'room'; });
+    await stateIs(page, 'paused');
+    assert.deepEqual(await middle(page), kGreen);
+  }
+});
+
+test('a scene that is overtaken by another wish never shows', async (t) => {
+  const { page } = await openGuest(t, browser, failing);
+  await ready(page);
+  const slowly = (milliseconds) => async (route) => {
+    await wait(milliseconds);
+    await route.continue();
+  };
+  await page.route('**/other.json', slowly(150));
+  await page.route('**/tours/*.txt', slowly(700));
+  await page.evaluate(async () => {
+    const element = document.querySelector('ray-caster');
+    element.scene = 'other';
+    await new Promise((resolve) => setTimeout(resolve, 60));
+    element.tour = 'nowhere';
+  });
+  await wait(500);
+  assert.deepEqual(await middle(page), kGreen, 'the room stays while the tour is on its way');
+  await stateIs(page, 'error');
+  await page.evaluate(() => {
+    const element = document.querySelector('ray-caster');
+    element.removeAttribute('tour');
+    element.scene = 'room';
+  });
+  await stateIs(page, 'paused');
+  assert.deepEqual(await middle(page), kGreen);
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').world.title), 'The coloured room');
+  await page.evaluate(() => { document.querySelector('ray-caster').scene = 'other'; });
+  await until(page, () => document.querySelector('ray-caster').world?.title === 'The other room');
+  assert.deepEqual(await middle(page), kBlue);
+});
+
+test('who works with keys keeps the focus: on the message, and from its button on the cover', async (t) => {
+  let isThere = true;
+  const { page } = await openGuest(t, browser, { ...failing, server: { files: { 'scenes/third.json': () => (isThere ? JSON.stringify(roomScene()) : null) } } });
+  await ready(page);
+  isThere = false;
+  await page.keyboard.press('Tab');
+  assert.equal(await inFocus(page), 'cover');
+  await page.evaluate(() => { document.querySelector('ray-caster').scene = 'third'; });
+  await stateIs(page, 'error');
+  assert.equal(await inFocus(page), 'message');
+  isThere = true;
+  await page.keyboard.press('Tab');
+  assert.equal(await inFocus(page), 'again');
+  await page.keyboard.press('Enter');
+  assert.equal(await inFocus(page), 'cover');
+  await stateIs(page, 'paused');
+  assert.equal(await inFocus(page), 'cover');
+
+  // Where the focus is elsewhere, it stays there.
+  await page.evaluate(() => {
+    document.querySelector('main').insertAdjacentHTML('beforeend', '<input>');
+    document.querySelector('input').focus();
+    document.querySelector('ray-caster').scene = 'nowhere';
+  });
+  await stateIs(page, 'error');
+  assert.equal(await inFocus(page), 'input');
+});
+
+test('autoplay waits until the element comes near', async (t) => {
+  const { page, server } = await openGuest(t, browser, { body: `<p style="height: 4000px">Read on.</p>${kRoom.replace('scene', 'autoplay scene')}` });
+  await page.evaluate(() => customElements.whenDefined('ray-caster'));
+  await wait(300);
+  assert.deepEqual(server.asked.filter((path) => /engine\/|scenes\//.test(path)), []);
+  await page.evaluate(() => document.querySelector('ray-caster').scrollIntoView());
+  await stateIs(page, 'playing');
+});
+
+test('a tour that was recorded in another scene is refused', async (t) => {
+  const tour = 'slicecast recording 1\nscene other\n100 forward 256\nmark there 0123456789abcdef\nend 100 0123456789abcdef\n';
+  const { page } = await openGuest(t, browser, { body: kRoom.replace('scene', 'tour="mine" scene'), ...failing, server: { files: { 'tours/mine.txt': tour } } });
+  await stateIs(page, 'error');
+  const { code, message } = await page.evaluate(() => document.querySelector('ray-caster').error);
+  assert.equal(code, 'tour');
+  assert.match(message, /mine\.txt was recorded in the scene other, and this one is room\./);
+  await page.evaluate(() => document.querySelector('ray-caster').removeAttribute('scene'));
+  await stateIs(page, 'paused');
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').world.title), 'The other room');
+});
+
+test('a scene out of the page itself is as one inside the element: its pictures are the shipped ones', async (t) => {
+  const { page } = await openGuest(t, browser, { body: '<ray-caster></ray-caster>', ...failing });
+  const show = async (scheme, scene) => {
+    await page.evaluate(([kind, text]) => {
+      window.errors.length = 0;
+      document.querySelector('ray-caster').scene = kind === 'blob' ? URL.createObjectURL(new Blob([text])) : `data:application/json,${encodeURIComponent(text)}`;
+    }, [scheme, JSON.stringify(scene)]);
+  };
+  for (const scheme of ['blob', 'data']) {
+    await show(scheme, roomScene());
+    await until(page, () => document.querySelector('ray-caster').world !== null && document.querySelector('ray-caster').state === 'paused');
+    assert.deepEqual(await middle(page), kGreen);
+    await show(scheme, roomScene({ folder: 'nowhere/' }));
+    await until(page, () => window.errors.length > 0);
+    const [{ code, faults }] = await page.evaluate(() => window.errors);
+    assert.equal(code, 'scene');
+    assert.equal(faults.length, 5);
+    assert.ok(faults.every(({ place }) => place.startsWith(`${scheme}: address:1:`)), JSON.stringify(faults[0]));
+  }
+});
+
+test('pause() takes back a press whose keys are still on their way', async (t) => {
+  const { page } = await openGuest(t, browser);
+  await ready(page);
+  let arrive;
+  const asked = new Promise((resolve) => {
+    page.route('**/ray-caster-steering.js', (route) => {
+      arrive = () => route.continue();
+      resolve();
+    });
+  });
+  await page.click('ray-caster');
+  await asked;
+  await page.evaluate(() => document.querySelector('ray-caster').pause());
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').shadowRoot.querySelector('.waiting')), null);
+  await arrive();
+  await until(page, () => document.querySelector('ray-caster').shadowRoot.querySelector('.leave') !== null);
+  await wait(100);
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').state), 'paused');
+  await page.click('ray-caster');
+  await stateIs(page, 'playing');
+});
+
+test('Play in the bar, by a finger, brings the thumbs', async (t) => {
+  const { page } = await openGuest(t, browser, {
+    body: kRoom.replace('scene', 'controls scene'), viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true },
+  });
+  await ready(page);
+  const playButton = page.locator('ray-caster').getByRole('button', { name: 'Play', exact: true });
+  await playButton.tap();
+  await stateIs(page, 'playing');
+  assert.equal(await page.locator('ray-caster [data-thumb="walk"]').isVisible(), true);
+  assert.equal(await page.locator('ray-caster').getByRole('button', { name: 'Leave the picture' }).isVisible(), true);
+  await page.locator('ray-caster').getByRole('button', { name: 'Leave the picture' }).tap();
+  await stateIs(page, 'paused');
+});
+
+test('in the document of a frame that it was moved to, the mouse turns the view', async (t) => {
+  const frame = guestPage('', { script: '' });
+  const { page } = await openGuest(t, browser, { body: `${kRoom}<iframe name="inner" src="inner.html" width="500" height="400"></iframe>`, server: { files: { 'inner.html': frame } } });
+  await ready(page);
+  await page.evaluate(() => {
+    const element = document.querySelector('ray-caster');
+    document.querySelector('iframe').contentDocument.querySelector('main').append(element);
+    window.moved = element;
+    return element.whenReady();
+  });
+  const inner = page.frame('inner');
+  await inner.click('ray-caster');
+  await until(page, () => window.moved.state === 'playing');
+  await inner.click('ray-caster');
+  await until(page, () => window.moved.shadowRoot.pointerLockElement !== null);
+  const { x, y } = await page.locator('iframe').boundingBox();
+  await page.mouse.move(x + 200, y + 200);
+  await page.mouse.move(x + 280, y + 200, { steps: 4 });
+  await until(page, () => window.moved.currentView.heading > 5);
+  await page.evaluate(() => window.moved.pause());
+  await until(page, () => window.moved.shadowRoot.pointerLockElement === null);
+});
+
+test('a shape that was taken off while the element was out of the page is gone', async (t) => {
+  const { page } = await openGuest(t, browser, { body: '<ray-caster scene="room" size="640x200" style="width: 320px"></ray-caster>' });
+  await ready(page);
+  const height = () => page.evaluate(() => document.querySelector('ray-caster').getBoundingClientRect().height);
+  assert.equal(await height(), 100);
+  await page.evaluate(async () => {
+    const element = document.querySelector('ray-caster');
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    element.removeAttribute('size');
+    document.querySelector('main').append(element);
+    await element.whenReady();
+  });
+  assert.equal(await height(), 200);
+});
