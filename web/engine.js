@@ -12,7 +12,7 @@ import { createModule } from './engine-module.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
-const kAdoptedSlack = 8 << 20; // bytes that playing takes beside the scene: the picture, and what is noted of the view
+const kAdoptedSlack = 16 << 20; // bytes that playing takes beside the scene: the picture, and what is noted of the view
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
 export class Engine {

@@ -45,10 +45,7 @@ if(SLICECAST_SANITIZE)
 endif()
 if(EMSCRIPTEN)
   # What a page loads is kept small: optimised as a whole when it is linked, and with a small allocator. One thread needs no guards about its statics.
-  target_compile_options(slicecast_flags INTERFACE
-    -flto -fno-exceptions -fno-rtti -fno-threadsafe-statics
-    # EM_ASM and its relatives are macros that these two speak about.
-    -Wno-gnu-zero-variadic-macro-arguments -Wno-dollar-in-identifier-extension)
+  target_compile_options(slicecast_flags INTERFACE -flto -fno-exceptions -fno-rtti -fno-threadsafe-statics)
   target_link_options(slicecast_flags INTERFACE ${SLICECAST_OPTIMISE} -flto -sMALLOC=emmalloc)
   if(SLICECAST_WASM_SIMD)
     # Browsers that have SIMD have the other two as well.
