@@ -36,7 +36,7 @@ const json = (value) => `${JSON.stringify(value, null, 2)}\n`;
 const files = {
   ...declarations(table),
   'custom-elements.json': json(customElementsManifest(table)),
-  'element.html': documentation({ errorCodes, version, options: scene.optionList }),
+  'element.html': documentation({ errorCodes, version, options: scene.optionList, scenes: JSON.parse(readFileSync(join(folder, 'scenes/index.json'), 'utf8')) }),
   'package.json': json(manifest),
 };
 scene.free();

@@ -12,6 +12,7 @@ import { createModule } from './engine-module.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
+const kMostSteps = 120 * 3600; // in one call: an hour of the world's time
 const kAdoptedSlack = 16 << 20; // bytes that playing takes beside the scene: the picture, and what is noted of the view
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
@@ -123,7 +124,7 @@ export class Engine {
   // look, fly} from -1 to 1, {jump, fast, slow, use, open, close} true or false. What was replayed is over.
   step(input = {}, count = 1) {
     const [axes, buttons] = readInput(input);
-    if (!Number.isInteger(count) || count < 0) throw new Error(`step: found count ${count}, expected a whole number from 0.`);
+    if (!Number.isInteger(count) || count < 0 || count > kMostSteps) throw new RangeError(`step: found count ${count}, expected a whole number from 0 to ${kMostSteps}.`);
     for (let i = 0; i < count; ++i) this.#module._slicecast_step(this.#session, ...axes, 0, 0, buttons);
   }
 

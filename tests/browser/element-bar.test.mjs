@@ -73,7 +73,7 @@ test('it saves the picture, and copies the tag with the view and the options of 
   await page.waitForFunction(() => document.getElementById('a').shadowRoot.querySelector('.status').textContent.startsWith('Copied'));
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   assert.equal(copied, `<script type="module" src="${server.address}ray-caster.js"></script>\n` +
-    `<ray-caster id="a" scene="${server.address}scenes/room.json" controls="" label="Four walls" view="3.5,3.5,0.5,90,0,room" options="fov=75" overlay="grid"></ray-caster>`);
+    `<ray-caster scene="${server.address}scenes/room.json" controls="" label="Four walls" view="3.5,3.5,0.5,90,0,room" options="fov=75" overlay="grid"></ray-caster>`);
 });
 
 test('the whole screen, by the button and by F', async (t) => {

@@ -235,3 +235,25 @@ test('taken into another document and back, it comes to life again', async (t) =
   });
   assert.equal(await hashIn(page), await roomHash());
 });
+
+test('where its place is as wide as what it holds, it has a width of its own, and shrinks', async (t) => {
+  const room = (attributes = '') => `<ray-caster scene="room" loading="eager" ${attributes}></ray-caster>`;
+  const { page } = await openGuest(t, browser, { viewport: { width: 800, height: 600 }, body: `
+    <div style="display: flex"><p>Text</p>${room()}</div>
+    <div style="float: left">${room('size="320x100"')}</div><div style="clear: both"></div>
+    <div style="display: flex; width: 300px">${room('style="flex: 1"').repeat(2)}</div>
+    <div style="display: grid; grid-template-columns: 114px 114px">${room('style="height: 150px"').repeat(2)}</div>` });
+  await ready(page);
+  const boxes = await page.evaluate(() => Array.from(document.querySelectorAll('ray-caster'), (element) => element.getBoundingClientRect()).map(({ width, height }) => `${width}x${height}`));
+  assert.deepEqual(boxes, ['640x400', '320x100', '150x93.75', '150x93.75', '114x150', '114x150']);
+});
+
+test('in little room the bar keeps what is used most, and leaves where it would hide the picture', async (t) => {
+  const widths = [300, 260, 180, 130, 90];
+  const { page } = await openGuest(t, browser, { body: widths.map((width) => `<ray-caster scene="room" loading="eager" controls style="width: ${width}px; height: 140px"></ray-caster>`).join('') });
+  await ready(page);
+  await until(page, () => [...document.querySelectorAll('ray-caster')].every(({ shadowRoot }) => shadowRoot.querySelector('.controls') !== null));
+  const shown = await page.evaluate(() => Array.from(document.querySelectorAll('ray-caster'), ({ shadowRoot }) =>
+    Array.from(shadowRoot.querySelectorAll('.controls button')).filter((button) => button.checkVisibility()).map(({ dataset }) => dataset.name).join(' ')));
+  assert.deepEqual(shown, ['play reset overlay save share fullscreen', 'play reset overlay fullscreen', 'play reset fullscreen', 'play fullscreen', '']);
+});

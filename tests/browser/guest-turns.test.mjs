@@ -259,3 +259,17 @@ test('a shape that was taken off while the element was out of the page is gone',
   });
   assert.equal(await height(), 200);
 });
+
+test('progress goes forward, in its share and in its bytes, and is told once', async (t) => {
+  const { page } = await openGuest(t, browser, { prepare: (opened) => opened.addInitScript(() => {
+    window.steps = [];
+    document.addEventListener('progress', ({ target, detail }) => target.localName === 'ray-caster' && window.steps.push([detail.share, detail.bytes]), { capture: true });
+  }) });
+  await ready(page);
+  const steps = await page.evaluate(() => window.steps);
+  assert.ok(steps.length > 5 && steps.at(-1)[0] === 1, JSON.stringify(steps));
+  for (let i = 1; i < steps.length; ++i) {
+    assert.ok(steps[i][0] >= steps[i - 1][0] && steps[i][1] >= steps[i - 1][1], JSON.stringify(steps));
+    assert.notDeepEqual(steps[i], steps[i - 1]);
+  }
+});

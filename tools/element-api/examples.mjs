@@ -30,6 +30,49 @@ scene.look({ x: 12.5, y: 8, z: 1.6, heading: 90 });
 await writeFile('view.png', await scene.png({ width: 1280, height: 800 }));
 scene.free();`;
 
+export const inline = `<ray-caster label="A stone gate in a walled yard">
+  <script type="application/json">
+    {
+      "title": "A gate",
+      "textures": {
+        "brick": "../textures/brick.png",
+        "stone": "../textures/stone-blocks.png",
+        "grass": "../textures/grass.png"
+      },
+      "blueprints": {
+        "wall": { "faces": "brick" },
+        "pillar": { "faces": "stone" },
+        "beam": { "top": 0.5, "faces": "stone" }
+      },
+      "legend": { "#": "wall", "o": "pillar", "-": "beam" },
+      "maps": [{
+        "name": "yard",
+        "floor": "grass",
+        "sky": { "panorama": "../textures/sky-day.png" },
+        "levels": [
+          ["#########",
+           "#.......#",
+           "#..o.o..#",
+           "#.......#",
+           "#.......#",
+           "#.......#",
+           "#.......#",
+           "#########"],
+          [".........",
+           ".........",
+           "...---...",
+           ".........",
+           ".........",
+           ".........",
+           ".........",
+           "........."]
+        ]
+      }],
+      "start": { "x": 4.9, "y": 6.6, "heading": 262 }
+    }
+  </script>
+</ray-caster>`;
+
 export const live = [
   {
     title: 'A scene typed into the page',

@@ -1,6 +1,6 @@
 // The table as a page to read: page.html, its gaps filled.
 //
-//     const html = documentation({errorCodes, version, options});      // options as the engine lists them
+//     const html = documentation({errorCodes, version, options, scenes});      // options as the engine lists them, the shipped scenes as their index does
 
 import { readFileSync } from 'node:fs';
 
@@ -11,7 +11,7 @@ const template = readFileSync(new URL('page.html', import.meta.url), 'utf8');
 
 const known = new Set([...table.types, ...table.node.types].map(({ name }) => name)); // shapes that a type may name
 
-export function documentation({ errorCodes, version, options }) {
+export function documentation({ errorCodes, version, options, scenes }) {
   const gaps = {
     description: text(table.description),
     version,
@@ -28,6 +28,9 @@ export function documentation({ errorCodes, version, options }) {
     methods: rows('method', ['Method', 'Gives', 'What it does'], table.methods.map(method)),
     events: rows('event', ['Event', 'Detail', 'What has happened'], table.events.map((row) => [row.name, typeText(row.detail), text(row.description)])),
     slots: table.slots.map(({ description }) => `<p>${text(description)}</p>`).join('\n'),
+    inline: `<article class="example">\n${snippets.inline}\n${snippet(snippets.inline)}\n</article>`,
+    shipped: rows('shipped', ['Scene', 'Tour', 'What it is'], scenes.map(({ file, about, tour }) =>
+      [file.replace(/\.json$/, ''), tour ? 'yes' : '', text(about)])),
     rows: rows('rows', ['Characters', 'What stands there'], table.rows.map((row) => [
       { id: null, html: row.characters.split(' ').map((character) => code(character)).join(' ') }, text(row.description),
     ])),

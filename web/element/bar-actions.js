@@ -46,6 +46,7 @@ async function save(host, show) {
 // The element as the page wrote it, with the view and the options of now.
 async function share(host, show) {
   const tag = host.cloneNode(true);
+  tag.removeAttribute('id'); // it would stand there twice
   const { view, options, overlay } = sharedParameters({ reference: '', view: host.currentView, options: host.optionList });
   for (const [name, value] of Object.entries({ view, options, overlay })) {
     if (value === null) tag.removeAttribute(name);

@@ -31,12 +31,17 @@ export class Game {
     const turn = ++this.#turn;
     const isStale = () => turn !== this.#turn;
     const begin = this.engine === null ? kEngineShare : 0;
+    let engineBytes = 0;
     onProgress(0, 0);
     // Another element may play the same already.
     const findTwin = () => [...players].find(([, played]) => played === key)?.[0];
     const begun = source === null || findTwin() !== undefined ? source : beginReading(source, isStale);
     const [files, recording] = await Promise.all([
-      sharedEngineFiles(kind, (loaded, total) => begin > 0 && !isStale() && onProgress((begin * loaded) / Math.max(1, total), loaded)),
+      sharedEngineFiles(kind, (loaded, total) => {
+        if (begin === 0 || isStale()) return;
+        engineBytes = loaded;
+        onProgress((begin * loaded) / Math.max(1, total), loaded);
+      }),
       tour === null ? null : readTour(tour),
     ]);
     if (isStale()) return false;
@@ -53,14 +58,14 @@ export class Game {
       players.delete(engine);
       const faults = isAdopted ? [] : await engine.loadScene(found, {
         isWanted: () => !isStale(),
-        onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), bytes),
+        onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), engineBytes + bytes),
       });
       if (faults === null || isStale()) {
         if (isNew) engine.stop();
         return false;
       }
       if (faults.length > 0) throw sceneFault(found.name, faults.map((fault) => withReason(fault, found.failures)));
-      if (isAdopted) onProgress(1, 0);
+      if (isAdopted) onProgress(1, engineBytes);
       this.source = found;
       this.#tour = recording;
       if (isNew) this.#take(engine, files.kind);

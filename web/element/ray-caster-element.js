@@ -116,10 +116,9 @@ export class RayCaster extends Base {
     return this.#engine('look').look(readView(view));
   }
 
-  async snapshot({ width, height, type = 'image/png' } = {}) {
+  async snapshot(options = {}) {
     const engine = this.#engine('snapshot');
-    const { picture } = this;
-    return snapshotOf(engine, { width: width ?? picture.width, height: height ?? picture.height, type });
+    return snapshotOf(engine, { type: 'image/png', ...this.picture, ...options });
   }
 
   hits(column) {

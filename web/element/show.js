@@ -45,6 +45,7 @@ export class Show {
   #wantsHold = false; // who has pressed plays once what one steers by has come
   #stands = true;
   #pictures = 0;
+  #progress = ''; // as it was told last
 
   constructor(host, internals) {
     this.#host = host;
@@ -91,6 +92,9 @@ export class Show {
       show: (wanted) => this.#show(wanted),
       changed: () => this.#clearError(),
       progress: (share, bytes) => {
+        const told = `${share} ${bytes}`;
+        if (told === this.#progress) return;
+        this.#progress = told;
         this.#face.progress(share);
         this.#tell('progress', { share, bytes });
       },
@@ -174,7 +178,7 @@ export class Show {
   }
 
   #show(wanted) {
-    this.#styles.ratio = wanted.size === 'auto' ? null : wanted.size.replace('x', ' / ');
+    this.#styles.size = wanted.size;
     if (this.#stage.size !== wanted.size) this.#stage.setSize(wanted.size);
     this.#face.attributes(wanted, this.ready !== null);
     this.#steering?.attributes(wanted);

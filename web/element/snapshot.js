@@ -4,7 +4,8 @@
 
 const kLargestSide = 4096; // pixels, as the engine's
 
-export async function snapshotOf(engine, { width, height, type }) {
+export async function snapshotOf(engine, { width, height, type, ...others }) {
+  for (const name of Object.keys(others)) throw new RangeError(`snapshot: found ${name}, expected some of width, height, type.`);
   for (const [name, side] of Object.entries({ width, height })) {
     if (!Number.isInteger(side) || side < 1 || side > kLargestSide) {
       throw new RangeError(`snapshot: found ${name} ${side}, expected a whole number from 1 to ${kLargestSide}.`);

@@ -14,6 +14,14 @@ export const kSheet = `
 .box[data-state="playing"]:not(:hover) .controls:not(:focus-within) { opacity: 0; transition: opacity calc(2 * var(--quick)) 600ms; }
 .box[data-state="error"] .controls { display: none; }
 
+/* What there is no room for, goes: what is seldom used first, and the bar itself where it would hide the picture. */
+@container (max-width: 280px) { .controls :is([data-name="save"], [data-name="share"]) { display: none; } }
+@container (max-width: 190px) { .controls [data-name="overlay"] { display: none; } }
+@container (max-width: 140px) { .controls [data-name="reset"] { display: none; } }
+@container (max-width: 95px) or (max-height: 90px) { .controls { display: none; } }
+@container (max-height: 150px) { .controls button { height: 32px; } }
+@media print { .controls, .status { display: none; } }
+
 .status { position: absolute; left: 50%; top: 8px; width: max-content; max-width: calc(100% - 16px); transform: translateX(-50%); text-align: center; padding: 4px 12px; font-size: 13px; color: var(--text); background: var(--veil); pointer-events: none; }
 .status:empty { padding: 0; }
 
@@ -64,6 +72,17 @@ export const kSheet = `
   .thumb-button { width: 44px; height: 44px; }
   .thumb-button span { display: none; }
   .thumb-button[data-thumb="fly"] { grid-column: auto; }
+}
+/* Both thumbs side by side */
+@container (max-width: 320px) {
+  .stick { --x: 48px; --y: calc(100% - 48px); left: calc(var(--x) - 36px); top: calc(var(--y) - 36px); width: 72px; height: 72px; }
+  .knob { width: 32px; height: 32px; }
+  .buttons { grid-template-columns: auto auto; right: 4px; bottom: 4px; gap: 2px; }
+  .thumb-button { width: 36px; height: 36px; }
+  .thumb-button span { display: none; }
+  .thumb-button .icon { width: 16px; height: 16px; }
+  .thumb-button[data-thumb="fly"] { grid-column: 2; }
+  .leave { width: 36px; height: 36px; }
 }
 
 @media (forced-colors: active) {

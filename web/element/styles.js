@@ -1,7 +1,7 @@
 // How a <ray-caster> looks: sheets for all of a document, adopted, so that no page has to allow inline styles.
 //
 //     const styles = new Styles(shadowRoot);
-//     styles.ratio = '640 / 400';      // of the picture, where it has one of its own; or null
+//     styles.size = '640x400';         // of the picture, or 'auto'
 //     styles.add(sheet);               // the text of another one
 //     styles.adopt();                  // in another document
 //
@@ -19,8 +19,11 @@ const kSheet = `
   --veil: color-mix(in srgb, var(--panel) 84%, transparent);
   --light: inset 0 1px 0 rgb(255 255 255 / 0.16), inset 0 -3px 0 rgb(0 0 0 / 0.36);
   --quick: 160ms;
+  /* A shadow at the lower edge of what can be scrolled further: at its end, what comes with the text covers it. */
+  --more: linear-gradient(transparent, var(--panel) 50%) 0 100% / 100% 40px no-repeat local, linear-gradient(transparent, rgb(0 0 0 / 0.5)) 0 100% / 100% 14px no-repeat;
   display: block;
   aspect-ratio: 16 / 10;
+  max-width: 100%;
   contain: layout paint style;
   position: relative;
   overflow: hidden;
@@ -43,10 +46,13 @@ p, h2, ul { margin: 0; padding: 0; }
   text-align: start;
   text-transform: none;
   text-indent: 0;
+  text-shadow: none;
+  word-spacing: normal;
   white-space: normal;
   color: var(--text);
   background: var(--ink);
 }
+.shape { display: block; visibility: hidden; width: 640px; max-width: 100%; height: 0; }
 .stage, .poster, .cover { position: absolute; inset: 0; }
 .stage { overflow: hidden; }
 .stage:focus { outline: none; }
@@ -101,7 +107,7 @@ button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent);
 
 /* ---- Sheets over the picture: what is wrong, and, in steering-styles.js, the keys */
 
-.sheet { position: absolute; inset: 0; display: flex; flex-direction: column; gap: 12px; padding: 20px; overflow: auto; background: color-mix(in srgb, var(--panel) 94%, transparent); }
+.sheet { position: absolute; inset: 0; display: flex; flex-direction: column; gap: 12px; padding: 20px; overflow: auto; background: var(--more), color-mix(in srgb, var(--panel) 94%, transparent); }
 .sheet h2 { font-size: 17px; line-height: 1.3; font-weight: 700; text-wrap: balance; }
 .sheet p { max-width: 70ch; color: var(--soft); overflow-wrap: anywhere; text-wrap: pretty; }
 .sheet .again { flex: none; align-self: start; min-height: 36px; padding: 4px 16px 6px; font-weight: 600; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
@@ -115,6 +121,14 @@ button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent);
 /* Where there never will be a picture, the poster stays */
 .poster:not([hidden]) ~ .message.hopeless { inset: auto 0 0; max-height: 75%; }
 @container (max-width: 420px) { .sheet { padding: 12px; gap: 8px; } }
+@container (max-width: 240px) or (max-height: 150px) {
+  .sheet { padding: 6px 8px; gap: 4px; font-size: 12px; line-height: 1.35; }
+  .sheet h2 { font-size: 13px; }
+  .message h2 { padding-left: 8px; box-shadow: inset 3px 0 0 #e3835f; }
+  .sheet .again { min-height: 28px; padding: 2px 10px 4px; }
+}
+
+@media print { .cover, .progress { display: none; } }
 
 @media (forced-colors: active) {
   .glyph, .hint, .sheet, .sheet .again { border: 1px solid ButtonText; color: ButtonText; background: ButtonFace; forced-color-adjust: none; }
@@ -130,16 +144,16 @@ const sheets = new WeakMap(); // document -> text -> its sheet: one cannot serve
 export class Styles {
   #root;
   #texts = [kSheet];
-  #ratio = null;
+  #size = 'auto';
 
   constructor(root) {
     this.#root = root;
     this.adopt();
   }
 
-  set ratio(ratio) {
-    if (ratio === this.#ratio) return;
-    this.#ratio = ratio;
+  set size(size) {
+    if (size === this.#size) return;
+    this.#size = size;
     this.adopt();
   }
 
@@ -158,7 +172,8 @@ export class Styles {
     if (!sheets.has(ownerDocument)) sheets.set(ownerDocument, new Map());
     const made = sheets.get(ownerDocument);
     for (const text of this.#texts) if (!made.has(text)) made.set(text, make(text));
-    const own = this.#ratio === null ? [] : [make(`:host { aspect-ratio: ${this.#ratio}; }`)];
+    const [width, height] = this.#size.split('x');
+    const own = this.#size === 'auto' ? [] : [make(`:host { aspect-ratio: ${width} / ${height}; } .shape { width: ${width}px; }`)];
     this.#root.adoptedStyleSheets = [...this.#texts.map((text) => made.get(text)), ...own];
   }
 }

@@ -19,6 +19,9 @@ export function buildTree(root) {
   const seen = node('p', { class: 'unseen', id: 'seen', 'aria-live': 'off' });
   const message = node('section', { class: 'sheet message', part: 'message', hidden: '' });
   const box = node('div', { class: 'box' }, stage, poster, cover, progress, status, seen, message);
-  root.append(box);
+  // It gives the element a width where its place leaves that to what it holds.
+  const shape = drawing('');
+  shape.setAttribute('class', 'shape');
+  root.append(box, shape);
   return { root, box, stage, frame, poster, cover, hint, progress, status, seen, message, canvas: null };
 }
