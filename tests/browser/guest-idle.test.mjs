@@ -242,7 +242,7 @@ test('an element that is moved goes on; one that is taken away while it loads le
   assert.equal(await page.evaluate(() => window.watch.memories.filter((reference) => reference.deref() !== undefined).length), 1);
 });
 
-// A machine with nothing else to do takes a quarter of these limits; here others may be at work. The figures are in the report.
+// A machine with nothing else to do keeps far below these limits; here others may be at work. The figures are in the report.
 test('start times: the first picture, an engine more, and an element more', async (t) => {
   const startPage = guestPage(kRoom.replace('scene', 'loading="eager" scene'), { script: '<script type="module" src="start.js"></script>' });
   const { page } = await openGuest(t, browser, { server: { files: { 'start.js': startScript, 'start.html': startPage } } });
@@ -320,7 +320,7 @@ test('start times of a large scene, and of one more element with it', async (t) 
   const list = (numbers) => numbers.map((number) => number.toFixed(0)).join(' ');
   t.diagnostic(`ms: first picture of the castle after the script's start ${list(first)}; an element more, with its picture ${list(elements)}; a copy of as many bytes into new memory ${list(copies)}`);
   assert.ok(Math.min(...first) < 1000, `first picture: ${list(first)} ms`);
-  // An element that loads its scene anew takes some twenty times as long as the copy.
+  // An element that loads its scene anew takes eight to ten times as long as the copy, one that adopts it two to three times.
   const times = elements.map((element, round) => element / copies[round]);
   assert.ok(Math.min(...times) < 6, `an element more: ${list(elements)} ms, ${list(times)} times a copy`);
 });

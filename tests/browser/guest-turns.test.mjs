@@ -207,6 +207,19 @@ test('pause() takes back a press whose keys are still on their way', async (t) =
   await stateIs(page, 'playing');
 });
 
+test('a second press while the keys are still on their way changes nothing', async (t) => {
+  const { page } = await openGuest(t, browser);
+  await ready(page);
+  await page.route('**/ray-caster-steering.js', async (route) => {
+    await wait(300);
+    await route.continue();
+  });
+  await page.click('ray-caster', { clickCount: 2 });
+  await stateIs(page, 'playing');
+  await wait(200);
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').state), 'playing');
+});
+
 test('Play in the bar, by a finger, brings the thumbs', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: kRoom.replace('scene', 'controls scene'), viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true },

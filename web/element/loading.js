@@ -113,12 +113,18 @@ export class Loading {
 
   async #load(key, request) {
     const isStale = () => this.#asked !== key || this.#life.signal.aborted;
+    let told = '';
+    const onProgress = (share, bytes) => {
+      if (isStale() || `${share} ${bytes}` === told) return;
+      told = `${share} ${bytes}`;
+      this.#actions.progress(share, bytes);
+    };
     this.#asked = key;
     this.#failed = null;
     this.isLoading = true;
     this.#actions.changed();
     try {
-      const isThere = await this.#game.load({ ...request, onProgress: (share, bytes) => isStale() || this.#actions.progress(share, bytes) });
+      const isThere = await this.#game.load({ ...request, onProgress });
       if (!isThere || isStale()) return;
       this.#loaded = key;
       this.#view = null;

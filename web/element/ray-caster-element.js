@@ -116,9 +116,10 @@ export class RayCaster extends Base {
     return this.#engine('look').look(readView(view));
   }
 
-  async snapshot(options = {}) {
+  async snapshot({ width, height, type = 'image/png', ...others } = {}) {
     const engine = this.#engine('snapshot');
-    return snapshotOf(engine, { type: 'image/png', ...this.picture, ...options });
+    const { picture } = this;
+    return snapshotOf(engine, { width: width ?? picture.width, height: height ?? picture.height, type, ...others });
   }
 
   hits(column) {

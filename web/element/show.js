@@ -45,7 +45,6 @@ export class Show {
   #wantsHold = false; // who has pressed plays once what one steers by has come
   #stands = true;
   #pictures = 0;
-  #progress = ''; // as it was told last
 
   constructor(host, internals) {
     this.#host = host;
@@ -92,9 +91,6 @@ export class Show {
       show: (wanted) => this.#show(wanted),
       changed: () => this.#clearError(),
       progress: (share, bytes) => {
-        const told = `${share} ${bytes}`;
-        if (told === this.#progress) return;
-        this.#progress = told;
         this.#face.progress(share);
         this.#tell('progress', { share, bytes });
       },
@@ -270,9 +266,9 @@ export class Show {
     this.#wantsHold = true;
     box.classList.add('waiting');
     this.#steered().then((steering) => {
-      const isWanted = this.#wantsHold && root.activeElement === cover;
+      if (!this.#wantsHold) return; // taken back, or begun by the press before
       this.#letGo();
-      if (isWanted) steering.begin({ byTouch: this.#isTouched });
+      if (root.activeElement === cover) steering.begin({ byTouch: this.#isTouched });
     }, (error) => {
       this.#letGo();
       if (this.#life !== null) this.#fail(error);
