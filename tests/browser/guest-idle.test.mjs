@@ -164,17 +164,16 @@ test('while it stands still a change draws one picture', async (t) => {
   const { page } = await openGuest(t, browser, watched);
   await ready(page);
   await atRest(page);
+  await page.evaluate(() => document.querySelector('ray-caster').addEventListener('framechange', () => { window.pictures += 1; }));
   for (const change of ["look('3,3,0.6,90')", "set('fov', 75)", 'step(5)', 'reset()']) {
-    const told = await page.evaluate(async (act) => {
-      const element = document.querySelector('ray-caster');
-      let count = 0;
-      element.addEventListener('framechange', () => ++count);
-      new Function('element', `element.${act}`)(element);
-      await new Promise((resolve) => setTimeout(resolve, 200));
-      return count;
+    await page.evaluate((act) => {
+      window.pictures = 0;
+      new Function('element', `element.${act}`)(document.querySelector('ray-caster'));
     }, change);
-    assert.equal(told, 1, change);
+    await until(page, () => window.pictures > 0);
     await atRest(page);
+    await wait(200);
+    assert.equal(await page.evaluate(() => window.pictures), 1, change);
   }
 });
 

@@ -12,7 +12,6 @@ import { fileURLToPath } from 'node:url';
 const kPage = fileURLToPath(new URL('../../build/web/', import.meta.url));
 
 const kPieces = 8;
-const kPieceMilliseconds = 40;
 
 const kTypes = {
   '.html': 'text/html; charset=utf-8',
@@ -25,8 +24,9 @@ const kTypes = {
 };
 
 // `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function that gives one of them. `headers` go with every answer,
-// what `isSlow(path)` picks comes in pieces. `asked` lists the paths in the order in which they were wanted. `folder` is another one than the page's.
-export async function serve({ folder = kPage, files = {}, prefix = '/', headers = {}, types = {}, isSlow = () => false } = {}) {
+// `asked` lists the paths in the order in which they were wanted. `folder` is another one than the page's. With `mayGo` every file comes in eight pieces, and
+// each waits for `await mayGo(path, bytes sent of it)`.
+export async function serve({ folder = kPage, files = {}, prefix = '/', headers = {}, types = {}, mayGo = null } = {}) {
   const asked = [];
   const server = createServer(async (request, response) => {
     const address = decodeURIComponent(request.url.split(/[?#]/, 1)[0]);
@@ -37,8 +37,9 @@ export async function serve({ folder = kPage, files = {}, prefix = '/', headers 
     if (content === null) return response.writeHead(404, { 'Content-Type': 'text/plain' }).end('There is no such file.');
     const type = types[name] ?? kTypes[path.extname(name)] ?? 'application/octet-stream';
     response.writeHead(200, { 'Content-Type': type, 'Content-Length': content.length, ...headers });
-    if (isSlow(name)) await sendInPieces(response, content);
-    return response.end(isSlow(name) ? undefined : content);
+    if (mayGo === null) return response.end(content);
+    await sendInPieces(response, content, (sent) => mayGo(name, sent));
+    return response.end();
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   return {
@@ -51,11 +52,11 @@ export async function serve({ folder = kPage, files = {}, prefix = '/', headers 
   };
 }
 
-async function sendInPieces(response, content) {
+async function sendInPieces(response, content, mayGo) {
   const size = Math.ceil(content.length / kPieces);
   for (let at = 0; at < content.length; at += size) {
+    await mayGo(at);
     response.write(content.subarray(at, at + size));
-    await new Promise((resolve) => setTimeout(resolve, kPieceMilliseconds));
   }
 }
 
