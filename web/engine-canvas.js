@@ -8,7 +8,6 @@
 const kLockRestMilliseconds = 2000; // after the pointer was let go, in which a browser may refuse it without meaning anything
 
 export function openCanvas(canvas, exports, writeCode) {
-  if (!canvas.hasAttribute('tabindex')) canvas.tabIndex = 0;
   const page = canvas.ownerDocument; // which may be another one than the script's
   const context = canvas.getContext('2d', { alpha: false });
   const listeners = new AbortController();

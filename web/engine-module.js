@@ -10,7 +10,7 @@ const kNotHere = 52; // what it answers where there is no such thing
 const kPageBytes = 65536;
 
 // In the order of News in src/app/shell.h.
-const kNews = ['ready', 'pause', 'pointer', 'cursor', 'recording', 'replay', 'fly', 'minimap', 'help', 'rate', 'fullscreen', 'record'];
+const kNews = ['ready', 'pause', 'pointer', 'cursor', 'recording', 'replay', 'fly', 'overlay', 'help', 'rate', 'fullscreen', 'record'];
 
 export async function createModule(program, { canvas = null, onSlicecast = () => {} } = {}) {
   const decoder = new TextDecoder();
@@ -57,7 +57,6 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
     tellSize(width, height) {
       canvas.width = width;
       canvas.height = height;
-      onSlicecast('size', { width, height });
     },
     tellHits: (json) => onSlicecast('hits', JSON.parse(module.UTF8ToString(json))),
   };

@@ -385,7 +385,8 @@ bool App::draw(double nowSeconds) {
 void App::tellChanges() {
     if (!game_) return;
     if (std::exchange(toldFly_, game_->player().flying) != game_->player().flying) shell_.tell(News::fly, toldFly_);
-    if (std::exchange(toldMinimap_, game_->options().minimap) != game_->options().minimap) shell_.tell(News::minimap, toldMinimap_);
+    const bool hasOverlay = std::any_of(kSwitches.begin(), kSwitches.end(), [&](const auto& one) { return optionValue(game_->options(), one.second) == "on"; });
+    if (std::exchange(toldOverlay_, hasOverlay) != hasOverlay) shell_.tell(News::overlay, hasOverlay);
 }
 
 }  // namespace slicecast

@@ -54,7 +54,7 @@ public:
     // Nobody sees the screen: time stands still, no pictures are drawn, no key is held.
     void setHidden(bool hidden);
 
-    // Mouse look: degrees for each pixel that the mouse moves (in any case less than half a turn), and whether forward looks down.
+    // Mouse look: degrees for each pixel that the mouse moves (at most 0.5), and whether forward looks down.
     void setMouse(double degreesPerPixel, bool invert);
 
     void keyDown(const Key& key, bool repeated);
@@ -136,7 +136,7 @@ private:
     bool ready_ = false;
     std::optional<Eye> shownEye_;  // of the last picture
     bool toldFly_ = false;
-    bool toldMinimap_ = false;
+    bool toldOverlay_ = false;
 };
 
 }  // namespace slicecast

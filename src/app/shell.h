@@ -19,7 +19,7 @@ enum class News {
     recording,   // what is done is recorded, or no more
     replay,      // a recording is played, or it is over
     fly,         // fly mode, or walk mode
-    minimap,     // is shown, or not
+    overlay,     // some overlay is shown, or none
     help,        // its key was pressed
     rate,        // the same
     fullscreen,  // the same

@@ -189,7 +189,7 @@ void WindowShell::tell(News news, bool yes) {
         case News::pointer:
         case News::cursor:
         case News::fly:
-        case News::minimap:
+        case News::overlay:
             break;
     }
 }

@@ -76,7 +76,7 @@ void Session::step(const Input& input) {
     stepObjects(world_);
     stepPlayer(world_, player_, playerInput(kept, options_.speed));
     ++steps_;
-    world_.seconds = static_cast<double>(steps_) * kStepSeconds;
+    world_.seconds = static_cast<double>(steps_ - beganAt_) * kStepSeconds;
 }
 
 // A press is one wish, however long it lasts.
@@ -164,6 +164,8 @@ void Session::reset() {
     if (recorder_ != nullptr) recorder_->add(RecordedReset{});
     resetWorld(world_);
     resetObjects(world_);
+    beganAt_ = steps_;
+    world_.seconds = 0.0;
     player_ = playerAtStart(world_);
     previous_ = player_;
 }
@@ -300,7 +302,8 @@ std::uint64_t Session::fingerprint() const {
     }
     if (p.behind.isOn) {
         const Portal& back = p.behind.back;
-        for (const int number : {back.toMap, back.fromX, back.fromY, back.toX, back.toY, back.turn, back.levels, static_cast<int>(p.behind.side), p.behind.height.raw}) {
+        for (const int number :
+             {back.toMap, back.fromX, back.fromY, back.toX, back.toY, back.turn, back.levels, static_cast<int>(p.behind.side), p.behind.height.raw}) {
             hash.add(std::int64_t{number});
         }
     }

@@ -58,7 +58,7 @@ public:
     // Draws the view between the last two steps, and the overlays that are switched on. False if the picture cannot be drawn (see Renderer::draw).
     bool draw(const Picture& picture, double fraction = 1.0);
 
-    // Back to the world's start, at rest, walking; what moves and opens begins anew too. Options stay as they are.
+    // Back to the world's start, at rest, walking; what moves, opens and is animated begins anew too. Options stay as they are.
     void reset();
     // Looks level; when flying, also comes down to standing height (the notes' R key).
     void levelLook();
@@ -116,13 +116,14 @@ private:
     MapLights lights_;
     SessionOptions options_;
     Player player_;
-    Player previous_;  // before the last step; the same as player_ after a leap
+    Player previous_;   // before the last step; the same as player_ after a leap
     Input heldBefore_;  // of the last step, to tell a press from a key that is held
     std::vector<Body> bodies_;
     Renderer renderer_;
     SlowDrawing slowDrawing_;
     PhaseClock clock_;
     std::int64_t steps_ = 0;
+    std::int64_t beganAt_ = 0;  // the step after which the world stood at its start
     Recorder* recorder_ = nullptr;
 };
 

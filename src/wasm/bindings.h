@@ -22,14 +22,13 @@
 //     "recording"   true, false   the game is recorded, or no more
 //     "replay"      true, false   a recording is played, or it is over: it has ended, or somebody moves
 //     "fly"         true, false   fly or walk mode (V), after every change; false in the beginning
-//     "minimap"     true, false   the minimap is shown or not (M), after every change; false in the beginning
+//     "overlay"     true, false   some overlay (a key of M, B, O, J, U, G, K, Y) is on, or none, after every change; false in the beginning
 //     "help"        true          H was pressed: the page shows or hides the keys
 //     "rate"        true          I was pressed: the page shows or hides the frame rate
 //     "fullscreen"  true          F was pressed: the page enters or leaves full screen
 //     "record"      true          F9 was pressed: the page opens the scene anew and records it, or saves what was recorded
 //     "hits"        {...}         T was pressed: what the inspected slice meets, as slicecast_hits gives it
 //     "frames"      {"framesPerSecond", "drawMilliseconds", "longestMilliseconds"}   twice a second, over the time since the last one
-//     "size"        {"width", "height"}   pixels of the picture, after every change
 //     "frame"       true          a picture has been put on the canvas
 //     "view"        true          before it: the eye is not where it was in the picture before
 //     "portal"      {"from", "to"}   the player has gone through a portal; names of the maps, which may be the same
@@ -37,9 +36,9 @@
 // While it stands still or its page is hidden, the program asks for no frame of the browser's and no timer; whatever changes what is to be seen asks for one
 // frame.
 //
-// The program looks after the canvas's own input: it makes the canvas focusable, focuses it on a press, holds the pointer after a click, and takes the keys
-// that it knows only while the canvas has the focus. Tab and anything with Ctrl, Alt or Meta stay the page's; Escape frees the pointer, then gives the focus
-// back. It never looks at the canvas's CSS size.
+// The program looks after the input of its canvas, which the page makes focusable: it focuses it on a press, holds the pointer after a click, and takes the
+// keys that it knows only while the canvas has the focus. Tab and anything with Ctrl, Alt or Meta stay the page's; Escape frees the pointer, then gives the
+// focus back. Of the canvas's CSS size it takes only where in the picture the cursor is.
 #pragma once
 
 #include <stdint.h>

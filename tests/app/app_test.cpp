@@ -271,7 +271,7 @@ TEST_F(AppTest, KeysChangeModes) {
     press(SDL_SCANCODE_M);
     play(0.1);
     EXPECT_TRUE(app.game()->options().minimap);
-    EXPECT_EQ(shell.news.back(), (std::pair{News::minimap, true}));
+    EXPECT_EQ(shell.news.back(), (std::pair{News::overlay, true}));
     press(SDL_SCANCODE_KP_1);
     EXPECT_EQ(heading(), 135.0);
     press(SDL_SCANCODE_UP);
@@ -548,8 +548,12 @@ TEST_F(AppTest, KeysSwitchTheOverlaysOnAndOff) {
         press(scancode);
         press(scancode, true);
         EXPECT_EQ(app.game()->option(option), "on") << option;
+        play(0.1);
+        EXPECT_EQ(shell.news.back(), (std::pair{News::overlay, true})) << option;
         press(scancode);
         EXPECT_EQ(app.game()->option(option), "off") << option;
+        play(0.1);
+        EXPECT_EQ(shell.news.back(), (std::pair{News::overlay, false})) << option;
     }
 }
 

@@ -382,7 +382,7 @@ export class Show {
       case 'pause':
         if (value !== this.#stands) this.pause(); // by its key
         break;
-      case 'minimap':
+      case 'overlay':
         this.showState();
         break;
       default:
