@@ -1,6 +1,6 @@
 // How a view and options are written in attributes and addresses, and read again.
 //
-//     view      x,y,z,heading[,look[,map]]     units, degrees (0 = east, 90 = south), screen heights; a map by its name, without one that of the start
+//     view      x,y,z,heading[,look[,map]]     units, degrees (0 = east, 90 = south), screen heights; a map by its name (commas too), without one that of the start
 //     options   name=value name=value ...      those of the engine; names and values hold no blanks
 //     overlay   minimap grid ...               what is drawn over the picture: options that are switched on
 
@@ -10,14 +10,14 @@ export const kOverlays = ['minimap', 'minimapRays', 'minimapTurns', 'playerPanel
 
 // {x, y, z, heading, look, map}; map is null where none is named. Throws a Trouble.
 export function parseView(text) {
-  const parts = text.split(',').map((part) => part.trim());
-  const numbers = parts.slice(0, 5).map((part) => (part === '' ? NaN : Number(part)));
-  if (parts.length < 4 || parts.length > 6 || !numbers.every(Number.isFinite)) {
+  const parts = text.split(',');
+  const numbers = parts.slice(0, 5).map((part) => (part.trim() === '' ? NaN : Number(part)));
+  if (parts.length < 4 || !numbers.every(Number.isFinite)) {
     const expected = 'x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map';
     throw new Trouble('The view cannot be read', `view: found "${text}", expected ${expected}`, [], 'address');
   }
   const [x, y, z, heading, look = 0] = numbers;
-  return { x, y, z, heading, look, map: parts[5] || null };
+  return { x, y, z, heading, look, map: parts.slice(5).join(',').trim() || null };
 }
 
 // Of an engine's state; read again it is the same eye.

@@ -8,6 +8,13 @@ const kViolationMilliseconds = 50; // the news of a violation comes after the fa
 const kOnePiece = 131072; // bytes that are read without telling how far they are
 const kProbeMilliseconds = 4000; // a server that has not answered the probe by then counts as one that does not answer
 
+let cache = 'default';
+
+// From now on every server is asked whether what the browser has kept is still so: somebody tries again.
+export function askAnew() {
+  cache = 'no-cache';
+}
+
 // `total` is never below `loaded`; a compressed answer's length is not known beforehand.
 export async function fetchBytes(address, onBytes = () => {}) {
   const bytes = await readBody(await fetchResponse(address), onBytes);
@@ -20,7 +27,7 @@ export async function fetchResponse(address) {
   const violations = listenForViolations();
   let response;
   try {
-    response = await fetch(address);
+    response = await fetch(address, { cache });
   } catch {
     throw await causeOf(address, violations);
   } finally {
@@ -95,7 +102,10 @@ export function coded(code, message) {
 // A fetch failed without an answer. With no-cors a server answers whatever its headers say, only what it says stays hidden.
 async function causeOf(address, { refused }) {
   await new Promise((resolve) => setTimeout(resolve, kViolationMilliseconds));
-  if (refused.length > 0) return coded('csp', `the page's Content-Security-Policy does not allow it (${refused[0].directive})`);
+  // What else the policy refuses meanwhile, trackers for instance, has nothing to do with it.
+  const { href, origin } = new URL(address);
+  const isRefused = refused.some((one) => one.directive === 'connect-src' && [href.replace(/#.*/s, ''), origin].includes(one.address));
+  if (isRefused) return coded('csp', "the page's Content-Security-Policy does not allow it (connect-src)");
   const answers = await fetch(address, { mode: 'no-cors', cache: 'no-store', signal: AbortSignal.timeout?.(kProbeMilliseconds) }).then(() => true, () => false);
   if (answers) return coded('cors', 'the server answers, but does not allow pages of other origins to read it');
   return coded('fetch', 'the server does not answer');

@@ -6,6 +6,7 @@
 import { parseView } from './address.js';
 import { fetchEngine } from './engine-files.js';
 import { Engine } from './engine.js';
+import { askAnew } from './fetch-bytes.js';
 import { listenForFiles } from './file-drop.js';
 import { Gamepads } from './gamepads.js';
 import { GivenOptions, lookFrom } from './given.js';
@@ -40,7 +41,9 @@ const isLive = () => parameters().get('live') === '1';
 class Page {
   engine = null;
   scenes = [];
-  current = null; // what is open or being opened: {source, reference, about, view}; the reference is null for dropped files, the view for the scene's start
+  current = null; // what is open: {source, reference, about, view}; the reference is null for dropped files, the view for the scene's start
+  #asked = null; // the same of what was asked for last, be it there or not
+  #dropped = null; // files that came before the engine
   #loads = 0;
   #played = false;
   #modes = new Set();
@@ -68,7 +71,7 @@ class Page {
       this.engine = await Engine.create({ files, canvas, onEvent: (event, value) => this.#hear(event, value) });
       this.#prepareEngine();
       this.#takeScenes(scenes);
-      await this.openFromAddress();
+      await (this.#dropped !== null ? this.openFiles(this.#dropped) : this.openFromAddress());
     } catch (error) {
       this.#fail(asTrouble(error), { again: () => location.reload() });
     }
@@ -92,10 +95,24 @@ class Page {
 
   // A recording of the page's, played in its scene from the start.
   async openTour(name) {
-    const bytes = await readTour(name);
+    const bytes = await this.#unlessOvertaken(readTour(name));
+    if (bytes === null) return;
     const { scene, faults } = this.engine.readRecording(bytes, `${name}.txt`);
     if (faults.length > 0) throw faultsTrouble(`${name}.txt`, faults);
     if (await this.open(this.#inAddress(scene))) this.engine.replay();
+  }
+
+  // What comes, or null if something else was asked for meanwhile: then its failure is nobody's either.
+  async #unlessOvertaken(coming) {
+    const load = ++this.#loads;
+    const isOvertaken = () => load !== this.#loads;
+    try {
+      const found = await coming;
+      return isOvertaken() ? null : found;
+    } catch (error) {
+      if (isOvertaken()) return null;
+      throw error;
+    }
   }
 
   // F9: begins the scene anew and records it, or hands out what was recorded.
@@ -118,7 +135,7 @@ class Page {
   async open(scene, { keepEye = false } = {}) {
     const load = ++this.#loads;
     const wasPlaying = this.state === 'playing' || (keepEye && this.playsAfterTrouble);
-    this.current = scene;
+    this.#asked = scene;
     if (!keepEye) {
       this.trouble.hide();
       this.engine.paused = true;
@@ -135,6 +152,7 @@ class Page {
       });
       if (faults === null) return false;
       if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
+      this.current = scene;
       for (const { message } of this.engine.warnings) console.warn(message);
       this.#showTitle();
       if (scene.view !== null) lookFrom(this.engine, scene.view);
@@ -142,7 +160,7 @@ class Page {
       if (load !== this.#loads) return false;
       this.playsAfterTrouble = wasPlaying;
       const isOver = error instanceof WebAssembly.RuntimeError;
-      this.#fail(asTrouble(error), { again: isOver ? () => location.reload() : () => this.open(scene) });
+      this.#fail(asTrouble(error), { again: isOver ? () => location.reload() : () => this.#openAgain(scene) });
       return false;
     }
     this.playsAfterTrouble = false;
@@ -151,6 +169,11 @@ class Page {
     if (keepEye && wasPlaying) this.play();
     else if (this.ready) this.#setState('paused'); // else the first picture is still to come
     return true;
+  }
+
+  #openAgain(scene) {
+    askAnew();
+    return this.open(scene);
   }
 
   get hasPicture() {
@@ -167,9 +190,10 @@ class Page {
   }
 
   #takeScenes(scenes) {
-    const known = !(scenes instanceof Error);
-    this.scenes = known ? scenes : [];
+    const isThere = !(scenes instanceof Error);
+    this.scenes = isThere ? scenes : [];
     this.menu = new SceneMenu(find('scenes'), this.scenes, {
+      missing: isThere ? null : asTrouble(scenes),
       addressOf: (file) => this.#addressOf(file),
       onChoose: (file) => {
         history.pushState(null, '', this.#addressOf(file));
@@ -186,10 +210,15 @@ class Page {
   }
 
   async openFiles(entries) {
-    if (this.engine === null) return;
+    if (this.engine === null) {
+      entries.catch(() => {}); // told when it is opened
+      this.#dropped = entries;
+      return;
+    }
     find('scenes').close();
     try {
-      await this.open({ source: sceneAmong(await entries), reference: null, about: '', view: null });
+      const found = await this.#unlessOvertaken(entries);
+      if (found !== null) await this.open({ source: sceneAmong(found), reference: null, about: '', view: null });
     } catch (error) {
       this.#fail(asTrouble(error), { again: null });
     }
@@ -428,7 +457,7 @@ class Page {
     const saves = new EventSource(new URL('-/events', document.baseURI));
     saves.addEventListener('scene', () => {
       const reference = parameters().get('scene');
-      if (this.engine !== null && this.current?.reference === reference) this.open(this.#inAddress(reference), { keepEye: this.ready });
+      if (this.engine !== null && this.#asked?.reference === reference) this.open(this.#inAddress(reference), { keepEye: this.ready });
     });
   }
 }

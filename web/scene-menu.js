@@ -8,8 +8,9 @@ const kAspect = 9 / 16; // of a view
 export class SceneMenu {
   #drawn = false;
 
-  // `scenes` as in the list that comes with the page; `addressOf(file)` is the page's address with that scene; `onChoose(file)` opens it here.
-  constructor(dialog, scenes, { addressOf, onChoose }) {
+  // `scenes` as in the list that comes with the page; `missing` is a Trouble where there is none; `addressOf(file)` is the page's address with that scene;
+  // `onChoose(file)` opens it here.
+  constructor(dialog, scenes, { missing, addressOf, onChoose }) {
     this.dialog = dialog;
     this.cards = scenes.map((scene) => ({ scene, ...card(scene, addressOf(scene.file)) }));
     for (const { link, scene } of this.cards) {
@@ -21,6 +22,9 @@ export class SceneMenu {
         onChoose(scene.file);
       });
     }
+    const hint = dialog.querySelector('.missing');
+    hint.hidden = missing === null;
+    hint.textContent = missing === null ? '' : `${missing.title}. ${missing.message}`;
     dialog.querySelector('ul').replaceChildren(...this.cards.map(({ item }) => item));
   }
 

@@ -73,7 +73,9 @@ export class Settings {
   }
 
   backToStandard() {
-    for (const [name, value] of Object.entries(kStandard)) this.set(name, value);
+    this.#values = { ...kStandard };
+    this.#writeStorage();
+    this.takeBack();
   }
 
   #read(field) {

@@ -104,6 +104,25 @@ test('a scene dropped with its pictures opens', async (t) => {
   assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
 });
 
+test('a scene that is dropped while the engine is still to come opens first', async (t) => {
+  let arrive;
+  const { page } = await openPage(t, browser, { prepare: (newPage) => newPage.route('**/*.wasm', async (route) => {
+    await new Promise((resolve) => { arrive = resolve; });
+    await route.continue();
+  }) });
+  while (arrive === undefined) await page.waitForTimeout(20);
+  await drop(page, { ...roomPictures(), 'dropped.json': JSON.stringify(roomScene({ title: 'Dropped', folder: 'own/' })) });
+  arrive();
+  await inState(page, 'paused');
+  assert.equal(await page.title(), 'Dropped · Slicecast');
+});
+
+test('without a list of scenes the menu says why', async (t) => {
+  const { page } = await openScene(t, browser, { query: '?scene=room', expectErrors: true, server: { files: { 'scenes/index.json': null } } });
+  await page.click('#open-scenes');
+  assert.match(await page.textContent('#scenes .missing'), /list of scenes could not be loaded.*scenes\/index\.json: the server answers 404/);
+});
+
 test('pictures that were not dropped come from the page', async (t) => {
   const { page } = await openScene(t, browser);
   await page.click('#open-scenes');

@@ -191,3 +191,21 @@ test('a storage with nonsense in it is not believed', async (t) => {
     await page.context().close();
   }
 });
+
+test('back to standard: also what the address had put in front of the own settings', async (t) => {
+  const { page } = await openScene(t, browser, {
+    query: '?scene=room&options=fov=60',
+    prepare: (newPage) => newPage.addInitScript((text) => localStorage.setItem('slicecast.settings', text), JSON.stringify({ fov: 90 })),
+  });
+  await openSettings(page);
+  await page.click('#standard-settings');
+  assert.equal(await page.inputValue('#set-fov'), '60');
+  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('slicecast.settings')).fov), 60);
+  await page.keyboard.press('Escape');
+  await page.evaluate(() => {
+    history.pushState(null, '', '?scene=other');
+    window.dispatchEvent(new PopStateEvent('popstate'));
+  });
+  await page.waitForFunction(() => document.title.startsWith('The other room'));
+  assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '60');
+});

@@ -184,3 +184,20 @@ test('axe finds nothing wrong with the dialog', async (t) => {
   const { violations } = await page.evaluate(() => window.axe.run(document.getElementById('share')));
   assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`), []);
 });
+
+test('what is shared is the scene that is seen, also where another could not be opened', async (t) => {
+  const { page } = await openScene(t, browser, { expectErrors: true });
+  await page.evaluate(() => {
+    history.pushState(null, '', '?scene=gone');
+    window.dispatchEvent(new PopStateEvent('popstate'));
+  });
+  await inState(page, 'trouble');
+  await page.click('#trouble-back');
+  await inState(page, 'paused');
+  await openShare(page);
+  assert.match(await page.inputValue('#share-link'), /\?scene=room&/);
+  assert.match(await page.inputValue('#share-tag'), /scenes\/room\.json/);
+  await page.click('#share [data-close]');
+  await page.click('#open-scenes');
+  assert.equal(await page.textContent('#scene-list a[aria-current] h3'), 'The coloured room');
+});

@@ -88,3 +88,24 @@ test('F9 begins the scene anew and records it, F9 saves what was played', async 
   assert.equal(await shown(page), '');
   assert.equal(await page.evaluate((bytes) => window.slicecast.engine.readRecording(new TextEncoder().encode(bytes), 'x').faults.length, text), 0);
 });
+
+test('a tour that is long on its way is overtaken by a scene that is chosen meanwhile', async (t) => {
+  let arrive;
+  const { page } = await openPage(t, browser, { query: '?tour=mine', server: { files: { 'tours/mine.txt': tour } }, prepare: (newPage) => newPage.route('**/tours/mine.txt', async (route) => {
+    await new Promise((resolve) => { arrive = resolve; });
+    await route.continue();
+  }) });
+  await page.waitForFunction(() => window.slicecast.menu !== undefined);
+  while (arrive === undefined) await page.waitForTimeout(20);
+  await page.evaluate(() => {
+    history.pushState(null, '', '?scene=room');
+    window.dispatchEvent(new PopStateEvent('popstate'));
+  });
+  await inState(page, 'paused');
+  const came = page.waitForResponse('**/tours/mine.txt');
+  arrive();
+  await came;
+  await page.waitForTimeout(200);
+  assert.equal(await page.title(), 'The coloured room · Slicecast');
+  assert.equal(await shown(page), '');
+});

@@ -10,7 +10,7 @@ import { fetchOnce, holdCache } from '../../web/element/page-cache.js';
 import { sceneOfRows } from '../../web/element/rows.js';
 import { describeView } from '../../web/element/view-text.js';
 import { fetchBytes } from '../../web/fetch-bytes.js';
-import { parseView } from '../../web/address.js';
+import { formatView, parseView } from '../../web/address.js';
 import { Session, loadModule, root } from '../wasm/load.mjs';
 
 const kEverything = `
@@ -215,4 +215,11 @@ test('without a holder nothing is kept; a failure is forgotten', async () => {
 test('a fetch that fails says why', async () => {
   await assert.rejects(fetchBytes(`${address}/page`), { code: 'mime' });
   await assert.rejects(fetchBytes('http://127.0.0.1:9/'), { code: 'fetch', message: 'the server does not answer' });
+});
+
+test('a view is read again as it was written, also in a map with commas in its name', () => {
+  for (const map of ['room', 'Hall, upper floor', 'a,b,c']) {
+    const view = { x: 1, y: 2.5, z: 0.6, heading: 90, look: -0.25, map };
+    assert.deepEqual(parseView(formatView(view)), view);
+  }
 });

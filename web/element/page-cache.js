@@ -11,7 +11,7 @@
 // What has failed is forgotten, so that another try asks again. Files are kept while anybody holds the cache; the compiled engine stays with the page.
 
 import { browserHasWebAssembly, chooseBuild, fetchEngine } from '../engine-files.js';
-import { fetchBytes } from '../fetch-bytes.js';
+import { askAnew, fetchBytes } from '../fetch-bytes.js';
 
 const engines = new Map();
 const files = new Map();
@@ -37,6 +37,7 @@ export function fetchOnce(address, onBytes = () => {}) {
 
 // Whoever tries again after a fault wants the files as they are now, and no scene that was made of them before.
 export function forgetFiles() {
+  askAnew();
   files.clear();
   players.clear();
 }

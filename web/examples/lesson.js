@@ -60,7 +60,7 @@ export function slider(id, write, onChange) {
     },
     // Without telling anybody.
     set value(value) {
-      if (document.activeElement !== input || Number(input.value) !== value) input.value = String(value);
+      if (Number(input.value) !== value) input.value = String(value);
       show();
     },
     set greatest(greatest) {

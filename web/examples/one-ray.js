@@ -7,8 +7,7 @@ const kKinds = { '#': 'wall', o: 'pillar', b: 'shelf', f: 'wall' };
 const kRulers = { left: 36, right: 1044, middle: 92, tall: 34 }; // of the drawing
 
 const caster = find('hall');
-const scene = await (await fetch(new URL('scenes/one-ray.json', import.meta.url))).json();
-const [rows] = scene.maps[0].levels;
+const rows = await readRows().catch(() => ['']); // the element itself says what is wrong
 find('plan').setAttribute('viewBox', planBox(rows));
 
 let follows = true; // the walk is shown to its end, however long it is
@@ -21,6 +20,12 @@ const shown = slider('shown', (value) => (value === 1 ? 'only the first tile' : 
 });
 
 follow(caster, draw);
+
+async function readRows() {
+  const answer = await fetch(new URL('scenes/one-ray.json', import.meta.url));
+  const { maps } = await answer.json();
+  return maps[0].levels[0];
+}
 
 function draw() {
   column.spread(caster.picture.width);
