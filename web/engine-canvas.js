@@ -1,13 +1,13 @@
 // A canvas as the engine's screen, keys and mouse. Everything is heard on the way in, before the page's own listeners; the engine decides which keys are
 // taken from the page.
 //
-//     const screen = openCanvas(canvas, exports, writeCode);      // exports of src/app/page_shell.cpp; writeCode(text) names the key that it is told of
+//     const screen = openCanvas(canvas, exports, {writeCode, takesKey});      // exports of src/app/page_shell.cpp; writeCode(text) names the next key
 //     screen.show(buffer, at, width, height);                     // pixels in the engine's memory
 //     screen.close();
 
 const kLockRestMilliseconds = 2000; // after the pointer was let go, in which a browser may refuse it without meaning anything
 
-export function openCanvas(canvas, exports, writeCode) {
+export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   const page = canvas.ownerDocument; // which may be another one than the script's
   const context = canvas.getContext('2d', { alpha: false });
   const listeners = new AbortController();
@@ -16,6 +16,7 @@ export function openCanvas(canvas, exports, writeCode) {
   let image = null; // a view on the engine's own memory; growing memory moves it
 
   const key = (event, isDown) => {
+    if (!takesKey(event.code)) return;
     writeCode(event.code);
     const flags = (event.ctrlKey ? 1 : 0) | (event.altKey ? 2 : 0) | (event.metaKey ? 4 : 0) | (event.repeat ? 8 : 0);
     if (exports.slicecastKey(isDown, flags)) event.preventDefault();

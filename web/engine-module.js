@@ -2,6 +2,8 @@
 //
 //     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});      // of a compiled program: as many as are wanted
 //     module._slicecast_NAME(...);      module.HEAPU8;      module.UTF8ToString(at);
+//
+// Keys for which `takesKey(code)` is false stay the page's.
 
 import { openCanvas } from './engine-canvas.js';
 
@@ -12,7 +14,7 @@ const kPageBytes = 65536;
 // In the order of News in src/app/shell.h.
 const kNews = ['ready', 'pause', 'pointer', 'cursor', 'recording', 'replay', 'fly', 'overlay', 'help', 'rate', 'fullscreen', 'record'];
 
-export async function createModule(program, { canvas = null, onSlicecast = () => {} } = {}) {
+export async function createModule(program, { canvas = null, onSlicecast = () => {}, takesKey = () => true } = {}) {
   const decoder = new TextDecoder();
   const module = {
     // Anew whenever memory has grown.
@@ -32,10 +34,11 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
   const page = {
     openCanvas(code, codeBytes) {
       if (canvas === null) return 0;
-      screen = openCanvas(canvas, exports, (text) => {
+      const writeCode = (text) => {
         const { written } = new TextEncoder().encodeInto(text, module.HEAPU8.subarray(code, code + codeBytes - 1));
         module.HEAPU8[code + written] = 0;
-      });
+      };
+      screen = openCanvas(canvas, exports, { writeCode, takesKey });
       return 1;
     },
     closeCanvas() {

@@ -24,9 +24,9 @@ export class Engine {
   #mapNames = [];
   #sceneEnd = 0; // of the memory, once the scene was there
 
-  static async create({ files, canvas = null, onEvent = () => {} }) {
+  static async create({ files, canvas = null, onEvent = () => {}, takesKey }) {
     try {
-      return new Engine(await createModule(files.program, { canvas, onSlicecast: onEvent }), canvas);
+      return new Engine(await createModule(files.program, { canvas, onSlicecast: onEvent, takesKey }), canvas);
     } catch (error) {
       throw new Trouble('The engine does not start', error.message);
     }
@@ -43,10 +43,6 @@ export class Engine {
   get #module() {
     if (this.#running === null) throw new Error('This engine has been stopped.');
     return this.#running;
-  }
-
-  get version() {
-    return this.#module.UTF8ToString(this.#module._slicecast_version());
   }
 
   // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that was running alone. Gives null if another scene was
@@ -210,11 +206,6 @@ export class Engine {
     return true;
   }
 
-  // Into a map by its number. False if there is no such map.
-  goToMap(map) {
-    return this.#module._slicecast_goToMap(this.#session, map) === 1;
-  }
-
   // Everything that one column of a picture of that size meets (src/session/hits_json.h), or null.
   hits(width, height, column) {
     return this.#json(this.#module._slicecast_hits(this.#session, width, height, column));
@@ -241,10 +232,6 @@ export class Engine {
 
   set paused(paused) {
     this.#module._slicecast_pause(paused ? 1 : 0);
-  }
-
-  get paused() {
-    return this.#module._slicecast_paused() === 1;
   }
 
   setMouse({ degreesPerPixel, invert }) {

@@ -3,7 +3,7 @@
 //
 //     const gamepads = new Gamepads({change(pad), press()});
 //     gamepads.stop();
-//     pad: {leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons}, as slicecast_gamepad takes it; press: a button went down
+//     pad: {leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons}, as slicecast_gamepad takes it; press: a button went down (may be left out)
 
 const kNone = { leftX: 0, leftY: 0, rightX: 0, rightY: 0, leftTrigger: 0, rightTrigger: 0, buttons: 0 };
 const kTriggers = 6; // the first of the two among the buttons, which are axes here
@@ -36,7 +36,7 @@ export class Gamepads {
         const isPress = (now.buttons & ~this.#before.buttons) !== 0;
         this.#before = now;
         this.actions.change(now);
-        if (isPress) this.actions.press();
+        if (isPress) this.actions.press?.();
       }
       this.#asks = pads.length > 0;
       if (this.#asks) requestAnimationFrame(look);

@@ -25,6 +25,8 @@ export class Thumbs {
   #held = { forward: 0, strafe: 0, jump: false, crouch: false, fast: false, use: false };
   #flying = false;
   #jumpTimer = 0;
+  #useTimer = 0;
+  #touches = []; // what follows them
 
   constructor(root, actions) {
     this.actions = actions;
@@ -35,7 +37,8 @@ export class Thumbs {
     this.find('use').addEventListener('pointerdown', (event) => {
       event.preventDefault();
       this.#hold({ use: true });
-      setTimeout(() => this.#hold({ use: false }), kJumpMilliseconds);
+      clearTimeout(this.#useTimer);
+      this.#useTimer = setTimeout(() => this.#hold({ use: false }), kJumpMilliseconds);
     });
     this.find('fly').addEventListener('pointerdown', (event) => {
       event.preventDefault();
@@ -57,9 +60,11 @@ export class Thumbs {
     this.find('use').hidden = !hasGates;
   }
 
-  // Lets go of everything.
+  // Lets go of everything, of fingers that are still down too: what is taken away under one never hears that it was lifted.
   release() {
+    for (const touch of this.#touches) touch.drop();
     clearTimeout(this.#jumpTimer);
+    clearTimeout(this.#useTimer);
     this.#hold({ forward: 0, strafe: 0, jump: false, crouch: false, fast: false, use: false });
   }
 
@@ -77,7 +82,7 @@ export class Thumbs {
   #listenToStick(zone, stick) {
     const knob = stick.querySelector('.knob');
     let middle = null;
-    listen(zone, {
+    this.#listen(zone, {
       begin: (event) => {
         middle = { x: event.clientX, y: event.clientY };
         const box = zone.getBoundingClientRect();
@@ -108,7 +113,7 @@ export class Thumbs {
     let moved = 0;
     let begun = 0;
     let lastTap = -Infinity;
-    listen(zone, {
+    this.#listen(zone, {
       begin: (event) => {
         at = { x: event.clientX, y: event.clientY };
         moved = 0;
@@ -122,7 +127,7 @@ export class Thumbs {
         this.actions.drag(right, down);
       },
       end: (event) => {
-        if (event.type !== 'pointerup' || moved > kTapPixels || event.timeStamp - begun > kTapMilliseconds) return;
+        if (event?.type !== 'pointerup' || moved > kTapPixels || event.timeStamp - begun > kTapMilliseconds) return;
         if (event.timeStamp - lastTap < kBetweenTaps) {
           lastTap = -Infinity;
           this.#hold({ jump: true });
@@ -136,7 +141,7 @@ export class Thumbs {
   }
 
   #listenToButton(button, name) {
-    listen(button, {
+    this.#listen(button, {
       begin: () => {
         clearTimeout(this.#jumpTimer);
         button.classList.add('on');
@@ -149,11 +154,19 @@ export class Thumbs {
       },
     });
   }
+
+  #listen(element, actions) {
+    this.#touches.push(followTouch(element, actions));
+  }
 }
 
-// Follows one touch at a time on an element, also beyond its edges.
-function listen(element, { begin, move, end }) {
+// Follows one touch at a time on an element, also beyond its edges. `end` gets no event where the touch is dropped.
+function followTouch(element, { begin, move, end }) {
   let pointer = null;
+  const finish = (event) => {
+    pointer = null;
+    end(event);
+  };
   element.addEventListener('pointerdown', (event) => {
     if (pointer !== null) return;
     event.preventDefault();
@@ -166,10 +179,7 @@ function listen(element, { begin, move, end }) {
     if (event.pointerId === pointer) move(event);
   });
   for (const type of ['pointerup', 'pointercancel', 'lostpointercapture']) {
-    element.addEventListener(type, (event) => {
-      if (event.pointerId !== pointer) return;
-      pointer = null;
-      end(event);
-    });
+    element.addEventListener(type, (event) => event.pointerId === pointer && finish(event));
   }
+  return { drop: () => pointer !== null && finish() };
 }

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
 import { elementPixel, focusOf, inElementState, noteEvents, eventsOf, openElements, ready } from './element.mjs';
+import { png } from './png.mjs';
 import { kGreen } from './room.mjs';
 
 let browser;
@@ -74,6 +75,20 @@ test('it saves the picture, and copies the tag with the view and the options of 
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   assert.equal(copied, `<script type="module" src="${server.address}ray-caster.js"></script>\n` +
     `<ray-caster scene="${server.address}scenes/room.json" controls="" label="Four walls" view="3.5,3.5,0.5,90,0,room" options="fov=75" overlay="grid"></ray-caster>`);
+});
+
+test('the copied tag of a tour has its scene and the view of now, and finds its poster from anywhere', async (t) => {
+  const tour = 'slicecast recording 1\nscene room\n100 forward 256\nend 100 0123456789abcdef\n';
+  const { page, server } = await openElements(t, browser, '<ray-caster id="a" tour="tours/mine.txt" poster="pictures/a.png" controls="share"></ray-caster>', {
+    files: { 'tours/mine.txt': tour, 'pictures/a.png': png(8, () => kGreen) },
+    context: { permissions: ['clipboard-read', 'clipboard-write'] },
+  });
+  await ready(page, 'a');
+  await page.evaluate(() => document.getElementById('a').look('2.5,4.5,0.5,90'));
+  await button(page, 'Copy the tag').click();
+  await page.waitForFunction(() => document.getElementById('a').shadowRoot.querySelector('.status').textContent.startsWith('Copied'));
+  const [, tag] = (await page.evaluate(() => navigator.clipboard.readText())).split('\n');
+  assert.equal(tag, `<ray-caster poster="${server.address}pictures/a.png" controls="share" view="2.5,4.5,0.5,90,0,room" scene="${server.address}scenes/room.json"></ray-caster>`);
 });
 
 test('the whole screen, by the button and by F', async (t) => {

@@ -1,10 +1,12 @@
 // What may befall a <ray-caster> in a page that does not stand still: faults that are mended, wishes that overtake each other, another document.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
 import { guestPage, kRoom, openGuest, ready, until, wait } from './guest-page.mjs';
 import { kBlue, kGreen, roomScene } from './room.mjs';
+import { serve } from './static-server.mjs';
 
 let browser;
 before(async () => {
@@ -13,6 +15,9 @@ before(async () => {
 after(() => browser.close());
 
 const stateIs = (page, state) => until(page, (wanted) => document.querySelector('ray-caster').state === wanted, state);
+
+// What has changed in the element has been taken.
+const settled = (page) => page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
 
 // The colour in the middle of the canvas.
 const middle = (page) => page.evaluate(async () => {
@@ -285,4 +290,133 @@ test('progress goes forward, in its share and in its bytes, and is told once', a
     assert.ok(steps[i][0] >= steps[i - 1][0] && steps[i][1] >= steps[i - 1][1], JSON.stringify(steps));
     assert.notDeepEqual(steps[i], steps[i - 1]);
   }
+});
+
+test('a bar that cannot come is told of once, whatever the page writes about it; another try asks again', async (t) => {
+  let isThere = false;
+  const { page, server } = await openGuest(t, browser, {
+    body: kRoom.replace('scene', 'controls scene'), ...failing,
+    server: { files: { 'ray-caster-steering.js': () => (isThere ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url)) : null) } },
+  });
+  await page.evaluate(() => {
+    const element = document.querySelector('ray-caster');
+    element.addEventListener('error', ({ detail }) => { element.textContent = `${detail.message} ${performance.now()}`; });
+  });
+  await stateIs(page, 'error');
+  await wait(300);
+  assert.deepEqual(await errorsOf(page), ['fetch']);
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').state), 'error');
+  const asked = server.asked.filter((path) => path === 'ray-caster-steering.js').length;
+  assert.ok(asked <= 4, `${asked} requests`); // and why it did not come
+  isThere = true;
+  await page.getByRole('button', { name: 'Try again' }).click();
+  await stateIs(page, 'paused');
+  await page.locator('ray-caster').getByRole('button', { name: 'Play', exact: true }).waitFor();
+});
+
+test('what methods and keys have set stays, whatever else changes in the element', async (t) => {
+  const { page } = await openGuest(t, browser, { body: '<ray-caster scene="room" options="fov=90" overlay="minimap" view="4,4,0.6,0"><p>A room</p></ray-caster>' });
+  await ready(page);
+  const options = () => page.evaluate(async () => {
+    const element = document.querySelector('ray-caster');
+    await element.whenReady();
+    return [element.get('fov'), element.get('minimap'), element.currentView.x];
+  });
+  assert.deepEqual(await options(), ['90', 'on', 4]);
+  await page.evaluate(() => {
+    const element = document.querySelector('ray-caster');
+    element.set('fov', 60);
+    element.set('minimap', false);
+    element.look({ x: 2 });
+  });
+  for (const change of ["label = 'Another'", "querySelector('p').textContent = 'A hall'", 'overlay = element.overlay']) {
+    await page.evaluate((act) => new Function('element', `element.${act}`)(document.querySelector('ray-caster')), change);
+    await settled(page);
+    assert.deepEqual(await options(), ['60', 'off', 2], change);
+  }
+  await page.evaluate(() => { document.querySelector('ray-caster').options = 'fov=75'; });
+  await settled(page);
+  assert.deepEqual(await options(), ['75', 'on', 2], 'a new attribute counts, with those beside it');
+  // The same view once more, after none
+  for (const view of ['', '4,4,0.6,0']) {
+    await page.evaluate((text) => { document.querySelector('ray-caster').view = text; }, view);
+    await settled(page);
+  }
+  assert.equal((await options())[2], 4);
+});
+
+test('asked before it is in the page, it loads wherever it is put', async (t) => {
+  const { page } = await openGuest(t, browser, { body: '<p style="height: 4000px">Read on.</p><div id="place"></div>' });
+  const states = await page.evaluate(async () => {
+    await customElements.whenDefined('ray-caster');
+    const found = [];
+    for (const ask of ['whenReady', 'play']) {
+      const element = document.createElement('ray-caster');
+      element.scene = 'room';
+      const asked = element[ask]();
+      document.querySelector('#place').append(element);
+      await (asked ?? new Promise((resolve) => element.addEventListener('ready', resolve)));
+      found.push(element.state);
+    }
+    return found;
+  });
+  assert.deepEqual(states, ['paused', 'playing']);
+});
+
+test('a scene that plays on after another one has failed is still there for a further element', async (t) => {
+  const { page } = await openGuest(t, browser, { ...failing, server: { files: { 'scenes/broken.json': '{"title": 3}' } } });
+  await ready(page);
+  await page.evaluate(() => { document.querySelector('ray-caster').scene = 'broken'; });
+  await stateIs(page, 'error');
+  await page.evaluate(() => { document.querySelector('ray-caster').scene = 'room'; });
+  await stateIs(page, 'paused');
+  const shares = await page.evaluate(async () => {
+    const found = [];
+    const element = document.createElement('ray-caster');
+    element.scene = 'room';
+    element.addEventListener('progress', ({ detail }) => found.push(detail.share));
+    document.querySelector('main').append(element);
+    await element.whenReady();
+    return found;
+  });
+  assert.deepEqual(shares, [0, 0.5, 1], 'no picture is loaded again');
+});
+
+test('another try asks the server, whatever the browser has kept', async (t) => {
+  let scene = '{"title": 3}';
+  const { page, server } = await openGuest(t, browser, { ...failing, server: { headers: { 'Cache-Control': 'max-age=600' }, files: { 'scenes/room.json': () => scene } } });
+  await stateIs(page, 'error');
+  scene = JSON.stringify(roomScene());
+  await page.getByRole('button', { name: 'Try again' }).click();
+  await stateIs(page, 'paused');
+  assert.equal(server.asked.filter((path) => path === 'scenes/room.json').length, 2);
+});
+
+test("what else a page's policy refuses is not taken for the cause", async (t) => {
+  const other = await serve({ files: { 'scenes/room.json': JSON.stringify(roomScene()) } });
+  t.after(() => other.close());
+  const { page } = await openGuest(t, browser, {
+    body: `<ray-caster scene="${other.address}scenes/room.json" style="width: 320px"></ray-caster>`, ...failing,
+    head: '<script src="tracker.js"></script>',
+    server: {
+      headers: { 'Content-Security-Policy': "img-src 'self'" },
+      files: { 'tracker.js': `setInterval(() => { new Image().src = 'http://tracker.invalid/' + Math.random(); }, 1);` },
+    },
+  });
+  await stateIs(page, 'error');
+  assert.deepEqual(await errorsOf(page), ['cors']);
+});
+
+test('in a template it waits for a window', async (t) => {
+  const { page } = await openGuest(t, browser);
+  await ready(page);
+  await page.evaluate(async () => {
+    const element = document.querySelector('ray-caster');
+    document.createElement('template').content.append(element);
+    await Promise.resolve();
+    document.querySelector('main').append(element);
+    await element.whenReady();
+  });
+  assert.deepEqual(await middle(page), kGreen);
+  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').shadowRoot.querySelector('.box').offsetWidth), 320);
 });

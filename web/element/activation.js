@@ -8,6 +8,7 @@
 
 import { Gamepads } from '../gamepads.js';
 import { Thumbs } from '../thumbs.js';
+import { kPlayPageKeys } from './key-sheet.js';
 import { touchLayer } from './touch.js';
 
 // The keys of `keys="move"`: moving, looking, gates, flying, and the cursor's steering.
@@ -20,6 +21,7 @@ const kMoveKeys = new Set([
 export class Activation {
   keys = 'all';
   isHeld = false;
+  #byTouch = false; // the last one began by a finger: then there are thumbs, also when the window gets the focus back
   #wish = null; // of who has pressed the cover while the scene is still to come; the cover shows that it knows
   #pointerHeld = new AbortController();
   #thumbs = null;
@@ -35,15 +37,19 @@ export class Activation {
     box.addEventListener('focusout', ({ relatedTarget }) => {
       if (this.isHeld && !box.contains(relatedTarget)) this.#hold(false);
     });
-    // The window has got the focus back, and with it the picture.
-    stage.addEventListener('focusin', () => !this.isHeld && actions.canBegin() && this.#hold(true));
+    // From the cover (begin), or with the window, which has got the focus back.
+    stage.addEventListener('focusin', () => {
+      if (this.isHeld || !actions.canBegin()) return;
+      this.#showThumbs(this.#byTouch);
+      this.#hold(true);
+    });
   }
 
   begin({ byTouch = false } = {}) {
     this.#wish = this.actions.canBegin() ? null : { byTouch };
     this.tree.box.classList.toggle('waiting', this.#wish !== null);
     if (this.#wish !== null) return;
-    this.#showThumbs(byTouch);
+    this.#byTouch = byTouch;
     // The focus goes straight from the cover to the picture, which then is held.
     this.takeCanvas();
     this.#target.focus({ preventScroll: true });
@@ -76,12 +82,12 @@ export class Activation {
   // The picture can be tabbed to only while it is played; before, there is its cover.
   takeCanvas() {
     const { stage, canvas } = this.tree;
-    const isTarget = (place) => this.#target === place;
-    for (const place of [stage, canvas]) {
-      if (place === null) continue;
-      if (isTarget(place)) place.tabIndex = this.isHeld ? 0 : -1;
-      else place.removeAttribute('tabindex');
-    }
+    const target = this.#target;
+    const other = target === stage ? canvas : stage;
+    if (target !== null) target.tabIndex = this.isHeld ? 0 : -1;
+    // The focus goes on before its place is none any more; else it is lost, and with it the picture.
+    if (this.isHeld) target.focus({ preventScroll: true });
+    other?.removeAttribute('tabindex');
     canvas?.setAttribute('role', this.isHeld ? 'application' : 'img');
   }
 
@@ -100,12 +106,10 @@ export class Activation {
     const { box, cover, leave, canvas, root } = this.tree;
     this.isHeld = isHeld;
     this.takeCanvas();
-    // The focus goes on before its button is hidden; else it is lost for a moment, and with it the picture.
-    if (isHeld && root.activeElement === cover) this.#target.focus({ preventScroll: true });
     cover.hidden = isHeld;
     box.classList.toggle('engaged', isHeld);
     if (isHeld) {
-      this.#gamepads = new Gamepads({ change: (pad) => this.actions.engine()?.setGamepad(pad), press: () => {} });
+      this.#gamepads = new Gamepads({ change: (pad) => this.actions.engine()?.setGamepad(pad) });
     } else {
       this.#gamepads?.stop();
       this.#gamepads = null;
@@ -123,9 +127,12 @@ export class Activation {
       event.stopPropagation();
       event.preventDefault();
       this.end({ focus: true });
-    } else if (event.target === this.tree.canvas && this.keys === 'move' && event.code !== 'Tab' && !kMoveKeys.has(event.code) && !event.ctrlKey && !event.metaKey) {
-      event.stopPropagation();
     }
+  }
+
+  // Whether the engine hears of a key; the page has the others.
+  takesKey(code) {
+    return this.keys === 'all' ? !kPlayPageKeys.includes(code.replace(/^Key/, '')) : kMoveKeys.has(code);
   }
 
   // ---- Thumbs

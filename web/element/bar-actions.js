@@ -8,6 +8,7 @@ import { saveFile } from '../save-file.js';
 import { sharedParameters } from '../share-links.js';
 
 const kUsualOverlay = ['minimap'];
+const kIsBundled = !/\/ray-caster-steering\.js$/.test(import.meta.url); // into an app's own script, which nobody else can use
 
 export function barActions(host, show) {
   return {
@@ -43,19 +44,20 @@ async function save(host, show) {
   }
 }
 
-// The element as the page wrote it, with the view and the options of now.
+// The element as the page wrote it, with the view and the options of now, and the script where it is a file of its own.
 async function share(host, show) {
   const tag = host.cloneNode(true);
-  tag.removeAttribute('id'); // it would stand there twice
+  for (const name of ['id', 'tour']) tag.removeAttribute(name); // it would stand there twice; a tour has views of its own
   const { view, options, overlay } = sharedParameters({ reference: '', view: host.currentView, options: host.optionList });
   for (const [name, value] of Object.entries({ view, options, overlay })) {
     if (value === null) tag.removeAttribute(name);
     else tag.setAttribute(name, value);
   }
   if (show.source.address !== null) tag.setAttribute('scene', show.source.address.href);
-  const script = `<script type="module" src="${new URL('ray-caster.js', kHome).href}"></` + 'script>';
+  if (host.poster !== '') tag.setAttribute('poster', new URL(host.poster, host.ownerDocument.baseURI).href);
+  const script = kIsBundled ? '' : `<script type="module" src="${new URL('ray-caster.js', kHome).href}"></` + 'script>\n';
   try {
-    await navigator.clipboard.writeText(`${script}\n${tag.outerHTML}`);
+    await navigator.clipboard.writeText(`${script}${tag.outerHTML}`);
     show.showStatus('Copied: the tag with this view');
   } catch {
     show.showStatus('This browser keeps the clipboard to itself');

@@ -1,6 +1,6 @@
 // The engine behind one <ray-caster>: fetches it, loads scenes into it, and holds its options as the attributes want them.
 //
-//     const game = new Game({showCanvas(canvas) {...}, hear(event, value) {...}});
+//     const game = new Game({showCanvas(canvas) {...}, hear(event, value) {...}, takesKey(code) {...}});
 //     if (await game.load({key, kind, source, tour, onProgress})) game.engine.begin();      // the key stands for all that is asked
 //     game.setOptions([['fov', '75']]);
 //     game.stop();
@@ -16,16 +16,16 @@ export class Game {
   engine = null; // once a scene is loaded
   source = null; // of the scene that plays
   #kind = null;
+  #key = null; // of what plays
   #turn = 0;
   #tour = null;
   #before = new Map(); // option -> what it was before an attribute set it
 
-  constructor({ showCanvas, hear }) {
-    this.showCanvas = showCanvas;
-    this.hear = hear;
+  constructor(actions) {
+    this.actions = actions;
   }
 
-  // True if the scene can be played now, false if another one was asked for meanwhile; what plays is left alone until then. Throws a Trouble.
+  // True if the scene can be played now, false if another one was asked for meanwhile. Until then the scene before stays, with its picture. Throws a Trouble.
   // `source` may be null with a tour, which names its scene.
   async load({ key, kind, source, tour, onProgress }) {
     const turn = ++this.#turn;
@@ -55,7 +55,7 @@ export class Game {
       if (scene !== null && found.address !== null && sceneName(found.name) !== sceneName(scene)) {
         throw faultOf('tour', `${recording.name} was recorded in the scene ${sceneName(scene)}, and this one is ${sceneName(found.name)}.`);
       }
-      players.delete(engine);
+      players.delete(engine); // while another scene comes into its memory
       const faults = isAdopted ? [] : await engine.loadScene(found, {
         isWanted: () => !isStale(),
         onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), engineBytes + bytes),
@@ -69,9 +69,11 @@ export class Game {
       this.source = found;
       this.#tour = recording;
       if (isNew) this.#take(engine, files.kind);
+      this.#key = key;
       players.set(engine, key);
     } catch (error) {
       if (isNew) engine.stop();
+      else if (!isStale()) players.set(engine, this.#key); // it plays on
       throw error;
     }
     if (recording !== null) engine.replay();
@@ -80,7 +82,8 @@ export class Game {
 
   async #create(files, isStale) {
     const canvas = document.createElement('canvas');
-    const engine = await Engine.create({ files, canvas, onEvent: (event, value) => this.engine === engine && this.hear(event, value) });
+    const { hear, takesKey } = this.actions;
+    const engine = await Engine.create({ files, canvas, takesKey, onEvent: (event, value) => this.engine === engine && hear(event, value) });
     if (!isStale()) return engine;
     engine.stop();
     return null;
@@ -92,7 +95,7 @@ export class Game {
     this.#kind = kind;
     this.#before.clear();
     engine.paused = true;
-    this.showCanvas(engine.canvas);
+    this.actions.showCanvas(engine.canvas);
   }
 
   // Sets these options and puts those back that were set before and are no longer named. Throws a Trouble.

@@ -1,5 +1,5 @@
 // From the attributes of a <ray-caster> to a scene that can be played: reads them when they change, loads what they name, and applies the rest to what is
-// there. What plays is left alone until the next scene has come.
+// there. Until the next scene has come, the one before stays, standing still.
 //
 //     const loading = new Loading(element, game, {show(wanted), changed(), progress(share, bytes), loaded(), done(isNew), failed(error)});
 //     loading.update();       // soon
@@ -25,6 +25,7 @@ export class Loading {
   #loaded = null;
   #failed = null; // the key of what could not be loaded
   #isReady = false; // what is loaded has been told of
+  #options = null; // of the attributes, as they were taken, overlays too: what methods and keys have changed since stays
   #view = null; // the attribute's that was taken
   #isNear = false;
   #isUpdating = false;
@@ -127,7 +128,7 @@ export class Loading {
       const isThere = await this.#game.load({ ...request, onProgress });
       if (!isThere || isStale()) return;
       this.#loaded = key;
-      this.#view = null;
+      this.#options = this.#view = null;
       this.#isReady = false;
       this.#actions.loaded();
       // With an attribute at fault, that is what is shown, and once it is mended, the scene.
@@ -152,12 +153,14 @@ export class Loading {
 
   // Options, overlays and the view, as they are wanted now.
   #apply() {
-    const { options, overlay, view } = this.wanted;
-    const text = this.#host.view;
-    this.#game.setOptions([...options, ...overlay.map((name) => [name, 'on'])]);
-    if (view === null || text === this.#view) return;
+    const { view } = this.wanted;
+    const options = [...this.wanted.options, ...this.wanted.overlay.map((name) => [name, 'on'])];
+    if (String(options) !== this.#options) this.#game.setOptions(options);
+    this.#options = String(options);
+    const text = view === null ? null : this.#host.view;
+    if (text === this.#view) return;
     // A tour begins where it was recorded.
-    if (!this.#game.hasTour && !this.#game.engine.look(view)) {
+    if (view !== null && !this.#game.hasTour && !this.#game.engine.look(view)) {
       throw new Trouble('There is no such view', `view: found "${text}", expected an eye above the floor of one of the scene's maps`, [], 'address');
     }
     this.#view = text;

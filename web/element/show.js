@@ -39,6 +39,7 @@ export class Show {
   #stage = null;
   #waiting = null; // of whenReady(): {promise, resolve, reject}
   #loading = null; // the same
+  #noSteering = null; // why there is no bar, although one is wanted; asked for again by who tries again
   #isSeen = false;
   #isAskedToPlay = false;
   #isTouched = false;
@@ -51,7 +52,11 @@ export class Show {
     this.#tree = buildTree(host.shadowRoot);
     this.#styles = new Styles(host.shadowRoot);
     this.#face = new Face(this.#tree, internals);
-    this.#game = new Game({ showCanvas: (canvas) => this.#showCanvas(canvas), hear: (event, value) => this.#hear(event, value) });
+    this.#game = new Game({
+      showCanvas: (canvas) => this.#showCanvas(canvas),
+      hear: (event, value) => this.#hear(event, value),
+      takesKey: (code) => this.#steering?.takesKey(code) === true,
+    });
     this.#viewStatus = new ViewStatus(this.#tree, () => this.engine);
     this.#listenToPresses(this.#tree);
     for (const type of kNear) this.#tree.box.addEventListener(type, () => this.#steered().catch(() => {}), { once: true });
@@ -105,6 +110,8 @@ export class Show {
     this.#stage = new Stage(this.#tree.stage, this.#tree.frame, (width, height) => this.engine?.resize(width, height));
     until(() => this.#stage.stop());
     window.addEventListener('error', ({ error }) => isEngineFailure(error) && this.#findDead(error), { signal });
+    // Asked before it was in the page
+    if (this.#isAskedToPlay || this.#waiting !== null) this.#loading.now();
     if (this.#host.autoplay) this.autoplay();
     this.update();
   }
@@ -128,7 +135,7 @@ export class Show {
     this.#viewStatus.stop();
     this.#face.stop();
     this.#steering?.stop();
-    this.error = null;
+    this.error = this.#noSteering = null;
     this.#isSeen = this.#isAskedToPlay = false;
     this.run();
   }
@@ -162,7 +169,8 @@ export class Show {
       this.#face.title = title;
       this.#face.hidePoster();
     }
-    this.#clearError();
+    if (this.#loading.wanted.controls === null) this.#noSteering = null;
+    if (this.#noSteering === null) this.#clearError();
     this.#waiting?.resolve(this.ready);
     this.#waiting = null;
     if (isNew) {
@@ -170,7 +178,13 @@ export class Show {
       this.#tell('ready', this.ready);
       this.#steering?.resume();
     }
-    if (this.#loading.wanted.controls !== null) this.#steered().catch((error) => this.#life !== null && this.#fail(error));
+    if (this.#noSteering !== null) this.#fail(this.#noSteering);
+    else if (this.#loading.wanted.controls !== null) this.#steered().catch((error) => this.#failWithoutSteering(error));
+  }
+
+  #failWithoutSteering(error) {
+    this.#noSteering = error;
+    if (this.#life !== null) this.#fail(error);
   }
 
   #show(wanted) {
@@ -201,6 +215,7 @@ export class Show {
 
   #retry() {
     forgetFiles();
+    this.#noSteering = null;
     this.#clearError();
     this.#loading.again();
   }
@@ -235,7 +250,7 @@ export class Show {
   }
 
   autoplay() {
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+    if (this.#life === null || matchMedia('(prefers-reduced-motion: reduce)').matches) return; // connect() comes back to it
     this.#isAskedToPlay = true;
     this.run();
   }
@@ -339,7 +354,8 @@ export class Show {
   }
 
   focus(options) {
-    (this.#steering ?? this.#tree.cover).focus(options);
+    const { message, cover } = this.#tree;
+    (this.error !== null ? message : this.#steering ?? cover).focus(options);
   }
 
   whenReady() {

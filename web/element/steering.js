@@ -34,7 +34,7 @@ export class Steering {
     tree.cover.after(tree.leave, bar);
     tree.message.before(keys);
     this.#controls = new Controls(bar, barActions(host, show));
-    this.#keySheet = new KeySheet(keys, { closed: () => this.focus() });
+    this.#keySheet = new KeySheet(keys, { behind: [tree.stage, tree.cover, bar], closed: () => this.focus() });
     this.#activation = new Activation(tree, {
       engine: () => show.engine,
       canBegin: () => show.canPlay,
@@ -73,7 +73,11 @@ export class Steering {
   }
 
   focus(options) {
-    this.#activation.focus(options);
+    (this.#keySheet.isOpen ? this.#keySheet : this.#activation).focus(options);
+  }
+
+  takesKey(code) {
+    return this.#activation.takesKey(code);
   }
 
   takeCanvas() {

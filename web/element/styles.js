@@ -164,8 +164,9 @@ export class Styles {
 
   adopt() {
     const { ownerDocument } = this.#root;
+    if (ownerDocument.defaultView === null) return; // a template's: nothing is seen there
     const make = (text) => {
-      const sheet = new (ownerDocument.defaultView ?? globalThis).CSSStyleSheet();
+      const sheet = new ownerDocument.defaultView.CSSStyleSheet();
       sheet.replaceSync(text);
       return sheet;
     };

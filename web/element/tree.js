@@ -11,7 +11,7 @@ import { drawing, kPlay, node } from './nodes.js';
 export function buildTree(root) {
   const frame = node('div', { class: 'frame' });
   const stage = node('div', { class: 'stage' }, frame);
-  const poster = node('img', { class: 'poster', part: 'poster', alt: '', hidden: '' });
+  const poster = node('img', { class: 'poster', part: 'poster', alt: '', loading: 'lazy', hidden: '' });
   const hint = node('span', { class: 'hint', 'aria-hidden': 'true' });
   const cover = node('button', { class: 'cover', type: 'button' }, node('span', { class: 'glyph', part: 'button play' }, drawing(kPlay)), hint);
   const progress = node('div', { class: 'progress', role: 'progressbar', 'aria-label': 'Loading', 'aria-valuemin': '0', 'aria-valuemax': '100', hidden: '' });
