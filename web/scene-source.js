@@ -5,6 +5,7 @@
 //     readFile(name)     the bytes of a file that the scene names, or null
 
 import { fetchBytes } from './fetch-bytes.js';
+import { nameOf } from './source-parts.js';
 import { Trouble } from './trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
@@ -28,7 +29,7 @@ export function sceneAddress(reference) {
 export function sceneAt(reference) {
   const address = sceneAddress(reference);
   return {
-    name: decodeURIComponent(address.pathname.split('/').pop()),
+    name: nameOf(address),
     async readText() {
       return fetchBytes(address).catch((error) => {
         throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);

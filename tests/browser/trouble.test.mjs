@@ -61,7 +61,7 @@ for (const [what, code, expected, options] of [
   ['an engine that is not there', 'fetch', /slicecast-simd\.wasm: the server answers 404/, { server: { files: { 'engine/slicecast-simd.wasm': null } } }],
   ['a scene of a host that does not share', 'cors', /does not allow pages of other origins/, () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>` })],
   ['a page in the place of the engine', 'mime', /found "<!doctype html>/, { server: { files: { 'engine/slicecast-simd.wasm': '<!doctype html><title>Welcome</title>' } } }],
-  ['a page in the place of the scene', 'mime', /room\.json: the server answers with a web page/, { server: { files: { 'scenes/room.json': '\n<!DOCTYPE html><title>Welcome</title>' } } }],
+  ['a page in the place of the scene', 'mime', /room\.json: the server answers with a web page.*pictures and tours must be served in http/, { server: { files: { 'scenes/room.json': '\n<!DOCTYPE html><title>Welcome</title>' } } }],
   ['a policy without WebAssembly', 'csp', /does not allow WebAssembly.*'wasm-unsafe-eval'/s, { server: withPolicy("script-src 'self'") }],
   ['a policy without fetches', 'csp', /connect-src/, { server: withPolicy("script-src 'self' 'wasm-unsafe-eval'; connect-src 'none'") }],
   ['a policy without that host', 'csp', /connect-src/, () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>`, server: withPolicy("connect-src 'self'") })],

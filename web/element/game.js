@@ -9,6 +9,7 @@ import { Engine } from '../engine.js';
 import { faultOf, sceneFault } from './faults.js';
 import { players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
+import { withReason } from '../source-parts.js';
 
 const kEngineShare = 0.5; // of the progress, as long as the engine is not there
 
@@ -157,12 +158,6 @@ function beginReading(source, isStale) {
 }
 
 const sceneName = (file) => file.replace(/\.json$/i, '');
-
-// The engine knows of a file only that it did not come.
-function withReason(fault, failures) {
-  const reason = [...failures].find(([file]) => fault.found.startsWith(`"${file}", `))?.[1];
-  return reason === undefined ? fault : { ...fault, found: `${fault.found}: ${reason}` };
-}
 
 // The name of its scene.
 function checkTour(engine, { name, bytes }) {

@@ -4,9 +4,11 @@
 //     const source = namedScene('castle');          // one of those that lie beside the script
 //     source.failures                               // file -> why it could not be read
 
+import { coded } from '../fetch-bytes.js';
 import { kHome } from '../home.js';
 import { bringRows } from './late.js';
 import { fetchOnce } from './page-cache.js';
+import { filesBy, isFile, nameOf } from '../source-parts.js';
 import { Trouble } from '../trouble.js';
 
 const kScenes = new URL('scenes/', kHome); // what an inline scene names is looked for there
@@ -43,7 +45,7 @@ export function tourAddress(element) {
 
 // {name, bytes} of a recording. Throws a Trouble.
 export async function readTour(address) {
-  const bytes = await fetchOnce(address).catch((error) => {
+  const bytes = await fetchFile(address).catch((error) => {
     throw new Trouble('The tour could not be loaded', `${address.href}: ${error.message}.`, [], 'tour');
   });
   return { name: nameOf(address), bytes };
@@ -58,27 +60,11 @@ function addressOf(text, named, element, attribute) {
   }
 }
 
-// Others (data:, blob:) have neither a name nor anything beside them: what they hold is as a scene inside the element.
-function isFile(address) {
-  return /^(https?|file):$/.test(address.protocol);
-}
-
-// For messages.
-function nameOf(address) {
-  if (!isFile(address)) return `${address.protocol} address`;
-  const name = address.pathname.split('/').pop();
-  try {
-    return decodeURIComponent(name);
-  } catch {
-    return name;
-  }
-}
-
 function sceneFrom(address) {
   return {
     name: nameOf(address),
     address,
-    readText: () => fetchOnce(address).catch((error) => {
+    readText: () => fetchFile(address).catch((error) => {
       throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
     }),
     ...filesBeside(isFile(address) ? address : kScenes),
@@ -89,19 +75,14 @@ function sceneOf(name, read) {
   return { name, address: null, readText: async () => new TextEncoder().encode(await read()), ...filesBeside(kScenes) };
 }
 
-// readFile gives null for a file that cannot be read, which is tried once: the engine says which place of the scene names it, `failures` why.
 function filesBeside(address) {
-  const failures = new Map();
-  return {
-    failures,
-    async readFile(file, onBytes) {
-      if (failures.has(file)) return null;
-      try {
-        return await fetchOnce(new URL(file, address), onBytes);
-      } catch (error) {
-        failures.set(file, error.message);
-        return null;
-      }
-    },
-  };
+  return filesBy((file, onBytes) => fetchFile(new URL(file, address), onBytes));
+}
+
+// A page in place of a shipped file: the folders of the package are not where the element looks for them.
+function fetchFile(address, onBytes) {
+  return fetchOnce(address, onBytes).catch((error) => {
+    if (error.code !== 'mime' || !address.href.startsWith(kHome.href)) throw error;
+    throw coded('mime', `${error.message}; the package's scenes, pictures and tours must be served in ${kHome.href}`);
+  });
 }
