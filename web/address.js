@@ -8,16 +8,41 @@ import { Trouble } from './trouble.js';
 
 export const kOverlays = ['minimap', 'minimapRays', 'minimapTurns', 'playerPanel', 'processPanel', 'inspector', 'grid', 'slow'];
 
+// The numbers of a view, and how far each may be from 0: coordinates as in src/base/coordinate.h, the look as in src/render/options.h.
+const kViewLimits = { x: 32767, y: 32767, z: 32767, heading: Infinity, look: 4 };
+
 // {x, y, z, heading, look, map}; map is null where none is named. Throws a Trouble.
-export function parseView(text) {
+export function parseView(text, standardLook = 0) {
   const parts = text.split(',');
   const numbers = parts.slice(0, 5).map((part) => (part.trim() === '' ? NaN : Number(part)));
   if (parts.length < 4 || !numbers.every(Number.isFinite)) {
-    const expected = 'x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map';
-    throw new Trouble('The view cannot be read', `view: found "${text}", expected ${expected}`, [], 'address');
+    throw misread(`view: found "${text}", expected x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map`);
   }
-  const [x, y, z, heading, look = 0] = numbers;
+  Object.keys(kViewLimits).forEach((name, index) => index < numbers.length && checkNumber('view', name, numbers[index]));
+  const [x, y, z, heading, look = standardLook] = numbers;
   return { x, y, z, heading, look, map: parts.slice(5).join(',').trim() || null };
+}
+
+// What look() takes: a view as text, or an object with any of its fields. null is what stays as it is. Throws a Trouble.
+export function readView(view) {
+  if (typeof view === 'string') return parseView(view, null);
+  const isObject = typeof view === 'object' && view !== null;
+  for (const [name, value] of Object.entries(isObject ? view : { view })) {
+    if (Object.hasOwn(kViewLimits, name)) checkNumber('look', name, value);
+    else if (name !== 'map') throw misread(`look: found ${name} ${value}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map`);
+    else if (value !== null && typeof value !== 'string') throw misread(`look: found map ${value}, expected the name of a map`);
+  }
+  return view;
+}
+
+function checkNumber(what, name, value) {
+  const limit = kViewLimits[name];
+  if (Number.isFinite(value) && Math.abs(value) <= limit) return;
+  throw misread(`${what}: found ${name} ${value}, expected a number${limit === Infinity ? '' : ` from -${limit} to ${limit}`}`);
+}
+
+function misread(message) {
+  return new Trouble('The view cannot be read', message, [], 'address');
 }
 
 // Of an engine's state; read again it is the same eye.

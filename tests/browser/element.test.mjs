@@ -253,16 +253,20 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
     const looked = a.look({ heading: 90 });
     const turned = a.currentView;
     const refused = a.look('3.5,3.5,-2,0');
+    a.look({ look: 0.5 });
+    a.look('3.5,3.5,0.5,90');
+    const kept = a.currentView.look;
+    a.look({ ...turned });
     a.set('fov', 80);
     a.set('light', false);
     const picture = await createImageBitmap(await a.snapshot({ width: 64, height: 40 }));
     const canvas = new OffscreenCanvas(64, 40);
     canvas.getContext('2d').drawImage(picture, 0, 0);
     return {
-      start, walked, back, looked, turned, refused,
+      start, walked, back, looked, turned, refused, kept,
       options: [a.get('fov'), a.get('light'), a.optionList.find(({ name }) => name === 'fov').value, a.optionList.length > 20],
       badOption: failure(() => a.set('fov', 'wide')), noOption: failure(() => a.get('colour')), badStep: failure(() => a.step(1, { sideways: 1 })),
-      badViews: [{ x: 'three' }, { north: 1 }, null, { map: 3 }].map((view) => failure(() => a.look(view))), badColumn: failure(() => a.hits(1.5)),
+      badViews: [{ x: 'three' }, { north: 1 }, null, { map: 3 }, { look: 9 }].map((view) => failure(() => a.look(view))), badColumn: failure(() => a.hits(1.5)),
       middle: [...canvas.getContext('2d').getImageData(32, 20, 1, 1).data.subarray(0, 3)],
       type: (await a.snapshot()).type, jpeg: (await a.snapshot({ type: 'image/jpeg' })).type,
       tooLarge: await a.snapshot({ width: 9000 }).catch((error) => error.message), badType: await a.snapshot({ type: 'image/tiff' }).catch((error) => error.message),
@@ -274,6 +278,7 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
   assert.equal(seen.looked, true);
   assert.deepEqual(seen.turned, { ...seen.start, heading: 90 });
   assert.equal(seen.refused, false);
+  assert.equal(seen.kept, 0.5);
   assert.deepEqual(seen.options, ['80', 'off', '80', true]);
   assert.match(seen.badOption, /^option: .*fov/);
   assert.match(seen.noOption, /^option: get: found "colour"/);
@@ -282,6 +287,7 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
   assert.match(seen.badViews[1], /found north 1, expected a view with some of x, y/);
   assert.match(seen.badViews[2], /found view null/);
   assert.match(seen.badViews[3], /found map 3, expected the name of a map/);
+  assert.match(seen.badViews[4], /^address: look: found look 9, expected a number from -4 to 4/);
   assert.match(seen.badColumn, /hits: found column 1.5, expected a whole number/);
   assert.deepEqual(seen.middle, kBlue);
   assert.deepEqual([seen.type, seen.jpeg], ['image/png', 'image/jpeg']);

@@ -33,19 +33,6 @@ export function readAttributes(element) {
   };
 }
 
-const kViewNumbers = ['x', 'y', 'z', 'heading', 'look'];
-
-// What look() takes: a view as in the attribute, or an object with any of its fields.
-export function readView(view) {
-  if (typeof view === 'string') return parseView(view);
-  for (const [name, value] of Object.entries(view ?? { view })) {
-    const expected = kViewNumbers.includes(name) ? 'a number' : name === 'map' ? 'the name of a map' : `a view with some of ${kViewNumbers.join(', ')}, map`;
-    const isRight = kViewNumbers.includes(name) ? Number.isFinite(value) : name === 'map' && (value === null || typeof value === 'string');
-    if (!isRight) throw new Trouble('The view cannot be read', `look: found ${name} ${value}, expected ${expected}`, [], 'address');
-  }
-  return view;
-}
-
 // Each attribute as a property of the same name. One that was set before the element was defined is taken over by takeEarlyProperties.
 export function reflectAttributes(prototype) {
   for (const name of kAttributes) {

@@ -1,6 +1,7 @@
 // The class of <ray-caster>: what a page can ask of it. What it does is in show.js.
 
-import { kAttributes, readView, reflectAttributes, takeEarlyProperties } from './attributes.js';
+import { readView } from '../address.js';
+import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
 import { faultOf } from './faults.js';
 import { Show } from './show.js';
 import { snapshotOf } from './snapshot.js';
