@@ -206,14 +206,14 @@ export class Engine {
     return true;
   }
 
-  // Everything that one column of a picture of that size meets (src/session/hits_json.h), or null.
+  // Everything that one column of a picture of that size meets (src/session/hits_json.h), or null where there is no such column.
   hits(width, height, column) {
-    return this.#json(this.#module._slicecast_hits(this.#session, width, height, column));
+    return this.#ofColumn(this.#module._slicecast_hits, width, height, column);
   }
 
   // Everything that the renderer did for one column of a picture of that size, number for number (src/session/trace_json.h), or null.
   trace(width, height, column) {
-    return column < 0 ? null : this.#json(this.#module._slicecast_trace(this.#session, width, height, column));
+    return this.#ofColumn(this.#module._slicecast_trace, width, height, column);
   }
 
   // The same for the whole picture: totals, and for each column what is nearest and how many rows of each kind it has.
@@ -268,6 +268,10 @@ export class Engine {
     ++this.#loads;
     this.#running?._slicecast_stop();
     this.#running = this.canvas = null;
+  }
+
+  #ofColumn(tell, width, height, column) {
+    return Number.isInteger(column) && column >= 0 && column < width ? this.#json(tell(this.#session, width, height, column)) : null;
   }
 
   #json(at) {
@@ -327,7 +331,7 @@ function imageOf(pixels, width, height) {
 
 // The five axes, and the sum of the buttons.
 function readInput(input) {
-  for (const name of Object.keys(input)) {
+  for (const name of Object.keys(input ?? { [input]: 0 })) {
     if (!kAxes.includes(name) && !(name in kButtons)) throw new Error(`step: found "${name}", expected ${[...kAxes, ...Object.keys(kButtons)].join(', ')}.`);
   }
   const axes = kAxes.map((name) => {
@@ -349,9 +353,10 @@ function withBytes(module, bytes, use) {
   }
 }
 
+// A zero character would end a string there, and the rest be lost.
 function withStrings(module, strings, use) {
   const places = strings.map((string) => {
-    const bytes = new TextEncoder().encode(`${string}\0`);
+    const bytes = new TextEncoder().encode(`${String(string).replaceAll('\0', '\uFFFD')}\0`);
     const at = module._malloc(bytes.length);
     module.HEAPU8.set(bytes, at);
     return at;

@@ -1,15 +1,33 @@
 // Scenes under Node, as the package offers them.
 
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
+import { execFile } from 'node:child_process';
+import { cp, mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
 import { test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
 
+import { Engine } from '../../build/web/engine.js';
 import { load, SceneError } from '../../build/web/node/index.js';
 import { flavours, loadModule, roomScene, root, Session } from '../wasm/load.mjs';
 
 const castle = `${root}/assets/scenes/castle.json`;
 const kSize = { width: 120, height: 75 };
+const run = promisify(execFile);
+
+// Answers with these: path -> text, or the path to go on to.
+async function serve(t, answers) {
+  const server = createServer(({ url }, response) => {
+    const { text, location } = answers[url] ?? {};
+    response.writeHead(location !== undefined ? 302 : text !== undefined ? 200 : 404, location === undefined ? {} : { location }).end(text);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  t.after(() => server.close());
+  return `http://127.0.0.1:${server.address().port}`;
+}
 
 test('a scene is found by name, path, address and as an object, and looks the same', async () => {
   const object = JSON.parse(await readFile(castle, 'utf8'));
@@ -34,10 +52,25 @@ test('both builds draw what the bindings draw', async () => {
   }
 });
 
-test('an object names its files from a base', async () => {
-  const scene = await load(JSON.parse(roomScene()), { base: new URL(`file://${root}/assets/textures/`) });
-  assert.deepEqual(scene.world, { title: 'A room', maps: [{ name: 'room', width: 8, depth: 6, levels: 1 }] });
+test('an object names its files from a base: a folder, or a file in it', async () => {
+  const folder = `${root}/assets/textures`;
+  for (const base of [new URL(`file://${folder}/`), new URL(`file://${folder}`), folder, `${folder}/brick.png`, path.relative('.', folder)]) {
+    const scene = await load(JSON.parse(roomScene()), { base });
+    assert.deepEqual(scene.world, { title: 'A room', maps: [{ name: 'room', width: 8, depth: 6, levels: 1 }] });
+    scene.free();
+  }
+  for (const base of [7, null, '', 'data:,x', {}]) await assert.rejects(load({}, { base }), { name: 'TypeError', message: /^base: found .*, expected the path or address of a folder/ });
+});
+
+test('a scene in its own address names its files beside the shipped scenes', async () => {
+  const scene = await load(`data:application/json,${encodeURIComponent(await readFile(castle, 'utf8'))}`);
+  assert.equal(scene.world.title, 'The castle in the lake');
   scene.free();
+});
+
+test('a scene that was sent on names its files from where it came', async (t) => {
+  const address = await serve(t, { '/short': { location: '/long/scenes/room.json' }, '/long/scenes/room.json': { text: roomScene() } });
+  await assert.rejects(load(`${address}/short`), { code: 'scene', message: /127\.0\.0\.1:\d+\/long\/scenes\/brick\.png: the server answers 404 Not Found/ });
 });
 
 test('options, the eye and what it sees', async () => {
@@ -54,20 +87,49 @@ test('options, the eye and what it sees', async () => {
   assert.equal(scene.look({ heading: 90 }), true);
   assert.deepEqual(scene.currentView, { ...before, heading: 90 });
   assert.equal(scene.look('3.5,4.5,0.75,180'), true);
-  assert.deepEqual(scene.currentView, { ...before, x: 3.5, y: 4.5, z: 0.75, heading: 180, look: 0 });
+  assert.deepEqual(scene.currentView, { ...before, x: 3.5, y: 4.5, z: 0.75, heading: 180 });
+  assert.equal(scene.look({ look: 0.5 }), true);
+  assert.equal(scene.look('3.5,4.5,0.75,90'), true);
+  assert.equal(scene.currentView.look, 0.5);
   assert.equal(scene.look({ map: 'nowhere' }), false);
+  assert.equal(scene.look({ z: 0 }), false);
+  for (const view of [null, undefined, 7, '1,2', '1,2,3,4,5', { x: NaN }, { x: 32768 }, { look: -4.1 }, { north: 1 }, { toString: 1 }]) {
+    assert.throws(() => scene.look(view), { name: 'SceneError', code: 'address', message: /^(look|view): found .*, expected / });
+  }
   scene.reset();
   assert.deepEqual(scene.currentView, before);
 
   const { hits, size } = scene.hits(60, kSize);
   assert.deepEqual(size, [kSize.width, kSize.height]);
   assert.ok(hits.length > 0);
-  assert.equal(scene.hits(120, kSize), null);
+  for (const column of [120, -1, 1.5, 2 ** 32, null, '3']) {
+    assert.equal(scene.hits(column, kSize), null);
+    assert.equal(scene.trace(column, kSize), null);
+  }
   assert.equal(scene.trace(60, kSize).hits.length, hits.length);
   assert.deepEqual(scene.trace(undefined, kSize).size, size);
-  assert.throws(() => scene.picture({ width: 0, height: 10 }), RangeError);
+  for (const size of [null, {}, { width: 0, height: 10 }, { width: 10, height: 1.5 }, { width: 8193, height: 1 }, { width: '10', height: 10 }]) {
+    for (const ask of ['picture', 'hits', 'trace']) {
+      assert.throws(() => scene[ask](...(ask === 'picture' ? [size] : [3, size])), { name: 'RangeError', message: /^size: found .*, expected .* 1 to 8192/ });
+    }
+    await assert.rejects(scene.png(size), RangeError);
+  }
+  assert.throws(() => scene.set('fov\0', 70), { code: 'option' });
+  assert.throws(() => scene.set('light', 'on\0'), { code: 'option' });
+  assert.throws(() => scene.step(1, null), /^Error: step: found "null", expected forward/);
   scene.free();
-  assert.throws(() => scene.picture(), /stopped/);
+});
+
+test('whatever is asked of a scene that was freed says so', async () => {
+  const scene = await load('first-walk');
+  scene.free();
+  scene.free();
+  const told = { name: 'Error', message: 'This scene has been freed.' };
+  for (const property of ['warnings', 'world', 'currentView', 'optionList', 'memory']) assert.throws(() => scene[property], told);
+  for (const [method, ...words] of [['set', 'fov', 70], ['get', 'fov'], ['look', null], ['step', 0], ['reset'], ['hits', 0], ['trace'], ['picture', null]]) {
+    assert.throws(() => scene[method](...words), told, method);
+  }
+  await assert.rejects(scene.png(), told);
 });
 
 test('warnings have places', async () => {
@@ -77,9 +139,11 @@ test('warnings have places', async () => {
   scene.free();
 });
 
-test('all faults are listed, with their places', async () => {
+test('all faults are listed, with their places, and the engine is given back', async (t) => {
+  const stop = t.mock.method(Engine.prototype, 'stop');
   const error = await load({ title: 7, maps: 'none' }).catch((thrown) => thrown);
   assert.ok(error instanceof SceneError);
+  assert.equal(stop.mock.callCount(), 1);
   assert.equal(error.code, 'scene');
   assert.ok(error.faults.length >= 2);
   for (const { place, found, expected } of error.faults) assert.ok(error.message.includes(`${place}: found ${found}, expected ${expected}`));
@@ -87,10 +151,37 @@ test('all faults are listed, with their places', async () => {
 
 test('what cannot be read is told', async () => {
   await assert.rejects(load('nowhere/scene.json'), { name: 'SceneError', code: 'fetch', message: /nowhere\/scene\.json/ });
-  await assert.rejects(load('http://localhost:9/scene.json'), { name: 'SceneError', code: 'fetch', message: /localhost:9/ });
-  await assert.rejects(load(JSON.parse(roomScene()), { base: new URL('file:///nowhere/') }), { code: 'scene', message: /brick\.png/ });
-  await assert.rejects(load(7), TypeError);
-  await assert.rejects(load('castle', { engine: 'fast' }), TypeError);
+  await assert.rejects(load('http://localhost:9/100%.json'), { name: 'SceneError', code: 'fetch', message: /localhost:9/ });
+  const error = await load(JSON.parse(roomScene()), { base: new URL('file:///nowhere/') }).catch((thrown) => thrown);
+  assert.equal(error.code, 'scene');
+  assert.match(error.faults[0].found, /^"brick\.png", .*: file:\/\/\/nowhere\/brick\.png: ENOENT: no such file or directory$/);
+  assert.ok(error.faults[0].message.includes(error.faults[0].found));
+  await assert.rejects(load('nosuch'), { name: 'SceneError', code: 'fetch', message: /found "nosuch", .*castle, .* path, which \.\/nosuch would be/ });
+  for (const scene of [7, null, undefined, '', 'http://']) await assert.rejects(load(scene), { name: 'TypeError', message: /^scene: found .*, expected a path/ });
+  for (const options of [null, 7, { bass: '.' }, { engine: 'fast' }]) await assert.rejects(load('castle', options), { name: 'TypeError', message: /: found .*, expected / });
+  const circle = {};
+  circle.circle = circle;
+  for (const scene of [circle, { title: 1n }]) await assert.rejects(load(scene), { name: 'SceneError', code: 'scene', message: /JSON/ });
+});
+
+test('many scenes at once need few open files', { skip: process.platform === 'win32' }, async () => {
+  const program = `import { load } from ${JSON.stringify(new URL('../../build/web/node/index.js', import.meta.url).href)};
+    const scenes = await Promise.all(Array.from({ length: 4 }, () => load('castle')));
+    console.log(scenes.length);`;
+  const { stdout } = await run('sh', ['-c', 'ulimit -n 72; exec "$0" --input-type=module --eval "$1"', process.execPath, program]);
+  assert.equal(stdout.trim(), '4');
+});
+
+test('without its files beside it the program says why, and tries again when it is asked again', async (t) => {
+  const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-'));
+  t.after(() => rm(folder, { recursive: true }));
+  const page = path.join(root, 'build/web');
+  await cp(page, folder, { recursive: true, filter: (file) => file === page || /\.js(on)?$/.test(file) || file.endsWith(`${path.sep}node`) });
+  const moved = await import(pathToFileURL(path.join(folder, 'node/index.js')));
+  await assert.rejects(moved.load('castle'), { name: 'SceneError', code: 'fetch', message: /slicecast-\w+\.wasm: ENOENT.*must leave external/ });
+  for (const part of ['engine', 'scenes', 'textures', 'see-through', 'sheets', 'sprites']) await cp(path.join(page, part), path.join(folder, part), { recursive: true });
+  const scene = await moved.load('first-walk');
+  scene.free();
 });
 
 test('nothing is left among the names of a program', async () => {

@@ -2,22 +2,30 @@
 //
 //     const engine = await Engine.create({ files: await readEngine('auto') });
 
-import { readFile } from 'node:fs/promises';
+import { chooseBuild } from '../engine-files.js';
+import { coded } from '../fetch-bytes.js';
+import { kPackage, readAt } from './scene-files.js';
 
-import { browserHasSimd } from '../engine-files.js';
-
-const kEngine = new URL('../engine/', import.meta.url);
-const kBuilds = ['simd', 'scalar'];
+const kKinds = ['auto', 'simd', 'scalar'];
 
 const read = new Map();
 
-export function readEngine(kind) {
-  const build = kind === 'auto' ? (browserHasSimd() ? 'simd' : 'scalar') : kind;
-  if (!kBuilds.includes(build)) throw new TypeError(`engine: found "${kind}", expected "auto", "simd" or "scalar"`);
+// What could not be read is forgotten, so that another try reads again.
+export async function readEngine(kind) {
+  if (!kKinds.includes(kind)) throw new TypeError(`engine: found ${String(kind)}, expected ${kKinds.join(', ')}`);
+  const build = chooseBuild(kind);
   if (!read.has(build)) read.set(build, readBuild(build));
-  return read.get(build);
+  try {
+    return await read.get(build);
+  } catch (error) {
+    read.delete(build);
+    throw error;
+  }
 }
 
 async function readBuild(kind) {
-  return { kind, program: await WebAssembly.compile(await readFile(new URL(`slicecast-${kind}.wasm`, kEngine))) };
+  const { bytes } = await readAt(new URL(`engine/slicecast-${kind}.wasm`, kPackage)).catch(({ message }) => {
+    throw coded('fetch', `${message}. The engine lies in the package slicecast, which a bundled program must leave external`);
+  });
+  return { kind, program: await WebAssembly.compile(bytes) };
 }

@@ -7,13 +7,15 @@
 //     await writeFile('castle.png', await scene.png({ width: 1280, height: 720 }));
 //     scene.free();
 
-import { parseView } from '../address.js';
+import { readView } from '../address.js';
 import { Engine } from '../engine.js';
+import { withReason } from '../source-parts.js';
 import { placeOf } from '../trouble.js';
 import { readEngine } from './engine-files.js';
 import { openScene } from './scene-files.js';
 
 const kSize = { width: 640, height: 400 };
+const kLargestSide = 8192; // pixels, as the engine's
 
 // What keeps a scene from being loaded: `code` and `faults` as in the element's event `error`, all of them in the message too.
 export class SceneError extends Error {
@@ -26,97 +28,127 @@ export class SceneError extends Error {
   }
 }
 
-// `engine` is 'auto', 'simd' or 'scalar'; `base` the address from which an object names its files, that of the shipped scenes if it is left out.
-export async function load(scene, { engine: kind = 'auto', base } = {}) {
-  const source = openScene(scene, base);
-  const engine = await Engine.create({ files: await readEngine(kind) });
-  let faults;
+// `engine` is 'auto', 'simd' or 'scalar'; `base` the folder, or a file in it, from which an object names its files, that of the shipped scenes if it is left out.
+export async function load(scene, options = {}) {
+  const { engine: kind = 'auto', base } = readOptions(options);
+  let engine = null;
   try {
-    faults = await engine.loadScene(source);
+    const source = openScene(scene, base);
+    engine = await Engine.create({ files: await readEngine(kind) });
+    const faults = await engine.loadScene(source);
+    if (faults.length === 0) return new Scene(engine);
+    const count = faults.length === 1 ? 'a fault' : `${faults.length} faults`;
+    throw new SceneError('scene', `${source.name} has ${count}:`, faults.map((fault) => withPlace(withReason(fault, source.failures))));
   } catch (error) {
-    throw new SceneError(error.code ?? 'engine', error.message);
+    engine?.stop();
+    // What was not given as it must be is the caller's own error.
+    throw error instanceof SceneError || error instanceof TypeError ? error : new SceneError(error.code ?? 'engine', error.message);
   }
-  if (faults.length > 0) {
-    throw new SceneError('scene', `${source.name} has ${faults.length === 1 ? 'a fault' : `${faults.length} faults`}:`, faults.map(withPlace));
-  }
-  return new Scene(engine);
 }
 
 class Scene {
-  #engine;
+  #engine; // null once it is freed
 
   constructor(engine) {
     this.#engine = engine;
   }
 
+  get #running() {
+    if (this.#engine === null) throw new Error('This scene has been freed.');
+    return this.#engine;
+  }
+
   get warnings() {
-    return this.#engine.warnings.map(withPlace);
+    return this.#running.warnings.map(withPlace);
   }
 
   get world() {
-    const { title, maps } = this.#engine.world;
+    const { title, maps } = this.#running.world;
     return { title, maps };
   }
 
   get currentView() {
-    return this.#engine.view;
+    return this.#running.view;
   }
 
   get optionList() {
-    return this.#engine.options;
+    return this.#running.options;
   }
 
   get memory() {
-    return this.#engine.memoryBytes;
+    return this.#running.memoryBytes;
   }
 
   set(name, value) {
-    try {
-      this.#engine.setOption(name, value);
-    } catch (error) {
-      throw new SceneError('option', error.message);
-    }
+    const engine = this.#running;
+    orSceneError('option', () => engine.setOption(name, value));
   }
 
   get(name) {
-    const value = this.#engine.option(name);
+    const value = this.#running.option(name);
     if (value === '') throw new SceneError('option', `option: found "${name}", expected one of ${this.optionList.map((option) => option.name).join(', ')}`);
     return value;
   }
 
   look(view) {
-    return this.#engine.look(typeof view === 'string' ? parseView(view) : view);
+    return this.#running.look(orSceneError('address', () => readView(view)));
   }
 
   step(count = 1, input = {}) {
-    this.#engine.step(input, count);
+    this.#running.step(input, count);
   }
 
   reset() {
-    this.#engine.reset();
+    this.#running.reset();
   }
 
-  hits(column, { width, height } = kSize) {
-    return this.#engine.hits(width, height, column);
+  hits(column, size = kSize) {
+    return this.#running.hits(...sidesOf(size), column);
   }
 
-  trace(column = undefined, { width, height } = kSize) {
-    return column === undefined ? this.#engine.traceFrame(width, height) : this.#engine.trace(width, height, column);
+  trace(column = undefined, size = kSize) {
+    const engine = this.#running;
+    return column === undefined ? engine.traceFrame(...sidesOf(size)) : engine.trace(...sidesOf(size), column);
   }
 
-  picture({ width, height } = kSize) {
-    const data = this.#engine.drawPixels(width, height);
-    if (data === null) throw new RangeError(`size: found ${width} x ${height}, expected 1 to 8192 pixels a side`);
-    return { width, height, data };
+  picture(size = kSize) {
+    const engine = this.#running;
+    const [width, height] = sidesOf(size);
+    return { width, height, data: engine.drawPixels(width, height) };
   }
 
+  // Of the view at the moment of the call.
   async png(size = kSize) {
+    const picture = this.picture(size);
     const { encode } = await import('fast-png');
-    return encode({ ...this.picture(size), channels: 4, depth: 8 });
+    return encode({ ...picture, channels: 4, depth: 8 });
   }
 
   free() {
-    this.#engine.stop();
+    this.#engine?.stop();
+    this.#engine = null;
+  }
+}
+
+function readOptions(options) {
+  if (typeof options !== 'object' || options === null) throw new TypeError(`options: found ${String(options)}, expected an object with some of engine, base`);
+  const { engine, base, ...others } = options;
+  for (const name of Object.keys(others)) throw new TypeError(`options: found ${name}, expected some of engine, base`);
+  return { engine, base };
+}
+
+function sidesOf(size) {
+  const { width, height } = size ?? {};
+  const sides = [width, height];
+  if (sides.every((side) => Number.isInteger(side) && side >= 1 && side <= kLargestSide)) return sides;
+  throw new RangeError(`size: found ${size === null ? null : `${width} x ${height}`}, expected a width and a height of 1 to ${kLargestSide} whole pixels`);
+}
+
+function orSceneError(code, act) {
+  try {
+    return act();
+  } catch (error) {
+    throw new SceneError(code, error.message);
   }
 }
 

@@ -1,43 +1,120 @@
 // Where a scene and its pictures come from under Node, in the form that Engine.loadScene takes.
 //
-//     const source = openScene('worlds/castle.json');       // or 'https://...', a URL, 'castle' (a shipped scene), or an object
+//     const source = openScene('worlds/castle.json');                     // or 'https://...', a URL, 'castle' (a shipped scene)
+//     const source = openScene({ title: 'A garden', ... }, 'worlds');     // with the folder, or a file in it, from which it names its pictures
+//     source.failures                                                     // file -> why it could not be read
 
+import { statSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
+import { inspect } from 'node:util';
 
-const kShipped = new URL('../scenes/', import.meta.url);
+import { coded } from '../fetch-bytes.js';
+import { filesBy, isFile, nameOf } from '../source-parts.js';
+
+// A program bundled as a script of the old kind has no address: then nothing is found here, and whoever asks is told so.
+export const kPackage = new URL('../', import.meta.url ?? 'file:///');
+
+const kShipped = new URL('scenes/', kPackage);
+const kMostReads = 32; // at a time, of all scenes together: a process may have only so many files open
 
 export function openScene(scene, base = kShipped) {
-  if (typeof scene === 'string' || scene instanceof URL) {
-    const address = addressOf(scene);
-    return {
-      name: decodeURIComponent(address.pathname.split('/').pop()),
-      readText: () => readBytes(address),
-      readFile: (name) => readBytes(new URL(name, address)).catch(() => null),
-    };
+  const folder = folderOf(base);
+  if (typeof scene === 'object' && scene !== null && !(scene instanceof URL)) {
+    const text = textOf(scene);
+    return { name: 'scene', readText: async () => text, ...filesBy((file) => bytesAt(new URL(file, folder))) };
   }
-  if (typeof scene !== 'object' || scene === null) throw new TypeError(`scene: found ${scene}, expected a path, an address or an object`);
+  const isName = typeof scene === 'string' && /^[\w-]+$/.test(scene);
+  const address = isName ? new URL(`${scene}.json`, kShipped) : addressOf('scene', scene);
+  let beside = folder;
   return {
-    name: 'scene',
-    readText: async () => new TextEncoder().encode(JSON.stringify(scene, null, 2)),
-    readFile: (name) => readBytes(new URL(name, addressOf(base))).catch(() => null),
+    name: nameOf(address),
+    async readText() {
+      const { bytes, from } = await readAt(address).catch(async (error) => {
+        throw isName && error.message.includes('ENOENT') ? await noSuchName(scene) : error;
+      });
+      if (isFile(from)) beside = from;
+      return bytes;
+    },
+    ...filesBy((file) => bytesAt(new URL(file, beside))),
   };
 }
 
-// A word alone is the name of a shipped scene; what begins like an address is one, anything else is a path.
-function addressOf(reference) {
-  if (reference instanceof URL) return reference;
-  if (/^[\w-]+$/.test(reference)) return new URL(`${reference}.json`, kShipped);
-  return /^[a-z]{2,}:/i.test(reference) ? new URL(reference) : pathToFileURL(reference);
+// {bytes, from}: whence they came in the end, which is elsewhere where a server sends one on. Throws an Error with the code 'fetch'.
+export async function readAt(address) {
+  try {
+    return await inTurn(() => (address.protocol === 'file:' ? readFile(address).then((bytes) => ({ bytes, from: address })) : fetchAt(address)));
+  } catch (error) {
+    // Of a file's error the first part says what it is, the rest repeats the path.
+    const [reason] = (error.cause?.message || error.cause?.code || error.message).split(/, \w+(?: '|$)/);
+    throw coded('fetch', `${isFile(address) ? address.href : nameOf(address)}: ${reason}`);
+  }
 }
 
-async function readBytes(address) {
+async function bytesAt(address) {
+  return (await readAt(address)).bytes;
+}
+
+async function fetchAt(address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`the server answers ${answer.status} ${answer.statusText}`.trim());
+  return { bytes: new Uint8Array(await answer.arrayBuffer()), from: new URL(answer.url) };
+}
+
+let reads = 0;
+const waiting = [];
+
+async function inTurn(read) {
+  if (reads < kMostReads) ++reads;
+  else await new Promise((resolve) => waiting.push(resolve));
   try {
-    if (address.protocol === 'file:') return await readFile(address);
-    const answer = await fetch(address);
-    if (!answer.ok) throw new Error(`the server answers ${answer.status} ${answer.statusText}`.trim());
-    return new Uint8Array(await answer.arrayBuffer());
-  } catch (error) {
-    throw Object.assign(new Error(`${address.href}: ${error.cause?.message ?? error.message}`), { code: 'fetch' });
+    return await read();
+  } finally {
+    // Whoever waits takes the place over.
+    if (waiting.length > 0) waiting.shift()();
+    else --reads;
   }
+}
+
+// A path, or what begins like an address.
+function addressOf(what, reference) {
+  if (reference instanceof URL) return reference;
+  if (typeof reference === 'string' && reference !== '') {
+    if (!/^[a-z]{2,}:/i.test(reference)) return pathToFileURL(reference);
+    try {
+      return new URL(reference);
+    } catch {
+      // It only begins like one.
+    }
+  }
+  throw misread(what, reference);
+}
+
+function folderOf(base) {
+  const address = addressOf('base', base);
+  if (!isFile(address)) throw misread('base', base);
+  const isFolder = address.protocol === 'file:' && statSync(address, { throwIfNoEntry: false })?.isDirectory() === true;
+  if (!isFolder || address.pathname.endsWith('/')) return address;
+  const folder = new URL(address);
+  folder.pathname += '/';
+  return folder;
+}
+
+function misread(what, found) {
+  const expected = what === 'base' ? 'the path or address of a folder or a file in it' : 'a path, an address, the name of a shipped scene or an object';
+  return new TypeError(`${what}: found ${typeof found === 'string' ? `"${found}"` : inspect(found, { depth: 0 })}, expected ${expected}`);
+}
+
+function textOf(scene) {
+  try {
+    return new TextEncoder().encode(JSON.stringify(scene, null, 2));
+  } catch (error) {
+    throw coded('scene', `scene: found what JSON cannot hold: ${error.message}`);
+  }
+}
+
+async function noSuchName(name) {
+  const list = JSON.parse(new TextDecoder().decode(await bytesAt(new URL('index.json', kShipped))));
+  const names = list.map(({ file }) => file.replace(/\.json$/, '')).join(', ');
+  return coded('fetch', `scene: found "${name}", expected the name of a shipped scene (${names}), or a path, which ./${name} would be`);
 }
