@@ -4,6 +4,7 @@
 //     const engine = await Engine.create({files, canvas});
 
 import { coded, fetchResponse, listenForViolations, readBody } from './fetch-bytes.js';
+import { kHome, reachable } from './home.js';
 import { Trouble } from './trouble.js';
 
 // The smallest module that uses SIMD: (func (result v128) i32.const 0 i8x16.splat i8x16.popcnt).
@@ -36,7 +37,8 @@ export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
     throw new Trouble('This browser has no WebAssembly', 'The engine is a WebAssembly program.', [], 'no-webassembly');
   }
   const chosen = chooseBuild(kind);
-  return { kind: chosen, program: await compileProgram(kBuilds[chosen]().href, onBytes) };
+  const address = reachable(kBuilds[chosen], `engine/slicecast-${chosen}.wasm`, kHome);
+  return { kind: chosen, program: await compileProgram(address.href, onBytes) };
 }
 
 async function compileProgram(address, onBytes) {

@@ -1,14 +1,16 @@
-// The package as others use it: the packed file is installed, and drawn with in a plain page, a Vite app, a VitePress site and a program under Node.
+// The package as others use it: the packed file is installed, and drawn with in a plain page, a Vite app, scripts made by esbuild, a VitePress site
+// and a program under Node.
 // Needs build/slicecast-VERSION.tgz (tools/package), and nothing from the network.
 
 import assert from 'node:assert/strict';
 import { execFile, spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { cp, mkdir, readFile, readdir, rm } from 'node:fs/promises';
+import { cp, mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
+import { build } from 'esbuild';
 
 import { launch } from '../browser/browser.mjs';
 import { serve } from '../browser/static-server.mjs';
@@ -145,6 +147,20 @@ test('an app that Vite serves while it is written', async () => {
     await server.end();
   }
 });
+
+// What follows no files: the engine lies beside the script, or, where the script does not know its address, where the page says that all of it lies.
+for (const [format, tag, engine] of [['esm', '<script type="module"', 'engine'], ['iife', '<script defer', 'slicecast/engine']]) {
+  test(`an app that esbuild makes one script of: ${format}`, async () => {
+    const folder = path.join(built, `esbuild-${format}`);
+    await cp(path.join(shared, 'slicecast'), path.join(folder, 'slicecast'), { recursive: true });
+    await cp(path.join(installed, 'engine'), path.join(folder, engine), { recursive: true });
+    await build({ entryPoints: [path.join(hosts, 'vite/main.js')], outfile: path.join(folder, 'main.js'), bundle: true, format, logLevel: 'error' });
+    const page = await readFile(path.join(hosts, 'vite/index.html'), 'utf8');
+    const home = '<meta name="slicecast-home" content="/slicecast">';
+    await writeFile(path.join(folder, 'index.html'), page.replace('<script type="module"', `${home}\n${tag}`).replace('"/slicecast/scenes/first-walk.json"', '"first-walk"'));
+    await assertFolderDraws(folder);
+  });
+}
 
 test('a site that VitePress builds, its pages drawn on the server', async () => {
   const outDir = path.join(built, 'vitepress');
