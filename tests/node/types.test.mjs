@@ -6,8 +6,8 @@ import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import Ajv from 'ajv';
 
-import { sceneOfRows } from '../../build/web/element/rows.js';
 import { load } from '../../build/web/node/index.js';
+import { sceneOfRows } from '../../build/web/ray-caster-rows.js';
 import { complaints } from './types.mjs';
 
 const table = JSON.parse(await readFile(new URL('../../web/element/api.json', import.meta.url), 'utf8'));
@@ -16,7 +16,7 @@ const kScenes = ['wayhouse', 'water-palace', 'garden', 'glassworks']; // portals
 
 test('a page that uses the element compiles', () => {
   assert.deepEqual(complaints(`
-    import { apiVersion, errorCodes, RayCaster, type View } from './ray-caster.js';
+    import { apiVersion, errorCodes, RayCaster, type FrameTrace, type RayCasterAttributes, type SliceTrace, type View } from './ray-caster.js';
     const element = document.createElement('ray-caster');
     const version: 1 = apiVersion;
     element.addEventListener('error', ({ detail }) => console.log(errorCodes[detail.code].remedy, detail.faults[0]?.place));
@@ -27,7 +27,10 @@ test('a page that uses the element compiles', () => {
     element.step(2, { forward: 1, jump: true });
     element.look({ heading: 90 });
     const picture: Promise<Blob> = element.snapshot({ width: 320, height: 200 });
-    console.log(version, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals);`), []);
+    const column: number | undefined = version > 1 ? 3 : undefined;
+    const trace: SliceTrace | FrameTrace | null = element.trace(column);
+    const attributes: RayCasterAttributes = { scene: 'castle', controls: 'play', autoplay: true, loading: 'eager' };
+    console.log(version, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals, trace, attributes);`), []);
 });
 
 test('a program under Node compiles', () => {
@@ -35,8 +38,10 @@ test('a program under Node compiles', () => {
     import { load, SceneError } from './node/index.js';
     const scene = await load('castle', { engine: 'scalar' }).catch((error: SceneError) => { throw new Error(error.faults.join()); });
     scene.set('fov', 75);
-    const bytes: Uint8Array = await scene.png({ width: 32, height: 20 });
-    console.log(scene.hits(3)?.hits, scene.trace(3)?.runs, scene.trace().columns, bytes, scene.picture().data);
+    const bytes = await scene.png({ width: 32, height: 20 });
+    const { data, width } = scene.picture();
+    const column: number | undefined = width > 3 ? 3 : undefined;
+    console.log(scene.hits(3)?.hits, scene.trace(3)?.runs, scene.trace().columns, scene.trace(column)?.size, new ImageData(data, width), new Blob([bytes]));
     scene.free();
     export {};`), []);
 });
@@ -45,6 +50,7 @@ for (const [what, line] of [
   ['a value that an attribute does not take', "element.keys = 'some';"],
   ['a write to what is read-only', "element.state = 'idle';"],
   ['an input that there is not', 'element.step(1, { sideways: 1 });'],
+  ['an attribute that there is not', "const attributes: import('./ray-caster.js').RayCasterAttributes = { scenes: 'castle' }; console.log(attributes, element);"],
   ['a detail that an event does not have', "element.addEventListener('progress', ({ detail }) => detail.percent);"],
 ]) {
   test(`the compiler refuses ${what}`, () => {

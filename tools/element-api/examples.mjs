@@ -17,6 +17,20 @@ import 'slicecast';`;
 export const vite = `// vite.config.js
 export default { optimizeDeps: { exclude: ['slicecast'] } };`;
 
+export const home = '<meta name="slicecast-home" content="/slicecast/">';
+
+export const jsx = `// ray-caster-jsx.d.ts: React 19; for others, their own JSX namespace
+import type { HTMLAttributes, RefAttributes } from 'react';
+import type { RayCaster, RayCasterAttributes } from 'slicecast';
+
+declare module 'react' {
+  namespace JSX {
+    interface IntrinsicElements {
+      'ray-caster': HTMLAttributes<RayCaster> & RefAttributes<RayCaster> & RayCasterAttributes;
+    }
+  }
+}`;
+
 export const iframe = `<iframe src="slicecast/embed.html?scene=castle" title="A castle above the water"
         width="640" height="400" allow="fullscreen"></iframe>`;
 

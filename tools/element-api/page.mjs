@@ -20,6 +20,8 @@ export function documentation({ errorCodes, version, options, scenes }) {
     begin: snippet(snippets.begin),
     bundler: snippet(snippets.bundler),
     vite: snippet(snippets.vite),
+    home: snippet(snippets.home),
+    jsx: snippet(snippets.jsx),
     iframe: snippet(snippets.iframe),
     examples: snippets.live.map(example).join('\n'),
     attributes: rows('attribute', ['Attribute', 'Takes', 'Default', 'What it does'], table.attributes.map((row) =>

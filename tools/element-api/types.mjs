@@ -39,6 +39,9 @@ ${members.map(indented).join('\n')}
 ${['addEventListener', 'removeEventListener'].map((name) => listener(name, className)).join('\n')}
 }
 
+/** What JSX may write in the tag, besides what every element takes. */
+export type ${className}Attributes = Partial<Pick<${className}, ${table.attributes.map(({ name }) => `'${name}'`).join(' | ')}>>;
+
 ${table.exports.filter(({ kind }) => kind === 'constant').map(({ name, type, description }) => `${comment(description)}export const ${name}: ${type};\n`).join('\n')}
 declare global {
   interface HTMLElementTagNameMap {
@@ -69,8 +72,7 @@ export interface Scene {
 ${members.map(indented).join('\n')}
 }
 
-/** What keeps a scene from being loaded; its message lists all faults. */
-export class ${api.error.name} extends Error {
+${comment(api.error.description)}export class ${api.error.name} extends Error {
 ${ofError.map(indented).join('\n')}
 }
 `;
