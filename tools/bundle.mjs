@@ -37,5 +37,5 @@ const bundles = await Promise.all(kScripts.map((script) => build({
 for (const { outputFiles: [{ path: script, text }] } of bundles) {
   // An address that is known only while the page runs is nothing for other bundlers to follow; the comment that tells them so has been taken off.
   const followed = text.replaceAll(/\bimport\((?!")/g, 'import(/* @vite-ignore */ ');
-  await writeFile(script, `// Of <ray-caster>, in one file, made of the modules beside it.\n${followed}`);
+  await writeFile(script, `// Of <ray-caster>, in one file, made of the modules of web/element and those beside this one.\n${followed}`);
 }

@@ -1,6 +1,7 @@
 // What <ray-caster> costs a page where nobody plays: no time, one fetch of each file, and nothing once it is gone.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
 import { guestPage, kRoom, openGuest, processorSeconds, ready, stateOf, until, wait, watchPage } from './guest-page.mjs';
@@ -244,7 +245,9 @@ test('an element that is moved goes on; one that is taken away while it loads le
 // A machine with nothing else to do keeps far below these limits; here others may be at work. The figures are in the report.
 test('start times: the first picture, an engine more, and an element more', async (t) => {
   const startPage = guestPage(kRoom.replace('scene', 'loading="eager" scene'), { script: '<script type="module" src="start.js"></script>' });
-  const { page } = await openGuest(t, browser, { server: { files: { 'start.js': startScript, 'start.html': startPage } } });
+  // The page has them in its script only.
+  const modules = ['source', 'late', 'page-cache'].map((name) => [`element/${name}.js`, readFileSync(new URL(`../../web/element/${name}.js`, import.meta.url))]);
+  const { page } = await openGuest(t, browser, { server: { files: { 'start.js': startScript, 'start.html': startPage, ...Object.fromEntries(modules) } } });
   const first = [];
   for (let round = 0; round < 4; ++round) {
     await page.goto(page.url().replace(/[^/]*$/, 'start.html'));

@@ -6,6 +6,7 @@ import assert from 'node:assert/strict';
 import { execFile, spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { cp, mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -176,6 +177,15 @@ test('a program under Node', async () => {
   const { decode } = await import('fast-png');
   const { width, height, data } = decode(await readFile(file));
   assert.deepEqual({ width, height, hash: hashOf(data) }, { ...kSize, hash: expected });
+});
+
+test('the script is found by each of its names, and nothing is packed that nobody reads', async () => {
+  const { resolve } = createRequire(import.meta.url);
+  const { main } = JSON.parse(await readFile(resolve('slicecast/package.json'), 'utf8'));
+  const script = path.join(installed, 'ray-caster.js');
+  assert.deepEqual([resolve('slicecast'), resolve('slicecast/ray-caster.js'), path.join(installed, main)], [script, script, script]);
+  const packed = await readdir(installed);
+  for (const name of ['element', 'pictures']) assert.ok(!packed.includes(name), name);
 });
 
 test('publint finds nothing', async () => {
