@@ -9,6 +9,12 @@ const kOnePiece = 131072; // bytes that are read without telling how far they ar
 const kProbeMilliseconds = 4000; // a server that has not answered the probe by then counts as one that does not answer
 
 let cache = 'default';
+const redirects = new Map(); // address -> where its server has sent us on
+
+// Where the bytes of an address that has been fetched have really come from: what they name lies beside that.
+export function finalAddress(address) {
+  return redirects.get(new URL(address).href) ?? address;
+}
 
 // From now on every server is asked whether what the browser has kept is still so: somebody tries again.
 export function askAnew() {
@@ -33,6 +39,7 @@ export async function fetchResponse(address) {
   } finally {
     violations.stop();
   }
+  if (response.redirected) redirects.set(new URL(address).href, response.url);
   if (!response.ok) throw coded('fetch', `the server answers ${response.status} ${response.statusText}`.trim());
   return response;
 }

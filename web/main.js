@@ -17,6 +17,7 @@ import { SceneMenu } from './scene-menu.js';
 import { listScenes, sceneAmong, sceneAt } from './scene-source.js';
 import { Settings } from './settings.js';
 import { ShareDialog } from './share.js';
+import { withReason } from './source-parts.js';
 import { Stage } from './stage.js';
 import { Thumbs } from './thumbs.js';
 import { readTour } from './tours.js';
@@ -151,7 +152,7 @@ class Page {
         },
       });
       if (faults === null) return false;
-      if (faults.length > 0) throw faultsTrouble(scene.source.name, faults);
+      if (faults.length > 0) throw faultsTrouble(scene.source.name, faults.map((fault) => withReason(fault, scene.source.failures)));
       this.current = scene;
       for (const { message } of this.engine.warnings) console.warn(message);
       this.#showTitle();
@@ -173,6 +174,7 @@ class Page {
 
   #openAgain(scene) {
     askAnew();
+    scene.source.failures.clear();
     return this.open(scene);
   }
 

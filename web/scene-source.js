@@ -2,10 +2,10 @@
 //
 //     name               as it stands in messages
 //     readText()         the scene's bytes; throws a Trouble
-//     readFile(name)     the bytes of a file that the scene names, or null
+//     readFile(name)     the bytes of a file that the scene names, or null: `failures` then has the reason
 
-import { fetchBytes } from './fetch-bytes.js';
-import { nameOf } from './source-parts.js';
+import { fetchBytes, finalAddress } from './fetch-bytes.js';
+import { filesBy, nameOf } from './source-parts.js';
 import { Trouble } from './trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
@@ -35,7 +35,7 @@ export function sceneAt(reference) {
         throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
       });
     },
-    readFile: (name, onBytes) => fetchOrNull(name, address, onBytes),
+    ...filesBy((name, onBytes) => fetchBytes(new URL(name, finalAddress(address)), onBytes)),
   };
 }
 
@@ -50,12 +50,12 @@ export function sceneAmong(entries) {
   return {
     name: scene.file.name,
     readText: async () => new Uint8Array(await scene.file.arrayBuffer()),
-    async readFile(name, onBytes) {
+    ...filesBy(async (name, onBytes) => {
       const path = joinPath(folder, name);
       const baseName = name.split('/').pop();
       const entry = entries.find((other) => other.path === path) ?? entries.find((other) => other.file.name === baseName);
-      return entry === undefined ? fetchOrNull(name, kScenes, onBytes) : new Uint8Array(await entry.file.arrayBuffer());
-    },
+      return entry === undefined ? fetchBytes(new URL(name, kScenes), onBytes) : new Uint8Array(await entry.file.arrayBuffer());
+    }),
   };
 }
 
@@ -93,12 +93,4 @@ function joinPath(folder, name) {
     else if (step !== '.') steps.push(step);
   }
   return steps.join('/');
-}
-
-async function fetchOrNull(name, base, onBytes) {
-  try {
-    return await fetchBytes(new URL(name, base), onBytes);
-  } catch {
-    return null;
-  }
 }

@@ -223,6 +223,13 @@ test('an inline scene and rows of characters', async (t) => {
   assert.deepEqual(await page.evaluate(() => [document.querySelector('#rows').world.maps[0].width, document.querySelector('#rows').hits(0).hits[0].blueprint]), [5, 'stone wall']);
 });
 
+test('where a server sends a scene on, its pictures lie beside the place where it is', async (t) => {
+  const files = { 'far/off/room.json': JSON.stringify(roomScene()), ...roomPictures('far/off/pictures/') };
+  const { page } = await openGuest(t, browser, { body: kSized.replace('scene="room"', 'scene="moved.json"'), server: { files, redirects: { 'moved.json': '/far/off/room.json' } } });
+  await ready(page);
+  assert.equal(await hashIn(page), await roomHash());
+});
+
 test('taken into another document and back, it comes to life again', async (t) => {
   const { page } = await openGuest(t, browser, { body: `${kSized}<iframe id="inner" srcdoc="<p>empty</p>" title="inner"></iframe>` });
   await ready(page);

@@ -117,6 +117,23 @@ test('a scene that is dropped while the engine is still to come opens first', as
   assert.equal(await page.title(), 'Dropped · Slicecast');
 });
 
+test('a picture that cannot be read: the sheet says why, and another try asks for it again', async (t) => {
+  let picture = null;
+  const { page } = await openPage(t, browser, { expectErrors: true, server: { files: { 'scenes/pictures/green.png': () => picture } } });
+  await inState(page, 'trouble');
+  assert.match((await faultRows(page))[0].found, /pictures\/green\.png.*the server answers 404/);
+  picture = png(8, () => kOrange);
+  await page.click('#trouble-again');
+  await inState(page, 'paused');
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
+});
+
+test('where a server sends a scene on, its pictures lie beside the place where it is', async (t) => {
+  const files = { 'far/off/room.json': JSON.stringify(roomScene()), ...roomPictures('far/off/pictures/'), 'far/off/pictures/green.png': png(8, () => kOrange) };
+  const { page } = await openScene(t, browser, { query: '?scene=moved', server: { files, redirects: { 'scenes/moved.json': '/far/off/room.json' } } });
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
+});
+
 test('without a list of scenes the menu says why', async (t) => {
   const { page } = await openScene(t, browser, { query: '?scene=room', expectErrors: true, server: { files: { 'scenes/index.json': null } } });
   await page.click('#open-scenes');

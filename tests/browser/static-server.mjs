@@ -24,15 +24,17 @@ const kTypes = {
 };
 
 // `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function that gives one of them. `headers` go with every answer,
-// `asked` lists the paths in the order in which they were wanted. `folder` is another one than the page's. With `mayGo` every file comes in eight pieces, and
+// `asked` lists the paths in the order in which they were wanted. `folder` is another one than the page's. `redirects`: path -> where the
+// server sends one on. With `mayGo` every file comes in eight pieces, and
 // each waits for `await mayGo(path, bytes sent of it)`.
-export async function serve({ folder = kPage, files = {}, prefix = '/', headers = {}, types = {}, mayGo = null } = {}) {
+export async function serve({ folder = kPage, files = {}, prefix = '/', headers = {}, types = {}, redirects = {}, mayGo = null } = {}) {
   const asked = [];
   const server = createServer(async (request, response) => {
     const address = decodeURIComponent(request.url.split(/[?#]/, 1)[0]);
     if (!address.startsWith(prefix)) return response.writeHead(404).end();
     const name = address.slice(prefix.length) || 'index.html';
     asked.push(name);
+    if (name in redirects) return response.writeHead(302, { Location: redirects[name] }).end();
     const content = await contentOf(folder, name, files);
     if (content === null) return response.writeHead(404, { 'Content-Type': 'text/plain' }).end('There is no such file.');
     const type = types[name] ?? kTypes[path.extname(name)] ?? 'application/octet-stream';

@@ -4,7 +4,7 @@
 //     const source = namedScene('castle');          // one of those that lie beside the script
 //     source.failures                               // file -> why it could not be read
 
-import { coded } from '../fetch-bytes.js';
+import { coded, finalAddress } from '../fetch-bytes.js';
 import { kHome } from '../home.js';
 import { bringRows } from './late.js';
 import { fetchOnce } from './page-cache.js';
@@ -76,7 +76,7 @@ function sceneOf(name, read) {
 }
 
 function filesBeside(address) {
-  return filesBy((file, onBytes) => fetchFile(new URL(file, address), onBytes));
+  return filesBy((file, onBytes) => fetchFile(new URL(file, finalAddress(address)), onBytes));
 }
 
 // A page in place of a shipped file: the folders of the package are not where the element looks for them.
