@@ -385,7 +385,7 @@ bool App::draw(double nowSeconds) {
 void App::tellChanges() {
     if (!game_) return;
     if (std::exchange(toldFly_, game_->player().flying) != game_->player().flying) shell_.tell(News::fly, toldFly_);
-    const bool hasOverlay = std::any_of(kSwitches.begin(), kSwitches.end(), [&](const auto& one) { return optionValue(game_->options(), one.second) == "on"; });
+    const bool hasOverlay = std::any_of(kSwitches.begin(), kSwitches.end(), [&](const auto& one) { return game_->option(one.second) == "on"; });
     if (std::exchange(toldOverlay_, hasOverlay) != hasOverlay) shell_.tell(News::overlay, hasOverlay);
 }
 

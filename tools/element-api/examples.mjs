@@ -26,7 +26,9 @@ import type { RayCaster, RayCasterAttributes } from 'slicecast';
 declare module 'react' {
   namespace JSX {
     interface IntrinsicElements {
-      'ray-caster': HTMLAttributes<RayCaster> & RefAttributes<RayCaster> & RayCasterAttributes;
+      'ray-caster':
+        RayCasterAttributes & HTMLAttributes<RayCaster> &
+        RefAttributes<RayCaster>;
     }
   }
 }`;
@@ -37,8 +39,9 @@ export const iframe = `<iframe src="slicecast/embed.html?scene=castle" title="A 
 export const node = `import { writeFile } from 'node:fs/promises';
 import { load } from 'slicecast/node';
 
-const scene = await load('worlds/my-scene.json');     // or an address, an object, the name of a shipped scene
-for (const { place, found, expected } of scene.warnings) console.warn(place, found, expected);
+// A path; or an address, an object, the name of a shipped scene
+const scene = await load('worlds/my-scene.json');
+for (const { place, found } of scene.warnings) console.warn(place, found);
 scene.set('fov', 75);
 scene.look({ x: 12.5, y: 8, z: 1.6, heading: 90 });
 await writeFile('view.png', await scene.png({ width: 1280, height: 800 }));

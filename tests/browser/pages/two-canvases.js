@@ -5,8 +5,10 @@ import { Engine } from './engine.js';
 import { sceneAt } from './scene-source.js';
 
 const shadow = document.getElementById('second').attachShadow({ mode: 'open' });
-shadow.append(document.createElement('canvas'));
-const canvases = [document.getElementById('first'), shadow.querySelector('canvas')];
+const second = document.createElement('canvas');
+second.tabIndex = 0;
+shadow.append(second);
+const canvases = [document.getElementById('first'), second];
 
 const files = await fetchEngine();
 window.engines = await Promise.all(canvases.map(async (canvas, index) => {
