@@ -23,14 +23,15 @@ export function parseView(text, standardLook = 0) {
   return { x, y, z, heading, look, map: parts.slice(5).join(',').trim() || null };
 }
 
-// What look() takes: a view as text, or an object with any of its fields. null is what stays as it is. Throws a Trouble.
+// What look() takes: a view as text, or an object with any of its fields. null and undefined are what stays as it is. Throws a Trouble.
 export function readView(view) {
   if (typeof view === 'string') return parseView(view, null);
-  const isObject = typeof view === 'object' && view !== null;
-  for (const [name, value] of Object.entries(isObject ? view : { view })) {
+  if (typeof view !== 'object' || view === null) throw misread(`look: found ${view}, expected a view`);
+  for (const [name, value] of Object.entries(view)) {
+    if ((value ?? null) === null) continue;
     if (Object.hasOwn(kViewLimits, name)) checkNumber('look', name, value);
     else if (name !== 'map') throw misread(`look: found ${name} ${value}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map`);
-    else if (value !== null && typeof value !== 'string') throw misread(`look: found map ${value}, expected the name of a map`);
+    else if (typeof value !== 'string') throw misread(`look: found map ${value}, expected the name of a map`);
   }
   return view;
 }

@@ -22,7 +22,7 @@ export function browserHasWebAssembly() {
   return typeof WebAssembly === 'object' && typeof WebAssembly.validate === 'function';
 }
 
-export function browserHasSimd() {
+function browserHasSimd() {
   return WebAssembly.validate(kSimdModule);
 }
 

@@ -234,6 +234,10 @@ export class Engine {
     this.#module._slicecast_pause(paused ? 1 : 0);
   }
 
+  get paused() {
+    return this.#module._slicecast_paused() === 1;
+  }
+
   setMouse({ degreesPerPixel, invert }) {
     this.#module._slicecast_setMouse(degreesPerPixel, invert ? 1 : 0);
   }

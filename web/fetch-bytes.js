@@ -9,9 +9,9 @@ const kOnePiece = 131072; // bytes that are read without telling how far they ar
 const kProbeMilliseconds = 4000; // a server that has not answered the probe by then counts as one that does not answer
 
 let cache = 'default';
-const redirects = new Map(); // address -> where its server has sent us on
+const redirects = new Map(); // address -> where its server has sent us on, the last time
 
-// Where the bytes of an address that has been fetched have really come from: what they name lies beside that.
+// Where the bytes of an address have really come from, where a server has sent us on: what they name lies beside that.
 export function finalAddress(address) {
   return redirects.get(new URL(address).href) ?? address;
 }
@@ -40,6 +40,7 @@ export async function fetchResponse(address) {
     violations.stop();
   }
   if (response.redirected) redirects.set(new URL(address).href, response.url);
+  else redirects.delete(new URL(address).href);
   if (!response.ok) throw coded('fetch', `the server answers ${response.status} ${response.statusText}`.trim());
   return response;
 }
@@ -110,8 +111,9 @@ export function coded(code, message) {
 async function causeOf(address, { refused }) {
   await new Promise((resolve) => setTimeout(resolve, kViolationMilliseconds));
   // What else the policy refuses meanwhile, trackers for instance, has nothing to do with it.
-  const { href, origin } = new URL(address);
-  const isRefused = refused.some((one) => one.directive === 'connect-src' && [href.replace(/#.*/s, ''), origin].includes(one.address));
+  const { href, origin, protocol } = new URL(address);
+  const names = [href.replace(/#.*/s, ''), origin, protocol.slice(0, -1)]; // the last one of data: and blob: addresses
+  const isRefused = refused.some((one) => one.directive === 'connect-src' && names.includes(one.address));
   if (isRefused) return coded('csp', "the page's Content-Security-Policy does not allow it (connect-src)");
   const answers = await fetch(address, { mode: 'no-cors', cache: 'no-store', signal: AbortSignal.timeout?.(kProbeMilliseconds) }).then(() => true, () => false);
   if (answers) return coded('cors', 'the server answers, but does not allow pages of other origins to read it');

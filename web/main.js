@@ -72,7 +72,7 @@ class Page {
       this.engine = await Engine.create({ files, canvas, onEvent: (event, value) => this.#hear(event, value) });
       this.#prepareEngine();
       this.#takeScenes(scenes);
-      await (this.#dropped !== null ? this.openFiles(this.#dropped) : this.openFromAddress());
+      await (this.#dropped !== null ? this.#openDropped() : this.openFromAddress());
     } catch (error) {
       this.#fail(asTrouble(error), { again: () => location.reload() });
     }
@@ -81,6 +81,7 @@ class Page {
   // ---- Scenes
 
   async openFromAddress() {
+    ++this.#loads; // what is on its way is overtaken, also by an address that cannot be opened
     const view = parameters().has('view') ? parseView(parameters().get('view')) : null;
     this.given.take(this.engine, parameters());
     const tour = parameters().get('tour');
@@ -147,6 +148,7 @@ class Page {
     try {
       const faults = await this.engine.loadScene(scene.source, {
         keepEye,
+        isWanted: () => load === this.#loads,
         onProgress: (share, bytes) => {
           if (!keepEye) this.#showProgress(`Opening ${scene.source.name}`, begin + share * (1 - begin), bytes);
         },
@@ -224,6 +226,14 @@ class Page {
     } catch (error) {
       this.#fail(asTrouble(error), { again: null });
     }
+  }
+
+  // Files that came before the engine, instead of the address's scene.
+  #openDropped() {
+    this.given.take(this.engine, parameters());
+    const entries = this.#dropped;
+    this.#dropped = null;
+    return this.openFiles(entries);
   }
 
   // ---- Playing

@@ -94,8 +94,30 @@ test('other keys are wished for while somebody plays: they play on', async (t) =
     assert.equal(await focusOf(page), place);
     assert.equal(await page.evaluate(() => document.getElementById('a').state), 'playing');
   }
+  // From the bar nothing takes the focus.
+  await page.keyboard.press('Tab');
+  assert.equal(await focusOf(page), 'a play');
+  await page.evaluate(() => { document.getElementById('a').keys = 'all'; });
+  await wait(100);
+  assert.equal(await focusOf(page), 'a play');
   await page.keyboard.press('Escape');
   await inElementState(page, 'a', 'paused');
+});
+
+test('a fault closes the sheet of keys; once it is mended the cover has the focus', async (t) => {
+  const { page } = await openElements(t, browser, kRoom, { expectErrors: true });
+  await ready(page, 'a');
+  await page.click('#a');
+  await inElementState(page, 'a', 'playing');
+  await page.keyboard.press('h');
+  await page.locator('#a').getByRole('dialog', { name: 'Keys' }).waitFor();
+  await page.evaluate(() => { document.getElementById('a').scene = 'nowhere'; });
+  await inElementState(page, 'a', 'error');
+  assert.equal(await focusOf(page), 'a sheet');
+  assert.equal(await page.locator('#a .keys').isVisible(), false);
+  await page.evaluate(() => { document.getElementById('a').scene = 'room'; });
+  await inElementState(page, 'a', 'paused');
+  assert.equal(await focusOf(page), 'a cover');
 });
 
 test('under the sheet of keys nothing can be reached; it lists what works here', async (t) => {

@@ -314,8 +314,20 @@ test('a bar that cannot come is told of once, whatever the page writes about it;
   await page.locator('ray-caster').getByRole('button', { name: 'Play', exact: true }).waitFor();
 });
 
+test('a bar that comes after all takes the error with it', async (t) => {
+  let isThere = false;
+  const { page } = await openGuest(t, browser, {
+    body: kRoom.replace('scene', 'controls scene'), ...failing,
+    server: { files: { 'ray-caster-steering.js': () => (isThere ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url)) : null) } },
+  });
+  await stateIs(page, 'error');
+  isThere = true;
+  await page.hover('ray-caster');
+  await stateIs(page, 'paused');
+});
+
 test('what methods and keys have set stays, whatever else changes in the element', async (t) => {
-  const { page } = await openGuest(t, browser, { body: '<ray-caster scene="room" options="fov=90" overlay="minimap" view="4,4,0.6,0"><p>A room</p></ray-caster>' });
+  const { page } = await openGuest(t, browser, { body: '<ray-caster scene="room" options="fov=90" overlay="minimap" view="4,4,0.6,0"><p>A room</p></ray-caster>', ...failing });
   await ready(page);
   const options = () => page.evaluate(async () => {
     const element = document.querySelector('ray-caster');
@@ -337,6 +349,12 @@ test('what methods and keys have set stays, whatever else changes in the element
   await page.evaluate(() => { document.querySelector('ray-caster').options = 'fov=75'; });
   await settled(page);
   assert.deepEqual(await options(), ['75', 'on', 2], 'a new attribute counts, with those beside it');
+  // One that is refused in part leaves nothing behind once it is taken back
+  for (const text of ['fov=90 nosuch=1', 'fov=75']) {
+    await page.evaluate((wanted) => { document.querySelector('ray-caster').options = wanted; }, text);
+    await settled(page);
+  }
+  assert.equal((await options())[0], '75');
   // The same view once more, after none
   for (const view of ['', '4,4,0.6,0']) {
     await page.evaluate((text) => { document.querySelector('ray-caster').view = text; }, view);

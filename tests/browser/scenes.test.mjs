@@ -106,7 +106,7 @@ test('a scene dropped with its pictures opens', async (t) => {
 
 test('a scene that is dropped while the engine is still to come opens first', async (t) => {
   let arrive;
-  const { page } = await openPage(t, browser, { prepare: (newPage) => newPage.route('**/*.wasm', async (route) => {
+  const { page } = await openPage(t, browser, { query: '?scene=other&options=fov=90', prepare: (newPage) => newPage.route('**/*.wasm', async (route) => {
     await new Promise((resolve) => { arrive = resolve; });
     await route.continue();
   }) });
@@ -115,6 +115,7 @@ test('a scene that is dropped while the engine is still to come opens first', as
   arrive();
   await inState(page, 'paused');
   assert.equal(await page.title(), 'Dropped · Slicecast');
+  assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '90', 'as the address wants it');
 });
 
 test('a picture that cannot be read: the sheet says why, and another try asks for it again', async (t) => {
@@ -132,6 +133,17 @@ test('where a server sends a scene on, its pictures lie beside the place where i
   const files = { 'far/off/room.json': JSON.stringify(roomScene()), ...roomPictures('far/off/pictures/'), 'far/off/pictures/green.png': png(8, () => kOrange) };
   const { page } = await openScene(t, browser, { query: '?scene=moved', server: { files, redirects: { 'scenes/moved.json': '/far/off/room.json' } } });
   assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
+});
+
+test('a server that no longer sends a scene on: another try looks for its pictures where it is now', async (t) => {
+  const redirects = { 'scenes/moved.json': '/far/off/room.json' };
+  const files = { 'far/off/room.json': JSON.stringify(roomScene()), 'scenes/moved.json': JSON.stringify(roomScene()) };
+  const { page } = await openPage(t, browser, { query: '?scene=moved', expectErrors: true, server: { files, redirects } });
+  await inState(page, 'trouble');
+  delete redirects['scenes/moved.json'];
+  await page.click('#trouble-again');
+  await inState(page, 'paused');
+  assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
 });
 
 test('without a list of scenes the menu says why', async (t) => {

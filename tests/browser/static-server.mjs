@@ -23,10 +23,9 @@ const kTypes = {
   '.wasm': 'application/wasm',
 };
 
-// `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function that gives one of them. `headers` go with every answer,
-// `asked` lists the paths in the order in which they were wanted. `folder` is another one than the page's. `redirects`: path -> where the
-// server sends one on. With `mayGo` every file comes in eight pieces, and
-// each waits for `await mayGo(path, bytes sent of it)`.
+// `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function that gives one of them. `headers` go with every answer.
+// `asked` lists the paths in the order in which they were wanted. `folder` is another one than the page's. `redirects`: path -> where the server sends one on.
+// With `mayGo` every file comes in pieces, each after `await mayGo(path, bytes sent of it)`.
 export async function serve({ folder = kPage, files = {}, prefix = '/', headers = {}, types = {}, redirects = {}, mayGo = null } = {}) {
   const asked = [];
   const server = createServer(async (request, response) => {

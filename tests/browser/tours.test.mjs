@@ -109,3 +109,24 @@ test('a tour that is long on its way is overtaken by a scene that is chosen mean
   assert.equal(await page.title(), 'The coloured room · Slicecast');
   assert.equal(await shown(page), '');
 });
+
+for (const query of ['?scene=room&view=bad', '?tour=gone']) {
+  test(`what is on its way does not open over what is wrong with ${query}`, async (t) => {
+    let arrive;
+    const { page } = await openPage(t, browser, { query: '?scene=other', expectErrors: true, prepare: (newPage) => newPage.route('**/scenes/other.json', async (route) => {
+      await new Promise((resolve) => { arrive = resolve; });
+      await route.continue();
+    }) });
+    while (arrive === undefined) await page.waitForTimeout(20);
+    await page.evaluate((address) => {
+      history.pushState(null, '', address);
+      window.dispatchEvent(new PopStateEvent('popstate'));
+    }, query);
+    await inState(page, 'trouble');
+    const came = page.waitForResponse('**/scenes/other.json');
+    arrive();
+    await came;
+    await page.waitForTimeout(300);
+    assert.equal(await page.evaluate(() => document.body.dataset.state), 'trouble');
+  });
+}

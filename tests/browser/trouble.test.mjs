@@ -64,6 +64,7 @@ for (const [what, code, expected, options] of [
   ['a page in the place of the scene', 'mime', /room\.json: the server answers with a web page.*pictures and tours must be served in http/, { server: { files: { 'scenes/room.json': '\n<!DOCTYPE html><title>Welcome</title>' } } }],
   ['a policy without WebAssembly', 'csp', /does not allow WebAssembly.*'wasm-unsafe-eval'/s, { server: withPolicy("script-src 'self'") }],
   ['a policy without fetches', 'csp', /connect-src/, { server: withPolicy("script-src 'self' 'wasm-unsafe-eval'; connect-src 'none'") }],
+  ['a policy without data: addresses', 'csp', /connect-src/, { body: '<ray-caster scene="data:application/json,{}"></ray-caster>', server: withPolicy("connect-src 'self'") }],
   ['a policy without that host', 'csp', /connect-src/, () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>`, server: withPolicy("connect-src 'self'") })],
   ['an engine cut short', 'engine', /refuses .*slicecast-simd\.wasm/, { server: { files: { 'engine/slicecast-simd.wasm': () => Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9]) } } }],
   ['a view that cannot be read', 'address', /view: found "1,2", expected x,y,z,heading/, { body: kRoom.replace('scene', 'view="1,2" scene') }],

@@ -60,6 +60,8 @@ test('an object names its files from a base: a folder, or a file in it', async (
     scene.free();
   }
   for (const base of [7, null, '', 'data:,x', {}]) await assert.rejects(load({}, { base }), { name: 'TypeError', message: /^base: found .*, expected the path or address of a folder/ });
+  // One at which the system will not even look is nobody's fault but that of the pictures beside it.
+  await assert.rejects(load({}, { base: `/${'x'.repeat(5000)}` }), { name: 'SceneError', code: 'scene' });
 });
 
 test('a scene in its own address names its files beside the shipped scenes', async () => {

@@ -29,7 +29,7 @@ test('a page that uses the element compiles', () => {
     const picture: Promise<Blob> = element.snapshot({ width: 320, height: 200 });
     const column: number | undefined = version > 1 ? 3 : undefined;
     const trace: SliceTrace | FrameTrace | null = element.trace(column);
-    const attributes: RayCasterAttributes = { scene: 'castle', controls: 'play', autoplay: true, loading: 'eager' };
+    const attributes: RayCasterAttributes = { scene: 'castle', controls: true, autoplay: true, loading: 'eager' };
     console.log(version, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals, trace, attributes);`), []);
 });
 

@@ -40,7 +40,9 @@ ${['addEventListener', 'removeEventListener'].map((name) => listener(name, class
 }
 
 /** What JSX may write in the tag, besides what every element takes. */
-export type ${className}Attributes = Partial<Pick<${className}, ${table.attributes.map(({ name }) => `'${name}'`).join(' | ')}>>;
+export interface ${className}Attributes {
+${table.attributes.map(({ name, type, default: standard }) => `  ${name}?: ${type}${standard === null ? ' | boolean' : ''};`).join('\n')}
+}
 
 ${table.exports.filter(({ kind }) => kind === 'constant').map(({ name, type, description }) => `${comment(description)}export const ${name}: ${type};\n`).join('\n')}
 declare global {

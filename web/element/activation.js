@@ -86,7 +86,7 @@ export class Activation {
     const other = target === stage ? canvas : stage;
     if (target !== null) target.tabIndex = this.isHeld ? 0 : -1;
     // The focus goes on before its place is none any more; else it is lost, and with it the picture.
-    if (this.isHeld) target.focus({ preventScroll: true });
+    if (this.isHeld && this.tree.root.activeElement === other) target.focus({ preventScroll: true });
     other?.removeAttribute('tabindex');
     canvas?.setAttribute('role', this.isHeld ? 'application' : 'img');
   }

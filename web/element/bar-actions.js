@@ -3,12 +3,10 @@
 //     const controls = new Controls(bar, barActions(element, show));
 
 import { kOverlays } from '../address.js';
-import { kHome } from '../home.js';
 import { saveFile } from '../save-file.js';
 import { sharedParameters } from '../share-links.js';
 
 const kUsualOverlay = ['minimap'];
-const kIsBundled = !/\/ray-caster-steering\.js$/.test(import.meta.url); // into an app's own script, which nobody else can use
 
 export function barActions(host, show) {
   return {
@@ -55,11 +53,19 @@ async function share(host, show) {
   }
   if (show.source.address !== null) tag.setAttribute('scene', show.source.address.href);
   if (host.poster !== '') tag.setAttribute('poster', new URL(host.poster, host.ownerDocument.baseURI).href);
-  const script = kIsBundled ? '' : `<script type="module" src="${new URL('ray-caster.js', kHome).href}"></` + 'script>\n';
+  const address = ownScript(host.ownerDocument.baseURI);
+  const script = address === null ? '' : `<script type="module" src="${address}"></` + 'script>\n';
   try {
     await navigator.clipboard.writeText(`${script}${tag.outerHTML}`);
     show.showStatus('Copied: the tag with this view');
   } catch {
     show.showStatus('This browser keeps the clipboard to itself');
   }
+}
+
+// The address of the element's script; null where it is part of another one, or knows only where it was on the machine that has built it.
+function ownScript(page) {
+  const here = String(import.meta.url);
+  const isOwn = /\/ray-caster-steering\.js(\?|$)/.test(here) && (!here.startsWith('file:') || page.startsWith('file:'));
+  return isOwn ? new URL('ray-caster.js', here).href : null;
 }

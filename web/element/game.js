@@ -49,6 +49,7 @@ export class Game {
     const isNew = this.engine === null || files.kind !== this.#kind;
     const engine = isNew ? await this.#create(files, isStale) : this.engine;
     if (engine === null) return false;
+    let wasPlayer = false;
     try {
       const isAdopted = isNew && engine.adopt(findTwin());
       const scene = recording === null ? null : checkTour(engine, recording);
@@ -56,7 +57,7 @@ export class Game {
       if (scene !== null && found.address !== null && sceneName(found.name) !== sceneName(scene)) {
         throw faultOf('tour', `${recording.name} was recorded in the scene ${sceneName(scene)}, and this one is ${sceneName(found.name)}.`);
       }
-      players.delete(engine); // while another scene comes into its memory
+      wasPlayer = players.delete(engine); // while another scene comes into its memory
       const faults = isAdopted ? [] : await engine.loadScene(found, {
         isWanted: () => !isStale(),
         onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), engineBytes + bytes),
@@ -74,7 +75,7 @@ export class Game {
       players.set(engine, key);
     } catch (error) {
       if (isNew) engine.stop();
-      else if (!isStale()) players.set(engine, this.#key); // it plays on
+      else if (wasPlayer && !isStale()) players.set(engine, this.#key); // it plays on
       throw error;
     }
     if (recording !== null) engine.replay();

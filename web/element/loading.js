@@ -155,8 +155,11 @@ export class Loading {
   #apply() {
     const { view } = this.wanted;
     const options = [...this.wanted.options, ...this.wanted.overlay.map((name) => [name, 'on'])];
-    if (String(options) !== this.#options) this.#game.setOptions(options);
-    this.#options = String(options);
+    if (String(options) !== this.#options) {
+      this.#options = null; // some may be set before one is refused
+      this.#game.setOptions(options);
+      this.#options = String(options);
+    }
     const text = view === null ? null : this.#host.view;
     if (text === this.#view) return;
     // A tour begins where it was recorded.

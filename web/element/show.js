@@ -207,6 +207,7 @@ export class Show {
     // What is wrong already is not told again: the page may write about it into the element, which then looks whether it is still wrong.
     if (JSON.stringify(this.error) === JSON.stringify(before)) return;
     this.#letGo();
+    this.#steering?.stop();
     this.#face.trouble(this.error, () => this.#retry());
     this.run();
     if (hadFocus) message.focus({ preventScroll: true });
@@ -310,6 +311,8 @@ export class Show {
       if (this.#loading?.wanted) this.#steering.attributes(this.#loading.wanted);
       if (this.#tree.canvas !== null) this.#steering.takeCanvas();
       this.showState();
+      if (this.#noSteering !== null) this.update();
+      this.#noSteering = null;
     }
     return this.#steering;
   }

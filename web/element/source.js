@@ -16,6 +16,7 @@ const kScenes = new URL('scenes/', kHome); // what an inline scene names is look
 const kInline = ':scope > script[type="application/json"]';
 const kRows = ':scope > script[type="text/plain"][data-rows], :scope > pre[slot="rows"]';
 const kName = /^[\w-]+$/;
+const kShipped = /^(scenes|textures|see-through|sheets|sprites|tours)\//;
 
 export function findScene(element) {
   const { scene } = element;
@@ -82,7 +83,7 @@ function filesBeside(address) {
 // A page in place of a shipped file: the folders of the package are not where the element looks for them.
 function fetchFile(address, onBytes) {
   return fetchOnce(address, onBytes).catch((error) => {
-    if (error.code !== 'mime' || !address.href.startsWith(kHome.href)) throw error;
+    if (error.code !== 'mime' || !kShipped.test(address.href.slice(kHome.href.length)) || !address.href.startsWith(kHome.href)) throw error;
     throw coded('mime', `${error.message}; the package's scenes, pictures and tours must be served in ${kHome.href}`);
   });
 }

@@ -93,11 +93,19 @@ function addressOf(what, reference) {
 function folderOf(base) {
   const address = addressOf('base', base);
   if (!isFile(address)) throw misread('base', base);
-  const isFolder = address.protocol === 'file:' && statSync(address, { throwIfNoEntry: false })?.isDirectory() === true;
-  if (!isFolder || address.pathname.endsWith('/')) return address;
+  if (address.protocol !== 'file:' || !isFolder(address) || address.pathname.endsWith('/')) return address;
   const folder = new URL(address);
   folder.pathname += '/';
   return folder;
+}
+
+// What cannot be looked at is none: reading from it then tells why.
+function isFolder(address) {
+  try {
+    return statSync(address).isDirectory();
+  } catch {
+    return false;
+  }
 }
 
 function misread(what, found) {
