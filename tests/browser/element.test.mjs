@@ -285,7 +285,7 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
   assert.match(seen.badStep, /sideways/);
   assert.match(seen.badViews[0], /^address: look: found x three, expected a number/);
   assert.match(seen.badViews[1], /found north 1, expected a view with some of x, y/);
-  assert.match(seen.badViews[2], /found view null/);
+  assert.match(seen.badViews[2], /found null, expected a view/);
   assert.match(seen.badViews[3], /found map 3, expected the name of a map/);
   assert.match(seen.badViews[4], /^address: look: found look 9, expected a number from -4 to 4/);
   assert.match(seen.badColumn, /hits: found column 1.5, expected a whole number/);
