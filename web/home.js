@@ -10,12 +10,16 @@ const kPage = globalThis.document?.baseURI ?? 'file:///';
 // A bundler takes `new URL('...', import.meta.url)` for a file to be bundled; this is a folder to be asked while the page runs.
 const here = import.meta.url;
 
+export function isReachable(address, page = kPage) {
+  return address.protocol !== 'file:' || page.startsWith('file:');
+}
+
 // What `find` gives if this page can reach it, else what lies at that path of the folder. What a bundler has put together may have no address of its own, or
 // the one that it had on the machine where it was built.
 export function reachable(find, path, folder, page = kPage) {
   try {
     const address = find();
-    if (address.protocol !== 'file:' || page.startsWith('file:')) return address;
+    if (isReachable(address, page)) return address;
   } catch {
     // There is no such address.
   }

@@ -26,15 +26,20 @@ constexpr double kLargestMouseTurn = 0.5;  // degrees per pixel
 constexpr int kFastSlices = 10;            // by which the inspected slice moves
 
 // Keys that switch an option on and off.
-constexpr auto kSwitches = std::to_array<std::pair<Action, const char*>>({
-    {Action::minimap, "minimap"},
-    {Action::minimapTurns, "minimapTurns"},
-    {Action::minimapRays, "minimapRays"},
-    {Action::playerPanel, "playerPanel"},
-    {Action::processPanel, "processPanel"},
-    {Action::inspector, "inspector"},
-    {Action::grid, "grid"},
-    {Action::slowDrawing, "slow"},
+struct Switch {
+    Action action;
+    const char* option;
+    bool SessionOptions::*value;
+};
+constexpr auto kSwitches = std::to_array<Switch>({
+    {Action::minimap, "minimap", &SessionOptions::minimap},
+    {Action::minimapTurns, "minimapTurns", &SessionOptions::minimapTurns},
+    {Action::minimapRays, "minimapRays", &SessionOptions::minimapRays},
+    {Action::playerPanel, "playerPanel", &SessionOptions::playerPanel},
+    {Action::processPanel, "processPanel", &SessionOptions::processPanel},
+    {Action::inspector, "inspector", &SessionOptions::inspector},
+    {Action::grid, "grid", &SessionOptions::grid},
+    {Action::slowDrawing, "slow", &SessionOptions::slow},
 });
 
 }  // namespace
@@ -230,9 +235,9 @@ void App::act(const Key& key) {
 
 // Switches the option of an action on or off. False if it has none.
 bool App::toggle(Action action) {
-    for (const auto& [switched, option] : kSwitches) {
-        if (switched != action) continue;
-        game_->setOption(option, game_->option(option) == "on" ? "off" : "on");
+    for (const Switch& one : kSwitches) {
+        if (one.action != action) continue;
+        game_->setOption(one.option, game_->options().*one.value ? "off" : "on");
         return true;
     }
     return false;
@@ -385,7 +390,7 @@ bool App::draw(double nowSeconds) {
 void App::tellChanges() {
     if (!game_) return;
     if (std::exchange(toldFly_, game_->player().flying) != game_->player().flying) shell_.tell(News::fly, toldFly_);
-    const bool hasOverlay = std::any_of(kSwitches.begin(), kSwitches.end(), [&](const auto& one) { return game_->option(one.second) == "on"; });
+    const bool hasOverlay = std::any_of(kSwitches.begin(), kSwitches.end(), [&](const Switch& one) { return game_->options().*one.value; });
     if (std::exchange(toldOverlay_, hasOverlay) != hasOverlay) shell_.tell(News::overlay, hasOverlay);
 }
 

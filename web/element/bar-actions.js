@@ -3,6 +3,7 @@
 //     const controls = new Controls(bar, barActions(element, show));
 
 import { kOverlays } from '../address.js';
+import { isReachable } from '../home.js';
 import { saveFile } from '../save-file.js';
 import { sharedParameters } from '../share-links.js';
 
@@ -53,7 +54,7 @@ async function share(host, show) {
   }
   if (show.source.address !== null) tag.setAttribute('scene', show.source.address.href);
   if (host.poster !== '') tag.setAttribute('poster', new URL(host.poster, host.ownerDocument.baseURI).href);
-  const address = ownScript(host.ownerDocument.baseURI);
+  const address = ownScript();
   const script = address === null ? '' : `<script type="module" src="${address}"></` + 'script>\n';
   try {
     await navigator.clipboard.writeText(`${script}${tag.outerHTML}`);
@@ -64,8 +65,9 @@ async function share(host, show) {
 }
 
 // The address of the element's script; null where it is part of another one, or knows only where it was on the machine that has built it.
-function ownScript(page) {
-  const here = String(import.meta.url);
-  const isOwn = /\/ray-caster-steering\.js(\?|$)/.test(here) && (!here.startsWith('file:') || page.startsWith('file:'));
-  return isOwn ? new URL('ray-caster.js', here).href : null;
+function ownScript() {
+  const here = import.meta.url;
+  if (!/\/ray-caster-steering\.js(\?|$)/.test(here)) return null;
+  const address = new URL('ray-caster.js', here);
+  return isReachable(address) ? address.href : null;
 }

@@ -155,10 +155,11 @@ export class Loading {
   #apply() {
     const { view } = this.wanted;
     const options = [...this.wanted.options, ...this.wanted.overlay.map((name) => [name, 'on'])];
-    if (String(options) !== this.#options) {
+    const all = String(options);
+    if (all !== this.#options) {
       this.#options = null; // some may be set before one is refused
       this.#game.setOptions(options);
-      this.#options = String(options);
+      this.#options = all;
     }
     const text = view === null ? null : this.#host.view;
     if (text === this.#view) return;

@@ -83,7 +83,8 @@ function filesBeside(address) {
 // A page in place of a shipped file: the folders of the package are not where the element looks for them.
 function fetchFile(address, onBytes) {
   return fetchOnce(address, onBytes).catch((error) => {
-    if (error.code !== 'mime' || !kShipped.test(address.href.slice(kHome.href.length)) || !address.href.startsWith(kHome.href)) throw error;
+    const isShipped = address.href.startsWith(kHome.href) && kShipped.test(address.href.slice(kHome.href.length));
+    if (error.code !== 'mime' || !isShipped) throw error;
     throw coded('mime', `${error.message}; the package's scenes, pictures and tours must be served in ${kHome.href}`);
   });
 }
