@@ -1,4 +1,5 @@
-// Counts what a program allocates. Included by one file of a test program, for it replaces the operator new of the whole.
+// Counts what a program allocates. Included by one file of a test program, for it replaces the
+// operator new of the whole.
 #pragma once
 
 #include <cstddef>

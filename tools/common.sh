@@ -21,8 +21,9 @@ interruptStatus=130
 # The last line of a log that says something.
 newestLine() { tail -c 1000 "$1" | tr '\r' '\n' | tr -cd '[:print:]\n' | awk 'NF { line = $0 } END { print line }'; }
 
-# progress TITLE COMMAND...: runs the command with its output in a log. On a terminal the newest line of the log
-# stands beside the title; elsewhere a line appears every 15 seconds. A failure shows the whole log.
+# progress TITLE COMMAND...: runs the command with its output in a log. On a terminal the newest
+# line of the log stands beside the title; elsewhere a line appears every 15 seconds. A failure
+# shows the whole log.
 progress() {
   local title="$1" log begin pid status=0 newest lastSaid=0
   shift
@@ -59,12 +60,14 @@ progress() {
   return "$status"
 }
 
-# oneAtATime LOCK COMMAND...: two builds in one folder would spoil it; the second one waits, where the system has flock.
+# oneAtATime LOCK COMMAND...: two builds in one folder would spoil it; the second one waits, where
+# the system has flock.
 oneAtATime() {
   if command -v flock >/dev/null; then flock "$@"; else "${@:2}"; fi
 }
 
-# buildPreset PRESET TARGET...: configures the preset where needed and builds the targets ("all" for every one).
+# buildPreset PRESET TARGET...: configures the preset where needed and builds the targets ("all" for
+# every one).
 buildPreset() {
   local preset="$1" folder="$repo/build/$1" stamp="$repo/build/$1/.slicecast-configured" wanted options=()
   shift

@@ -1,5 +1,6 @@
-// Makes from the table of the element's interface (web/element/api.json) what goes beside it into the built page: types, the custom elements manifest, the
-// documentation, and the package's version.
+// Makes from the table of the element's interface (web/element/api.json) what goes beside it into
+// the built page: types, the custom elements manifest, the documentation, and the package's
+// version.
 //
 //     node tools/element-api.mjs FOLDER        // of a built page, with its engine
 
@@ -26,17 +27,27 @@ const { load } = await import(inFolder('node/index.js'));
 
 const told = Object.keys(errorCodes).sort().join(' ');
 const listed = [...table.errorCodes].sort().join(' ');
-if (told !== listed) throw new Error(`web/element/api.json lists the error codes ${listed}; web/element/faults.js has ${told}`);
+if (told !== listed)
+  throw new Error(
+    `web/element/api.json lists the error codes ${listed}; web/element/faults.js has ${told}`,
+  );
 
 const scene = await load('first-walk', { engine: 'scalar' });
-const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(/project\(Slicecast VERSION ([0-9.]+)/)[1];
+const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(
+  /project\(Slicecast VERSION ([0-9.]+)/,
+)[1];
 const manifest = { ...JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')), version };
 
 const json = (value) => `${JSON.stringify(value, null, 2)}\n`;
 const files = {
   ...declarations(table),
   'custom-elements.json': json(customElementsManifest(table)),
-  'element.html': documentation({ errorCodes, version, options: scene.optionList, scenes: JSON.parse(readFileSync(join(folder, 'scenes/index.json'), 'utf8')) }),
+  'element.html': documentation({
+    errorCodes,
+    version,
+    options: scene.optionList,
+    scenes: JSON.parse(readFileSync(join(folder, 'scenes/index.json'), 'utf8')),
+  }),
   'package.json': json(manifest),
 };
 scene.free();

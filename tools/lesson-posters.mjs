@@ -1,5 +1,6 @@
-// Draws the posters of the lessons, web/examples/posters: for each <ray-caster poster="..."> the picture that the element begins with, so that the pages can
-// be read where no engine runs. Run it after tools/page when a lesson's scene or view has changed; the engine of build/web draws.
+// Draws the posters of the lessons, web/examples/posters: for each <ray-caster poster="..."> the
+// picture that the element begins with, so that the pages can be read where no engine runs. Run it
+// after tools/page when a lesson's scene or view has changed; the engine of build/web draws.
 //
 //   node tools/lesson-posters.mjs
 
@@ -14,25 +15,41 @@ const root = path.resolve(fileURLToPath(import.meta.url), '../..');
 const { load } = await import(new URL('../build/web/node/index.js', import.meta.url));
 const { parseOptions } = await import(new URL('../web/address.js', import.meta.url));
 
-// The elements of a page: {attributes, inline}. The lessons are our own, and spelled as this expects it.
+// The elements of a page: {attributes, inline}. The lessons are our own, and spelled as this
+// expects it.
 function* elementsOf(html) {
-  for (const [, attributes, content] of html.matchAll(/<ray-caster\s([^>]*)>([\s\S]*?)<\/ray-caster>/g)) {
-    const found = Object.fromEntries([...attributes.matchAll(/([\w-]+)="([^"]*)"/g)].map(([, name, value]) => [name, value]));
-    yield { attributes: found, inline: /<script type="application\/json">([\s\S]*?)<\/script>/.exec(content)?.[1] ?? null };
+  for (const [, attributes, content] of html.matchAll(
+    /<ray-caster\s([^>]*)>([\s\S]*?)<\/ray-caster>/g,
+  )) {
+    const found = Object.fromEntries(
+      [...attributes.matchAll(/([\w-]+)="([^"]*)"/g)].map(([, name, value]) => [name, value]),
+    );
+    yield {
+      attributes: found,
+      inline: /<script type="application\/json">([\s\S]*?)<\/script>/.exec(content)?.[1] ?? null,
+    };
   }
 }
 
 const lessons = path.join(root, 'build/web/examples');
 const posters = path.join(root, 'web/examples');
 for (const name of (await readdir(lessons)).filter((file) => file.endsWith('.html'))) {
-  for (const { attributes, inline } of elementsOf(await readFile(path.join(lessons, name), 'utf8'))) {
+  for (const { attributes, inline } of elementsOf(
+    await readFile(path.join(lessons, name), 'utf8'),
+  )) {
     if (attributes.poster === undefined) continue;
-    const scene = await load(inline === null ? path.join(lessons, attributes.scene) : JSON.parse(inline));
+    const scene = await load(
+      inline === null ? path.join(lessons, attributes.scene) : JSON.parse(inline),
+    );
     for (const [option, value] of parseOptions(attributes.options ?? '')) scene.set(option, value);
-    if (attributes.view !== undefined && !scene.look(attributes.view)) throw new Error(`${name}: there is no view ${attributes.view} in its scene.`);
+    if (attributes.view !== undefined && !scene.look(attributes.view))
+      throw new Error(`${name}: there is no view ${attributes.view} in its scene.`);
     const file = path.join(posters, attributes.poster);
     await mkdir(path.dirname(file), { recursive: true });
-    await writeFile(file, encode({ ...scene.picture(kSize), channels: 4, depth: 8 }, { zlib: { level: 9 } }));
+    await writeFile(
+      file,
+      encode({ ...scene.picture(kSize), channels: 4, depth: 8 }, { zlib: { level: 9 } }),
+    );
     scene.free();
   }
 }

@@ -1,5 +1,6 @@
-// Puts the functions of a WebAssembly program into an order in which it is compressed better: those that are alike stand near each other. gzip finds
-// repetitions within 32 KB only, and a compiler's order, or one by the number of calls, spreads them over the whole file. Nothing else changes.
+// Puts the functions of a WebAssembly program into an order in which it is compressed better: those
+// that are alike stand near each other. gzip finds repetitions within 32 KB only, and a compiler's
+// order, or one by the number of calls, spreads them over the whole file. Nothing else changes.
 //
 //     node tools/order-functions.mjs BINARYEN PROGRAM.wasm FEATURE...          the features as Binaryen names them: --enable-simd
 //
@@ -19,9 +20,13 @@ const [binaryen, program, ...features] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'slicecast-order-'));
 try {
   const text = join(folder, 'program.wat');
-  execFileSync(join(binaryen, 'wasm-dis'), [program, '-o', text, ...features], { stdio: ['ignore', 'inherit', 'inherit'] });
+  execFileSync(join(binaryen, 'wasm-dis'), [program, '-o', text, ...features], {
+    stdio: ['ignore', 'inherit', 'inherit'],
+  });
   writeFileSync(text, reordered(readFileSync(text, 'utf8')));
-  execFileSync(join(binaryen, 'wasm-as'), [text, '-o', program, ...features], { stdio: ['ignore', 'inherit', 'inherit'] });
+  execFileSync(join(binaryen, 'wasm-as'), [text, '-o', program, ...features], {
+    stdio: ['ignore', 'inherit', 'inherit'],
+  });
 } finally {
   rmSync(folder, { recursive: true });
 }
@@ -49,14 +54,17 @@ function isWhole(line) {
   return line.split('(').length === line.split(')').length;
 }
 
-// One after the other, always the one of which the largest share has been seen lately; the most called ones first, whose numbers are then short.
+// One after the other, always the one of which the largest share has been seen lately; the most
+// called ones first, whose numbers are then short.
 function inOrder(functions) {
   const runs = functions.map(runsOf);
   const users = new Map();
-  runs.forEach((own, index) => own.forEach((run) => {
-    if (!users.has(run)) users.set(run, []);
-    users.get(run).push(index);
-  }));
+  runs.forEach((own, index) =>
+    own.forEach((run) => {
+      if (!users.has(run)) users.set(run, []);
+      users.get(run).push(index);
+    }),
+  );
   const seen = functions.map(() => 0); // how many of its runs are in the window
   const inWindow = new Map();
   const window = [];
@@ -64,7 +72,10 @@ function inOrder(functions) {
   const count = (run, by) => {
     const before = inWindow.get(run) ?? 0;
     inWindow.set(run, before + by);
-    if (before === 0 || before + by === 0) users.get(run).forEach((index) => { seen[index] += by; });
+    if (before === 0 || before + by === 0)
+      users.get(run).forEach((index) => {
+        seen[index] += by;
+      });
   };
 
   const calls = countCalls(functions);
@@ -76,7 +87,8 @@ function inOrder(functions) {
       let best = -1;
       let most = -1;
       for (const index of left) {
-        const share = seen[index] / (runs[index].length + kSmallFunction) + runs[index].length * 1e-9;
+        const share =
+          seen[index] / (runs[index].length + kSmallFunction) + runs[index].length * 1e-9;
         if (share > most) [best, most] = [index, share];
       }
       left.delete(best);
@@ -98,14 +110,20 @@ function inOrder(functions) {
 function runsOf(lines) {
   const bare = lines.map((line) => line.trim().replace(/\$[^\s()]+/g, '$'));
   const runs = [];
-  for (let i = 0; i === 0 || i + kRun <= bare.length; ++i) runs.push(bare.slice(i, i + kRun).join('\n'));
+  for (let i = 0; i === 0 || i + kRun <= bare.length; ++i)
+    runs.push(bare.slice(i, i + kRun).join('\n'));
   return runs;
 }
 
 function countCalls(functions) {
-  const index = new Map(functions.map(([first], at) => [/^ \(func (\$[^\s()]+)/.exec(first)[1], at]));
+  const index = new Map(
+    functions.map(([first], at) => [/^ \(func (\$[^\s()]+)/.exec(first)[1], at]),
+  );
   const calls = functions.map(() => 0);
-  for (const [, name] of functions.flat().join('\n').matchAll(/\(call (\$[^\s()]+)/g)) {
+  for (const [, name] of functions
+    .flat()
+    .join('\n')
+    .matchAll(/\(call (\$[^\s()]+)/g)) {
     if (index.has(name)) calls[index.get(name)] += 1;
   }
   return calls;

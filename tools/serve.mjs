@@ -37,7 +37,8 @@ class WatchedScene {
     return `?scene=-/scene/${encodeURIComponent(this.name)}&live=1`;
   }
 
-  // Every picture that the text names. The text may be broken JSON at the moment, so this only looks for strings.
+  // Every picture that the text names. The text may be broken JSON at the moment, so this only
+  // looks for strings.
   async namedPictures() {
     const text = await readFile(this.file, 'utf8').catch(() => '');
     const names = text.match(/"[^"\n]+\.png"/gi) ?? [];
@@ -48,7 +49,9 @@ class WatchedScene {
   async resolve(urlPath) {
     if (urlPath.includes('\0') || urlPath.includes('\\')) return null;
     const inFolder = urlPath.startsWith('scene/');
-    const file = inFolder ? path.join(this.folder, urlPath.slice('scene/'.length)) : path.join(this.folder, '..', urlPath);
+    const file = inFolder
+      ? path.join(this.folder, urlPath.slice('scene/'.length))
+      : path.join(this.folder, '..', urlPath);
     if (file === this.file) return file;
     if (!/\.png$/i.test(file)) return null;
     if ((await this.namedPictures()).includes(file)) return file;
@@ -65,7 +68,10 @@ class WatchedScene {
 
   // Folders are watched, not files: many editors save by putting a new file in the old one's place.
   async watchFolders() {
-    const wanted = new Set([this.folder, ...(await this.namedPictures()).map((file) => path.dirname(file))]);
+    const wanted = new Set([
+      this.folder,
+      ...(await this.namedPictures()).map((file) => path.dirname(file)),
+    ]);
     for (const [folder, watcher] of this.watchers) {
       if (wanted.has(folder)) continue;
       watcher.close();
@@ -105,7 +111,9 @@ class WatchedScene {
       const found = await stat(file).catch(() => null);
       return found === null ? 'gone' : `${found.size} ${found.mtimeMs} ${found.ino}`;
     };
-    return (await Promise.all([this.file, ...(await this.namedPictures())].map(describe))).join('\n');
+    return (await Promise.all([this.file, ...(await this.namedPictures())].map(describe))).join(
+      '\n',
+    );
   }
 
   stop() {
@@ -116,23 +124,34 @@ class WatchedScene {
 }
 
 function refuse(response, status, text) {
-  response.writeHead(status, { 'Content-Type': 'text/plain; charset=utf-8', 'Cache-Control': 'no-store' });
+  response.writeHead(status, {
+    'Content-Type': 'text/plain; charset=utf-8',
+    'Cache-Control': 'no-store',
+  });
   response.end(`${text}\n`);
 }
 
 async function serveSceneFile(scene, urlPath, response) {
   const file = await scene.resolve(urlPath);
   const found = file === null ? null : await stat(file).catch(() => null);
-  if (found === null || !found.isFile()) return refuse(response, 404, 'There is no such file beside the scene.');
+  if (found === null || !found.isFile())
+    return refuse(response, 404, 'There is no such file beside the scene.');
   const type = /\.png$/i.test(file) ? 'image/png' : 'application/json; charset=utf-8';
-  response.writeHead(200, { 'Content-Type': type, 'Content-Length': found.size, 'Cache-Control': 'no-store' });
-  createReadStream(file).on('error', () => response.destroy()).pipe(response);
+  response.writeHead(200, {
+    'Content-Type': type,
+    'Content-Length': found.size,
+    'Cache-Control': 'no-store',
+  });
+  createReadStream(file)
+    .on('error', () => response.destroy())
+    .pipe(response);
 }
 
 function serveEvents(scene, request, response) {
   response.writeHead(200, { 'Content-Type': 'text/event-stream', 'Cache-Control': 'no-store' });
   response.write('retry: 1000\n\n');
-  const send = () => response.write(`event: scene\ndata: -/scene/${encodeURIComponent(scene.name)}\n\n`);
+  const send = () =>
+    response.write(`event: scene\ndata: -/scene/${encodeURIComponent(scene.name)}\n\n`);
   const beat = setInterval(() => response.write(': still here\n\n'), 15000);
   scene.listeners.add(send);
   request.on('close', () => {
@@ -151,7 +170,8 @@ function listen(server, port) {
   });
 }
 
-// Starts to serve. Without `port` it takes the first free one. Returns the page's address and a function that ends it.
+// Starts to serve. Without `port` it takes the first free one. Returns the page's address and a
+// function that ends it.
 export async function startServer({ folder, scene: sceneFile, port }) {
   const scene = sceneFile === undefined ? null : new WatchedScene(sceneFile);
   await scene?.start();
@@ -175,7 +195,9 @@ export async function startServer({ folder, scene: sceneFile, port }) {
     if (urlPath.startsWith('/-/')) {
       if (scene === null) return refuse(response, 404, 'No scene was given to tools/play.');
       if (urlPath === '/-/events') return serveEvents(scene, request, response);
-      return serveSceneFile(scene, urlPath.slice(3), response).catch(() => refuse(response, 500, 'The scene cannot be read.'));
+      return serveSceneFile(scene, urlPath.slice(3), response).catch(() =>
+        refuse(response, 500, 'The scene cannot be read.'),
+      );
     }
     page(request, response, () => refuse(response, 404, 'There is no such file.'));
   });
@@ -186,7 +208,8 @@ export async function startServer({ folder, scene: sceneFile, port }) {
       await listen(server, at);
       break;
     } catch (error) {
-      const next = error.code === 'EADDRINUSE' && port === undefined && at < kFirstPort + kPortsTried;
+      const next =
+        error.code === 'EADDRINUSE' && port === undefined && at < kFirstPort + kPortsTried;
       if (!next) {
         scene?.stop();
         throw error;
@@ -207,7 +230,8 @@ export async function startServer({ folder, scene: sceneFile, port }) {
 // Only where someone sits in front of a desktop.
 function openInBrowser(address) {
   const command = process.platform === 'darwin' ? 'open' : 'xdg-open';
-  const hasDesktop = process.platform === 'darwin' || process.env.DISPLAY || process.env.WAYLAND_DISPLAY;
+  const hasDesktop =
+    process.platform === 'darwin' || process.env.DISPLAY || process.env.WAYLAND_DISPLAY;
   if (!hasDesktop || !process.stdout.isTTY) return;
   const child = spawn(command, [address], { stdio: 'ignore', detached: true });
   child.on('error', () => {}); // the address is on the terminal
@@ -232,7 +256,10 @@ async function main() {
   openInBrowser(server.address);
 }
 
-if (process.argv[1] !== undefined && (await realpath(process.argv[1])) === fileURLToPath(import.meta.url)) {
+if (
+  process.argv[1] !== undefined &&
+  (await realpath(process.argv[1])) === fileURLToPath(import.meta.url)
+) {
   main().catch((error) => {
     const port = error.port === undefined ? '' : ` ${error.port}`;
     const text = {

@@ -6,9 +6,19 @@
 
 import { Trouble } from './trouble.js';
 
-export const kOverlays = ['minimap', 'minimapRays', 'minimapTurns', 'playerPanel', 'processPanel', 'inspector', 'grid', 'slow'];
+export const kOverlays = [
+  'minimap',
+  'minimapRays',
+  'minimapTurns',
+  'playerPanel',
+  'processPanel',
+  'inspector',
+  'grid',
+  'slow',
+];
 
-// The numbers of a view, and how far each may be from 0: coordinates as in src/base/coordinate.h, the look as in src/render/options.h.
+// The numbers of a view, and how far each may be from 0: coordinates as in src/base/coordinate.h,
+// the look as in src/render/options.h.
 const kViewLimits = { x: 32767, y: 32767, z: 32767, heading: Infinity, look: 4 };
 
 // {x, y, z, heading, look, map}; map is null where none is named. Throws a Trouble.
@@ -16,22 +26,32 @@ export function parseView(text, standardLook = 0) {
   const parts = text.split(',');
   const numbers = parts.slice(0, 5).map((part) => (part.trim() === '' ? NaN : Number(part)));
   if (parts.length < 4 || !numbers.every(Number.isFinite)) {
-    throw misread(`view: found "${text}", expected x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map`);
+    throw misread(
+      `view: found "${text}", expected x,y,z,heading or x,y,z,heading,look or x,y,z,heading,look,map`,
+    );
   }
-  Object.keys(kViewLimits).forEach((name, index) => index < numbers.length && checkNumber('view', name, numbers[index]));
+  Object.keys(kViewLimits).forEach(
+    (name, index) => index < numbers.length && checkNumber('view', name, numbers[index]),
+  );
   const [x, y, z, heading, look = standardLook] = numbers;
   return { x, y, z, heading, look, map: parts.slice(5).join(',').trim() || null };
 }
 
-// What look() takes: a view as text, or an object with any of its fields. null and undefined are what stays as it is. Throws a Trouble.
+// What look() takes: a view as text, or an object with any of its fields. null and undefined are
+// what stays as it is. Throws a Trouble.
 export function readView(view) {
   if (typeof view === 'string') return parseView(view, null);
-  if (typeof view !== 'object' || view === null) throw misread(`look: found ${view}, expected a view`);
+  if (typeof view !== 'object' || view === null)
+    throw misread(`look: found ${view}, expected a view`);
   for (const [name, value] of Object.entries(view)) {
     if ((value ?? null) === null) continue;
     if (Object.hasOwn(kViewLimits, name)) checkNumber('look', name, value);
-    else if (name !== 'map') throw misread(`look: found ${name} ${value}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map`);
-    else if (typeof value !== 'string') throw misread(`look: found map ${value}, expected the name of a map`);
+    else if (name !== 'map')
+      throw misread(
+        `look: found ${name} ${value}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map`,
+      );
+    else if (typeof value !== 'string')
+      throw misread(`look: found map ${value}, expected the name of a map`);
   }
   return view;
 }
@@ -39,7 +59,9 @@ export function readView(view) {
 function checkNumber(what, name, value) {
   const limit = kViewLimits[name];
   if (Number.isFinite(value) && Math.abs(value) <= limit) return;
-  throw misread(`${what}: found ${name} ${value}, expected a number${limit === Infinity ? '' : ` from -${limit} to ${limit}`}`);
+  throw misread(
+    `${what}: found ${name} ${value}, expected a number${limit === Infinity ? '' : ` from -${limit} to ${limit}`}`,
+  );
 }
 
 function misread(message) {
@@ -48,7 +70,10 @@ function misread(message) {
 
 // Of an engine's state; read again it is the same eye.
 export function formatView({ x, y, z, heading, look, map = null }) {
-  const numbers = [...[x, y, z].map(shortest), ...[heading, look ?? 0].map((number) => String(Number(number.toFixed(5))))];
+  const numbers = [
+    ...[x, y, z].map(shortest),
+    ...[heading, look ?? 0].map((number) => String(Number(number.toFixed(5)))),
+  ];
   return [...numbers, ...(map === null ? [] : [map])].join(',');
 }
 
@@ -63,11 +88,20 @@ function shortest(coordinate) {
 
 // [[name, value]]. Throws a Trouble.
 export function parseOptions(text) {
-  return text.split(/\s+/).filter((part) => part !== '').map((part) => {
-    const at = part.indexOf('=');
-    if (at < 1) throw new Trouble('The options cannot be read', `options: found "${part}", expected name=value`, [], 'address');
-    return [part.slice(0, at), part.slice(at + 1)];
-  });
+  return text
+    .split(/\s+/)
+    .filter((part) => part !== '')
+    .map((part) => {
+      const at = part.indexOf('=');
+      if (at < 1)
+        throw new Trouble(
+          'The options cannot be read',
+          `options: found "${part}", expected name=value`,
+          [],
+          'address',
+        );
+      return [part.slice(0, at), part.slice(at + 1)];
+    });
 }
 
 export function formatOptions(options) {
@@ -76,14 +110,29 @@ export function formatOptions(options) {
 
 // [name]. Throws a Trouble.
 export function parseOverlay(text) {
-  return text.split(/\s+/).filter((part) => part !== '').map((name) => {
-    if (kOverlays.includes(name)) return name;
-    throw new Trouble('The overlay cannot be read', `overlay: found "${name}", expected some of ${kOverlays.join(' ')}`, [], 'address');
-  });
+  return text
+    .split(/\s+/)
+    .filter((part) => part !== '')
+    .map((name) => {
+      if (kOverlays.includes(name)) return name;
+      throw new Trouble(
+        'The overlay cannot be read',
+        `overlay: found "${name}", expected some of ${kOverlays.join(' ')}`,
+        [],
+        'address',
+      );
+    });
 }
 
-// "?scene=castle&view=4.5,2,0.5,90": the characters that views and options are made of stay as they are, which a query may hold. A value of null is left out.
+// "?scene=castle&view=4.5,2,0.5,90": the characters that views and options are made of stay as they
+// are, which a query may hold. A value of null is left out.
 export function writeQuery(parameters) {
-  const write = (text) => encodeURIComponent(text).replace(/%(?:2C|3A|3D|2F|20)/g, (code) => (code === '%20' ? '+' : decodeURIComponent(code)));
-  return `?${Object.entries(parameters).filter(([, value]) => value !== null).map(([name, value]) => `${name}=${write(value)}`).join('&')}`;
+  const write = (text) =>
+    encodeURIComponent(text).replace(/%(?:2C|3A|3D|2F|20)/g, (code) =>
+      code === '%20' ? '+' : decodeURIComponent(code),
+    );
+  return `?${Object.entries(parameters)
+    .filter(([, value]) => value !== null)
+    .map(([name, value]) => `${name}=${write(value)}`)
+    .join('&')}`;
 }

@@ -1,4 +1,5 @@
-// What pages to read do: each snippet has a button that copies it. Without this file they are read all the same.
+// What pages to read do: each snippet has a button that copies it. Without this file they are read
+// all the same.
 
 const kSaysSoMilliseconds = 2000;
 

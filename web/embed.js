@@ -1,14 +1,29 @@
-// A page that is nothing but one <ray-caster>, for frames: embed.html?scene=castle&view=...&options=...
+// A page that is nothing but one <ray-caster>, for frames:
+// embed.html?scene=castle&view=...&options=...
 //
-// Parameters: scene (a name among the page's scenes, or an address), or tour (the same for a recording, which names its scene); view, options, overlay, size,
-// controls, label, keys and engine as the element's attributes of these names; autoplay (without a value). What the element finds wrong it says itself.
+// Parameters: scene (a name among the page's scenes, or an address), or tour (the same for a
+// recording, which names its scene); view, options, overlay, size, controls, label, keys and engine
+// as the element's attributes of these names; autoplay (without a value). What the element finds
+// wrong it says itself.
 
 import { writeQuery } from './address.js';
 import { sceneAddress } from './scene-source.js';
 import { Trouble, asTrouble } from './trouble.js';
 import './ray-caster.js';
 
-const kParameters = ['scene', 'tour', 'view', 'options', 'overlay', 'size', 'autoplay', 'controls', 'label', 'keys', 'engine'];
+const kParameters = [
+  'scene',
+  'tour',
+  'view',
+  'options',
+  'overlay',
+  'size',
+  'autoplay',
+  'controls',
+  'label',
+  'keys',
+  'engine',
+];
 const kOfPlayPage = ['scene', 'tour', 'view', 'options', 'overlay', 'engine'];
 const kTourName = /^[\w-]+$/;
 
@@ -30,8 +45,13 @@ function show(parameters) {
   if (!parameters.has('controls')) caster.setAttribute('controls', '');
   // Seen as soon as its frame is, and a frame that waits for that says so to the page around it.
   caster.setAttribute('loading', 'eager');
-  if (parameters.has('scene')) caster.setAttribute('scene', sceneAddress(parameters.get('scene')).href);
-  if (kTourName.test(parameters.get('tour') ?? '')) caster.setAttribute('tour', new URL(`tours/${parameters.get('tour')}.txt`, document.baseURI).href);
+  if (parameters.has('scene'))
+    caster.setAttribute('scene', sceneAddress(parameters.get('scene')).href);
+  if (kTourName.test(parameters.get('tour') ?? ''))
+    caster.setAttribute(
+      'tour',
+      new URL(`tours/${parameters.get('tour')}.txt`, document.baseURI).href,
+    );
   caster.addEventListener('ready', ({ detail }) => {
     document.title = `${detail.title} · Slicecast`;
     find('title').textContent = detail.title;
@@ -45,11 +65,22 @@ function show(parameters) {
 
 function check(parameters) {
   for (const name of parameters.keys()) {
-    if (!kParameters.includes(name)) throw new Trouble('The address has a parameter that there is not', `Found ${name}, expected some of ${kParameters.join(', ')}.`);
-    if (parameters.getAll(name).length > 1) throw new Trouble('The address says something twice', `Found ${name} ${parameters.getAll(name).length} times, expected it once.`);
+    if (!kParameters.includes(name))
+      throw new Trouble(
+        'The address has a parameter that there is not',
+        `Found ${name}, expected some of ${kParameters.join(', ')}.`,
+      );
+    if (parameters.getAll(name).length > 1)
+      throw new Trouble(
+        'The address says something twice',
+        `Found ${name} ${parameters.getAll(name).length} times, expected it once.`,
+      );
   }
   if (!parameters.get('scene') && !parameters.get('tour')) {
-    throw new Trouble('The address names no scene', 'Found neither scene nor tour, expected one of them, as in embed.html?scene=castle.');
+    throw new Trouble(
+      'The address names no scene',
+      'Found neither scene nor tour, expected one of them, as in embed.html?scene=castle.',
+    );
   }
 }
 

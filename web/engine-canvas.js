@@ -1,5 +1,5 @@
-// A canvas as the engine's screen, keys and mouse. Everything is heard on the way in, before the page's own listeners; the engine decides which keys are
-// taken from the page.
+// A canvas as the engine's screen, keys and mouse. Everything is heard on the way in, before the
+// page's own listeners; the engine decides which keys are taken from the page.
 //
 //     const screen = openCanvas(canvas, exports, {writeCode, takesKey});      // exports of src/app/page_shell.cpp; writeCode(text) names the next key
 //     screen.show(buffer, at, width, height);                     // pixels in the engine's memory
@@ -12,13 +12,18 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   const context = canvas.getContext('2d', { alpha: false });
   const listeners = new AbortController();
   const until = { signal: listeners.signal };
-  const on = (target, type, hear) => target.addEventListener(type, hear, { ...until, capture: true });
+  const on = (target, type, hear) =>
+    target.addEventListener(type, hear, { ...until, capture: true });
   let image = null; // a view on the engine's own memory; growing memory moves it
 
   const key = (event, isDown) => {
     if (!takesKey(event.code)) return;
     writeCode(event.code);
-    const flags = (event.ctrlKey ? 1 : 0) | (event.altKey ? 2 : 0) | (event.metaKey ? 4 : 0) | (event.repeat ? 8 : 0);
+    const flags =
+      (event.ctrlKey ? 1 : 0) |
+      (event.altKey ? 2 : 0) |
+      (event.metaKey ? 4 : 0) |
+      (event.repeat ? 8 : 0);
     if (exports.slicecastKey(isDown, flags)) event.preventDefault();
   };
   on(canvas, 'keydown', (event) => key(event, 1));
@@ -30,21 +35,31 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   on(canvas, 'mousemove', ({ clientX, clientY, movementX, movementY }) => {
     if (!exports.slicecastPointerMoved(movementX, movementY)) return;
     const { left, top, width, height } = canvas.getBoundingClientRect();
-    if (width > 0 && height > 0) exports.slicecastCursorAt((2 * (clientX - left)) / width - 1, (2 * (clientY - top)) / height - 1);
+    if (width > 0 && height > 0)
+      exports.slicecastCursorAt(
+        (2 * (clientX - left)) / width - 1,
+        (2 * (clientY - top)) / height - 1,
+      );
   });
   on(canvas, 'mouseleave', () => exports.slicecastCursorLeft());
 
-  // A press of the mouse gives the focus without scrolling, and so does a tap; a finger that moves on scrolls the page. A click asks for the pointer; where
-  // that is refused, the cursor's place steers.
+  // A press of the mouse gives the focus without scrolling, and so does a tap; a finger that moves
+  // on scrolls the page. A click asks for the pointer; where that is refused, the cursor's place
+  // steers.
   let asks = false;
   let held = false;
   let lockEnd = -Infinity;
   const holdsPointer = () => canvas.getRootNode().pointerLockElement === canvas;
   const refused = () => {
-    if (asks && !listeners.signal.aborted && performance.now() - lockEnd > kLockRestMilliseconds) exports.slicecast_steerByCursor(1);
+    if (asks && !listeners.signal.aborted && performance.now() - lockEnd > kLockRestMilliseconds)
+      exports.slicecast_steerByCursor(1);
     asks = false;
   };
-  canvas.addEventListener('pointerdown', ({ pointerType }) => pointerType !== 'touch' && canvas.focus({ preventScroll: true }), until);
+  canvas.addEventListener(
+    'pointerdown',
+    ({ pointerType }) => pointerType !== 'touch' && canvas.focus({ preventScroll: true }),
+    until,
+  );
   page.addEventListener('pointerlockerror', refused, until);
   on(page, 'pointerlockchange', () => {
     if (holdsPointer()) asks = false;
@@ -52,17 +67,26 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
     held = holdsPointer();
     exports.slicecastPointerHeld(held ? 1 : 0);
   });
-  canvas.addEventListener('click', ({ pointerType }) => {
-    canvas.focus({ preventScroll: true });
-    if ((pointerType && pointerType !== 'mouse') || holdsPointer()) return;
-    asks = true;
-    if (canvas.requestPointerLock) canvas.requestPointerLock()?.catch(refused);
-    else refused();
-  }, until);
+  canvas.addEventListener(
+    'click',
+    ({ pointerType }) => {
+      canvas.focus({ preventScroll: true });
+      if ((pointerType && pointerType !== 'mouse') || holdsPointer()) return;
+      asks = true;
+      if (canvas.requestPointerLock) canvas.requestPointerLock()?.catch(refused);
+      else refused();
+    },
+    until,
+  );
 
   return {
     show(buffer, at, width, height) {
-      if (image?.data.buffer !== buffer || image.data.byteOffset !== at || image.width !== width || image.height !== height) {
+      if (
+        image?.data.buffer !== buffer ||
+        image.data.byteOffset !== at ||
+        image.width !== width ||
+        image.height !== height
+      ) {
         image = new ImageData(new Uint8ClampedArray(buffer, at, width * height * 4), width, height);
       }
       context.putImageData(image, 0, 0);

@@ -1,4 +1,5 @@
-// Fetches the engine: the build with SIMD where the browser has it, else the one without. What is compiled here serves any number of engines.
+// Fetches the engine: the build with SIMD where the browser has it, else the one without. What is
+// compiled here serves any number of engines.
 //
 //     const files = await fetchEngine({kind: 'auto', onBytes(loaded, total) {...}});
 //     const engine = await Engine.create({files, canvas});
@@ -9,7 +10,8 @@ import { Trouble } from './trouble.js';
 
 // The smallest module that uses SIMD: (func (result v128) i32.const 0 i8x16.splat i8x16.popcnt).
 const kSimdModule = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
+  253, 98, 11,
 ]);
 
 // The addresses stand here as literals: that is how bundlers find the files.
@@ -34,7 +36,12 @@ export function chooseBuild(kind) {
 // `total` is 0 while it is unknown. Throws a Trouble.
 export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
   if (!browserHasWebAssembly()) {
-    throw new Trouble('This browser has no WebAssembly', 'The engine is a WebAssembly program.', [], 'no-webassembly');
+    throw new Trouble(
+      'This browser has no WebAssembly',
+      'The engine is a WebAssembly program.',
+      [],
+      'no-webassembly',
+    );
   }
   const chosen = chooseBuild(kind);
   const address = reachable(kBuilds[chosen], `engine/slicecast-${chosen}.wasm`, kHome);
@@ -47,7 +54,8 @@ async function compileProgram(address, onBytes) {
   });
   const violations = listenForViolations();
   try {
-    // Compiled while it comes, if the server names its type; browsers then also keep the machine code for the next visit. The copy tells how far it is.
+    // Compiled while it comes, if the server names its type; browsers then also keep the machine
+    // code for the next visit. The copy tells how far it is.
     const isNamed = /^application\/wasm$/i.test(response.headers.get('Content-Type') ?? '');
     const copy = isNamed ? response.clone() : response;
     const streamed = isNamed ? WebAssembly.compileStreaming(response) : null;
@@ -56,7 +64,9 @@ async function compileProgram(address, onBytes) {
     checkBeginning(bytes);
     return await (streamed ?? WebAssembly.compile(bytes));
   } catch (error) {
-    throw typeof error.code === 'string' ? cannotLoad(address, error) : refusal(address, error, violations);
+    throw typeof error.code === 'string'
+      ? cannotLoad(address, error)
+      : refusal(address, error, violations);
   } finally {
     violations.stop();
   }
@@ -64,18 +74,42 @@ async function compileProgram(address, onBytes) {
 
 // A server that answers every address with a page of its own is a common way to fail.
 function checkBeginning(bytes) {
-  if (bytes.length >= 8 && bytes[0] === 0 && bytes[1] === 0x61 && bytes[2] === 0x73 && bytes[3] === 0x6d) return;
+  if (
+    bytes.length >= 8 &&
+    bytes[0] === 0 &&
+    bytes[1] === 0x61 &&
+    bytes[2] === 0x73 &&
+    bytes[3] === 0x6d
+  )
+    return;
   const beginning = new TextDecoder().decode(bytes.subarray(0, 24)).replace(/\s+/g, ' ').trim();
   throw coded('mime', `found "${beginning}", expected a WebAssembly program`);
 }
 
 function refusal(address, error, { refused }) {
-  const isPolicy = refused.some((one) => one.address === 'wasm-eval') || /content security policy|unsafe-eval/i.test(error.message);
+  const isPolicy =
+    refused.some((one) => one.address === 'wasm-eval') ||
+    /content security policy|unsafe-eval/i.test(error.message);
   return isPolicy
-    ? new Trouble('The page does not let the engine run', 'Its Content-Security-Policy does not allow WebAssembly.', [], 'csp')
-    : new Trouble('The engine does not run here', `This browser refuses ${address}: ${error.message}`, [], 'engine');
+    ? new Trouble(
+        'The page does not let the engine run',
+        'Its Content-Security-Policy does not allow WebAssembly.',
+        [],
+        'csp',
+      )
+    : new Trouble(
+        'The engine does not run here',
+        `This browser refuses ${address}: ${error.message}`,
+        [],
+        'engine',
+      );
 }
 
 function cannotLoad(address, error) {
-  return new Trouble('The engine could not be loaded', `${address}: ${error.message}.`, [], error.code);
+  return new Trouble(
+    'The engine could not be loaded',
+    `${address}: ${error.message}.`,
+    [],
+    error.code,
+  );
 }

@@ -1,4 +1,5 @@
-// The engine's WebAssembly with what it asks of a page: src/wasm/bindings.h for JavaScript. Under Node it asks for nothing but the time.
+// The engine's WebAssembly with what it asks of a page: src/wasm/bindings.h for JavaScript. Under
+// Node it asks for nothing but the time.
 //
 //     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});      // of a compiled program: as many as are wanted
 //     module._slicecast_NAME(...);      module.HEAPU8;      module.UTF8ToString(at);
@@ -12,9 +13,25 @@ const kNotHere = 52; // what it answers where there is no such thing
 const kPageBytes = 65536;
 
 // In the order of News in src/app/shell.h.
-const kNews = ['ready', 'pause', 'pointer', 'cursor', 'recording', 'replay', 'fly', 'overlay', 'help', 'rate', 'fullscreen', 'record'];
+const kNews = [
+  'ready',
+  'pause',
+  'pointer',
+  'cursor',
+  'recording',
+  'replay',
+  'fly',
+  'overlay',
+  'help',
+  'rate',
+  'fullscreen',
+  'record',
+];
 
-export async function createModule(program, { canvas = null, onSlicecast = () => {}, takesKey = () => true } = {}) {
+export async function createModule(
+  program,
+  { canvas = null, onSlicecast = () => {}, takesKey = () => true } = {},
+) {
   const decoder = new TextDecoder();
   const module = {
     // Anew whenever memory has grown.
@@ -35,7 +52,10 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
     openCanvas(code, codeBytes) {
       if (canvas === null) return 0;
       const writeCode = (text) => {
-        const { written } = new TextEncoder().encodeInto(text, module.HEAPU8.subarray(code, code + codeBytes - 1));
+        const { written } = new TextEncoder().encodeInto(
+          text,
+          module.HEAPU8.subarray(code, code + codeBytes - 1),
+        );
         module.HEAPU8[code + written] = 0;
       };
       screen = openCanvas(canvas, exports, { writeCode, takesKey });
@@ -55,8 +75,10 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
       if (moved) onSlicecast('view', true);
       onSlicecast('frame', true);
     },
-    tellPortal: (from, to) => onSlicecast('portal', { from: module.UTF8ToString(from), to: module.UTF8ToString(to) }),
-    tellRates: (framesPerSecond, drawMilliseconds, longestMilliseconds) => onSlicecast('frames', { framesPerSecond, drawMilliseconds, longestMilliseconds }),
+    tellPortal: (from, to) =>
+      onSlicecast('portal', { from: module.UTF8ToString(from), to: module.UTF8ToString(to) }),
+    tellRates: (framesPerSecond, drawMilliseconds, longestMilliseconds) =>
+      onSlicecast('frames', { framesPerSecond, drawMilliseconds, longestMilliseconds }),
     tellSize(width, height) {
       canvas.width = width;
       canvas.height = height;
@@ -69,7 +91,8 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
     },
   };
 
-  // The engine takes no more memory than it needs at the moment; a fifth more keeps it from asking often.
+  // The engine takes no more memory than it needs at the moment; a fifth more keeps it from asking
+  // often.
   const growFurther = () => {
     try {
       exports.memory.grow(Math.floor(exports.memory.buffer.byteLength / kPageBytes / 5));
@@ -78,8 +101,13 @@ export async function createModule(program, { canvas = null, onSlicecast = () =>
     }
   };
   // What else a library asks of the system, it is not given: files, an environment, a clock.
-  for (const { module: from, name } of WebAssembly.Module.imports(program)) if (from === kSystem) system[name] ??= () => kNotHere;
-  const { exports } = await WebAssembly.instantiate(program, { page, [kSystem]: system, env: { emscripten_notify_memory_growth: growFurther } });
+  for (const { module: from, name } of WebAssembly.Module.imports(program))
+    if (from === kSystem) system[name] ??= () => kNotHere;
+  const { exports } = await WebAssembly.instantiate(program, {
+    page,
+    [kSystem]: system,
+    env: { emscripten_notify_memory_growth: growFurther },
+  });
   exports._initialize();
   for (const [name, value] of Object.entries(exports)) module[`_${name}`] = value;
   return module;

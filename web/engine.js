@@ -1,4 +1,5 @@
-// One running engine: the WebAssembly module of slicecast (src/wasm/bindings.h), with names and types of JavaScript.
+// One running engine: the WebAssembly module of slicecast (src/wasm/bindings.h), with names and
+// types of JavaScript.
 //
 //     const engine = await Engine.create({files, canvas, onEvent(event, value) {...}});
 //     const {faults} = await engine.loadScene(source);        // a source of scene-source.js
@@ -6,7 +7,8 @@
 //     engine.setOption('fov', 75);
 //     engine.stop();                                          // at the end: nothing of it is left
 //
-// Without a canvas it draws only when asked to (drawOnce). Any number of engines live side by side; they share the compiled program.
+// Without a canvas it draws only when asked to (drawOnce). Any number of engines live side by side;
+// they share the compiled program.
 
 import { createModule } from './engine-module.js';
 import { Trouble } from './trouble.js';
@@ -26,7 +28,10 @@ export class Engine {
 
   static async create({ files, canvas = null, onEvent = () => {}, takesKey }) {
     try {
-      return new Engine(await createModule(files.program, { canvas, onSlicecast: onEvent, takesKey }), canvas);
+      return new Engine(
+        await createModule(files.program, { canvas, onSlicecast: onEvent, takesKey }),
+        canvas,
+      );
     } catch (error) {
       throw new Trouble('The engine does not start', error.message);
     }
@@ -36,7 +41,8 @@ export class Engine {
 
   constructor(module, canvas) {
     this.#running = module;
-    this.#session = canvas === null ? module._slicecast_create() : module._slicecast_programSession();
+    this.#session =
+      canvas === null ? module._slicecast_create() : module._slicecast_programSession();
     this.canvas = canvas;
   }
 
@@ -45,16 +51,21 @@ export class Engine {
     return this.#running;
   }
 
-  // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that was running alone. Gives null if another scene was
-  // asked for meanwhile, or `isWanted` says so. With `keepEye` the player goes on from where they are, if the new scene has such a place. `onProgress` hears the share that has
-  // come, 0 to 1, and the number of bytes. `warnings` then tells what in the scene is probably not meant so.
+  // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that
+  // was running alone. Gives null if another scene was asked for meanwhile, or `isWanted` says so.
+  // With `keepEye` the player goes on from where they are, if the new scene has such a place.
+  // `onProgress` hears the share that has come, 0 to 1, and the number of bytes. `warnings` then
+  // tells what in the scene is probably not meant so.
   async loadScene(source, { onProgress, keepEye = false, isWanted = () => true } = {}) {
     const load = ++this.#loads;
     const isLatest = () => load === this.#loads && isWanted();
     const names = await readNames(this.#module, this.#session, source, isLatest);
     if (names === null) return null;
     if (names.faults.length > 0) return names.faults;
-    await supplyFiles(this.#module, this.#session, names.files, source, { onProgress, isWanted: isLatest });
+    await supplyFiles(this.#module, this.#session, names.files, source, {
+      onProgress,
+      isWanted: isLatest,
+    });
     if (!isLatest()) return null;
     const eye = keepEye ? this.state : null;
     const { faults, warnings } = start(this.#module, this.#session);
@@ -67,13 +78,19 @@ export class Engine {
     return faults;
   }
 
-  // Has the scene of another engine of the same build, from its start, in a fraction of the time that loading takes: the other's memory is all that there is
-  // of it. Only before begin(), and nothing of another load may be under way. False if the other has none, or has taken much more memory since.
+  // Has the scene of another engine of the same build, from its start, in a fraction of the time
+  // that loading takes: the other's memory is all that there is of it. Only before begin(), and
+  // nothing of another load may be under way. False if the other has none, or has taken much more
+  // memory since.
   adopt(other) {
     if ((other?.#running ?? null) === null) return false;
     const end = other.#running._slicecast_memoryEnd();
     if (end > other.#sceneEnd + kAdoptedSlack) return false;
-    if (end > this.memoryBytes && this.#module._malloc(end - this.#module._slicecast_memoryEnd()) === 0) return false;
+    if (
+      end > this.memoryBytes &&
+      this.#module._malloc(end - this.#module._slicecast_memoryEnd()) === 0
+    )
+      return false;
     this.#module.HEAPU8.set(other.#running.HEAPU8.subarray(0, end));
     this.warnings = other.warnings;
     this.#mapNames = other.#mapNames;
@@ -100,7 +117,9 @@ export class Engine {
       const { files, faults } = await readNames(module, session, source);
       if (faults.length > 0) return null;
       await supplyFiles(module, session, files, source);
-      return start(module, session).faults.length === 0 ? imageOf(drawPixels(module, session, width, height, 1), width, height) : null;
+      return start(module, session).faults.length === 0
+        ? imageOf(drawPixels(module, session, width, height, 1), width, height)
+        : null;
     } finally {
       module._slicecast_free(session);
     }
@@ -116,29 +135,42 @@ export class Engine {
     return drawPixels(this.#module, this.#session, width, height, fraction);
   }
 
-  // Steps of exactly 1/120 s each, also while it stands still; the last one's view is drawn. The input is held during all of them: {forward, strafe, turn,
-  // look, fly} from -1 to 1, {jump, fast, slow, use, open, close} true or false. What was replayed is over.
+  // Steps of exactly 1/120 s each, also while it stands still; the last one's view is drawn. The
+  // input is held during all of them: {forward, strafe, turn, look, fly} from -1 to 1, {jump, fast,
+  // slow, use, open, close} true or false. What was replayed is over.
   step(input = {}, count = 1) {
     const [axes, buttons] = readInput(input);
-    if (!Number.isInteger(count) || count < 0 || count > kMostSteps) throw new RangeError(`step: found count ${count}, expected a whole number from 0 to ${kMostSteps}.`);
-    for (let i = 0; i < count; ++i) this.#module._slicecast_step(this.#session, ...axes, 0, 0, buttons);
+    if (!Number.isInteger(count) || count < 0 || count > kMostSteps)
+      throw new RangeError(
+        `step: found count ${count}, expected a whole number from 0 to ${kMostSteps}.`,
+      );
+    for (let i = 0; i < count; ++i)
+      this.#module._slicecast_step(this.#session, ...axes, 0, 0, buttons);
   }
 
-  // Options are those of `--set`; true and false are "on" and "off". Throws if the engine refuses the value.
+  // Options are those of `--set`; true and false are "on" and "off". Throws if the engine refuses
+  // the value.
   setOption(name, value) {
     const text = value === true ? 'on' : value === false ? 'off' : String(value);
     const refusal = withStrings(this.#module, [name, text], (nameAt, valueAt) =>
-      this.#module.UTF8ToString(this.#module._slicecast_setOption(this.#session, nameAt, valueAt)));
+      this.#module.UTF8ToString(this.#module._slicecast_setOption(this.#session, nameAt, valueAt)),
+    );
     if (refusal !== '') throw new Error(refusal);
   }
 
   option(name) {
-    return withStrings(this.#module, [name], (nameAt) => this.#module.UTF8ToString(this.#module._slicecast_option(this.#session, nameAt)));
+    return withStrings(this.#module, [name], (nameAt) =>
+      this.#module.UTF8ToString(this.#module._slicecast_option(this.#session, nameAt)),
+    );
   }
 
-  // All options, in the order in which to list them: [{name, kind, least, greatest, choices: [...], standard, description, value}] (src/wasm/bindings.h).
+  // All options, in the order in which to list them: [{name, kind, least, greatest, choices: [...],
+  // standard, description, value}] (src/wasm/bindings.h).
   get options() {
-    return this.#json(this.#module._slicecast_options(this.#session)).map((option) => ({ ...option, choices: option.choices.split(' ').filter(Boolean) }));
+    return this.#json(this.#module._slicecast_options(this.#session)).map((option) => ({
+      ...option,
+      choices: option.choices.split(' ').filter(Boolean),
+    }));
   }
 
   // {title, maps: [{name, width, depth, levels}]}, or null.
@@ -151,7 +183,8 @@ export class Engine {
     return this.#json(this.#module._slicecast_state(this.#session));
   }
 
-  // {map (its name), x, y, z, heading, look} of the eye after the last step, cheap enough for every frame; or null.
+  // {map (its name), x, y, z, heading, look} of the eye after the last step, cheap enough for every
+  // frame; or null.
   get view() {
     const at = this.#module._slicecast_view(this.#session);
     if (at === 0) return null;
@@ -159,11 +192,14 @@ export class Engine {
     return { map: this.#mapNames[map], x, y, z, heading, look };
   }
 
-  // Puts the eye elsewhere, walking or flying as it was where there is room for that; what the view leaves out stays. False if such an eye cannot see.
+  // Puts the eye elsewhere, walking or flying as it was where there is room for that; what the view
+  // leaves out stays. False if such an eye cannot see.
   look(view) {
     const state = this.state;
     if (state === null) return false;
-    const given = Object.fromEntries(Object.entries(view).filter(([, value]) => (value ?? null) !== null));
+    const given = Object.fromEntries(
+      Object.entries(view).filter(([, value]) => (value ?? null) !== null),
+    );
     if (given.map !== undefined) given.map = this.#mapNames.indexOf(given.map);
     return this.restore({ ...state, ...given });
   }
@@ -175,7 +211,9 @@ export class Engine {
 
   // Records the game that has just been loaded, under the name of its scene's file.
   record(sceneName) {
-    withStrings(this.#module, [sceneName], (nameAt) => this.#module._slicecast_record(this.#session, nameAt));
+    withStrings(this.#module, [sceneName], (nameAt) =>
+      this.#module._slicecast_record(this.#session, nameAt),
+    );
   }
 
   // Ends the recording: its text, or '' if there was none.
@@ -183,13 +221,18 @@ export class Engine {
     return this.#module.UTF8ToString(this.#module._slicecast_takeRecording(this.#session));
   }
 
-  // Checks a recording's bytes: {scene, steps, marks: [{name, step}], faults}. One without faults is kept for replay().
+  // Checks a recording's bytes: {scene, steps, marks: [{name, step}], faults}. One without faults
+  // is kept for replay().
   readRecording(bytes, name) {
-    return withBytes(this.#module, bytes, (at) => withStrings(this.#module, [name], (nameAt) =>
-      this.#json(this.#module._slicecast_readRecording(this.#session, at, bytes.length, nameAt))));
+    return withBytes(this.#module, bytes, (at) =>
+      withStrings(this.#module, [name], (nameAt) =>
+        this.#json(this.#module._slicecast_readRecording(this.#session, at, bytes.length, nameAt)),
+      ),
+    );
   }
 
-  // Plays the recording that was read in the game that has just been loaded; whoever moves takes over. False if there is none.
+  // Plays the recording that was read in the game that has just been loaded; whoever moves takes
+  // over. False if there is none.
   replay() {
     return this.#module._slicecast_replay(this.#session) === 1;
   }
@@ -199,24 +242,29 @@ export class Engine {
     return this.#json(this.#module._slicecast_replayState(this.#session));
   }
 
-  // Puts the eye back where a state says, walking or flying as it was. False if it may not be there.
+  // Puts the eye back where a state says, walking or flying as it was. False if it may not be
+  // there.
   restore({ map, x, y, z, heading, look, flying }) {
-    if (this.#module._slicecast_setEye(this.#session, map, x, y, z, heading, look) === 0) return false;
+    if (this.#module._slicecast_setEye(this.#session, map, x, y, z, heading, look) === 0)
+      return false;
     this.#module._slicecast_setFlying(this.#session, flying ? 1 : 0);
     return true;
   }
 
-  // Everything that one column of a picture of that size meets (src/session/hits_json.h), or null where there is no such column.
+  // Everything that one column of a picture of that size meets (src/session/hits_json.h), or null
+  // where there is no such column.
   hits(width, height, column) {
     return this.#ofColumn(this.#module._slicecast_hits, width, height, column);
   }
 
-  // Everything that the renderer did for one column of a picture of that size, number for number (src/session/trace_json.h), or null.
+  // Everything that the renderer did for one column of a picture of that size, number for number
+  // (src/session/trace_json.h), or null.
   trace(width, height, column) {
     return this.#ofColumn(this.#module._slicecast_trace, width, height, column);
   }
 
-  // The same for the whole picture: totals, and for each column what is nearest and how many rows of each kind it has.
+  // The same for the whole picture: totals, and for each column what is nearest and how many rows
+  // of each kind it has.
   traceFrame(width, height) {
     return this.#json(this.#module._slicecast_trace(this.#session, width, height, -1));
   }
@@ -244,12 +292,25 @@ export class Engine {
 
   // A gamepad as gamepads.js describes it.
   setGamepad({ leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons }) {
-    this.#module._slicecast_gamepad(leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons);
+    this.#module._slicecast_gamepad(
+      leftX,
+      leftY,
+      rightX,
+      rightY,
+      leftTrigger,
+      rightTrigger,
+      buttons,
+    );
   }
 
   // What thumbs hold on the screen, until they hold something else.
   setThumbs({ forward = 0, strafe = 0, fly = 0, jump = false, fast = false, use = false }) {
-    this.#module._slicecast_thumbs(forward, strafe, fly, (jump ? 1 : 0) + (fast ? 2 : 0) + (use ? 8 : 0));
+    this.#module._slicecast_thumbs(
+      forward,
+      strafe,
+      fly,
+      (jump ? 1 : 0) + (fast ? 2 : 0) + (use ? 8 : 0),
+    );
   }
 
   // A finger has dragged the picture, in CSS pixels.
@@ -267,7 +328,8 @@ export class Engine {
     return this.#module.HEAPU8.length;
   }
 
-  // Ends everything: no listener and no frame remains, and the memory can be freed. Whoever asks it for anything then gets an Error.
+  // Ends everything: no listener and no frame remains, and the memory can be freed. Whoever asks it
+  // for anything then gets an Error.
   stop() {
     ++this.#loads;
     this.#running?._slicecast_stop();
@@ -275,7 +337,9 @@ export class Engine {
   }
 
   #ofColumn(tell, width, height, column) {
-    return Number.isInteger(column) && column >= 0 && column < width ? this.#json(tell(this.#session, width, height, column)) : null;
+    return Number.isInteger(column) && column >= 0 && column < width
+      ? this.#json(tell(this.#session, width, height, column))
+      : null;
   }
 
   #json(at) {
@@ -287,16 +351,32 @@ export class Engine {
 async function readNames(module, session, source, isWanted = () => true) {
   const text = await source.readText();
   if (!isWanted()) return null;
-  return withBytes(module, text, (textAt) => withStrings(module, [source.name], (nameAt) =>
-    JSON.parse(module.UTF8ToString(module._slicecast_parse(session, textAt, text.length, nameAt)))));
+  return withBytes(module, text, (textAt) =>
+    withStrings(module, [source.name], (nameAt) =>
+      JSON.parse(
+        module.UTF8ToString(module._slicecast_parse(session, textAt, text.length, nameAt)),
+      ),
+    ),
+  );
 }
 
-// The files that it names: each is handed over when it comes, and its picture decoded while the others are on their way.
-async function supplyFiles(module, session, files, source, { onProgress = () => {}, isWanted = () => true } = {}) {
+// The files that it names: each is handed over when it comes, and its picture decoded while the
+// others are on their way.
+async function supplyFiles(
+  module,
+  session,
+  files,
+  source,
+  { onProgress = () => {}, isWanted = () => true } = {},
+) {
   const shares = new Array(files.length).fill(0);
   let bytesLoaded = 0;
   let isOver = false;
-  const report = () => onProgress(shares.reduce((sum, share) => sum + share, 0) / Math.max(1, shares.length), bytesLoaded);
+  const report = () =>
+    onProgress(
+      shares.reduce((sum, share) => sum + share, 0) / Math.max(1, shares.length),
+      bytesLoaded,
+    );
   const supply = async (name, index) => {
     let before = 0;
     const bytes = await source.readFile(name, (loaded, total) => {
@@ -306,7 +386,12 @@ async function supplyFiles(module, session, files, source, { onProgress = () => 
       report();
     });
     if (isOver || !isWanted()) return;
-    if (bytes !== null) withBytes(module, bytes, (at) => withStrings(module, [name], (nameAt) => module._slicecast_supply(session, nameAt, at, bytes.length)));
+    if (bytes !== null)
+      withBytes(module, bytes, (at) =>
+        withStrings(module, [name], (nameAt) =>
+          module._slicecast_supply(session, nameAt, at, bytes.length),
+        ),
+      );
     shares[index] = 1;
     report();
   };
@@ -318,7 +403,8 @@ async function supplyFiles(module, session, files, source, { onProgress = () => 
   }
 }
 
-// The world: {faults, warnings}. A file that could not be read becomes one, with the place that names it.
+// The world: {faults, warnings}. A file that could not be read becomes one, with the place that
+// names it.
 function start(module, session) {
   return JSON.parse(module.UTF8ToString(module._slicecast_start(session)));
 }
@@ -336,14 +422,21 @@ function imageOf(pixels, width, height) {
 // The five axes, and the sum of the buttons.
 function readInput(input) {
   for (const name of Object.keys(input ?? { [input]: 0 })) {
-    if (!kAxes.includes(name) && !(name in kButtons)) throw new Error(`step: found "${name}", expected ${[...kAxes, ...Object.keys(kButtons)].join(', ')}.`);
+    if (!kAxes.includes(name) && !(name in kButtons))
+      throw new Error(
+        `step: found "${name}", expected ${[...kAxes, ...Object.keys(kButtons)].join(', ')}.`,
+      );
   }
   const axes = kAxes.map((name) => {
     const value = input[name] ?? 0;
-    if (!(Math.abs(value) <= 1)) throw new Error(`step: found ${name} ${value}, expected a number from -1 to 1.`);
+    if (!(Math.abs(value) <= 1))
+      throw new Error(`step: found ${name} ${value}, expected a number from -1 to 1.`);
     return value;
   });
-  return [axes, Object.entries(kButtons).reduce((sum, [name, bit]) => sum + (input[name] ? bit : 0), 0)];
+  return [
+    axes,
+    Object.entries(kButtons).reduce((sum, [name, bit]) => sum + (input[name] ? bit : 0), 0),
+  ];
 }
 
 function withBytes(module, bytes, use) {

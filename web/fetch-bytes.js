@@ -1,8 +1,10 @@
-// Fetches bytes, and finds out why there are none. A browser tells a page only that a fetch failed; the cause takes a second question.
+// Fetches bytes, and finds out why there are none. A browser tells a page only that a fetch failed;
+// the cause takes a second question.
 //
 //     const bytes = await fetchBytes(address, (loaded, total) => {...});
 //
-// It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch', 'cors', 'mime' or 'csp'.
+// It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch',
+// 'cors', 'mime' or 'csp'.
 
 const kViolationMilliseconds = 50; // the news of a violation comes after the failure
 const kOnePiece = 131072; // bytes that are read without telling how far they are
@@ -11,12 +13,14 @@ const kProbeMilliseconds = 4000; // a server that has not answered the probe by 
 let cache = 'default';
 const redirects = new Map(); // address -> where its server has sent us on, the last time
 
-// Where the bytes of an address have really come from, where a server has sent us on: what they name lies beside that.
+// Where the bytes of an address have really come from, where a server has sent us on: what they
+// name lies beside that.
 export function finalAddress(address) {
   return redirects.get(new URL(address).href) ?? address;
 }
 
-// From now on every server is asked whether what the browser has kept is still so: somebody tries again.
+// From now on every server is asked whether what the browser has kept is still so: somebody tries
+// again.
 export function askAnew() {
   cache = 'no-cache';
 }
@@ -25,7 +29,10 @@ export function askAnew() {
 export async function fetchBytes(address, onBytes = () => {}) {
   const bytes = await readBody(await fetchResponse(address), onBytes);
   if (!isPage(bytes)) return bytes;
-  throw coded('mime', 'the server answers with a web page, as it may do for an address that it does not know');
+  throw coded(
+    'mime',
+    'the server answers with a web page, as it may do for an address that it does not know',
+  );
 }
 
 // The answer, its body still to be read.
@@ -41,13 +48,17 @@ export async function fetchResponse(address) {
   }
   if (response.redirected) redirects.set(new URL(address).href, response.url);
   else redirects.delete(new URL(address).href);
-  if (!response.ok) throw coded('fetch', `the server answers ${response.status} ${response.statusText}`.trim());
+  if (!response.ok)
+    throw coded('fetch', `the server answers ${response.status} ${response.statusText}`.trim());
   return response;
 }
 
 export async function readBody(response, onBytes) {
-  const total = response.headers.has('Content-Encoding') ? 0 : Number(response.headers.get('Content-Length') ?? 0);
-  if (response.body === null || (total > 0 && total <= kOnePiece)) return readPiece(response, total, onBytes);
+  const total = response.headers.has('Content-Encoding')
+    ? 0
+    : Number(response.headers.get('Content-Length') ?? 0);
+  if (response.body === null || (total > 0 && total <= kOnePiece))
+    return readPiece(response, total, onBytes);
 
   const chunks = [];
   let loaded = 0;
@@ -79,7 +90,8 @@ async function readPiece(response, total, onBytes) {
   return new Uint8Array(bytes);
 }
 
-// Why a module script at this address was refused, as an Error with a code; `reason` is the browser's own.
+// Why a module script at this address was refused, as an Error with a code; `reason` is the
+// browser's own.
 export async function whyNoScript(address, reason) {
   let response;
   try {
@@ -90,36 +102,60 @@ export async function whyNoScript(address, reason) {
   await response.body?.cancel();
   const type = (response.headers.get('Content-Type') ?? '').split(';', 1)[0].trim();
   if (/^(text|application)\/(x-)?(java|ecma)script$/i.test(type)) return coded('engine', reason);
-  return coded('mime', `the server sends it as ${type === '' ? 'no type at all' : type}, a script must come as text/javascript`);
+  return coded(
+    'mime',
+    `the server sends it as ${type === '' ? 'no type at all' : type}, a script must come as text/javascript`,
+  );
 }
 
 // Hears what the page's Content-Security-Policy refuses meanwhile.
 export function listenForViolations() {
   const refused = [];
   const hear = ({ effectiveDirective, blockedURI, disposition }) => {
-    if (disposition === 'enforce') refused.push({ directive: effectiveDirective, address: blockedURI });
+    if (disposition === 'enforce')
+      refused.push({ directive: effectiveDirective, address: blockedURI });
   };
   globalThis.document?.addEventListener('securitypolicyviolation', hear);
-  return { refused, stop: () => globalThis.document?.removeEventListener('securitypolicyviolation', hear) };
+  return {
+    refused,
+    stop: () => globalThis.document?.removeEventListener('securitypolicyviolation', hear),
+  };
 }
 
 export function coded(code, message) {
   return Object.assign(new Error(message), { code });
 }
 
-// A fetch failed without an answer. With no-cors a server answers whatever its headers say, only what it says stays hidden.
+// A fetch failed without an answer. With no-cors a server answers whatever its headers say, only
+// what it says stays hidden.
 async function causeOf(address, { refused }) {
   await new Promise((resolve) => setTimeout(resolve, kViolationMilliseconds));
   // What else the policy refuses meanwhile, trackers for instance, has nothing to do with it.
   const { href, origin, protocol } = new URL(address);
   const names = [href.replace(/#.*/s, ''), origin, protocol.slice(0, -1)]; // the last one of data: and blob: addresses
-  const isRefused = refused.some((one) => one.directive === 'connect-src' && names.includes(one.address));
-  if (isRefused) return coded('csp', "the page's Content-Security-Policy does not allow it (connect-src)");
-  const answers = await fetch(address, { mode: 'no-cors', cache: 'no-store', signal: AbortSignal.timeout?.(kProbeMilliseconds) }).then(() => true, () => false);
-  if (answers) return coded('cors', 'the server answers, but does not allow pages of other origins to read it');
+  const isRefused = refused.some(
+    (one) => one.directive === 'connect-src' && names.includes(one.address),
+  );
+  if (isRefused)
+    return coded('csp', "the page's Content-Security-Policy does not allow it (connect-src)");
+  const answers = await fetch(address, {
+    mode: 'no-cors',
+    cache: 'no-store',
+    signal: AbortSignal.timeout?.(kProbeMilliseconds),
+  }).then(
+    () => true,
+    () => false,
+  );
+  if (answers)
+    return coded(
+      'cors',
+      'the server answers, but does not allow pages of other origins to read it',
+    );
   return coded('fetch', 'the server does not answer');
 }
 
 function isPage(bytes) {
-  return /^\s*<(!doctype html|html|head|body|title)/i.test(new TextDecoder().decode(bytes.subarray(0, 64)));
+  return /^\s*<(!doctype html|html|head|body|title)/i.test(
+    new TextDecoder().decode(bytes.subarray(0, 64)),
+  );
 }

@@ -1,4 +1,5 @@
-// Scenes from the visitor's own disk: dropped anywhere on the page, or chosen with the dialog of the browser.
+// Scenes from the visitor's own disk: dropped anywhere on the page, or chosen with the dialog of
+// the browser.
 //
 //     listenForFiles({input, onEntries})        onEntries gets a promise of what scene-source.js calls entries
 

@@ -1,11 +1,20 @@
-// Hands gamepads to the engine. A browser says that there is one once a button of it was pressed, and tells its state only when asked: each frame while one
-// is connected. SDL could ask too, but a page uses nothing of it but surfaces.
+// Hands gamepads to the engine. A browser says that there is one once a button of it was pressed,
+// and tells its state only when asked: each frame while one is connected. SDL could ask too, but a
+// page uses nothing of it but surfaces.
 //
 //     const gamepads = new Gamepads({change(pad), press()});
 //     gamepads.stop();
 //     pad: {leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons}, as slicecast_gamepad takes it; press: a button went down (may be left out)
 
-const kNone = { leftX: 0, leftY: 0, rightX: 0, rightY: 0, leftTrigger: 0, rightTrigger: 0, buttons: 0 };
+const kNone = {
+  leftX: 0,
+  leftY: 0,
+  rightX: 0,
+  rightY: 0,
+  leftTrigger: 0,
+  rightTrigger: 0,
+  buttons: 0,
+};
 const kTriggers = 6; // the first of the two among the buttons, which are axes here
 
 export class Gamepads {
@@ -15,7 +24,9 @@ export class Gamepads {
 
   constructor(actions) {
     this.actions = actions;
-    window.addEventListener('gamepadconnected', () => this.#begin(), { signal: this.#ended.signal });
+    window.addEventListener('gamepadconnected', () => this.#begin(), {
+      signal: this.#ended.signal,
+    });
     if (connected().length > 0) this.#begin();
   }
 
@@ -46,12 +57,16 @@ export class Gamepads {
 }
 
 function connected() {
-  return [...(navigator.getGamepads?.() ?? [])].filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
+  return [...(navigator.getGamepads?.() ?? [])].filter(
+    (pad) => pad !== null && pad.connected && pad.mapping === 'standard',
+  );
 }
 
-// Several gamepads play as one: of each axis what is furthest out, of the buttons what is down on any.
+// Several gamepads play as one: of each axis what is furthest out, of the buttons what is down on
+// any.
 export function stateOf(pads) {
-  const furthest = (values) => values.reduce((most, value) => (Math.abs(value) > Math.abs(most) ? value : most), 0);
+  const furthest = (values) =>
+    values.reduce((most, value) => (Math.abs(value) > Math.abs(most) ? value : most), 0);
   const axis = (index) => furthest(pads.map((pad) => pad.axes[index] ?? 0));
   const trigger = (index) => furthest(pads.map((pad) => pad.buttons[index]?.value ?? 0));
   let buttons = 0;
@@ -60,5 +75,13 @@ export function stateOf(pads) {
       if (pressed && index !== kTriggers && index !== kTriggers + 1) buttons |= 1 << index;
     });
   }
-  return { leftX: axis(0), leftY: axis(1), rightX: axis(2), rightY: axis(3), leftTrigger: trigger(kTriggers), rightTrigger: trigger(kTriggers + 1), buttons };
+  return {
+    leftX: axis(0),
+    leftY: axis(1),
+    rightX: axis(2),
+    rightY: axis(3),
+    leftTrigger: trigger(kTriggers),
+    rightTrigger: trigger(kTriggers + 1),
+    buttons,
+  };
 }

@@ -1,5 +1,6 @@
-// The view, options and overlays that the page's address gives. Such an address shows what somebody else saw: options that it does not name are at their
-// standard, whatever the visitor's own settings are, and those come back with the next address that gives nothing.
+// The view, options and overlays that the page's address gives. Such an address shows what somebody
+// else saw: options that it does not name are at their standard, whatever the visitor's own
+// settings are, and those come back with the next address that gives nothing.
 //
 //     const given = new GivenOptions(settings);
 //     given.take(engine, parameters);          throws a Trouble, and then nothing has changed
@@ -24,14 +25,16 @@ export class GivenOptions {
     const known = engine.options;
     const wanted = new Map(known.map(({ name, standard }) => [name, standard]));
     if (gives) {
-      for (const [name, value] of parseOptions(parameters.get('options') ?? '')) wanted.set(name, value);
+      for (const [name, value] of parseOptions(parameters.get('options') ?? ''))
+        wanted.set(name, value);
       for (const name of parseOverlay(parameters.get('overlay') ?? '')) wanted.set(name, 'on');
     }
     setAll(engine, known, wanted);
     this.#settings.takeBack();
     this.#given = gives;
     if (gives) {
-      for (const { name, kind } of known) this.#settings.lend(name, valueOf(kind, wanted.get(name)));
+      for (const { name, kind } of known)
+        this.#settings.lend(name, valueOf(kind, wanted.get(name)));
     }
   }
 }
@@ -55,7 +58,10 @@ function valueOf(kind, text) {
 export function lookFrom(engine, view) {
   if (!engine.look(view)) {
     const maps = engine.world.maps.map(({ name }) => name).join(', ');
-    throw new Trouble('There is no such view in this scene', `view: found "${formatView(view)}", expected an eye above the floor of a map among ${maps}.`);
+    throw new Trouble(
+      'There is no such view in this scene',
+      `view: found "${formatView(view)}", expected an eye above the floor of a map among ${maps}.`,
+    );
   }
   engine.step();
   const stands = engine.state.onGround;

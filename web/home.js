@@ -1,4 +1,5 @@
-// The folder of the shipped scenes, their pictures and tours: that of the script, or the one that the page names.
+// The folder of the shipped scenes, their pictures and tours: that of the script, or the one that
+// the page names.
 //
 //     <meta name="slicecast-home" content="/art/">                     for scripts that a bundler has put elsewhere
 //
@@ -7,15 +8,17 @@
 
 const kPage = globalThis.document?.baseURI ?? 'file:///';
 
-// A bundler takes `new URL('...', import.meta.url)` for a file to be bundled; this is a folder to be asked while the page runs.
+// A bundler takes `new URL('...', import.meta.url)` for a file to be bundled; this is a folder to
+// be asked while the page runs.
 const here = import.meta.url;
 
 export function isReachable(address, page = kPage) {
   return address.protocol !== 'file:' || page.startsWith('file:');
 }
 
-// What `find` gives if this page can reach it, else what lies at that path of the folder. What a bundler has put together may have no address of its own, or
-// the one that it had on the machine where it was built.
+// What `find` gives if this page can reach it, else what lies at that path of the folder. What a
+// bundler has put together may have no address of its own, or the one that it had on the machine
+// where it was built.
 export function reachable(find, path, folder, page = kPage) {
   try {
     const address = find();
@@ -28,4 +31,6 @@ export function reachable(find, path, folder, page = kPage) {
 
 const told = globalThis.document?.querySelector('meta[name=slicecast-home]')?.content;
 
-export const kHome = told ? new URL(told.replace(/\/?$/, '/'), kPage) : reachable(() => new URL('./', here), './', kPage);
+export const kHome = told
+  ? new URL(told.replace(/\/?$/, '/'), kPage)
+  : reachable(() => new URL('./', here), './', kPage);

@@ -13,11 +13,14 @@ export async function importScript(load, title) {
     return await load();
   } catch (error) {
     const address = /\b(?:https?|blob|data|file):\S+/.exec(error.message)?.[0];
-    const because = (where, cause) => new Trouble(title, `${where}: ${cause.message}.`, [], cause.code);
+    const because = (where, cause) =>
+      new Trouble(title, `${where}: ${cause.message}.`, [], cause.code);
     if (address === undefined) throw because('its script', coded('fetch', error.message));
     const cause = await whyNoScript(address, error.message);
     if (cause.code !== 'engine') throw because(address, cause);
     // A browser remembers which module it could not get; another address makes it ask again.
-    return import(/* @vite-ignore */ `${address}?again=${++retries}`).catch(() => Promise.reject(because(address, cause)));
+    return import(/* @vite-ignore */ `${address}?again=${++retries}`).catch(() =>
+      Promise.reject(because(address, cause)),
+    );
   }
 }

@@ -1,4 +1,5 @@
-// Ctrl walks slowly, and Ctrl with W closes the tab: while Ctrl is held on the canvas the browser asks first. Ctrl and R is meant.
+// Ctrl walks slowly, and Ctrl with W closes the tab: while Ctrl is held on the canvas the browser
+// asks first. Ctrl and R is meant.
 
 export function guardLeaving(canvas) {
   let asks = false;

@@ -1,7 +1,9 @@
-// The page: loads the engine and a scene, and carries messages between the engine, the address line, the settings and what is to be seen.
+// The page: loads the engine and a scene, and carries messages between the engine, the address
+// line, the settings and what is to be seen.
 //
-// Parameters of the address: scene=NAME or a path, view=, options= and overlay= as address.js spells them, tour=NAME (a recording of the folder tours, which
-// names its scene), live=1 (tools/play says when the scene was saved), engine=simd or scalar.
+// Parameters of the address: scene=NAME or a path, view=, options= and overlay= as address.js
+// spells them, tour=NAME (a recording of the folder tours, which names its scene), live=1
+// (tools/play says when the scene was saved), engine=simd or scalar.
 
 import { parseView } from './address.js';
 import { fetchEngine } from './engine-files.js';
@@ -50,8 +52,12 @@ class Page {
   #modes = new Set();
 
   constructor() {
-    this.stage = new Stage(find('stage'), find('frame'), (width, height) => this.engine?.resize(width, height));
-    this.settings = new Settings(find('settings').querySelector('form'), (name) => this.applySetting(name));
+    this.stage = new Stage(find('stage'), find('frame'), (width, height) =>
+      this.engine?.resize(width, height),
+    );
+    this.settings = new Settings(find('settings').querySelector('form'), (name) =>
+      this.applySetting(name),
+    );
     this.given = new GivenOptions(this.settings);
     this.share = new ShareDialog(find('share'));
     this.trouble = new TroubleSheet(find('trouble'));
@@ -62,14 +68,25 @@ class Page {
     const kind = parameters().get('engine') ?? 'auto';
     try {
       if (!['auto', 'simd', 'scalar'].includes(kind)) {
-        throw new Trouble('The address names no such engine', `Found engine=${kind}, expected engine=simd or engine=scalar.`);
+        throw new Trouble(
+          'The address names no such engine',
+          `Found engine=${kind}, expected engine=simd or engine=scalar.`,
+        );
       }
       this.#showProgress('Fetching the engine', 0, 0);
       const [files, scenes] = await Promise.all([
-        fetchEngine({ kind, onBytes: (loaded, total) => this.#showProgress('Fetching the engine', (kEngineShare * loaded) / total, loaded) }),
+        fetchEngine({
+          kind,
+          onBytes: (loaded, total) =>
+            this.#showProgress('Fetching the engine', (kEngineShare * loaded) / total, loaded),
+        }),
         listScenes().catch((error) => error),
       ]);
-      this.engine = await Engine.create({ files, canvas, onEvent: (event, value) => this.#hear(event, value) });
+      this.engine = await Engine.create({
+        files,
+        canvas,
+        onEvent: (event, value) => this.#hear(event, value),
+      });
       this.#prepareEngine();
       this.#takeScenes(scenes);
       await (this.#dropped !== null ? this.#openDropped() : this.openFromAddress());
@@ -87,7 +104,11 @@ class Page {
     const tour = parameters().get('tour');
     if (tour !== null) return this.openTour(tour);
     const reference = parameters().get('scene') ?? this.scenes[0]?.file;
-    if (reference === undefined) throw new Trouble('There is no scene to open', 'The address names none, and the list of scenes could not be loaded.');
+    if (reference === undefined)
+      throw new Trouble(
+        'There is no scene to open',
+        'The address names none, and the list of scenes could not be loaded.',
+      );
     await this.open({ ...this.#inAddress(reference), view });
   }
 
@@ -104,7 +125,8 @@ class Page {
     if (await this.open(this.#inAddress(scene))) this.engine.replay();
   }
 
-  // What comes, or null if something else was asked for meanwhile: then its failure is nobody's either.
+  // What comes, or null if something else was asked for meanwhile: then its failure is nobody's
+  // either.
   async #unlessOvertaken(coming) {
     const load = ++this.#loads;
     const isOvertaken = () => load !== this.#loads;
@@ -129,11 +151,19 @@ class Page {
   }
 
   #inAddress(reference) {
-    const listed = this.scenes.find((scene) => scene.file === reference || scene.file === `${reference}.json`);
-    return { source: sceneAt(reference), reference: listed?.file ?? reference, about: listed?.about ?? '', view: null };
+    const listed = this.scenes.find(
+      (scene) => scene.file === reference || scene.file === `${reference}.json`,
+    );
+    return {
+      source: sceneAt(reference),
+      reference: listed?.file ?? reference,
+      about: listed?.about ?? '',
+      view: null,
+    };
   }
 
-  // Opens a scene; true if it can be played now. With `keepEye` the player stays where they are, and no more is shown of it than need be.
+  // Opens a scene; true if it can be played now. With `keepEye` the player stays where they are,
+  // and no more is shown of it than need be.
   async open(scene, { keepEye = false } = {}) {
     const load = ++this.#loads;
     const wasPlaying = this.state === 'playing' || (keepEye && this.playsAfterTrouble);
@@ -150,11 +180,16 @@ class Page {
         keepEye,
         isWanted: () => load === this.#loads,
         onProgress: (share, bytes) => {
-          if (!keepEye) this.#showProgress(`Opening ${scene.source.name}`, begin + share * (1 - begin), bytes);
+          if (!keepEye)
+            this.#showProgress(`Opening ${scene.source.name}`, begin + share * (1 - begin), bytes);
         },
       });
       if (faults === null) return false;
-      if (faults.length > 0) throw faultsTrouble(scene.source.name, faults.map((fault) => withReason(fault, scene.source.failures)));
+      if (faults.length > 0)
+        throw faultsTrouble(
+          scene.source.name,
+          faults.map((fault) => withReason(fault, scene.source.failures)),
+        );
       this.current = scene;
       for (const { message } of this.engine.warnings) console.warn(message);
       this.#showTitle();
@@ -163,7 +198,9 @@ class Page {
       if (load !== this.#loads) return false;
       this.playsAfterTrouble = wasPlaying;
       const isOver = error instanceof WebAssembly.RuntimeError;
-      this.#fail(asTrouble(error), { again: isOver ? () => location.reload() : () => this.#openAgain(scene) });
+      this.#fail(asTrouble(error), {
+        again: isOver ? () => location.reload() : () => this.#openAgain(scene),
+      });
       return false;
     }
     this.playsAfterTrouble = false;
@@ -222,7 +259,8 @@ class Page {
     find('scenes').close();
     try {
       const found = await this.#unlessOvertaken(entries);
-      if (found !== null) await this.open({ source: sceneAmong(found), reference: null, about: '', view: null });
+      if (found !== null)
+        await this.open({ source: sceneAmong(found), reference: null, about: '', view: null });
     } catch (error) {
       this.#fail(asTrouble(error), { again: null });
     }
@@ -261,7 +299,8 @@ class Page {
         break;
       case 'pause':
         if (value) document.exitPointerLock?.();
-        if (this.ready && this.state !== 'loading' && this.state !== 'trouble') this.#setState(value ? 'paused' : 'playing');
+        if (this.ready && this.state !== 'loading' && this.state !== 'trouble')
+          this.#setState(value ? 'paused' : 'playing');
         break;
       case 'fly':
         this.thumbs.flying = value;
@@ -290,7 +329,8 @@ class Page {
         console.info('slice %d', value.column, value);
         break;
       case 'frames':
-        find('rate').textContent = `${Math.round(value.framesPerSecond)} fps · ${value.drawMilliseconds.toFixed(1)} ms`;
+        find('rate').textContent =
+          `${Math.round(value.framesPerSecond)} fps · ${value.drawMilliseconds.toFixed(1)} ms`;
         break;
     }
   }
@@ -322,7 +362,10 @@ class Page {
     else if (name === 'rate') find('rate').hidden = !value;
     else if (this.engine === null) return;
     else if (name === 'mouse' || name === 'invert') {
-      this.engine.setMouse({ degreesPerPixel: kUsualDegreesPerPixel * this.settings.value('mouse'), invert: this.settings.value('invert') });
+      this.engine.setMouse({
+        degreesPerPixel: kUsualDegreesPerPixel * this.settings.value('mouse'),
+        invert: this.settings.value('invert'),
+      });
     } else this.engine.setOption(name, value);
   }
 
@@ -368,7 +411,12 @@ class Page {
   #openShare() {
     if (!this.ready) return;
     const { source, reference } = this.current;
-    this.share.open({ engine: this.engine, reference, name: source.name.replace(/\.json$/i, ''), canvas });
+    this.share.open({
+      engine: this.engine,
+      reference,
+      name: source.name.replace(/\.json$/i, ''),
+      canvas,
+    });
   }
 
   toggleFullScreen() {
@@ -392,12 +440,15 @@ class Page {
     window.addEventListener('popstate', () => this.engine !== null && this.#openNewAddress());
 
     find('play').addEventListener('click', () => this.play());
-    for (const name of ['scenes', 'keys', 'settings', 'share']) find(`open-${name}`).addEventListener('click', () => this.openDialog(name));
-    for (const button of document.querySelectorAll('[data-close]')) button.addEventListener('click', () => button.closest('dialog').close());
+    for (const name of ['scenes', 'keys', 'settings', 'share'])
+      find(`open-${name}`).addEventListener('click', () => this.openDialog(name));
+    for (const button of document.querySelectorAll('[data-close]'))
+      button.addEventListener('click', () => button.closest('dialog').close());
     for (const dialog of document.querySelectorAll('dialog')) {
       // A press on what is behind the dialog closes it.
       dialog.addEventListener('pointerdown', (event) => {
-        if (event.target === dialog && !contains(dialog.getBoundingClientRect(), event)) dialog.close();
+        if (event.target === dialog && !contains(dialog.getBoundingClientRect(), event))
+          dialog.close();
       });
     }
     find('keys').addEventListener('keydown', (event) => {
@@ -415,7 +466,10 @@ class Page {
       change: (pad) => this.engine?.setGamepad(pad),
       // The first press begins the game, as a click would.
       press: () => {
-        const canPlay = this.ready && (this.state === 'paused' || this.state === 'playing') && document.querySelector('dialog[open]') === null;
+        const canPlay =
+          this.ready &&
+          (this.state === 'paused' || this.state === 'playing') &&
+          document.querySelector('dialog[open]') === null;
         if (canPlay && document.activeElement !== canvas) this.play();
       },
     });
@@ -429,14 +483,25 @@ class Page {
 
   // Keys belong to the canvas: while it has none, play stands still.
   #canvasFocused(focused) {
-    if (this.engine !== null && this.ready && (this.state === 'playing' || this.state === 'paused')) this.engine.paused = !focused;
+    if (this.engine !== null && this.ready && (this.state === 'playing' || this.state === 'paused'))
+      this.engine.paused = !focused;
   }
 
   // The canvas has keys of its own; these are for when nothing has the focus.
   #keyDown(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey || document.querySelector('dialog[open]') !== null) return;
+    if (
+      event.ctrlKey ||
+      event.altKey ||
+      event.metaKey ||
+      document.querySelector('dialog[open]') !== null
+    )
+      return;
     const isNowhere = event.target === document.body;
-    if (event.key === 'Enter' && (isNowhere || event.target === canvas) && this.state === 'paused') {
+    if (
+      event.key === 'Enter' &&
+      (isNowhere || event.target === canvas) &&
+      this.state === 'paused'
+    ) {
       event.preventDefault();
       this.play();
     } else if (isNowhere && event.code === 'KeyH') {
@@ -453,14 +518,16 @@ class Page {
     button.hidden = !document.fullscreenEnabled;
     button.addEventListener('click', () => this.toggleFullScreen());
     document.addEventListener('fullscreenchange', () => {
-      button.textContent = document.fullscreenElement !== null ? 'Leave full screen' : 'Full screen';
+      button.textContent =
+        document.fullscreenElement !== null ? 'Leave full screen' : 'Full screen';
     });
   }
 
   #listenForFailures() {
     // The engine has failed between two calls of ours, or before its first picture.
     window.addEventListener('error', ({ error }) => {
-      if (error instanceof WebAssembly.RuntimeError || (this.engine?.hasBegun && !this.ready)) this.#fail(asTrouble(error), { again: () => location.reload() });
+      if (error instanceof WebAssembly.RuntimeError || (this.engine?.hasBegun && !this.ready))
+        this.#fail(asTrouble(error), { again: () => location.reload() });
     });
   }
 
@@ -469,7 +536,8 @@ class Page {
     const saves = new EventSource(new URL('-/events', document.baseURI));
     saves.addEventListener('scene', () => {
       const reference = parameters().get('scene');
-      if (this.engine !== null && this.#asked?.reference === reference) this.open(this.#inAddress(reference), { keepEye: this.ready });
+      if (this.engine !== null && this.#asked?.reference === reference)
+        this.open(this.#inAddress(reference), { keepEye: this.ready });
     });
   }
 }
@@ -480,7 +548,9 @@ function contains(box, { clientX, clientY }) {
 
 function faultsTrouble(name, faults) {
   const count = faults.length === 1 ? 'One fault' : `${faults.length} faults`;
-  const next = isLive() ? 'It opens by itself as soon as the file is saved without them.' : 'It cannot be opened before they are mended.';
+  const next = isLive()
+    ? 'It opens by itself as soon as the file is saved without them.'
+    : 'It cannot be opened before they are mended.';
   return new Trouble(`${count} in ${name}`, next, faults);
 }
 

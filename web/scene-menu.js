@@ -1,5 +1,5 @@
-// The menu of scenes: a card for each, with its view from the start, which the engine draws when the menu is opened for the first time, and the way to its tour
-// where it has one.
+// The menu of scenes: a card for each, with its view from the start, which the engine draws when
+// the menu is opened for the first time, and the way to its tour where it has one.
 
 import { sceneAt } from './scene-source.js';
 
@@ -8,8 +8,8 @@ const kAspect = 9 / 16; // of a view
 export class SceneMenu {
   #drawn = false;
 
-  // `scenes` as in the list that comes with the page; `missing` is a Trouble where there is none; `addressOf(file)` is the page's address with that scene;
-  // `onChoose(file)` opens it here.
+  // `scenes` as in the list that comes with the page; `missing` is a Trouble where there is none;
+  // `addressOf(file)` is the page's address with that scene; `onChoose(file)` opens it here.
   constructor(dialog, scenes, { missing, addressOf, onChoose }) {
     this.dialog = dialog;
     this.cards = scenes.map((scene) => ({ scene, ...card(scene, addressOf(scene.file)) }));
@@ -41,7 +41,9 @@ export class SceneMenu {
       // As many pixels as the screen has there.
       view.width = Math.max(1, Math.round(view.clientWidth * window.devicePixelRatio));
       view.height = Math.max(1, Math.round(view.width * kAspect));
-      const picture = await engine.drawAside(sceneAt(scene.file), view.width, view.height).catch(() => null);
+      const picture = await engine
+        .drawAside(sceneAt(scene.file), view.width, view.height)
+        .catch(() => null);
       if (picture !== null) view.getContext('2d').putImageData(picture, 0, 0);
     }
   }

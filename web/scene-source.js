@@ -1,4 +1,5 @@
-// Where a scene and its pictures come from: an address, or files that somebody dropped on the page. Each source has
+// Where a scene and its pictures come from: an address, or files that somebody dropped on the page.
+// Each source has
 //
 //     name               as it stands in messages
 //     readText()         the scene's bytes; throws a Trouble
@@ -10,17 +11,23 @@ import { Trouble } from './trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
 
-// The list of the scenes that come with the page: [{file, title, about, tour}], the opening scene first; `tour` is true
-// where a recorded tour has the scene's name.
+// The list of the scenes that come with the page: [{file, title, about, tour}], the opening scene
+// first; `tour` is true where a recorded tour has the scene's name.
 export async function listScenes() {
   const address = new URL('index.json', kScenes);
   const bytes = await fetchBytes(address).catch((error) => {
-    throw new Trouble('The list of scenes could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
+    throw new Trouble(
+      'The list of scenes could not be loaded',
+      `${address.href}: ${error.message}.`,
+      [],
+      error.code,
+    );
   });
   return JSON.parse(new TextDecoder().decode(bytes));
 }
 
-// A name among the page's scenes ("castle" or "castle.json"), or, with a slash in it, an address relative to the page.
+// A name among the page's scenes ("castle" or "castle.json"), or, with a slash in it, an address
+// relative to the page.
 export function sceneAddress(reference) {
   const file = /\.json$/i.test(reference) ? reference : `${reference}.json`;
   return new URL(file, file.includes('/') ? document.baseURI : kScenes);
@@ -32,19 +39,28 @@ export function sceneAt(reference) {
     name: nameOf(address),
     async readText() {
       return fetchBytes(address).catch((error) => {
-        throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
+        throw new Trouble(
+          'The scene could not be loaded',
+          `${address.href}: ${error.message}.`,
+          [],
+          error.code,
+        );
       });
     },
     ...filesBy((name, onBytes) => fetchBytes(new URL(name, finalAddress(address)), onBytes)),
   };
 }
 
-// Files as they were dropped or chosen, each {path, file}. A picture that is not among them is looked for among the page's own.
+// Files as they were dropped or chosen, each {path, file}. A picture that is not among them is
+// looked for among the page's own.
 export function sceneAmong(entries) {
   const scene = entries.find((entry) => /\.json$/i.test(entry.path));
   if (scene === undefined) {
     const found = entries.length === 0 ? 'nothing' : entries.map((entry) => entry.path).join(', ');
-    throw new Trouble('There is no scene among these files', `Found ${found}; expected a .json file, and beside it the .png files that it names.`);
+    throw new Trouble(
+      'There is no scene among these files',
+      `Found ${found}; expected a .json file, and beside it the .png files that it names.`,
+    );
   }
   const folder = scene.path.split('/').slice(0, -1);
   return {
@@ -53,15 +69,21 @@ export function sceneAmong(entries) {
     ...filesBy(async (name, onBytes) => {
       const path = joinPath(folder, name);
       const baseName = name.split('/').pop();
-      const entry = entries.find((other) => other.path === path) ?? entries.find((other) => other.file.name === baseName);
-      return entry === undefined ? fetchBytes(new URL(name, kScenes), onBytes) : new Uint8Array(await entry.file.arrayBuffer());
+      const entry =
+        entries.find((other) => other.path === path) ??
+        entries.find((other) => other.file.name === baseName);
+      return entry === undefined
+        ? fetchBytes(new URL(name, kScenes), onBytes)
+        : new Uint8Array(await entry.file.arrayBuffer());
     }),
   };
 }
 
 // What a drop holds, folders included: [{path, file}].
 export async function droppedEntries(dataTransfer) {
-  const entries = [...dataTransfer.items].map((item) => item.webkitGetAsEntry?.()).filter((entry) => entry);
+  const entries = [...dataTransfer.items]
+    .map((item) => item.webkitGetAsEntry?.())
+    .filter((entry) => entry);
   if (entries.length === 0) return chosenEntries(dataTransfer.files);
   return (await Promise.all(entries.map(filesOf))).flat();
 }

@@ -1,4 +1,5 @@
-// What somebody likes: kept in the browser's storage where it lets us, and shown in the settings dialog.
+// What somebody likes: kept in the browser's storage where it lets us, and shown in the settings
+// dialog.
 //
 //     const settings = new Settings(form, (name, value) => ...);       // called for each setting that changes
 //     settings.value('fov')
@@ -88,7 +89,8 @@ export class Settings {
     const value = this.value(name);
     if (field.type === 'checkbox') field.checked = value;
     else field.value = String(value);
-    if (name in kShown) this.form.querySelector(`output[for="${field.id}"]`).textContent = kShown[name](value);
+    if (name in kShown)
+      this.form.querySelector(`output[for="${field.id}"]`).textContent = kShown[name](value);
   }
 
   // Only what the dialog itself could have set is taken from the storage.
@@ -99,12 +101,16 @@ export class Settings {
     } catch {
       return {};
     }
-    return Object.fromEntries(Object.entries(stored).filter(([name, value]) => {
-      const field = this.form.elements[name];
-      if (!(name in kStandard) || typeof value !== typeof kStandard[name]) return false;
-      if (field.type === 'range') return value >= Number(field.min) && value <= Number(field.max);
-      return field.type === 'checkbox' || [...field.options].some((option) => option.value === value);
-    }));
+    return Object.fromEntries(
+      Object.entries(stored).filter(([name, value]) => {
+        const field = this.form.elements[name];
+        if (!(name in kStandard) || typeof value !== typeof kStandard[name]) return false;
+        if (field.type === 'range') return value >= Number(field.min) && value <= Number(field.max);
+        return (
+          field.type === 'checkbox' || [...field.options].some((option) => option.value === value)
+        );
+      }),
+    );
   }
 
   #writeStorage() {

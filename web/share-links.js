@@ -1,15 +1,19 @@
-// What there is to share of a view: its address in this page, the tag and the frame that put it into another page.
+// What there is to share of a view: its address in this page, the tag and the frame that put it
+// into another page.
 //
 //     const shared = sharedParameters({reference: 'castle.json', view, options: engine.options});
 //     linkTo(shared, base);    tagFor(shared, {base, scene, label});    frameFor(shared, {base, label});
 
 import { formatOptions, formatView, kOverlays, writeQuery } from './address.js';
 
-// {scene, view, options, overlay} as the address spells them, null for what is as usual. Without a `view` it is the scene's start.
+// {scene, view, options, overlay} as the address spells them, null for what is as usual. Without a
+// `view` it is the scene's start.
 export function sharedParameters({ reference, view = null, options }) {
   const changed = options.filter(({ value, standard }) => value !== standard);
   const overlays = changed.filter(({ name }) => kOverlays.includes(name)).map(({ name }) => name);
-  const others = changed.filter(({ name }) => !kOverlays.includes(name)).map(({ name, value }) => [name, value]);
+  const others = changed
+    .filter(({ name }) => !kOverlays.includes(name))
+    .map(({ name, value }) => [name, value]);
   return {
     scene: reference.replace(/\.json$/i, ''),
     view: view === null ? null : formatView(view),
@@ -35,7 +39,9 @@ export function frameFor(shared, { base, label }) {
 }
 
 function openingTag(name, attributes) {
-  const written = Object.entries(attributes).filter(([, value]) => value !== null).map(([key, value]) => (value === '' ? ` ${key}` : ` ${key}="${escape(value)}"`));
+  const written = Object.entries(attributes)
+    .filter(([, value]) => value !== null)
+    .map(([key, value]) => (value === '' ? ` ${key}` : ` ${key}="${escape(value)}"`));
   return `<${name}${written.join('')}>`;
 }
 

@@ -15,7 +15,8 @@ export class ShareDialog {
   constructor(dialog) {
     this.dialog = dialog;
     this.find = (name) => dialog.querySelector(`#share-${name}`);
-    for (const button of dialog.querySelectorAll('[data-copy]')) button.addEventListener('click', () => this.#copy(button));
+    for (const button of dialog.querySelectorAll('[data-copy]'))
+      button.addEventListener('click', () => this.#copy(button));
     this.find('from-view').addEventListener('input', () => this.#write());
     this.find('save').addEventListener('click', () => this.#save());
   }
@@ -62,7 +63,10 @@ export class ShareDialog {
     } catch {
       field.focus();
       field.select();
-      this.#say(null, 'Your browser keeps the clipboard to itself. The text is selected: copy it with Ctrl or ⌘ and C.');
+      this.#say(
+        null,
+        'Your browser keeps the clipboard to itself. The text is selected: copy it with Ctrl or ⌘ and C.',
+      );
     }
   }
 

@@ -1,4 +1,5 @@
-// What all sources of scenes have in common: a name for messages, and the reasons why files that a scene names could not be read.
+// What all sources of scenes have in common: a name for messages, and the reasons why files that a
+// scene names could not be read.
 //
 //     const source = { name: nameOf(address), readText, ...filesBy((file, onBytes) => fetchBytes(new URL(file, address), onBytes)) };
 //     faults.map((fault) => withReason(fault, source.failures));
@@ -18,7 +19,8 @@ export function nameOf(address) {
   }
 }
 
-// readFile gives null for a file that cannot be read, which is tried once: the engine says which place of the scene names it, `failures` why.
+// readFile gives null for a file that cannot be read, which is tried once: the engine says which
+// place of the scene names it, `failures` why.
 export function filesBy(read) {
   const failures = new Map();
   return {

@@ -1,10 +1,12 @@
-// Lays the picture out in the window: how many pixels it has, and how large each of them is shown. A pixel of the picture is a whole number of the
-// screen's own pixels wherever that leaves the window well filled, so edges stay even.
+// Lays the picture out in the window: how many pixels it has, and how large each of them is shown.
+// A pixel of the picture is a whole number of the screen's own pixels wherever that leaves the
+// window well filled, so edges stay even.
 
 const kLargestAutomatic = 1280 * 720; // pixels, when the picture follows the window
 const kLeastFill = 0.8; // of the window's width or height, below which uneven pixels are better than wide margins
 
-// `size` is 'auto' or 'WIDTHxHEIGHT'; the window is in pixels of the screen. Gives the picture's size and its size on the screen, in pixels each.
+// `size` is 'auto' or 'WIDTHxHEIGHT'; the window is in pixels of the screen. Gives the picture's
+// size and its size on the screen, in pixels each.
 export function layOut(size, windowWidth, windowHeight) {
   const width = Math.max(1, Math.round(windowWidth));
   const height = Math.max(1, Math.round(windowHeight));
@@ -18,10 +20,15 @@ export function layOut(size, windowWidth, windowHeight) {
   const fits = Math.min(width / picture.width, height / picture.height);
   const whole = Math.floor(fits);
   const scale = whole >= 1 && whole >= fits * kLeastFill ? whole : fits;
-  return { ...picture, shownWidth: Math.round(picture.width * scale), shownHeight: Math.round(picture.height * scale) };
+  return {
+    ...picture,
+    shownWidth: Math.round(picture.width * scale),
+    shownHeight: Math.round(picture.height * scale),
+  };
 }
 
-// Keeps `frame`, which holds the canvas, laid out in `stage`, and says so whenever the picture's size changes. stop() ends that.
+// Keeps `frame`, which holds the canvas, laid out in `stage`, and says so whenever the picture's
+// size changes. stop() ends that.
 export class Stage {
   #box = null; // as observed: a stage in the flow of a page may end between two pixels
   #observer = new ResizeObserver((entries) => {

@@ -1,5 +1,7 @@
-// Thumbs on the picture. On its left half a stick appears under the thumb and walks; beyond its rim it runs. Dragging on the right half looks around, and
-// two taps there jump. Buttons jump, crouch and fly; while flying the first two rise and sink. Where there are gates, another opens and closes them.
+// Thumbs on the picture. On its left half a stick appears under the thumb and walks; beyond its rim
+// it runs. Dragging on the right half looks around, and two taps there jump. Buttons jump, crouch
+// and fly; while flying the first two rise and sink. Where there are gates, another opens and
+// closes them.
 //
 //     const thumbs = new Thumbs(root, {hold({forward, strafe, fly, jump, fast, use}), drag(right, down), fly()});
 //     thumbs.flying = true;
@@ -13,7 +15,8 @@ const kTapPixels = 12; // nor one that moves more
 const kBetweenTaps = 350; // milliseconds
 const kJumpMilliseconds = 120; // that two taps hold the button, and a touch the one for gates: a step must see it
 
-// Where a thumb is, seen from the stick's middle, as axes to the right and down of -1 to 1, and whether it runs.
+// Where a thumb is, seen from the stick's middle, as axes to the right and down of -1 to 1, and
+// whether it runs.
 export function stickAt(x, y) {
   const distance = Math.hypot(x, y) / kRadius;
   if (distance <= kDeadZone) return { right: 0, down: 0, runs: false };
@@ -45,7 +48,8 @@ export class Thumbs {
       actions.fly();
     });
     // The canvas keeps the focus, and with it the game its keys; nothing is zoomed or marked.
-    for (const type of ['mousedown', 'touchstart', 'contextmenu']) root.addEventListener(type, (event) => event.preventDefault(), { passive: false });
+    for (const type of ['mousedown', 'touchstart', 'contextmenu'])
+      root.addEventListener(type, (event) => event.preventDefault(), { passive: false });
   }
 
   set flying(flying) {
@@ -60,7 +64,8 @@ export class Thumbs {
     this.find('use').hidden = !hasGates;
   }
 
-  // Lets go of everything, of fingers that are still down too: what is taken away under one never hears that it was lifted.
+  // Lets go of everything, of fingers that are still down too: what is taken away under one never
+  // hears that it was lifted.
   release() {
     for (const touch of this.#touches) touch.drop();
     clearTimeout(this.#jumpTimer);
@@ -76,7 +81,14 @@ export class Thumbs {
   #send() {
     const { forward, strafe, jump, crouch, fast, use } = this.#held;
     const rises = this.#flying && jump;
-    this.actions.hold({ forward, strafe, fast, use, jump: jump && !rises, fly: (rises ? 1 : 0) - (crouch ? 1 : 0) });
+    this.actions.hold({
+      forward,
+      strafe,
+      fast,
+      use,
+      jump: jump && !rises,
+      fly: (rises ? 1 : 0) - (crouch ? 1 : 0),
+    });
   }
 
   #listenToStick(zone, stick) {
@@ -127,7 +139,12 @@ export class Thumbs {
         this.actions.drag(right, down);
       },
       end: (event) => {
-        if (event?.type !== 'pointerup' || moved > kTapPixels || event.timeStamp - begun > kTapMilliseconds) return;
+        if (
+          event?.type !== 'pointerup' ||
+          moved > kTapPixels ||
+          event.timeStamp - begun > kTapMilliseconds
+        )
+          return;
         if (event.timeStamp - lastTap < kBetweenTaps) {
           lastTap = -Infinity;
           this.#hold({ jump: true });
@@ -160,7 +177,8 @@ export class Thumbs {
   }
 }
 
-// Follows one touch at a time on an element, also beyond its edges. `end` gets no event where the touch is dropped.
+// Follows one touch at a time on an element, also beyond its edges. `end` gets no event where the
+// touch is dropped.
 function followTouch(element, { begin, move, end }) {
   let pointer = null;
   const finish = (event) => {

@@ -5,7 +5,8 @@
 
 const kActions = ['again', 'scenes', 'back'];
 
-// `faults` are the engine's: {file, pointer, line, column, row, character, found, expected}. The code is one of element/faults.js.
+// `faults` are the engine's: {file, pointer, line, column, row, character, found, expected}. The
+// code is one of element/faults.js.
 export class Trouble extends Error {
   constructor(title, text, faults = [], code = faults.length > 0 ? 'scene' : 'engine') {
     super(text);
@@ -15,7 +16,8 @@ export class Trouble extends Error {
   }
 }
 
-// Whether the engine itself has failed and cannot go on. Where there is no WebAssembly there is no such error either.
+// Whether the engine itself has failed and cannot go on. Where there is no WebAssembly there is no
+// such error either.
 export function isEngineFailure(error) {
   return typeof WebAssembly === 'object' && error instanceof WebAssembly.RuntimeError;
 }
@@ -24,8 +26,15 @@ export function isEngineFailure(error) {
 export function asTrouble(error) {
   if (error instanceof Trouble) return error;
   console.error(error);
-  if (isEngineFailure(error)) return new Trouble('The engine has stopped', `It cannot go on: ${error.message}. Load the page again.`);
-  return new Trouble('Something went wrong', error instanceof Error ? error.message : String(error));
+  if (isEngineFailure(error))
+    return new Trouble(
+      'The engine has stopped',
+      `It cannot go on: ${error.message}. Load the page again.`,
+    );
+  return new Trouble(
+    'Something went wrong',
+    error instanceof Error ? error.message : String(error),
+  );
 }
 
 export class TroubleSheet {
@@ -33,7 +42,8 @@ export class TroubleSheet {
     this.root = root;
     this.find = (name) => root.querySelector(`#trouble-${name}`);
     this.actions = {};
-    for (const name of kActions) this.find(name).addEventListener('click', () => this.actions[name]());
+    for (const name of kActions)
+      this.find(name).addEventListener('click', () => this.actions[name]());
   }
 
   // `actions` are functions, or null where there is no way: {again, scenes, back}.
@@ -59,9 +69,12 @@ export function placeOf(fault) {
   return fault.line > 0 ? `${fault.file}:${fault.line}:${fault.column}` : fault.file;
 }
 
-// The same place as the scene itself would name it: a JSON pointer, and within a grid of characters the tile.
+// The same place as the scene itself would name it: a JSON pointer, and within a grid of characters
+// the tile.
 function insideOf({ pointer, row, character }) {
-  const tile = [row >= 0 ? `row ${row}` : '', character >= 0 ? `character ${character}` : ''].filter((part) => part !== '').join(', ');
+  const tile = [row >= 0 ? `row ${row}` : '', character >= 0 ? `character ${character}` : '']
+    .filter((part) => part !== '')
+    .join(', ');
   return tile === '' ? pointer : `${pointer}, ${tile}`;
 }
 

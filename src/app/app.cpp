@@ -120,7 +120,7 @@ void App::setMouse(double degreesPerPixel, bool invert) {
     invert_ = invert;
 }
 
-// ---------------------------------------------------------------------------------------------------- keys and mouse
+// ---- keys and mouse
 
 void App::keyDown(const Key& key, bool repeated) {
     if (isHeld(key.action)) {
@@ -185,10 +185,12 @@ void App::act(const Key& key) {
             game_->goToMap(key.map);
             break;
         case Action::lightPreset:
-            game_->setOption("lightPreset", nextChoice("lightPreset", game_->option("lightPreset")));
+            game_->setOption("lightPreset",
+                             nextChoice("lightPreset", game_->option("lightPreset")));
             break;
         case Action::hits:
-            shell_.tellHits(hitsJson(*game_, game_->world().title, width_, height_, game_->inspectedColumn(width_)));
+            shell_.tellHits(hitsJson(*game_, game_->world().title, width_, height_,
+                                     game_->inspectedColumn(width_)));
             break;
         case Action::minimapLevelDown:
             changeMinimapLevel(-1);
@@ -197,16 +199,20 @@ void App::act(const Key& key) {
             changeMinimapLevel(1);
             break;
         case Action::sliceLeft:
-            changeNumber("inspectorColumn", game_->inspectedColumn(width_), keys_.isDown(Action::fast) ? -kFastSlices : -1, 0, width_ - 1);
+            changeNumber("inspectorColumn", game_->inspectedColumn(width_),
+                         keys_.isDown(Action::fast) ? -kFastSlices : -1, 0, width_ - 1);
             break;
         case Action::sliceRight:
-            changeNumber("inspectorColumn", game_->inspectedColumn(width_), keys_.isDown(Action::fast) ? kFastSlices : 1, 0, width_ - 1);
+            changeNumber("inspectorColumn", game_->inspectedColumn(width_),
+                         keys_.isDown(Action::fast) ? kFastSlices : 1, 0, width_ - 1);
             break;
         case Action::slowerSlices:
-            changeNumber("slowSlices", game_->options().slowSlices, -1, -kMostSlicesPerPicture, kMostSlicesPerPicture);
+            changeNumber("slowSlices", game_->options().slowSlices, -1, -kMostSlicesPerPicture,
+                         kMostSlicesPerPicture);
             break;
         case Action::fasterSlices:
-            changeNumber("slowSlices", game_->options().slowSlices, 1, -kMostSlicesPerPicture, kMostSlicesPerPicture);
+            changeNumber("slowSlices", game_->options().slowSlices, 1, -kMostSlicesPerPicture,
+                         kMostSlicesPerPicture);
             break;
         case Action::intensityUp:
             changeLight("intensity", game_->state().intensity, kIntensityStep);
@@ -251,12 +257,16 @@ void App::changeNumber(const char* option, int now, int by, int least, int great
 void App::changeMinimapLevel(int by) {
     const Eye eye = game_->eye();
     const Map& map = game_->world().maps[static_cast<std::size_t>(eye.map)];
-    changeNumber("minimapLevel", minimapLevel(map, eye, {.level = game_->options().minimapLevel}), by, -1, map.levels - 1);
+    changeNumber("minimapLevel", minimapLevel(map, eye, {.level = game_->options().minimapLevel}),
+                 by, -1, map.levels - 1);
 }
 
-// Light and mirrors, as far as their range goes; from the map's own light where the option has not been set.
+// Light and mirrors, as far as their range goes; from the map's own light where the option has not
+// been set.
 void App::changeLight(const char* option, double now, double by) {
-    const double factor = keys_.isDown(Action::slow) ? kSlowFactor : keys_.isDown(Action::fast) ? kFastFactor : 1.0;
+    const double factor = keys_.isDown(Action::slow)   ? kSlowFactor
+                          : keys_.isDown(Action::fast) ? kFastFactor
+                                                       : 1.0;
     const double wanted = now + by * factor;
     for (const OptionInfo& info : knownOptions()) {
         if (info.name != std::string_view(option)) continue;
@@ -278,7 +288,8 @@ void App::look(double right, double down) {
     turnDegrees_ += right * degreesPerPixel_;
 
     // The same movement carries the middle of the picture as many pixels up or down as sideways.
-    const double distanceHeights = 0.5 * width_ / height_ / tanDegrees(0.5 * game_->options().render.fovDegrees);
+    const double distanceHeights =
+        0.5 * width_ / height_ / tanDegrees(0.5 * game_->options().render.fovDegrees);
     const double up = (invert_ ? down : -down) * degreesPerPixel_;
     lookHeights_ += tanDegrees(std::clamp(up, -45.0, 45.0)) * distanceHeights;
 }
@@ -313,7 +324,7 @@ void App::setGamepad(const Gamepad& gamepad) {
     if ((pressed & kPadPause) != 0) act(Action::pause);
 }
 
-// ------------------------------------------------------------------------------------------------------------ frames
+// ---- frames
 
 Input App::takeInput() {
     Input input = keys_.takeInput();
@@ -343,7 +354,9 @@ void App::tellPortal() {
     const Player& before = game_->beforeStep();
     const Player& now = game_->player();
     if (before.leaps == now.leaps) return;
-    const auto nameOf = [&](int map) -> const std::string& { return game_->world().maps[static_cast<std::size_t>(map)].name; };
+    const auto nameOf = [&](int map) -> const std::string& {
+        return game_->world().maps[static_cast<std::size_t>(map)].name;
+    };
     shell_.tellPortal(nameOf(before.map), nameOf(now.map));
 }
 
@@ -363,7 +376,8 @@ bool App::draw(double nowSeconds) {
 
     // A surface of the picture's size
     if (!surface_ || surface_->w != width_ || surface_->h != height_) {
-        surface_.reset(SDL_CreateRGBSurfaceWithFormat(0, width_, height_, 32, SDL_PIXELFORMAT_RGBA32));
+        surface_.reset(
+            SDL_CreateRGBSurfaceWithFormat(0, width_, height_, 32, SDL_PIXELFORMAT_RGBA32));
         if (!surface_) return false;
         SDL_SetSurfaceBlendMode(surface_.get(), SDL_BLENDMODE_NONE);
         shell_.tellSize(width_, height_);
@@ -371,7 +385,8 @@ bool App::draw(double nowSeconds) {
 
     // The picture; while paused, of the last step itself
     const double fraction = paused_ ? 1.0 : clock_.fraction();
-    const Picture picture = {static_cast<Pixel*>(surface_->pixels), width_, height_, surface_->pitch / static_cast<int>(sizeof(Pixel))};
+    const Picture picture = {static_cast<Pixel*>(surface_->pixels), width_, height_,
+                             surface_->pitch / static_cast<int>(sizeof(Pixel))};
     const double begin = shell_.nowSeconds();
     if (!game_->draw(picture, fraction)) return false;
     const double end = shell_.nowSeconds();
@@ -386,12 +401,17 @@ bool App::draw(double nowSeconds) {
     return true;
 }
 
-// Modes change by keys, by the page and by themselves (a body that is not free flies), so they are compared.
+// Modes change by keys, by the page and by themselves (a body that is not free flies), so they are
+// compared.
 void App::tellChanges() {
     if (!game_) return;
-    if (std::exchange(toldFly_, game_->player().flying) != game_->player().flying) shell_.tell(News::fly, toldFly_);
-    const bool hasOverlay = std::any_of(kSwitches.begin(), kSwitches.end(), [&](const Switch& one) { return game_->options().*one.value; });
-    if (std::exchange(toldOverlay_, hasOverlay) != hasOverlay) shell_.tell(News::overlay, hasOverlay);
+    if (std::exchange(toldFly_, game_->player().flying) != game_->player().flying)
+        shell_.tell(News::fly, toldFly_);
+    const bool hasOverlay = std::any_of(kSwitches.begin(), kSwitches.end(), [&](const Switch& one) {
+        return game_->options().*one.value;
+    });
+    if (std::exchange(toldOverlay_, hasOverlay) != hasOverlay)
+        shell_.tell(News::overlay, hasOverlay);
 }
 
 }  // namespace slicecast

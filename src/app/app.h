@@ -1,4 +1,5 @@
-// The program: plays one game at a time on one screen. It turns keys, mouse and time into steps of the session and draws the view into an SDL surface.
+// The program: plays one game at a time on one screen. It turns keys, mouse and time into steps of
+// the session and draws the view into an SDL surface.
 //
 //     App app(shell);
 //     app.play(std::make_unique<Session>(std::move(world)));
@@ -39,7 +40,8 @@ public:
     // Ends it: what has been recorded, or nothing.
     std::optional<Recording> takeRecording();
 
-    // Plays a recording in the game, which has just begun. Whoever moves takes over, but not by the mouse alone.
+    // Plays a recording in the game, which has just begun. Whoever moves takes over, but not by the
+    // mouse alone.
     void replay(Recording recording);
     const Replay* replayed() const { return replay_ ? &*replay_ : nullptr; }
 
@@ -54,26 +56,30 @@ public:
     // Nobody sees the screen: time stands still, no pictures are drawn, no key is held.
     void setHidden(bool hidden);
 
-    // Mouse look: degrees for each pixel that the mouse moves (at most 0.5), and whether forward looks down.
+    // Mouse look: degrees for each pixel that the mouse moves (at most 0.5), and whether forward
+    // looks down.
     void setMouse(double degreesPerPixel, bool invert);
 
     void keyDown(const Key& key, bool repeated);
     void keyUp(const Key& key);
     void releaseKeys();
 
-    // The mouse has moved, in pixels of the screen: right and down are positive. Only while it looks around.
+    // The mouse has moved, in pixels of the screen: right and down are positive. Only while it
+    // looks around.
     void pointerMoved(double right, double down);
     void pointerHeld(bool held);
     bool holdsPointer() const { return pointerHeld_; }
 
-    // A finger has dragged the picture, in pixels of the screen: like the mouse, whether held or not.
+    // A finger has dragged the picture, in pixels of the screen: like the mouse, whether held or
+    // not.
     void dragged(double right, double down);
     // What thumbs on the screen hold down, until they hold down something else.
     void setThumbs(const Input& held) { thumbs_ = held; }
     // A gamepad as it is now. Without one, Gamepad().
     void setGamepad(const Gamepad& gamepad);
 
-    // The cursor's place in the picture turns and looks (see cursorInput), for where the mouse cannot be held, until the focus is lost.
+    // The cursor's place in the picture turns and looks (see cursorInput), for where the mouse
+    // cannot be held, until the focus is lost.
     void setCursorSteering(bool on);
     bool cursorSteers() const { return cursorSteers_; }
     void cursorAt(double x, double y);
@@ -85,11 +91,12 @@ public:
     // Something has changed what is to be seen, so a picture is drawn even while paused.
     void redraw();
 
-    // Whether there is anything for frame() to do. It becomes true only by calls of the shell's, which is then asked for a frame.
+    // Whether there is anything for frame() to do. It becomes true only by calls of the shell's,
+    // which is then asked for a frame.
     bool wantsFrame() const { return game_ && !hidden_ && (stale_ || !paused_); }
 
-    // Plays the steps that are due and draws. True if there is a new picture on the screen. The time is of the clock of Shell::nowSeconds: the moment for
-    // which the picture is meant.
+    // Plays the steps that are due and draws. True if there is a new picture on the screen. The
+    // time is of the clock of Shell::nowSeconds: the moment for which the picture is meant.
     bool frame(double nowSeconds);
 
 private:

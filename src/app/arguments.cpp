@@ -16,8 +16,12 @@ namespace {
 std::optional<Size> readSize(const std::string& text) {
     Size size;
     int end = 0;
-    if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &end) != 2 || end != static_cast<int>(text.size())) return std::nullopt;
-    if (size.width < 1 || size.height < 1 || size.width > kLargestPictureSide || size.height > kLargestPictureSide) return std::nullopt;
+    if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &end) != 2 ||
+        end != static_cast<int>(text.size()))
+        return std::nullopt;
+    if (size.width < 1 || size.height < 1 || size.width > kLargestPictureSide ||
+        size.height > kLargestPictureSide)
+        return std::nullopt;
     return size;
 }
 
@@ -40,18 +44,35 @@ ReadArguments readArguments(int argc, char** argv) {
     std::string size;
     std::string fov;
     std::vector<std::string> options;
-    cli.add_option("SCENE", arguments.scene, "scene file to open; without one, the opening scene that comes with the program");
-    CLI::Option* map = cli.add_option("--map", arguments.map, "map to begin in, flying over its middle, instead of where the scene starts")->type_name("NAME");
-    cli.add_option("--record", arguments.record, "file to write what is played to, when the window is closed or F9 is pressed")->type_name("FILE");
-    cli.add_option("--replay", arguments.replay, "recording to play; who moves takes over")->type_name("FILE")->excludes(map);
-    cli.add_option("--size", size, "size of the picture in pixels; without it, the picture fills the window")
+    cli.add_option(
+        "SCENE", arguments.scene,
+        "scene file to open; without one, the opening scene that comes with the program");
+    CLI::Option* map =
+        cli.add_option("--map", arguments.map,
+                       "map to begin in, flying over its middle, instead of where the scene starts")
+            ->type_name("NAME");
+    cli.add_option("--record", arguments.record,
+                   "file to write what is played to, when the window is closed or F9 is pressed")
+        ->type_name("FILE");
+    cli.add_option("--replay", arguments.replay, "recording to play; who moves takes over")
+        ->type_name("FILE")
+        ->excludes(map);
+    cli.add_option("--size", size,
+                   "size of the picture in pixels; without it, the picture fills the window")
         ->type_name("WxH")
-        ->check([](const std::string& text) { return readSize(text) ? std::string() : "\"" + text + "\" is no size; expected WxH, 1x1 to 4096x4096"; });
-    cli.add_option("--fov", fov, "field of view from left to right, in degrees")->type_name("DEGREES");
+        ->check([](const std::string& text) {
+            return readSize(text) ? std::string()
+                                  : "\"" + text + "\" is no size; expected WxH, 1x1 to 4096x4096";
+        });
+    cli.add_option("--fov", fov, "field of view from left to right, in degrees")
+        ->type_name("DEGREES");
     cli.add_flag("--fullscreen", arguments.window.fullscreen, "fill the screen");
-    cli.add_option("--set", options, "set an option of the view")->type_name("OPTION=VALUE")->check([](const std::string& text) {
-        return text.find('=') != std::string::npos ? std::string() : "\"" + text + "\" is not OPTION=VALUE";
-    });
+    cli.add_option("--set", options, "set an option of the view")
+        ->type_name("OPTION=VALUE")
+        ->check([](const std::string& text) {
+            return text.find('=') != std::string::npos ? std::string()
+                                                       : "\"" + text + "\" is not OPTION=VALUE";
+        });
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

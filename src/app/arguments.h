@@ -21,7 +21,8 @@ struct Arguments {
     std::vector<std::pair<std::string, std::string>> options;  // name and value
 };
 
-// The arguments, or the exit status where there is nothing to play (help, a fault; both have been printed).
+// The arguments, or the exit status where there is nothing to play (help, a fault; both have been
+// printed).
 struct ReadArguments {
     std::optional<Arguments> arguments;
     int exitStatus = 0;

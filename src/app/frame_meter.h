@@ -11,7 +11,8 @@ struct FrameRates {
 
 class FrameMeter {
 public:
-    // One picture was drawn. True twice a second: then `rates` is new, over the time since it was last.
+    // One picture was drawn. True twice a second: then `rates` is new, over the time since it was
+    // last.
     bool add(double nowSeconds, double drawSeconds);
 
     // A gap follows that is not to count (a pause).

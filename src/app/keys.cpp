@@ -167,8 +167,12 @@ bool HeldKeys::isDown(Action action) const {
 }
 
 Input HeldKeys::takeInput() {
-    const auto active = [this](Action action) { return count_[index(action)] > 0 || pressed_[index(action)]; };
-    const auto axis = [active](Action positive, Action negative) { return (active(positive) ? 1.0 : 0.0) - (active(negative) ? 1.0 : 0.0); };
+    const auto active = [this](Action action) {
+        return count_[index(action)] > 0 || pressed_[index(action)];
+    };
+    const auto axis = [active](Action positive, Action negative) {
+        return (active(positive) ? 1.0 : 0.0) - (active(negative) ? 1.0 : 0.0);
+    };
     Input input;
     input.forward = axis(Action::forward, Action::back);
     input.strafe = axis(Action::strafeRight, Action::strafeLeft);

@@ -1,7 +1,8 @@
 // The keys: which key does what, the text that says so, and the keys held down as a step's input.
 //
-// A key is known by its position (the scancode, in a page KeyboardEvent.code), not by the letter printed on it, so W A S D are the same four keys on
-// every keyboard. One table serves the program, the help text and the page.
+// A key is known by its position (the scancode, in a page KeyboardEvent.code), not by the letter
+// printed on it, so W A S D are the same four keys on every keyboard. One table serves the program,
+// the help text and the page.
 #pragma once
 
 #include "session/input.h"
@@ -98,7 +99,8 @@ std::span<const KeyHelp> keyHelp();
 const Key* findKey(SDL_Scancode scancode);
 const Key* findKeyByCode(std::string_view code);
 
-// The held keys. Two keys may stand for one action; it lasts until both are up. A press shorter than a step still counts for one.
+// The held keys. Two keys may stand for one action; it lasts until both are up. A press shorter
+// than a step still counts for one.
 class HeldKeys {
 public:
     void press(const Key& key);

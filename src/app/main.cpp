@@ -21,7 +21,8 @@ namespace {
 std::unique_ptr<Session> openGame(const std::filesystem::path& scene) {
     LoadedScene loaded = readSceneFile(scene);
     for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
-    for (const Fault& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+    for (const Fault& warning : loaded.warnings)
+        std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
     return loaded.world ? std::make_unique<Session>(std::move(*loaded.world)) : nullptr;
 }
 
@@ -37,8 +38,10 @@ std::string applyArguments(Session& game, const Arguments& arguments) {
     for (std::size_t i = 0; i < maps.size(); ++i) {
         names += (i > 0 ? ", \"" : "\"") + maps[i].name + '"';
         if (maps[i].name != arguments.map) continue;
-        const Eye eye = {static_cast<int>(i), toCoordinate(0.5 * maps[i].width), toCoordinate(0.5 * maps[i].depth), toCoordinate(maps[i].levels + 0.5)};
-        return game.setEye(eye) ? std::string() : "nobody can be in the map \"" + arguments.map + '"';
+        const Eye eye = {static_cast<int>(i), toCoordinate(0.5 * maps[i].width),
+                         toCoordinate(0.5 * maps[i].depth), toCoordinate(maps[i].levels + 0.5)};
+        return game.setEye(eye) ? std::string()
+                                : "nobody can be in the map \"" + arguments.map + '"';
     }
     return "there is no map \"" + arguments.map + "\"; expected " + names;
 }
@@ -56,7 +59,8 @@ int fail(const std::string& fault) {
 std::optional<Recording> openRecording(const std::filesystem::path& file) {
     const std::optional<std::string> text = readText(file);
     if (!text) {
-        std::fprintf(stderr, "%s: found no file that can be read, expected a recording\n", file.string().c_str());
+        std::fprintf(stderr, "%s: found no file that can be read, expected a recording\n",
+                     file.string().c_str());
         return std::nullopt;
     }
     ReadRecording read = readRecording(*text, file.string());
@@ -111,14 +115,19 @@ int main(int argc, char** argv) {
         replay = openRecording(arguments.replay);
         if (!replay) return 1;
         if (scene.empty()) scene = findScene(replay->scene, arguments.replay, programFolder());
-        if (scene.empty()) return fail("the recording's scene, \"" + replay->scene + "\", is nowhere; name its file: slicecast SCENE.json --replay FILE");
+        if (scene.empty())
+            return fail("the recording's scene, \"" + replay->scene +
+                        "\", is nowhere; name its file: slicecast SCENE.json --replay FILE");
         if (scene.stem() != replay->scene) {
-            return fail("--replay: found a recording of the scene \"" + replay->scene + "\", expected one of \"" + scene.stem().string() + "\"");
+            return fail("--replay: found a recording of the scene \"" + replay->scene +
+                        "\", expected one of \"" + scene.stem().string() + "\"");
         }
     }
     if (scene.empty()) {
         scene = findOpeningScene(programFolder());
-        if (scene.empty()) return fail("the scenes that come with it are not there; give it one: slicecast SCENE.json");
+        if (scene.empty())
+            return fail(
+                "the scenes that come with it are not there; give it one: slicecast SCENE.json");
     }
     std::unique_ptr<Session> game = openGame(scene);
     if (!game) return 1;

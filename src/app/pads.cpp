@@ -38,7 +38,9 @@ Input cursorInput(double x, double y) {
 }
 
 Input gamepadInput(const Gamepad& gamepad) {
-    const auto isDown = [&](GamepadButton button) { return (gamepad.buttons & button) != 0 ? 1.0 : 0.0; };
+    const auto isDown = [&](GamepadButton button) {
+        return (gamepad.buttons & button) != 0 ? 1.0 : 0.0;
+    };
     const Stick left = pastDeadZone(gamepad.left, kStickDeadZone);
     const Stick right = pastDeadZone(gamepad.right, kStickDeadZone);
     Input input;
@@ -46,7 +48,8 @@ Input gamepadInput(const Gamepad& gamepad) {
     input.strafe = axis(left.x + isDown(kPadRight) - isDown(kPadLeft));
     input.turn = right.x;
     input.look = -right.y;
-    input.fly = axis(pastDeadZone(gamepad.rightTrigger, kTriggerDeadZone) - pastDeadZone(gamepad.leftTrigger, kTriggerDeadZone) - isDown(kPadCrouch));
+    input.fly = axis(pastDeadZone(gamepad.rightTrigger, kTriggerDeadZone) -
+                     pastDeadZone(gamepad.leftTrigger, kTriggerDeadZone) - isDown(kPadCrouch));
     input.jump = isDown(kPadJump) > 0.0;
     input.fast = isDown(kPadFast) > 0.0;
     input.slow = isDown(kPadSlow) > 0.0;
@@ -71,8 +74,9 @@ Input together(const Input& a, const Input& b) {
 }
 
 bool isAnything(const Input& input) {
-    return input.forward != 0.0 || input.strafe != 0.0 || input.turn != 0.0 || input.look != 0.0 || input.fly != 0.0 || input.turnDegrees != 0.0 ||
-           input.lookHeights != 0.0 || input.jump || input.use || input.open || input.close;
+    return input.forward != 0.0 || input.strafe != 0.0 || input.turn != 0.0 || input.look != 0.0 ||
+           input.fly != 0.0 || input.turnDegrees != 0.0 || input.lookHeights != 0.0 || input.jump ||
+           input.use || input.open || input.close;
 }
 
 }  // namespace slicecast

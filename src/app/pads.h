@@ -1,13 +1,16 @@
-// What is not a key as a step's input: a gamepad, thumbs on a screen, the cursor's place in the picture. Sticks and the cursor have a dead zone: what lies
-// within it is rest, and the rest of the way is stretched, so that nothing jumps at its edge.
+// What is not a key as a step's input: a gamepad, thumbs on a screen, the cursor's place in the
+// picture. Sticks and the cursor have a dead zone: what lies within it is rest, and the rest of the
+// way is stretched, so that nothing jumps at its edge.
 #pragma once
 
 #include "session/input.h"
 
 namespace slicecast {
 
-inline constexpr double kCursorDeadZone = 0.2;    // of the way from the middle of the picture to its edge
-inline constexpr double kStickDeadZone = 0.15;    // of a stick's way; worn sticks rest off their middle
+inline constexpr double kCursorDeadZone =
+    0.2;  // of the way from the middle of the picture to its edge
+inline constexpr double kStickDeadZone =
+    0.15;  // of a stick's way; worn sticks rest off their middle
 inline constexpr double kTriggerDeadZone = 0.08;  // of a trigger's way
 
 // From -1 to 1: 0 within the zone, then rising evenly to 1 at 1.
@@ -22,7 +25,8 @@ struct Stick {
 // The same for a stick, whose zone is round; it is never further out than 1.
 Stick pastDeadZone(Stick stick, double zone);
 
-// The notes' mouse: left and right turn, up and down look. The cursor is at -1 to 1 from the middle to the right and bottom edges.
+// The notes' mouse: left and right turn, up and down look. The cursor is at -1 to 1 from the middle
+// to the right and bottom edges.
 Input cursorInput(double x, double y);
 
 // Gamepad buttons as the web's standard gamepad numbers them; bit n is button n.

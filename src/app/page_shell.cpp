@@ -9,14 +9,15 @@
 #include <cstdint>
 #include <memory>
 
-// ---------------------------------------------------------------------------------------------- what only JavaScript can
+// ---- what only JavaScript can
 
 // web/engine-module.js has them all.
 #define SLICECAST_PAGE(name) __attribute__((import_module("page"), import_name(name)))
 
 extern "C" {
 
-// The canvas is heard from now on. `code` has room for the longest name of a key that the program knows. 0 if there is none.
+// The canvas is heard from now on. `code` has room for the longest name of a key that the program
+// knows. 0 if there is none.
 SLICECAST_PAGE("openCanvas") int slicecastOpenCanvas(char* code, int codeBytes);
 SLICECAST_PAGE("closeCanvas") void slicecastCloseCanvas(void);
 // Milliseconds on the clock of the browser's frames.
@@ -28,7 +29,9 @@ SLICECAST_PAGE("forgetFrame") void slicecastForgetFrame(int frame);
 SLICECAST_PAGE("tell") void slicecastTell(int news, int yes);
 SLICECAST_PAGE("tellShown") void slicecastTellShown(int moved);
 SLICECAST_PAGE("tellPortal") void slicecastTellPortal(const char* from, const char* to);
-SLICECAST_PAGE("tellRates") void slicecastTellRates(double framesPerSecond, double drawMilliseconds, double longestMilliseconds);
+SLICECAST_PAGE("tellRates")
+void slicecastTellRates(double framesPerSecond, double drawMilliseconds,
+                        double longestMilliseconds);
 SLICECAST_PAGE("tellSize") void slicecastTellSize(int width, int height);
 SLICECAST_PAGE("tellHits") void slicecastTellHits(const char* json);
 
@@ -48,20 +51,26 @@ class PageShell : public Shell {
 public:
     double nowSeconds() const override { return slicecastNow() * 0.001; }
     void show(SDL_Surface& picture) override {
-        slicecastShowPixels(static_cast<uint32_t>(reinterpret_cast<std::uintptr_t>(picture.pixels)), picture.w, picture.h);
+        slicecastShowPixels(static_cast<uint32_t>(reinterpret_cast<std::uintptr_t>(picture.pixels)),
+                            picture.w, picture.h);
     }
     void askForFrame() override;
     void tell(News news, bool yes) override { slicecastTell(static_cast<int>(news), yes); }
     void tellShown(bool moved) override { slicecastTellShown(moved); }
-    void tellPortal(const std::string& from, const std::string& to) override { slicecastTellPortal(from.c_str(), to.c_str()); }
-    void tellRates(const FrameRates& rates) override { slicecastTellRates(rates.framesPerSecond, rates.drawMilliseconds, rates.longestMilliseconds); }
+    void tellPortal(const std::string& from, const std::string& to) override {
+        slicecastTellPortal(from.c_str(), to.c_str());
+    }
+    void tellRates(const FrameRates& rates) override {
+        slicecastTellRates(rates.framesPerSecond, rates.drawMilliseconds,
+                           rates.longestMilliseconds);
+    }
     void tellSize(int width, int height) override { slicecastTellSize(width, height); }
     void tellHits(const std::string& json) override { slicecastTellHits(json.c_str()); }
     void leave() override { slicecastLeaveCanvas(); }
 
     bool isOpen = false;
     std::array<char, 32> code{};  // of the key that is told
-    int frame = 0;                // the browser's number of the frame that was asked for; 0 where none was
+    int frame = 0;  // the browser's number of the frame that was asked for; 0 where none was
 };
 
 PageShell& shell() {
@@ -69,10 +78,11 @@ PageShell& shell() {
     return theShell;
 }
 
-// ------------------------------------------------------------------------------------------------- keys and mouse
+// ---- keys and mouse
 
 bool isArrow(Action action) {
-    return action == Action::turnLeft || action == Action::turnRight || action == Action::lookUp || action == Action::lookDown;
+    return action == Action::turnLeft || action == Action::turnRight || action == Action::lookUp ||
+           action == Action::lookDown;
 }
 
 void PageShell::askForFrame() {
@@ -159,7 +169,8 @@ void renewPageProgram() {
 
 bool beginPageProgram() {
     if (shell().isOpen) return true;
-    if (!slicecastOpenCanvas(shell().code.data(), static_cast<int>(shell().code.size()))) return false;
+    if (!slicecastOpenCanvas(shell().code.data(), static_cast<int>(shell().code.size())))
+        return false;
     // The first picture is drawn at once.
     shell().isOpen = true;
     slicecastFrame(slicecastNow());

@@ -30,8 +30,8 @@ std::string textOf(const std::vector<std::uint8_t>& bytes) {
     return {bytes.begin(), bytes.end()};
 }
 
-// The list of scenes is [{"file": "NAME.json", ...}, ...], the opening scene first; file names need no escapes. So the first text after the first "file" is
-// the one.
+// The list of scenes is [{"file": "NAME.json", ...}, ...], the opening scene first; file names need
+// no escapes. So the first text after the first "file" is the one.
 std::string firstFile(const std::string& list) {
     std::size_t at = list.find("\"file\"");
     if (at == std::string::npos) return {};
@@ -57,16 +57,19 @@ LoadedScene readSceneFile(const std::filesystem::path& scene) {
     const ParsedScene parsed = parseScene(textOf(*text), scene.string());
     SceneFiles files;
     for (const std::string& name : parsed.files) {
-        if (auto bytes = readBytes(scene.parent_path() / name)) files.emplace(name, std::move(*bytes));
+        if (auto bytes = readBytes(scene.parent_path() / name))
+            files.emplace(name, std::move(*bytes));
     }
     if (!parsed.description) return {std::nullopt, parsed.faults};
     return loadScene(parsed, files);
 }
 
-std::filesystem::path findScene(const std::string& name, const std::filesystem::path& recording, const std::filesystem::path& programFolder) {
+std::filesystem::path findScene(const std::string& name, const std::filesystem::path& recording,
+                                const std::filesystem::path& programFolder) {
     std::error_code fault;
     const std::filesystem::path beside = recording.parent_path() / ".." / "scenes";
-    for (const std::filesystem::path& folder : {beside, programFolder / kShippedScenes[0], programFolder / kShippedScenes[1]}) {
+    for (const std::filesystem::path& folder :
+         {beside, programFolder / kShippedScenes[0], programFolder / kShippedScenes[1]}) {
         const std::filesystem::path scene = folder / (name + ".json");
         if (std::filesystem::is_regular_file(scene, fault)) return scene.lexically_normal();
     }

@@ -1,5 +1,6 @@
-// The place in which the program runs: a window of the desktop or the canvas of a page. The program hands it pictures and tells it what happens; it calls
-// the program with keys, the mouse and time (see app.h).
+// The place in which the program runs: a window of the desktop or the canvas of a page. The program
+// hands it pictures and tells it what happens; it calls the program with keys, the mouse and time
+// (see app.h).
 #pragma once
 
 #include "app/frame_meter.h"
@@ -10,7 +11,8 @@
 
 namespace slicecast {
 
-// What happens in the program, each with a yes or no. web/engine-module.js names them in this order.
+// What happens in the program, each with a yes or no. web/engine-module.js names them in this
+// order.
 enum class News {
     ready,       // the first picture is on the screen
     pause,       // play stands still, or goes on

@@ -58,9 +58,11 @@ std::string WindowShell::open(App& app, const std::string& title) {
     const Size size = settings_.picture.value_or(kFirstWindow);
     const Uint32 flags = SDL_WINDOW_RESIZABLE | (settings_.fullscreen ? kFullscreen : 0u);
     title_ = title;
-    window_.reset(SDL_CreateWindow(shownTitle().c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width, size.height, flags));
+    window_.reset(SDL_CreateWindow(shownTitle().c_str(), SDL_WINDOWPOS_CENTERED,
+                                   SDL_WINDOWPOS_CENTERED, size.width, size.height, flags));
     if (!window_) return sdlFault("no window could be opened");
-    if (SDL_GetWindowSurface(window_.get()) == nullptr) return sdlFault("the window cannot be drawn on");
+    if (SDL_GetWindowSurface(window_.get()) == nullptr)
+        return sdlFault("the window cannot be drawn on");
     SDL_StopTextInput();
     // Without gamepads there are the keys.
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
@@ -68,10 +70,13 @@ std::string WindowShell::open(App& app, const std::string& title) {
     return {};
 }
 
-void WindowShell::run(const std::function<void(const std::filesystem::path&)>& dropped, const std::function<void()>& record) {
+void WindowShell::run(const std::function<void(const std::filesystem::path&)>& dropped,
+                      const std::function<void()>& record) {
     SDL_DisplayMode mode = {};
     const int display = std::max(0, SDL_GetWindowDisplayIndex(window_.get()));
-    const int rate = SDL_GetCurrentDisplayMode(display, &mode) == 0 && mode.refresh_rate > 0 ? mode.refresh_rate : kUsualRate;
+    const int rate = SDL_GetCurrentDisplayMode(display, &mode) == 0 && mode.refresh_rate > 0
+                         ? mode.refresh_rate
+                         : kUsualRate;
     running_ = true;
     double due = nowSeconds();
     while (running_) {
@@ -110,10 +115,11 @@ std::string WindowShell::shownTitle() const {
 }
 
 double WindowShell::nowSeconds() const {
-    return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency());
+    return static_cast<double>(SDL_GetPerformanceCounter()) /
+           static_cast<double>(SDL_GetPerformanceFrequency());
 }
 
-// ----------------------------------------------------------------------------------------------------------- pictures
+// ---- pictures
 
 Size WindowShell::windowSize() const {
     Size size;
@@ -122,17 +128,20 @@ Size WindowShell::windowSize() const {
 }
 
 void WindowShell::fitPicture() {
-    const Fit fit = settings_.picture ? letterbox(*settings_.picture, windowSize()) : fillWindow(windowSize());
+    const Fit fit =
+        settings_.picture ? letterbox(*settings_.picture, windowSize()) : fillWindow(windowSize());
     place_ = fit.place;
     app_->resize(fit.picture.width, fit.picture.height);
 }
 
 // What a page shows beside the picture stands on it here.
 void WindowShell::drawPanels(SDL_Surface& surface) const {
-    const Picture picture = {static_cast<Pixel*>(surface.pixels), surface.w, surface.h, surface.pitch / static_cast<int>(sizeof(Pixel))};
+    const Picture picture = {static_cast<Pixel*>(surface.pixels), surface.w, surface.h,
+                             surface.pitch / static_cast<int>(sizeof(Pixel))};
     if (showsRate_) {
         char text[64];
-        std::snprintf(text, sizeof text, "%.0f frames/s\n%.1f ms to draw", rates_.framesPerSecond, rates_.drawMilliseconds);
+        std::snprintf(text, sizeof text, "%.0f frames/s\n%.1f ms to draw", rates_.framesPerSecond,
+                      rates_.drawMilliseconds);
         drawTextPanel(picture, Anchor::top, text);
     }
     if (showsHelp_) {
@@ -150,7 +159,8 @@ void WindowShell::show(SDL_Surface& picture) {
     drawPanels(picture);
     SDL_Surface* screen = SDL_GetWindowSurface(window_.get());
     if (screen == nullptr) return;
-    const bool covered = place_.x <= 0 && place_.y <= 0 && place_.w >= screen->w && place_.h >= screen->h;
+    const bool covered =
+        place_.x <= 0 && place_.y <= 0 && place_.w >= screen->w && place_.h >= screen->h;
     if (!covered) SDL_FillRect(screen, nullptr, SDL_MapRGB(screen->format, 0, 0, 0));
     SDL_Rect place = place_;
     SDL_BlitScaled(&picture, nullptr, screen, &place);
@@ -194,7 +204,7 @@ void WindowShell::tell(News news, bool yes) {
     }
 }
 
-// ------------------------------------------------------------------------------------------------------------- events
+// ---- events
 
 void WindowShell::leave() {
     if (app_->holdsPointer()) {
@@ -225,7 +235,8 @@ void WindowShell::handle(const SDL_Event& event) {
         case SDL_KEYDOWN:
             // With Alt or the system's key they are the desktop's.
             if ((event.key.keysym.mod & (KMOD_ALT | KMOD_GUI)) != 0) break;
-            if (const Key* key = findKey(event.key.keysym.scancode)) app_->keyDown(*key, event.key.repeat != 0);
+            if (const Key* key = findKey(event.key.keysym.scancode))
+                app_->keyDown(*key, event.key.repeat != 0);
             break;
         case SDL_KEYUP:
             if (const Key* key = findKey(event.key.keysym.scancode)) app_->keyUp(*key);
@@ -235,7 +246,8 @@ void WindowShell::handle(const SDL_Event& event) {
             break;
         case SDL_MOUSEMOTION:
             app_->pointerMoved(event.motion.xrel, event.motion.yrel);
-            app_->cursorAt(2.0 * event.motion.x / windowSize().width - 1.0, 2.0 * event.motion.y / windowSize().height - 1.0);
+            app_->cursorAt(2.0 * event.motion.x / windowSize().width - 1.0,
+                           2.0 * event.motion.y / windowSize().height - 1.0);
             break;
         case SDL_CONTROLLERDEVICEADDED:
             gamepad_.reset(SDL_GameControllerOpen(event.cdevice.which));
@@ -256,14 +268,17 @@ void WindowShell::handle(const SDL_Event& event) {
 }
 
 void WindowShell::readGamepad() {
-    const auto axis = [&](SDL_GameControllerAxis which) { return std::max(-1.0, SDL_GameControllerGetAxis(gamepad_.get(), which) / 32767.0); };
+    const auto axis = [&](SDL_GameControllerAxis which) {
+        return std::max(-1.0, SDL_GameControllerGetAxis(gamepad_.get(), which) / 32767.0);
+    };
     Gamepad now;
     now.left = {axis(SDL_CONTROLLER_AXIS_LEFTX), axis(SDL_CONTROLLER_AXIS_LEFTY)};
     now.right = {axis(SDL_CONTROLLER_AXIS_RIGHTX), axis(SDL_CONTROLLER_AXIS_RIGHTY)};
     now.leftTrigger = axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT);
     now.rightTrigger = axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
     for (const PadButton& pad : kPadButtons) {
-        if (SDL_GameControllerGetButton(gamepad_.get(), pad.button) != 0) now.buttons |= pad.meaning;
+        if (SDL_GameControllerGetButton(gamepad_.get(), pad.button) != 0)
+            now.buttons |= pad.meaning;
     }
     app_->setGamepad(now);
 }

@@ -1,7 +1,8 @@
 // The program in a window of the desktop.
 //
-// The window can have any size. Without a size of its own the picture fills it, enlarged by a whole number on large screens; with one it stands in the
-// middle, enlarged by a whole number, with black around it.
+// The window can have any size. Without a size of its own the picture fills it, enlarged by a whole
+// number on large screens; with one it stands in the middle, enlarged by a whole number, with black
+// around it.
 #pragma once
 
 #ifndef __EMSCRIPTEN__
@@ -32,8 +33,10 @@ public:
     // Opens the window. Empty on success, else what was wrong.
     std::string open(App& app, const std::string& title);
 
-    // Plays until the window is closed. `dropped` is called with a file that was dropped on the window, `record` when its key was pressed.
-    void run(const std::function<void(const std::filesystem::path&)>& dropped, const std::function<void()>& record);
+    // Plays until the window is closed. `dropped` is called with a file that was dropped on the
+    // window, `record` when its key was pressed.
+    void run(const std::function<void(const std::filesystem::path&)>& dropped,
+             const std::function<void()>& record);
 
     void setTitle(const std::string& title);
 

@@ -37,8 +37,8 @@ double cosineSeries(double x) {
     return 1.0 + q * sum;
 }
 
-// Arc tangent in radians for 0 <= x <= 1: the argument is halved twice by atan(x) = 2 atan(x / (1 + sqrt(1 + x^2))), which leaves at most 0.2, then
-// the alternating series.
+// Arc tangent in radians for 0 <= x <= 1: the argument is halved twice by atan(x) = 2 atan(x / (1 +
+// sqrt(1 + x^2))), which leaves at most 0.2, then the alternating series.
 double arcTangentSeries(double x) {
     double reduced = x;
     for (int i = 0; i < 2; ++i) reduced = reduced / (1.0 + std::sqrt(1.0 + reduced * reduced));
@@ -66,16 +66,24 @@ SineCosine sineCosineDegrees(double degrees) {
         c = cosineSeries(x);
     }
     switch (quadrant & 3) {
-        case 0: return {s, c};
-        case 1: return {c, -s};
-        case 2: return {-s, -c};
-        default: return {-c, s};  // 3, or -1
+        case 0:
+            return {s, c};
+        case 1:
+            return {c, -s};
+        case 2:
+            return {-s, -c};
+        default:
+            return {-c, s};  // 3, or -1
     }
 }
 
-double sinDegrees(double degrees) { return sineCosineDegrees(degrees).sine; }
+double sinDegrees(double degrees) {
+    return sineCosineDegrees(degrees).sine;
+}
 
-double cosDegrees(double degrees) { return sineCosineDegrees(degrees).cosine; }
+double cosDegrees(double degrees) {
+    return sineCosineDegrees(degrees).cosine;
+}
 
 double tanDegrees(double degrees) {
     const SineCosine both = sineCosineDegrees(degrees);

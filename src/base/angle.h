@@ -1,8 +1,10 @@
-// Sine, cosine, tangent and arc tangent in degrees, with the same bits from every compiler and on every machine.
+// Sine, cosine, tangent and arc tangent in degrees, with the same bits from every compiler and on
+// every machine.
 //
-// The libraries' own functions differ in the last bit from one libc to the next, so these use only + - * / and the exact fmod. Angles are reduced to a
-// quadrant first: a turn by 90 degrees swaps and negates sine and cosine exactly, quarter turns give exactly 0 and +-1, and sine and cosine of 45 degrees are
-// the same number. Error below 3e-16 in sine and cosine.
+// The libraries' own functions differ in the last bit from one libc to the next, so these use only
+// + - * / and the exact fmod. Angles are reduced to a quadrant first: a turn by 90 degrees swaps
+// and negates sine and cosine exactly, quarter turns give exactly 0 and +-1, and sine and cosine of
+// 45 degrees are the same number. Error below 3e-16 in sine and cosine.
 #pragma once
 
 namespace slicecast {

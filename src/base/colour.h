@@ -5,7 +5,8 @@
 
 namespace slicecast {
 
-// A pixel as one 32-bit number whose bytes in memory are R, G, B, A (all supported machines are little-endian).
+// A pixel as one 32-bit number whose bytes in memory are R, G, B, A (all supported machines are
+// little-endian).
 using Pixel = std::uint32_t;
 
 struct Colour {
@@ -18,11 +19,13 @@ struct Colour {
 };
 
 constexpr Pixel toPixel(Colour c) {
-    return static_cast<Pixel>(c.r) | static_cast<Pixel>(c.g) << 8 | static_cast<Pixel>(c.b) << 16 | static_cast<Pixel>(c.a) << 24;
+    return static_cast<Pixel>(c.r) | static_cast<Pixel>(c.g) << 8 | static_cast<Pixel>(c.b) << 16 |
+           static_cast<Pixel>(c.a) << 24;
 }
 
 constexpr Colour toColour(Pixel p) {
-    return {static_cast<std::uint8_t>(p), static_cast<std::uint8_t>(p >> 8), static_cast<std::uint8_t>(p >> 16), static_cast<std::uint8_t>(p >> 24)};
+    return {static_cast<std::uint8_t>(p), static_cast<std::uint8_t>(p >> 8),
+            static_cast<std::uint8_t>(p >> 16), static_cast<std::uint8_t>(p >> 24)};
 }
 
 }  // namespace slicecast

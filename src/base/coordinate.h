@@ -2,8 +2,9 @@
 //
 //     raw = floor(65536 v + 0.5)        tile = raw >> 16        fraction = (raw & 65535) / 65536
 //
-// A coordinate is rounded once, when it is loaded or at the end of a step; sums and differences of coordinates are exact, and so are their values as
-// doubles. x grows east, y grows south, z grows up. Tile i is the half-open interval [i, i + 1).
+// A coordinate is rounded once, when it is loaded or at the end of a step; sums and differences of
+// coordinates are exact, and so are their values as doubles. x grows east, y grows south, z grows
+// up. Tile i is the half-open interval [i, i + 1).
 #pragma once
 
 #include <compare>
@@ -27,9 +28,11 @@ struct Coordinate {
     friend constexpr Coordinate operator-(Coordinate a, Coordinate b) { return {a.raw - b.raw}; }
 };
 
-// The nearest coordinate to `units`, halves going up. Values beyond the limit are clamped to it, NaN gives 0.
+// The nearest coordinate to `units`, halves going up. Values beyond the limit are clamped to it,
+// NaN gives 0.
 constexpr Coordinate toCoordinate(double units) {
-    if (!(units > -kCoordinateLimit)) return units <= -kCoordinateLimit ? Coordinate{-32767 * 65536} : Coordinate{0};
+    if (!(units > -kCoordinateLimit))
+        return units <= -kCoordinateLimit ? Coordinate{-32767 * 65536} : Coordinate{0};
     if (units >= kCoordinateLimit) return {32767 * 65536};
     const double scaled = units * 65536.0 + 0.5;
     auto whole = static_cast<std::int64_t>(scaled);
@@ -37,6 +40,8 @@ constexpr Coordinate toCoordinate(double units) {
     return {static_cast<std::int32_t>(whole)};
 }
 
-constexpr Coordinate tileEdge(int tile) { return {tile * 65536}; }
+constexpr Coordinate tileEdge(int tile) {
+    return {tile * 65536};
+}
 
 }  // namespace slicecast

@@ -1,4 +1,5 @@
-// A hash of numbers in order, the same on every machine: each is mixed in by the finisher of SplitMix64.
+// A hash of numbers in order, the same on every machine: each is mixed in by the finisher of
+// SplitMix64.
 #pragma once
 
 #include "base/bits.h"

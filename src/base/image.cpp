@@ -8,8 +8,8 @@
 
 namespace {
 
-// A hostile file's compressed data may expand without end, whatever size its picture claims to have. The largest picture that is read takes 8192 x 4096 pixels
-// of 4 bytes, with a byte a row.
+// A hostile file's compressed data may expand without end, whatever size its picture claims to
+// have. The largest picture that is read takes 8192 x 4096 pixels of 4 bytes, with a byte a row.
 constexpr std::size_t kMaxAllocation = 8192ull * 4096 * 4 + 4096;
 
 void* allocateBounded(std::size_t bytes) {
@@ -52,7 +52,8 @@ void* reallocateBounded(void* memory, std::size_t bytes) {
 namespace slicecast {
 namespace {
 
-// Larger files than this cannot be images within the limits; it also keeps the length within stb_image's int.
+// Larger files than this cannot be images within the limits; it also keeps the length within
+// stb_image's int.
 constexpr std::size_t kMaxPngBytes = 64u << 20;
 
 }  // namespace
@@ -68,14 +69,20 @@ std::int64_t pixelsOfPng(std::span<const std::uint8_t> bytes) {
     int width = 0;
     int height = 0;
     int channels = 0;
-    if (bytes.size() > kMaxPngBytes || !stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels)) return 0;
+    if (bytes.size() > kMaxPngBytes ||
+        !stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
+                               &channels))
+        return 0;
     return std::int64_t{width} * height;
 }
 
 DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight) {
     constexpr std::uint8_t kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    if (bytes.size() < sizeof kSignature || std::memcmp(bytes.data(), kSignature, sizeof kSignature) != 0) return {{}, "is not a PNG file"};
-    if (bytes.size() > kMaxPngBytes) return {{}, words("has ", bytes.size(), " bytes; at most ", kMaxPngBytes, " are read")};
+    if (bytes.size() < sizeof kSignature ||
+        std::memcmp(bytes.data(), kSignature, sizeof kSignature) != 0)
+        return {{}, "is not a PNG file"};
+    if (bytes.size() > kMaxPngBytes)
+        return {{}, words("has ", bytes.size(), " bytes; at most ", kMaxPngBytes, " are read")};
 
     const int length = static_cast<int>(bytes.size());
     int width = 0;
@@ -85,7 +92,9 @@ DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int ma
         return {{}, words("is a damaged PNG file (", stbi_failure_reason(), ")")};
     }
     if (width > maxWidth || height > maxHeight) {
-        return {{}, words("is ", width, "x", height, " pixels; at most ", maxWidth, "x", maxHeight, " are read")};
+        return {{},
+                words("is ", width, "x", height, " pixels; at most ", maxWidth, "x", maxHeight,
+                      " are read")};
     }
     stbi_uc* decoded = stbi_load_from_memory(bytes.data(), length, &width, &height, &channels, 4);
     if (!decoded) return {{}, words("is a damaged PNG file (", stbi_failure_reason(), ")")};
@@ -93,7 +102,8 @@ DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int ma
     image.width = width;
     image.height = height;
     const auto* first = reinterpret_cast<const Pixel*>(decoded);
-    image.pixels.assign(first, first + static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    image.pixels.assign(first,
+                        first + static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     stbi_image_free(decoded);
     return {std::move(image), {}};
 }
@@ -102,7 +112,8 @@ std::vector<std::uint8_t> compressed(std::span<const std::uint8_t> bytes) {
     constexpr int kQuality = 32;  // how many earlier places are compared; more make nothing smaller
     int size = 0;
     // It only reads them.
-    unsigned char* packed = stbi_zlib_compress(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()), &size, kQuality);
+    unsigned char* packed = stbi_zlib_compress(const_cast<unsigned char*>(bytes.data()),
+                                               static_cast<int>(bytes.size()), &size, kQuality);
     std::vector<std::uint8_t> result(packed, packed + size);
     std::free(packed);
     return result;
@@ -115,7 +126,8 @@ std::vector<std::uint8_t> encodePng(const Pixel* pixels, int width, int height, 
         const auto* first = static_cast<const std::uint8_t*>(data);
         out->insert(out->end(), first, first + size);
     };
-    stbi_write_png_to_func(append, &bytes, width, height, 4, pixels, pitch * static_cast<int>(sizeof(Pixel)));
+    stbi_write_png_to_func(append, &bytes, width, height, 4, pixels,
+                           pitch * static_cast<int>(sizeof(Pixel)));
     return bytes;
 }
 

@@ -10,7 +10,8 @@ namespace slicecast {
 
 class NameIndex {
 public:
-    // The name's number: this one, or the one that it has already. The name's characters must outlive the index.
+    // The name's number: this one, or the one that it has already. The name's characters must
+    // outlive the index.
     std::uint32_t add(std::string_view name, std::uint32_t number);
     std::optional<std::uint32_t> find(std::string_view name) const;
 

@@ -9,15 +9,17 @@
 namespace slicecast {
 namespace {
 
-constexpr int kMostDigits = 800;  // every double has fewer, and so has every border between two of them
-constexpr int kFewDigits = 40;    // enough for all numbers but those that lie next to a border
-constexpr int kMostShift = 59;    // ten times a number of so many bits fits into 64
+constexpr int kMostDigits =
+    800;  // every double has fewer, and so has every border between two of them
+constexpr int kFewDigits = 40;  // enough for all numbers but those that lie next to a border
+constexpr int kMostShift = 59;  // ten times a number of so many bits fits into 64
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// A decimal, not negative: 0.d0 d1 d2 ... * 10^point, without zeros at the end. It is exact unless it has more digits than are kept.
+// A decimal, not negative: 0.d0 d1 d2 ... * 10^point, without zeros at the end. It is exact unless
+// it has more digits than are kept.
 struct Decimal {
     std::uint8_t digits[kMostDigits];
     int kept = kMostDigits;
@@ -32,7 +34,9 @@ struct Decimal {
             isMore = isMore || digit != 0;
         }
     }
-    char character(int at) const { return static_cast<char>('0' + (at >= 0 && at < count ? digits[at] : 0)); }
+    char character(int at) const {
+        return static_cast<char>('0' + (at >= 0 && at < count ? digits[at] : 0));
+    }
     void trim() {
         while (count > 0 && digits[count - 1] == 0) --count;
         if (count == 0) point = 0;
@@ -55,7 +59,8 @@ void Decimal::setWhole(std::uint64_t number) {
     int length = 0;
     for (std::uint64_t rest = number; rest != 0; rest /= 10) ++length;
     count = point = length;
-    for (std::uint64_t rest = number; rest != 0; rest /= 10) digits[--length] = static_cast<std::uint8_t>(rest % 10);
+    for (std::uint64_t rest = number; rest != 0; rest /= 10)
+        digits[--length] = static_cast<std::uint8_t>(rest % 10);
     trim();
 }
 
@@ -93,7 +98,8 @@ void Decimal::shiftRight(int bits) {
     point -= read - 1;
     count = 0;
     for (;; ++read) {
-        // The digit is written behind those that have been read, since the first of them took at least one.
+        // The digit is written behind those that have been read, since the first of them took at
+        // least one.
         add(static_cast<int>(rest >> bits));
         rest &= (std::uint64_t{1} << bits) - 1;
         if (read >= length && rest == 0) break;
@@ -137,10 +143,12 @@ std::uint64_t Decimal::rounded() const {
     return whole + (roundsUp(point) ? 1 : 0);
 }
 
-// Whether roundsUp might be wrong because digits have been left out: they make up less than 1e-19 of a whole one in all steps of value().
+// Whether roundsUp might be wrong because digits have been left out: they make up less than 1e-19
+// of a whole one in all steps of value().
 bool Decimal::isDoubtful(int at) const {
     if (!isMore || at < 0 || at + 19 > count || digits[at] != 4) return false;
-    return std::all_of(digits + at + 1, digits + at + 19, [](std::uint8_t digit) { return digit == 9; });
+    return std::all_of(digits + at + 1, digits + at + 19,
+                       [](std::uint8_t digit) { return digit == 9; });
 }
 
 // Nothing if so many digits are too few to tell.
@@ -209,7 +217,8 @@ NumberText written(bool isNegative, const Decimal& decimal) {
 NumberText wholeText(std::int64_t number) {
     NumberText text;
     if (number < 0) text.add('-');
-    addWhole(text, number < 0 ? 0 - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number));
+    addWhole(text, number < 0 ? 0 - static_cast<std::uint64_t>(number)
+                              : static_cast<std::uint64_t>(number));
     return text;
 }
 
@@ -226,7 +235,8 @@ NumberText roundedText(double number, int digits) {
 }
 
 NumberText shortestText(double number) {
-    if (std::abs(number) < 1e15 && number == std::floor(number) && !(number == 0.0 && std::signbit(number)))
+    if (std::abs(number) < 1e15 && number == std::floor(number) &&
+        !(number == 0.0 && std::signbit(number)))
         return wholeText(static_cast<std::int64_t>(number));
     const Decimal exact = decimalOf(number);
     for (int digits = 15;; ++digits) {
@@ -252,7 +262,10 @@ NumberText fixedText(double number, int decimals) {
 
 std::optional<double> readNumber(std::string_view text) {
     std::size_t at = 0;
-    const auto next = [&](char wanted) { return at < text.size() && (text[at] == wanted || (wanted == 'e' && text[at] == 'E')) && ++at > 0; };
+    const auto next = [&](char wanted) {
+        return at < text.size() && (text[at] == wanted || (wanted == 'e' && text[at] == 'E')) &&
+               ++at > 0;
+    };
     const bool isNegative = next('-');
     if (!isNegative) next('+');
 
@@ -278,14 +291,17 @@ std::optional<double> readNumber(std::string_view text) {
         const bool isSmall = next('-');
         if (!isSmall) next('+');
         if (at == text.size()) return std::nullopt;
-        std::int64_t exponent = 0;  // no text is long enough to make up for more than a thousand million
-        for (; at < text.size() && isDigit(text[at]); ++at) exponent = std::min<std::int64_t>(1'000'000'000, 10 * exponent + (text[at] - '0'));
+        std::int64_t exponent =
+            0;  // no text is long enough to make up for more than a thousand million
+        for (; at < text.size() && isDigit(text[at]); ++at)
+            exponent = std::min<std::int64_t>(1'000'000'000, 10 * exponent + (text[at] - '0'));
         decimal.point += static_cast<int>(isSmall ? -exponent : exponent);
     }
     if (at != text.size()) return std::nullopt;
     decimal.trim();
 
-    // Up to 15 digits and the powers of ten up to 22 are numbers themselves: one rounding is all that happens.
+    // Up to 15 digits and the powers of ten up to 22 are numbers themselves: one rounding is all
+    // that happens.
     double value;
     const int power = decimal.point - decimal.count;
     if (!decimal.isMore && decimal.count <= 15 && std::abs(power) <= 22) {

@@ -1,5 +1,5 @@
-// Random numbers that are the same on every machine: the SplitMix64 generator (Steele, Lea, Flood 2014). Integers only at heart; `unit` is an exact
-// conversion.
+// Random numbers that are the same on every machine: the SplitMix64 generator (Steele, Lea, Flood
+// 2014). Integers only at heart; `unit` is an exact conversion.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,17 @@ public:
     }
 
     // A whole number in [0, count), count >= 1.
-    constexpr int below(int count) { return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(count) >> 32); }
+    constexpr int below(int count) {
+        return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(count) >> 32);
+    }
 
     // A whole number in [low, high].
     constexpr int between(int low, int high) { return low + below(high - low + 1); }
 
     // A real number in [0, 1), a multiple of 2^-53.
-    constexpr double unit() { return static_cast<double>(next() >> 11) * (1.0 / 9007199254740992.0); }
+    constexpr double unit() {
+        return static_cast<double>(next() >> 11) * (1.0 / 9007199254740992.0);
+    }
 
     constexpr double between(double low, double high) { return low + (high - low) * unit(); }
 

@@ -1,4 +1,5 @@
-// A sort that is little code for each kind of thing: std::sort is written out anew, some kilobytes each time, and what a page loads should be small.
+// A sort that is little code for each kind of thing: std::sort is written out anew, some kilobytes
+// each time, and what a page loads should be small.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +9,8 @@
 
 namespace slicecast {
 
-// Merge sort: what is equal stays in its order. `room` is needed meanwhile, and can be kept where there should be no allocation.
+// Merge sort: what is equal stays in its order. `room` is needed meanwhile, and can be kept where
+// there should be no allocation.
 template <typename Thing, typename Less>
 void mergeSort(std::vector<Thing>& things, std::vector<Thing>& room, Less isBefore) {
     const std::size_t count = things.size();
@@ -20,7 +22,10 @@ void mergeSort(std::vector<Thing>& things, std::vector<Thing>& room, Less isBefo
             const std::size_t aEnd = std::min(a + run, count);
             std::size_t b = aEnd;
             const std::size_t bEnd = std::min(b + run, count);
-            while (to < bEnd) room[to++] = std::move(a < aEnd && (b >= bEnd || !isBefore(things[b], things[a])) ? things[a++] : things[b++]);
+            while (to < bEnd)
+                room[to++] = std::move(a < aEnd && (b >= bEnd || !isBefore(things[b], things[a]))
+                                           ? things[a++]
+                                           : things[b++]);
         }
         things.swap(room);
     }

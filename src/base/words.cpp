@@ -37,7 +37,9 @@ std::string Words::str() const {
 std::string_view write(std::span<char> place, const Words& words) {
     std::size_t length = 0;
     for (const Word& word : words) {
-        word.say([&](std::string_view said) { length += said.copy(place.data() + length, place.size() - length); });
+        word.say([&](std::string_view said) {
+            length += said.copy(place.data() + length, place.size() - length);
+        });
     }
     return {place.data(), length};
 }

@@ -17,7 +17,8 @@
 
 namespace slicecast {
 
-// A number with so many digits behind the point, 0 to 6; and in few digits that give it back (base/number_text.h).
+// A number with so many digits behind the point, 0 to 6; and in few digits that give it back
+// (base/number_text.h).
 struct Fixed {
     double number;
     int decimals;
@@ -34,7 +35,8 @@ struct Counted {
 // A text, which is not copied, or a number.
 class Word {
 public:
-    Word(std::string_view text) : text_(text.data()), kind_(kText), whole_(static_cast<std::int64_t>(text.size())) {}
+    Word(std::string_view text)
+        : text_(text.data()), kind_(kText), whole_(static_cast<std::int64_t>(text.size())) {}
     Word(const std::string& text) : Word(std::string_view(text)) {}
     Word(const NumberText& text) : Word(std::string_view(text)) {}
     Word(const char* text) : text_(text), kind_(kTextToZero) {}
@@ -65,9 +67,12 @@ private:
 // Words that a function takes, and uses before it returns: one, or several in braces.
 class Words {
 public:
-    Words(std::initializer_list<Word> words) : single_(0), count_(words.size()) { first_ = words.begin(); }
+    Words(std::initializer_list<Word> words) : single_(0), count_(words.size()) {
+        first_ = words.begin();
+    }
     template <typename Piece>
-    requires std::constructible_from<Word, const Piece&> Words(const Piece& piece) : single_(piece), first_(&single_), count_(1) {}
+    requires std::constructible_from<Word, const Piece&> Words(const Piece& piece)
+        : single_(piece), first_(&single_), count_(1) {}
     Words(const Words&) = delete;
     Words& operator=(const Words&) = delete;
 

@@ -25,7 +25,8 @@ std::optional<std::int64_t> stepOfMark(const Recording& recording, const std::st
 std::string marksOf(const Recording& recording) {
     std::string names;
     for (const RecordedEntry& entry : recording.entries) {
-        if (const auto* mark = std::get_if<RecordedMark>(&entry)) names += (names.empty() ? " or one of the marks " : ", ") + mark->name;
+        if (const auto* mark = std::get_if<RecordedMark>(&entry))
+            names += (names.empty() ? " or one of the marks " : ", ") + mark->name;
     }
     return names;
 }
@@ -49,10 +50,13 @@ ReadRecording readRecordingFile(const std::string& path) {
 std::string replayUpTo(Session& session, Replay& replay, const std::string& stepOrMark) {
     std::int64_t last = replay.recording().steps;
     if (!stepOrMark.empty()) {
-        const bool isNumber = stepOrMark.size() <= 9 && stepOrMark.find_first_not_of("0123456789") == std::string::npos;
+        const bool isNumber = stepOrMark.size() <= 9 &&
+                              stepOrMark.find_first_not_of("0123456789") == std::string::npos;
         std::optional<std::int64_t> wanted = stepOfMark(replay.recording(), stepOrMark);
         if (isNumber) wanted = std::atoll(stepOrMark.c_str());
-        if (!wanted || *wanted > last) return "found \"" + stepOrMark + "\", expected a step from 0 to " + std::to_string(last) + marksOf(replay.recording());
+        if (!wanted || *wanted > last)
+            return "found \"" + stepOrMark + "\", expected a step from 0 to " +
+                   std::to_string(last) + marksOf(replay.recording());
         last = *wanted;
     }
     while (replay.stepsDone() < last && replay.step(session)) {

@@ -11,7 +11,8 @@ namespace slicecast {
 // The recording, or all faults; a file that cannot be read is one.
 ReadRecording readRecordingFile(const std::string& path);
 
-// Plays it up to a step, given as a number (0 is the start) or by a mark's name, or whole where nothing is given. Empty on success, else what was wrong.
+// Plays it up to a step, given as a number (0 is the start) or by a mark's name, or whole where
+// nothing is given. Empty on success, else what was wrong.
 std::string replayUpTo(Session& session, Replay& replay, const std::string& stepOrMark);
 
 }  // namespace slicecast

@@ -16,8 +16,10 @@ namespace {
 // No image within the limits of a scene is as large in a file.
 constexpr std::uintmax_t kMaxImageBytes = 64u << 20;
 
-// The bytes of a file, or nothing if it cannot be read. Of a file that is too long, one byte more than the limit is read, so that it is still found too long.
-std::optional<std::vector<std::uint8_t>> readBytes(const std::filesystem::path& path, std::uintmax_t limit) {
+// The bytes of a file, or nothing if it cannot be read. Of a file that is too long, one byte more
+// than the limit is read, so that it is still found too long.
+std::optional<std::vector<std::uint8_t>> readBytes(const std::filesystem::path& path,
+                                                   std::uintmax_t limit) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
     std::ifstream file(path, std::ios::binary);
@@ -47,14 +49,16 @@ SceneFromFile readScene(const std::string& path) {
         scene.faults.push_back(std::move(fault));
         return scene;
     }
-    const ParsedScene parsed = parseScene({reinterpret_cast<const char*>(text->data()), text->size()}, path);
+    const ParsedScene parsed =
+        parseScene({reinterpret_cast<const char*>(text->data()), text->size()}, path);
 
     SceneFiles files;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     for (const std::string& name : parsed.files) {
         // Names in a scene are UTF-8, whatever the system's own file names are.
         const std::filesystem::path file(reinterpret_cast<const char8_t*>(name.c_str()));
-        if (auto bytes = readBytes(folder / file, kMaxImageBytes)) files.emplace(name, std::move(*bytes));
+        if (auto bytes = readBytes(folder / file, kMaxImageBytes))
+            files.emplace(name, std::move(*bytes));
     }
     return loadScene(parsed, files);
 }

@@ -1,4 +1,5 @@
-// slicecast-check: tells all faults of scenes, or that there are none, and what else is probably not meant so.
+// slicecast-check: tells all faults of scenes, or that there are none, and what else is probably
+// not meant so.
 
 #include "headless/scene_file.h"
 
@@ -15,9 +16,11 @@ int main(int argc, char** argv) {
     std::vector<std::string> scenes;
     cli.add_option("SCENE", scenes, "scene files")->required();
     cli.footer(
-        "Prints a line \"FILE: ok\", or one line for each fault: FILE:LINE:COLUMN (JSON POINTER): found ..., expected ...\n"
+        "Prints a line \"FILE: ok\", or one line for each fault: FILE:LINE:COLUMN (JSON POINTER): "
+        "found ..., expected ...\n"
         "Warnings go to the standard error in the same form; a scene with warnings alone is ok.\n"
-        "The exit status is 0 if all scenes are ok, 1 if one is not, and 2 for a wrong command line.\n"
+        "The exit status is 0 if all scenes are ok, 1 if one is not, and 2 for a wrong command "
+        "line.\n"
         "\nExamples:\n"
         "  slicecast-check castle.json\n"
         "  slicecast-check castle.json harbour.json\n");
@@ -31,7 +34,8 @@ int main(int argc, char** argv) {
     for (const std::string& name : scenes) {
         const SceneFromFile scene = readScene(name);
         for (const Fault& fault : scene.faults) std::printf("%s\n", describe(fault).c_str());
-        for (const Fault& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+        for (const Fault& warning : scene.warnings)
+            std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
         if (scene.world) {
             std::printf("%s: ok\n", name.c_str());
         } else {

@@ -1,4 +1,5 @@
-// slicecast-render: draws one view of a scene into a PNG file, without a screen; or tells what one of its columns meets and what it took to draw it.
+// slicecast-render: draws one view of a scene into a PNG file, without a screen; or tells what one
+// of its columns meets and what it took to draw it.
 
 #include "base/image.h"
 #include "headless/replay_file.h"
@@ -24,7 +25,8 @@ using namespace slicecast;
 
 namespace {
 
-constexpr int kWrongUse = 2;  // exit status where the command line is wrong; 1 where the scene or a file is
+constexpr int kWrongUse =
+    2;  // exit status where the command line is wrong; 1 where the scene or a file is
 
 struct Arguments {
     std::string scene;
@@ -48,36 +50,68 @@ std::string footer() {
         std::string name = "  " + std::string(option.name);
         name.resize(std::max(name.size() + 1, kDescriptions), ' ');
         std::string words = option.choices[0] != '\0' ? std::string(": ") : std::string();
-        for (const char* letter = option.choices; *letter != '\0'; ++letter) words += *letter == ' ' ? std::string(", ") : std::string(1, *letter);
+        for (const char* letter = option.choices; *letter != '\0'; ++letter)
+            words += *letter == ' ' ? std::string(", ") : std::string(1, *letter);
         text += name + option.description + words + " (" + option.standard + ")\n";
     }
     text +=
         "\nExamples:\n"
         "  slicecast-render castle.json --out castle.png\n"
-        "  slicecast-render castle.json --eye 8.5,3.25,0.5,90,0.1 --size 640x400 --fov 75 --out gate.png\n"
-        "  slicecast-render castle.json --map cellar --eye 4,4,0.5,0,0 --set light=off --set detail=off --out cellar.png\n"
+        "  slicecast-render castle.json --eye 8.5,3.25,0.5,90,0.1 --size 640x400 --fov 75 --out "
+        "gate.png\n"
+        "  slicecast-render castle.json --map cellar --eye 4,4,0.5,0,0 --set light=off --set "
+        "detail=off --out cellar.png\n"
         "  slicecast-render castle.json --time 2.5 --out later.png\n"
         "  slicecast-render castle.json --hits 640 > hits.json\n"
         "  slicecast-render castle.json --size 320x200 --trace all > trace.json\n"
         "  slicecast-render castle.json --replay castle.txt --at on-the-bridge --out bridge.png\n"
-        "\nAn eye is X,Y,Z in units (x to the east, y to the south, z up from the floor), a heading in degrees (0 east, 90 south) and a look\n"
-        "in screen heights (0 level, positive up). The exit status is 1 for a faulty scene and 2 for a wrong command line.\n";
+        "\nAn eye is X,Y,Z in units (x to the east, y to the south, z up from the floor), a "
+        "heading in degrees (0 east, 90 south) and a look\n"
+        "in screen heights (0 level, positive up). The exit status is 1 for a faulty scene and 2 "
+        "for a wrong command line.\n";
     return text;
 }
 
 void describeArguments(CLI::App& cli, Arguments& arguments) {
     cli.add_option("SCENE", arguments.scene, "scene file")->required();
-    cli.add_option("--map", arguments.map, "map to look at; without it, the one in which the scene starts")->type_name("NAME");
-    cli.add_option("--eye", arguments.eye, "from where to look; without it, as the player sees the start")->type_name("X,Y,Z,HEADING,LOOK");
-    cli.add_option("--size", arguments.size, "size of the picture in pixels; 1280x720 without it")->type_name("WxH");
-    cli.add_option("--fov", arguments.fov, "field of view from left to right, in degrees")->type_name("DEG");
-    CLI::Option* time = cli.add_option("--time", arguments.time, "how long the world has gone on when it is drawn; 0 without it")->type_name("SECONDS");
-    cli.add_option("--set", arguments.options, "set an option of the view; see below")->type_name("OPTION=VALUE")->allow_extra_args(false);
-    CLI::Option* replay = cli.add_option("--replay", arguments.replay, "recording to play first, from the scene's start")->type_name("FILE")->excludes(time);
-    cli.add_option("--at", arguments.at, "how much of it: a number of steps (1/120 s) or the name of a mark; without it, all")->type_name("STEP")->needs(replay);
-    CLI::Option* hits = cli.add_option("--hits", arguments.hits, "print what this column of the picture meets, as JSON; 0 is the leftmost")->type_name("COLUMN");
-    cli.add_option("--trace", arguments.trace, "print everything that was done to draw this column, or \"all\" of them, as JSON")->type_name("COLUMN")->excludes(hits);
-    cli.add_option("--out", arguments.out, "PNG file to write; may be left out with --hits or --trace")->type_name("PICTURE.png");
+    cli.add_option("--map", arguments.map,
+                   "map to look at; without it, the one in which the scene starts")
+        ->type_name("NAME");
+    cli.add_option("--eye", arguments.eye,
+                   "from where to look; without it, as the player sees the start")
+        ->type_name("X,Y,Z,HEADING,LOOK");
+    cli.add_option("--size", arguments.size, "size of the picture in pixels; 1280x720 without it")
+        ->type_name("WxH");
+    cli.add_option("--fov", arguments.fov, "field of view from left to right, in degrees")
+        ->type_name("DEG");
+    CLI::Option* time =
+        cli.add_option("--time", arguments.time,
+                       "how long the world has gone on when it is drawn; 0 without it")
+            ->type_name("SECONDS");
+    cli.add_option("--set", arguments.options, "set an option of the view; see below")
+        ->type_name("OPTION=VALUE")
+        ->allow_extra_args(false);
+    CLI::Option* replay = cli.add_option("--replay", arguments.replay,
+                                         "recording to play first, from the scene's start")
+                              ->type_name("FILE")
+                              ->excludes(time);
+    cli.add_option(
+           "--at", arguments.at,
+           "how much of it: a number of steps (1/120 s) or the name of a mark; without it, all")
+        ->type_name("STEP")
+        ->needs(replay);
+    CLI::Option* hits =
+        cli.add_option("--hits", arguments.hits,
+                       "print what this column of the picture meets, as JSON; 0 is the leftmost")
+            ->type_name("COLUMN");
+    cli.add_option(
+           "--trace", arguments.trace,
+           "print everything that was done to draw this column, or \"all\" of them, as JSON")
+        ->type_name("COLUMN")
+        ->excludes(hits);
+    cli.add_option("--out", arguments.out,
+                   "PNG file to write; may be left out with --hits or --trace")
+        ->type_name("PICTURE.png");
     cli.footer(footer());
 }
 
@@ -105,8 +139,10 @@ std::string arrange(Session& session, const Arguments& arguments) {
     }
     for (const std::string& option : arguments.options) {
         const std::size_t equals = option.find('=');
-        if (equals == std::string::npos) return "--set: found \"" + option + "\", expected OPTION=VALUE";
-        const std::string fault = session.setOption(option.substr(0, equals), option.substr(equals + 1));
+        if (equals == std::string::npos)
+            return "--set: found \"" + option + "\", expected OPTION=VALUE";
+        const std::string fault =
+            session.setOption(option.substr(0, equals), option.substr(equals + 1));
         if (!fault.empty()) return fault;
     }
     if (!arguments.time.empty()) {
@@ -118,34 +154,48 @@ std::string arrange(Session& session, const Arguments& arguments) {
     if (!map.value) return map.fault;
     if (arguments.eye.empty()) {
         if (*map.value == session.world().start.map) return {};
-        return "--map: the scene does not start in \"" + arguments.map + "\"; expected --eye as well, to say from where to look";
+        return "--map: the scene does not start in \"" + arguments.map +
+               "\"; expected --eye as well, to say from where to look";
     }
     const Read<Eye> eye = readEye(arguments.eye, *map.value);
     if (!eye.value) return "--eye: " + eye.fault;
-    return session.setEye(*eye.value) ? std::string() : "--eye: found \"" + arguments.eye + "\", from where nothing can be seen";
+    return session.setEye(*eye.value)
+               ? std::string()
+               : "--eye: found \"" + arguments.eye + "\", from where nothing can be seen";
 }
 
 // Plays the recording. 0 on success, else the exit status, and what was wrong has been said.
 int play(Session& session, const Arguments& arguments) {
-    if (!arguments.eye.empty() || !arguments.map.empty()) return fail("--replay: a recording says where the player is; expected no --eye and no --map", kWrongUse);
+    if (!arguments.eye.empty() || !arguments.map.empty())
+        return fail(
+            "--replay: a recording says where the player is; expected no --eye and no --map",
+            kWrongUse);
     ReadRecording read = readRecordingFile(arguments.replay);
     for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     if (!read.recording) return 1;
     const std::string scene = std::filesystem::path(arguments.scene).stem().string();
     if (read.recording->scene != scene) {
-        return fail("--replay: found a recording of the scene \"" + read.recording->scene + "\", expected one of \"" + scene + "\"", kWrongUse);
+        return fail("--replay: found a recording of the scene \"" + read.recording->scene +
+                        "\", expected one of \"" + scene + "\"",
+                    kWrongUse);
     }
     Replay replay(std::move(*read.recording));
     const std::string fault = replayUpTo(session, replay, arguments.at);
     if (!fault.empty()) return fail("--at: " + fault, kWrongUse);
-    if (!replay.isSame()) return fail("--replay: the way leads elsewhere than when it was recorded; the scene or the engine is another one", 1);
+    if (!replay.isSame())
+        return fail(
+            "--replay: the way leads elsewhere than when it was recorded; the scene or the engine "
+            "is another one",
+            1);
     return 0;
 }
 
 std::string drawTo(const std::string& path, Session& session, const PictureSize& size) {
     Image image(size.width, size.height);
-    if (!session.draw({image.pixels.data(), size.width, size.height, size.width})) return "the picture could not be drawn";
-    return writeWholeFile(path, encodePng(image.pixels.data(), size.width, size.height, size.width));
+    if (!session.draw({image.pixels.data(), size.width, size.height, size.width}))
+        return "the picture could not be drawn";
+    return writeWholeFile(path,
+                          encodePng(image.pixels.data(), size.width, size.height, size.width));
 }
 
 }  // namespace
@@ -160,8 +210,11 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& fault) {
         return cli.exit(fault) == 0 ? 0 : kWrongUse;
     }
-    const std::string& asked = arguments.hits.empty() ? arguments.trace : arguments.hits;  // at most one of them
-    if (arguments.out.empty() && asked.empty()) return fail("nothing to do; expected --out PICTURE.png, --hits COLUMN or --trace COLUMN", kWrongUse);
+    const std::string& asked =
+        arguments.hits.empty() ? arguments.trace : arguments.hits;  // at most one of them
+    if (arguments.out.empty() && asked.empty())
+        return fail("nothing to do; expected --out PICTURE.png, --hits COLUMN or --trace COLUMN",
+                    kWrongUse);
     PictureSize size;
     if (!arguments.size.empty()) {
         const Read<PictureSize> read = readSize(arguments.size);
@@ -172,14 +225,17 @@ int main(int argc, char** argv) {
     const bool isWhole = arguments.trace == "all";
     if (!asked.empty() && !isWhole) {
         const Read<int> read = readColumn(asked, size.width);
-        if (!read.value) return fail((arguments.hits.empty() ? "--trace: " : "--hits: ") + read.fault, kWrongUse);
+        if (!read.value)
+            return fail((arguments.hits.empty() ? "--trace: " : "--hits: ") + read.fault,
+                        kWrongUse);
         column = *read.value;
     }
 
     // The scene
     SceneFromFile scene = readScene(arguments.scene);
     for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
-    for (const Fault& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+    for (const Fault& warning : scene.warnings)
+        std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
     if (!scene.world) return 1;
     Session session(std::move(*scene.world));
     const std::string wrong = arrange(session, arguments);
@@ -196,9 +252,10 @@ int main(int argc, char** argv) {
     }
     if (!asked.empty()) {
         const auto [width, height] = size;
-        const std::string text = isWhole                  ? frameTraceJson(session, arguments.scene, width, height)
-                                 : arguments.hits.empty() ? traceJson(session, arguments.scene, width, height, column)
-                                                          : hitsJson(session, arguments.scene, width, height, column);
+        const std::string text = isWhole ? frameTraceJson(session, arguments.scene, width, height)
+                                 : arguments.hits.empty()
+                                     ? traceJson(session, arguments.scene, width, height, column)
+                                     : hitsJson(session, arguments.scene, width, height, column);
         std::fputs(text.c_str(), stdout);
     }
     return std::fflush(stdout) == 0 ? 0 : fail("the standard output cannot be written", 1);

@@ -19,15 +19,19 @@ std::string quoted(std::string_view text) {
 
 // A decimal number that is the whole of the text.
 std::optional<double> readNumber(const std::string& text) {
-    if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos) return std::nullopt;
+    if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos)
+        return std::nullopt;
     char* end = nullptr;
     const double number = std::strtod(text.c_str(), &end);
-    return end == text.c_str() + text.size() && std::isfinite(number) ? std::optional(number) : std::nullopt;
+    return end == text.c_str() + text.size() && std::isfinite(number) ? std::optional(number)
+                                                                      : std::nullopt;
 }
 
 // Digits alone, and a number from `least` to `greatest`, which has no more than 5 digits.
 std::optional<int> readWhole(const std::string& text, int least, int greatest) {
-    if (text.empty() || text.size() > 5 || text.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+    if (text.empty() || text.size() > 5 ||
+        text.find_first_not_of("0123456789") != std::string::npos)
+        return std::nullopt;
     const int number = std::atoi(text.c_str());
     return number >= least && number <= greatest ? std::optional(number) : std::nullopt;
 }
@@ -56,19 +60,22 @@ Read<PictureSize> readSize(const std::string& text) {
         if (width && height) return {PictureSize{*width, *height}, {}};
     }
     const std::string largest = std::to_string(kMaxPictureSide);
-    return {std::nullopt, "found " + quoted(text) + ", expected WxH in pixels, from 1x1 to " + largest + "x" + largest};
+    return {std::nullopt, "found " + quoted(text) + ", expected WxH in pixels, from 1x1 to " +
+                              largest + "x" + largest};
 }
 
 Read<int> readColumn(const std::string& text, int width) {
     const std::optional<int> column = readWhole(text, 0, width - 1);
     if (column) return {column, {}};
-    return {std::nullopt, "found " + quoted(text) + ", expected a column of the picture, 0 to " + std::to_string(width - 1)};
+    return {std::nullopt, "found " + quoted(text) + ", expected a column of the picture, 0 to " +
+                              std::to_string(width - 1)};
 }
 
 Read<int> readTime(const std::string& text) {
     constexpr double kLongest = 3600.0;
     const std::optional<double> seconds = readNumber(text);
-    if (seconds && *seconds >= 0.0 && *seconds <= kLongest) return {static_cast<int>(std::floor(*seconds / kStepSeconds + 0.5)), {}};
+    if (seconds && *seconds >= 0.0 && *seconds <= kLongest)
+        return {static_cast<int>(std::floor(*seconds / kStepSeconds + 0.5)), {}};
     return {std::nullopt, "found " + quoted(text) + ", expected seconds, from 0 to 3600"};
 }
 
@@ -78,24 +85,34 @@ Read<Eye> readEye(const std::string& text, int map) {
     for (std::size_t i = 0; i < kEyeNumbers.size(); ++i) {
         const bool isLast = i + 1 == kEyeNumbers.size();
         const std::size_t comma = text.find(',', begin);
-        if ((comma == std::string::npos) != isLast) return {std::nullopt, "found " + quoted(text) + ", expected five numbers X,Y,Z,HEADING,LOOK"};
-        const std::string part = text.substr(begin, comma == std::string::npos ? comma : comma - begin);
+        if ((comma == std::string::npos) != isLast)
+            return {std::nullopt,
+                    "found " + quoted(text) + ", expected five numbers X,Y,Z,HEADING,LOOK"};
+        const std::string part =
+            text.substr(begin, comma == std::string::npos ? comma : comma - begin);
         const std::optional<double> number = readNumber(part);
         const EyeNumber& limits = kEyeNumbers[i];
         if (!number || *number < limits.least || *number > limits.greatest) {
             char expected[96];
-            std::snprintf(expected, sizeof expected, ", expected a number from %.10g to %.10g", limits.least, limits.greatest);
+            std::snprintf(expected, sizeof expected, ", expected a number from %.10g to %.10g",
+                          limits.least, limits.greatest);
             return {std::nullopt, std::string(limits.name) + ": found " + quoted(part) + expected};
         }
         numbers[i] = *number;
         begin = comma + 1;
     }
-    const Eye eye = {map, toCoordinate(numbers[0]), toCoordinate(numbers[1]), toCoordinate(numbers[2]), numbers[3], numbers[4]};
+    const Eye eye = {map,
+                     toCoordinate(numbers[0]),
+                     toCoordinate(numbers[1]),
+                     toCoordinate(numbers[2]),
+                     numbers[3],
+                     numbers[4]};
     if (!isAboveFloor(eye)) {
         char found[64];
         std::snprintf(found, sizeof found, "%.10g", numbers[2]);
-        return {std::nullopt,
-                "Z: found " + std::string(found) + ", expected a height above the floor (which is at 0): an eye at or below the floor sees nothing"};
+        return {std::nullopt, "Z: found " + std::string(found) +
+                                  ", expected a height above the floor (which is at 0): an eye at "
+                                  "or below the floor sees nothing"};
     }
     return {eye, {}};
 }

@@ -18,7 +18,8 @@ std::string reason(int error) {
 
 std::string writeWholeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return "\"" + path + "\" is a folder; expected the name of a file";
+    if (std::filesystem::is_directory(path, error))
+        return "\"" + path + "\" is a folder; expected the name of a file";
 
     // Two that write the same file at once each have a part of their own.
     const std::string part = path + ".part-" + std::to_string(std::random_device{}());

@@ -7,7 +7,8 @@
 
 namespace slicecast {
 
-// Writes beside the file first and puts that in its place when all is written, so that nobody ever sees half a file. Empty on success, else what was wrong.
+// Writes beside the file first and puts that in its place when all is written, so that nobody ever
+// sees half a file. Empty on success, else what was wrong.
 std::string writeWholeFile(const std::string& path, std::span<const std::uint8_t> bytes);
 
 }  // namespace slicecast

@@ -14,11 +14,14 @@ struct PixelRect {
     int height = 0;
 };
 
-// `over` laid on an opaque pixel by its alpha: (over * a + under * (255 - a) + 127) / 255 per channel.
+// `over` laid on an opaque pixel by its alpha: (over * a + under * (255 - a) + 127) / 255 per
+// channel.
 constexpr Pixel blended(Pixel under, Colour over) {
     const Colour below = toColour(under);
     const unsigned a = over.a;
-    const auto mix = [a](unsigned top, unsigned bottom) { return static_cast<std::uint8_t>((top * a + bottom * (255u - a) + 127u) / 255u); };
+    const auto mix = [a](unsigned top, unsigned bottom) {
+        return static_cast<std::uint8_t>((top * a + bottom * (255u - a) + 127u) / 255u);
+    };
     return toPixel({mix(over.r, below.r), mix(over.g, below.g), mix(over.b, below.b), 255});
 }
 

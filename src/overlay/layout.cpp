@@ -12,7 +12,8 @@ constexpr int kLeastSideWidth = 90;  // dots of the font; below it a side view c
 constexpr int kLeastSideHeight = 60;
 
 PixelRect ifInside(PixelRect rect, int pictureWidth, int pictureHeight) {
-    const bool inside = rect.x >= 0 && rect.y >= 0 && rect.x + rect.width <= pictureWidth && rect.y + rect.height <= pictureHeight;
+    const bool inside = rect.x >= 0 && rect.y >= 0 && rect.x + rect.width <= pictureWidth &&
+                        rect.y + rect.height <= pictureHeight;
     return inside ? rect : PixelRect{};
 }
 
@@ -32,7 +33,8 @@ OverlayLayout layoutOverlays(int pictureWidth, int pictureHeight) {
     const int margin = layout.margin;
     const int panelHeights = panelHeightDots(kPlayerPanelRows) + panelHeightDots(kProcessPanelRows);
     layout.scale = readableScale(pictureWidth, pictureHeight);
-    while (layout.scale > 1 && panelHeights * layout.scale + 3 * margin > pictureHeight) --layout.scale;
+    while (layout.scale > 1 && panelHeights * layout.scale + 3 * margin > pictureHeight)
+        --layout.scale;
 
     // The map, a third of the shorter side
     const int side = std::min(pictureWidth, pictureHeight) / 3;
@@ -43,8 +45,11 @@ OverlayLayout layoutOverlays(int pictureWidth, int pictureHeight) {
     const int playerHeight = panelHeightDots(kPlayerPanelRows) * layout.scale;
     const int processHeight = panelHeightDots(kProcessPanelRows) * layout.scale;
     const int panelX = pictureWidth - margin - panelWidth;
-    layout.player = ifInside({panelX, margin, panelWidth, playerHeight}, pictureWidth, pictureHeight);
-    layout.process = ifInside({panelX, pictureHeight - margin - processHeight, panelWidth, processHeight}, pictureWidth, pictureHeight);
+    layout.player =
+        ifInside({panelX, margin, panelWidth, playerHeight}, pictureWidth, pictureHeight);
+    layout.process =
+        ifInside({panelX, pictureHeight - margin - processHeight, panelWidth, processHeight},
+                 pictureWidth, pictureHeight);
 
     // What is left of them below the map
     const int width = panelX - 2 * margin;

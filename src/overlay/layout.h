@@ -1,4 +1,5 @@
-// Where the overlays stand: all on one margin, none on another in pictures of 640 x 400 pixels and more.
+// Where the overlays stand: all on one margin, none on another in pictures of 640 x 400 pixels and
+// more.
 //
 //     +---------+               +--------+
 //     | minimap |               | player |
@@ -18,7 +19,8 @@ namespace slicecast {
 inline constexpr int kPanelPadding = 4;  // dots of the font, from a panel's edge to its text
 
 struct OverlayLayout {
-    int scale = 1;   // pixels that a dot of the font is wide and high: a readable one, or less where the panels would not fit
+    int scale = 1;  // pixels that a dot of the font is wide and high: a readable one, or less where
+                    // the panels would not fit
     int margin = 0;  // around and between the panels
     PixelRect minimap;
     PixelRect player;
@@ -26,7 +28,8 @@ struct OverlayLayout {
     PixelRect sideView;
 };
 
-// The scale at which text is readable in a picture of that size: 1, or 2 from 800 x 480 on, 3 from 1600 x 960 on ...
+// The scale at which text is readable in a picture of that size: 1, or 2 from 800 x 480 on, 3 from
+// 1600 x 960 on ...
 int readableScale(int pictureWidth, int pictureHeight);
 
 // From the picture's edge to a panel.

@@ -9,18 +9,22 @@ namespace {
 
 // Lays a part of a colour over a pixel, if it is inside.
 void blendPart(const Picture& picture, PixelRect inside, int x, int y, Colour colour, double part) {
-    if (x < inside.x || y < inside.y || x >= inside.x + inside.width || y >= inside.y + inside.height) return;
+    if (x < inside.x || y < inside.y || x >= inside.x + inside.width ||
+        y >= inside.y + inside.height)
+        return;
     const int alpha = static_cast<int>(part * colour.a + 0.5);
     if (alpha > 0) blendPixel(picture, x, y, withAlpha(colour, alpha));
 }
 
 // The pixels that a circle may touch.
 template <typename Part>
-void drawRound(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour, Part part) {
+void drawRound(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
+               Part part) {
     const int reach = static_cast<int>(radius) + 2;
     const int centreX = static_cast<int>(std::floor(middle.x));
     const int centreY = static_cast<int>(std::floor(middle.y));
-    const PixelRect around = shared(inside, {centreX - reach, centreY - reach, 2 * reach + 1, 2 * reach + 1});
+    const PixelRect around =
+        shared(inside, {centreX - reach, centreY - reach, 2 * reach + 1, 2 * reach + 1});
     for (int y = around.y; y < around.y + around.height; ++y) {
         for (int x = around.x; x < around.x + around.width; ++x) {
             const double east = x + 0.5 - middle.x;
@@ -40,7 +44,8 @@ PixelRect shared(PixelRect a, PixelRect b) {
     return {x, y, std::max(0, width), std::max(0, height)};
 }
 
-// One step along the longer way at a time; the pixel's worth of colour is shared by the two pixels across.
+// One step along the longer way at a time; the pixel's worth of colour is shared by the two pixels
+// across.
 void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Colour colour) {
     const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
     const auto along = [steep](Point p) { return steep ? p.y : p.x; };
@@ -52,8 +57,10 @@ void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Co
     // Only the steps inside
     const int least = steep ? inside.y : inside.x;
     const int most = steep ? inside.y + inside.height : inside.x + inside.width;
-    const int first = static_cast<int>(std::clamp(std::floor(along(from)), double(least), double(most)));
-    const int last = static_cast<int>(std::clamp(std::floor(along(to)), double(least) - 1.0, double(most) - 1.0));
+    const int first =
+        static_cast<int>(std::clamp(std::floor(along(from)), double(least), double(most)));
+    const int last = static_cast<int>(
+        std::clamp(std::floor(along(to)), double(least) - 1.0, double(most) - 1.0));
     for (int step = first; step <= last; ++step) {
         const double middle = across(from) + (step + 0.5 - along(from)) * slope - 0.5;
         if (!(std::abs(middle) < 1e6)) continue;
@@ -67,11 +74,15 @@ void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Co
 }
 
 void drawDot(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour) {
-    drawRound(picture, inside, middle, radius, colour, [radius](double distance) { return std::clamp(radius - distance + 0.5, 0.0, 1.0); });
+    drawRound(picture, inside, middle, radius, colour,
+              [radius](double distance) { return std::clamp(radius - distance + 0.5, 0.0, 1.0); });
 }
 
-void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour) {
-    drawRound(picture, inside, middle, radius, colour, [radius](double distance) { return std::clamp(1.0 - std::abs(distance - radius), 0.0, 1.0); });
+void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius,
+              Colour colour) {
+    drawRound(picture, inside, middle, radius, colour, [radius](double distance) {
+        return std::clamp(1.0 - std::abs(distance - radius), 0.0, 1.0);
+    });
 }
 
 }  // namespace slicecast

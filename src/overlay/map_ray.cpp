@@ -14,8 +14,10 @@ struct Borders {
     double next;   // length to the next border
     double every;  // length from one to the next
 
-    Borders(double from, double direction) : tile(static_cast<int>(std::floor(from))), step(direction < 0.0 ? -1 : 1) {
-        every = direction != 0.0 ? 1.0 / std::abs(direction) : std::numeric_limits<double>::infinity();
+    Borders(double from, double direction)
+        : tile(static_cast<int>(std::floor(from))), step(direction < 0.0 ? -1 : 1) {
+        every =
+            direction != 0.0 ? 1.0 / std::abs(direction) : std::numeric_limits<double>::infinity();
         const double rest = direction < 0.0 ? from - tile : tile + 1.0 - from;
         next = direction != 0.0 ? rest * every : std::numeric_limits<double>::infinity();
     }
@@ -40,7 +42,8 @@ MapRayEnd followRay(const World& world, const Map& map, const MapRay& ray, doubl
         if (id == kEmptyCell) continue;
         const CellBlueprint& block = world.blueprints[id];
         if (!(block.bottom <= ray.height && ray.height < block.top)) continue;
-        const Face face = &crossed == &alongX ? (alongX.step > 0 ? Face::west : Face::east) : (alongY.step > 0 ? Face::north : Face::south);
+        const Face face = &crossed == &alongX ? (alongX.step > 0 ? Face::west : Face::east)
+                                              : (alongY.step > 0 ? Face::north : Face::south);
         return {length, true, block.face(face).portal != kNoPortal};
     }
 }

@@ -1,4 +1,5 @@
-// A level ray seen from above: how far it goes until a block of one level stands in its way, or it comes to a portal, behind which another map begins.
+// A level ray seen from above: how far it goes until a block of one level stands in its way, or it
+// comes to a portal, behind which another map begins.
 #pragma once
 
 #include "world/world.h"

@@ -1,4 +1,5 @@
-// The map from above, around the eye, in the upper left corner of a picture, north up or the way that the eye looks. It shows one level:
+// The map from above, around the eye, in the upper left corner of a picture, north up or the way
+// that the eye looks. It shows one level:
 //
 //     brick red, the brighter the higher      a block of part of the level's height
 //     slate blue                              a block that reaches the level's upper edge
@@ -6,10 +7,12 @@
 //     grey, the darker the deeper             no block: how far down the ground lies below
 //     nothing                                 outside the grid
 //     turquoise                               portals: a block's side, or a whole tile
-//     pale, or magenta with a line ahead      objects that stand still, and that move (see minimap_objects.h)
+//     pale, or magenta with a line ahead      objects that stand still, and that move (see
+//     minimap_objects.h)
 //
-// A yellow dot is the eye, with the field that it sees before it, and a circle about it as far as it reaches. Green lines are level rays, each to the first
-// block of the level that stands at their height or to a portal, never into the map behind it.
+// A yellow dot is the eye, with the field that it sees before it, and a circle about it as far as
+// it reaches. Green lines are level rays, each to the first block of the level that stands at their
+// height or to a portal, never into the map behind it.
 #pragma once
 
 #include "render/eye.h"
@@ -18,10 +21,11 @@
 
 namespace slicecast {
 
-inline constexpr int kMinimapRays = 25;  // over the field of view, as evenly as the slices of a picture
+inline constexpr int kMinimapRays =
+    25;  // over the field of view, as evenly as the slices of a picture
 
 struct MinimapOptions {
-    int level = -1;            // the level shown, clamped to the map's; -1 for the one that the eye is on
+    int level = -1;  // the level shown, clamped to the map's; -1 for the one that the eye is on
     double fovDegrees = 60.0;  // of the field that the eye sees
     bool rays = false;
     bool turns = false;  // with the way that the eye looks up; else north
@@ -41,6 +45,7 @@ MinimapLayout layoutMinimap(int pictureWidth, int pictureHeight);
 int minimapLevel(const Map& map, const Eye& eye, const MinimapOptions& options);
 
 // Draws it, without allocating memory. Nothing for an eye in a map that does not exist.
-void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& options, const Picture& picture);
+void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& options,
+                 const Picture& picture);
 
 }  // namespace slicecast

@@ -27,15 +27,18 @@ double strengthOn(int level, const Object& object) {
 }
 
 double radiusOf(const Object& object, const MinimapView& view) {
-    return std::max(1.0, std::clamp(kRadius * object.width.value(), kLeastRadius, kMostRadius) * view.pixelsPerTile);
+    return std::max(1.0, std::clamp(kRadius * object.width.value(), kLeastRadius, kMostRadius) *
+                             view.pixelsPerTile);
 }
 
 bool isInside(const MinimapView& view, Point place, double margin) {
     const PixelRect& area = view.area;
-    return place.x > area.x - margin && place.y > area.y - margin && place.x < area.x + area.width + margin && place.y < area.y + area.height + margin;
+    return place.x > area.x - margin && place.y > area.y - margin &&
+           place.x < area.x + area.width + margin && place.y < area.y + area.height + margin;
 }
 
-void drawObject(const MinimapView& view, const Object& object, Colour colour, double strength, const Picture& picture) {
+void drawObject(const MinimapView& view, const Object& object, Colour colour, double strength,
+                const Picture& picture) {
     const Point at = view.place(object.x.value(), object.y.value());
     const double radius = radiusOf(object, view);
     if (!isInside(view, at, radius + 1.0)) return;
@@ -44,16 +47,20 @@ void drawObject(const MinimapView& view, const Object& object, Colour colour, do
 }
 
 // Where one goes that moves.
-void drawHeading(const MinimapView& view, const Object& object, const ObjectMotion& motion, double strength, const Picture& picture) {
+void drawHeading(const MinimapView& view, const Object& object, const ObjectMotion& motion,
+                 double strength, const Picture& picture) {
     const double length = kShortestLine + kLinePerSpeed * motion.speed;
     const Point from = view.place(object.x.value(), object.y.value());
-    const Point to = view.place(object.x.value() + length * cosDegrees(motion.headingDegrees), object.y.value() + length * sinDegrees(motion.headingDegrees));
-    if (isInside(view, from, length * view.pixelsPerTile)) drawLine(picture, view.area, from, to, faded(kMoving, strength));
+    const Point to = view.place(object.x.value() + length * cosDegrees(motion.headingDegrees),
+                                object.y.value() + length * sinDegrees(motion.headingDegrees));
+    if (isInside(view, from, length * view.pixelsPerTile))
+        drawLine(picture, view.area, from, to, faded(kMoving, strength));
 }
 
 }  // namespace
 
-void drawMinimapObjects(const World& world, int map, int level, const MinimapView& view, const Picture& picture) {
+void drawMinimapObjects(const World& world, int map, int level, const MinimapView& view,
+                        const Picture& picture) {
     const std::vector<Object>& objects = world.maps[static_cast<std::size_t>(map)].objects;
     for (const Object& object : objects) {
         const double strength = strengthOn(level, object);

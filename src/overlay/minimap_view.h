@@ -16,13 +16,18 @@ struct MinimapView {
     SineCosine up;  // the heading that is up in the picture
 
     // From so many pixels to the right and down to as many east and south, and back.
-    Point toMap(Point p) const { return {-p.x * up.sine - p.y * up.cosine, p.x * up.cosine - p.y * up.sine}; }
-    Point toPicture(Point p) const { return {-p.x * up.sine + p.y * up.cosine, -p.x * up.cosine - p.y * up.sine}; }
+    Point toMap(Point p) const {
+        return {-p.x * up.sine - p.y * up.cosine, p.x * up.cosine - p.y * up.sine};
+    }
+    Point toPicture(Point p) const {
+        return {-p.x * up.sine + p.y * up.cosine, -p.x * up.cosine - p.y * up.sine};
+    }
     // The middle of the pixel that is the eye's.
     Point centre() const { return {centreX + 0.5, centreY + 0.5}; }
     // A place on the map, in units, in pixels of the picture.
     Point place(double x, double y) const {
-        const Point fromCentre = toPicture({x * pixelsPerTile - eyeX - 0.5, y * pixelsPerTile - eyeY - 0.5});
+        const Point fromCentre =
+            toPicture({x * pixelsPerTile - eyeX - 0.5, y * pixelsPerTile - eyeY - 0.5});
         return {centre().x + fromCentre.x, centre().y + fromCentre.y};
     }
 };

@@ -18,11 +18,14 @@ struct Row {
     std::array<char, kPanelColumns> room{};
     int length = 0;  // of the value
 
-    Row(std::string_view name, const Words& value) : label(name) { length = static_cast<int>(write(room, value).size()); }
+    Row(std::string_view name, const Words& value) : label(name) {
+        length = static_cast<int>(write(room, value).size());
+    }
     std::string_view value() const { return {room.data(), static_cast<std::size_t>(length)}; }
 };
 
-// Names on the left, values against the right edge, so that nothing moves but the digits that change.
+// Names on the left, values against the right edge, so that nothing moves but the digits that
+// change.
 void drawRows(const Picture& picture, PixelRect panel, int scale, std::span<const Row> rows) {
     if (panel.width == 0) return;
     drawPanel(picture, panel);
@@ -30,7 +33,8 @@ void drawRows(const Picture& picture, PixelRect panel, int scale, std::span<cons
     const int right = panel.x + panel.width - kPanelPadding * scale;
     int y = panel.y + kPanelPadding * scale;
     for (const Row& each : rows) {
-        const std::string_view value = each.value().substr(0, static_cast<std::size_t>(kPanelColumns) - each.label.size() - 1);
+        const std::string_view value =
+            each.value().substr(0, static_cast<std::size_t>(kPanelColumns) - each.label.size() - 1);
         drawText(picture, left, y, each.label, {.colour = kLabelColour, .scale = scale});
         drawText(picture, right - textWidth(value, scale), y, value, {.scale = scale});
         y += kLineAdvance * scale;
@@ -40,7 +44,8 @@ void drawRows(const Picture& picture, PixelRect panel, int scale, std::span<cons
 // The eight winds, clockwise from the east.
 const char* windOf(double headingDegrees) {
     constexpr std::array<const char*, 8> kWinds = {"E", "SE", "S", "SW", "W", "NW", "N", "NE"};
-    return kWinds[static_cast<std::size_t>(std::clamp((headingDegrees + 22.5) / 45.0, 0.0, 8.0)) % kWinds.size()];
+    return kWinds[static_cast<std::size_t>(std::clamp((headingDegrees + 22.5) / 45.0, 0.0, 8.0)) %
+                  kWinds.size()];
 }
 
 }  // namespace
@@ -61,7 +66,9 @@ void drawPlayerPanel(const PlayerFigures& player, const Picture& picture) {
         Row("x", Fixed{player.x, 2}),
         Row("y", Fixed{player.y, 2}),
         Row("height", Fixed{player.z, 2}),
-        Row("heading", {windOf(player.headingDegrees), std::string_view("      ").substr(std::string_view(heading).size()), heading}),
+        Row("heading",
+            {windOf(player.headingDegrees),
+             std::string_view("      ").substr(std::string_view(heading).size()), heading}),
         Row("look", {player.look < 0.0 ? "" : "+", Fixed{player.look + 0.0, 3}}),
         Row("speed", {Fixed{player.speed, 2}, " /s"}),
         Row("mode", player.flying     ? "flying"
@@ -74,7 +81,8 @@ void drawPlayerPanel(const PlayerFigures& player, const Picture& picture) {
 void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
     const OverlayLayout layout = layoutOverlays(picture.width, picture.height);
     const auto milliseconds = [&](const char* label, double ProcessTimes::*value) {
-        return process.times != nullptr ? Row(label, {Fixed{process.times->*value, 2}, " ms"}) : Row(label, "-");
+        return process.times != nullptr ? Row(label, {Fixed{process.times->*value, 2}, " ms"})
+                                        : Row(label, "-");
     };
     const auto count = [&](const char* label, auto FrameReport::*value) {
         return process.report != nullptr ? Row(label, process.report->*value) : Row(label, "-");
@@ -82,7 +90,8 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
     const int slices = process.slicesPerPicture;
     const std::array<Row, kProcessPanelRows> rows = {
         Row("picture", {picture.width, " x ", picture.height}),
-        process.times != nullptr ? Row("frames", {Fixed{process.times->framesPerSecond, 1}, " /s"}) : Row("frames", "-"),
+        process.times != nullptr ? Row("frames", {Fixed{process.times->framesPerSecond, 1}, " /s"})
+                                 : Row("frames", "-"),
         milliseconds("steps", &ProcessTimes::stepMilliseconds),
         milliseconds("view", &ProcessTimes::viewMilliseconds),
         milliseconds("overlays", &ProcessTimes::overlayMilliseconds),

@@ -1,4 +1,5 @@
-// Panels of names and numbers: where the player is, and what it took to draw the picture. Drawn without allocating memory.
+// Panels of names and numbers: where the player is, and what it took to draw the picture. Drawn
+// without allocating memory.
 #pragma once
 
 #include "overlay/blend.h"

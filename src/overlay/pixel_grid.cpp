@@ -43,7 +43,8 @@ void drawPixelGrid(const Picture& picture) {
     const int scale = readableScale(picture.width, picture.height);
     const int middleX = picture.width / 2 / kClear * kClear;
     const int middleY = picture.height / 2 / kClear * kClear;
-    for (int x = kClear; x < picture.width; x += kClear) drawLabel(picture, x + 2, middleY + 2, x, scale);
+    for (int x = kClear; x < picture.width; x += kClear)
+        drawLabel(picture, x + 2, middleY + 2, x, scale);
     for (int y = kClear; y < picture.height; y += kClear) {
         if (y != middleY) drawLabel(picture, middleX + 2, y + 2, y, scale);
     }

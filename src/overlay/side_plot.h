@@ -1,5 +1,6 @@
-// Depths and heights on the panel of a side view. Depths are perpendicular ones, heights those above the floor of the eye's map: behind portals that lead up or
-// down, both go on from the eye without a jump.
+// Depths and heights on the panel of a side view. Depths are perpendicular ones, heights those
+// above the floor of the eye's map: behind portals that lead up or down, both go on from the eye
+// without a jump.
 #pragma once
 
 #include "overlay/lines.h"
@@ -19,7 +20,9 @@ struct SidePlot {
     double eyeZ = 0.0;
 
     double x(double units) const { return area.x + std::min(units / depth, 1.0) * area.width; }
-    double y(double units) const { return area.y + area.height - (units - lowest) / (highest - lowest) * area.height; }
+    double y(double units) const {
+        return area.y + area.height - (units - lowest) / (highest - lowest) * area.height;
+    }
 
     // Where a ray with that upward slope is at a depth, kept within what the plot shows.
     Point onRay(double slope, double at) const {
@@ -37,7 +40,8 @@ inline double slopeOfRow(const SliceTrace& trace, double row) {
 
 // The height that shows in a row at a depth.
 inline double heightInRow(const SliceTrace& trace, double eyeZ, double row, double depth) {
-    return std::isfinite(row) && std::isfinite(depth) ? eyeZ + slopeOfRow(trace, row) * depth : eyeZ;
+    return std::isfinite(row) && std::isfinite(depth) ? eyeZ + slopeOfRow(trace, row) * depth
+                                                      : eyeZ;
 }
 
 }  // namespace slicecast

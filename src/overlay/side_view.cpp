@@ -33,10 +33,12 @@ constexpr double kLeastHeight = 2.0;
 
 // Heights above the floor of the eye's map, as they are seen.
 double topOf(const SliceTrace& trace, const Hit& hit, double eyeZ) {
-    return hit.entered ? heightInRow(trace, eyeZ, hit.topFrontRow, hit.depth) : heightInRow(trace, eyeZ, hit.topBackRow, hit.backDepth);
+    return hit.entered ? heightInRow(trace, eyeZ, hit.topFrontRow, hit.depth)
+                       : heightInRow(trace, eyeZ, hit.topBackRow, hit.backDepth);
 }
 double bottomOf(const SliceTrace& trace, const Hit& hit, double eyeZ) {
-    return hit.entered ? heightInRow(trace, eyeZ, hit.bottomFrontRow, hit.depth) : heightInRow(trace, eyeZ, hit.bottomBackRow, hit.backDepth);
+    return hit.entered ? heightInRow(trace, eyeZ, hit.bottomFrontRow, hit.depth)
+                       : heightInRow(trace, eyeZ, hit.bottomBackRow, hit.backDepth);
 }
 
 // The scale holds everything that is seen of blocks and objects, and the eye.
@@ -84,18 +86,22 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
         const std::string_view label = write(text, Fixed{depth, 0});
         const int x = static_cast<int>(plot.x(depth));
         blendRect(picture, {x, bottom, 1, 3 * scale}, kAxis);
-        drawText(picture, x - textWidth(label, scale) / 2, bottom + 4 * scale, label, {.colour = kAxis, .scale = scale});
+        drawText(picture, x - textWidth(label, scale) / 2, bottom + 4 * scale, label,
+                 {.colour = kAxis, .scale = scale});
     }
     const double up = markStep(plot.highest - plot.lowest, plot.area.height, 14 * scale);
-    for (double height = std::ceil(plot.lowest / up) * up + 0.0; height < plot.highest; height += up) {
+    for (double height = std::ceil(plot.lowest / up) * up + 0.0; height < plot.highest;
+         height += up) {
         const std::string_view label = write(text, Fixed{height, 0});
         const int y = static_cast<int>(plot.y(height));
         if (y - 4 * scale < plot.area.y) break;
         blendRect(picture, {plot.area.x - 3 * scale, y, 3 * scale, 1}, kAxis);
-        drawText(picture, plot.area.x - 5 * scale - textWidth(label, scale), y - 3 * scale, label, {.colour = kAxis, .scale = scale});
+        drawText(picture, plot.area.x - 5 * scale - textWidth(label, scale), y - 3 * scale, label,
+                 {.colour = kAxis, .scale = scale});
     }
     const int eyeRow = static_cast<int>(plot.y(plot.eyeZ));
-    for (int x = plot.area.x; x < plot.area.x + plot.area.width; x += 4 * scale) blendRect(picture, {x, eyeRow, 2 * scale, 1}, kEyeLevel);
+    for (int x = plot.area.x; x < plot.area.x + plot.area.width; x += 4 * scale)
+        blendRect(picture, {x, eyeRow, 2 * scale, 1}, kEyeLevel);
 }
 
 // Behind portals only what is seen, for other rays may be elsewhere at the same depth.
@@ -105,15 +111,20 @@ void drawBlocks(const SliceTrace& trace, const SidePlot& plot, const Picture& pi
         const int left = static_cast<int>(plot.x(hit.depth));
         const int right = std::max(left + 1, static_cast<int>(plot.x(hit.backDepth)));
         const int top = static_cast<int>(plot.y(topOf(trace, hit, plot.eyeZ)));
-        const int bottom = std::max(top + 1, static_cast<int>(plot.y(bottomOf(trace, hit, plot.eyeZ))));
-        const auto blendInside = [&](PixelRect rect, Colour colour) { blendRect(picture, shared(rect, plot.area), colour); };
-        blendInside({left, top, right - left, bottom - top}, hit.filled.empty() ? kUnseenBlock : kSeenBlock);
+        const int bottom =
+            std::max(top + 1, static_cast<int>(plot.y(bottomOf(trace, hit, plot.eyeZ))));
+        const auto blendInside = [&](PixelRect rect, Colour colour) {
+            blendRect(picture, shared(rect, plot.area), colour);
+        };
+        blendInside({left, top, right - left, bottom - top},
+                    hit.filled.empty() ? kUnseenBlock : kSeenBlock);
         blendInside({left, top, right - left, 1}, kBlockEdge);
         blendInside({left, top, 1, bottom - top}, kBlockEdge);
     }
 }
 
-// What rays meet: something level at a height, or something else, of which a strong line is drawn too if it is a thing.
+// What rays meet: something level at a height, or something else, of which a strong line is drawn
+// too if it is a thing.
 struct Met {
     Colour colour;
     bool isThing = true;
@@ -121,23 +132,28 @@ struct Met {
     double height = 0.0;
 };
 
-// Rays to the first and the last of some rows, and to some between; what is seen there as a strong line.
+// Rays to the first and the last of some rows, and to some between; what is seen there as a strong
+// line.
 template <typename DepthOf>
-void drawRays(const SliceTrace& trace, int first, int last, const SidePlot& plot, const Met& met, DepthOf depthOf, const Picture& picture) {
+void drawRays(const SliceTrace& trace, int first, int last, const SidePlot& plot, const Met& met,
+              DepthOf depthOf, const Picture& picture) {
     const int count = std::max(1, (last - first + kRowsPerRay - 1) / kRowsPerRay);
     Point before;
     for (int i = 0; i <= count; ++i) {
-        const double slope = slopeOfRow(trace, first + static_cast<double>(last - first) * i / count);
+        const double slope =
+            slopeOfRow(trace, first + static_cast<double>(last - first) * i / count);
         const double depth = depthOf(slope);
         const Point rayEnd = plot.onRay(slope, depth);
-        drawLine(picture, plot.area, {plot.x(0.0), plot.y(plot.eyeZ)}, rayEnd, withAlpha(met.colour, kRayAlpha));
+        drawLine(picture, plot.area, {plot.x(0.0), plot.y(plot.eyeZ)}, rayEnd,
+                 withAlpha(met.colour, kRayAlpha));
         // What is level stays so where it goes on beyond the plot
         const Point end = met.isLevel ? Point{plot.x(depth), plot.y(met.height)} : rayEnd;
         if (i > 0 && met.isThing) {
             const bool upright = std::abs(end.y - before.y) > std::abs(end.x - before.x);
             for (int k = 0; k <= plot.scale; ++k) {
                 const Point by = {upright ? -k : 0.0, upright ? 0.0 : -k};
-                drawLine(picture, plot.area, {before.x + by.x, before.y + by.y}, {end.x + by.x, end.y + by.y}, met.colour);
+                drawLine(picture, plot.area, {before.x + by.x, before.y + by.y},
+                         {end.x + by.x, end.y + by.y}, met.colour);
             }
         }
         before = end;
@@ -149,16 +165,24 @@ double depthAt(const SidePlot& plot, double height, double slope) {
     return slope != 0.0 ? std::abs((height - plot.eyeZ) / slope) : plot.depth;
 }
 
-void drawPlanes(const SliceTrace& trace, const World& world, int eyeMap, const SidePlot& plot, const Picture& picture) {
+void drawPlanes(const SliceTrace& trace, const World& world, int eyeMap, const SidePlot& plot,
+                const Picture& picture) {
     for (const FilledRows& rows : trace.planes) {
         const Beyond beyond = beyondPortals(trace, world, eyeMap, rows.first);
         const bool isCeiling = rows.what == FilledRows::What::ceiling;
         const bool isPlane = isCeiling || rows.what == FilledRows::What::floor;
-        const double height = (isCeiling ? world.maps[static_cast<std::size_t>(beyond.map)].ceiling.height.value() : 0.0) - beyond.levels;
+        const double height =
+            (isCeiling ? world.maps[static_cast<std::size_t>(beyond.map)].ceiling.height.value()
+                       : 0.0) -
+            beyond.levels;
         drawRays(
             trace, rows.first, rows.last, plot,
-            {.colour = kindColour(rows.what), .isThing = rows.what != FilledRows::What::sky, .isLevel = isPlane, .height = height},
-            [&](double slope) { return isPlane ? depthAt(plot, height, slope) : plot.depth; }, picture);
+            {.colour = kindColour(rows.what),
+             .isThing = rows.what != FilledRows::What::sky,
+             .isLevel = isPlane,
+             .height = height},
+            [&](double slope) { return isPlane ? depthAt(plot, height, slope) : plot.depth; },
+            picture);
     }
 }
 
@@ -166,40 +190,62 @@ void drawHits(const SliceTrace& trace, const SidePlot& plot, const Picture& pict
     for (const Hit& hit : trace.hits) {
         for (const FilledRows& rows : hit.filled) {
             const bool isSide = rows.what == FilledRows::What::side;
-            const double sideDepth = hit.entered && rows.face == hit.face ? hit.depth : hit.backDepth;
-            const double height = rows.what == FilledRows::What::roof ? topOf(trace, hit, plot.eyeZ) : bottomOf(trace, hit, plot.eyeZ);
+            const double sideDepth =
+                hit.entered && rows.face == hit.face ? hit.depth : hit.backDepth;
+            const double height = rows.what == FilledRows::What::roof
+                                      ? topOf(trace, hit, plot.eyeZ)
+                                      : bottomOf(trace, hit, plot.eyeZ);
             drawRays(
-                trace, rows.first, rows.last, plot, {.colour = kindColour(rows.what), .isLevel = !isSide, .height = height},
-                [&](double slope) { return isSide ? sideDepth : std::clamp(depthAt(plot, height, slope), hit.depth, hit.backDepth); }, picture);
+                trace, rows.first, rows.last, plot,
+                {.colour = kindColour(rows.what), .isLevel = !isSide, .height = height},
+                [&](double slope) {
+                    return isSide
+                               ? sideDepth
+                               : std::clamp(depthAt(plot, height, slope), hit.depth, hit.backDepth);
+                },
+                picture);
         }
     }
 }
 
 // The whole of each as a faint bar, what is seen of it as a strong one.
-void drawObjects(const SliceTrace& trace, const World& world, int eyeMap, const SidePlot& plot, const Picture& picture) {
+void drawObjects(const SliceTrace& trace, const World& world, int eyeMap, const SidePlot& plot,
+                 const Picture& picture) {
     for (const SeenObject& seen : trace.objects) {
         if (seen.depth > plot.depth) continue;
-        const Object& object = world.maps[static_cast<std::size_t>(seen.map)].objects[static_cast<std::size_t>(seen.object)];
+        const Object& object = world.maps[static_cast<std::size_t>(seen.map)]
+                                   .objects[static_cast<std::size_t>(seen.object)];
         const int levels = beyondPortals(trace, world, eyeMap, seen.first).levels;
         const int x = static_cast<int>(plot.x(seen.depth));
         const int top = static_cast<int>(plot.y((object.z + object.height).value() - levels));
         const int bottom = static_cast<int>(plot.y(object.z.value() - levels));
-        blendRect(picture, shared({x - plot.scale, top, 2 * plot.scale + 1, bottom - top}, plot.area), withAlpha(kObjectColour, kObjectAlpha));
+        blendRect(picture,
+                  shared({x - plot.scale, top, 2 * plot.scale + 1, bottom - top}, plot.area),
+                  withAlpha(kObjectColour, kObjectAlpha));
         drawRays(
-            trace, seen.first, seen.last, plot, {.colour = kObjectColour}, [&](double) { return seen.depth; }, picture);
+            trace, seen.first, seen.last, plot, {.colour = kObjectColour},
+            [&](double) { return seen.depth; }, picture);
     }
 }
 
 // Mirrors as dashed lines, with a few of the rays that they throw back.
-void drawMirrors(const SliceTrace& trace, const World& world, int eyeMap, const SidePlot& plot, const Picture& picture) {
+void drawMirrors(const SliceTrace& trace, const World& world, int eyeMap, const SidePlot& plot,
+                 const Picture& picture) {
     for (const MirroredRows& mirror : trace.mirrors) {
-        const double height = mirror.height.value() - beyondPortals(trace, world, eyeMap, mirror.first).levels;
-        const auto depthOfRow = [&](double row) { return std::min(depthAt(plot, height, slopeOfRow(trace, row)), plot.depth); };
+        const double height =
+            mirror.height.value() - beyondPortals(trace, world, eyeMap, mirror.first).levels;
+        const auto depthOfRow = [&](double row) {
+            return std::min(depthAt(plot, height, slopeOfRow(trace, row)), plot.depth);
+        };
         const int left = static_cast<int>(plot.x(depthOfRow(mirror.last)));
         const int right = static_cast<int>(plot.x(depthOfRow(mirror.first)));
         const int y = static_cast<int>(plot.y(height));
         for (int x = left; x < right; x += 6 * plot.scale) {
-            blendRect(picture, shared({x, y - 3 * plot.scale, std::min(3 * plot.scale, right - x), plot.scale}, plot.area), kMirrorColour);
+            blendRect(
+                picture,
+                shared({x, y - 3 * plot.scale, std::min(3 * plot.scale, right - x), plot.scale},
+                       plot.area),
+                kMirrorColour);
         }
         for (const double part : {0.0, 0.5, 1.0}) {
             const double row = mirror.first + part * (mirror.last - mirror.first);
@@ -207,43 +253,58 @@ void drawMirrors(const SliceTrace& trace, const World& world, int eyeMap, const 
             const double from = depthOfRow(row);
             if (from >= plot.depth || slope >= 0.0) continue;
             const double to = std::min(plot.depth, from + (plot.highest - height) / -slope);
-            drawLine(picture, plot.area, {plot.x(from), plot.y(height)}, {plot.x(to), plot.y(height - slope * (to - from))},
+            drawLine(picture, plot.area, {plot.x(from), plot.y(height)},
+                     {plot.x(to), plot.y(height - slope * (to - from))},
                      withAlpha(kMirrorColour, kReflectedAlpha));
         }
     }
 }
 
-// Upright lines where rays go through, with the name of the map that they come into where there is room for it.
-void drawPortals(const SliceTrace& trace, const World& world, const SidePlot& plot, const Picture& picture) {
+// Upright lines where rays go through, with the name of the map that they come into where there is
+// room for it.
+void drawPortals(const SliceTrace& trace, const World& world, const SidePlot& plot,
+                 const Picture& picture) {
     int labelled = plot.area.x;
     for (const PassedPortal& passed : trace.portals) {
         if (passed.depth >= plot.depth) continue;
         const int x = static_cast<int>(plot.x(passed.depth));
-        const int top = static_cast<int>(plot.onRay(slopeOfRow(trace, passed.first), passed.depth).y);
-        const int bottom = static_cast<int>(plot.onRay(slopeOfRow(trace, passed.last), passed.depth).y);
-        blendRect(picture, shared({x, top, std::max(1, plot.scale / 2), bottom - top + 1}, plot.area), kPortalColour);
-        const std::string_view name = world.maps[static_cast<std::size_t>(world.portals[passed.portal].toMap)].name;
+        const int top =
+            static_cast<int>(plot.onRay(slopeOfRow(trace, passed.first), passed.depth).y);
+        const int bottom =
+            static_cast<int>(plot.onRay(slopeOfRow(trace, passed.last), passed.depth).y);
+        blendRect(picture,
+                  shared({x, top, std::max(1, plot.scale / 2), bottom - top + 1}, plot.area),
+                  kPortalColour);
+        const std::string_view name =
+            world.maps[static_cast<std::size_t>(world.portals[passed.portal].toMap)].name;
         const int width = textWidth(name, plot.scale);
         const int left = x + 3 * plot.scale;
         if (x < labelled || left + width > plot.area.x + plot.area.width) continue;
-        blendRect(picture, {left - plot.scale, plot.area.y, width + 2 * plot.scale, kGlyphHeight * plot.scale}, kPanelColour);
-        drawText(picture, left, plot.area.y + plot.scale, name, {.colour = kPortalColour, .scale = plot.scale});
+        blendRect(
+            picture,
+            {left - plot.scale, plot.area.y, width + 2 * plot.scale, kGlyphHeight * plot.scale},
+            kPanelColour);
+        drawText(picture, left, plot.area.y + plot.scale, name,
+                 {.colour = kPortalColour, .scale = plot.scale});
         labelled = left + width + 3 * plot.scale;
     }
 }
 
 bool isSeen(const SliceTrace& trace, FilledRows::What what) {
     const auto among = [what](const std::vector<FilledRows>& filled) {
-        return std::any_of(filled.begin(), filled.end(), [what](const FilledRows& rows) { return rows.what == what; });
+        return std::any_of(filled.begin(), filled.end(),
+                           [what](const FilledRows& rows) { return rows.what == what; });
     };
-    return among(trace.planes) || std::any_of(trace.hits.begin(), trace.hits.end(), [&](const Hit& hit) { return among(hit.filled); });
+    return among(trace.planes) || std::any_of(trace.hits.begin(), trace.hits.end(),
+                                              [&](const Hit& hit) { return among(hit.filled); });
 }
 
 // What the colours in this slice mean.
 class Legend {
 public:
     explicit Legend(const SliceTrace& trace) {
-        for (const SliceKind& kind : sliceKinds()) add(isSeen(trace, kind.what), kind.name, kind.colour);
+        for (const SliceKind& kind : sliceKinds())
+            add(isSeen(trace, kind.what), kind.name, kind.colour);
         add(!trace.objects.empty(), "object", kObjectColour);
         add(!trace.portals.empty(), "portal", kPortalColour);
         add(!trace.mirrors.empty(), "mirror", kMirrorColour);
@@ -279,25 +340,31 @@ private:
 // Which slice it is, and against the right edge what the colours in it mean.
 void drawTitle(const SliceTrace& trace, PixelRect panel, int scale, const Picture& picture) {
     std::array<char, 64> text;
-    std::string_view title = write(text, {"slice ", trace.column, "   ", trace.hits.size(), " blocks   ", trace.tiles.size(), " tiles"});
+    std::string_view title = write(text, {"slice ", trace.column, "   ", trace.hits.size(),
+                                          " blocks   ", trace.tiles.size(), " tiles"});
     const int room = panel.width - 2 * kPanelPadding * scale;
     const Legend legend(trace);
     const int gap = kGlyphAdvance * scale;
     // The number of the slice is enough where there is no room for all
-    if (textWidth(title, scale) + gap + legend.width(scale) > room) title = title.substr(0, title.find("   "));
+    if (textWidth(title, scale) + gap + legend.width(scale) > room)
+        title = title.substr(0, title.find("   "));
     while (textWidth(title, scale) > room) title.remove_suffix(1);
     const int y = panel.y + kPanelPadding * scale;
     drawText(picture, panel.x + kPanelPadding * scale, y, title, {.scale = scale});
     if (textWidth(title, scale) + gap + legend.width(scale) > room) return;
-    legend.draw(picture, panel.x + panel.width - kPanelPadding * scale - legend.width(scale) + 7 * scale, y, scale);
+    legend.draw(picture,
+                panel.x + panel.width - kPanelPadding * scale - legend.width(scale) + 7 * scale, y,
+                scale);
 }
 
 }  // namespace
 
-void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye, const Picture& picture) {
+void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye,
+                  const Picture& picture) {
     const OverlayLayout layout = layoutOverlays(picture.width, picture.height);
     const PixelRect panel = layout.sideView;
-    if (panel.width == 0 || eye.map < 0 || static_cast<std::size_t>(eye.map) >= world.maps.size()) return;
+    if (panel.width == 0 || eye.map < 0 || static_cast<std::size_t>(eye.map) >= world.maps.size())
+        return;
     const int scale = layout.scale;
     const int padding = kPanelPadding * scale;
     drawPanel(picture, panel);
@@ -307,8 +374,10 @@ void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye, c
     const int above = padding + (kGlyphHeight + 3) * scale;
     const int below = padding + (kGlyphHeight + 3) * scale;
     const int beside = padding + (2 * kGlyphAdvance + 5) * scale;
-    const SidePlot plot =
-        makePlot(trace, eye.z.value(), {panel.x + beside, panel.y + above, panel.width - beside - padding, panel.height - above - below}, scale);
+    const SidePlot plot = makePlot(trace, eye.z.value(),
+                                   {panel.x + beside, panel.y + above,
+                                    panel.width - beside - padding, panel.height - above - below},
+                                   scale);
     drawAxes(plot, picture);
     drawBlocks(trace, plot, picture);
     drawPlanes(trace, world, eye.map, plot, picture);

@@ -36,28 +36,34 @@ void drawSliceLine(const SliceTrace& trace, const Picture& picture) {
     const int stripe = 3 * scale;
     // Near the right edge the stripes are on the line's left.
     const bool left = trace.column + 1 + 2 * stripe > picture.width;
-    const auto stripeAt = [&](int from, int width) { return left ? trace.column - from - width : trace.column + 1 + from; };
+    const auto stripeAt = [&](int from, int width) {
+        return left ? trace.column - from - width : trace.column + 1 + from;
+    };
     blendRect(picture, {trace.column - 1, 0, 1, picture.height}, kBesideLine);
     blendRect(picture, {trace.column + 1, 0, 1, picture.height}, kBesideLine);
     blendRect(picture, {trace.column, 0, 1, picture.height}, kLine);
     const auto mark = [&](int first, int last, Colour colour) {
-        blendRect(picture, {stripeAt(0, stripe), first, stripe, last - first}, withAlpha(colour, 235));
+        blendRect(picture, {stripeAt(0, stripe), first, stripe, last - first},
+                  withAlpha(colour, 235));
         blendRect(picture, {stripeAt(0, stripe), first, stripe, 1}, {0, 0, 0, 200});
     };
     for (const FilledRows& rows : trace.planes) mark(rows.first, rows.last, kindColour(rows.what));
     for (const Hit& hit : trace.hits) {
-        for (const FilledRows& rows : hit.filled) mark(rows.first, rows.last, kindColour(rows.what));
+        for (const FilledRows& rows : hit.filled)
+            mark(rows.first, rows.last, kindColour(rows.what));
     }
     for (const SeenObject& object : trace.objects) mark(object.first, object.last, kObjectColour);
 
     // A second stripe tells which rows went through a portal, or are mirrored too
     const auto markBeside = [&](int first, int last, Colour colour) {
-        blendRect(picture, {stripeAt(stripe + scale, 2 * scale), first, 2 * scale, last - first}, withAlpha(colour, 235));
+        blendRect(picture, {stripeAt(stripe + scale, 2 * scale), first, 2 * scale, last - first},
+                  withAlpha(colour, 235));
     };
     for (const PassedPortal& portal : trace.portals) {
         if (portal.portals == 0) markBeside(portal.first, portal.last, kPortalColour);
     }
-    for (const MirroredRows& mirror : trace.mirrors) markBeside(mirror.first, mirror.last, kMirrorColour);
+    for (const MirroredRows& mirror : trace.mirrors)
+        markBeside(mirror.first, mirror.last, kMirrorColour);
 }
 
 }  // namespace slicecast

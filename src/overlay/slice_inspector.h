@@ -1,11 +1,16 @@
-// What one slice of a picture meets: a line where it is, with a stripe that tells what fills each of its rows, and a view of it from the side.
+// What one slice of a picture meets: a line where it is, with a stripe that tells what fills each
+// of its rows, and a view of it from the side.
 //
-//     height |            +-----+       :          |       the blocks that its ground line passes, brighter where they are seen, objects as bars,
-//            |     +---+--|     |---    :cellar    |       and rays from the eye to the rows that they fill, in the stripe's colours;
-//        eye o-----|   |  |     |       :    +--+          an upright line where rays go through a portal into that map
+//     height |            +-----+       :          |       the blocks that its ground line passes,
+//     brighter where they are seen, objects as bars,
+//            |     +---+--|     |---    :cellar    |       and rays from the eye to the rows that
+//            they fill, in the stripe's colours;
+//        eye o-----|   |  |     |       :    +--+          an upright line where rays go through a
+//        portal into that map
 //            +-----+---+--+-----+-------:----+--+-- depth
 //
-// Behind a portal depths and heights go on as the eye sees them. Where the slice meets a mirror, a dashed line is that mirror, and faint rays go up from it.
+// Behind a portal depths and heights go on as the eye sees them. Where the slice meets a mirror, a
+// dashed line is that mirror, and faint rays go up from it.
 #pragma once
 
 #include "overlay/blend.h"
@@ -35,6 +40,7 @@ Colour kindColour(FilledRows::What what);
 void drawSliceLine(const SliceTrace& trace, const Picture& picture);
 
 // The slice seen from the side, in its place (see layout.h). In side_view.cpp.
-void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye, const Picture& picture);
+void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye,
+                  const Picture& picture);
 
 }  // namespace slicecast

@@ -2,7 +2,8 @@
 //
 //     SlowDrawing slow;
 //     renderer.draw(...), picture complete
-//     slow.show(picture, 3);        leaves of it the slices that are due, on what earlier calls have shown
+//     slow.show(picture, 3);        leaves of it the slices that are due, on what earlier calls
+//     have shown
 #pragma once
 
 #include "base/image.h"
@@ -10,12 +11,14 @@
 
 namespace slicecast {
 
-inline constexpr int kMostSlicesPerPicture = 200;  // or so many pictures for one slice, as a negative number
+inline constexpr int kMostSlicesPerPicture =
+    200;  // or so many pictures for one slice, as a negative number
 inline constexpr Colour kNotYetDrawn = {20, 22, 26, 255};
 
 class SlowDrawing {
 public:
-    // `slices` more of the picture are shown; a negative number -n shows one more with every n-th call; 0 none.
+    // `slices` more of the picture are shown; a negative number -n shows one more with every n-th
+    // call; 0 none.
     void show(const Picture& picture, int slices);
 
     // The slice that comes next.

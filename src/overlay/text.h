@@ -1,5 +1,5 @@
-// Text over a picture, in a built-in font of printable ASCII: five columns wide, capitals seven rows high, two rows below the line for g j p q y. Any other
-// character shows as a box.
+// Text over a picture, in a built-in font of printable ASCII: five columns wide, capitals seven
+// rows high, two rows below the line for g j p q y. Any other character shows as a box.
 #pragma once
 
 #include "base/colour.h"
@@ -20,13 +20,14 @@ struct TextStyle {
     int scale = 1;  // pixels that a dot of the font is wide and high, >= 1
 };
 
-// Pixels from the left edge of the first character to the right edge of the last one of the longest line; and from the top of the first line to the bottom of
-// the last. Lines end in '\n'.
+// Pixels from the left edge of the first character to the right edge of the last one of the longest
+// line; and from the top of the first line to the bottom of the last. Lines end in '\n'.
 int textWidth(std::string_view text, int scale = 1);
 int textHeight(std::string_view text, int scale = 1);
 
 // Draws text with the upper left corner of its first character at (x, y).
-void drawText(const Picture& picture, int x, int y, std::string_view text, const TextStyle& style = {});
+void drawText(const Picture& picture, int x, int y, std::string_view text,
+              const TextStyle& style = {});
 
 // The corner, edge or middle of the picture at which a panel stands.
 enum class Anchor { topLeft, top, topRight, middle, bottomLeft, bottom, bottomRight };

@@ -11,8 +11,9 @@ constexpr std::uint32_t kOpaque = 0xff000000;
 constexpr std::uint32_t kFullLight = 256;  // the factor that leaves a colour as it is
 constexpr std::uint32_t kFullLightTwice = inBothHalves(kFullLight);
 
-// A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with alpha; no product or sum below exceeds 16 bits.
-// A machine without vectors leaves the vector forms unused.
+// A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with
+// alpha; no product or sum below exceeds 16 bits. A machine without vectors leaves the vector forms
+// unused.
 
 inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     const std::uint32_t factor = factorTwice & 0xffff;
@@ -21,8 +22,9 @@ inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     return even | (odd & ~kEvenBytes) | kOpaque;
 }
 
-// Shifts by a count that is not known beforehand. Clang 14 takes the spreading of the count over four lanes out of a loop, no longer sees then that all lanes
-// are shifted alike, and for WebAssembly shifts them one by one: there the count is kept from leaving.
+// Shifts by a count that is not known beforehand. Clang 14 takes the spreading of the count over
+// four lanes out of a loop, no longer sees then that all lanes are shifted alike, and for
+// WebAssembly shifts them one by one: there the count is kept from leaving.
 [[maybe_unused]] inline U32x4 shiftedRight(U32x4 value, int count) {
 #ifdef __wasm_simd128__
     __asm__ volatile("" : "+r"(count));
@@ -45,7 +47,8 @@ struct Halves {
 
 [[maybe_unused]] inline Halves shadedHalves(U32x4 texels, U32x4 factorsTwice) {
     const U16x8 half = (U16x8)allLanes(0x00800080);
-    return {((U16x8)(texels & kEvenBytes) * (U16x8)factorsTwice + half) >> 8, (((U16x8)texels >> 8) * (U16x8)factorsTwice + half) >> 8};
+    return {((U16x8)(texels & kEvenBytes) * (U16x8)factorsTwice + half) >> 8,
+            (((U16x8)texels >> 8) * (U16x8)factorsTwice + half) >> 8};
 }
 
 [[maybe_unused]] inline U32x4 shaded(U32x4 texels, U32x4 factorsTwice) {
@@ -54,15 +57,21 @@ struct Halves {
 }
 
 // x / 255 for each half, 0 <= x <= 255 * 255 + 127.
-inline std::uint32_t dividedBy255(std::uint32_t halves) { return ((halves + 0x00010001 + ((halves >> 8) & kEvenBytes)) >> 8) & kEvenBytes; }
+inline std::uint32_t dividedBy255(std::uint32_t halves) {
+    return ((halves + 0x00010001 + ((halves >> 8) & kEvenBytes)) >> 8) & kEvenBytes;
+}
 
-[[maybe_unused]] inline U16x8 dividedBy255(U16x8 x) { return (x + (std::uint16_t)1 + (x >> 8)) >> 8; }
+[[maybe_unused]] inline U16x8 dividedBy255(U16x8 x) {
+    return (x + (std::uint16_t)1 + (x >> 8)) >> 8;
+}
 
 inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint32_t haze) {
     const std::uint32_t fog = fogTwice & 0xffff;
     const std::uint32_t rest = 255 - fog;
-    const std::uint32_t even = dividedBy255((lit & kEvenBytes) * rest + (haze & kEvenBytes) * fog + 0x007f007f);
-    const std::uint32_t odd = dividedBy255(((lit >> 8) & kEvenBytes) * rest + ((haze >> 8) & kEvenBytes) * fog + 0x007f007f);
+    const std::uint32_t even =
+        dividedBy255((lit & kEvenBytes) * rest + (haze & kEvenBytes) * fog + 0x007f007f);
+    const std::uint32_t odd = dividedBy255(((lit >> 8) & kEvenBytes) * rest +
+                                           ((haze >> 8) & kEvenBytes) * fog + 0x007f007f);
     return even | odd << 8 | kOpaque;
 }
 
@@ -95,7 +104,8 @@ struct EvenShade {
         return foggy ? fogged(lit, fog, haze) : lit;
     }
     U32x4 four(U32x4 texels, int) const {
-        if constexpr (foggy) return fogged(shadedHalves(texels, allLanes(factor)), allLanes(fog), haze);
+        if constexpr (foggy)
+            return fogged(shadedHalves(texels, allLanes(factor)), allLanes(fog), haze);
         return shaded(texels, allLanes(factor));
     }
 };
@@ -112,15 +122,19 @@ struct RowShade {
         return foggy ? fogged(lit, fogs[row], haze) : lit;
     }
     U32x4 four(U32x4 texels, int row) const {
-        if constexpr (foggy) return fogged(shadedHalves(texels, loadVector<U32x4>(factors + row)), loadVector<U32x4>(fogs + row), haze);
+        if constexpr (foggy)
+            return fogged(shadedHalves(texels, loadVector<U32x4>(factors + row)),
+                          loadVector<U32x4>(fogs + row), haze);
         return shaded(texels, loadVector<U32x4>(factors + row));
     }
 };
 
 inline std::uint32_t laidOver(std::uint32_t there, std::uint32_t colour, std::uint32_t alpha) {
     const std::uint32_t rest = 255 - alpha;
-    const std::uint32_t even = dividedBy255((colour & kEvenBytes) * alpha + (there & kEvenBytes) * rest + 0x007f007f);
-    const std::uint32_t odd = dividedBy255(((colour >> 8) & kEvenBytes) * alpha + ((there >> 8) & kEvenBytes) * rest + 0x007f007f);
+    const std::uint32_t even =
+        dividedBy255((colour & kEvenBytes) * alpha + (there & kEvenBytes) * rest + 0x007f007f);
+    const std::uint32_t odd = dividedBy255(((colour >> 8) & kEvenBytes) * alpha +
+                                           ((there >> 8) & kEvenBytes) * rest + 0x007f007f);
     return even | odd << 8 | kOpaque;
 }
 
@@ -130,28 +144,34 @@ struct Opaque {
     static U32x4 four(const Pixel*, U32x4, U32x4 colours) { return colours; }
 };
 struct Over {
-    static std::uint32_t one(const Pixel* there, std::uint32_t texel, std::uint32_t colour) { return laidOver(*there, colour, texel >> 24); }
+    static std::uint32_t one(const Pixel* there, std::uint32_t texel, std::uint32_t colour) {
+        return laidOver(*there, colour, texel >> 24);
+    }
     static U32x4 four(const Pixel* there, U32x4 texels, U32x4 colours) {
         const U32x4 old = loadVector<U32x4>(there);
         const U32x4 alphas = texels >> 24;
         const U16x8 alpha = (U16x8)(alphas | alphas << 16);
         const U16x8 rest = (U16x8)allLanes(0x00ff00ff) - alpha;
         const U16x8 half = (U16x8)allLanes(0x007f007f);
-        const U16x8 even = dividedBy255((U16x8)(colours & kEvenBytes) * alpha + ((U16x8)(old & kEvenBytes) * rest + half));
-        const U16x8 odd = dividedBy255(((U16x8)colours >> 8) * alpha + (((U16x8)old >> 8) * rest + half));
+        const U16x8 even = dividedBy255((U16x8)(colours & kEvenBytes) * alpha +
+                                        ((U16x8)(old & kEvenBytes) * rest + half));
+        const U16x8 odd =
+            dividedBy255(((U16x8)colours >> 8) * alpha + (((U16x8)old >> 8) * rest + half));
         return (U32x4)even | (U32x4)(odd << 8) | kOpaque;
     }
 };
 
 template <typename Put, typename ShadeRows>
-void fillSideRows(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t position, std::uint64_t step, ShadeRows shade) {
+void fillSideRows(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t position,
+                  std::uint64_t step, ShadeRows shade) {
     int row = 0;
     if constexpr (kHasVectors) {
         for (; row + 4 <= rows; row += 4) {
             const std::uint64_t second = position + step;
             const std::uint64_t third = second + step;
             const std::uint64_t fourth = third + step;
-            const U32x4 four = {texels[position >> shift], texels[second >> shift], texels[third >> shift], texels[fourth >> shift]};
+            const U32x4 four = {texels[position >> shift], texels[second >> shift],
+                                texels[third >> shift], texels[fourth >> shift]};
             storeVector(out + row, Put::four(out + row, four, shade.four(four, row)));
             position = fourth + step;
         }
@@ -163,14 +183,18 @@ void fillSideRows(Pixel* out, int rows, const Pixel* texels, int shift, std::uin
     }
 }
 
-// A double of at least 2^20 and below 2^21 has 32 bits after the point, so adding this leaves the fraction in the low half of its bits, rounded to the
-// nearest 1/2^32. The sum must stay in that range: positions are below 2^19 tiles (see kMaxFar).
+// A double of at least 2^20 and below 2^21 has 32 bits after the point, so adding this leaves the
+// fraction in the low half of its bits, rounded to the nearest 1/2^32. The sum must stay in that
+// range: positions are below 2^19 tiles (see kMaxFar).
 constexpr double kFractionMagic = 1572864.0;
 
-inline std::uint32_t lowHalf(double value) { return static_cast<std::uint32_t>(bitCast<std::uint64_t>(value)); }
+inline std::uint32_t lowHalf(double value) {
+    return static_cast<std::uint32_t>(bitCast<std::uint64_t>(value));
+}
 
 template <typename Put, typename ShadeRows>
-void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const double* inverseOffsets, ShadeRows shade) {
+void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level,
+                   const PlaneLine& line, const double* inverseOffsets, ShadeRows shade) {
     const Pixel* texels = level.texels.data();
     const int bits = level.bits;
     const int shift = 32 - bits;
@@ -186,22 +210,28 @@ void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level
         for (; row + 4 <= last; row += 4) {
             const F64x2 inverseA = loadVector<F64x2>(inverseOffsets + row);
             const F64x2 inverseB = loadVector<F64x2>(inverseOffsets + row + 2);
-            const U32x4 u = shiftedRight(lowHalves(east0 + eastPer * inverseA, east0 + eastPer * inverseB), shift);
-            const U32x4 v = shiftedRight(lowHalves(south0 + southPer * inverseA, south0 + southPer * inverseB), shift);
+            const U32x4 u = shiftedRight(
+                lowHalves(east0 + eastPer * inverseA, east0 + eastPer * inverseB), shift);
+            const U32x4 v = shiftedRight(
+                lowHalves(south0 + southPer * inverseA, south0 + southPer * inverseB), shift);
             const U32x4 index = shiftedLeft(u, bits) | (v ^ reverse);
-            const U32x4 four = {texels[index[0]], texels[index[1]], texels[index[2]], texels[index[3]]};
+            const U32x4 four = {texels[index[0]], texels[index[1]], texels[index[2]],
+                                texels[index[3]]};
             storeVector(column + row, Put::four(column + row, four, shade.four(four, row)));
         }
     }
     for (; row < last; ++row) {
-        const std::uint32_t u = lowHalf(eastStart + line.eastPerInverse * inverseOffsets[row]) >> shift;
-        const std::uint32_t v = lowHalf(southStart + line.southPerInverse * inverseOffsets[row]) >> shift;
+        const std::uint32_t u =
+            lowHalf(eastStart + line.eastPerInverse * inverseOffsets[row]) >> shift;
+        const std::uint32_t v =
+            lowHalf(southStart + line.southPerInverse * inverseOffsets[row]) >> shift;
         const Pixel texel = texels[(u << bits) | (v ^ reverse)];
         column[row] = Put::one(column + row, texel, shade.one(texel, row));
     }
 }
 
-// Splits rows in which something is so from one row on, or up to one row, into the one or two runs that they make.
+// Splits rows in which something is so from one row on, or up to one row, into the one or two runs
+// that they make.
 template <typename IsSo, typename Fill>
 void eachRun(int first, int last, IsSo&& isSo, Fill&& fill) {
     const bool atFirst = isSo(first);
@@ -210,7 +240,8 @@ void eachRun(int first, int last, IsSo&& isSo, Fill&& fill) {
         fill(first, last, atFirst);
         return;
     }
-    int same = first;  // the last row known to be like the first one; `other` is the first row known to be unlike it
+    int same = first;  // the last row known to be like the first one; `other` is the first row
+                       // known to be unlike it
     int other = last - 1;
     while (other - same > 1) {
         const int middle = same + (other - same) / 2;
@@ -222,24 +253,28 @@ void eachRun(int first, int last, IsSo&& isSo, Fill&& fill) {
 
 template <typename Put, typename ShadeRows>
 void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows shade) {
-    for (int row = first; row < last; ++row) column[row] = Put::one(column + row, texel, shade.one(texel, row));
+    for (int row = first; row < last; ++row)
+        column[row] = Put::one(column + row, texel, shade.one(texel, row));
 }
 
 template <typename Put>
-void fillSideAs(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog,
-                Pixel haze) {
+void fillSideAs(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start,
+                std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze) {
     const std::uint32_t factorTwice = inBothHalves(factor);
     if (fog != 0) {
-        fillSideRows<Put>(out, rows, texels, shift, start, step, EvenShade<true>{factorTwice, inBothHalves(fog), haze});
+        fillSideRows<Put>(out, rows, texels, shift, start, step,
+                          EvenShade<true>{factorTwice, inBothHalves(fog), haze});
     } else if (factor == kFullLight) {
         fillSideRows<Put>(out, rows, texels, shift, start, step, NoShade{});
     } else {
-        fillSideRows<Put>(out, rows, texels, shift, start, step, EvenShade<false>{factorTwice, 0, haze});
+        fillSideRows<Put>(out, rows, texels, shift, start, step,
+                          EvenShade<false>{factorTwice, 0, haze});
     }
 }
 
 template <typename Put>
-void fillPlaneAs(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze) {
+void fillPlaneAs(Pixel* column, int first, int last, const TextureLevel& level,
+                 const PlaneLine& line, const PlaneRows& rows, Pixel haze) {
     const auto fill = [&](int from, int to, auto shade) {
         // A single texel needs no position (and a shift by all 32 bits has no meaning).
         if (level.bits == 0) {
@@ -248,7 +283,8 @@ void fillPlaneAs(Pixel* column, int first, int last, const TextureLevel& level, 
             fillPlaneRows<Put>(column, from, to, level, line, rows.inverseOffsets, shade);
         }
     };
-    // Near rows may be without fog, and some of those in full light. Depth goes one way along the rows, so each kind is a run; a short run is not worth a look.
+    // Near rows may be without fog, and some of those in full light. Depth goes one way along the
+    // rows, so each kind is a run; a short run is not worth a look.
     constexpr int kShort = 8;
     if (last - first <= kShort) {
         if (rows.fogs) {
@@ -284,13 +320,16 @@ void fillPlaneAs(Pixel* column, int first, int last, const TextureLevel& level, 
 
 }  // namespace
 
-void fillSide(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze,
-              Lay lay) {
-    (lay == Lay::opaque ? fillSideAs<Opaque> : fillSideAs<Over>)(out, rows, texels, shift, start, step, factor, fog, haze);
+void fillSide(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start,
+              std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay) {
+    (lay == Lay::opaque ? fillSideAs<Opaque> : fillSideAs<Over>)(out, rows, texels, shift, start,
+                                                                 step, factor, fog, haze);
 }
 
-void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze, Lay lay) {
-    (lay == Lay::opaque ? fillPlaneAs<Opaque> : fillPlaneAs<Over>)(column, first, last, level, line, rows, haze);
+void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line,
+               const PlaneRows& rows, Pixel haze, Lay lay) {
+    (lay == Lay::opaque ? fillPlaneAs<Opaque> : fillPlaneAs<Over>)(column, first, last, level, line,
+                                                                   rows, haze);
 }
 
 void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength) {
@@ -310,7 +349,8 @@ std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double in
     return lowHalf(start + kFractionMagic + perInverse * inverseOffset);
 }
 
-Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay, Pixel there) {
+Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay,
+                  Pixel there) {
     const std::uint32_t lit = shaded(texel, inBothHalves(factor));
     const std::uint32_t colour = fog == 0 ? lit : fogged(lit, inBothHalves(fog), haze);
     return lay == Lay::opaque ? colour : laidOver(there, colour, texel >> 24);

@@ -1,6 +1,8 @@
-// The innermost loops: rows of one slice filled from a texture, shaded. Per pixel a texel fetch, a multiply and a store; nothing else.
+// The innermost loops: rows of one slice filled from a texture, shaded. Per pixel a texel fetch, a
+// multiply and a store; nothing else.
 //
-// A slice is drawn into a column of memory, one row after another, so all three streams (rows, the tables per row, a wall's texels) run forwards.
+// A slice is drawn into a column of memory, one row after another, so all three streams (rows, the
+// tables per row, a wall's texels) run forwards.
 #pragma once
 
 #include "base/colour.h"
@@ -11,20 +13,23 @@
 
 namespace slicecast {
 
-// Positions along a texture are kept in 1/2^48 of a tile: a step rounded to that is off by less than 1e-10 of a tile after 8192 rows.
+// Positions along a texture are kept in 1/2^48 of a tile: a step rounded to that is off by less
+// than 1e-10 of a tile after 8192 rows.
 inline constexpr int kTexturePositionBits = 48;
 
 // Whether a run's texels take the place of what is there, or are laid over it by their alpha:
 //     channel = (texel * alpha + there * (255 - alpha) + 127) / 255
 enum class Lay { opaque, over };
 
-// Fills `rows` rows from one column of texels, from position `start` on, `step` further each row: texels[position >> shift], within the column throughout. On a
-// side positions are in 1/2^48 of a tile.
-void fillSide(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start, std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze,
+// Fills `rows` rows from one column of texels, from position `start` on, `step` further each row:
+// texels[position >> shift], within the column throughout. On a side positions are in 1/2^48 of a
+// tile.
+void fillSide(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start,
+              std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze,
               Lay lay = Lay::opaque);
 
-// How the points of a level plane that a slice sees follow from the row: east = eastStart + eastPerInverse * inverseOffset, and so for south, in tiles,
-// where only the fraction counts.
+// How the points of a level plane that a slice sees follow from the row: east = eastStart +
+// eastPerInverse * inverseOffset, and so for south, in tiles, where only the fraction counts.
 struct PlaneLine {
     double eastStart = 0.0;  // the eye's fraction of a tile, 0 to 1
     double southStart = 0.0;
@@ -36,23 +41,28 @@ struct PlaneLine {
     static std::uint32_t fractionBits(double start, double perInverse, double inverseOffset);
 };
 
-// Per-row figures of a plane: the tables are indexed by row. `fogs` is null where there is no fog. Each entry holds its value twice, in either half.
+// Per-row figures of a plane: the tables are indexed by row. `fogs` is null where there is no fog.
+// Each entry holds its value twice, in either half.
 struct PlaneRows {
     const double* inverseOffsets = nullptr;  // 1 / |horizon - (row + 0.5)|
     const std::uint32_t* factors = nullptr;
     const std::uint32_t* fogs = nullptr;
 };
 
-constexpr std::uint32_t inBothHalves(std::uint32_t value) { return value | value << 16; }
+constexpr std::uint32_t inBothHalves(std::uint32_t value) {
+    return value | value << 16;
+}
 
 // Fills the rows [first, last) of the slice that starts at `column`.
-void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, Pixel haze,
-               Lay lay = Lay::opaque);
+void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line,
+               const PlaneRows& rows, Pixel haze, Lay lay = Lay::opaque);
 
-// Blends `rows` pixels over what is there, out = (there * (255 - strength) + colour * strength + 127) / 255, taking the last of them first.
+// Blends `rows` pixels over what is there, out = (there * (255 - strength) + colour * strength +
+// 127) / 255, taking the last of them first.
 void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength);
 
 // One row from a texel that was found otherwise; `there` is what it is laid over.
-Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay, Pixel there);
+Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay,
+                  Pixel there);
 
 }  // namespace slicecast

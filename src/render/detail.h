@@ -1,4 +1,5 @@
-// Levels of detail: which level of a texture is shown at a depth. Level m is the number of thresholds T (by default 1, 2, 4 ...) with t * N > T * d.
+// Levels of detail: which level of a texture is shown at a depth. Level m is the number of
+// thresholds T (by default 1, 2, 4 ...) with t * N > T * d.
 #pragma once
 
 #include "base/bits.h"
@@ -16,16 +17,20 @@ struct Detail {
 
     Detail() = default;
     Detail(const RenderOptions& options, double projectionDistance)
-        : textures(options.textures), levels(options.detail), firstThreshold(options.detailThreshold * projectionDistance) {}
+        : textures(options.textures),
+          levels(options.detail),
+          firstThreshold(options.detailThreshold * projectionDistance) {}
 
     // `size` is the texture's, in texels a side; `last` its last level.
     int levelAt(double depth, int size, int last) const {
         if (!textures) return last;
         if (!levels) return 0;
-        // The exponents' difference, rounded up: a double's bits are its exponent and then its fraction, so it falls out of one subtraction. Thresholds
-        // double, N is a power of two: no rounding anywhere.
+        // The exponents' difference, rounded up: a double's bits are its exponent and then its
+        // fraction, so it falls out of one subtraction. Thresholds double, N is a power of two: no
+        // rounding anywhere.
         const double reach = depth * size;
-        const std::int64_t over = bitCast<std::int64_t>(reach) - bitCast<std::int64_t>(firstThreshold);
+        const std::int64_t over =
+            bitCast<std::int64_t>(reach) - bitCast<std::int64_t>(firstThreshold);
         constexpr std::int64_t kOne = std::int64_t{1} << 52;
         return static_cast<int>(std::clamp<std::int64_t>((over + kOne - 1) >> 52, 0, last));
     }

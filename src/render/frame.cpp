@@ -2,7 +2,8 @@
 
 namespace slicecast {
 
-Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<FrameTexture>& current, Vistas& seen)
+Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height,
+             std::vector<FrameTexture>& current, Vistas& seen)
     : world(&w), mirrors(options.mirrors), textures(current), vistas(seen) {
     vistas.beginFrame(w, e, options, width, height);
     detail = Detail(options, vistas.projection().distance);
@@ -10,7 +11,8 @@ Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int wid
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const Texture& texture = w.textures[i];
         const std::vector<TextureLevel>& levels = texture.levelsOf(texture.frameAt(w.seconds));
-        textures[i] = {levels.data(), texture.size(), static_cast<int>(levels.size()) - 1, texture.seeThrough};
+        textures[i] = {levels.data(), texture.size(), static_cast<int>(levels.size()) - 1,
+                       texture.seeThrough};
     }
 }
 

@@ -26,8 +26,10 @@ struct Frame {
     std::vector<FrameTexture>& textures;  // by TextureId
     Vistas& vistas;
 
-    // The vectors and vistas are the caller's, which keeps them from frame to frame. The eye and the options must outlive the frame.
-    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height, std::vector<FrameTexture>& current, Vistas& seen);
+    // The vectors and vistas are the caller's, which keeps them from frame to frame. The eye and
+    // the options must outlive the frame.
+    Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height,
+          std::vector<FrameTexture>& current, Vistas& seen);
 };
 
 }  // namespace slicecast

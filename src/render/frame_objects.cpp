@@ -7,8 +7,10 @@
 
 namespace slicecast {
 
-void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY, std::int32_t eyeZ, GroundDirection forward,
-                              GroundDirection right, const Projection& projection, const Detail& detail, const Lighting& lighting) {
+void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t eyeX,
+                              std::int64_t eyeY, std::int32_t eyeZ, GroundDirection forward,
+                              GroundDirection right, const Projection& projection,
+                              const Detail& detail, const Lighting& lighting) {
     objects_.clear();
     highest_ = 0.0;
     const auto groups = static_cast<std::size_t>((projection.width + kGroup - 1) / kGroup);
@@ -16,19 +18,26 @@ void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t e
     for (std::vector<int>& group : groups_) group.clear();
 
     // A column's ray is `sideways * depth / distance` units to the right of the eye.
-    const auto columnOf = [&](double aside, double depth) { return aside * projection.distance / depth + projection.width / 2.0; };
+    const auto columnOf = [&](double aside, double depth) {
+        return aside * projection.distance / depth + projection.width / 2.0;
+    };
     seen_.clear();
     for (std::size_t i = 0; i < map.objects.size(); ++i) {
         const Object& object = map.objects[i];
         const double dx = static_cast<double>(object.x.raw - eyeX) / 65536.0;
         const double dy = static_cast<double>(object.y.raw - eyeY) / 65536.0;
-        const double depth = std::floor(65536.0 * (forward.x * dx + forward.y * dy) + 0.5) / 65536.0;
+        const double depth =
+            std::floor(65536.0 * (forward.x * dx + forward.y * dy) + 0.5) / 65536.0;
         if (depth <= 0.0) continue;
         const double left = right.x * dx + right.y * dy - object.width.value() / 2.0;
-        if (columnOf(left, depth) > projection.width + 1.0 || columnOf(left + object.width.value(), depth) < -1.0) continue;
+        if (columnOf(left, depth) > projection.width + 1.0 ||
+            columnOf(left + object.width.value(), depth) < -1.0)
+            continue;
         seen_.push_back({depth, left, static_cast<int>(i)});
     }
-    mergeSort(seen_, room_, [](const Seen& a, const Seen& b) { return a.depth < b.depth; });  // else in the map's order
+    mergeSort(seen_, room_, [](const Seen& a, const Seen& b) {
+        return a.depth < b.depth;
+    });  // else in the map's order
 
     for (const Seen& seen : seen_) {
         const Object& object = map.objects[static_cast<std::size_t>(seen.index)];
@@ -42,8 +51,10 @@ void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t e
         shown.along = seen.depth / projection.distance;
         shown.left = seen.left;
         shown.width = object.width.value();
-        const std::vector<SpriteLevel>& levels = world.sprites[object.sprite].levelsAt(world.seconds);
-        shown.level = &levels[static_cast<std::size_t>(detail.levelAt(seen.depth, levels[0].height, static_cast<int>(levels.size()) - 1))];
+        const std::vector<SpriteLevel>& levels =
+            world.sprites[object.sprite].levelsAt(world.seconds);
+        shown.level = &levels[static_cast<std::size_t>(
+            detail.levelAt(seen.depth, levels[0].height, static_cast<int>(levels.size()) - 1))];
         const Shade shade = lighting.at(seen.depth, object.light, object.glow);
         shown.factor = shade.factor;
         shown.fog = shade.fog;
@@ -55,9 +66,12 @@ void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t e
     for (std::size_t i = 0; i < objects_.size(); ++i) {
         const FrameObject& object = objects_[i];
         const double width = projection.width;
-        const int first = static_cast<int>(std::clamp(columnOf(object.left, object.depth) - 1.0, 0.0, width - 1.0));
-        const int last = static_cast<int>(std::clamp(columnOf(object.left + object.width, object.depth) + 1.0, 0.0, width - 1.0));
-        for (int group = first / kGroup; group <= last / kGroup; ++group) groups_[static_cast<std::size_t>(group)].push_back(static_cast<int>(i));
+        const int first = static_cast<int>(
+            std::clamp(columnOf(object.left, object.depth) - 1.0, 0.0, width - 1.0));
+        const int last = static_cast<int>(
+            std::clamp(columnOf(object.left + object.width, object.depth) + 1.0, 0.0, width - 1.0));
+        for (int group = first / kGroup; group <= last / kGroup; ++group)
+            groups_[static_cast<std::size_t>(group)].push_back(static_cast<int>(i));
     }
 }
 

@@ -1,4 +1,5 @@
-// The objects of a frame: which of a map's objects may be seen, at which depth, and in which columns; worked out once for all slices.
+// The objects of a frame: which of a map's objects may be seen, at which depth, and in which
+// columns; worked out once for all slices.
 #pragma once
 
 #include "render/detail.h"
@@ -14,9 +15,10 @@ namespace slicecast {
 
 struct FrameObject {
     double depth = 0.0;  // t, units, a multiple of 1/65536, > 0
-    double along = 0.0;  // the same as a Crossing counts it: the one number that is compared with borders
-    double left = 0.0;   // of its left edge, units to the right of the eye
-    double width = 0.0;  // units
+    double along =
+        0.0;  // the same as a Crossing counts it: the one number that is compared with borders
+    double left = 0.0;        // of its left edge, units to the right of the eye
+    double width = 0.0;       // units
     std::int32_t bottom = 0;  // 1/65536 units above the eye
     std::int32_t top = 0;
     int firstRow = 0;  // where it appears: the rows [firstRow, lastRow)
@@ -30,19 +32,27 @@ struct FrameObject {
 class FrameObjects {
 public:
     // The eye's place (1/65536 units), `forward` and `right` are in the map's coordinates.
-    void beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY, std::int32_t eyeZ, GroundDirection forward, GroundDirection right,
+    void beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY,
+                    std::int32_t eyeZ, GroundDirection forward, GroundDirection right,
                     const Projection& projection, const Detail& detail, const Lighting& lighting);
 
     // The objects that may cover a column, nearest first; those of one depth in the map's order.
-    const std::vector<int>& inColumn(int column) const { return groups_[static_cast<std::size_t>(column / kGroup)]; }
+    const std::vector<int>& inColumn(int column) const {
+        return groups_[static_cast<std::size_t>(column / kGroup)];
+    }
     const FrameObject& operator[](int i) const { return objects_[static_cast<std::size_t>(i)]; }
 
     bool none() const { return objects_.empty(); }
-    double highest() const { return highest_; }  // of their upper edges above the map's floor, units; 0 if there are none
+    double highest() const {
+        return highest_;
+    }  // of their upper edges above the map's floor, units; 0 if there are none
 
-    // The first row below a height, `rise` 1/65536 units above the eye, at a depth; a row right through it counts as below if `tieIsBelow`.
-    static int firstRowBelow(const Projection& projection, std::int32_t rise, double depth, bool tieIsBelow = false) {
-        return projection.firstRowBelowRow(projection.horizon - rise / 65536.0 * projection.distance / depth, tieIsBelow);
+    // The first row below a height, `rise` 1/65536 units above the eye, at a depth; a row right
+    // through it counts as below if `tieIsBelow`.
+    static int firstRowBelow(const Projection& projection, std::int32_t rise, double depth,
+                             bool tieIsBelow = false) {
+        return projection.firstRowBelowRow(
+            projection.horizon - rise / 65536.0 * projection.distance / depth, tieIsBelow);
     }
 
 private:

@@ -1,9 +1,13 @@
-// The walk over the grid: which tiles a ground ray passes and at which depths it crosses their borders.
+// The walk over the grid: which tiles a ground ray passes and at which depths it crosses their
+// borders.
 //
-//     +-----+-----+          Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987), on two axes. The depth of the n-th border of an
-//     |  .--|-*   |          axis is (distance to the first + n) / |direction|: a quotient of its own each time, so nothing accumulates, and two borders that
-//     | e   |  \  |          are met at the same depth are found equal.
-//     +-----+---*-+          There the tie rule of projection.h decides: the eye counts as a little further east (and far less south), so an eastward border
+//     +-----+-----+          Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing"
+//     (1987), on two axes. The depth of the n-th border of an |  .--|-*   |          axis is
+//     (distance to the first + n) / |direction|: a quotient of its own each time, so nothing
+//     accumulates, and two borders that | e   |  \  |          are met at the same depth are found
+//     equal.
+//     +-----+---*-+          There the tie rule of projection.h decides: the eye counts as a little
+//     further east (and far less south), so an eastward border
 //           |     |          comes first and a westward one last.
 #pragma once
 
@@ -22,40 +26,55 @@ namespace slicecast {
 // Finite, so that a height of 0 stays at the horizon.
 inline constexpr double kHugeRows = 1e200;
 
-// A tile border and how a ray crosses it, `along` of the ray's direction from the eye (see Projection::ray): the quotient distance / speed. Rows and points are
-// projected from those two, since the quotient is rounded.
+// A tile border and how a ray crosses it, `along` of the ray's direction from the eye (see
+// Projection::ray): the quotient distance / speed. Rows and points are projected from those two,
+// since the quotient is rounded.
 struct Crossing {
     double along = 0.0;
-    double distance = 0.0;  // units along the border's axis from the eye
-    double speed = 1.0;     // size of the ray's direction on that axis, > 0
-    double rowsPerRaw = kHugeRows;  // rows that 1/65536 unit of height takes there, rounded; huge where the distance is 0
-    bool alongX = false;    // a border of constant x
-    bool nearing = false;   // crossed eastward or southward
-    bool early = false;     // the same in the coordinates of the eye's map: met sooner where it ties (see projection.h)
-    bool border = true;     // false where an object stands and no tile ends
+    double distance = 0.0;          // units along the border's axis from the eye
+    double speed = 1.0;             // size of the ray's direction on that axis, > 0
+    double rowsPerRaw = kHugeRows;  // rows that 1/65536 unit of height takes there, rounded; huge
+                                    // where the distance is 0
+    bool alongX = false;            // a border of constant x
+    bool nearing = false;           // crossed eastward or southward
+    bool early = false;  // the same in the coordinates of the eye's map: met sooner where it ties
+                         // (see projection.h)
+    bool border = true;  // false where an object stands and no tile ends
 };
 
 // What follows from the exact quotient; rarely asked.
-inline int firstRowBelowExactly(const Projection& projection, std::int32_t rise, const Crossing& border) {
+inline int firstRowBelowExactly(const Projection& projection, std::int32_t rise,
+                                const Crossing& border) {
     if (rise == 0) return projection.firstFallingRow;
     const double height = rise / 65536.0;
-    return projection.firstRowBelowRow(projection.horizon - height * border.speed / border.distance, (rise > 0) == border.early);
+    return projection.firstRowBelowRow(projection.horizon - height * border.speed / border.distance,
+                                       (rise > 0) == border.early);
 }
 
-// The first row whose ray passes below a height, `rise` 1/65536 units above the eye, when it crosses a border; rows above it pass at or above that height.
+// The first row whose ray passes below a height, `rise` 1/65536 units above the eye, when it
+// crosses a border; rows above it pass at or above that height.
 inline int firstRowBelow(const Projection& projection, std::int32_t rise, const Crossing& border) {
-    const double below = std::min(std::max(projection.horizonBelow - rise * border.rowsPerRaw, 0.5), projection.heightBelow);
-    // Added to this, a number below 2^16 has 16 bits after the point at the end of the double's bits: cheaper than a conversion.
+    const double below = std::min(std::max(projection.horizonBelow - rise * border.rowsPerRaw, 0.5),
+                                  projection.heightBelow);
+    // Added to this, a number below 2^16 has 16 bits after the point at the end of the double's
+    // bits: cheaper than a conversion.
     constexpr double kMagic = 103079215104.0;  // 1.5 * 2^36
     const auto fixed = static_cast<std::uint32_t>(bitCast<std::uint64_t>(below + kMagic));
-    // Near the middle of a row the sum's roundings might decide; there the exact quotient does, and the tie rule.
+    // Near the middle of a row the sum's roundings might decide; there the exact quotient does, and
+    // the tie rule.
     if (((fixed + 1) & 0xffff) < 3) return firstRowBelowExactly(projection, rise, border);
     return static_cast<int>(fixed >> 16);
 }
 
 // The face of the tile ahead through which a crossing leads, and the face of the tile behind.
-constexpr Face enteredFace(const Crossing& c) { return c.alongX ? (c.nearing ? Face::west : Face::east) : (c.nearing ? Face::north : Face::south); }
-constexpr Face leftFace(const Crossing& c) { return c.alongX ? (c.nearing ? Face::east : Face::west) : (c.nearing ? Face::south : Face::north); }
+constexpr Face enteredFace(const Crossing& c) {
+    return c.alongX ? (c.nearing ? Face::west : Face::east)
+                    : (c.nearing ? Face::north : Face::south);
+}
+constexpr Face leftFace(const Crossing& c) {
+    return c.alongX ? (c.nearing ? Face::east : Face::west)
+                    : (c.nearing ? Face::south : Face::north);
+}
 
 struct GridWalk {
     int tileX = 0;
@@ -65,7 +84,14 @@ struct GridWalk {
     double entered = 0.0;  // `along` where the current tile was entered, 0 in the eye's own
 
     GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray)
-        : tileX(eyeX.tile()), tileY(eyeY.tile()), stepX(stepOf(ray.x)), stepY(stepOf(ray.y)), x_(eyeX, ray.x), y_(eyeY, ray.y), earlyX_(stepX > 0), earlyY_(stepY > 0),
+        : tileX(eyeX.tile()),
+          tileY(eyeY.tile()),
+          stepX(stepOf(ray.x)),
+          stepY(stepOf(ray.y)),
+          x_(eyeX, ray.x),
+          y_(eyeY, ray.y),
+          earlyX_(stepX > 0),
+          earlyY_(stepY > 0),
           tieAlongX_(stepX > 0) {}
 
     // How the current tile was entered, and how it will be left.
@@ -101,8 +127,9 @@ struct GridWalk {
         }
     }
 
-    // To where another walk along the same ray in the same map has come. What has not changed is not written: a copy of the whole is read back by pieces of
-    // another size than it was written in, for which processors wait.
+    // To where another walk along the same ray in the same map has come. What has not changed is
+    // not written: a copy of the whole is read back by pieces of another size than it was written
+    // in, for which processors wait.
     void comeTo(const GridWalk& walk) {
         tileX = walk.tileX;
         tileY = walk.tileY;
@@ -120,7 +147,8 @@ struct GridWalk {
 
     bool hasEntered() const { return way_ != Way::none; }  // false in the eye's own tile
 
-    // The same walk where the current tile is another one, turned clockwise by quarter turns: what is ahead changes, the borders' depths do not.
+    // The same walk where the current tile is another one, turned clockwise by quarter turns: what
+    // is ahead changes, the borders' depths do not.
     GridWalk turned(int quarterTurns, int toX, int toY) const {
         GridWalk walk = *this;
         for (int i = 0; i < quarterTurns; ++i) {
@@ -129,7 +157,8 @@ struct GridWalk {
             walk.stepX = -walk.stepX;
             std::swap(walk.earlyX_, walk.earlyY_);
             walk.tieAlongX_ = !walk.tieAlongX_;
-            if (walk.way_ != Way::none) walk.way_ = walk.way_ == Way::alongX ? Way::alongY : Way::alongX;
+            if (walk.way_ != Way::none)
+                walk.way_ = walk.way_ == Way::alongX ? Way::alongY : Way::alongX;
         }
         walk.tileX = toX;
         walk.tileY = toY;
@@ -161,15 +190,22 @@ private:
     };
 
     Crossing crossing(double along, double distance, const Axis& axis, bool alongX) const {
-        return {along,  distance, axis.speed, distance > 0.0 ? axis.speed / distance * (1.0 / 65536.0) : kHugeRows, alongX, (alongX ? stepX : stepY) > 0,
+        return {along,
+                distance,
+                axis.speed,
+                distance > 0.0 ? axis.speed / distance * (1.0 / 65536.0) : kHugeRows,
+                alongX,
+                (alongX ? stepX : stepY) > 0,
                 alongX ? earlyX_ : earlyY_};
     }
     static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
-    bool leavesAlongX() const { return x_.along < y_.along || (x_.along == y_.along && tieAlongX_); }
+    bool leavesAlongX() const {
+        return x_.along < y_.along || (x_.along == y_.along && tieAlongX_);
+    }
 
     Axis x_;
     Axis y_;
-    bool earlyX_;     // see Crossing
+    bool earlyX_;  // see Crossing
     bool earlyY_;
     bool tieAlongX_;  // which of two borders at one depth comes first
     Way way_ = Way::none;

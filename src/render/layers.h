@@ -1,5 +1,5 @@
-// What a slice sees through: faces and planes with see-through texels, gathered from front to back while the walk goes on, and laid over the opaque rows from
-// back to front when it is done.
+// What a slice sees through: faces and planes with see-through texels, gathered from front to back
+// while the walk goes on, and laid over the opaque rows from back to front when it is done.
 #pragma once
 
 #include "render/column_fill.h"
@@ -28,9 +28,9 @@ struct PlaneRun {
     Plane plane;
     int first = -1;  // no rows where `first` is `last`
     int last = -1;
-    int fromX = 0;   // the first tile, nearest to the eye
+    int fromX = 0;  // the first tile, nearest to the eye
     int fromY = 0;
-    int toX = 0;     // the last one
+    int toX = 0;  // the last one
     int toY = 0;
     bool endless = false;  // goes on in the ray's direction for ever
 };

@@ -13,8 +13,8 @@ public:
         int last;  // one past the end
     };
 
-    // Opens some of a slice's rows, in order from the top, and no others. No run is ever added beyond half the rows, so nothing is allocated after the first
-    // slice of a height.
+    // Opens some of a slice's rows, in order from the top, and no others. No run is ever added
+    // beyond half the rows, so nothing is allocated after the first slice of a height.
     void openOnly(const std::vector<Run>& rows, int height) {
         runs_.reserve(static_cast<std::size_t>(height) / 2 + 2);
         runs_.assign(rows.begin(), rows.end());
@@ -26,7 +26,9 @@ public:
     int last() const { return last_; }
 
     // Whether any of the rows [first, last) may be open: none is outside the runs' ends.
-    bool mayHold(int first, int last) const { return first < last && last > first_ && first < last_; }
+    bool mayHold(int first, int last) const {
+        return first < last && last > first_ && first < last_;
+    }
 
     // Closes the rows [first, last) and calls fill(first, last) for each run of them that was open.
     template <typename Fill>
@@ -68,7 +70,8 @@ public:
         if (!mayHold(first, last)) return;
         for (const Run& run : runs_) {
             if (run.first >= last) break;
-            if (run.last > first) fn(run.first < first ? first : run.first, run.last > last ? last : run.last);
+            if (run.last > first)
+                fn(run.first < first ? first : run.first, run.last > last ? last : run.last);
         }
     }
 

@@ -1,5 +1,6 @@
-// The parts that a slice falls into where rays go through portals and off mirrors. A part is some rows of the slice and the walk on which they go on; parts wait
-// in a queue, and lists keep their memory from slice to slice.
+// The parts that a slice falls into where rays go through portals and off mirrors. A part is some
+// rows of the slice and the walk on which they go on; parts wait in a queue, and lists keep their
+// memory from slice to slice.
 #pragma once
 
 #include "render/grid_walk.h"
@@ -13,18 +14,23 @@
 
 namespace slicecast {
 
-// Heights between which a part's rays run, 1/65536 units above its vista's viewpoint. What comes through a portal in a roof, or off a mirror, has begun at a height;
-// nothing on the other side of it is met.
+// Heights between which a part's rays run, 1/65536 units above its vista's viewpoint. What comes
+// through a portal in a roof, or off a mirror, has begun at a height; nothing on the other side of
+// it is met.
 struct HeightClip {
     std::int32_t low = std::numeric_limits<std::int32_t>::min();
     std::int32_t high = std::numeric_limits<std::int32_t>::max();
     bool isMirror = false;  // then nothing at the height itself is met either
 
-    bool any() const { return low != std::numeric_limits<std::int32_t>::min() || high != std::numeric_limits<std::int32_t>::max(); }
+    bool any() const {
+        return low != std::numeric_limits<std::int32_t>::min() ||
+               high != std::numeric_limits<std::int32_t>::max();
+    }
     friend bool operator==(const HeightClip&, const HeightClip&) = default;
 };
 
-// Where rays were before they came through a portal: the tile before the portal, or its own if they came through a roof or an underside.
+// Where rays were before they came through a portal: the tile before the portal, or its own if they
+// came through a roof or an underside.
 struct Before {
     const Map* map = nullptr;
     int x = 0;
@@ -59,11 +65,13 @@ public:
     Part& operator[](std::size_t i) { return parts_[i]; }
 
     // Rows that go the same way share a part, if that has not begun: `begun` of them have.
-    Part& find(Vista& vista, const GridWalk& walk, const HeightClip& clip, const Before& before, int portals, std::size_t begun) {
+    Part& find(Vista& vista, const GridWalk& walk, const HeightClip& clip, const Before& before,
+               int portals, std::size_t begun) {
         for (std::size_t i = used_; i-- > begun;) {
             Part& part = parts_[i];
-            if (part.vista == &vista && part.clip == clip && part.before == before && part.portals == portals && part.walk.tileX == walk.tileX && part.walk.tileY == walk.tileY &&
-                part.walk.entered == walk.entered) {
+            if (part.vista == &vista && part.clip == clip && part.before == before &&
+                part.portals == portals && part.walk.tileX == walk.tileX &&
+                part.walk.tileY == walk.tileY && part.walk.entered == walk.entered) {
                 return part;
             }
         }

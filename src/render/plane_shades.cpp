@@ -11,13 +11,16 @@ namespace {
 constexpr std::size_t kFirstTables = 64;
 
 std::size_t slotOf(std::int32_t rise, double faceLight, bool glow, std::size_t tables) {
-    const std::uint64_t key = (glow ? 0x94d049bb133111ebu : 0u) ^ static_cast<std::uint32_t>(rise) * 0x9e3779b97f4a7c15u ^ bitCast<std::uint64_t>(faceLight) * 0xbf58476d1ce4e5b9u;
+    const std::uint64_t key = (glow ? 0x94d049bb133111ebu : 0u) ^
+                              static_cast<std::uint32_t>(rise) * 0x9e3779b97f4a7c15u ^
+                              bitCast<std::uint64_t>(faceLight) * 0xbf58476d1ce4e5b9u;
     return static_cast<std::size_t>(key >> 40) & (tables - 1);
 }
 
 }  // namespace
 
-void PlaneShades::beginFrame(const Lighting& lighting, double projectionDistance, const double* inverseOffsets, int height) {
+void PlaneShades::beginFrame(const Lighting& lighting, double projectionDistance,
+                             const double* inverseOffsets, int height) {
     lighting_ = lighting;
     projectionDistance_ = projectionDistance;
     inverseOffsets_ = inverseOffsets;
@@ -48,7 +51,8 @@ PlaneRows PlaneShades::rows(std::int32_t rise, double faceLight, bool glow, int 
 PlaneShades::Table& PlaneShades::find(std::int32_t rise, double faceLight, bool glow) {
     if (2 * static_cast<std::size_t>(used_) >= tables_.size()) grow();
     std::size_t slot = slotOf(rise, faceLight, glow, tables_.size());
-    while (tables_[slot].frame == frame_ && !tables_[slot].isFor(rise, faceLight, glow)) slot = (slot + 1) & (tables_.size() - 1);
+    while (tables_[slot].frame == frame_ && !tables_[slot].isFor(rise, faceLight, glow))
+        slot = (slot + 1) & (tables_.size() - 1);
     Table& table = tables_[slot];
     if (table.frame != frame_) {
         ++used_;
@@ -74,10 +78,12 @@ void PlaneShades::grow() {
 }
 
 void PlaneShades::fill(Table& table, int first, int last) const {
-    const double distance = (table.rise < 0 ? -table.rise : table.rise) / 65536.0 * projectionDistance_;
+    const double distance =
+        (table.rise < 0 ? -table.rise : table.rise) / 65536.0 * projectionDistance_;
     for (int row = first; row < last; ++row) {
         const double depth = distance * inverseOffsets_[row];
-        table.factors[static_cast<std::size_t>(row)] = inBothHalves(lighting_.factorAt(depth, table.faceLight, table.glow));
+        table.factors[static_cast<std::size_t>(row)] =
+            inBothHalves(lighting_.factorAt(depth, table.faceLight, table.glow));
     }
     if (!lighting_.foggy) return;
     for (int row = first; row < last; ++row) {

@@ -4,7 +4,9 @@
 
 namespace slicecast {
 
-Projection::Projection(const Eye& eye, const RenderOptions& options, int pictureWidth, int pictureHeight) : width(pictureWidth), height(pictureHeight) {
+Projection::Projection(const Eye& eye, const RenderOptions& options, int pictureWidth,
+                       int pictureHeight)
+    : width(pictureWidth), height(pictureHeight) {
     distance = (width / 2.0) / tanDegrees(options.fovDegrees / 2.0);
     const SineCosine heading = sineCosineDegrees(eye.headingDegrees);
     forward = {heading.cosine, heading.sine};

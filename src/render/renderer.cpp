@@ -26,10 +26,14 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 namespace {
 
 // Written so that NaN is refused too.
-bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, int width, int height) {
-    return isAboveFloor(eye) && eye.map >= 0 && eye.map < static_cast<int>(world.maps.size()) && options.fovDegrees >= kMinFovDegrees &&
-           options.fovDegrees <= kMaxFovDegrees && eye.look >= -kMaxLook && eye.look <= kMaxLook && eye.headingDegrees - eye.headingDegrees == 0.0 &&
-           options.detailThreshold > 0.0 && options.mirrors >= 0.0 && options.mirrors <= kMaxMirrors && width > 0 && height > 0 && width <= kMaxPictureSide && height <= kMaxPictureSide;
+bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, int width,
+             int height) {
+    return isAboveFloor(eye) && eye.map >= 0 && eye.map < static_cast<int>(world.maps.size()) &&
+           options.fovDegrees >= kMinFovDegrees && options.fovDegrees <= kMaxFovDegrees &&
+           eye.look >= -kMaxLook && eye.look <= kMaxLook &&
+           eye.headingDegrees - eye.headingDegrees == 0.0 && options.detailThreshold > 0.0 &&
+           options.mirrors >= 0.0 && options.mirrors <= kMaxMirrors && width > 0 && height > 0 &&
+           width <= kMaxPictureSide && height <= kMaxPictureSide;
 }
 
 // Gives the blocks their rows, from the top, and the planes theirs.
@@ -40,15 +44,19 @@ void shareOut(SliceTrace& trace) {
     }
     for (Hit& hit : trace.hits) {
         mergeSort(hit.filled, [](const FilledRows& a, const FilledRows& b) {
-            return std::tie(a.first, a.last, a.what, a.face) < std::tie(b.first, b.last, b.what, b.face);
+            return std::tie(a.first, a.last, a.what, a.face) <
+                   std::tie(b.first, b.last, b.what, b.face);
         });
     }
 }
 
 }  // namespace
 
-bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& options, const Picture& picture) {
-    if (!canDraw(world, eye, options, picture.width, picture.height) || !picture.pixels || picture.pitch < picture.width) return false;
+bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& options,
+                    const Picture& picture) {
+    if (!canDraw(world, eye, options, picture.width, picture.height) || !picture.pixels ||
+        picture.pitch < picture.width)
+        return false;
     Scratch& s = *scratch_;
     s.report = {};
     s.strip.resize(picture.height);
@@ -62,9 +70,12 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     return true;
 }
 
-const FrameReport& Renderer::report() const { return scratch_->report; }
+const FrameReport& Renderer::report() const {
+    return scratch_->report;
+}
 
-SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options, int width, int height, int column) {
+SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options,
+                           int width, int height, int column) {
     SliceTrace trace;
     if (!canDraw(world, eye, options, width, height) || column < 0 || column >= width) return trace;
     Scratch& s = *scratch_;

@@ -1,6 +1,7 @@
 // The fast renderer: draws what an eye sees of a world into a picture.
 //
-// What is drawn is defined per pixel. For a picture of W x H pixels with W / 2 and H / 2 as real numbers:
+// What is drawn is defined per pixel. For a picture of W x H pixels with W / 2 and H / 2 as real
+// numbers:
 //
 //     d       = (W / 2) / tan(fov / 2)               distance to the projection plane, in pixels
 //     horizon = H / 2 + look * H                     row of the horizon
@@ -8,8 +9,9 @@
 //     s(py)   = (horizon - (py + 0.5)) / d           upward slope of row py
 //     ray     = eye + t * (forward + k * right + s * up),   t > 0
 //
-// Every pixel shows the nearest thing that its ray meets; t is the perpendicular depth, so there is no fish eye and no correction for one. CONTRIBUTING.md
-// holds the rest of the definition (ties, textures, light), and tests/judge a slow tracer that is written from it.
+// Every pixel shows the nearest thing that its ray meets; t is the perpendicular depth, so there is
+// no fish eye and no correction for one. CONTRIBUTING.md holds the rest of the definition (ties,
+// textures, light), and tests/judge a slow tracer that is written from it.
 #pragma once
 
 #include "render/eye.h"
@@ -22,7 +24,8 @@
 
 namespace slicecast {
 
-// Holds the scratch memory of a picture size; use one per picture that is drawn again and again. Not to be shared between threads.
+// Holds the scratch memory of a picture size; use one per picture that is drawn again and again.
+// Not to be shared between threads.
 class Renderer {
 public:
     Renderer();
@@ -30,15 +33,19 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    // Draws the whole picture. Returns false and leaves the picture alone if the eye is not above the floor, its map does not exist, the field of view or
-    // look is not within its limits, or the picture is empty or larger than kMaxPictureSide.
-    bool draw(const World& world, const Eye& eye, const RenderOptions& options, const Picture& picture);
+    // Draws the whole picture. Returns false and leaves the picture alone if the eye is not above
+    // the floor, its map does not exist, the field of view or look is not within its limits, or the
+    // picture is empty or larger than kMaxPictureSide.
+    bool draw(const World& world, const Eye& eye, const RenderOptions& options,
+              const Picture& picture);
 
     // What the last draw did.
     const FrameReport& report() const;
 
-    // Everything that one column of such a picture does, drawn nowhere. An invalid eye or column gives an empty trace.
-    SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options, int width, int height, int column);
+    // Everything that one column of such a picture does, drawn nowhere. An invalid eye or column
+    // gives an empty trace.
+    SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
+                     int height, int column);
 
 private:
     struct Scratch;

@@ -1,10 +1,10 @@
 // Light and fog at a depth. For what glows the clamped falloff is 1.
 //
-//     falloff = intensity * multiplier / t                                      1 where the light is off
-//     factor  = min(256, floor(256 * clamp(falloff, darkest, brightest) * faceLight + 0.5))
-//     channel = (c * factor + 128) >> 8                                         on the bytes as they are
-//     fog     = floor(255 * clamp((t - start) / (end - start), 0, 1) + 0.5)
-//     channel = (haze * fog + channel * (255 - fog) + 127) / 255                in integers
+//     falloff = intensity * multiplier / t                                      1 where the light
+//     is off factor  = min(256, floor(256 * clamp(falloff, darkest, brightest) * faceLight + 0.5))
+//     channel = (c * factor + 128) >> 8                                         on the bytes as
+//     they are fog     = floor(255 * clamp((t - start) / (end - start), 0, 1) + 0.5) channel =
+//     (haze * fog + channel * (255 - fog) + 127) / 255                in integers
 #pragma once
 
 #include "base/colour.h"
@@ -36,8 +36,14 @@ struct Lighting {
 
     Lighting() = default;
     Lighting(const Map& map, const RenderOptions& options)
-        : lit(map.light.on && options.light), foggy(map.fog.on && options.fog), strength(map.light.intensity * map.light.multiplier), darkest(map.light.darkest),
-          brightest(map.light.brightest), fogStart(map.fog.start), fogLength(map.fog.end - map.fog.start), haze(toPixel(map.haze)) {}
+        : lit(map.light.on && options.light),
+          foggy(map.fog.on && options.fog),
+          strength(map.light.intensity * map.light.multiplier),
+          darkest(map.light.darkest),
+          brightest(map.light.brightest),
+          fogStart(map.fog.start),
+          fogLength(map.fog.end - map.fog.start),
+          haze(toPixel(map.haze)) {}
 
     // 256 times the light at a depth, before a face's own factor.
     double brightnessAt(double depth) const {
@@ -48,7 +54,9 @@ struct Lighting {
         const double bright = brightness * faceLight + 0.5;
         return bright >= 256.0 ? 256u : static_cast<std::uint32_t>(bright);
     }
-    std::uint32_t factorAt(double depth, double faceLight, bool glow) const { return factorOf(glow ? kFullBrightness : brightnessAt(depth), faceLight); }
+    std::uint32_t factorAt(double depth, double faceLight, bool glow) const {
+        return factorOf(glow ? kFullBrightness : brightnessAt(depth), faceLight);
+    }
 
     std::uint32_t fogAt(double depth) const {
         if (!foggy) return 0;
@@ -56,7 +64,9 @@ struct Lighting {
         return static_cast<std::uint32_t>(255.0 * std::min(std::max(share, 0.0), 1.0) + 0.5);
     }
 
-    Shade at(double depth, double faceLight, bool glow = false) const { return {factorAt(depth, faceLight, glow), fogAt(depth)}; }
+    Shade at(double depth, double faceLight, bool glow = false) const {
+        return {factorAt(depth, faceLight, glow), fogAt(depth)};
+    }
 };
 
 }  // namespace slicecast

@@ -11,31 +11,39 @@ void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double he
     sky_ = &sky;
     headingDegrees_ = headingDegrees;
     const int rows = projection.firstFallingRow;
-    const auto share = [&](int row) { return std::min(1.0, projection.upwardSlope(row) / sky.slope); };
+    const auto share = [&](int row) {
+        return std::min(1.0, projection.upwardSlope(row) / sky.slope);
+    };
 
     if (sky.kind == Sky::Kind::gradient) {
         colours_.resize(static_cast<std::size_t>(rows));
         for (int row = 0; row < rows; ++row) {
             const double s = share(row);
-            const auto blend = [s](int low, int high) { return static_cast<std::uint8_t>(std::floor(low + (high - low) * s + 0.5)); };
+            const auto blend = [s](int low, int high) {
+                return static_cast<std::uint8_t>(std::floor(low + (high - low) * s + 0.5));
+            };
             colours_[static_cast<std::size_t>(row)] =
-                toPixel({blend(sky.low.r, sky.high.r), blend(sky.low.g, sky.high.g), blend(sky.low.b, sky.high.b), 255});
+                toPixel({blend(sky.low.r, sky.high.r), blend(sky.low.g, sky.high.g),
+                         blend(sky.low.b, sky.high.b), 255});
         }
     } else if (sky.kind == Sky::Kind::panorama) {
         colours_.resize(static_cast<std::size_t>(rows));
         fetchedColumn_ = -1;
         panoramaOffsets_.resize(static_cast<std::size_t>(rows));
         for (int row = 0; row < rows; ++row) {
-            const int line = std::min(sky.panorama.height - 1, static_cast<int>((1.0 - share(row)) * sky.panorama.height));
+            const int line = std::min(sky.panorama.height - 1,
+                                      static_cast<int>((1.0 - share(row)) * sky.panorama.height));
             panoramaOffsets_[static_cast<std::size_t>(row)] = line * sky.panorama.width;
         }
-        // The arc tangents depend on the shape of the picture alone, so they are kept from frame to frame.
+        // The arc tangents depend on the shape of the picture alone, so they are kept from frame to
+        // frame.
         if (azimuthWidth_ != projection.width || azimuthDistance_ != projection.distance) {
             azimuthWidth_ = projection.width;
             azimuthDistance_ = projection.distance;
             azimuths_.resize(static_cast<std::size_t>(projection.width));
             for (int column = 0; column < projection.width; ++column) {
-                azimuths_[static_cast<std::size_t>(column)] = atanDegrees(projection.sidewaysSlope(column));
+                azimuths_[static_cast<std::size_t>(column)] =
+                    atanDegrees(projection.sidewaysSlope(column));
             }
         }
     }
@@ -49,13 +57,15 @@ void SkyRows::fill(Pixel* slice, int column, int first, int last) {
     if (sky_->kind == Sky::Kind::panorama) {
         const double turn = (headingDegrees_ + azimuths_[static_cast<std::size_t>(column)]) / 360.0;
         const int width = sky_->panorama.width;
-        fetch(std::min(width - 1, static_cast<int>((turn - std::floor(turn)) * width)), first, last);
+        fetch(std::min(width - 1, static_cast<int>((turn - std::floor(turn)) * width)), first,
+              last);
     }
     std::copy(colours_.begin() + first, colours_.begin() + last, slice + first);
 }
 
-// Brings rows of a panorama's column into `colours_`. The panorama lies row by row, so each pixel of a column is a long way from the next; but several slices
-// beside each other show the same column.
+// Brings rows of a panorama's column into `colours_`. The panorama lies row by row, so each pixel
+// of a column is a long way from the next; but several slices beside each other show the same
+// column.
 void SkyRows::fetch(int panoramaColumn, int first, int last) {
     if (panoramaColumn != fetchedColumn_) {
         fetchedColumn_ = panoramaColumn;

@@ -1,7 +1,9 @@
-// The sky behind everything: one colour, a gradient over the slope, or a panorama. Never lit, never in fog, without levels of detail.
+// The sky behind everything: one colour, a gradient over the slope, or a panorama. Never lit, never
+// in fog, without levels of detail.
 //
 //     gradient   low + (high - low) * min(1, s / slope)
-//     panorama   column floor(fraction(azimuth / 360) * W), azimuth = heading + atan(k); row floor((1 - min(1, s / slope)) * H)
+//     panorama   column floor(fraction(azimuth / 360) * W), azimuth = heading + atan(k); row
+//     floor((1 - min(1, s / slope)) * H)
 #pragma once
 
 #include "base/colour.h"
@@ -16,7 +18,8 @@ class SkyRows {
 public:
     void beginFrame(const Sky& sky, const Projection& projection, double headingDegrees);
 
-    // Fills the rows [first, last) of the slice that starts at `slice`, all above or on the horizon.
+    // Fills the rows [first, last) of the slice that starts at `slice`, all above or on the
+    // horizon.
     void fill(Pixel* slice, int column, int first, int last);
 
 private:
@@ -24,13 +27,13 @@ private:
 
     const Sky* sky_ = nullptr;
     double headingDegrees_ = 0.0;
-    std::vector<Pixel> colours_;       // by row: the gradient, or one column of the panorama
-    int fetchedColumn_ = -1;           // which column of the panorama, and which rows of it are there
+    std::vector<Pixel> colours_;  // by row: the gradient, or one column of the panorama
+    int fetchedColumn_ = -1;      // which column of the panorama, and which rows of it are there
     int fetchedFirst_ = 0;
     int fetchedLast_ = 0;
-    std::vector<int> panoramaOffsets_; // panorama: where each row's texels begin
-    std::vector<double> azimuths_;     // atan(k) by column, degrees
-    int azimuthWidth_ = 0;             // what the azimuths were made for
+    std::vector<int> panoramaOffsets_;  // panorama: where each row's texels begin
+    std::vector<double> azimuths_;      // atan(k) by column, degrees
+    int azimuthWidth_ = 0;              // what the azimuths were made for
     double azimuthDistance_ = 0.0;
 };
 

@@ -20,7 +20,13 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 }  // namespace
 
 Slice::Slice(const Frame& frame, SliceMemory& memory, FrameReport& report)
-    : frame_(frame), ownVista_(frame.vistas.ofEye()), memory_(memory), open_(memory.open), report_(report), walk_({}, {}, {}), tracedWalk_({}, {}, {}) {}
+    : frame_(frame),
+      ownVista_(frame.vistas.ofEye()),
+      memory_(memory),
+      open_(memory.open),
+      report_(report),
+      walk_({}, {}, {}),
+      tracedWalk_({}, {}, {}) {}
 
 void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     column_ = column;
@@ -32,7 +38,10 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     memory_.mirrors.clear();
     const Viewpoint& eye = ownVista_.viewpoint;
     const GroundDirection ray = ownVista_.ray(column);
-    Part& whole = parts_->find(ownVista_, GridWalk({static_cast<std::int32_t>(eye.x)}, {static_cast<std::int32_t>(eye.y)}, ray), {}, {}, 0, 0);
+    Part& whole = parts_->find(
+        ownVista_,
+        GridWalk({static_cast<std::int32_t>(eye.x)}, {static_cast<std::int32_t>(eye.y)}, ray), {},
+        {}, 0, 0);
     whole.rows.assign(1, {0, ownVista_.projection->height});
     if (trace_) {
         trace_->column = column;
@@ -68,8 +77,11 @@ void Slice::begin(const Part& part) {
     startX_ = walk_.tileX;
     startY_ = walk_.tileY;
     before_ = part.before;
-    const bool ceilingMet = !clipped_ || (clip_.isMirror ? ceilingRise_ > clip_.low : ceilingRise_ >= clip_.low && ceilingRise_ <= clip_.high);
-    ceilingTiles_ = map_->ceiling.tiles.empty() || !ceilingMet ? nullptr : map_->ceiling.tiles.data();
+    const bool ceilingMet =
+        !clipped_ || (clip_.isMirror ? ceilingRise_ > clip_.low
+                                     : ceilingRise_ >= clip_.low && ceilingRise_ <= clip_.high);
+    ceilingTiles_ =
+        map_->ceiling.tiles.empty() || !ceilingMet ? nullptr : map_->ceiling.tiles.data();
     report_.deepestPortal = std::max(report_.deepestPortal, portals_);
     if (portals_ > 0) ++report_.partsBehindPortals;
 }
@@ -89,7 +101,8 @@ void Slice::lookInto(Vista& vista) {
     eyeZ_ = vista.viewpoint.z;
     eyeHeight_ = Coordinate{eyeZ_}.value();
     const int eyeLevel = std::min(eyeZ_ >> 16, kMaxLevels - 1);
-    levelsToEye_ = eyeLevel < 0 ? 0 : static_cast<std::uint32_t>((std::uint64_t{2} << eyeLevel) - 1);
+    levelsToEye_ =
+        eyeLevel < 0 ? 0 : static_cast<std::uint32_t>((std::uint64_t{2} << eyeLevel) - 1);
     floorRise_ = -eyeZ_;
     ceilingRise_ = map_->ceiling.height.raw - eyeZ_;
 }
@@ -127,18 +140,25 @@ void Slice::walk() {
     takeFloorBeyond(0);
 }
 
-// How far along the ray to walk: beyond, nothing but the floor that is under way and the sky can be met. When all open rows look down, that is where the
-// flattest of them meets the floor; when all look up, where the flattest of them is above everything but portal tiles, which act at all heights.
+// How far along the ray to walk: beyond, nothing but the floor that is under way and the sky can be
+// met. When all open rows look down, that is where the flattest of them meets the floor; when all
+// look up, where the flattest of them is above everything but portal tiles, which act at all
+// heights.
 double Slice::whereToStop() const {
     if (open_.none()) return 0.0;
     const int firstFalling = projection_->firstFallingRow;
-    if (open_.first() >= firstFalling) return kBeyond * eyeHeight_ * vista_->inverseOffsets[static_cast<std::size_t>(open_.first())];
+    if (open_.first() >= firstFalling)
+        return kBeyond * eyeHeight_ *
+               vista_->inverseOffsets[static_cast<std::size_t>(open_.first())];
     if (open_.last() > firstFalling || hasTilePortals_) return kNever;
     const double rise = vista_->highest - eyeHeight_;
-    return rise <= 0.0 ? 0.0 : kBeyond * rise * vista_->inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
+    return rise <= 0.0 ? 0.0
+                       : kBeyond * rise *
+                             vista_->inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
 
-// Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open row may meet.
+// Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open
+// row may meet.
 template <bool portals>
 Slice::Pass Slice::passTilesWith(bool leaveFirst) {
     if (object_ != objectsEnd_) skipHiddenObjects();
@@ -167,10 +187,14 @@ Slice::Pass Slice::passTilesWith(bool leaveFirst) {
             pass = Pass::stopped;
             break;
         }
-        if (static_cast<unsigned>(walk.tileX) >= width || static_cast<unsigned>(walk.tileY) >= depth) {
-            // Outside the grid there is only the floor. The walk goes on while it may still come to the grid.
-            const bool leavesX = walk.tileX < 0 ? walk.stepX <= 0 : walk.tileX >= map_->width && walk.stepX >= 0;
-            const bool leavesY = walk.tileY < 0 ? walk.stepY <= 0 : walk.tileY >= map_->depth && walk.stepY >= 0;
+        if (static_cast<unsigned>(walk.tileX) >= width ||
+            static_cast<unsigned>(walk.tileY) >= depth) {
+            // Outside the grid there is only the floor. The walk goes on while it may still come to
+            // the grid.
+            const bool leavesX =
+                walk.tileX < 0 ? walk.stepX <= 0 : walk.tileX >= map_->width && walk.stepX >= 0;
+            const bool leavesY =
+                walk.tileY < 0 ? walk.stepY <= 0 : walk.tileY >= map_->depth && walk.stepY >= 0;
             if (leavesX || leavesY) {
                 pass = Pass::left;
                 break;
@@ -181,7 +205,8 @@ Slice::Pass Slice::passTilesWith(bool leaveFirst) {
         }
         ++tiles;
         if (trace) traceTile(walk.tileX, walk.tileY, walk.entered);
-        const std::size_t tile = static_cast<std::size_t>(walk.tileY) * width + static_cast<std::size_t>(walk.tileX);
+        const std::size_t tile =
+            static_cast<std::size_t>(walk.tileY) * width + static_cast<std::size_t>(walk.tileX);
         if constexpr (portals) {
             if (leave && map_->tilePortals[tile] != kNoPortal) {
                 pass = Pass::portal;
@@ -196,13 +221,19 @@ Slice::Pass Slice::passTilesWith(bool leaveFirst) {
             if (highest < 0.0 || lowest >= kMaxLevels) {
                 reached = 0;
             } else {
-                // Rounded down: what lies exactly on a level's edge is meant a little to the other side of it, by the slack.
-                const int top = highest >= kMaxLevels ? kMaxLevels - 1 : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
-                const int bottom = lowest <= 0.5 ? 0 : static_cast<int>(nearestInteger(lowest - 0.5));
-                reached &= static_cast<std::uint32_t>((std::uint64_t{2} << top) - (std::uint64_t{1} << bottom));
+                // Rounded down: what lies exactly on a level's edge is meant a little to the other
+                // side of it, by the slack.
+                const int top = highest >= kMaxLevels
+                                    ? kMaxLevels - 1
+                                    : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
+                const int bottom =
+                    lowest <= 0.5 ? 0 : static_cast<int>(nearestInteger(lowest - 0.5));
+                reached &= static_cast<std::uint32_t>((std::uint64_t{2} << top) -
+                                                      (std::uint64_t{1} << bottom));
             }
         }
-        if (reached != 0 || floorTiles[tile] != floorTexture || (ceilingTiles && ceilingTiles[tile] != ceilingTexture) || walk.left() > objectAlong) {
+        if (reached != 0 || floorTiles[tile] != floorTexture ||
+            (ceilingTiles && ceilingTiles[tile] != ceilingTexture) || walk.left() > objectAlong) {
             break;
         }
     }
@@ -228,7 +259,8 @@ void Slice::drawStretch() {
     const TextureId floorTexture = inGrid ? map_->floor.tiles[tile] : map_->floor.texture;
     const TextureId ceilingTexture = !inGrid || !ceilingTiles_ ? kNoTexture : ceilingTiles_[tile];
     const bool floorChanges = floorTexture != floor_.texture;
-    // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be drawn before the ceiling above it.
+    // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be
+    // drawn before the ceiling above it.
     const TextureId ceilingAlone = reached_ ? kNoTexture : ceilingTexture;
     if (ceilingAlone != ceiling_.texture || floorChanges) {
         endCeiling(Border::enter);
@@ -239,7 +271,8 @@ void Slice::drawStretch() {
         floor_.texture = floorTexture;
     }
     if (reached_) drawBlocks(reached_, ceilingTexture);
-    // An object may stand behind: what lies before it is closed first, the ceiling before the floor.
+    // An object may stand behind: what lies before it is closed first, the ceiling before the
+    // floor.
     if (!leave_.border) endCeiling(Border::leave);
     if (reached_ || !leave_.border) takeFloor(Border::leave);
 }
@@ -251,8 +284,9 @@ Slice::Block Slice::blockAt(int level) const {
     return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw, false};
 }
 
-// Everything in one tile that holds blocks, nearest first: for each block its side where the walk enters, then its roof or underside, from the eye's height
-// downwards and then from it upwards. The floor comes last, with the run that it belongs to.
+// Everything in one tile that holds blocks, nearest first: for each block its side where the walk
+// enters, then its roof or underside, from the eye's height downwards and then from it upwards. The
+// floor comes last, with the run that it belongs to.
 void Slice::drawBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     report_.blocksMet += std::popcount(reached);
     if (trace_) traceBlocks(reached);
@@ -262,8 +296,9 @@ void Slice::drawBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     if (rising != 0 || ceilingTexture != kNoTexture) drawRising(rising, ceilingTexture);
 }
 
-// Blocks that are not wholly above the eye, downwards. At depth 0 the eye may be inside a block, or on its roof: a face met at depth 0 is not drawn, so the ray
-// is inside the block then and leaves it downwards or through the far side.
+// Blocks that are not wholly above the eye, downwards. At depth 0 the eye may be inside a block, or
+// on its roof: a face met at depth 0 is not drawn, so the ray is inside the block then and leaves
+// it downwards or through the far side.
 void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
     const bool atEye = walk_.entered == 0.0;
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ < 0;
@@ -273,7 +308,8 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
             ceilingToCome = false;
         }
     };
-    // The lower edge of the block above, which may be this one's upper edge: nothing reaches a roof on which an opaque block stands.
+    // The lower edge of the block above, which may be this one's upper edge: nothing reaches a roof
+    // on which an opaque block stands.
     std::int32_t edge = kHighest;
     int edgeRow = 0;
     bool opaqueAbove = false;
@@ -286,28 +322,36 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
         edgeRow = rowBelow(block.bottom, enter_);
-        const bool isPlain = !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
+        const bool isPlain =
+            !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
         opaqueAbove = isPlain;
         if (!isPlain) {
             enterSide(block, topRow, edgeRow);
             ceilingAbove(block.top);
-            if (!block.cut && !covered && block.top < 0) enterTop(block, rowBelow(block.top, leave_), topRow);
+            if (!block.cut && !covered && block.top < 0)
+                enterTop(block, rowBelow(block.top, leave_), topRow);
             // Whoever stands exactly on a portal falls in at once.
-            if (block.top == 0 && !walk_.hasEntered() && acts(block.blueprint->face(Face::top).portal)) {
+            if (block.top == 0 && !walk_.hasEntered() &&
+                acts(block.blueprint->face(Face::top).portal)) {
                 enterTop(block, projection_->firstFallingRow, projection_->height);
             }
-            if (block.bottom < 0 && (block.blueprint->seeThrough || block.cut || (atEye && block.top >= 0))) {
+            if (block.bottom < 0 &&
+                (block.blueprint->seeThrough || block.cut || (atEye && block.top >= 0))) {
                 ceilingAbove(block.bottom);
                 const int below = rowBelow(block.bottom, leave_);
                 leaveBottom(block, std::max(below, projection_->firstFallingRow), edgeRow);
-                leaveSide(block, std::max(rowBelow(block.top, leave_), projection_->firstFallingRow), below);
+                leaveSide(block,
+                          std::max(rowBelow(block.top, leave_), projection_->firstFallingRow),
+                          below);
             }
             continue;
         }
-        if (!atEye && enter_.border && open_.mayHold(topRow, edgeRow)) drawEnteredSide(block, topRow, edgeRow);
+        if (!atEye && enter_.border && open_.mayHold(topRow, edgeRow))
+            drawEnteredSide(block, topRow, edgeRow);
         if (block.top < 0) {
             ceilingAbove(block.top);
-            if (!covered && topRow > open_.first()) drawRoof(block, rowBelow(block.top, leave_), topRow);
+            if (!covered && topRow > open_.first())
+                drawRoof(block, rowBelow(block.top, leave_), topRow);
         } else if (atEye && block.bottom < 0) {
             ceilingAbove(block.bottom);
             const int below = rowBelow(block.bottom, leave_);
@@ -318,7 +362,8 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
     ceilingAbove(-kHighest);
 }
 
-// Blocks that are not wholly below the eye, upwards. The side of one at the eye's height is drawn with those below.
+// Blocks that are not wholly below the eye, upwards. The side of one at the eye's height is drawn
+// with those below.
 void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
     const bool atEye = walk_.entered == 0.0;
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ > 0;
@@ -334,7 +379,8 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
         Block block = blockAt(std::countr_zero(rest));
         if (clipped_ && !cutToClip(block)) continue;
-        const bool isPlain = !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
+        const bool isPlain =
+            !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
         if (block.bottom > 0) {
             const int bottomRow = block.bottom == edge ? edgeRow : rowBelow(block.bottom, enter_);
             const bool covered = block.bottom == edge && opaqueBelow;
@@ -344,7 +390,8 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
             if (!isPlain) {
                 enterSide(block, edgeRow, bottomRow);
                 ceilingBelow(block.bottom);
-                if (!block.cut && !covered) enterBottom(block, bottomRow, rowBelow(block.bottom, leave_));
+                if (!block.cut && !covered)
+                    enterBottom(block, bottomRow, rowBelow(block.bottom, leave_));
                 if (block.blueprint->seeThrough || block.cut) {
                     ceilingBelow(block.top);
                     const int below = rowBelow(block.top, leave_);
@@ -353,9 +400,11 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
                 }
                 continue;
             }
-            if (!atEye && enter_.border && open_.mayHold(edgeRow, bottomRow)) drawEnteredSide(block, edgeRow, bottomRow);
+            if (!atEye && enter_.border && open_.mayHold(edgeRow, bottomRow))
+                drawEnteredSide(block, edgeRow, bottomRow);
             ceilingBelow(block.bottom);
-            if (!covered && bottomRow < open_.last()) drawUnderside(block, bottomRow, rowBelow(block.bottom, leave_));
+            if (!covered && bottomRow < open_.last())
+                drawUnderside(block, bottomRow, rowBelow(block.bottom, leave_));
         } else if (block.top > 0 && (block.blueprint->seeThrough || atEye)) {
             edge = block.top;
             edgeRow = rowBelow(block.top, enter_);
@@ -363,7 +412,8 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
             ceilingBelow(block.top);
             const int below = rowBelow(block.top, leave_);
             leaveTop(block, edgeRow, std::min(below, projection_->firstFallingRow));
-            leaveSide(block, below, std::min(rowBelow(block.bottom, leave_), projection_->firstFallingRow));
+            leaveSide(block, below,
+                      std::min(rowBelow(block.bottom, leave_), projection_->firstFallingRow));
         }
     }
     ceilingBelow(kHighest);
@@ -381,7 +431,8 @@ void Slice::drawRoof(const Block& block, int firstRow, int lastRow, bool fromIns
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(Face::top);
         const int strength = fromInside ? 0 : mirrorStrength(look.mirror);
-        gather({block.top, look.texture, look.light, look.glow, false, strength > 0}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
+        gather({block.top, look.texture, look.light, look.glow, false, strength > 0}, first, last,
+               walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
         if (strength > 0) mirror(block.top, first, last, strength);
         note(block.level, FilledRows::What::roof, Face::top, first, last);
     });
@@ -390,7 +441,8 @@ void Slice::drawRoof(const Block& block, int firstRow, int lastRow, bool fromIns
 void Slice::drawUnderside(const Block& block, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const FaceBlueprint& look = block.blueprint->face(Face::bottom);
-        gather({block.bottom, look.texture, look.light, look.glow, true, false}, first, last, walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
+        gather({block.bottom, look.texture, look.light, look.glow, true, false}, first, last,
+               walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY);
         note(block.level, FilledRows::What::underside, Face::bottom, first, last);
     });
 }
@@ -400,13 +452,17 @@ void Slice::drawCeilingHere(TextureId texture) {
     endCeiling(Border::leave);
 }
 
-// Closes the rows that have met the floor by a border; behind it the floor goes on. Rows beyond the map's `far` are left for the haze.
+// Closes the rows that have met the floor by a border; behind it the floor goes on. Rows beyond the
+// map's `far` are left for the haze.
 void Slice::takeFloor(Border upTo) {
-    open_.take(std::max(rowBelow(floorRise_, upTo), vista_->firstFloorRow), projection_->height, [&](int first, int last) {
-        if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
-        gather({floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false, floorMirror_ > 0}, first, last, floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo));
-        note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
-    });
+    open_.take(std::max(rowBelow(floorRise_, upTo), vista_->firstFloorRow), projection_->height,
+               [&](int first, int last) {
+                   if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
+                   gather({floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false,
+                           floorMirror_ > 0},
+                          first, last, floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo));
+                   note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
+               });
     floor_.fromX = behindX(upTo);
     floor_.fromY = behindY(upTo);
 }
@@ -415,7 +471,9 @@ void Slice::takeFloor(Border upTo) {
 void Slice::takeFloorBeyond(int row) {
     open_.take(std::max(row, vista_->firstFloorRow), projection_->height, [&](int first, int last) {
         if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
-        gather({floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false, floorMirror_ > 0}, first, last, floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true);
+        gather({floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false,
+                floorMirror_ > 0},
+               first, last, floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true);
         note(kNoLevel, FilledRows::What::floor, Face::top, first, last);
     });
 }
@@ -428,19 +486,23 @@ void Slice::startCeiling(TextureId texture) {
     ceiling_.fromY = walk_.tileY;
 }
 
-// Closes the rows that have met the ceiling, if there is one, up to a border. At the eye's own height it cannot be seen.
+// Closes the rows that have met the ceiling, if there is one, up to a border. At the eye's own
+// height it cannot be seen.
 void Slice::endCeiling(Border at) {
     if (ceiling_.texture != kNoTexture && ceilingRise_ != 0) {
         const int row = rowBelow(ceilingRise_, at);
         const int firstRow = std::min(ceiling_.row, row);
         const int lastRow = std::max(ceiling_.row, row);
-        const Plane plane = {ceilingRise_, ceiling_.texture, map_->ceiling.light, map_->ceiling.glow, true, false};
+        const Plane plane = {
+            ceilingRise_, ceiling_.texture, map_->ceiling.light, map_->ceiling.glow, true, false};
         if (frame_.textures[ceiling_.texture].seeThrough) {
             seeThroughPlane(kNoLevel, FilledRows::What::ceiling,
-                            {plane, firstRow, lastRow, ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at), false});
+                            {plane, firstRow, lastRow, ceiling_.fromX, ceiling_.fromY, beforeX(at),
+                             beforeY(at), false});
         } else {
             open_.take(firstRow, lastRow, [&](int first, int last) {
-                gather(plane, first, last, ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at));
+                gather(plane, first, last, ceiling_.fromX, ceiling_.fromY, beforeX(at),
+                       beforeY(at));
                 note(kNoLevel, FilledRows::What::ceiling, Face::bottom, first, last);
             });
         }

@@ -1,11 +1,12 @@
-// One screen column: a walk over the grid, and what it meets drawn front to back into the rows that are still open.
+// One screen column: a walk over the grid, and what it meets drawn front to back into the rows that
+// are still open.
 //
-//      rows                      A block seen from the side fills the rows between its top and bottom edge where the walk enters the tile; its roof those up to
-//       |    .--------.  back    where the top edge appears at the tile's far border, its underside likewise below. Floor and ceiling fill what lies between
-//       |   /  roof  /|          the two borders. A row that is drawn is closed, so each pixel is written once, and the walk ends when no row is open.
-//       |  .--------. |
-//       |  |  side  | '
-//       v  '--------'  front
+//      rows                      A block seen from the side fills the rows between its top and
+//      bottom edge where the walk enters the tile; its roof those up to
+//       |    .--------.  back    where the top edge appears at the tile's far border, its underside
+//       likewise below. Floor and ceiling fill what lies between |   /  roof  /|          the two
+//       borders. A row that is drawn is closed, so each pixel is written once, and the walk ends
+//       when no row is open. |  .--------. | |  |  side  | ' v  '--------'  front
 #pragma once
 
 #include "render/frame.h"
@@ -22,7 +23,8 @@
 
 namespace slicecast {
 
-// What slices need while they are drawn; kept from slice to slice and from frame to frame, so that nothing is allocated again and again.
+// What slices need while they are drawn; kept from slice to slice and from frame to frame, so that
+// nothing is allocated again and again.
 struct SliceMemory {
     OpenRows open;
     Layers layers;
@@ -38,13 +40,15 @@ class Slice {
 public:
     Slice(const Frame& frame, SliceMemory& memory, FrameReport& report);
 
-    // Fills all rows of `column` into `pixels`, one after another. `trace`, if given, receives everything that happens.
+    // Fills all rows of `column` into `pixels`, one after another. `trace`, if given, receives
+    // everything that happens.
     void draw(int column, Pixel* pixels, SliceTrace* trace);
 
 private:
     static constexpr int kNoLevel = -1;  // rows that belong to no block
 
-    // Why a walk over tiles was interrupted: something changes in a tile, the tile is a portal, nothing more can be met, or the grid lies behind.
+    // Why a walk over tiles was interrupted: something changes in a tile, the tile is a portal,
+    // nothing more can be met, or the grid lies behind.
     enum class Pass { tile, portal, stopped, left };
 
     // One of the current tile's two borders.
@@ -56,7 +60,8 @@ private:
         int level;
         std::int32_t bottom;
         std::int32_t top;
-        bool cut = false;  // by the part's height clip: there is no face at that end, and rays that begin there are inside
+        bool cut = false;  // by the part's height clip: there is no face at that end, and rays that
+                           // begin there are inside
     };
 
     // What the sides at one border have in common.
@@ -75,7 +80,8 @@ private:
         int fromY = 0;
     };
 
-    // The tiles over which a plane's rows lie, relative to the eye's tile: its points are in [east, eastEnd) x [south, southEnd).
+    // The tiles over which a plane's rows lie, relative to the eye's tile: its points are in [east,
+    // eastEnd) x [south, southEnd).
     struct TileBox {
         double east;
         double eastEnd;
@@ -96,10 +102,14 @@ private:
     void mirror(std::int32_t rise, int first, int last, int strength);
     void reflect();
     int mirrorStrength(std::uint8_t strength) const {
-        return strength == 0 ? 0 : static_cast<int>(std::min(255.0, std::floor(strength * frame_.mirrors + 0.5)));
+        return strength == 0
+                   ? 0
+                   : static_cast<int>(std::min(255.0, std::floor(strength * frame_.mirrors + 0.5)));
     }
 
-    Pass passTiles(bool leaveFirst) { return hasTilePortals_ ? passTilesWith<true>(leaveFirst) : passTilesWith<false>(leaveFirst); }
+    Pass passTiles(bool leaveFirst) {
+        return hasTilePortals_ ? passTilesWith<true>(leaveFirst) : passTilesWith<false>(leaveFirst);
+    }
     template <bool portals>
     Pass passTilesWith(bool leaveFirst);
     void drawTile();
@@ -115,8 +125,10 @@ private:
     void drawFalling(std::uint32_t levels, TextureId ceilingTexture);
     void drawRising(std::uint32_t levels, TextureId ceilingTexture);
     SideView sideView(const Crossing& border) const;
-    SideRun sideRun(const Block& block, Face face, const Crossing& border, const SideView& view, int first, int last) const;
-    void drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow);
+    SideRun sideRun(const Block& block, Face face, const Crossing& border, const SideView& view,
+                    int first, int last) const;
+    void drawSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                  int firstRow, int lastRow);
     void drawEnteredSide(const Block& block, int firstRow, int lastRow);
     bool cutToClip(Block& block) const;
     void enterSide(const Block& block, int firstRow, int lastRow);
@@ -128,7 +140,9 @@ private:
     void drawRoof(const Block& block, int firstRow, int lastRow, bool fromInside = false);
     void drawUnderside(const Block& block, int firstRow, int lastRow);
     void drawCeilingHere(TextureId texture);
-    bool isArrival() const { return portals_ > 0 && walk_.tileX == startX_ && walk_.tileY == startY_; }
+    bool isArrival() const {
+        return portals_ > 0 && walk_.tileX == startX_ && walk_.tileY == startY_;
+    }
     bool isJoined(const Block& block, const Map& map, int x, int y, int level) const;
     bool joinsBefore(const Block& block) const;
     bool joinsNext(const Block& block, int up, bool leaving) const;
@@ -136,7 +150,8 @@ private:
     void passThroughTop(const Block& block, int firstRow, int lastRow, bool leaving);
     void passThroughBottom(const Block& block, int firstRow, int lastRow, bool leaving);
     void leaveThroughSide(const Block& block, int firstRow, int lastRow);
-    void seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow);
+    void seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                        int firstRow, int lastRow);
     void seeThroughPlane(int level, FilledRows::What what, const PlaneRun& run);
     void takeFloor(Border upTo);
     void takeFloorBeyond(int row);
@@ -144,22 +159,41 @@ private:
     void endCeiling(Border at);
     void drawBackground();
     void drawHaze(int firstRow);
-    int rowBelow(std::int32_t rise, const Crossing& border) const { return firstRowBelow(*projection_, rise, border); }
-    int rowBelow(std::int32_t rise, Border border) const { return rowBelow(rise, border == Border::enter ? enter_ : leave_); }
+    int rowBelow(std::int32_t rise, const Crossing& border) const {
+        return firstRowBelow(*projection_, rise, border);
+    }
+    int rowBelow(std::int32_t rise, Border border) const {
+        return rowBelow(rise, border == Border::enter ? enter_ : leave_);
+    }
 
     // The tile before a border of the current one, and the tile behind it.
-    int beforeX(Border border) const { return walk_.tileX - (border == Border::enter && enter_.border && enter_.alongX ? walk_.stepX : 0); }
-    int beforeY(Border border) const { return walk_.tileY - (border == Border::enter && enter_.border && !enter_.alongX ? walk_.stepY : 0); }
-    int behindX(Border border) const { return walk_.tileX + (border == Border::leave && leave_.border && leave_.alongX ? walk_.stepX : 0); }
-    int behindY(Border border) const { return walk_.tileY + (border == Border::leave && leave_.border && !leave_.alongX ? walk_.stepY : 0); }
+    int beforeX(Border border) const {
+        return walk_.tileX -
+               (border == Border::enter && enter_.border && enter_.alongX ? walk_.stepX : 0);
+    }
+    int beforeY(Border border) const {
+        return walk_.tileY -
+               (border == Border::enter && enter_.border && !enter_.alongX ? walk_.stepY : 0);
+    }
+    int behindX(Border border) const {
+        return walk_.tileX +
+               (border == Border::leave && leave_.border && leave_.alongX ? walk_.stepX : 0);
+    }
+    int behindY(Border border) const {
+        return walk_.tileY +
+               (border == Border::leave && leave_.border && !leave_.alongX ? walk_.stepY : 0);
+    }
 
-    void gather(const Plane& plane, int first, int last, int fromX, int fromY, int toX, int toY, bool endless = false);
+    void gather(const Plane& plane, int first, int last, int fromX, int fromY, int toX, int toY,
+                bool endless = false);
     void fill(PlaneRun& run);
     void fillRows(const PlaneRun& run, Lay lay);
     void layOver();
     bool isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows) const;
-    void fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, const FrameTexture& texture, Lay lay);
-    void drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east, std::uint32_t south, bool southReversed, const PlaneRows& rows, Lay lay, Pixel there);
+    void fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows,
+                      const FrameTexture& texture, Lay lay);
+    void drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east, std::uint32_t south,
+                        bool southReversed, const PlaneRows& rows, Lay lay, Pixel there);
     // The point of a plane that one row shows, as fractions of a tile in 1/2^32.
     struct PlanePoint {
         std::uint32_t east;
@@ -167,7 +201,8 @@ private:
     };
     PlanePoint planePoint(const PlaneLine& line, const TileBox& box, double inverse) const;
     TileBox boxAround(const PlaneRun& run) const;
-    void holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there);
+    void holdInside(int row, const TextureLevel& level, const PlaneLine& line,
+                    const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there);
     void count(int first, int last) {
         ++report_.spansDrawn;
         report_.rowsFilled += last - first;
@@ -175,13 +210,17 @@ private:
     void note(int level, FilledRows::What what, Face face, int first, int last) {
         if (trace_) traceRows(level, what, face, first, last);
     }
-    FilledRows& traceRun(int level, FilledRows::What what, Face face, int first, int last, TextureId texture, bool layer);
+    FilledRows& traceRun(int level, FilledRows::What what, Face face, int first, int last,
+                         TextureId texture, bool layer);
     void traceRows(int level, FilledRows::What what, Face face, int first, int last);
-    void traceSide(const Block& block, Face face, const Crossing& border, const SideView& view, int first, int last, bool layer);
-    void tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first, int last, bool layer);
+    void traceSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                   int first, int last, bool layer);
+    void tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first,
+                    int last, bool layer);
     SliceTrace& traceReflection();
     static void turnUpright(SliceTrace& trace, int height);
-    void traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step, int first, int last);
+    void traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step,
+                     int first, int last);
     void traceTile(int x, int y, double along);
     void traceBlocks(std::uint32_t levels);
     void traceBlock(const Block& block);
@@ -208,13 +247,13 @@ private:
     int eyeTileY_ = 0;
     double eyeFractionX_ = 0.0;
     double eyeFractionY_ = 0.0;
-    std::int32_t eyeZ_ = 0;       // 1/65536 units; may be below the floor behind a portal or in a mirror
+    std::int32_t eyeZ_ = 0;  // 1/65536 units; may be below the floor behind a portal or in a mirror
     double eyeHeight_ = 0.0;      // the same in units
     std::int32_t floorRise_ = 0;  // 1/65536 units above the eye
     std::int32_t ceilingRise_ = 0;
     std::uint32_t levelsToEye_ = 0;  // a bit for each level that begins at or below the eye
     const TextureId* ceilingTiles_ = nullptr;  // null where no ceiling can be met
-    int floorMirror_ = 0;         // strength
+    int floorMirror_ = 0;                      // strength
     bool hasTilePortals_ = false;
     HeightClip clip_;
     bool clipped_ = false;
@@ -225,24 +264,28 @@ private:
     Before before_;
 
     GridWalk walk_;
-    Crossing enter_;             // how the current tile was entered
-    Crossing leave_;             // and how it will be left; where objects stand in it, the stretch between two of them
+    Crossing enter_;  // how the current tile was entered
+    Crossing leave_;  // and how it will be left; where objects stand in it, the stretch between two
+                      // of them
     const int* object_ = nullptr;  // the next object that covers the column
     const int* objectsEnd_ = nullptr;
-    SideView enteredSide_;       // worked out where a side is seen
+    SideView enteredSide_;  // worked out where a side is seen
     bool enteredSideKnown_ = false;
     std::uint32_t reached_ = 0;  // its levels whose blocks an open row may meet
     Cover floor_;
     Cover ceiling_;
-    PlaneRun falling_;  // of a plane below the eye
-    PlaneRun rising_;   // of a plane above it
+    PlaneRun falling_;                // of a plane below the eye
+    PlaneRun rising_;                 // of a plane above it
     std::uint32_t tracedLevels_ = 0;  // of the current tile, whose blocks are the trace's last hits
-    GridWalk tracedWalk_;             // the same walk again, for what the trace tells of its borders
+    GridWalk tracedWalk_;  // the same walk again, for what the trace tells of its borders
 };
 
-// Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the horizon, so a run grows towards it. Inlined always, and here and
-// elsewhere numbers are handed over rather than small structures: WebAssembly passes those through memory, and waits for it.
-__attribute__((always_inline)) inline void Slice::gather(const Plane& plane, int first, int last, int fromX, int fromY, int toX, int toY, bool endless) {
+// Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the
+// horizon, so a run grows towards it. Inlined always, and here and elsewhere numbers are handed
+// over rather than small structures: WebAssembly passes those through memory, and waits for it.
+__attribute__((always_inline)) inline void Slice::gather(const Plane& plane, int first, int last,
+                                                         int fromX, int fromY, int toX, int toY,
+                                                         bool endless) {
     const bool falls = plane.rise < 0;
     PlaneRun& run = falls ? falling_ : rising_;
     if ((falls ? run.first == last : run.last == first) && run.plane == plane) {

@@ -9,11 +9,12 @@
 namespace slicecast {
 namespace {
 
-// A point that lies on the border of two texels exactly may come out a rounding before it: positions are moved by this much of a tile, far less than a pixel
-// and far more than a rounding.
+// A point that lies on the border of two texels exactly may come out a rounding before it:
+// positions are moved by this much of a tile, far less than a pixel and far more than a rounding.
 constexpr double kSnap = 1.0 / 17179869184.0;
 
-// Half a step of the fraction that is kept; nearer to the end of a tile than that, it would round up to the next one.
+// Half a step of the fraction that is kept; nearer to the end of a tile than that, it would round
+// up to the next one.
 constexpr double kHalfStep = 1.0 / 8589934592.0;
 
 // The fraction of a tile at a position of a plane's row, in 1/2^32, held within [first, end).
@@ -29,24 +30,31 @@ std::uint32_t held(double first, double end, double start, double perInverse, do
 // What the sides at one border have in common.
 Slice::SideView Slice::sideView(const Crossing& border) const {
     // Along x on the northern and southern sides, along y on the others.
-    const double fraction = border.alongX ? eyeFractionY_ + (eyeTileY_ - walk_.tileY) + ray_.y * border.distance / border.speed
-                                          : eyeFractionX_ + (eyeTileX_ - walk_.tileX) + ray_.x * border.distance / border.speed;
+    const double fraction =
+        border.alongX
+            ? eyeFractionY_ + (eyeTileY_ - walk_.tileY) + ray_.y * border.distance / border.speed
+            : eyeFractionX_ + (eyeTileX_ - walk_.tileX) + ray_.x * border.distance / border.speed;
     const double depth = border.along * projection_->distance;
     constexpr double kEnd = 4294967295.0;  // of 1 << 32
-    return {static_cast<std::uint32_t>(std::min(kEnd, std::max(0.0, fraction + kSnap) * 4294967296.0)), depth, vista_->lighting.brightnessAt(depth),
-            vista_->lighting.fogAt(depth)};
+    return {
+        static_cast<std::uint32_t>(std::min(kEnd, std::max(0.0, fraction + kSnap) * 4294967296.0)),
+        depth, vista_->lighting.brightnessAt(depth), vista_->lighting.fogAt(depth)};
 }
 
 // Which texels the rows [first, last) of a side show, and in what light.
-__attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block, Face face, const Crossing& border, const SideView& view, int first,
+__attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block, Face face,
+                                                             const Crossing& border,
+                                                             const SideView& view, int first,
                                                              int last) const {
     const FaceBlueprint& look = block.blueprint->face(face);
     const FrameTexture& texture = frame_.textures[look.texture];
-    const TextureLevel& level = texture.levels[frame_.detail.levelAt(view.depth, texture.size, texture.last)];
+    const TextureLevel& level =
+        texture.levels[frame_.detail.levelAt(view.depth, texture.size, texture.last)];
     const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
     const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
 
-    // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the block covers of the level.
+    // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the
+    // block covers of the level.
     constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
     constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
     const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
@@ -54,43 +62,62 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     const double perRow = border.along;
     const double upperEdge = Coordinate{tileEdge(block.level + 1).raw - eyeZ_}.value();
     const double v = upperEdge + (first + 0.5 - projection_->horizon) * perRow + kSnap;
-    const std::int64_t start = std::clamp(v <= 0.0 ? 0 : v >= 1.0 ? end : nearestInteger(v * kPositions), lowest, end - 1);
+    const std::int64_t start = std::clamp(v <= 0.0   ? 0
+                                          : v >= 1.0 ? end
+                                                     : nearestInteger(v * kPositions),
+                                          lowest, end - 1);
     const int steps = last - first - 1;
     // A block of several rows is no higher than a tile, so a row's step is less.
     std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
     if (start + steps * step >= end) step = (end - 1 - start) / steps;
-    return {level.texels.data() + (static_cast<std::size_t>(u) << level.bits), kTexturePositionBits - level.bits, first, last,
-            static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(step),
-            vista_->lighting.factorOf(look.glow ? kFullBrightness : view.brightness, look.light), view.fog,
+    return {level.texels.data() + (static_cast<std::size_t>(u) << level.bits),
+            kTexturePositionBits - level.bits,
+            first,
+            last,
+            static_cast<std::uint64_t>(start),
+            static_cast<std::uint64_t>(step),
+            vista_->lighting.factorOf(look.glow ? kFullBrightness : view.brightness, look.light),
+            view.fog,
             vista_->lighting.haze};
 }
 
-void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
+void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                     int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const SideRun run = sideRun(block, face, border, view, first, last);
-        fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step, run.factor, run.fog, vista_->lighting.haze);
+        fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step,
+                 run.factor, run.fog, vista_->lighting.haze);
         count(first, last);
         if (trace_) traceSide(block, face, border, view, first, last, false);
     });
 }
 
-void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view, int firstRow, int lastRow) {
+void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border,
+                           const SideView& view, int firstRow, int lastRow) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
         layers_->add(sideRun(block, face, border, view, first, last));
         if (trace_) traceSide(block, face, border, view, first, last, true);
     });
 }
 
-void Slice::traceSide(const Block& block, Face face, const Crossing& border, const SideView& view, int first, int last, bool layer) {
+void Slice::traceSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                      int first, int last, bool layer) {
     const TextureId texture = block.blueprint->face(face).texture;
-    FilledRows& rows = traceRun(block.level, FilledRows::What::side, face, first, last, texture, layer);
+    FilledRows& rows =
+        traceRun(block.level, FilledRows::What::side, face, first, last, texture, layer);
     const FrameTexture& shown = frame_.textures[texture];
     const SideRun run = sideRun(block, face, border, view, first, last);
     const int detail = frame_.detail.levelAt(view.depth, shown.size, shown.last);
     const TextureLevel& level = shown.levels[detail];
     const auto texelAt = [&](int row) {
-        return TracedTexel{view.depth, detail, static_cast<int>((run.texels - level.texels.data()) >> level.bits),
-                           static_cast<int>((run.start + static_cast<std::uint64_t>(row - first) * run.step) >> run.shift), run.factor, run.fog};
+        return TracedTexel{
+            view.depth,
+            detail,
+            static_cast<int>((run.texels - level.texels.data()) >> level.bits),
+            static_cast<int>((run.start + static_cast<std::uint64_t>(row - first) * run.step) >>
+                             run.shift),
+            run.factor,
+            run.fog};
     };
     rows.top = texelAt(first);
     rows.bottom = texelAt(last - 1);
@@ -111,8 +138,9 @@ void Slice::fill(PlaneRun& run) {
     run.first = run.last = -1;
 }
 
-// The rows are split where the level of detail changes. The first and the last row may lie within a rounding of their tiles' border: their texel is held inside
-// it, so that never a texel of the far side of the texture shows.
+// The rows are split where the level of detail changes. The first and the last row may lie within a
+// rounding of their tiles' border: their texel is held inside it, so that never a texel of the far
+// side of the texture shows.
 void Slice::fillRows(const PlaneRun& run, Lay lay) {
     const int first = run.first;
     const int last = run.last;
@@ -120,10 +148,15 @@ void Slice::fillRows(const PlaneRun& run, Lay lay) {
     const Plane& plane = run.plane;
     const FrameTexture& texture = frame_.textures[plane.texture];
     const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
-    const PlaneLine line = {eyeFractionX_, eyeFractionY_, distance * ray_.x, distance * ray_.y, plane.southReversed};
-    const PlaneRows rows = vista_->planeShades.rows(plane.rise, plane.light, plane.glow, first, last);
+    const PlaneLine line = {eyeFractionX_, eyeFractionY_, distance * ray_.x, distance * ray_.y,
+                            plane.southReversed};
+    const PlaneRows rows =
+        vista_->planeShades.rows(plane.rise, plane.light, plane.glow, first, last);
     const double depthPerInverse = distance * projection_->distance;
-    const auto levelAt = [&](int row) { return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture.size, texture.last); };
+    const auto levelAt = [&](int row) {
+        return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture.size,
+                                     texture.last);
+    };
     const auto texelsOf = [&](int level) -> const TextureLevel& { return texture.levels[level]; };
     if (isOnBorder(run, line, rows)) return fillRowByRow(run, line, rows, texture, lay);
     const int firstLevel = levelAt(first);
@@ -146,57 +179,77 @@ void Slice::fillRows(const PlaneRun& run, Lay lay) {
     fillPlane(pixels_, row, last, texelsOf(lastLevel), line, rows, vista_->lighting.haze, lay);
     const TileBox box = boxAround(run);
     holdInside(first, texelsOf(firstLevel), line, rows, box, lay, firstThere);
-    if (last - first > 1) holdInside(last - 1, texelsOf(lastLevel), line, rows, box, lay, lastThere);
+    if (last - first > 1)
+        holdInside(last - 1, texelsOf(lastLevel), line, rows, box, lay, lastThere);
 }
 
-// A point on the border of two tiles exactly belongs to the one behind it, for the eye counts as a trifle further east and south. Behind a portal that turns, that
-// may be west or north: then it belongs to the one before, and its fraction there is 1 and not 0.
+// A point on the border of two tiles exactly belongs to the one behind it, for the eye counts as a
+// trifle further east and south. Behind a portal that turns, that may be west or north: then it
+// belongs to the one before, and its fraction there is 1 and not 0.
 bool Slice::isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows) const {
     const int turn = vista_->viewpoint.turn;
     if (turn == 0) return false;
     bool any = false;
     for (int row = run.first; row < run.last; ++row) {
         const double inverse = rows.inverseOffsets[row];
-        const bool east = PlaneLine::fractionBits(line.eastStart, line.eastPerInverse, inverse) == 0;
-        const bool south = PlaneLine::fractionBits(line.southStart, line.southPerInverse, inverse) == 0;
+        const bool east =
+            PlaneLine::fractionBits(line.eastStart, line.eastPerInverse, inverse) == 0;
+        const bool south =
+            PlaneLine::fractionBits(line.southStart, line.southPerInverse, inverse) == 0;
         any |= (east && turn != 3) || (south && turn != 1);
     }
     return any;
 }
 
 // Those are rare, so a run that has one is drawn slowly, row by row.
-void Slice::fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, const FrameTexture& texture, Lay lay) {
+void Slice::fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows,
+                         const FrameTexture& texture, Lay lay) {
     const TileBox box = boxAround(run);
-    const double depthPerInverse = Coordinate{run.plane.rise < 0 ? -run.plane.rise : run.plane.rise}.value() * projection_->distance;
+    const double depthPerInverse =
+        Coordinate{run.plane.rise < 0 ? -run.plane.rise : run.plane.rise}.value() *
+        projection_->distance;
     for (int row = run.first; row < run.last; ++row) {
         const double inverse = rows.inverseOffsets[row];
         const PlanePoint point = planePoint(line, box, inverse);
-        drawPlaneTexel(row, texture.levels[frame_.detail.levelAt(depthPerInverse * inverse, texture.size, texture.last)], point.east, point.south,
-                       line.southReversed, rows, lay, pixels_[row]);
+        drawPlaneTexel(row,
+                       texture.levels[frame_.detail.levelAt(depthPerInverse * inverse, texture.size,
+                                                            texture.last)],
+                       point.east, point.south, line.southReversed, rows, lay, pixels_[row]);
     }
 }
 
-Slice::PlanePoint Slice::planePoint(const PlaneLine& line, const TileBox& box, double inverse) const {
+Slice::PlanePoint Slice::planePoint(const PlaneLine& line, const TileBox& box,
+                                    double inverse) const {
     const int turn = vista_->viewpoint.turn;
-    const auto before = [turn](std::uint32_t bits, bool isTurned) { return bits == 0 && turn != 0 && isTurned ? ~std::uint32_t{0} : bits; };
-    return {before(held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse), turn != 3),
-            before(held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse), turn != 1)};
+    const auto before = [turn](std::uint32_t bits, bool isTurned) {
+        return bits == 0 && turn != 0 && isTurned ? ~std::uint32_t{0} : bits;
+    };
+    return {before(held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse),
+                   turn != 3),
+            before(held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse),
+                   turn != 1)};
 }
 
 // One row from the texel at a fraction of a tile, in 1/2^32.
-void Slice::drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east, std::uint32_t south, bool southReversed, const PlaneRows& rows, Lay lay,
+void Slice::drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east,
+                           std::uint32_t south, bool southReversed, const PlaneRows& rows, Lay lay,
                            Pixel there) {
-    const auto texelOf = [&](std::uint32_t bits) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits)); };
+    const auto texelOf = [&](std::uint32_t bits) {
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits));
+    };
     const std::uint32_t u = texelOf(east);
     std::uint32_t v = texelOf(south);
     if (southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-    pixels_[row] = shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0, vista_->lighting.haze,
-                               lay, there);
+    pixels_[row] =
+        shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff,
+                    rows.fogs ? rows.fogs[row] & 0xffff : 0, vista_->lighting.haze, lay, there);
 }
 
 Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
-    TileBox box = {static_cast<double>(std::min(run.fromX, run.toX) - eyeTileX_), static_cast<double>(std::max(run.fromX, run.toX) + 1 - eyeTileX_),
-                   static_cast<double>(std::min(run.fromY, run.toY) - eyeTileY_), static_cast<double>(std::max(run.fromY, run.toY) + 1 - eyeTileY_)};
+    TileBox box = {static_cast<double>(std::min(run.fromX, run.toX) - eyeTileX_),
+                   static_cast<double>(std::max(run.fromX, run.toX) + 1 - eyeTileX_),
+                   static_cast<double>(std::min(run.fromY, run.toY) - eyeTileY_),
+                   static_cast<double>(std::max(run.fromY, run.toY) + 1 - eyeTileY_)};
     if (run.endless) {
         constexpr double kNever = std::numeric_limits<double>::infinity();
         if (ray_.x > 0.0) box.eastEnd = kNever;
@@ -208,15 +261,18 @@ Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
 }
 
 // Draws a row anew if its point was rounded out of its tiles.
-void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line, const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there) {
+void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line,
+                       const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there) {
     const double inverse = rows.inverseOffsets[row];
     const double east = line.eastStart + line.eastPerInverse * inverse;
     const double south = line.southStart + line.southPerInverse * inverse;
     const bool eastInside = east >= box.east && east < box.eastEnd - kHalfStep;
     const bool southInside = south >= box.south && south < box.southEnd - kHalfStep;
     if (eastInside && southInside) return;
-    drawPlaneTexel(row, level, held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse),
-                   held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse), line.southReversed, rows, lay, there);
+    drawPlaneTexel(row, level,
+                   held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse),
+                   held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse),
+                   line.southReversed, rows, lay, there);
 }
 
 }  // namespace slicecast

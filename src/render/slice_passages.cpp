@@ -1,12 +1,13 @@
-// Where a slice goes on elsewhere: rays that enter a portal, and rays that a mirror throws back. Their rows become parts of their own.
+// Where a slice goes on elsewhere: rays that enter a portal, and rays that a mirror throws back.
+// Their rows become parts of their own.
 #include "render/slice.h"
 
 #include <algorithm>
 
 namespace slicecast {
 
-// The faces of blocks that are see-through, hold portals, or are cut by the part's height clip. A portal acts on what comes in through it; from inside the block
-// nothing is drawn there.
+// The faces of blocks that are see-through, hold portals, or are cut by the part's height clip. A
+// portal acts on what comes in through it; from inside the block nothing is drawn there.
 void Slice::enterSide(const Block& block, int firstRow, int lastRow) {
     if (!enter_.border || !open_.mayHold(firstRow, lastRow)) return;
     const PortalId portal = block.blueprint->face(enteredFace(enter_)).portal;
@@ -27,7 +28,8 @@ void Slice::enterTop(const Block& block, int firstRow, int lastRow) {
         HeightClip below;
         below.high = block.top;
         sendThrough(frame_.world->portals[look.portal], firstRow, lastRow, below);
-    } else if (block.blueprint->seeThrough && (mirrorStrength(look.mirror) == 0 || joinsNext(block, 1, false))) {
+    } else if (block.blueprint->seeThrough &&
+               (mirrorStrength(look.mirror) == 0 || joinsNext(block, 1, false))) {
         passThroughTop(block, firstRow, lastRow, false);
     } else {
         drawRoof(block, firstRow, lastRow);
@@ -48,7 +50,9 @@ void Slice::enterBottom(const Block& block, int firstRow, int lastRow) {
 }
 
 void Slice::leaveSide(const Block& block, int firstRow, int lastRow) {
-    if (!leave_.border || leave_.along <= 0.0 || block.blueprint->face(leftFace(leave_)).portal != kNoPortal) return;
+    if (!leave_.border || leave_.along <= 0.0 ||
+        block.blueprint->face(leftFace(leave_)).portal != kNoPortal)
+        return;
     if (block.blueprint->seeThrough) {
         leaveThroughSide(block, firstRow, lastRow);
     } else {
@@ -74,10 +78,12 @@ void Slice::leaveBottom(const Block& block, int firstRow, int lastRow) {
     }
 }
 
-// What is left of a block between the heights at which this part's rays run; false if that is nothing.
+// What is left of a block between the heights at which this part's rays run; false if that is
+// nothing.
 bool Slice::cutToClip(Block& block) const {
     if (block.top <= clip_.low || block.bottom >= clip_.high) return false;
-    block.cut = block.bottom < clip_.low || block.top > clip_.high || (clip_.isMirror && block.bottom == clip_.low);
+    block.cut = block.bottom < clip_.low || block.top > clip_.high ||
+                (clip_.isMirror && block.bottom == clip_.low);
     block.bottom = std::max(block.bottom, clip_.low);
     block.top = std::min(block.top, clip_.high);
     return true;
@@ -88,7 +94,8 @@ bool Slice::acts(PortalId portal) const {
     return portal != kNoPortal && portals_ < frame_.world->portalLimit && !isArrival();
 }
 
-// Closes rows here and opens them behind the portal, in a part that goes on from this tile. Those whose rays come out below the floor end in the haze.
+// Closes rows here and opens them behind the portal, in a part that goes on from this tile. Those
+// whose rays come out below the floor end in the haze.
 void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const HeightClip& clip) {
     if (!open_.mayHold(firstRow, lastRow)) return;
     Vista& beyond = frame_.vistas.through(*vista_, portal);
@@ -96,12 +103,17 @@ void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const H
     // Through a roof or an underside all rays come at one height, that of the clip.
     const std::int32_t height = clip.high != HeightClip{}.high ? clip.high : clip.low;
     const bool isBelow = height < floorRise || (height == 0 && floorRise == 0);
-    const int hazeRow = !clip.any() ? rowBelow(floorRise, enter_) : isBelow ? 0 : projection_->height;
+    const int hazeRow = !clip.any() ? rowBelow(floorRise, enter_)
+                        : isBelow   ? 0
+                                    : projection_->height;
     const GridWalk onward = walk_.turned(portal.turn, portal.toX, portal.toY);
-    const Before before = clip.any() ? Before{map_, walk_.tileX, walk_.tileY, portal.levels} : Before{map_, beforeX(Border::enter), beforeY(Border::enter), portal.levels};
+    const Before before =
+        clip.any() ? Before{map_, walk_.tileX, walk_.tileY, portal.levels}
+                   : Before{map_, beforeX(Border::enter), beforeY(Border::enter), portal.levels};
     open_.take(firstRow, lastRow, [&](int first, int last) {
         if (first < hazeRow) {
-            Parts::addRows(parts_->find(beyond, onward, clip, before, portals_ + 1, part_ + 1), first, std::min(last, hazeRow));
+            Parts::addRows(parts_->find(beyond, onward, clip, before, portals_ + 1, part_ + 1),
+                           first, std::min(last, hazeRow));
         }
         if (last > hazeRow) {
             std::fill(pixels_ + std::max(first, hazeRow), pixels_ + last, beyond.lighting.haze);
@@ -109,17 +121,20 @@ void Slice::sendThrough(const Portal& portal, int firstRow, int lastRow, const H
         }
         if (trace_) {
             if (last > hazeRow) {
-                FilledRows& haze = traceRun(kNoLevel, FilledRows::What::haze, Face::top, std::max(first, hazeRow), last, kNoTexture, false);
+                FilledRows& haze = traceRun(kNoLevel, FilledRows::What::haze, Face::top,
+                                            std::max(first, hazeRow), last, kNoTexture, false);
                 haze.map = portal.toMap;
                 ++haze.portals;
             }
             const auto id = static_cast<PortalId>(&portal - frame_.world->portals.data());
-            trace_->portals.push_back({id, portals_, enter_.along * projection_->distance, first, last});
+            trace_->portals.push_back(
+                {id, portals_, enter_.along * projection_->distance, first, last});
         }
     });
 }
 
-// All that is still open goes through; or, where a ray has passed as many portals as it may, ends in the haze of the map that it is in.
+// All that is still open goes through; or, where a ray has passed as many portals as it may, ends
+// in the haze of the map that it is in.
 void Slice::enterPortalTile() {
     takeFloor(Border::enter);
     const PortalId id = map_->tilePortal(walk_.tileX, walk_.tileY);
@@ -131,10 +146,12 @@ void Slice::enterPortalTile() {
 void Slice::mirror(std::int32_t rise, int first, int last, int strength) {
     memory_.mirrors.push_back({part_, rise, first, last, static_cast<std::uint32_t>(strength)});
     report_.mirroredRows += last - first;
-    if (trace_) trace_->mirrors.push_back({vista_->viewpoint.map, strength, {eyeZ_ + rise}, first, last});
+    if (trace_)
+        trace_->mirrors.push_back({vista_->viewpoint.map, strength, {eyeZ_ + rise}, first, last});
 }
 
-// Draws what the mirrors of this slice show into a column that stands upside down, and blends it over them.
+// Draws what the mirrors of this slice show into a column that stands upside down, and blends it
+// over them.
 void Slice::reflect() {
     Pixel* const pixels = pixels_;
     SliceTrace* const trace = trace_;
@@ -147,7 +164,9 @@ void Slice::reflect() {
         above.low = -run.height;
         above.isMirror = true;
         Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + run.height);
-        Parts::addRows(memory_.reflectedParts.find(vista, met.walk, above, met.before, met.portals, 0), height - run.last, height - run.first);
+        Parts::addRows(
+            memory_.reflectedParts.find(vista, met.walk, above, met.before, met.portals, 0),
+            height - run.last, height - run.first);
     }
     pixels_ = memory_.reflected.data();
     layers_ = &memory_.reflectedLayers;
@@ -160,7 +179,8 @@ void Slice::reflect() {
     trace_ = trace;
     if (trace_) turnUpright(trace_->reflection.back(), height);
     for (const MirrorRun& run : memory_.mirrors) {
-        blendReversed(pixels_ + run.first, run.last - run.first, memory_.reflected.data() + (height - run.last), run.strength);
+        blendReversed(pixels_ + run.first, run.last - run.first,
+                      memory_.reflected.data() + (height - run.last), run.strength);
     }
 }
 

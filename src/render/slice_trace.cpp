@@ -7,7 +7,8 @@
 
 namespace slicecast {
 
-FilledRows& Slice::traceRun(int level, FilledRows::What what, Face face, int first, int last, TextureId texture, bool layer) {
+FilledRows& Slice::traceRun(int level, FilledRows::What what, Face face, int first, int last,
+                            TextureId texture, bool layer) {
     FilledRows rows;
     rows.what = what;
     rows.face = face;
@@ -17,7 +18,8 @@ FilledRows& Slice::traceRun(int level, FilledRows::What what, Face face, int fir
     rows.portals = portals_;
     rows.layer = layer;
     rows.texture = texture;
-    if (level != kNoLevel) rows.hit = static_cast<int>(trace_->hits.size()) - std::popcount(tracedLevels_ >> level);
+    if (level != kNoLevel)
+        rows.hit = static_cast<int>(trace_->hits.size()) - std::popcount(tracedLevels_ >> level);
     trace_->filled.push_back(rows);
     return trace_->filled.back();
 }
@@ -27,16 +29,20 @@ void Slice::traceRows(int level, FilledRows::What what, Face face, int first, in
     if (what == FilledRows::What::sky || what == FilledRows::What::haze) {
         traceRun(level, what, face, first, last, kNoTexture, false);
     } else {
-        tracePlane(level, what, face, falling_.first <= first && last <= falling_.last ? falling_ : rising_, first, last, false);
+        tracePlane(level, what, face,
+                   falling_.first <= first && last <= falling_.last ? falling_ : rising_, first,
+                   last, false);
     }
 }
 
-void Slice::tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first, int last, bool layer) {
+void Slice::tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first,
+                       int last, bool layer) {
     const Plane& plane = run.plane;
     FilledRows& traced = traceRun(level, what, face, first, last, plane.texture, layer);
     const FrameTexture& texture = frame_.textures[plane.texture];
     const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
-    const PlaneLine line = {eyeFractionX_, eyeFractionY_, distance * ray_.x, distance * ray_.y, plane.southReversed};
+    const PlaneLine line = {eyeFractionX_, eyeFractionY_, distance * ray_.x, distance * ray_.y,
+                            plane.southReversed};
     const TileBox box = boxAround(run);
     const auto texelAt = [&](int row) {
         const double inverse = vista_->inverseOffsets[row];
@@ -46,29 +52,45 @@ void Slice::tracePlane(int level, FilledRows::What what, Face face, const PlaneR
         const PlanePoint point = planePoint(line, box, inverse);
         const int v = static_cast<int>(std::uint64_t{point.south} >> (32 - shown.bits));
         const Shade shade = vista_->lighting.at(depth, plane.light, plane.glow);
-        return TracedTexel{depth, detail, static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits)), plane.southReversed ? shown.size - 1 - v : v,
-                           shade.factor, shade.fog};
+        return TracedTexel{depth,
+                           detail,
+                           static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits)),
+                           plane.southReversed ? shown.size - 1 - v : v,
+                           shade.factor,
+                           shade.fog};
     };
     traced.top = texelAt(first);
     traced.bottom = texelAt(last - 1);
     for (int row = first; row < last; ++row) {
-        ++traced.rowsOfDetail[static_cast<std::size_t>(frame_.detail.levelAt(distance * projection_->distance * vista_->inverseOffsets[row], texture.size, texture.last))];
+        ++traced.rowsOfDetail[static_cast<std::size_t>(
+            frame_.detail.levelAt(distance * projection_->distance * vista_->inverseOffsets[row],
+                                  texture.size, texture.last))];
     }
 }
 
 // An object's column of texels, `u` of it; positions as drawObject counts them.
-void Slice::traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step, int first, int last) {
+void Slice::traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step,
+                        int first, int last) {
     const SpriteId sprite = map_->objects[static_cast<std::size_t>(object.index)].sprite;
-    FilledRows& rows = traceRun(kNoLevel, FilledRows::What::object, Face::top, first, last, sprite, true);
+    FilledRows& rows =
+        traceRun(kNoLevel, FilledRows::What::object, Face::top, first, last, sprite, true);
     rows.object = static_cast<int>(trace_->objects.size());
-    const int detail = static_cast<int>(object.level - frame_.world->sprites[sprite].levelsAt(frame_.world->seconds).data());
+    const int detail = static_cast<int>(
+        object.level - frame_.world->sprites[sprite].levelsAt(frame_.world->seconds).data());
     const auto texelAt = [&](int row) {
-        return TracedTexel{object.depth, detail, u, static_cast<int>((start + static_cast<std::uint64_t>(row - first) * step) >> 32), object.factor, object.fog};
+        return TracedTexel{
+            object.depth,
+            detail,
+            u,
+            static_cast<int>((start + static_cast<std::uint64_t>(row - first) * step) >> 32),
+            object.factor,
+            object.fog};
     };
     rows.top = texelAt(first);
     rows.bottom = texelAt(last - 1);
     rows.rowsOfDetail[static_cast<std::size_t>(detail)] = static_cast<std::uint16_t>(last - first);
-    trace_->objects.push_back({vista_->viewpoint.map, portals_, object.index, object.depth, first, last});
+    trace_->objects.push_back(
+        {vista_->viewpoint.map, portals_, object.index, object.depth, first, last});
 }
 
 SliceTrace& Slice::traceReflection() {
@@ -83,7 +105,9 @@ SliceTrace& Slice::traceReflection() {
 
 // Of what was drawn upside down.
 void Slice::turnUpright(SliceTrace& trace, int height) {
-    const auto turn = [height](auto& rows) { rows.first = height - std::exchange(rows.last, height - rows.first); };
+    const auto turn = [height](auto& rows) {
+        rows.first = height - std::exchange(rows.last, height - rows.first);
+    };
     for (FilledRows& rows : trace.filled) {
         turn(rows);
         std::swap(rows.top, rows.bottom);
@@ -91,21 +115,26 @@ void Slice::turnUpright(SliceTrace& trace, int height) {
     for (SeenObject& object : trace.objects) turn(object);
     for (PassedPortal& portal : trace.portals) turn(portal);
     for (Hit& hit : trace.hits) {
-        for (double* row : {&hit.topFrontRow, &hit.bottomFrontRow, &hit.topBackRow, &hit.bottomBackRow}) *row = height - *row;
+        for (double* row :
+             {&hit.topFrontRow, &hit.bottomFrontRow, &hit.topBackRow, &hit.bottomBackRow})
+            *row = height - *row;
     }
 }
 
 // The walk itself goes on with its own numbers only; it is walked again up to here.
 void Slice::traceTile(int x, int y, double along) {
-    while (tracedWalk_.tileX != x || tracedWalk_.tileY != y || tracedWalk_.entered != along) tracedWalk_.advance();
+    while (tracedWalk_.tileX != x || tracedWalk_.tileY != y || tracedWalk_.entered != along)
+        tracedWalk_.advance();
     const Crossing border = tracedWalk_.enter();
-    trace_->tiles.push_back({vista_->viewpoint.map, x, y, along * projection_->distance, portals_, tracedWalk_.hasEntered(), border.alongX, along, border.distance,
+    trace_->tiles.push_back({vista_->viewpoint.map, x, y, along * projection_->distance, portals_,
+                             tracedWalk_.hasEntered(), border.alongX, along, border.distance,
                              border.speed, tracedWalk_.nextAlongX(), tracedWalk_.nextAlongY()});
 }
 
 void Slice::traceBlocks(std::uint32_t levels) {
     tracedLevels_ = levels;
-    for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) traceBlock(blockAt(std::countr_zero(rest)));
+    for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1)
+        traceBlock(blockAt(std::countr_zero(rest)));
 }
 
 void Slice::traceBlock(const Block& block) {
@@ -125,7 +154,10 @@ void Slice::traceBlock(const Block& block) {
     hit.rawDepth = enter_.along * std::sqrt(ray_.x * ray_.x + ray_.y * ray_.y);
     hit.bottom = tileEdge(block.level) + block.blueprint->bottom;
     hit.top = tileEdge(block.level) + block.blueprint->top;
-    const auto rowOf = [&](std::int32_t rise, double depth) { return rise == 0 ? projection_->horizon : projection_->rowOf(Coordinate{rise}.value(), depth); };
+    const auto rowOf = [&](std::int32_t rise, double depth) {
+        return rise == 0 ? projection_->horizon
+                         : projection_->rowOf(Coordinate{rise}.value(), depth);
+    };
     hit.topFrontRow = rowOf(block.top, hit.depth);
     hit.bottomFrontRow = rowOf(block.bottom, hit.depth);
     hit.topBackRow = rowOf(block.top, hit.backDepth);

@@ -24,7 +24,8 @@ inline V highPairs(V a, V b) {
 }
 
 // Four rows of four columns: element r of column c goes to element c of row r.
-inline void transposeFour(const Pixel* columns, std::ptrdiff_t stride, Pixel* rows, std::ptrdiff_t pitch) {
+inline void transposeFour(const Pixel* columns, std::ptrdiff_t stride, Pixel* rows,
+                          std::ptrdiff_t pitch) {
     const auto a = loadVector<U32x4>(columns);
     const auto b = loadVector<U32x4>(columns + stride);
     const auto c = loadVector<U32x4>(columns + 2 * stride);
@@ -39,9 +40,10 @@ inline void transposeFour(const Pixel* columns, std::ptrdiff_t stride, Pixel* ro
     storeVector(rows + 3 * pitch, highPairs(acHigh, bdHigh));
 }
 
-// All whole groups of four rows of a full strip; returns how many rows those are. A function of its own, called often, so that engines of WebAssembly compile
-// it well.
-__attribute__((noinline)) int transposeRows(const Pixel* strip, std::ptrdiff_t stride, int height, Pixel* row, std::ptrdiff_t pitch) {
+// All whole groups of four rows of a full strip; returns how many rows those are. A function of its
+// own, called often, so that engines of WebAssembly compile it well.
+__attribute__((noinline)) int transposeRows(const Pixel* strip, std::ptrdiff_t stride, int height,
+                                            Pixel* row, std::ptrdiff_t pitch) {
     static_assert(kStripColumns == 16);
     const Pixel* a = strip;
     const Pixel* b = strip + 4 * stride;
@@ -75,10 +77,12 @@ void Strip::resize(int height) {
 void Strip::copyTo(const Picture& picture, int x, int columns) const {
     const Pixel* const strip = pixels_.data();
     int y = 0;
-    if (kHasVectors && columns == kStripColumns) y = transposeRows(strip, stride_, height_, picture.pixels + x, picture.pitch);
+    if (kHasVectors && columns == kStripColumns)
+        y = transposeRows(strip, stride_, height_, picture.pixels + x, picture.pitch);
     for (; y < height_; ++y) {
         Pixel* row = picture.row(y) + x;
-        for (int c = 0; c < columns; ++c) row[c] = strip[static_cast<std::ptrdiff_t>(c) * stride_ + y];
+        for (int c = 0; c < columns; ++c)
+            row[c] = strip[static_cast<std::ptrdiff_t>(c) * stride_ + y];
     }
 }
 

@@ -1,7 +1,9 @@
-// A strip of slices, column after column in memory that stays in the cache, and its way into the rows of a picture.
+// A strip of slices, column after column in memory that stays in the cache, and its way into the
+// rows of a picture.
 //
-// Columns written straight into a picture whose rows are a few kilobytes apart fall on a handful of cache sets and cost five to ten times as much; a strip of
-// 16 columns is one cache line of each row.
+// Columns written straight into a picture whose rows are a few kilobytes apart fall on a handful of
+// cache sets and cost five to ten times as much; a strip of 16 columns is one cache line of each
+// row.
 #pragma once
 
 #include "render/picture.h"
@@ -17,7 +19,9 @@ public:
     // Room for columns of `height` rows.
     void resize(int height);
 
-    Pixel* column(int index) { return pixels_.data() + static_cast<std::ptrdiff_t>(index) * stride_; }
+    Pixel* column(int index) {
+        return pixels_.data() + static_cast<std::ptrdiff_t>(index) * stride_;
+    }
 
     // Writes the first `columns` columns into the picture, from column `x` on.
     void copyTo(const Picture& picture, int x, int columns) const;

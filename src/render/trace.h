@@ -12,9 +12,9 @@ namespace slicecast {
 
 // The texel that one row shows, and in what light.
 struct TracedTexel {
-    double depth = 0.0;       // perpendicular depth t, units
-    int detail = 0;           // level of detail m
-    int u = 0;                // which texel of that level, from the left and from the top as its picture is seen
+    double depth = 0.0;  // perpendicular depth t, units
+    int detail = 0;      // level of detail m
+    int u = 0;  // which texel of that level, from the left and from the top as its picture is seen
     int v = 0;
     std::uint32_t light = 0;  // q, 0 to 256
     std::uint32_t fog = 0;    // weight, 0 to 255
@@ -31,18 +31,21 @@ struct FilledRows {
     int first = 0;
     int last = 0;
     int map = 0;
-    int portals = 0;           // that the rays had passed before
-    int hit = -1;              // whose block it is: index into SliceTrace::hits; of what is no block, -1
-    int object = -1;           // index into SliceTrace::objects
-    bool layer = false;        // laid over what is behind, which is told too
+    int portals = 0;     // that the rays had passed before
+    int hit = -1;        // whose block it is: index into SliceTrace::hits; of what is no block, -1
+    int object = -1;     // index into SliceTrace::objects
+    bool layer = false;  // laid over what is behind, which is told too
     TextureId texture = kNoTexture;  // or the sprite's number; none for the sky and haze
-    TracedTexel top = {};      // of the first row, where there is a texture
-    TracedTexel bottom = {};   // of the last row
-    std::array<std::uint16_t, kMostDetails> rowsOfDetail = {};  // how many rows show each level of detail
+    TracedTexel top = {};            // of the first row, where there is a texture
+    TracedTexel bottom = {};         // of the last row
+    std::array<std::uint16_t, kMostDetails> rowsOfDetail =
+        {};  // how many rows show each level of detail
 };
 
-// A block that a slice's ground line passes, whether or not any of it is seen. Rows are real numbers: row r's centre is r + 0.5, and rows grow downwards.
-// "Front" is where the line enters the block's tile, "back" where it leaves it. In the eye's own tile the front depth is 0 and the front rows are infinite.
+// A block that a slice's ground line passes, whether or not any of it is seen. Rows are real
+// numbers: row r's centre is r + 0.5, and rows grow downwards. "Front" is where the line enters the
+// block's tile, "back" where it leaves it. In the eye's own tile the front depth is 0 and the front
+// rows are infinite.
 struct Hit {
     int map = 0;
     int portals = 0;  // that the line has passed before
@@ -50,14 +53,14 @@ struct Hit {
     int tileY = 0;
     int level = 0;
     BlueprintId blueprint = kEmptyCell;
-    bool entered = false;        // false in the eye's own tile, where the line starts inside
-    Face face = Face::north;     // through which the line enters, if it does
-    double x = 0.0;              // world point where the line enters the tile, units
+    bool entered = false;     // false in the eye's own tile, where the line starts inside
+    Face face = Face::north;  // through which the line enters, if it does
+    double x = 0.0;           // world point where the line enters the tile, units
     double y = 0.0;
-    double rawDepth = 0.0;       // distance from the eye to that point along the ground
-    double depth = 0.0;          // perpendicular depth t of that point
-    double backDepth = 0.0;      // perpendicular depth where the line leaves the tile
-    Coordinate bottom;           // heights above the map's floor
+    double rawDepth = 0.0;   // distance from the eye to that point along the ground
+    double depth = 0.0;      // perpendicular depth t of that point
+    double backDepth = 0.0;  // perpendicular depth where the line leaves the tile
+    Coordinate bottom;       // heights above the map's floor
     Coordinate top;
     double topFrontRow = 0.0;
     double bottomFrontRow = 0.0;
@@ -66,16 +69,18 @@ struct Hit {
     std::vector<FilledRows> filled;  // what was seen of it, from the top
 };
 
-// One tile that the walk entered. The walk counts in `along`, the share of the ray's direction (SliceTrace::ray times the distance to the projection plane)
-// that lies behind: along = distance / speed, depth = along * projectionDistance. The tile is left by whichever of the two borders ahead comes first.
+// One tile that the walk entered. The walk counts in `along`, the share of the ray's direction
+// (SliceTrace::ray times the distance to the projection plane) that lies behind: along = distance /
+// speed, depth = along * projectionDistance. The tile is left by whichever of the two borders ahead
+// comes first.
 struct WalkedTile {
     int map = 0;
     int x = 0;
     int y = 0;
-    double depth = 0.0;     // perpendicular depth on entering
-    int portals = 0;        // that the line has passed before
-    bool entered = false;   // false in the tile in which a walk begins
-    bool alongX = false;    // entered through a border of constant x
+    double depth = 0.0;    // perpendicular depth on entering
+    int portals = 0;       // that the line has passed before
+    bool entered = false;  // false in the tile in which a walk begins
+    bool alongX = false;   // entered through a border of constant x
     double along = 0.0;
     double distance = 0.0;  // of that border from the eye, along its axis, units
     double speed = 1.0;     // size of the ray's direction on that axis
@@ -83,7 +88,8 @@ struct WalkedTile {
     double nextY = 0.0;
 };
 
-// An object that a slice shows, and the rows [first, last) in which it is seen through its holes or not.
+// An object that a slice shows, and the rows [first, last) in which it is seen through its holes or
+// not.
 struct SeenObject {
     int map = 0;
     int portals = 0;  // that the rays had passed before
@@ -97,7 +103,8 @@ struct SeenObject {
 struct PassedPortal {
     PortalId portal = kNoPortal;
     int portals = 0;     // that the rays had passed before
-    double depth = 0.0;  // perpendicular depth of the tile's border; of what falls or rises through a roof or an underside, where the line enters the tile
+    double depth = 0.0;  // perpendicular depth of the tile's border; of what falls or rises through
+                         // a roof or an underside, where the line enters the tile
     int first = 0;
     int last = 0;
 };
@@ -125,20 +132,22 @@ struct SliceTrace {
     std::vector<SeenObject> objects;
     std::vector<PassedPortal> portals;
     std::vector<MirroredRows> mirrors;
-    std::vector<SliceTrace> reflection;  // one, of what is seen in them, if there are any; its rows are those of the picture
+    std::vector<SliceTrace> reflection;  // one, of what is seen in them, if there are any; its rows
+                                         // are those of the picture
 };
 
 // Sums over a frame.
 struct FrameReport {
     std::int64_t tilesWalked = 0;
-    std::int64_t blocksMet = 0;   // blocks whose rows were looked at
-    std::int64_t spansDrawn = 0;  // runs of rows that were filled
+    std::int64_t blocksMet = 0;           // blocks whose rows were looked at
+    std::int64_t spansDrawn = 0;          // runs of rows that were filled
     std::int64_t partsBehindPortals = 0;  // walks that went on behind a portal
     int deepestPortal = 0;                // portals passed by one ray, at most
     std::int64_t mirroredRows = 0;
     std::int64_t layers = 0;        // runs of rows that were seen through, objects among them
     std::int64_t objectSlices = 0;  // columns of objects that were drawn
-    std::int64_t rowsFilled = 0;  // rows of slices: each once, and again for each see-through layer over it
+    std::int64_t rowsFilled =
+        0;  // rows of slices: each once, and again for each see-through layer over it
 };
 
 }  // namespace slicecast

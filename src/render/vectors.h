@@ -1,5 +1,6 @@
-// Four pixels at a time, written once for all machines: the compilers' own vector types become SSE on x86, NEON on ARM and SIMD128 in WebAssembly. Where a
-// machine has none (kHasVectors is false) only the scalar forms are used. Both do the same arithmetic, so their bytes are the same.
+// Four pixels at a time, written once for all machines: the compilers' own vector types become SSE
+// on x86, NEON on ARM and SIMD128 in WebAssembly. Where a machine has none (kHasVectors is false)
+// only the scalar forms are used. Both do the same arithmetic, so their bytes are the same.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,9 @@ inline void storeVector(void* to, Vector v) {
     std::memcpy(to, &v, sizeof v);
 }
 
-inline U32x4 allLanes(std::uint32_t value) { return U32x4{value, value, value, value}; }
+inline U32x4 allLanes(std::uint32_t value) {
+    return U32x4{value, value, value, value};
+}
 
 // The low 32 bits of four doubles' bit patterns.
 inline U32x4 lowHalves(F64x2 a, F64x2 b) {

@@ -15,7 +15,8 @@ void fillInverseOffsets(const Projection& projection, std::vector<double>& inver
     inverseOffsets.resize(static_cast<std::size_t>(projection.height));
     for (int row = 0; row < projection.height; ++row) {
         const double offset = std::fabs(projection.horizon - (row + 0.5));
-        inverseOffsets[static_cast<std::size_t>(row)] = offset > 0.0 ? 1.0 / offset : std::numeric_limits<double>::infinity();
+        inverseOffsets[static_cast<std::size_t>(row)] =
+            offset > 0.0 ? 1.0 / offset : std::numeric_limits<double>::infinity();
     }
 }
 
@@ -35,7 +36,8 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
     return to;
 }
 
-void Vista::begin(const World& world, const Eye& eye, const RenderOptions& options, const Detail& detail, const Viewpoint& from, FrameRays rays) {
+void Vista::begin(const World& world, const Eye& eye, const RenderOptions& options,
+                  const Detail& detail, const Viewpoint& from, FrameRays rays) {
     viewpoint = from;
     map = &world.maps[static_cast<std::size_t>(from.map)];
     projection = &rays.projection;
@@ -43,18 +45,28 @@ void Vista::begin(const World& world, const Eye& eye, const RenderOptions& optio
     lighting = Lighting(*map, options);
     const double height = Coordinate{from.z}.value();
     const double farRow = projection->rowOf(-height, map->far);
-    firstFloorRow = std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
-    objects.beginFrame(world, *map, from.x, from.y, from.z, turned(projection->forward, from.turn), turned(projection->right, from.turn), *projection, detail, lighting);
-    highest = std::max({static_cast<double>(map->levels), map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(), objects.highest()});
+    firstFloorRow =
+        std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
+    objects.beginFrame(world, *map, from.x, from.y, from.z, turned(projection->forward, from.turn),
+                       turned(projection->right, from.turn), *projection, detail, lighting);
+    highest = std::max({static_cast<double>(map->levels),
+                        map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(),
+                        objects.highest()});
     planeShades.beginFrame(lighting, projection->distance, inverseOffsets, projection->height);
     skyRows.beginFrame(map->sky, *projection, eye.headingDegrees + 90.0 * from.turn);
 }
 
-void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width, int height) {
+void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width,
+                        int height) {
     world_ = &world;
     eye_ = &eye;
     options_ = &options;
-    eyeView_ = {.map = eye.map, .turn = 0, .x = eye.x.raw, .y = eye.y.raw, .z = eye.z.raw, .upsideDown = false};
+    eyeView_ = {.map = eye.map,
+                .turn = 0,
+                .x = eye.x.raw,
+                .y = eye.y.raw,
+                .z = eye.z.raw,
+                .upsideDown = false};
     const Projection upright(eye, options, width, height);
     if (!projection_) {
         projection_ = std::make_unique<Projection>(upright);
@@ -82,7 +94,8 @@ Vista& Vistas::find(const Viewpoint& from) {
     if (used_ == vistas_.size()) vistas_.push_back(std::make_unique<Vista>());
     Vista& vista = *vistas_[used_++];
     vista.begin(*world_, *eye_, *options_, detail_, from,
-                from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()} : FrameRays{*projection_, inverseOffsets_.data()});
+                from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
+                                : FrameRays{*projection_, inverseOffsets_.data()});
     return vista;
 }
 

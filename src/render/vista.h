@@ -1,15 +1,19 @@
-// A vista: a map as some rays of a frame see it. The eye's own map is one; what portals lead to is laid on behind them, turned and shifted, and seen as if the eye
-// stood there; what shows in a mirror is seen from as far below it as the eye is above, upside down (see Projection::mirrored):
+// A vista: a map as some rays of a frame see it. The eye's own map is one; what portals lead to is
+// laid on behind them, turned and shifted, and seen as if the eye stood there; what shows in a
+// mirror is seen from as far below it as the eye is above, upside down (see Projection::mirrored):
 //
-//         eye  o                          Beyond a mirror at height h a ray of slope s runs like one of slope -s that comes from height 2 h - z, and is the true one
-//               \     . reflected         where it is above h. So whatever is drawn of blocks can be drawn of reflections too.
+//         eye  o                          Beyond a mirror at height h a ray of slope s runs like
+//         one of slope -s that comes from height 2 h - z, and is the true one
+//               \     . reflected         where it is above h. So whatever is drawn of blocks can
+//               be drawn of reflections too.
 //      h  -------\---/------- mirror
 //                 \ /
 //                  X
 //                 /
 //     2 h - z    o
 //
-// All numbers here are in the coordinates of the map: eye, rays and heights are turned and shifted into them, which rounds nothing.
+// All numbers here are in the coordinates of the map: eye, rays and heights are turned and shifted
+// into them, which rounds nothing.
 #pragma once
 
 #include "render/detail.h"
@@ -30,11 +34,12 @@ namespace slicecast {
 
 // Where the eye's rays come from, in the coordinates of a map.
 struct Viewpoint {
-    int map = 0;          // index into World::maps
-    int turn = 0;         // quarter turns clockwise from the eye's map to this one
-    std::int64_t x = 0;   // 1/65536 units; behind portals it may be far outside of what a Coordinate holds
+    int map = 0;   // index into World::maps
+    int turn = 0;  // quarter turns clockwise from the eye's map to this one
+    std::int64_t x =
+        0;  // 1/65536 units; behind portals it may be far outside of what a Coordinate holds
     std::int64_t y = 0;
-    std::int32_t z = 0;   // may be below the floor
+    std::int32_t z = 0;  // may be below the floor
     bool upsideDown = false;
 
     int tileX() const { return static_cast<int>(x >> 16); }
@@ -62,9 +67,12 @@ struct FrameRays {
 
 class Vista {
 public:
-    void begin(const World& world, const Eye& eye, const RenderOptions& options, const Detail& detail, const Viewpoint& from, FrameRays rays);
+    void begin(const World& world, const Eye& eye, const RenderOptions& options,
+               const Detail& detail, const Viewpoint& from, FrameRays rays);
 
-    GroundDirection ray(int column) const { return turned(projection->ray(column), viewpoint.turn); }
+    GroundDirection ray(int column) const {
+        return turned(projection->ray(column), viewpoint.turn);
+    }
 
     Viewpoint viewpoint;
     const Map* map = nullptr;
@@ -82,10 +90,13 @@ public:
 class Vistas {
 public:
     // Forgets all but the memory. What is given here must outlive the frame.
-    void beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width, int height);
+    void beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width,
+                    int height);
 
     Vista& ofEye() { return find(eyeView_); }
-    Vista& through(const Vista& from, const Portal& portal) { return find(throughPortal(from.viewpoint, portal)); }
+    Vista& through(const Vista& from, const Portal& portal) {
+        return find(throughPortal(from.viewpoint, portal));
+    }
     // In a mirror at a height of the vista's map, 1/65536 units.
     Vista& mirrored(const Vista& from, std::int32_t height);
 

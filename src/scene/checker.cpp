@@ -57,13 +57,17 @@ bool Checker::onlyCounts() {
     return true;
 }
 
-void Checker::addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row, int character, const Words& found, const Words& expected) {
+void Checker::addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row,
+                    int character, const Words& found, const Words& expected) {
     if (&list == &faults_ ? onlyCounts() : list.size() >= kMaxFaults) return;
     const Place place = source_.place(offset);
     Placed& added = list.emplace_back();
     added.offset = offset;
     added.number = faults_.size() + warnings_.size();
-    added.fault = {file_, at != nullptr ? at->pointer() : std::string(), place.line, place.column, row, character, found.str(), expected.str()};
+    added.fault = {file_,       at != nullptr ? at->pointer() : std::string(),
+                   place.line,  place.column,
+                   row,         character,
+                   found.str(), expected.str()};
 }
 
 void Checker::warn(JsonValue at, const Words& found, const Words& expected) {
@@ -81,16 +85,19 @@ void Checker::addAtKey(JsonValue member, const Words& found, const Words& expect
 void Checker::addSecondKey(JsonValue again, JsonValue first) {
     if (onlyCounts()) return;
     const Place place = source_.place(first.keyOffset());
-    addAtKey(again, {"the key ", quoted(again.key()), " a second time"}, {"each key once; the first is at line ", place.line, ", column ", place.column});
+    addAtKey(again, {"the key ", quoted(again.key()), " a second time"},
+             {"each key once; the first is at line ", place.line, ", column ", place.column});
 }
 
 void Checker::refuse(JsonValue value, const Words& expected) {
     add(value, shown(value), expected);
 }
 
-void Checker::addInRow(JsonValue text, int row, int character, const Words& found, const Words& expected) {
+void Checker::addInRow(JsonValue text, int row, int character, const Words& found,
+                       const Words& expected) {
     if (onlyCounts()) return;
-    addAt(faults_, source_.characterOffset(text.offset(), character), &text, row, character, found, expected);
+    addAt(faults_, source_.characterOffset(text.offset(), character), &text, row, character, found,
+          expected);
 }
 
 void Checker::addSyntax(const SyntaxFault& fault) {
@@ -98,7 +105,9 @@ void Checker::addSyntax(const SyntaxFault& fault) {
 }
 
 std::vector<Fault> Checker::inOrder(std::vector<Placed> list) {
-    mergeSort(list, [](const Placed& a, const Placed& b) { return a.offset != b.offset ? a.offset < b.offset : a.number < b.number; });
+    mergeSort(list, [](const Placed& a, const Placed& b) {
+        return a.offset != b.offset ? a.offset < b.offset : a.number < b.number;
+    });
     std::vector<Fault> faults;
     for (Placed& entry : list) faults.push_back(std::move(entry.fault));
     return faults;
@@ -124,7 +133,8 @@ std::string Checker::shown(JsonValue value) const {
         case JsonValue::Kind::number: {
             // As it was typed.
             const std::string_view rest = source_.text().substr(value.offset(), 30);
-            const std::size_t end = std::min(rest.find_first_not_of("0123456789+-.eE"), rest.size());
+            const std::size_t end =
+                std::min(rest.find_first_not_of("0123456789+-.eE"), rest.size());
             return words("the number ", rest.substr(0, end));
         }
         case JsonValue::Kind::text:
@@ -137,7 +147,8 @@ std::string Checker::shown(JsonValue value) const {
     return {};
 }
 
-std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::string_view> known, const char* expected) {
+std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::string_view> known,
+                                      const char* expected) {
     if (!value.isObject()) {
         refuse(value, expected);
         return std::nullopt;
@@ -150,7 +161,8 @@ std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::stri
             continue;
         } else if (!onlyCounts()) {
             const std::vector<std::string_view> keys(known.begin(), known.end());
-            addAtKey(member, {"the unknown key ", quoted(member.key())}, {"one of the keys ", listed(keys), suggestion(member.key(), keys)});
+            addAtKey(member, {"the unknown key ", quoted(member.key())},
+                     {"one of the keys ", listed(keys), suggestion(member.key(), keys)});
             const std::string_view meant = nearestName(member.key(), keys);
             if (!meant.empty()) fields.addMisspelt(meant, member);
         }
@@ -181,12 +193,14 @@ std::optional<bool> Checker::flag(JsonValue value) {
     return std::nullopt;
 }
 
-std::optional<std::string> Checker::text(JsonValue value, std::size_t longest, const Words& expected) {
+std::optional<std::string> Checker::text(JsonValue value, std::size_t longest,
+                                         const Words& expected) {
     if (value.isText()) {
         const std::size_t length = countCharacters(value.text());
         if (length >= 1 && length <= longest) return std::string(value.text());
         if (length > longest) {
-            add(value, {"a text of ", length, " characters"}, words(expected.str(), " of at most ", longest));
+            add(value, {"a text of ", length, " characters"},
+                words(expected.str(), " of at most ", longest));
             return std::nullopt;
         }
     }
@@ -194,12 +208,14 @@ std::optional<std::string> Checker::text(JsonValue value, std::size_t longest, c
     return std::nullopt;
 }
 
-std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& names, const char* what) {
+std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& names,
+                                           const char* what) {
     const std::optional<std::string> name = text(value, kMaxNameLength, {"the name of a ", what});
     if (!name) return std::nullopt;
     const std::optional<std::uint16_t> id = names.find(*name);
     if (!id && !onlyCounts()) {
-        add(value, {"the name ", quoted(*name)}, {"the name of a ", what, names.suggestionFor(*name)});
+        add(value, {"the name ", quoted(*name)},
+            {"the name of a ", what, names.suggestionFor(*name)});
     }
     return id;
 }
@@ -215,7 +231,8 @@ std::optional<Colour> Checker::colour(JsonValue value) {
         if (isSound) channels[i] = static_cast<std::uint8_t>(*high * 16 + *low);
     }
     if (isSound) return Colour{channels[0], channels[1], channels[2], 255};
-    refuse(value, "a colour as \"#rrggbb\", with two hexadecimal digits each for red, green and blue");
+    refuse(value,
+           "a colour as \"#rrggbb\", with two hexadecimal digits each for red, green and blue");
     return std::nullopt;
 }
 

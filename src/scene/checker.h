@@ -1,5 +1,5 @@
-// Collects what is wrong with a scene, and the checks that many parts of a scene share. Every check that fails reports its own fault, so that one pass over
-// the tree finds all of them.
+// Collects what is wrong with a scene, and the checks that many parts of a scene share. Every check
+// that fails reports its own fault, so that one pass over the tree finds all of them.
 #pragma once
 
 #include "base/colour.h"
@@ -45,7 +45,8 @@ public:
     // Finds the value itself.
     void refuse(JsonValue value, const Words& expected);
     // In a row of a grid: `row` and `character` count from 0 in the north and west.
-    void addInRow(JsonValue text, int row, int character, const Words& found, const Words& expected);
+    void addInRow(JsonValue text, int row, int character, const Words& found,
+                  const Words& expected);
     void addSyntax(const SyntaxFault& fault);
     // What may be meant so, but probably is not.
     void warn(JsonValue at, const Words& found, const Words& expected);
@@ -57,9 +58,12 @@ public:
     // What a value is, for a message: `the text "north"`, `the number 1.5`, `an array of 3`.
     std::string shown(JsonValue value) const;
 
-    // The members of an object; `known` are the keys that it may have, besides "comment". Nothing if it is no object.
-    std::optional<Fields> fields(JsonValue value, std::span<const std::string_view> known, const char* expected);
-    std::optional<Fields> fields(JsonValue value, std::initializer_list<std::string_view> known, const char* expected);
+    // The members of an object; `known` are the keys that it may have, besides "comment". Nothing
+    // if it is no object.
+    std::optional<Fields> fields(JsonValue value, std::span<const std::string_view> known,
+                                 const char* expected);
+    std::optional<Fields> fields(JsonValue value, std::initializer_list<std::string_view> known,
+                                 const char* expected);
 
     std::optional<double> number(JsonValue value, const NumberRange& range);
     std::optional<int> wholeNumber(JsonValue value, const NumberRange& range);
@@ -77,9 +81,11 @@ private:
         std::size_t number;  // as they were found
         Fault fault;
     };
-    // Beyond the most faults that are listed, the others are only counted, which this has done then; nothing that costs time should be done for them.
+    // Beyond the most faults that are listed, the others are only counted, which this has done
+    // then; nothing that costs time should be done for them.
     bool onlyCounts();
-    void addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row, int character, const Words& found, const Words& expected);
+    void addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row,
+               int character, const Words& found, const Words& expected);
     static std::vector<Fault> inOrder(std::vector<Placed> list);
 
     const SourceText& source_;
@@ -89,13 +95,17 @@ private:
     std::size_t omitted_ = 0;
 };
 
-// The members of an object whose keys have been checked. The readers return the fallback where there is no such member, or a faulty one (which they report).
+// The members of an object whose keys have been checked. The readers return the fallback where
+// there is no such member, or a faulty one (which they report).
 class Fields {
 public:
     Fields(Checker& checker, JsonValue object) : checker_(&checker), object_(object) {}
 
-    // An unknown key, which is a fault already, is read as the one that it is nearest to: what it means is not missed a second time.
-    void addMisspelt(std::string_view key, JsonValue member) { misspelt_.emplace_back(key, member); }
+    // An unknown key, which is a fault already, is read as the one that it is nearest to: what it
+    // means is not missed a second time.
+    void addMisspelt(std::string_view key, JsonValue member) {
+        misspelt_.emplace_back(key, member);
+    }
 
     FoundValue find(const char* key) const;
     // Reports a fault where there is no such member.
@@ -112,7 +122,9 @@ private:
     std::vector<std::pair<std::string_view, JsonValue>> misspelt_;
 };
 
-inline std::optional<Fields> Checker::fields(JsonValue value, std::initializer_list<std::string_view> known, const char* expected) {
+inline std::optional<Fields> Checker::fields(JsonValue value,
+                                             std::initializer_list<std::string_view> known,
+                                             const char* expected) {
     return fields(value, std::span(known.begin(), known.size()), expected);
 }
 

@@ -32,9 +32,10 @@ struct TextureReference {
 
 struct SceneDescription {
     std::string fileName;
-    World world;                           // complete but for the images
-    std::vector<TextureReference> textures;  // in the order of TextureId; a file named twice in the same way is one texture
-    std::vector<TextureReference> sprites;   // in the order of SpriteId
+    World world;  // complete but for the images
+    std::vector<TextureReference>
+        textures;  // in the order of TextureId; a file named twice in the same way is one texture
+    std::vector<TextureReference> sprites;  // in the order of SpriteId
     std::vector<PanoramaReference> panoramas;
 };
 

@@ -4,7 +4,8 @@
 #include "scene/json_tree.h"
 #include "scene/limits.h"
 
-// RapidJSON 1.1 adds to a null pointer when its stack is first used, in a comparison that comes out right all the same; the sanitizer need not stop there.
+// RapidJSON 1.1 adds to a null pointer when its stack is first used, in a comparison that comes out
+// right all the same; the sanitizer need not stop there.
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((no_sanitize("pointer-overflow"))), apply_to = function)
 #endif
@@ -24,13 +25,14 @@ constexpr std::size_t kLongestWord = 30;  // in a message
 constexpr const char* kHalfPair = "half of a surrogate pair";
 constexpr const char* kWholePair = "both halves, as in \\ud83e\\uddf1";
 
-// Takes the reader's events. They come without the place of their token's first byte, so it is found from the end of the token before: only white space,
-// a comma or a colon can stand between.
+// Takes the reader's events. They come without the place of their token's first byte, so it is
+// found from the end of the token before: only white space, a comma or a colon can stand between.
 class TreeBuilder {
 public:
     using Ch = char;
 
-    TreeBuilder(std::string_view text, const rapidjson::MemoryStream& stream, JsonTree& tree) : text_(text), stream_(stream), tree_(tree) {}
+    TreeBuilder(std::string_view text, const rapidjson::MemoryStream& stream, JsonTree& tree)
+        : text_(text), stream_(stream), tree_(tree) {}
 
     bool Null() { return addScalar(JsonValue::Kind::null); }
     bool Bool(bool value) {
@@ -42,7 +44,9 @@ public:
     bool RawNumber(const char* characters, rapidjson::SizeType length, bool) {
         const double number = readNumber({characters, length}).value_or(0.0);
         if (!std::isfinite(number)) {
-            fault = {tokenStart(), std::string(characters, std::min<std::size_t>(length, kLongestWord)), "a finite number, at most about 1.8e308"};
+            fault = {tokenStart(),
+                     std::string(characters, std::min<std::size_t>(length, kLongestWord)),
+                     "a finite number, at most about 1.8e308"};
             return false;
         }
         if (!addScalar(JsonValue::Kind::number)) return false;
@@ -83,8 +87,9 @@ public:
 private:
     bool add(JsonValue::Kind kind) {
         if (tree_.nodes.size() >= kMaxSceneValues) {
-            fault = {tokenStart(), words("more than ", kMaxSceneValues, " values"),
-                     "a scene with at most that many numbers, texts, rows, arrays and objects together"};
+            fault = {
+                tokenStart(), words("more than ", kMaxSceneValues, " values"),
+                "a scene with at most that many numbers, texts, rows, arrays and objects together"};
             return false;
         }
         JsonNode node;
@@ -113,7 +118,9 @@ private:
 
     bool open(JsonValue::Kind kind) {
         if (open_.size() >= static_cast<std::size_t>(kMaxNesting)) {
-            fault = {tokenStart(), words("arrays and objects nested more than ", kMaxNesting, " deep"), "a scene, which needs 5"};
+            fault = {tokenStart(),
+                     words("arrays and objects nested more than ", kMaxNesting, " deep"),
+                     "a scene, which needs 5"};
             return false;
         }
         if (!add(kind)) return false;
@@ -125,15 +132,18 @@ private:
     }
 
     bool close() {
-        tree_.nodes[open_.back()].nodes = static_cast<std::uint32_t>(tree_.nodes.size()) - open_.back();
+        tree_.nodes[open_.back()].nodes =
+            static_cast<std::uint32_t>(tree_.nodes.size()) - open_.back();
         open_.pop_back();
         end_ = tokenStart() + 1;
         return true;
     }
 
-    // The reader refuses the first half of a surrogate pair without the second, but not the second without the first.
+    // The reader refuses the first half of a surrogate pair without the second, but not the second
+    // without the first.
     bool isWellFormed(std::string_view characters) {
-        for (std::size_t at = characters.find('\xed'); at != std::string_view::npos; at = characters.find('\xed', at + 1)) {
+        for (std::size_t at = characters.find('\xed'); at != std::string_view::npos;
+             at = characters.find('\xed', at + 1)) {
             if (utf8Length(characters, at) > 0) continue;
             fault = {tokenStart(), kHalfPair, kWholePair};
             return false;
@@ -158,7 +168,8 @@ private:
 };
 
 bool isWordCharacter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("+-._").find(c) != std::string_view::npos;
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("+-._").find(c) != std::string_view::npos;
 }
 
 // The word or character at an offset, as a message shows it.
@@ -169,15 +180,19 @@ std::string shown(std::string_view text, std::size_t offset) {
     if (end > offset) return std::string(text.substr(offset, end - offset));
     if (static_cast<unsigned char>(text[offset]) < 0x20) return "a control character";
     if (text[offset] == '\'') return "a single quote";
-    return words("'", text.substr(offset, static_cast<std::size_t>(std::max(1, utf8Length(text, offset)))), "'");
+    return words(
+        "'", text.substr(offset, static_cast<std::size_t>(std::max(1, utf8Length(text, offset)))),
+        "'");
 }
 
 bool standsAt(std::string_view text, std::size_t offset, std::string_view wanted) {
     return offset <= text.size() && text.substr(offset, wanted.size()) == wanted;
 }
 
-// Says what is wrong with what stands at `offset`, where `expected` should. Behind a comma, that would be `another` value or key.
-SyntaxFault explainMissing(std::string_view text, std::size_t offset, std::string expected, const char* another = nullptr) {
+// Says what is wrong with what stands at `offset`, where `expected` should. Behind a comma, that
+// would be `another` value or key.
+SyntaxFault explainMissing(std::string_view text, std::size_t offset, std::string expected,
+                           const char* another = nullptr) {
     std::string found = shown(text, offset);
     if (standsAt(text, offset, "/")) {
         expected += "; JSON has no comments";
@@ -197,16 +212,21 @@ SyntaxFault explainValue(std::string_view text, std::size_t offset) {
     for (const std::string_view word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"}) {
         if (standsAt(text, offset, word)) return {offset, shown(text, offset), "a finite number"};
     }
-    if (standsAt(text, offset, "+")) return {offset, shown(text, offset), "a number without a plus sign"};
-    if (standsAt(text, offset, ".")) return {offset, shown(text, offset), "a number that starts with a digit, as in 0.5"};
+    if (standsAt(text, offset, "+"))
+        return {offset, shown(text, offset), "a number without a plus sign"};
+    if (standsAt(text, offset, "."))
+        return {offset, shown(text, offset), "a number that starts with a digit, as in 0.5"};
     if (standsAt(text, offset, "True") || standsAt(text, offset, "False")) {
         return {offset, shown(text, offset), "true or false in small letters"};
     }
-    return explainMissing(text, offset, "a value: a text in double quotes, a number, true, false, [ or {", "another value");
+    return explainMissing(text, offset,
+                          "a value: a text in double quotes, a number, true, false, [ or {",
+                          "another value");
 }
 
 // `token` is the start of the token that was being read, `offset` where the reader stopped.
-SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::size_t offset, std::size_t token) {
+SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::size_t offset,
+                    std::size_t token) {
     switch (code) {
         case rapidjson::kParseErrorDocumentEmpty:
             if (token < text.size()) return explainValue(text, token);
@@ -220,17 +240,23 @@ SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::
         case rapidjson::kParseErrorObjectMissColon:
             return explainMissing(text, offset, "a colon between key and value");
         case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
-            return explainMissing(text, offset, "a comma and the next key, or } at the end of the object");
+            return explainMissing(text, offset,
+                                  "a comma and the next key, or } at the end of the object");
         case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
-            return explainMissing(text, offset, "a comma and the next value, or ] at the end of the array");
+            return explainMissing(text, offset,
+                                  "a comma and the next value, or ] at the end of the array");
         case rapidjson::kParseErrorStringMissQuotationMark:
         case rapidjson::kParseErrorStringInvalidEncoding:
             return {token, "a text that is not closed", "a double quote at its end"};
         case rapidjson::kParseErrorStringEscapeInvalid: {
-            const bool isControl = offset < text.size() && static_cast<unsigned char>(text[offset]) < 0x20;
-            if (!isControl) return {offset, "a backslash before something else", "\\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\u and four hex digits"};
+            const bool isControl =
+                offset < text.size() && static_cast<unsigned char>(text[offset]) < 0x20;
+            if (!isControl)
+                return {offset, "a backslash before something else",
+                        "\\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\u and four hex digits"};
             if (text[offset] == '\t') return {offset, "a tab within a text", "spaces, or \\t"};
-            return {token, "a text that is not closed at the end of its line", "a double quote at its end"};
+            return {token, "a text that is not closed at the end of its line",
+                    "a double quote at its end"};
         }
         case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
             return {offset, "\\u without four hex digits", "four hex digits, as in \\u2588"};
@@ -257,7 +283,9 @@ ParsedJson parseJson(const SourceText& source) {
     parsed.tree.characters.reserve(text.size());
 
     rapidjson::Reader reader;
-    const rapidjson::ParseResult result = reader.Parse<rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag>(stream, builder);
+    const rapidjson::ParseResult result =
+        reader.Parse<rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag>(
+            stream, builder);
     if (builder.fault) {
         parsed.fault = builder.fault;
     } else if (result.IsError()) {

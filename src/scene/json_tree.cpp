@@ -27,7 +27,9 @@ std::string JsonValue::pointer() const {
     std::string pointer;
     for (const JsonNode* node = node_; node->up != 0; node -= node->up) {
         const JsonValue parent(node - node->up);
-        pointer = words("/", parent.isObject() ? escapedKey(JsonValue(node).key()) : words(node->place), pointer);
+        pointer =
+            words("/", parent.isObject() ? escapedKey(JsonValue(node).key()) : words(node->place),
+                  pointer);
     }
     return pointer;
 }
@@ -48,7 +50,9 @@ std::vector<std::pair<JsonValue, JsonValue>> JsonTree::duplicateKeys() const {
         if (!value.isObject() || value.count() < 2) continue;
         members.clear();
         for (const JsonValue member : value) members.push_back(member.node_);
-        mergeSort(members, room, [](const JsonNode* a, const JsonNode* b) { return JsonValue(a).key() < JsonValue(b).key(); });
+        mergeSort(members, room, [](const JsonNode* a, const JsonNode* b) {
+            return JsonValue(a).key() < JsonValue(b).key();
+        });
         const JsonNode* first = members[0];
         for (std::size_t i = 1; i < members.size(); ++i) {
             if (JsonValue(members[i]).key() == JsonValue(first).key()) {

@@ -1,9 +1,9 @@
-// JSON text as a small tree of values that remember where they stand, so that a fault can name its place.
+// JSON text as a small tree of values that remember where they stand, so that a fault can name its
+// place.
 //
 //     ParsedJson json = parseJson(source);
-//     if (json.fault) ...                                 // the text is not JSON: one fault, no tree
-//     JsonValue root = json.tree.root();
-//     for (JsonValue member : root) member.key() ...
+//     if (json.fault) ...                                 // the text is not JSON: one fault, no
+//     tree JsonValue root = json.tree.root(); for (JsonValue member : root) member.key() ...
 //
 // Duplicate keys are kept; `duplicateKeys` lists them.
 #pragma once
@@ -30,7 +30,8 @@ struct JsonNode {
     Kind kind = Kind::null;
     bool boolean = false;
     std::uint32_t offset = 0;
-    std::uint32_t place = 0;  // of a member: the offset of its key; of an element of an array: how many stand before it
+    std::uint32_t place = 0;  // of a member: the offset of its key; of an element of an array: how
+                              // many stand before it
     TextRange key = {nullptr, 0};
     std::uint32_t up = 0;     // nodes from its parent to it; 0 for the root
     std::uint32_t nodes = 1;  // itself and all its descendants, which follow it
@@ -55,14 +56,20 @@ public:
     bool isArray() const { return kind() == Kind::array; }
     bool isText() const { return kind() == Kind::text; }
 
-    bool boolean() const { return node_->boolean; }                                    // of a boolean
-    double number() const { return node_->number; }                                    // of a number
-    std::string_view text() const { return {node_->text.start, node_->text.length}; }  // of a text, escapes resolved
-    std::string_view key() const { return {node_->key.start, node_->key.length}; }     // of a member of an object
-    std::size_t offset() const { return node_->offset; }                               // of the value's first byte
-    std::size_t keyOffset() const { return node_->place; }                             // of the opening quote of a member's key
-    std::size_t count() const { return node_->count; }                                 // of the children of an array or object
-    std::string pointer() const;                                                       // JSON pointer, "" for the root
+    bool boolean() const { return node_->boolean; }  // of a boolean
+    double number() const { return node_->number; }  // of a number
+    std::string_view text() const {
+        return {node_->text.start, node_->text.length};
+    }  // of a text, escapes resolved
+    std::string_view key() const {
+        return {node_->key.start, node_->key.length};
+    }                                                     // of a member of an object
+    std::size_t offset() const { return node_->offset; }  // of the value's first byte
+    std::size_t keyOffset() const {
+        return node_->place;
+    }                                                   // of the opening quote of a member's key
+    std::size_t count() const { return node_->count; }  // of the children of an array or object
+    std::string pointer() const;                        // JSON pointer, "" for the root
 
     // Children of an array or object, in order.
     class Iterator {

@@ -34,7 +34,8 @@ void Legend::set(char32_t character, std::uint16_t id) {
     if (character < ascii_.size()) {
         ascii_[character] = id;
     } else {
-        const auto place = std::lower_bound(others_.begin(), others_.end(), std::pair(character, std::uint16_t{0}));
+        const auto place = std::lower_bound(others_.begin(), others_.end(),
+                                            std::pair(character, std::uint16_t{0}));
         if (place != others_.end() && place->first == character) {
             place->second = id;
         } else {
@@ -47,7 +48,8 @@ std::optional<std::uint16_t> Legend::find(char32_t character) const {
     if (character < ascii_.size()) {
         if (ascii_[character] != kNone) return static_cast<std::uint16_t>(ascii_[character]);
     } else {
-        const auto other = std::lower_bound(others_.begin(), others_.end(), std::pair(character, std::uint16_t{0}));
+        const auto other = std::lower_bound(others_.begin(), others_.end(),
+                                            std::pair(character, std::uint16_t{0}));
         if (other != others_.end() && other->first == character) return other->second;
     }
     if (takesAny_) return std::uint16_t{0};
@@ -57,19 +59,22 @@ std::optional<std::uint16_t> Legend::find(char32_t character) const {
 std::string Legend::characters() const {
     constexpr std::size_t kMostShown = 24;
     std::string list;
-    for (std::size_t i = 0; i < std::min(order_.size(), kMostShown); ++i) add(list, {shownCharacter(order_[i]), ", "});
+    for (std::size_t i = 0; i < std::min(order_.size(), kMostShown); ++i)
+        add(list, {shownCharacter(order_[i]), ", "});
     if (order_.size() > kMostShown) list += "..., ";
     return words(list, "'.' or a space");
 }
 
-void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what, Legend& legend) {
+void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what,
+                Legend& legend) {
     if (!value.isObject()) {
         checker.refuse(value, {"a legend: an object with a ", what, "'s name for each character"});
         legend.takeAny();
         return;
     }
     if (value.count() > kMaxLegend) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "character"}, {"at most ", kMaxLegend});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "character"},
+                    {"at most ", kMaxLegend});
         legend.takeAny();
         return;
     }
@@ -80,23 +85,29 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         const bool isSingle = !key.empty() && end == key.size();
         const bool isReserved = key == "." || key == " ";
         if (isReserved) {
-            checker.addAtKey(member, {"the key ", quoted(key)}, "another character; '.' and the space have a meaning of their own");
+            checker.addAtKey(member, {"the key ", quoted(key)},
+                             "another character; '.' and the space have a meaning of their own");
         } else if (isSingle && !isPrintable(character)) {
-            checker.addAtKey(member, {"a key that is ", shownCharacter(character)}, "a single character that can be seen");
+            checker.addAtKey(member, {"a key that is ", shownCharacter(character)},
+                             "a single character that can be seen");
         } else if (!isSingle) {
-            checker.addAtKey(member, {"the key ", quoted(key)}, "a single character that can be seen");
+            checker.addAtKey(member, {"the key ", quoted(key)},
+                             "a single character that can be seen");
         }
         const std::uint16_t id = checker.name(member, names, what).value_or(0);
-        // A character of a faulty key, or with a faulty meaning, is known all the same: its uses in the grids are no faults of their own.
+        // A character of a faulty key, or with a faulty meaning, is known all the same: its uses in
+        // the grids are no faults of their own.
         std::size_t offset = 0;
-        for (std::size_t taken = 0; offset < key.size() && taken < kMaxNameLength && !isReserved; ++taken) {
+        for (std::size_t taken = 0; offset < key.size() && taken < kMaxNameLength && !isReserved;
+             ++taken) {
             const char32_t meant = takeCodePoint(key, offset);
             if (isSingle || !legend.find(meant)) legend.set(meant, id);
         }
     }
 }
 
-void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend, std::vector<std::uint16_t>& ids) {
+void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
+             std::vector<std::uint16_t>& ids) {
     const std::string_view text = value.text();
     std::vector<char32_t> reported;
     std::size_t offset = 0;
@@ -106,14 +117,18 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
         const std::optional<std::uint16_t> id = legend.find(character);
         if (id) {
             if (x < width) ids[static_cast<std::size_t>(x)] = *id;
-        } else if (reported.size() < kMostReportedPerRow && std::find(reported.begin(), reported.end(), character) == reported.end()) {
-            // Once per row: a character that was forgotten in the legend would fill the list otherwise.
+        } else if (reported.size() < kMostReportedPerRow &&
+                   std::find(reported.begin(), reported.end(), character) == reported.end()) {
+            // Once per row: a character that was forgotten in the legend would fill the list
+            // otherwise.
             reported.push_back(character);
-            checker.addInRow(value, row, x, shownCharacter(character), {"a character of the legend: ", legend.characters()});
+            checker.addInRow(value, row, x, shownCharacter(character),
+                             {"a character of the legend: ", legend.characters()});
         }
     }
     if (x != width) {
-        checker.addInRow(value, row, std::min(x, width), {"a row of ", Counted{x, "character"}}, {Counted{width, "character"}, ", as in the other rows"});
+        checker.addInRow(value, row, std::min(x, width), {"a row of ", Counted{x, "character"}},
+                         {Counted{width, "character"}, ", as in the other rows"});
     }
 }
 

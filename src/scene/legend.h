@@ -15,7 +15,8 @@ namespace slicecast {
 
 class Legend {
 public:
-    // '.' and ' ' have a meaning that no scene can change: what an empty cell is, or a floor's own texture.
+    // '.' and ' ' have a meaning that no scene can change: what an empty cell is, or a floor's own
+    // texture.
     Legend(std::uint16_t dot, std::uint16_t space);
 
     void set(char32_t character, std::uint16_t id);
@@ -35,9 +36,10 @@ private:
     bool takesAny_ = false;
 };
 
-// Adds the members of a legend object, whose values are names out of `names`; `what` says of what: "blueprint" or "texture". Characters defined before get
-// their new meaning.
-void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what, Legend& legend);
+// Adds the members of a legend object, whose values are names out of `names`; `what` says of what:
+// "blueprint" or "texture". Characters defined before get their new meaning.
+void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what,
+                Legend& legend);
 
 // The number of tiles of a grid.
 struct GridSize {
@@ -45,8 +47,9 @@ struct GridSize {
     int depth = 0;
 };
 
-// What the characters of one row stand for, put into `ids`. Characters that the legend lacks are reported and leave their place alone, as is a row that is
-// not `width` characters long.
-void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend, std::vector<std::uint16_t>& ids);
+// What the characters of one row stand for, put into `ids`. Characters that the legend lacks are
+// reported and leave their place alone, as is a row that is not `width` characters long.
+void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
+             std::vector<std::uint16_t>& ids);
 
 }  // namespace slicecast

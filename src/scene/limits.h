@@ -1,4 +1,5 @@
-// Limits on scene files, besides those of worlds. They bound the memory that a hostile file can take; no scene that a person makes comes near them.
+// Limits on scene files, besides those of worlds. They bound the memory that a hostile file can
+// take; no scene that a person makes comes near them.
 #pragma once
 
 #include "world/limits.h"
@@ -8,18 +9,23 @@
 
 namespace slicecast {
 
-inline constexpr std::size_t kMaxSceneBytes = 128u << 20;  // room for 64 million cells and their floors; offsets keep within 32 bits
-inline constexpr int kMaxNesting = 32;                     // arrays and objects within each other; a scene needs 5
-inline constexpr std::size_t kMaxSceneValues = 2'000'000;  // values in the JSON text, up to 56 bytes each; one row of a map is one value
-inline constexpr std::size_t kMaxNameLength = 100;         // characters of the name of a texture, blueprint or map
-inline constexpr std::size_t kMaxPathLength = 1000;        // characters of a file's name
-inline constexpr std::size_t kMaxTitleLength = 200;        // characters
-inline constexpr std::size_t kMaxLegend = 4096;            // characters of one legend
-inline constexpr int kMaxSowings = 64;                     // kinds of objects sown over one map: each looks at all of its tiles
+inline constexpr std::size_t kMaxSceneBytes =
+    128u << 20;  // room for 64 million cells and their floors; offsets keep within 32 bits
+inline constexpr int kMaxNesting = 32;  // arrays and objects within each other; a scene needs 5
+inline constexpr std::size_t kMaxSceneValues =
+    2'000'000;  // values in the JSON text, up to 56 bytes each; one row of a map is one value
+inline constexpr std::size_t kMaxNameLength =
+    100;  // characters of the name of a texture, blueprint or map
+inline constexpr std::size_t kMaxPathLength = 1000;  // characters of a file's name
+inline constexpr std::size_t kMaxTitleLength = 200;  // characters
+inline constexpr std::size_t kMaxLegend = 4096;      // characters of one legend
+inline constexpr int kMaxSowings =
+    64;  // kinds of objects sown over one map: each looks at all of its tiles
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more help nobody
 inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
 inline constexpr std::int64_t kMaxSceneTexels =
-    64 << 20;  // of all images together, a panorama counted for each map that shows it: 600 MB with the levels of detail
+    64 << 20;  // of all images together, a panorama counted for each map that shows it: 600 MB with
+               // the levels of detail
 
 // Ranges of a scene's numbers that are no limit of the world itself.
 inline constexpr double kMaxHeight = 1000.0;       // units; of a ceiling and of the start

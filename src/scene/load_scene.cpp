@@ -17,7 +17,8 @@ namespace {
 // Reads the images of one scene, and collects what is wrong with them.
 class ImageReader {
 public:
-    ImageReader(const SceneDescription& description, const SceneFiles& files, EarlyImages& early) : description_(description), files_(files), early_(early) {}
+    ImageReader(const SceneDescription& description, const SceneFiles& files, EarlyImages& early)
+        : description_(description), files_(files), early_(early) {}
 
     Texture texture(const TextureReference& texture, std::string name) {
         const ImageReference& reference = texture.image;
@@ -29,10 +30,13 @@ public:
             constexpr const char* sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
             add(reference, {"which is ", image.width, "x", image.height, " pixels"},
                 texture.frames == 1 ? words("a square texture with ", sizes)
-                                    : words("a sheet of ", texture.frames, " square frames side by side, with ", sizes));
+                                    : words("a sheet of ", texture.frames,
+                                            " square frames side by side, with ", sizes));
             return {};
         }
-        return take(reference, image) ? makeTexture(std::move(name), image, texture.frames, texture.rate) : Texture{};
+        return take(reference, image)
+                   ? makeTexture(std::move(name), image, texture.frames, texture.rate)
+                   : Texture{};
     }
 
     Sprite sprite(const TextureReference& sprite, std::string name) {
@@ -40,16 +44,20 @@ public:
         const Image image = decode(reference, kMaxSpriteSide * sprite.frames, kMaxSpriteSide);
         if (image.empty()) return {};
         if (image.width % sprite.frames != 0) {
-            add(reference, {"which is ", image.width, "x", image.height, " pixels"}, {"a sheet of ", sprite.frames, " frames of one width side by side"});
+            add(reference, {"which is ", image.width, "x", image.height, " pixels"},
+                {"a sheet of ", sprite.frames, " frames of one width side by side"});
             return {};
         }
-        return take(reference, image) ? makeSprite(std::move(name), image, sprite.frames, sprite.rate) : Sprite{};
+        return take(reference, image)
+                   ? makeSprite(std::move(name), image, sprite.frames, sprite.rate)
+                   : Sprite{};
     }
 
     // A file that several maps show is decoded once.
     Image panorama(const ImageReference& reference) {
         const auto known = panoramas_.find(reference.file);
-        if (known != panoramas_.end()) return take(reference, known->second) ? known->second : Image{};
+        if (known != panoramas_.end())
+            return take(reference, known->second) ? known->second : Image{};
         Image image = decode(reference, kMaxPanoramaWidth, kMaxPanoramaHeight);
         if (image.empty() || !isOpaque(reference, image) || !take(reference, image)) return {};
         panoramas_.emplace(reference.file, image);
@@ -59,7 +67,8 @@ public:
     // In the order of the text.
     std::vector<Fault> takeFaults() {
         mergeSort(faults_, [](const Fault& a, const Fault& b) {
-            return std::tie(a.line, a.column, a.pointer, a.found) < std::tie(b.line, b.column, b.pointer, b.found);
+            return std::tie(a.line, a.column, a.pointer, a.found) <
+                   std::tie(b.line, b.column, b.pointer, b.found);
         });
         if (faults_.size() > kMaxFaults) {
             const std::size_t omitted = faults_.size() - kMaxFaults;
@@ -84,14 +93,16 @@ private:
     Image decode(const ImageReference& reference, int maxWidth, int maxHeight) {
         const auto file = files_.find(reference.file);
         if (file == files_.end()) {
-            add(reference, "which could not be read", "a PNG file of that name, seen from the scene's folder");
+            add(reference, "which could not be read",
+                "a PNG file of that name, seen from the scene's folder");
             return {};
         }
         Image early = early_.take(reference.file);
         if (!early.empty() && early.width <= maxWidth && early.height <= maxHeight) return early;
         DecodedImage decoded = decodePng(file->second, maxWidth, maxHeight);
         if (!decoded.fault.empty()) {
-            add(reference, {"which ", decoded.fault}, {"a PNG file of at most ", maxWidth, "x", maxHeight, " pixels"});
+            add(reference, {"which ", decoded.fault},
+                {"a PNG file of at most ", maxWidth, "x", maxHeight, " pixels"});
         }
         return std::move(decoded.image);
     }
@@ -100,7 +111,8 @@ private:
     bool take(const ImageReference& reference, const Image& image) {
         texels_ += static_cast<std::int64_t>(image.pixels.size());
         if (texels_ <= kMaxSceneTexels) return true;
-        add(reference, {"with which the scene has ", texels_, " pixels of images"}, {"at most ", kMaxSceneTexels});
+        add(reference, {"with which the scene has ", texels_, " pixels of images"},
+            {"at most ", kMaxSceneTexels});
         texels_ -= static_cast<std::int64_t>(image.pixels.size());
         return false;
     }
@@ -108,9 +120,12 @@ private:
     // Nothing lies behind the sky.
     bool isOpaque(const ImageReference& reference, const Image& image) {
         if (image.isOpaque()) return true;
-        const auto seeThrough = std::find_if(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 255; });
+        const auto seeThrough = std::find_if(image.pixels.begin(), image.pixels.end(),
+                                             [](Pixel pixel) { return toColour(pixel).a != 255; });
         const auto index = seeThrough - image.pixels.begin();
-        add(reference, {"which has a see-through pixel at column ", index % image.width, ", row ", index / image.width},
+        add(reference,
+            {"which has a see-through pixel at column ", index % image.width, ", row ",
+             index / image.width},
             "an opaque picture: nothing lies behind the sky");
         return false;
     }
@@ -128,7 +143,8 @@ void widenObjects(const World& world, Map& map) {
     for (Object& object : map.objects) {
         if (object.width > Coordinate{0}) continue;
         const SpriteLevel& shape = world.sprites[object.sprite].frames[0][0];
-        object.width = std::max(Coordinate{1}, toCoordinate(object.height.value() * shape.width / shape.height));
+        object.width = std::max(Coordinate{1},
+                                toCoordinate(object.height.value() * shape.width / shape.height));
     }
 }
 
@@ -157,9 +173,11 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files, EarlyIm
     ImageReader reader(description, files, early);
     World world = description.world;
     for (std::size_t i = 0; i < world.textures.size(); ++i) {
-        world.textures[i] = reader.texture(description.textures[i], std::move(world.textures[i].name));
+        world.textures[i] =
+            reader.texture(description.textures[i], std::move(world.textures[i].name));
     }
-    for (std::size_t i = 0; i < world.sprites.size(); ++i) world.sprites[i] = reader.sprite(description.sprites[i], std::move(world.sprites[i].name));
+    for (std::size_t i = 0; i < world.sprites.size(); ++i)
+        world.sprites[i] = reader.sprite(description.sprites[i], std::move(world.sprites[i].name));
     for (const PanoramaReference& panorama : description.panoramas) {
         world.maps[panorama.map].sky.panorama = reader.panorama(panorama.image);
     }

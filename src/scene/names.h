@@ -1,4 +1,5 @@
-// Names that a scene gives to its textures, blueprints and maps, and the nearest one to a name that nobody has given.
+// Names that a scene gives to its textures, blueprints and maps, and the nearest one to a name that
+// nobody has given.
 #pragma once
 
 #include "base/name_index.h"
@@ -11,8 +12,9 @@
 
 namespace slicecast {
 
-// The name that `wanted` was probably meant to be: at most a third of its characters are wrong, missing or swapped with their neighbour. Empty if there
-// is none. Only the first few hundred names are looked at.
+// The name that `wanted` was probably meant to be: at most a third of its characters are wrong,
+// missing or swapped with their neighbour. Empty if there is none. Only the first few hundred names
+// are looked at.
 std::string_view nearestName(std::string_view wanted, const std::vector<std::string_view>& names);
 
 // `; did you mean "brick"?`, or nothing.

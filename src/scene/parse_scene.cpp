@@ -7,18 +7,24 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kPortalLimit = {0.0, kMaxPortalLimit, false, "a whole number of portals, from 0 to 32"};
+constexpr NumberRange kPortalLimit = {0.0, kMaxPortalLimit, false,
+                                      "a whole number of portals, from 0 to 32"};
 static_assert(kMaxPortalLimit == 32, "as the words say");
 
 // The whole tree: every part is read, whatever was wrong with the ones before.
 void readScene(Reading& reading, JsonValue root) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(root, {"$schema", "title", "textures", "sprites", "motions", "blueprints", "legend", "maps", "portalLimit", "start"},
-                                       "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
+    const auto fields =
+        checker.fields(root,
+                       {"$schema", "title", "textures", "sprites", "motions", "blueprints",
+                        "legend", "maps", "portalLimit", "start"},
+                       "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
     if (!fields) return;
-    if (const auto schema = fields->find("$schema")) checker.text(*schema, kMaxPathLength, "the address of the schema");
+    if (const auto schema = fields->find("$schema"))
+        checker.text(*schema, kMaxPathLength, "the address of the schema");
     if (const auto title = fields->require("title", "the name of the scene")) {
-        reading.description.world.title = checker.text(*title, kMaxTitleLength, "the name of the scene").value_or("");
+        reading.description.world.title =
+            checker.text(*title, kMaxTitleLength, "the name of the scene").value_or("");
     }
 
     const std::size_t faultsBefore = checker.count();
@@ -31,7 +37,8 @@ void readScene(Reading& reading, JsonValue root) {
     if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
     if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
     Legend legend(kEmptyCell, kEmptyCell);
-    if (const auto own = fields->find("legend")) readLegend(checker, *own, reading.blueprints, "blueprint", legend);
+    if (const auto own = fields->find("legend"))
+        readLegend(checker, *own, reading.blueprints, "blueprint", legend);
     reading.areBlueprintsSound = checker.count() == faultsBefore;
 
     if (const auto maps = fields->require("maps", "an array of maps")) {
@@ -40,11 +47,13 @@ void readScene(Reading& reading, JsonValue root) {
         reading.maps.takeAny();
     }
     if (const auto limit = fields->find("portalLimit")) {
-        reading.description.world.portalLimit = checker.wholeNumber(*limit, kPortalLimit).value_or(kDefaultPortalLimit);
+        reading.description.world.portalLimit =
+            checker.wholeNumber(*limit, kPortalLimit).value_or(kDefaultPortalLimit);
     }
     placePortals(reading);
     if (const auto maps = fields->find("maps")) placeMovers(reading, *maps);
-    if (const auto start = fields->require("start", "where the player starts")) readStart(reading, *start);
+    if (const auto start = fields->require("start", "where the player starts"))
+        readStart(reading, *start);
     placeObjects(reading);
 }
 
@@ -85,7 +94,9 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName) {
     Checker checker(source, fileName);
     if (source.invalidByte()) {
         const bool isUtf16 = text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff";
-        checker.addSyntax({*source.invalidByte(), isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8", "a text file saved as UTF-8"});
+        checker.addSyntax({*source.invalidByte(),
+                           isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8",
+                           "a text file saved as UTF-8"});
         parsed.faults = checker.take();
         return parsed;
     }

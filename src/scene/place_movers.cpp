@@ -1,4 +1,5 @@
-// What moves and opens gets its own blueprints once all maps are complete, and is checked to have room.
+// What moves and opens gets its own blueprints once all maps are complete, and is checked to have
+// room.
 #include "scene/readers.h"
 #include "world/gate.h"
 #include "world/mover.h"
@@ -22,7 +23,8 @@ void addFault(Reading& reading, JsonValue maps, const PlacingFault& fault) {
     if (!levels) return;
     const JsonValue rows = elementOf(*levels, fault.level);
     if (rows.count() == 0) return reading.checker.add(rows, fault.found, fault.expected);
-    reading.checker.addInRow(elementOf(rows, fault.y), fault.y, fault.x, fault.found, fault.expected);
+    reading.checker.addInRow(elementOf(rows, fault.y), fault.y, fault.x, fault.found,
+                             fault.expected);
 }
 
 // The frames of sheets that gates show become textures.
@@ -31,23 +33,29 @@ void checkGateFrames(Reading& reading, JsonValue maps) {
     std::vector<bool> isSheet(world.textures.size());
     for (const Gate& gate : world.gates) {
         for (const BlueprintId part : gate.parts) {
-            for (const FaceBlueprint& face : world.blueprints[part].faces) isSheet[face.texture] = true;
+            for (const FaceBlueprint& face : world.blueprints[part].faces)
+                isSheet[face.texture] = true;
         }
     }
     std::size_t textures = world.textures.size();
     for (std::size_t i = 0; i < isSheet.size(); ++i) {
         const TextureReference& texture = reading.description.textures[i];
-        if (isSheet[i] && texture.rate == 0.0) textures += static_cast<std::size_t>(texture.frames - 1);
+        if (isSheet[i] && texture.rate == 0.0)
+            textures += static_cast<std::size_t>(texture.frames - 1);
     }
     if (textures <= static_cast<std::size_t>(kMaxTextures)) return;
-    reading.checker.add(maps, {Counted{static_cast<std::int64_t>(textures), "texture"}, ", with the frames of the gates"}, {"at most ", kMaxTextures});
+    reading.checker.add(
+        maps,
+        {Counted{static_cast<std::int64_t>(textures), "texture"}, ", with the frames of the gates"},
+        {"at most ", kMaxTextures});
 }
 
 }  // namespace
 
 void placeMovers(Reading& reading, JsonValue maps) {
     if (!maps.isArray() || !reading.areBlueprintsSound) return;
-    const bool areSound = std::all_of(reading.isMapSound.begin(), reading.isMapSound.end(), [](bool isSound) { return isSound; });
+    const bool areSound = std::all_of(reading.isMapSound.begin(), reading.isMapSound.end(),
+                                      [](bool isSound) { return isSound; });
     if (!areSound) return;
     World& world = reading.description.world;
     std::vector<PlacingFault> faults = makeMovers(world);

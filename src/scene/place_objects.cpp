@@ -1,4 +1,5 @@
-// What can only be done with objects when all maps, portals and the start are known: sowing, and finding out whether what moves has room.
+// What can only be done with objects when all maps, portals and the start are known: sowing, and
+// finding out whether what moves has room.
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/collision.h"
@@ -14,14 +15,16 @@ bool isSound(const Reading& reading, std::size_t map) {
 void checkRoom(Reading& reading, const PlacedMotion& placed) {
     const World& world = reading.description.world;
     const ObjectMotion& motion = world.movingObjects.motions[placed.motion];
-    Object object = world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
+    Object object = world.maps[static_cast<std::size_t>(motion.map)]
+                        .objects[static_cast<std::size_t>(motion.object)];
     if (object.width.raw == 0) object.width = kWidestBody;
     const GroundPoint begins = beginning(motion, {object.x, object.y});
     object.x = begins.x;
     object.y = begins.y;
     if (isFree(world, motion.map, objectBody(object))) return;
-    reading.checker.add(placed.value, "an object that moves, and begins inside something solid or off the map",
-                        "free room for its body, which is as high as the object and at most 0.4 wide");
+    reading.checker.add(
+        placed.value, "an object that moves, and begins inside something solid or off the map",
+        "free room for its body, which is as high as the object and at most 0.4 wide");
 }
 
 }  // namespace
@@ -29,7 +32,9 @@ void checkRoom(Reading& reading, const PlacedMotion& placed) {
 void placeObjects(Reading& reading) {
     World& world = reading.description.world;
     for (const PlacedMotion& placed : reading.placedMotions) {
-        if (isSound(reading, static_cast<std::size_t>(world.movingObjects.motions[placed.motion].map))) checkRoom(reading, placed);
+        if (isSound(reading,
+                    static_cast<std::size_t>(world.movingObjects.motions[placed.motion].map)))
+            checkRoom(reading, placed);
     }
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         if (!isSound(reading, map)) continue;
@@ -38,7 +43,9 @@ void placeObjects(Reading& reading) {
             if (order.map != map) continue;
             if (!taken) taken.emplace(world.maps[map]);
             if (sowObjects(world, static_cast<int>(map), order.sowing, *taken)) continue;
-            reading.checker.add(order.value, {"more than ", kMaxObjects, " objects, with those before"}, {"at most ", kMaxObjects, " in a map"});
+            reading.checker.add(order.value,
+                                {"more than ", kMaxObjects, " objects, with those before"},
+                                {"at most ", kMaxObjects, " in a map"});
             break;
         }
     }

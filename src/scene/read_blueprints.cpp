@@ -7,20 +7,26 @@
 namespace slicecast {
 namespace {
 
-// A key of "faces" and the faces that it means, from the widest to the narrowest: a narrower key overrides a wider one.
+// A key of "faces" and the faces that it means, from the widest to the narrowest: a narrower key
+// overrides a wider one.
 struct FaceKey {
     const char* key;
     std::array<bool, kFaces> faces;  // north, east, south, west, top, bottom
 };
 constexpr FaceKey kFaceKeys[] = {
-    {"all", {true, true, true, true, true, true}},        {"sides", {true, true, true, true, false, false}},
-    {"north", {true, false, false, false, false, false}}, {"east", {false, true, false, false, false, false}},
-    {"south", {false, false, true, false, false, false}}, {"west", {false, false, false, true, false, false}},
-    {"top", {false, false, false, false, true, false}},   {"bottom", {false, false, false, false, false, true}},
+    {"all", {true, true, true, true, true, true}},
+    {"sides", {true, true, true, true, false, false}},
+    {"north", {true, false, false, false, false, false}},
+    {"east", {false, true, false, false, false, false}},
+    {"south", {false, false, true, false, false, false}},
+    {"west", {false, false, false, true, false, false}},
+    {"top", {false, false, false, false, true, false}},
+    {"bottom", {false, false, false, false, false, true}},
 };
 
-// "brick" or { "texture": "brick", "light": 0.8 } or { "texture": "lava", "glow": true }; what is or has a roof may have a "mirror". A faulty face counts as
-// given, so that it is not reported as missing too.
+// "brick" or { "texture": "brick", "light": 0.8 } or { "texture": "lava", "glow": true }; what is
+// or has a roof may have a "mirror". A faulty face counts as given, so that it is not reported as
+// missing too.
 FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     FaceBlueprint face;
     if (value.isText()) {
@@ -28,7 +34,9 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
         return face;
     }
     face.texture = 0;
-    const auto fields = reading.checker.fields(value, {"texture", "light", "glow", "mirror"}, "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
+    const auto fields = reading.checker.fields(
+        value, {"texture", "light", "glow", "mirror"},
+        "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
         face.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
@@ -37,7 +45,9 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     face.glow = fields->flag("glow", false);
     face.mirror = readMirror(*fields);
     if (const auto mirror = fields->find("mirror"); mirror && !isRoof) {
-        reading.checker.addAtKey(*mirror, "a mirror that is no roof", "\"mirror\" at \"top\" or \"all\": only what is seen from above reflects");
+        reading.checker.addAtKey(
+            *mirror, "a mirror that is no roof",
+            "\"mirror\" at \"top\" or \"all\": only what is seen from above reflects");
     }
     return face;
 }
@@ -49,7 +59,8 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     }
     std::vector<std::string_view> keys;
     for (const FaceKey& faceKey : kFaceKeys) keys.push_back(faceKey.key);
-    const auto fields = reading.checker.fields(value, keys, "a texture's name, or an object with textures for the faces");
+    const auto fields = reading.checker.fields(
+        value, keys, "a texture's name, or an object with textures for the faces");
     if (!fields) return;
     for (const FaceKey& faceKey : kFaceKeys) {
         const auto member = fields->find(faceKey.key);
@@ -64,42 +75,53 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     }
     std::string missing;
     for (std::size_t i = 0; i < blueprint.faces.size(); ++i) {
-        if (blueprint.faces[i].texture == kNoTexture) missing += (missing.empty() ? "" : ", ") + std::string(kFaceNames[i]);
+        if (blueprint.faces[i].texture == kNoTexture)
+            missing += (missing.empty() ? "" : ", ") + std::string(kFaceNames[i]);
     }
     if (!missing.empty()) {
-        reading.checker.add(value, {"no texture for ", missing}, "a texture for each of the six faces, by \"all\" for instance");
+        reading.checker.add(value, {"no texture for ", missing},
+                            "a texture for each of the six faces, by \"all\" for instance");
     }
 }
 
 // What is wrong with a sound gate in its block.
 void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint) {
-    if (blueprint.motion >= 0) reading.checker.add(value, "a gate that has a motion too", "either \"gate\" or \"motion\"");
-    const bool isSeen = std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
-        // Where the textures could not be read, this one may be right.
-        if (face.texture >= reading.description.textures.size()) return true;
-        const TextureReference& texture = reading.description.textures[face.texture];
-        return texture.frames > 1 && texture.rate == 0.0;
-    });
+    if (blueprint.motion >= 0)
+        reading.checker.add(value, "a gate that has a motion too", "either \"gate\" or \"motion\"");
+    const bool isSeen =
+        std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
+            // Where the textures could not be read, this one may be right.
+            if (face.texture >= reading.description.textures.size()) return true;
+            const TextureReference& texture = reading.description.textures[face.texture];
+            return texture.frames > 1 && texture.rate == 0.0;
+        });
     if (!isSeen) {
-        reading.checker.add(value, "a gate that looks the same open and shut", "a face with a texture of \"frames\" and no \"rate\", the first shut, the last open");
+        reading.checker.add(
+            value, "a gate that looks the same open and shut",
+            "a face with a texture of \"frames\" and no \"rate\", the first shut, the last open");
     }
 }
 
 CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     CellBlueprint blueprint;
     blueprint.name = std::string(value.key());
-    const auto fields = reading.checker.fields(value, {"bottom", "top", "faces", "join", "motion", "gate"}, "a blueprint: an object with \"faces\"");
+    const auto fields =
+        reading.checker.fields(value, {"bottom", "top", "faces", "join", "motion", "gate"},
+                               "a blueprint: an object with \"faces\"");
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
     blueprint.bottom = toCoordinate(fields->number("bottom", kUnitRange, 0.0));
     blueprint.top = toCoordinate(fields->number("top", kUnitRange, 1.0));
     if (reading.checker.count() == faultsBefore && blueprint.bottom >= blueprint.top) {
         const auto given = fields->find("top") ? fields->find("top") : fields->find("bottom");
-        reading.checker.add(*given, "a top that is not above the bottom", "bottom < top, by at least 1/65536");
+        reading.checker.add(*given, "a top that is not above the bottom",
+                            "bottom < top, by at least 1/65536");
     }
     blueprint.join = fields->flag("join", true);
-    if (const auto faces = fields->require("faces", "the textures of the faces")) readFaces(reading, *faces, blueprint);
-    if (const auto motion = fields->find("motion")) blueprint.motion = reading.checker.name(*motion, reading.motions, "motion").value_or(0);
+    if (const auto faces = fields->require("faces", "the textures of the faces"))
+        readFaces(reading, *faces, blueprint);
+    if (const auto motion = fields->find("motion"))
+        blueprint.motion = reading.checker.name(*motion, reading.motions, "motion").value_or(0);
     if (const auto gate = fields->find("gate")) {
         blueprint.gate = readGate(reading, *gate);
         if (reading.checker.count() == faultsBefore) checkGate(reading, *gate, blueprint);
@@ -117,14 +139,16 @@ void readBlueprints(Reading& reading, JsonValue value) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxBlueprints)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "blueprint"}, {"at most ", kMaxBlueprints});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "blueprint"},
+                    {"at most ", kMaxBlueprints});
         reading.blueprints.takeAny();
         return;
     }
     std::vector<CellBlueprint>& blueprints = reading.description.world.blueprints;
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, {"the name ", quoted(member.key())}, {"a name of 1 to ", kMaxNameLength, " characters"});
+            checker.addAtKey(member, {"the name ", quoted(member.key())},
+                             {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         reading.blueprints.add(member.key(), static_cast<BlueprintId>(blueprints.size()));
         blueprints.push_back(readBlueprint(reading, member));

@@ -7,7 +7,8 @@
 namespace slicecast {
 namespace {
 
-// Counts how often each size occurs; the most frequent one is what was meant, the first one of equals. All that are too large count as the first of them.
+// Counts how often each size occurs; the most frequent one is what was meant, the first one of
+// equals. All that are too large count as the first of them.
 class Votes {
 public:
     explicit Votes(int most) : votes_(static_cast<std::size_t>(most) + 2) {}
@@ -20,7 +21,8 @@ public:
     std::size_t winner() const {
         Vote best;
         for (const Vote& vote : votes_) {
-            if (vote.count > best.count || (vote.count == best.count && vote.place < best.place)) best = vote;
+            if (vote.count > best.count || (vote.count == best.count && vote.place < best.place))
+                best = vote;
         }
         return best.size;
     }
@@ -35,7 +37,8 @@ private:
     int sizes_ = 0;
 };
 
-// Checks that all is arrays of arrays of texts, and finds the size that most rows and levels have. Nothing if there is no row at all.
+// Checks that all is arrays of arrays of texts, and finds the size that most rows and levels have.
+// Nothing if there is no row at all.
 std::optional<GridSize> measure(Checker& checker, JsonValue value) {
     Votes widths(kMaxMapWidth);
     Votes depths(kMaxMapDepth);
@@ -59,8 +62,10 @@ std::optional<GridSize> measure(Checker& checker, JsonValue value) {
         checker.add(value, "no tiles", "at least one level with rows of characters");
         return std::nullopt;
     }
-    if (width > static_cast<std::size_t>(kMaxMapWidth) || depth > static_cast<std::size_t>(kMaxMapDepth)) {
-        checker.add(value, {"a map of ", width, " x ", depth, " tiles"}, {"at most ", kMaxMapWidth, " x ", kMaxMapDepth});
+    if (width > static_cast<std::size_t>(kMaxMapWidth) ||
+        depth > static_cast<std::size_t>(kMaxMapDepth)) {
+        checker.add(value, {"a map of ", width, " x ", depth, " tiles"},
+                    {"at most ", kMaxMapWidth, " x ", kMaxMapDepth});
         return std::nullopt;
     }
     return GridSize{static_cast<int>(width), static_cast<int>(depth)};
@@ -77,11 +82,13 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
     bool isFlat = value.count() > 0;
     for (const JsonValue level : value) isFlat = isFlat && level.isText();
     if (isFlat) {
-        checker.add(value, "an array of rows", "an array of levels, each of them an array of rows: [[\"###\", \"#.#\"]]");
+        checker.add(value, "an array of rows",
+                    "an array of levels, each of them an array of rows: [[\"###\", \"#.#\"]]");
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxLevels)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "level"}, {"at most ", kMaxLevels});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "level"},
+                    {"at most ", kMaxLevels});
         return;
     }
     const std::optional<GridSize> size = measure(checker, value);
@@ -92,8 +99,10 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
     const std::int64_t cells = std::int64_t{size->width} * size->depth * levels;
     reading.cells += cells;
     if (reading.cells > kMaxSceneCells) {
-        checker.add(value, {"a map of ", Counted{cells, "cell"}, ", ", reading.cells, " with the maps before"},
-                    {"at most ", kMaxSceneCells, " in all maps together"});
+        checker.add(
+            value,
+            {"a map of ", Counted{cells, "cell"}, ", ", reading.cells, " with the maps before"},
+            {"at most ", kMaxSceneCells, " in all maps together"});
         reading.cells -= cells;
         return;
     }
@@ -112,7 +121,8 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
         ++level;
         if (!rows.isArray() || rows.count() == 0) continue;
         if (rows.count() != static_cast<std::size_t>(size->depth)) {
-            checker.add(rows, {"a level of ", Counted{static_cast<std::int64_t>(rows.count()), "row"}},
+            checker.add(rows,
+                        {"a level of ", Counted{static_cast<std::int64_t>(rows.count()), "row"}},
                         {Counted{size->depth, "row"}, ", as in the other levels"});
         }
         int y = -1;
@@ -123,7 +133,8 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
             readRow(checker, row, y, size->width, legend, ids);
             if (y >= size->depth) continue;
             for (int x = 0; x < size->width; ++x) {
-                if (ids[static_cast<std::size_t>(x)] != kEmptyCell) map.setCell(x, y, level, ids[static_cast<std::size_t>(x)]);
+                if (ids[static_cast<std::size_t>(x)] != kEmptyCell)
+                    map.setCell(x, y, level, ids[static_cast<std::size_t>(x)]);
             }
         }
     }

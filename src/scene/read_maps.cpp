@@ -14,7 +14,8 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
     if (!name) return;
     map.name = *name;
     if (reading.maps.find(*name)) {
-        reading.checker.add(*member, {"the name ", quoted(*name), " a second time"}, "a name that no other map has");
+        reading.checker.add(*member, {"the name ", quoted(*name), " a second time"},
+                            "a name that no other map has");
     } else {
         reading.maps.add(member->text(), index);
     }
@@ -23,19 +24,23 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
 Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& legendOfAll) {
     Checker& checker = reading.checker;
     Map map;
-    const auto fields =
-        checker.fields(value, {"name", "legend", "levels", "floor", "ceiling", "objects", "sow", "portals", "sky", "light", "fog", "haze", "far"},
-                       "a map: an object with \"name\", \"levels\" and \"floor\"");
+    const auto fields = checker.fields(value,
+                                       {"name", "legend", "levels", "floor", "ceiling", "objects",
+                                        "sow", "portals", "sky", "light", "fog", "haze", "far"},
+                                       "a map: an object with \"name\", \"levels\" and \"floor\"");
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
 
     // The grid comes first: it gives the size to the rest.
     Legend legend = legendOfAll;
-    if (const auto own = fields->find("legend")) readLegend(checker, *own, reading.blueprints, "blueprint", legend);
-    if (const auto levels = fields->require("levels", "an array of levels")) readLevels(reading, *levels, legend, map);
+    if (const auto own = fields->find("legend"))
+        readLegend(checker, *own, reading.blueprints, "blueprint", legend);
+    if (const auto levels = fields->require("levels", "an array of levels"))
+        readLevels(reading, *levels, legend, map);
     const bool hasSize = map.width > 0;
 
-    if (const auto floor = fields->require("floor", "the floor's texture")) readFloor(reading, *floor, hasSize, map);
+    if (const auto floor = fields->require("floor", "the floor's texture"))
+        readFloor(reading, *floor, hasSize, map);
     if (const auto ceiling = fields->find("ceiling")) readCeiling(reading, *ceiling, hasSize, map);
     if (const auto objects = fields->find("objects")) readObjects(reading, *objects, hasSize, map);
     if (const auto sow = fields->find("sow")) readSowing(reading, *sow);
@@ -58,7 +63,8 @@ void readMaps(Reading& reading, JsonValue value, const Legend& legend) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxMaps)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "map"}, {"at most ", kMaxMaps});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "map"},
+                    {"at most ", kMaxMaps});
         reading.maps.takeAny();
         return;
     }

@@ -10,18 +10,23 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kOffset = {-kGreatestOffset, kGreatestOffset, false, "a number from -32 to 32, in units"};
-constexpr NumberRange kPeriod = {kShortestPeriod, kLongestPeriod, false, "a number from 0.1 to 3600, in seconds"};
-constexpr NumberRange kOpening = {kStepSeconds, kLongestGate, false, "a number from 1/120 to 60, in seconds"};
+constexpr NumberRange kOffset = {-kGreatestOffset, kGreatestOffset, false,
+                                 "a number from -32 to 32, in units"};
+constexpr NumberRange kPeriod = {kShortestPeriod, kLongestPeriod, false,
+                                 "a number from 0.1 to 3600, in seconds"};
+constexpr NumberRange kOpening = {kStepSeconds, kLongestGate, false,
+                                  "a number from 1/120 to 60, in seconds"};
 constexpr NumberRange kHold = {0.0, kLongestGate, false, "a number from 0 to 60, in seconds"};
 constexpr NumberRange kReach = {0.0, kFarthestGate, false, "a number from 0 to 64, in units"};
-static_assert(kGreatestOffset == 32.0 && kShortestPeriod == 0.1 && kLongestPeriod == 3600.0 && kLongestGate == 60.0 && kFarthestGate == 64.0 &&
-                  kStepsPerSecond == 120 && kFastestMotion == 4.0,
+static_assert(kGreatestOffset == 32.0 && kShortestPeriod == 0.1 && kLongestPeriod == 3600.0 &&
+                  kLongestGate == 60.0 && kFarthestGate == 64.0 && kStepsPerSecond == 120 &&
+                  kFastestMotion == 4.0,
               "as the words say");
 
 // One of a few words.
 template <typename Choice, std::size_t count>
-Choice readChoice(Checker& checker, JsonValue value, const std::pair<std::string_view, Choice> (&choices)[count], const char* words) {
+Choice readChoice(Checker& checker, JsonValue value,
+                  const std::pair<std::string_view, Choice> (&choices)[count], const char* words) {
     for (const auto& [word, choice] : choices) {
         if (value.isText() && value.text() == word) return choice;
     }
@@ -29,9 +34,12 @@ Choice readChoice(Checker& checker, JsonValue value, const std::pair<std::string
     return choices[0].second;
 }
 
-constexpr std::pair<std::string_view, MovingEdges> kEdges[] = {{"both", MovingEdges::both}, {"top", MovingEdges::top}, {"bottom", MovingEdges::bottom}};
+constexpr std::pair<std::string_view, MovingEdges> kEdges[] = {
+    {"both", MovingEdges::both}, {"top", MovingEdges::top}, {"bottom", MovingEdges::bottom}};
 constexpr std::pair<std::string_view, MotionShape> kShapes[] = {
-    {"smooth", MotionShape::smooth}, {"even", MotionShape::even}, {"stop-and-go", MotionShape::stopAndGo}};
+    {"smooth", MotionShape::smooth},
+    {"even", MotionShape::even},
+    {"stop-and-go", MotionShape::stopAndGo}};
 
 int stepsOf(double seconds) {
     return static_cast<int>(std::floor(seconds * kStepsPerSecond + 0.5));
@@ -41,25 +49,31 @@ int stepsOf(double seconds) {
 Motion readMotion(Checker& checker, JsonValue value) {
     Motion motion;
     motion.name = std::string(value.key());
-    const auto fields = checker.fields(value, {"moves", "from", "to", "period", "phase", "shape"}, "a motion: an object with \"moves\", \"to\" and \"period\"");
+    const auto fields = checker.fields(value, {"moves", "from", "to", "period", "phase", "shape"},
+                                       "a motion: an object with \"moves\", \"to\" and \"period\"");
     if (!fields) return motion;
     const std::size_t faultsBefore = checker.count();
     constexpr const char* kEdgesWords = "\"top\", \"bottom\" or \"both\"";
-    if (const auto moves = fields->require("moves", kEdgesWords)) motion.edges = readChoice(checker, *moves, kEdges, kEdgesWords);
+    if (const auto moves = fields->require("moves", kEdgesWords))
+        motion.edges = readChoice(checker, *moves, kEdges, kEdgesWords);
     fields->require("to", kOffset.words);
     fields->require("period", kPeriod.words);
     const double from = fields->number("from", kOffset, 0.0);
     const double to = fields->number("to", kOffset, 1.0);
     const double period = fields->number("period", kPeriod, 1.0);
     const double phase = fields->number("phase", kUnitRange, 0.0);
-    if (const auto shape = fields->find("shape")) motion.shape = readChoice(checker, *shape, kShapes, "\"smooth\", \"even\" or \"stop-and-go\"");
+    if (const auto shape = fields->find("shape"))
+        motion.shape =
+            readChoice(checker, *shape, kShapes, "\"smooth\", \"even\" or \"stop-and-go\"");
     motion.from = toCoordinate(from);
     motion.to = toCoordinate(to);
     motion.periodSteps = stepsOf(period);
-    motion.phaseSteps = static_cast<int>(std::floor(phase * motion.periodSteps + 0.5)) % motion.periodSteps;
+    motion.phaseSteps =
+        static_cast<int>(std::floor(phase * motion.periodSteps + 0.5)) % motion.periodSteps;
     const double fastest = fastestSpeed(motion.shape, to - from, period);
     if (checker.count() == faultsBefore && fastest > kFastestMotion) {
-        checker.add(value, {"a motion that is as fast as ", roundedText(fastest, 4), " units per second"},
+        checker.add(value,
+                    {"a motion that is as fast as ", roundedText(fastest, 4), " units per second"},
                     "at most 4 units per second, by a longer period for instance");
     }
     return motion;
@@ -75,14 +89,16 @@ void readMotions(Reading& reading, JsonValue value) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxBlueprints)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "motion"}, {"at most ", kMaxBlueprints});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "motion"},
+                    {"at most ", kMaxBlueprints});
         reading.motions.takeAny();
         return;
     }
     std::vector<Motion>& motions = reading.description.world.motions;
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, {"the name ", quoted(member.key())}, {"a name of 1 to ", kMaxNameLength, " characters"});
+            checker.addAtKey(member, {"the name ", quoted(member.key())},
+                             {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         reading.motions.add(member.key(), static_cast<std::uint16_t>(motions.size()));
         motions.push_back(readMotion(checker, member));
@@ -93,7 +109,9 @@ void readMotions(Reading& reading, JsonValue value) {
 int readGate(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     GateKind kind;
-    const auto fields = checker.fields(value, {"seconds", "reach", "keyed", "approach", "hold", "open"}, "a gate: an object, which may be {}");
+    const auto fields =
+        checker.fields(value, {"seconds", "reach", "keyed", "approach", "hold", "open"},
+                       "a gate: an object, which may be {}");
     if (fields) {
         kind.steps = std::max(1, stepsOf(fields->number("seconds", kOpening, 0.8)));
         kind.reach = toCoordinate(fields->number("reach", kReach, 2.0));
@@ -102,7 +120,9 @@ int readGate(Reading& reading, JsonValue value) {
         kind.approach = toCoordinate(fields->number("approach", kReach, 0.0));
         kind.holdSteps = stepsOf(fields->number("hold", kHold, 1.0));
         kind.startsOpen = fields->flag("open", false);
-        if (!kind.keyed && !kind.opensOnApproach) checker.add(value, "a gate that nothing opens", "\"keyed\": true, or \"approach\", or both");
+        if (!kind.keyed && !kind.opensOnApproach)
+            checker.add(value, "a gate that nothing opens",
+                        "\"keyed\": true, or \"approach\", or both");
     }
     reading.description.world.gateKinds.push_back(kind);
     return static_cast<int>(reading.description.world.gateKinds.size()) - 1;

@@ -5,10 +5,14 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kSpeed = {0.0, kMaxObjectSpeed, true, "a number above 0 and at most 16, in units per second"};
-constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false, "a number from -360 to 360, in degrees; 0 is east, 90 south"};
-constexpr NumberRange kReach = {0.0, kMaxObjectReach, true, "a number above 0 and at most 1000, in units"};
-static_assert(kMaxObjectSpeed == 16.0 && kMaxStartHeading == 360.0 && kMaxObjectReach == 1000.0, "as the words say");
+constexpr NumberRange kSpeed = {0.0, kMaxObjectSpeed, true,
+                                "a number above 0 and at most 16, in units per second"};
+constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false,
+                                  "a number from -360 to 360, in degrees; 0 is east, 90 south"};
+constexpr NumberRange kReach = {0.0, kMaxObjectReach, true,
+                                "a number above 0 and at most 1000, in units"};
+static_assert(kMaxObjectSpeed == 16.0 && kMaxStartHeading == 360.0 && kMaxObjectReach == 1000.0,
+              "as the words say");
 
 constexpr const char* kKinds = "\"wander\", \"pace\" or \"circle\"";
 
@@ -25,9 +29,11 @@ std::optional<ObjectMotion::Kind> readKind(Checker& checker, JsonValue value) {
 ReadMotion readObjectMotion(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     ReadMotion read;
-    const auto fields = checker.fields(value, {"kind", "speed", "heading", "reach"}, "a motion: an object with \"kind\" and \"speed\"");
+    const auto fields = checker.fields(value, {"kind", "speed", "heading", "reach"},
+                                       "a motion: an object with \"kind\" and \"speed\"");
     if (!fields) return read;
-    if (const auto kind = fields->require("kind", kKinds)) read.motion.kind = readKind(checker, *kind).value_or(ObjectMotion::Kind::wander);
+    if (const auto kind = fields->require("kind", kKinds))
+        read.motion.kind = readKind(checker, *kind).value_or(ObjectMotion::Kind::wander);
     fields->require("speed", kSpeed.words);
     read.motion.speed = fields->number("speed", kSpeed, 1.0);
     read.motion.headingDegrees = fields->number("heading", kHeading, 0.0);

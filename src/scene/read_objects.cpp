@@ -7,10 +7,14 @@ namespace {
 
 constexpr NumberRange kAcross = {0.0, 4096.0, false, "a number from 0 to 4096, on the map"};
 constexpr NumberRange kFeet = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
-constexpr NumberRange kSize = {0.0, kMaxObjectSize, true, "a number above 0 and at most 64, in units"};
-static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 && kMaxObjectSize == 64.0, "as the words say");
+constexpr NumberRange kSize = {0.0, kMaxObjectSize, true,
+                               "a number above 0 and at most 64, in units"};
+static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 &&
+                  kMaxObjectSize == 64.0,
+              "as the words say");
 
-// The next object of the map that is being read moves. Where it stands among all that move gives it random numbers of its own.
+// The next object of the map that is being read moves. Where it stands among all that move gives it
+// random numbers of its own.
 void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int object) {
     std::vector<ObjectMotion>& motions = reading.description.world.movingObjects.motions;
     motion.map = static_cast<int>(reading.description.world.maps.size());
@@ -20,15 +24,18 @@ void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int objec
     motions.push_back(motion);
 }
 
-// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "motion" }; a width of 0 is found from the sprite later.
+// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "motion" }; a width of 0 is found
+// from the sprite later.
 std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize, const Map& map) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(value, {"sprite", "x", "y", "z", "width", "height", "light", "glow", "motion"},
-                                       "an object: an object with \"sprite\", \"x\", \"y\" and \"height\"");
+    const auto fields = checker.fields(
+        value, {"sprite", "x", "y", "z", "width", "height", "light", "glow", "motion"},
+        "an object: an object with \"sprite\", \"x\", \"y\" and \"height\"");
     if (!fields) return std::nullopt;
     const std::size_t faultsBefore = checker.count();
     Object object;
-    if (const auto sprite = fields->require("sprite", "the name of a sprite")) object.sprite = checker.name(*sprite, reading.sprites, "sprite").value_or(0);
+    if (const auto sprite = fields->require("sprite", "the name of a sprite"))
+        object.sprite = checker.name(*sprite, reading.sprites, "sprite").value_or(0);
     for (const char* key : {"x", "y"}) fields->require(key, kAcross.words);
     fields->require("height", kSize.words);
     object.x = toCoordinate(fields->number("x", kAcross, 0.0));
@@ -40,8 +47,10 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     object.glow = fields->flag("glow", false);
     std::optional<ReadMotion> moves;
     if (const auto motion = fields->find("motion")) moves = readObjectMotion(reading, *motion);
-    if (checker.count() == faultsBefore && hasSize && !map.contains(object.x.tile(), object.y.tile())) {
-        checker.add(value, "an object that is not on the map", {"x below ", map.width, " and y below ", map.depth});
+    if (checker.count() == faultsBefore && hasSize &&
+        !map.contains(object.x.tile(), object.y.tile())) {
+        checker.add(value, "an object that is not on the map",
+                    {"x below ", map.width, " and y below ", map.depth});
     }
     if (checker.count() != faultsBefore) return std::nullopt;
     if (moves) addMotion(reading, value, moves->motion, static_cast<int>(map.objects.size()));
@@ -58,15 +67,18 @@ void readSprites(Reading& reading, JsonValue value) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxTextures)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "sprite"}, {"at most ", kMaxTextures});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "sprite"},
+                    {"at most ", kMaxTextures});
         reading.sprites.takeAny();
         return;
     }
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, {"the name ", quoted(member.key())}, {"a name of 1 to ", kMaxNameLength, " characters"});
+            checker.addAtKey(member, {"the name ", quoted(member.key())},
+                             {"a name of 1 to ", kMaxNameLength, " characters"});
         }
-        reading.sprites.add(member.key(), static_cast<SpriteId>(reading.description.sprites.size()));
+        reading.sprites.add(member.key(),
+                            static_cast<SpriteId>(reading.description.sprites.size()));
         Sprite sprite;
         sprite.name = std::string(member.key());
         reading.description.world.sprites.push_back(std::move(sprite));
@@ -81,11 +93,13 @@ void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxObjects)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "object"}, {"at most ", kMaxObjects});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "object"},
+                    {"at most ", kMaxObjects});
         return;
     }
     for (const JsonValue element : value) {
-        if (const auto object = readObject(reading, element, hasSize, map)) map.objects.push_back(*object);
+        if (const auto object = readObject(reading, element, hasSize, map))
+            map.objects.push_back(*object);
     }
 }
 

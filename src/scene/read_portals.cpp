@@ -1,9 +1,11 @@
 // Portals: faces of blocks and tiles that lead elsewhere.
 //
-//      map a                  map b         A face's way back, for "twoWay": the block N behind the exit tile E, as seen by who has just come out, gets a
-//      portal . . . .                . . . . .     on the side towards E. It leads to the tile B before the first portal, so that who turns around there and .
-//      B|A . . - to E - >   . N|E . .     walks back comes out where they went in. For a top or bottom, N is the block that touches the same plane from the . .
-//      . .                . . . . .     other side. A tile's way back is a portal of the exit tile.
+//      map a                  map b         A face's way back, for "twoWay": the block N behind the
+//      exit tile E, as seen by who has just come out, gets a portal . . . .                . . . .
+//      .     on the side towards E. It leads to the tile B before the first portal, so that who
+//      turns around there and . B|A . . - to E - >   . N|E . .     walks back comes out where they
+//      went in. For a top or bottom, N is the block that touches the same plane from the . . . . .
+//      . . . .     other side. A tile's way back is a portal of the exit tile.
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/player.h"
@@ -14,9 +16,12 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kTileNumber = {0.0, kMaxMapWidth - 1, false, "a whole number of tiles, from 0 to 4095"};
-constexpr NumberRange kLevelNumber = {0.0, kMaxLevels, false, "a whole number of levels, from 0 to 32"};
-constexpr NumberRange kTurn = {0.0, 270.0, false, "0, 90, 180 or 270 degrees, clockwise as seen from above"};
+constexpr NumberRange kTileNumber = {0.0, kMaxMapWidth - 1, false,
+                                     "a whole number of tiles, from 0 to 4095"};
+constexpr NumberRange kLevelNumber = {0.0, kMaxLevels, false,
+                                      "a whole number of levels, from 0 to 32"};
+constexpr NumberRange kTurn = {0.0, 270.0, false,
+                               "0, 90, 180 or 270 degrees, clockwise as seen from above"};
 static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxLevels == 32, "as the words say");
 
 // A portal as it is written.
@@ -45,7 +50,8 @@ std::string cellText(const GridTile& tile, int level) {
 }
 
 Face opposite(Face face) {
-    constexpr Face kOpposites[kFaces] = {Face::south, Face::west, Face::north, Face::east, Face::bottom, Face::top};
+    constexpr Face kOpposites[kFaces] = {Face::south, Face::west,   Face::north,
+                                         Face::east,  Face::bottom, Face::top};
     return kOpposites[static_cast<std::size_t>(face)];
 }
 
@@ -53,7 +59,8 @@ Face opposite(Face face) {
 GridTile neighbour(GridTile tile, Face side) {
     constexpr int kEast[kFaces] = {0, 1, 0, -1, 0, 0};
     constexpr int kSouth[kFaces] = {-1, 0, 1, 0, 0, 0};
-    return {tile.x + kEast[static_cast<std::size_t>(side)], tile.y + kSouth[static_cast<std::size_t>(side)]};
+    return {tile.x + kEast[static_cast<std::size_t>(side)],
+            tile.y + kSouth[static_cast<std::size_t>(side)]};
 }
 
 bool isStill(const CellBlueprint& block) {
@@ -63,7 +70,10 @@ bool isStill(const CellBlueprint& block) {
 class PortalPlacer {
 public:
     explicit PortalPlacer(Reading& reading)
-        : reading_(reading), checker_(reading.checker), world_(reading.description.world), firstOwn_(world_.blueprints.size()) {}
+        : reading_(reading),
+          checker_(reading.checker),
+          world_(reading.description.world),
+          firstOwn_(world_.blueprints.size()) {}
 
     void read(const PortalList& list) {
         if (!list.value.isArray()) {
@@ -79,7 +89,9 @@ public:
 
 private:
     std::optional<PortalOrder> readOrder(JsonValue value, std::size_t map) {
-        const auto fields = checker_.fields(value, {"x", "y", "level", "face", "to", "turn", "twoWay"}, "a portal: an object with \"x\", \"y\" and \"to\"");
+        const auto fields =
+            checker_.fields(value, {"x", "y", "level", "face", "to", "turn", "twoWay"},
+                            "a portal: an object with \"x\", \"y\" and \"to\"");
         if (!fields) return std::nullopt;
         PortalOrder order{value, value, {}, 0, 0, std::nullopt, false};
         for (const char* key : {"x", "y"}) fields->require(key, kTileNumber.words);
@@ -90,7 +102,9 @@ private:
         if (const auto face = fields->find("face")) order.face = readFace(*face);
         if (const auto turn = fields->find("turn")) order.portal.turn = readTurn(*turn);
         order.twoWay = fields->flag("twoWay", false);
-        if (const auto exit = fields->require("to", "where it leads: an object with \"x\" and \"y\"")) readExit(*exit, order);
+        if (const auto exit =
+                fields->require("to", "where it leads: an object with \"x\" and \"y\""))
+            readExit(*exit, order);
         return order;
     }
 
@@ -100,8 +114,10 @@ private:
         if (!name) return Face::north;
         const auto found = std::find(names.begin(), names.end(), *name);
         if (found != names.end()) return static_cast<Face>(found - names.begin());
-        checker_.add(value, {"the name ", quoted(*name)},
-                     {"one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"", suggestion(*name, names)});
+        checker_.add(
+            value, {"the name ", quoted(*name)},
+            {"one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"",
+             suggestion(*name, names)});
         return Face::north;
     }
 
@@ -114,12 +130,14 @@ private:
     }
 
     void readExit(JsonValue value, PortalOrder& order) {
-        const auto fields = checker_.fields(value, {"map", "x", "y", "level"}, "where it leads: an object with \"x\" and \"y\"");
+        const auto fields = checker_.fields(value, {"map", "x", "y", "level"},
+                                            "where it leads: an object with \"x\" and \"y\"");
         if (!fields) return;
         order.exit = value;
         for (const char* key : {"x", "y"}) fields->require(key, kTileNumber.words);
         order.portal.toMap = order.portal.fromMap;
-        if (const auto map = fields->find("map")) order.portal.toMap = checker_.name(*map, reading_.maps, "map").value_or(0);
+        if (const auto map = fields->find("map"))
+            order.portal.toMap = checker_.name(*map, reading_.maps, "map").value_or(0);
         order.portal.toX = fields->wholeNumber("x", kTileNumber, 0);
         order.portal.toY = fields->wholeNumber("y", kTileNumber, 0);
         order.toLevel = fields->wholeNumber("level", kLevelNumber, order.level);
@@ -129,7 +147,8 @@ private:
     // With faults in the maps on either side, the portal may be right.
     bool isSound(int map) const {
         const auto index = static_cast<std::size_t>(map);
-        return reading_.areBlueprintsSound && index < reading_.isMapSound.size() && reading_.isMapSound[index];
+        return reading_.areBlueprintsSound && index < reading_.isMapSound.size() &&
+               reading_.isMapSound[index];
     }
 
     const Map& mapAt(int map) const { return world_.maps[static_cast<std::size_t>(map)]; }
@@ -137,11 +156,14 @@ private:
     bool isOnMap(JsonValue at, int mapIndex, GridTile tile, int level, const char* what) {
         const Map& map = mapAt(mapIndex);
         if (!map.contains(tile.x, tile.y)) {
-            checker_.add(at, {what, " that is not on the map ", quoted(map.name)}, {"x below ", map.width, " and y below ", map.depth});
+            checker_.add(at, {what, " that is not on the map ", quoted(map.name)},
+                         {"x below ", map.width, " and y below ", map.depth});
             return false;
         }
         if (level > map.levels) {
-            checker_.add(at, {what, " on level ", level}, {"a level of the map ", quoted(map.name), ", at most ", map.levels, ", above all its blocks"});
+            checker_.add(at, {what, " on level ", level},
+                         {"a level of the map ", quoted(map.name), ", at most ", map.levels,
+                          ", above all its blocks"});
             return false;
         }
         return true;
@@ -152,7 +174,9 @@ private:
         if (!isSound(portal.fromMap) || !isSound(portal.toMap)) return;
         const GridTile from = {portal.fromX, portal.fromY};
         const GridTile to = {portal.toX, portal.toY};
-        if (!isOnMap(order.value, portal.fromMap, from, order.level, "a portal") || !isOnMap(order.exit, portal.toMap, to, order.toLevel, "an exit")) return;
+        if (!isOnMap(order.value, portal.fromMap, from, order.level, "a portal") ||
+            !isOnMap(order.exit, portal.toMap, to, order.toLevel, "an exit"))
+            return;
         if (order.face) {
             placeFace(order, *order.face);
         } else {
@@ -162,14 +186,20 @@ private:
 
     void placeTile(const PortalOrder& order) {
         const Portal& portal = order.portal;
-        if (portal.turn == 0 && portal.levels == 0 && portal.fromMap == portal.toMap && portal.fromX == portal.toX && portal.fromY == portal.toY) {
-            checker_.add(order.value, "a portal that leads to where it is", "another tile, a turn or another level");
+        if (portal.turn == 0 && portal.levels == 0 && portal.fromMap == portal.toMap &&
+            portal.fromX == portal.toX && portal.fromY == portal.toY) {
+            checker_.add(order.value, "a portal that leads to where it is",
+                         "another tile, a turn or another level");
             return;
         }
-        if (!hasRoom(order.exit, portal.toMap, {portal.toX, portal.toY}, {tileEdge(order.toLevel), tileEdge(order.toLevel + 1)}, "an exit")) return;
+        if (!hasRoom(order.exit, portal.toMap, {portal.toX, portal.toY},
+                     {tileEdge(order.toLevel), tileEdge(order.toLevel + 1)}, "an exit"))
+            return;
         if (!addTile(order.value, portal) || !order.twoWay) return;
         const Portal back = reversed(portal);
-        if (!hasRoom(order.value, back.toMap, {back.toX, back.toY}, {tileEdge(order.level), tileEdge(order.level + 1)}, "the way back's exit")) return;
+        if (!hasRoom(order.value, back.toMap, {back.toX, back.toY},
+                     {tileEdge(order.level), tileEdge(order.level + 1)}, "the way back's exit"))
+            return;
         addTile(order.value, back);
     }
 
@@ -178,12 +208,15 @@ private:
         const GridTile tile = {portal.fromX, portal.fromY};
         const BlueprintId id = mapAt(portal.fromMap).cell(tile.x, tile.y, order.level);
         if (id == kEmptyCell) {
-            checker_.add(order.value, {"no block at ", cellText(tile, order.level)},
-                         "a block that has this face; without \"face\" the whole tile is the portal");
+            checker_.add(
+                order.value, {"no block at ", cellText(tile, order.level)},
+                "a block that has this face; without \"face\" the whole tile is the portal");
             return;
         }
         const Stretch block = {world_.blueprints[id].bottom, world_.blueprints[id].top};
-        if (!hasRoom(order.exit, portal.toMap, {portal.toX, portal.toY}, beyond(face, order.toLevel, block), "an exit")) return;
+        if (!hasRoom(order.exit, portal.toMap, {portal.toX, portal.toY},
+                     beyond(face, order.toLevel, block), "an exit"))
+            return;
         if (!addFace(order.value, portal, order.level, face) || !order.twoWay) return;
 
         // The way back
@@ -192,7 +225,8 @@ private:
         Portal back = reversed(portal);
         int backLevel = order.toLevel;
         if (isLevel) {
-            backLevel += face == Face::top ? (block.high == tileEdge(1) ? 1 : 0) : (block.low == Coordinate{0} ? -1 : 0);
+            backLevel += face == Face::top ? (block.high == tileEdge(1) ? 1 : 0)
+                                           : (block.low == Coordinate{0} ? -1 : 0);
         } else {
             const GridTile behind = neighbour({portal.toX, portal.toY}, opposite(backFace));
             const GridTile before = neighbour(tile, face);
@@ -203,23 +237,34 @@ private:
         }
         const BlueprintId backId = mapAt(back.fromMap).cell(back.fromX, back.fromY, backLevel);
         const Face fitting = backFace == Face::top ? Face::bottom : Face::top;
-        if (backId == kEmptyCell || (isLevel && edge(backFace, backLevel, world_.blueprints[backId]) != edge(fitting, order.toLevel, world_.blueprints[id]))) {
-            checker_.add(order.value, {"no block for the way back at ", cellText({back.fromX, back.fromY}, backLevel)},
-                         {"a block whose ", kFaceNames[static_cast<std::size_t>(backFace)], " face is behind the exit, or no \"twoWay\""});
+        if (backId == kEmptyCell ||
+            (isLevel && edge(backFace, backLevel, world_.blueprints[backId]) !=
+                            edge(fitting, order.toLevel, world_.blueprints[id]))) {
+            checker_.add(
+                order.value,
+                {"no block for the way back at ", cellText({back.fromX, back.fromY}, backLevel)},
+                {"a block whose ", kFaceNames[static_cast<std::size_t>(backFace)],
+                 " face is behind the exit, or no \"twoWay\""});
             return;
         }
         const CellBlueprint& other = world_.blueprints[backId];
         const int exitLevel = backLevel + back.levels;
         if (!mapAt(back.toMap).contains(back.toX, back.toY)) {
-            checker_.add(order.value, "a portal at the edge of the map, to which nothing can come back", "a tile before the portal, or no \"twoWay\"");
+            checker_.add(order.value,
+                         "a portal at the edge of the map, to which nothing can come back",
+                         "a tile before the portal, or no \"twoWay\"");
             return;
         }
-        if (!hasRoom(order.value, back.toMap, {back.toX, back.toY}, beyond(backFace, exitLevel, {other.bottom, other.top}), "the way back's exit")) return;
+        if (!hasRoom(order.value, back.toMap, {back.toX, back.toY},
+                     beyond(backFace, exitLevel, {other.bottom, other.top}), "the way back's exit"))
+            return;
         addFace(order.value, back, backLevel, backFace);
     }
 
     // The height of a top or bottom.
-    static Coordinate edge(Face face, int level, const CellBlueprint& block) { return tileEdge(level) + (face == Face::top ? block.top : block.bottom); }
+    static Coordinate edge(Face face, int level, const CellBlueprint& block) {
+        return tileEdge(level) + (face == Face::top ? block.top : block.bottom);
+    }
 
     // The heights at which one comes out of a face of such a block.
     static Stretch beyond(Face face, int level, const Stretch& block) {
@@ -230,7 +275,8 @@ private:
     }
 
     // Exits are not inside blocks. Where the player does not fit, one may still look through.
-    bool hasRoom(JsonValue at, int mapIndex, GridTile tile, const Stretch& opening, const char* what) {
+    bool hasRoom(JsonValue at, int mapIndex, GridTile tile, const Stretch& opening,
+                 const char* what) {
         const Map& map = mapAt(mapIndex);
         std::vector<Stretch> free;
         Coordinate low = {0};
@@ -251,19 +297,26 @@ private:
         free.push_back({low, kMaxBodyHeight});
         const auto leadsInto = [&](const Stretch& room) { return overlap(room, opening); };
         if (std::none_of(free.begin(), free.end(), leadsInto)) {
-            checker_.add(at, {what, " inside the block ", quoted(inTheWay), " at ", cellText(tile, levelInTheWay)}, "an exit into the open");
+            checker_.add(at,
+                         {what, " inside the block ", quoted(inTheWay), " at ",
+                          cellText(tile, levelInTheWay)},
+                         "an exit into the open");
             return false;
         }
-        const auto isHighEnough = [&](const Stretch& room) { return leadsInto(room) && room.high - room.low >= kCrouchedHeight; };
+        const auto isHighEnough = [&](const Stretch& room) {
+            return leadsInto(room) && room.high - room.low >= kCrouchedHeight;
+        };
         if (std::none_of(free.begin(), free.end(), isHighEnough)) {
-            checker_.warn(at, {what, " where the player does not fit"}, "room of at least 0.35 above one another, to be entered");
+            checker_.warn(at, {what, " where the player does not fit"},
+                          "room of at least 0.35 above one another, to be entered");
         }
         return true;
     }
 
     std::optional<PortalId> add(JsonValue at, const Portal& portal) {
         if (world_.portals.size() >= static_cast<std::size_t>(kMaxPortals)) {
-            checker_.add(at, {"more than ", kMaxPortals, " portals"}, "at most as many in all maps together");
+            checker_.add(at, {"more than ", kMaxPortals, " portals"},
+                         "at most as many in all maps together");
             return std::nullopt;
         }
         world_.portals.push_back(portal);
@@ -275,7 +328,9 @@ private:
         if (map.tilePortals.empty()) map.tilePortals.assign(map.occupied.size(), kNoPortal);
         PortalId& place = map.tilePortals[map.tileIndex(portal.fromX, portal.fromY)];
         if (place != kNoPortal) {
-            checker_.add(at, {"a second portal at x ", portal.fromX, ", y ", portal.fromY, " of the map ", quoted(map.name)},
+            checker_.add(at,
+                         {"a second portal at x ", portal.fromX, ", y ", portal.fromY,
+                          " of the map ", quoted(map.name)},
                          "one portal for each tile, ways back of others among them");
             return false;
         }
@@ -289,12 +344,18 @@ private:
         const GridTile tile = {portal.fromX, portal.fromY};
         BlueprintId id = map.cell(tile.x, tile.y, level);
         if (!isStill(world_.blueprints[id])) {
-            checker_.add(at, {"a portal at the block ", quoted(world_.blueprints[id].name), ", which moves or opens"}, "a block that stands still");
+            checker_.add(at,
+                         {"a portal at the block ", quoted(world_.blueprints[id].name),
+                          ", which moves or opens"},
+                         "a block that stands still");
             return false;
         }
         if (id < firstOwn_) {
             if (world_.blueprints.size() >= static_cast<std::size_t>(kMaxBlueprints)) {
-                checker_.add(at, {"more than ", kMaxBlueprints, " blueprints, with those of the blocks that have portals"}, "fewer of them");
+                checker_.add(at,
+                             {"more than ", kMaxBlueprints,
+                              " blueprints, with those of the blocks that have portals"},
+                             "fewer of them");
                 return false;
             }
             CellBlueprint own = world_.blueprints[id];
@@ -305,10 +366,10 @@ private:
         }
         PortalId& place = world_.blueprints[id].faces[static_cast<std::size_t>(face)].portal;
         if (place != kNoPortal) {
-            checker_.add(
-                at,
-                {"a second portal on the ", kFaceNames[static_cast<std::size_t>(face)], " face at ", cellText(tile, level), " of the map ", quoted(map.name)},
-                "one portal for each face, ways back of others among them");
+            checker_.add(at,
+                         {"a second portal on the ", kFaceNames[static_cast<std::size_t>(face)],
+                          " face at ", cellText(tile, level), " of the map ", quoted(map.name)},
+                         "one portal for each face, ways back of others among them");
             return false;
         }
         const auto added = add(at, portal);

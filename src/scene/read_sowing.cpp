@@ -7,16 +7,20 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kSize = {0.0, kMaxObjectSize, true, "a number above 0 and at most 64, in units"};
+constexpr NumberRange kSize = {0.0, kMaxObjectSize, true,
+                               "a number above 0 and at most 64, in units"};
 constexpr NumberRange kAbove = {0.0, kMaxHeight, false, "a number from 0 to 1000, in units"};
 constexpr NumberRange kClear = {0.0, 4096.0, false, "a number from 0 to 4096, in units"};
 constexpr NumberRange kSeed = {0.0, 9007199254740992.0, false, "a whole number from 0 to 2^53"};
-static_assert(kMaxHeight == 1000.0 && kMaxObjectSize == 64.0 && kMaxMapWidth == 4096 && kMaxMapDepth == 4096, "as the words say");
+static_assert(kMaxHeight == 1000.0 && kMaxObjectSize == 64.0 && kMaxMapWidth == 4096 &&
+                  kMaxMapDepth == 4096,
+              "as the words say");
 
 constexpr Coordinate kDefaultClear = toCoordinate(1.0);
 
 // A number, or the least and the greatest one.
-std::optional<CoordinateRange> readRange(Checker& checker, JsonValue value, const NumberRange& range) {
+std::optional<CoordinateRange> readRange(Checker& checker, JsonValue value,
+                                         const NumberRange& range) {
     if (!value.isArray()) {
         const auto number = checker.number(value, range);
         if (!number) return std::nullopt;
@@ -29,8 +33,10 @@ std::optional<CoordinateRange> readRange(Checker& checker, JsonValue value, cons
         numbers.push_back(*number);
     }
     if (numbers.size() != 2 || numbers[0] > numbers[1]) {
-        checker.add(value, numbers.size() == 2 ? "a range that ends below its beginning" : checker.shown(value),
-                    "a number, or an array of the least and the greatest");
+        checker.add(
+            value,
+            numbers.size() == 2 ? "a range that ends below its beginning" : checker.shown(value),
+            "a number, or an array of the least and the greatest");
         return std::nullopt;
     }
     return CoordinateRange{toCoordinate(numbers[0]), toCoordinate(numbers[1])};
@@ -51,25 +57,32 @@ void readGround(Reading& reading, const Fields& fields, Sowing& sowing) {
     Checker& checker = reading.checker;
     if (const auto on = fields.find("on")) {
         sowing.onFloor = false;
-        readNames(checker, *on, "\"floor\", the name of a blueprint, or an array of these", [&](JsonValue value) {
-            if (value.isText() && value.text() == "floor") {
-                sowing.onFloor = true;
-            } else if (const auto id = checker.name(value, reading.blueprints, "blueprint")) {
-                sowing.on.push_back(*id);
-            }
-        });
+        readNames(
+            checker, *on, "\"floor\", the name of a blueprint, or an array of these",
+            [&](JsonValue value) {
+                if (value.isText() && value.text() == "floor") {
+                    sowing.onFloor = true;
+                } else if (const auto id = checker.name(value, reading.blueprints, "blueprint")) {
+                    sowing.on.push_back(*id);
+                }
+            });
     }
     if (const auto textures = fields.find("textures")) {
-        readNames(checker, *textures, "the name of a texture, or an array of these", [&](JsonValue value) {
-            if (const auto id = checker.name(value, reading.textures, "texture")) sowing.textures.push_back(*id);
-        });
+        readNames(checker, *textures, "the name of a texture, or an array of these",
+                  [&](JsonValue value) {
+                      if (const auto id = checker.name(value, reading.textures, "texture"))
+                          sowing.textures.push_back(*id);
+                  });
     }
 }
 
 void readSown(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(value, {"sprite", "density", "seed", "height", "width", "above", "on", "textures", "clear", "light", "glow", "motion"},
-                                       "what is sown: an object with \"sprite\", \"density\" and \"height\"");
+    const auto fields =
+        checker.fields(value,
+                       {"sprite", "density", "seed", "height", "width", "above", "on", "textures",
+                        "clear", "light", "glow", "motion"},
+                       "what is sown: an object with \"sprite\", \"density\" and \"height\"");
     if (!fields) return;
     Sowing sowing;
     if (const auto sprite = fields->require("sprite", "the name of a sprite")) {
@@ -82,8 +95,10 @@ void readSown(Reading& reading, JsonValue value) {
         if (number != std::floor(number)) checker.refuse(*seed, kSeed.words);
         sowing.seed = static_cast<std::uint64_t>(number);
     }
-    if (const auto height = fields->require("height", kSize.words)) sowing.height = readRange(checker, *height, kSize).value_or(CoordinateRange{});
-    if (const auto above = fields->find("above")) sowing.above = readRange(checker, *above, kAbove).value_or(CoordinateRange{});
+    if (const auto height = fields->require("height", kSize.words))
+        sowing.height = readRange(checker, *height, kSize).value_or(CoordinateRange{});
+    if (const auto above = fields->find("above"))
+        sowing.above = readRange(checker, *above, kAbove).value_or(CoordinateRange{});
     readGround(reading, *fields, sowing);
     sowing.object.width = toCoordinate(fields->number("width", kSize, 0.0));
     sowing.clear = toCoordinate(fields->number("clear", kClear, kDefaultClear.value()));
@@ -106,7 +121,8 @@ void readSowing(Reading& reading, JsonValue value) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxSowings)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "kind"}, {"at most ", kMaxSowings});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "kind"},
+                    {"at most ", kMaxSowings});
         return;
     }
     for (const JsonValue element : value) readSown(reading, element);

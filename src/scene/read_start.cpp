@@ -10,10 +10,14 @@ namespace {
 
 constexpr NumberRange kAcross = {0.0, 4096.0, false, "a number from 0 to 4096, on the map"};
 constexpr NumberRange kHeight = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
-constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false, "a number from -360 to 360, in degrees; 0 is east, 90 south"};
-constexpr NumberRange kLook = {-kLookLimit, kLookLimit, false, "a number from -1.5 to 1.5, in screen heights"};
+constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false,
+                                  "a number from -360 to 360, in degrees; 0 is east, 90 south"};
+constexpr NumberRange kLook = {-kLookLimit, kLookLimit, false,
+                               "a number from -1.5 to 1.5, in screen heights"};
 
-static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 && kMaxStartHeading == 360.0 && kLookLimit == 1.5, "as the words say");
+static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 &&
+                  kMaxStartHeading == 360.0 && kLookLimit == 1.5,
+              "as the words say");
 
 // What the body reaches into, over or through.
 std::string obstacle(const World& world, const Map& map, const Box& body) {
@@ -23,10 +27,13 @@ std::string obstacle(const World& world, const Map& map, const Box& body) {
             for (int level = 0; level < map.levels; ++level) {
                 const BlueprintId id = map.cell(x, y, level);
                 const CellBlueprint& block = world.blueprints[id];
-                if (id == kEmptyCell || tileEdge(level) + block.top <= body.bottom || tileEdge(level) + block.bottom >= body.top) continue;
+                if (id == kEmptyCell || tileEdge(level) + block.top <= body.bottom ||
+                    tileEdge(level) + block.bottom >= body.top)
+                    continue;
                 const bool isBeside = tileEdge(x) >= body.east || tileEdge(y) >= body.south;
                 if (isBeside) continue;
-                return words("into the block \"", block.name, "\" at x ", x, ", y ", y, ", level ", level);
+                return words("into the block \"", block.name, "\" at x ", x, ", y ", y, ", level ",
+                             level);
             }
         }
     }
@@ -38,22 +45,29 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     const World& world = reading.description.world;
     const Map& map = world.maps[static_cast<std::size_t>(start.map)];
     if (!map.contains(start.x.tile(), start.y.tile())) {
-        reading.checker.add(value, "a start that is not on the map", {"x below ", map.width, " and y below ", map.depth});
+        reading.checker.add(value, "a start that is not on the map",
+                            {"x below ", map.width, " and y below ", map.depth});
         return;
     }
     // The player starts crouched where there is no room to stand.
     const Box body = bodyBox(start.x, start.y, start.z, kCrouchedHeight);
     if (isFree(world, start.map, body)) {
-        if (!isFree(world, {.map = start.map, .box = body, .eye = {start.x, start.y, start.z + kCrouchedEye}, .behind = {}})) {
-            reading.checker.add(value, "a start that reaches through a portal into something", "free room for the player on both sides of a portal");
+        if (!isFree(world, {.map = start.map,
+                            .box = body,
+                            .eye = {start.x, start.y, start.z + kCrouchedEye},
+                            .behind = {}})) {
+            reading.checker.add(value, "a start that reaches through a portal into something",
+                                "free room for the player on both sides of a portal");
             return;
         }
         if (hasWayOut(world, start.map, start.x, start.y, start.z)) return;
-        reading.checker.warn(value, "a start from where no other tile can be walked to",
-                             "a way out: over no more than 0.79, the height of a jump, and at least 0.35 high");
+        reading.checker.warn(
+            value, "a start from where no other tile can be walked to",
+            "a way out: over no more than 0.79, the height of a jump, and at least 0.35 high");
         return;
     }
-    reading.checker.add(value, {"a start that reaches ", obstacle(world, map, body)}, "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
+    reading.checker.add(value, {"a start that reaches ", obstacle(world, map, body)},
+                        "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
 }
 
 // Every map can be gone to by its number; nobody should be shut in there.
@@ -65,7 +79,8 @@ void checkEntries(Reading& reading) {
         const MapEntry entry = findMapEntry(world, index);
         if (!entry.stands || hasWayOut(world, index, entry.x, entry.y, entry.feet)) continue;
         reading.checker.warn(reading.mapValues[map],
-                             {"a map whose number leads to x ", entry.x.tile(), ", y ", entry.y.tile(), ", from where no other tile can be walked to"},
+                             {"a map whose number leads to x ", entry.x.tile(), ", y ",
+                              entry.y.tile(), ", from where no other tile can be walked to"},
                              "a way out of the free tile nearest to the map's middle");
     }
 }
@@ -74,7 +89,8 @@ void checkEntries(Reading& reading) {
 
 void readStart(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(value, {"map", "x", "y", "z", "heading", "look"}, "the start: an object with \"x\" and \"y\"");
+    const auto fields = checker.fields(value, {"map", "x", "y", "z", "heading", "look"},
+                                       "the start: an object with \"x\" and \"y\"");
     if (!fields) return;
     const std::size_t faultsBefore = checker.count();
     Start& start = reading.description.world.start;
@@ -90,7 +106,8 @@ void readStart(Reading& reading, JsonValue value) {
 
     const auto map = static_cast<std::size_t>(start.map);
     // With faults in what stands around it, the position may be right.
-    const bool isMapSound = reading.areBlueprintsSound && map < reading.isMapSound.size() && reading.isMapSound[map];
+    const bool isMapSound =
+        reading.areBlueprintsSound && map < reading.isMapSound.size() && reading.isMapSound[map];
     if (checker.count() == faultsBefore && isMapSound) checkPosition(reading, value, start);
     // Warnings are not given beside faults.
     if (checker.count() == 0) checkEntries(reading);

@@ -5,19 +5,24 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kCeilingHeight = {1.0 / 65536.0, kMaxHeight, false, "a number above 0 and at most 1000"};
+constexpr NumberRange kCeilingHeight = {1.0 / 65536.0, kMaxHeight, false,
+                                        "a number above 0 and at most 1000"};
 constexpr NumberRange kSlope = {0.0, kMaxSkySlope, true, "a number above 0 and at most 1000"};
 constexpr NumberRange kIntensity = {0.0, kMaxIntensity, false, "a number from 0 to 1000"};
 constexpr NumberRange kMultiplier = {0.0, kMaxMultiplier, false, "a number from 0 to 1000000"};
 constexpr NumberRange kFogStart = {0.0, kMaxFar, false, "a number from 0 to 100000"};
 constexpr NumberRange kFogEnd = {0.0, kMaxFar, true, "a number above 0 and at most 100000"};
-static_assert(kMaxHeight == 1000.0 && kMaxSkySlope == 1000.0 && kMaxIntensity == 1000.0 && kMaxMultiplier == 1.0e6 && kMaxFar == 1.0e5, "as the words say");
+static_assert(kMaxHeight == 1000.0 && kMaxSkySlope == 1000.0 && kMaxIntensity == 1000.0 &&
+                  kMaxMultiplier == 1.0e6 && kMaxFar == 1.0e5,
+              "as the words say");
 
 // "legend" and "tiles" of a floor or ceiling: a texture for each tile.
-void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId space, const Map& map, bool hasSize, std::vector<TextureId>& tiles) {
+void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId space,
+               const Map& map, bool hasSize, std::vector<TextureId>& tiles) {
     Checker& checker = reading.checker;
     Legend legend(own, space);
-    if (const auto member = fields.find("legend")) readLegend(checker, *member, reading.textures, "texture", legend);
+    if (const auto member = fields.find("legend"))
+        readLegend(checker, *member, reading.textures, "texture", legend);
     const auto rows = fields.find("tiles");
     if (!rows) return;
     if (!rows->isArray()) {
@@ -26,7 +31,8 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
     }
     const bool fits = rows->count() == static_cast<std::size_t>(map.depth);
     if (hasSize && !fits) {
-        checker.add(*rows, Counted{static_cast<std::int64_t>(rows->count()), "row"}, {Counted{map.depth, "row"}, ", as in the map's levels"});
+        checker.add(*rows, Counted{static_cast<std::int64_t>(rows->count()), "row"},
+                    {Counted{map.depth, "row"}, ", as in the map's levels"});
     }
     std::vector<std::uint16_t> ids;
     int y = -1;
@@ -39,7 +45,8 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
         if (!hasSize) continue;
         ids.assign(static_cast<std::size_t>(map.width), own);
         readRow(checker, row, y, map.width, legend, ids);
-        for (int x = 0; y < map.depth && x < map.width; ++x) tiles[map.tileIndex(x, y)] = ids[static_cast<std::size_t>(x)];
+        for (int x = 0; y < map.depth && x < map.width; ++x)
+            tiles[map.tileIndex(x, y)] = ids[static_cast<std::size_t>(x)];
     }
 }
 
@@ -55,25 +62,32 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     if (value.isText()) {
         map.floor.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
     } else {
-        fields = reading.checker.fields(value, {"texture", "light", "glow", "mirror", "legend", "tiles"}, "a texture's name, or an object with \"texture\"");
+        fields =
+            reading.checker.fields(value, {"texture", "light", "glow", "mirror", "legend", "tiles"},
+                                   "a texture's name, or an object with \"texture\"");
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
-            map.floor.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
+            map.floor.texture =
+                reading.checker.name(*texture, reading.textures, "texture").value_or(0);
         }
         map.floor.light = fields->number("light", kUnitRange, 1.0);
         map.floor.glow = fields->flag("glow", false);
         map.floor.mirror = readMirror(*fields);
     }
     map.floor.tiles.assign(map.floor.tiles.size(), map.floor.texture);
-    if (fields) readTiles(reading, *fields, map.floor.texture, map.floor.texture, map, hasSize, map.floor.tiles);
+    if (fields)
+        readTiles(reading, *fields, map.floor.texture, map.floor.texture, map, hasSize,
+                  map.floor.tiles);
 }
 
 void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     const auto fields =
-        reading.checker.fields(value, {"height", "texture", "light", "glow", "legend", "tiles"}, "a ceiling: an object with \"height\" and \"texture\"");
+        reading.checker.fields(value, {"height", "texture", "light", "glow", "legend", "tiles"},
+                               "a ceiling: an object with \"height\" and \"texture\"");
     if (!fields) return;
     if (const auto height = fields->require("height", kCeilingHeight.words)) {
-        map.ceiling.height = toCoordinate(reading.checker.number(*height, kCeilingHeight).value_or(1.0));
+        map.ceiling.height =
+            toCoordinate(reading.checker.number(*height, kCeilingHeight).value_or(1.0));
     }
     TextureId own = 0;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
@@ -96,10 +110,14 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
     // Which kind is meant shows in the keys, be they spelt right or not.
     bool isPanorama = false;
     if (value.isObject()) {
-        for (const JsonValue member : value) isPanorama = isPanorama || !nearestName(member.key(), {"panorama"}).empty();
+        for (const JsonValue member : value)
+            isPanorama = isPanorama || !nearestName(member.key(), {"panorama"}).empty();
     }
-    const auto fields = isPanorama ? checker.fields(value, {"panorama", "slope"}, "")
-                                   : checker.fields(value, {"low", "high", "slope"}, "a colour, an object with \"low\" and \"high\", or one with \"panorama\"");
+    const auto fields =
+        isPanorama ? checker.fields(value, {"panorama", "slope"}, "")
+                   : checker.fields(
+                         value, {"low", "high", "slope"},
+                         "a colour, an object with \"low\" and \"high\", or one with \"panorama\"");
     if (!fields) return;
     sky.slope = fields->number("slope", kSlope, 1.0);
     if (isPanorama) {
@@ -107,18 +125,22 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
         const auto panorama = fields->find("panorama");
         if (!panorama) return;
         if (auto file = readFileName(checker, *panorama)) {
-            reading.description.panoramas.push_back({mapIndex, referTo(checker, *panorama, std::move(*file))});
+            reading.description.panoramas.push_back(
+                {mapIndex, referTo(checker, *panorama, std::move(*file))});
         }
         return;
     }
     sky.kind = Sky::Kind::gradient;
-    if (const auto low = fields->require("low", "the colour at the horizon")) sky.low = checker.colour(*low).value_or(Colour{});
-    if (const auto high = fields->require("high", "the colour above")) sky.high = checker.colour(*high).value_or(Colour{});
+    if (const auto low = fields->require("low", "the colour at the horizon"))
+        sky.low = checker.colour(*low).value_or(Colour{});
+    if (const auto high = fields->require("high", "the colour above"))
+        sky.high = checker.colour(*high).value_or(Colour{});
 }
 
 void readLight(Reading& reading, JsonValue value, Light& light) {
     const auto fields =
-        reading.checker.fields(value, {"on", "intensity", "multiplier", "darkest", "brightest"}, "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }");
+        reading.checker.fields(value, {"on", "intensity", "multiplier", "darkest", "brightest"},
+                               "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }");
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     const Light normal;
@@ -128,13 +150,16 @@ void readLight(Reading& reading, JsonValue value, Light& light) {
     light.darkest = fields->number("darkest", kUnitRange, normal.darkest);
     light.brightest = fields->number("brightest", kUnitRange, normal.brightest);
     if (reading.checker.count() == faultsBefore && light.darkest > light.brightest) {
-        const auto given = fields->find("darkest") ? fields->find("darkest") : fields->find("brightest");
-        reading.checker.add(*given, "a darkest light that is brighter than the brightest", "darkest <= brightest, which are 0.1 and 1 if not given");
+        const auto given =
+            fields->find("darkest") ? fields->find("darkest") : fields->find("brightest");
+        reading.checker.add(*given, "a darkest light that is brighter than the brightest",
+                            "darkest <= brightest, which are 0.1 and 1 if not given");
     }
 }
 
 void readFog(Reading& reading, JsonValue value, Fog& fog) {
-    const auto fields = reading.checker.fields(value, {"start", "end"}, "an object such as { \"start\": 5, \"end\": 40 }");
+    const auto fields = reading.checker.fields(value, {"start", "end"},
+                                               "an object such as { \"start\": 5, \"end\": 40 }");
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     fog.on = true;

@@ -7,11 +7,13 @@
 namespace slicecast {
 namespace {
 
-// A file name that means the same on every system and in every address: forward slashes, relative, none of the characters that an address gives a meaning.
+// A file name that means the same on every system and in every address: forward slashes, relative,
+// none of the characters that an address gives a meaning.
 bool isPortable(std::string_view name) {
     if (name.empty() || name.front() == '/') return false;
     for (const char c : name) {
-        if (static_cast<unsigned char>(c) < 0x20 || std::string_view("\\:?#%*\"<>|").find(c) != std::string_view::npos) {
+        if (static_cast<unsigned char>(c) < 0x20 ||
+            std::string_view("\\:?#%*\"<>|").find(c) != std::string_view::npos) {
             return false;
         }
     }
@@ -31,11 +33,13 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value) {
     std::optional<std::string> name = checker.text(value, kMaxPathLength, expected);
     if (!name) return std::nullopt;
     if (!isPortable(*name)) {
-        checker.add(value, {"the file name ", quoted(*name)}, {expected, ", with forward slashes and none of \\ : ? # % * \" < > |"});
+        checker.add(value, {"the file name ", quoted(*name)},
+                    {expected, ", with forward slashes and none of \\ : ? # % * \" < > |"});
         return std::nullopt;
     }
     if (!isPng(*name)) {
-        checker.add(value, {"the file name ", quoted(*name)}, "a name that ends in .png; only PNG files are read");
+        checker.add(value, {"the file name ", quoted(*name)},
+                    "a name that ends in .png; only PNG files are read");
         return std::nullopt;
     }
     return name;
@@ -45,24 +49,31 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
     return {std::move(file), value.pointer(), checker.source().place(value.offset())};
 }
 
-// "brick.png" or { "file": "lava.png", "frames": 8, "rate": 10 } or, held at its first frame, { "file": "door.png", "frames": 8 }
+// "brick.png" or { "file": "lava.png", "frames": 8, "rate": 10 } or, held at its first frame, {
+// "file": "door.png", "frames": 8 }
 TextureReference readTexture(Checker& checker, JsonValue value) {
     TextureReference texture;
     if (!value.isObject()) {
         texture.image = referTo(checker, value, readFileName(checker, value).value_or(""));
         return texture;
     }
-    const auto fields = checker.fields(value, {"file", "frames", "rate"}, "a PNG file's name, or an object with \"file\" and \"frames\"");
+    const auto fields =
+        checker.fields(value, {"file", "frames", "rate"},
+                       "a PNG file's name, or an object with \"file\" and \"frames\"");
     if (!fields) return texture;
-    if (const auto file = fields->require("file", "the name of a PNG file")) texture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
-    constexpr NumberRange kFrames = {2.0, kMaxFrames, false, "a whole number of frames, from 2 to 64"};
-    constexpr NumberRange kRate = {0.0, kMaxFrameRate, true, "a number of frames per second, above 0 and at most 120"};
+    if (const auto file = fields->require("file", "the name of a PNG file"))
+        texture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
+    constexpr NumberRange kFrames = {2.0, kMaxFrames, false,
+                                     "a whole number of frames, from 2 to 64"};
+    constexpr NumberRange kRate = {0.0, kMaxFrameRate, true,
+                                   "a number of frames per second, above 0 and at most 120"};
     if (const auto frames = fields->require("frames", kFrames.words)) {
         const double count = checker.number(*frames, kFrames).value_or(2.0);
         if (count != std::floor(count)) checker.refuse(*frames, kFrames.words);
         texture.frames = static_cast<int>(count);
     }
-    if (const auto rate = fields->find("rate")) texture.rate = checker.number(*rate, kRate).value_or(1.0);
+    if (const auto rate = fields->find("rate"))
+        texture.rate = checker.number(*rate, kRate).value_or(1.0);
     return texture;
 }
 
@@ -74,7 +85,8 @@ void readTextures(Reading& reading, JsonValue value) {
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxTextures)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "texture"}, {"at most ", kMaxTextures});
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "texture"},
+                    {"at most ", kMaxTextures});
         reading.textures.takeAny();
         return;
     }
@@ -83,12 +95,16 @@ void readTextures(Reading& reading, JsonValue value) {
     sheets.reserve(value.count());
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, {"the name ", quoted(member.key())}, {"a name of 1 to ", kMaxNameLength, " characters"});
+            checker.addAtKey(member, {"the name ", quoted(member.key())},
+                             {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         // A faulty texture is known by its name all the same.
         TextureReference reference = readTexture(checker, member);
         const auto next = static_cast<std::uint32_t>(reading.description.textures.size());
-        const std::uint32_t id = ids.add(sheets.emplace_back(words(reference.image.file, "\n", reference.frames, " ", Shortest{reference.rate})), next);
+        const std::uint32_t id =
+            ids.add(sheets.emplace_back(words(reference.image.file, "\n", reference.frames, " ",
+                                              Shortest{reference.rate})),
+                    next);
         if (id == next) {
             Texture texture;
             texture.name = std::string(member.key());

@@ -1,4 +1,5 @@
-// The readers of a scene's parts: each takes a value of the tree, reports what is wrong with it, and puts what it says into the description.
+// The readers of a scene's parts: each takes a value of the tree, reports what is wrong with it,
+// and puts what it says into the description.
 #pragma once
 
 #include "scene/checker.h"
@@ -51,7 +52,8 @@ struct Reading {
     std::vector<JsonValue> mapValues = {};
 };
 
-// "textures": { NAME: FILE or { file, frames, rate } }; a sheet without a rate is held at its first frame
+// "textures": { NAME: FILE or { file, frames, rate } }; a sheet without a rate is held at its first
+// frame
 void readTextures(Reading& reading, JsonValue value);
 
 // A file or a sheet of frames.
@@ -60,7 +62,8 @@ TextureReference readTexture(Checker& checker, JsonValue value);
 // "sprites": { NAME: FILE or { file, frames, rate } }
 void readSprites(Reading& reading, JsonValue value);
 
-// "objects" of a map: [ { sprite, x, y, z, width, height, light, glow, motion } ]; they are checked to be on the map where `hasSize`.
+// "objects" of a map: [ { sprite, x, y, z, width, height, light, glow, motion } ]; they are checked
+// to be on the map where `hasSize`.
 void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map);
 
 // "motion" of an object: { kind, speed, heading, reach }
@@ -70,7 +73,8 @@ struct ReadMotion {
 };
 ReadMotion readObjectMotion(Reading& reading, JsonValue value);
 
-// "sow" of a map: [ { sprite, density, seed, height, width, above, on, textures, clear, light, glow, motion } ]
+// "sow" of a map: [ { sprite, density, seed, height, width, above, on, textures, clear, light,
+// glow, motion } ]
 void readSowing(Reading& reading, JsonValue value);
 
 // Sows, and checks that what moves has room. For when everything else has been read.
@@ -85,19 +89,22 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
 // "motions": { NAME: { moves, from, to, period, phase, shape } }
 void readMotions(Reading& reading, JsonValue value);
 
-// "gate" of a blueprint: { seconds, reach, keyed, approach, hold, open }. Gives its index into World::gateKinds.
+// "gate" of a blueprint: { seconds, reach, keyed, approach, hold, open }. Gives its index into
+// World::gateKinds.
 int readGate(Reading& reading, JsonValue value);
 
 // "blueprints": { NAME: { bottom, top, faces, join, motion, gate } }
 void readBlueprints(Reading& reading, JsonValue value);
 
-// "maps": [ { name, legend, levels, floor, ceiling, objects, sow, portals, sky, light, fog, haze, far } ]; `legend` is the one of all maps.
+// "maps": [ { name, legend, levels, floor, ceiling, objects, sow, portals, sky, light, fog, haze,
+// far } ]; `legend` is the one of all maps.
 void readMaps(Reading& reading, JsonValue value, const Legend& legend);
 
 // "levels" of a map: its size and cells.
 void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map);
 
-// "mirror" of a roof or floor: how much of what is above shows in it, from 0 to 1, as a share of 255.
+// "mirror" of a roof or floor: how much of what is above shows in it, from 0 to 1, as a share of
+// 255.
 std::uint8_t readMirror(const Fields& fields);
 
 // The surroundings of a map whose size is known; a grid of tiles is only looked at where `hasSize`.
@@ -107,10 +114,12 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map);
 void readLight(Reading& reading, JsonValue value, Light& light);
 void readFog(Reading& reading, JsonValue value, Fog& fog);
 
-// Gives what moves and opens its own blueprints, and checks that it can. `maps` are those of the text, all of them read.
+// Gives what moves and opens its own blueprints, and checks that it can. `maps` are those of the
+// text, all of them read.
 void placeMovers(Reading& reading, JsonValue maps);
 
-// "portals" of all maps: [ { x, y, level, face, to: { map, x, y, level }, turn, twoWay } ]. For when all maps have been read; what moves does not yet.
+// "portals" of all maps: [ { x, y, level, face, to: { map, x, y, level }, turn, twoWay } ]. For
+// when all maps have been read; what moves does not yet.
 void placePortals(Reading& reading);
 
 // "start": { map, x, y, z, heading, look }

@@ -1,12 +1,14 @@
 // Reading a scene file, in two steps because a page loads asynchronously:
 //
-//     ParsedScene scene = parseScene(text, "castle.json");        // checks the text, gives the names of the files that it needs
-//     for (const std::string& name : scene.files) ...             // the caller brings their bytes
-//     LoadedScene loaded = loadScene(scene, files);               // decodes the images and builds the world
+//     ParsedScene scene = parseScene(text, "castle.json");        // checks the text, gives the
+//     names of the files that it needs for (const std::string& name : scene.files) ... // the
+//     caller brings their bytes LoadedScene loaded = loadScene(scene, files);               //
+//     decodes the images and builds the world
 //
-// Both report all faults that they can reach, in the order of the text; a scene with any fault gives no world. At most kMaxFaults (limits.h) are listed,
-// and then one more that says how many are not. Warnings are told like faults, but the scene loads: what they name is probably not meant so. What a scene file
-// may hold is written down in assets/scene.schema.json.
+// Both report all faults that they can reach, in the order of the text; a scene with any fault
+// gives no world. At most kMaxFaults (limits.h) are listed, and then one more that says how many
+// are not. Warnings are told like faults, but the scene loads: what they name is probably not meant
+// so. What a scene file may hold is written down in assets/scene.schema.json.
 #pragma once
 
 #include "base/image.h"
@@ -25,11 +27,11 @@ namespace slicecast {
 
 // One thing wrong with a scene.
 struct Fault {
-    std::string file;      // the scene's name as the caller gave it
-    std::string pointer;   // JSON pointer to the value, "" for the whole document
-    int line = 0;          // from 1; 0 where no place in a text is meant
-    int column = 0;        // from 1, in characters
-    int row = -1;          // within a grid of characters: the tile's y, from 0 in the north; -1 elsewhere
+    std::string file;     // the scene's name as the caller gave it
+    std::string pointer;  // JSON pointer to the value, "" for the whole document
+    int line = 0;         // from 1; 0 where no place in a text is meant
+    int column = 0;       // from 1, in characters
+    int row = -1;  // within a grid of characters: the tile's y, from 0 in the north; -1 elsewhere
     int character = -1;    // within such a row: the tile's x, from 0 in the west; -1 elsewhere
     std::string found;     // what stands there
     std::string expected;  // what may stand there
@@ -37,14 +39,16 @@ struct Fault {
     friend bool operator==(const Fault&, const Fault&) = default;
 };
 
-// "castle.json:12:5 (/maps/0/levels/1/3, row 3, character 7): found 'Q', expected a character of the legend ..."
+// "castle.json:12:5 (/maps/0/levels/1/3, row 3, character 7): found 'Q', expected a character of
+// the legend ..."
 std::string describe(const Fault& fault);
 
 struct SceneDescription;  // the checked text; opaque
 
 struct ParsedScene {
     std::unique_ptr<const SceneDescription> description;  // null when there are faults
-    std::vector<std::string> files;                       // image files named by the scene, relative to it, each once, in order of appearance
+    std::vector<std::string>
+        files;  // image files named by the scene, relative to it, each once, in order of appearance
     std::vector<Fault> faults;
     std::vector<Fault> warnings;  // none where there are faults
 

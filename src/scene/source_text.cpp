@@ -41,11 +41,15 @@ char32_t takeCodePoint(std::string_view text, std::size_t& offset) {
 }
 
 std::size_t countCharacters(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
 }
 
 std::string toUtf8(char32_t codePoint) {
-    const auto byte = [](char32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); };
+    const auto byte = [](char32_t bits) {
+        return static_cast<char>(static_cast<unsigned char>(bits));
+    };
     const auto tail = [&](int shift) { return byte(0x80 | (codePoint >> shift & 0x3f)); };
     if (codePoint < 0x80) return {byte(codePoint)};
     if (codePoint < 0x800) return {byte(0xc0 | codePoint >> 6), tail(0)};
@@ -56,10 +60,13 @@ std::string toUtf8(char32_t codePoint) {
 bool isPrintable(char32_t c) {
     const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
     const bool control = c <= 0x20 || within(0x7f, 0xa0) || c == 0xad;
-    const bool joining = within(0x300, 0x36f) || within(0x200b, 0x200f) || within(0x2028, 0x202f) || within(0x2060, 0x206f) || within(0x20d0, 0x20ff) ||
-                         within(0xfe00, 0xfe0f) || within(0xfe20, 0xfe2f) || within(0x1f3fb, 0x1f3ff) || within(0xe0000, 0xe0fff);
+    const bool joining = within(0x300, 0x36f) || within(0x200b, 0x200f) || within(0x2028, 0x202f) ||
+                         within(0x2060, 0x206f) || within(0x20d0, 0x20ff) ||
+                         within(0xfe00, 0xfe0f) || within(0xfe20, 0xfe2f) ||
+                         within(0x1f3fb, 0x1f3ff) || within(0xe0000, 0xe0fff);
     const bool space = within(0x2000, 0x200a) || c == 0x205f || c == 0x3000 || c == 0x1680;
-    const bool noCharacter = within(0xd800, 0xf8ff) || c == 0xfeff || within(0xfff0, 0xfffb) || (c & 0xfffe) == 0xfffe || within(0xfdd0, 0xfdef) || c > 0xeffff;
+    const bool noCharacter = within(0xd800, 0xf8ff) || c == 0xfeff || within(0xfff0, 0xfffb) ||
+                             (c & 0xfffe) == 0xfffe || within(0xfdd0, 0xfdef) || c > 0xeffff;
     return !control && !joining && !space && !noCharacter;
 }
 
@@ -88,7 +95,9 @@ SourceText::Mark SourceText::next(Mark mark) const {
 }
 
 Place SourceText::place(std::size_t offset) const {
-    const auto behind = std::upper_bound(marks_.begin(), marks_.end(), offset, [](std::size_t value, const Mark& mark) { return value < mark.offset; });
+    const auto behind =
+        std::upper_bound(marks_.begin(), marks_.end(), offset,
+                         [](std::size_t value, const Mark& mark) { return value < mark.offset; });
     if (behind == marks_.begin()) return {};
     Mark mark = *(behind - 1);
     while (mark.offset < std::min(offset, text_.size())) mark = next(mark);
@@ -98,12 +107,16 @@ Place SourceText::place(std::size_t offset) const {
 std::size_t SourceText::characterOffset(std::size_t quote, int index) const {
     std::size_t offset = quote + 1;
     const auto isUnicodeEscape = [&](std::size_t at) { return text_.substr(at, 2) == "\\u"; };
-    const auto hexDigits = [&](std::size_t at) { return text_.substr(std::min(at, text_.size()), 2); };
+    const auto hexDigits = [&](std::size_t at) {
+        return text_.substr(std::min(at, text_.size()), 2);
+    };
     for (int i = 0; i < index && offset < text_.size(); ++i) {
         if (isUnicodeEscape(offset)) {
-            // A code point beyond 16 bits is written as two escapes; the first lies in D800 to DBFF.
+            // A code point beyond 16 bits is written as two escapes; the first lies in D800 to
+            // DBFF.
             const std::string_view high = hexDigits(offset + 2);
-            const bool isPair = high.size() == 2 && (high[0] == 'd' || high[0] == 'D') && std::string_view("89aAbB").find(high[1]) != std::string_view::npos;
+            const bool isPair = high.size() == 2 && (high[0] == 'd' || high[0] == 'D') &&
+                                std::string_view("89aAbB").find(high[1]) != std::string_view::npos;
             offset += isPair ? 12 : 6;
         } else if (text_[offset] == '\\') {
             offset += 2;

@@ -1,7 +1,8 @@
 // The text of a scene file: UTF-8, found faulty or not, and where its bytes stand for a reader.
 //
-// Offsets count bytes from 0. Lines and columns count from 1; a column is one character (code point), whatever its bytes. A line ends at "\n", "\r\n" or a
-// lone "\r". A byte order mark at the start is no character.
+// Offsets count bytes from 0. Lines and columns count from 1; a column is one character (code
+// point), whatever its bytes. A line ends at "\n", "\r\n" or a lone "\r". A byte order mark at the
+// start is no character.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +36,8 @@ public:
     // Where a byte stands. Bytes behind an invalid one count as a character each.
     Place place(std::size_t offset) const;
 
-    // The offset of character `index` (from 0) of the JSON string whose opening quote stands at `quote`; an escape sequence is one character.
+    // The offset of character `index` (from 0) of the JSON string whose opening quote stands at
+    // `quote`; an escape sequence is one character.
     std::size_t characterOffset(std::size_t quote, int index) const;
 
 private:
@@ -50,7 +52,8 @@ private:
     std::string_view text_;
     std::size_t start_ = 0;
     std::optional<std::size_t> invalidByte_;
-    std::vector<Mark> marks_;  // every few thousand bytes, so that looking up a place never reads the whole text again
+    std::vector<Mark> marks_;  // every few thousand bytes, so that looking up a place never reads
+                               // the whole text again
 };
 
 // The number of bytes of the well-formed UTF-8 character at `offset`, or 0 if there is none.
@@ -65,7 +68,8 @@ std::size_t countCharacters(std::string_view text);
 // The bytes of a code point.
 std::string toUtf8(char32_t codePoint);
 
-// True for what a person can see and type as one character: no control characters, no spaces, nothing that joins the character before it.
+// True for what a person can see and type as one character: no control characters, no spaces,
+// nothing that joins the character before it.
 bool isPrintable(char32_t codePoint);
 
 }  // namespace slicecast

@@ -42,12 +42,21 @@ void writeRows(JsonText& json, int first, int last) {
     json.key("first").number(first).key("last").number(last - 1);
 }
 
-void writeView(JsonText& json, const Session& session, const std::string& sceneName, int width, int height) {
+void writeView(JsonText& json, const Session& session, const std::string& sceneName, int width,
+               int height) {
     const Eye eye = session.eye();
     json.line(1).key("scene").text(sceneName);
     json.line(1).key("map").text(mapName(session.world(), eye.map));
     writePair(json.line(1), "size", width, height);
-    json.line(1).key("eye").beginObject().key("x").number(eye.x.value()).key("y").number(eye.y.value()).key("z").number(eye.z.value());
+    json.line(1)
+        .key("eye")
+        .beginObject()
+        .key("x")
+        .number(eye.x.value())
+        .key("y")
+        .number(eye.y.value())
+        .key("z")
+        .number(eye.z.value());
     json.key("heading").number(eye.headingDegrees).key("look").number(eye.look).endObject();
     json.line(1).key("fov").number(session.options().render.fovDegrees);
 }
@@ -55,7 +64,8 @@ void writeView(JsonText& json, const Session& session, const std::string& sceneN
 namespace {
 
 // Planes need no face: the kind says it. They name their map, as blocks do elsewhere.
-void writeFilled(JsonText& json, const World& world, const std::vector<FilledRows>& filled, bool arePlanes) {
+void writeFilled(JsonText& json, const World& world, const std::vector<FilledRows>& filled,
+                 bool arePlanes) {
     json.beginArray();
     for (const FilledRows& rows : filled) {
         json.beginObject().key("what").text(nameOf(rows.what));
@@ -71,33 +81,60 @@ void writeFilled(JsonText& json, const World& world, const std::vector<FilledRow
 }
 
 void writeTile(JsonText& json, const World& world, const WalkedTile& tile) {
-    json.beginArray().number(tile.x).number(tile.y).number(tile.depth).text(mapName(world, tile.map)).endArray();
+    json.beginArray()
+        .number(tile.x)
+        .number(tile.y)
+        .number(tile.depth)
+        .text(mapName(world, tile.map))
+        .endArray();
 }
 
 void writeHit(JsonText& json, const World& world, const Hit& hit) {
     json.beginObject().key("map").text(mapName(world, hit.map)).key("portals").number(hit.portals);
     writePair(json, "tile", hit.tileX, hit.tileY);
-    json.key("level").number(hit.level).key("blueprint").text(world.blueprints[hit.blueprint].name).key("face");
+    json.key("level")
+        .number(hit.level)
+        .key("blueprint")
+        .text(world.blueprints[hit.blueprint].name)
+        .key("face");
     if (hit.entered) {
         json.text(nameOf(hit.face));
     } else {
         json.null();
     }
     writePair(json, "point", hit.x, hit.y);
-    json.key("rawDepth").number(hit.rawDepth).key("depth").number(hit.depth).key("backDepth").number(hit.backDepth);
+    json.key("rawDepth")
+        .number(hit.rawDepth)
+        .key("depth")
+        .number(hit.depth)
+        .key("backDepth")
+        .number(hit.backDepth);
     json.key("bottom").number(hit.bottom.value()).key("top").number(hit.top.value());
-    json.key("bottomFrontRow").number(hit.bottomFrontRow).key("topFrontRow").number(hit.topFrontRow);
+    json.key("bottomFrontRow")
+        .number(hit.bottomFrontRow)
+        .key("topFrontRow")
+        .number(hit.topFrontRow);
     json.key("bottomBackRow").number(hit.bottomBackRow).key("topBackRow").number(hit.topBackRow);
     writeFilled(json.key("filled"), world, hit.filled, false);
     json.endObject();
 }
 
 void writeObject(JsonText& json, const World& world, const SeenObject& seen) {
-    const Object& object = world.maps[static_cast<std::size_t>(seen.map)].objects[static_cast<std::size_t>(seen.object)];
-    json.beginObject().key("map").text(mapName(world, seen.map)).key("portals").number(seen.portals);
+    const Object& object = world.maps[static_cast<std::size_t>(seen.map)]
+                               .objects[static_cast<std::size_t>(seen.object)];
+    json.beginObject()
+        .key("map")
+        .text(mapName(world, seen.map))
+        .key("portals")
+        .number(seen.portals);
     json.key("sprite").text(world.sprites[object.sprite].name);
     writePair(json, "point", object.x.value(), object.y.value());
-    json.key("bottom").number(object.z.value()).key("top").number((object.z + object.height).value()).key("width").number(object.width.value());
+    json.key("bottom")
+        .number(object.z.value())
+        .key("top")
+        .number((object.z + object.height).value())
+        .key("width")
+        .number(object.width.value());
     json.key("depth").number(seen.depth);
     writeRows(json, seen.first, seen.last);
     json.endObject();
@@ -114,19 +151,31 @@ void writePortal(JsonText& json, const World& world, const PassedPortal& passed)
     json.beginObject().key("portals").number(passed.portals);
     writeEnd(json, world, "from", portal.fromMap, portal.fromX, portal.fromY);
     writeEnd(json, world, "to", portal.toMap, portal.toX, portal.toY);
-    json.key("turn").number(90 * portal.turn).key("levels").number(portal.levels).key("depth").number(passed.depth);
+    json.key("turn")
+        .number(90 * portal.turn)
+        .key("levels")
+        .number(portal.levels)
+        .key("depth")
+        .number(passed.depth);
     writeRows(json, passed.first, passed.last);
     json.endObject();
 }
 
 void writeMirror(JsonText& json, const World& world, const MirroredRows& mirror) {
-    json.beginObject().key("map").text(mapName(world, mirror.map)).key("height").number(mirror.height.value()).key("strength").number(mirror.strength);
+    json.beginObject()
+        .key("map")
+        .text(mapName(world, mirror.map))
+        .key("height")
+        .number(mirror.height.value())
+        .key("strength")
+        .number(mirror.strength);
     writeRows(json, mirror.first, mirror.last);
     json.endObject();
 }
 
 template <typename Thing>
-void writeAll(JsonText& json, const World& world, const char* key, const std::vector<Thing>& things, void (*writeOne)(JsonText&, const World&, const Thing&)) {
+void writeAll(JsonText& json, const World& world, const char* key, const std::vector<Thing>& things,
+              void (*writeOne)(JsonText&, const World&, const Thing&)) {
     json.line(1).key(key).beginArray();
     for (const Thing& thing : things) writeOne(json.line(2), world, thing);
     if (!things.empty()) json.line(1);
@@ -149,7 +198,8 @@ void writeHits(JsonText& json, const Session& session, const SliceTrace& trace) 
     writeAll(json, world, "mirrors", trace.mirrors, writeMirror);
 }
 
-std::string hitsJson(Session& session, const std::string& sceneName, int width, int height, int column) {
+std::string hitsJson(Session& session, const std::string& sceneName, int width, int height,
+                     int column) {
     JsonText json;
     json.beginObject();
     writeView(json, session, sceneName, width, height);

@@ -1,4 +1,5 @@
-// What the player asks for during one step. Axes are -1 to 1 (values beyond are clamped, NaN counts as 0); the shell maps keys, mouse and pad to them.
+// What the player asks for during one step. Axes are -1 to 1 (values beyond are clamped, NaN counts
+// as 0); the shell maps keys, mouse and pad to them.
 #pragma once
 
 namespace slicecast {

@@ -4,7 +4,7 @@
 //     json.beginObject();
 //     json.key("name").text("brick");
 //     json.key("sizes").beginArray().number(8).number(0.5).endArray();
-//     json.endObject();                                                     {"name":"brick","sizes":[8,0.5]}
+//     json.endObject(); {"name":"brick","sizes":[8,0.5]}
 //
 // Everything stands in one line, except what is told to begin a new one.
 #pragma once
@@ -22,7 +22,8 @@ public:
     JsonText& endArray() { return close(']'); }
     JsonText& key(std::string_view name);
     JsonText& text(std::string_view value);  // UTF-8
-    JsonText& number(double value);          // every bit of it comes back when it is read; null where it is not finite
+    JsonText& number(
+        double value);  // every bit of it comes back when it is read; null where it is not finite
     JsonText& yesNo(bool value);
     JsonText& null();
 

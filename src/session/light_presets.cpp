@@ -15,30 +15,34 @@ struct Preset {
     double slope;
 };
 
-constexpr Preset kDay = {.light = {.on = true, .intensity = 1.5, .multiplier = 16.0, .darkest = 0.72, .brightest = 1.0},
-                         .fog = {},
-                         .haze = {212, 224, 217, 255},
-                         .low = {212, 224, 217, 255},
-                         .high = {91, 143, 199, 255},
-                         .slope = 0.9};
-constexpr Preset kDusk = {.light = {.on = true, .intensity = 1.0, .multiplier = 5.0, .darkest = 0.32, .brightest = 0.85},
-                          .fog = {.on = true, .start = 6.0, .end = 70.0},
-                          .haze = {196, 122, 96, 255},
-                          .low = {232, 150, 98, 255},
-                          .high = {58, 56, 104, 255},
-                          .slope = 0.7};
-constexpr Preset kNight = {.light = {.on = true, .intensity = 0.8, .multiplier = 5.0, .darkest = 0.2, .brightest = 0.8},
-                           .fog = {.on = true, .start = 8.0, .end = 80.0},
-                           .haze = {14, 18, 33, 255},
-                           .low = {26, 33, 58, 255},
-                           .high = {6, 8, 20, 255},
-                           .slope = 0.8};
-constexpr Preset kFog = {.light = {.on = true, .intensity = 1.2, .multiplier = 10.0, .darkest = 0.6, .brightest = 0.95},
-                         .fog = {.on = true, .start = 0.5, .end = 16.0},
-                         .haze = {198, 204, 206, 255},
-                         .low = {198, 204, 206, 255},
-                         .high = {198, 204, 206, 255},
-                         .slope = 1.0};
+constexpr Preset kDay = {
+    .light = {.on = true, .intensity = 1.5, .multiplier = 16.0, .darkest = 0.72, .brightest = 1.0},
+    .fog = {},
+    .haze = {212, 224, 217, 255},
+    .low = {212, 224, 217, 255},
+    .high = {91, 143, 199, 255},
+    .slope = 0.9};
+constexpr Preset kDusk = {
+    .light = {.on = true, .intensity = 1.0, .multiplier = 5.0, .darkest = 0.32, .brightest = 0.85},
+    .fog = {.on = true, .start = 6.0, .end = 70.0},
+    .haze = {196, 122, 96, 255},
+    .low = {232, 150, 98, 255},
+    .high = {58, 56, 104, 255},
+    .slope = 0.7};
+constexpr Preset kNight = {
+    .light = {.on = true, .intensity = 0.8, .multiplier = 5.0, .darkest = 0.2, .brightest = 0.8},
+    .fog = {.on = true, .start = 8.0, .end = 80.0},
+    .haze = {14, 18, 33, 255},
+    .low = {26, 33, 58, 255},
+    .high = {6, 8, 20, 255},
+    .slope = 0.8};
+constexpr Preset kFog = {
+    .light = {.on = true, .intensity = 1.2, .multiplier = 10.0, .darkest = 0.6, .brightest = 0.95},
+    .fog = {.on = true, .start = 0.5, .end = 16.0},
+    .haze = {198, 204, 206, 255},
+    .low = {198, 204, 206, 255},
+    .high = {198, 204, 206, 255},
+    .slope = 1.0};
 
 const Preset* findPreset(LightPreset preset) {
     switch (preset) {
@@ -77,7 +81,11 @@ void MapLights::apply(const LightWishes& wishes, std::vector<Map>& maps) {
         map.light.intensity = wishes.intensity.value_or(map.light.intensity);
         map.light.multiplier = wishes.multiplier.value_or(map.light.multiplier);
         if (preset == nullptr) continue;
-        map.sky = {.kind = Sky::Kind::gradient, .low = preset->low, .high = preset->high, .slope = preset->slope, .panorama = {}};
+        map.sky = {.kind = Sky::Kind::gradient,
+                   .low = preset->low,
+                   .high = preset->high,
+                   .slope = preset->slope,
+                   .panorama = {}};
         if (wishes.preset == LightPreset::fog) map.sky.low = map.sky.high = map.haze;
     }
     applied_ = wishes.preset;

@@ -1,4 +1,5 @@
-// Times of day that a viewer may lay over the maps' own light: a preset takes the place of a map's light, fog, haze and sky, in all maps.
+// Times of day that a viewer may lay over the maps' own light: a preset takes the place of a map's
+// light, fog, haze and sky, in all maps.
 #pragma once
 
 #include "base/colour.h"
@@ -22,7 +23,8 @@ struct LightWishes {
     LightPreset preset = LightPreset::map;
     std::optional<double> intensity = std::nullopt;   // instead of the preset's or the map's
     std::optional<double> multiplier = std::nullopt;  // units
-    std::optional<Colour> haze = std::nullopt;        // colour of fog and far floor; with the fog preset of the sky too
+    std::optional<Colour> haze =
+        std::nullopt;  // colour of fog and far floor; with the fog preset of the sky too
 };
 
 // Keeps what the maps came with, so that it comes back.

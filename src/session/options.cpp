@@ -19,10 +19,11 @@ namespace {
 static_assert(kGreatestMirrors <= kMaxMirrors, "the renderer draws what can be set");
 
 // Where an option is kept.
-using Place =
-    std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*, int SessionOptions::*, double SessionOptions::*,
-                 std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*, LightPreset SessionOptions::*, std::optional<Colour> SessionOptions::*,
-                 bool ClassicOptions::*, int ClassicOptions::*, double ClassicOptions::*, ClassicProjection ClassicOptions::*>;
+using Place = std::variant<
+    bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*, int SessionOptions::*,
+    double SessionOptions::*, std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*,
+    LightPreset SessionOptions::*, std::optional<Colour> SessionOptions::*, bool ClassicOptions::*,
+    int ClassicOptions::*, double ClassicOptions::*, ClassicProjection ClassicOptions::*>;
 
 struct Entry {
     OptionInfo info;
@@ -30,52 +31,100 @@ struct Entry {
 };
 
 constexpr std::array kEntries = {
-    Entry{{"fov", OptionKind::number, kMinFovDegrees, kMaxFovDegrees, "60", "field of view from left to right, degrees"}, &RenderOptions::fovDegrees},
-    Entry{{"detail", OptionKind::onOff, 0, 0, "on", "smaller texture images far away, so that they do not flicker"}, &RenderOptions::detail},
-    Entry{{"detailThreshold", OptionKind::number, 0.125, 64, "1", "texels per pixel at which the next smaller image is taken"},
+    Entry{{"fov", OptionKind::number, kMinFovDegrees, kMaxFovDegrees, "60",
+           "field of view from left to right, degrees"},
+          &RenderOptions::fovDegrees},
+    Entry{{"detail", OptionKind::onOff, 0, 0, "on",
+           "smaller texture images far away, so that they do not flicker"},
+          &RenderOptions::detail},
+    Entry{{"detailThreshold", OptionKind::number, 0.125, 64, "1",
+           "texels per pixel at which the next smaller image is taken"},
           &RenderOptions::detailThreshold},
-    Entry{{"textures", OptionKind::onOff, 0, 0, "on", "textures, or their average colours"}, &RenderOptions::textures},
-    Entry{{"light", OptionKind::onOff, 0, 0, "on", "light that fades with distance"}, &RenderOptions::light},
-    Entry{{"intensity", OptionKind::ownOrNumber, 0, 100, "map", "intensity of the light"}, &SessionOptions::intensity},
-    Entry{{"multiplier", OptionKind::ownOrNumber, 0, 1000, "map", "reach of the light, units"}, &SessionOptions::multiplier},
-    Entry{{"fog", OptionKind::onOff, 0, 0, "on", "fog in the maps that have some"}, &RenderOptions::fog},
-    Entry{{"mirrors", OptionKind::number, 0, kGreatestMirrors, "1", "times the strength of all mirrors, 0 for none"}, &RenderOptions::mirrors},
-    Entry{{"lightPreset", OptionKind::choice, 0, 0, "map", "the time of day in all maps, or each map's own light, fog and sky", "map day dusk night fog"},
+    Entry{{"textures", OptionKind::onOff, 0, 0, "on", "textures, or their average colours"},
+          &RenderOptions::textures},
+    Entry{{"light", OptionKind::onOff, 0, 0, "on", "light that fades with distance"},
+          &RenderOptions::light},
+    Entry{{"intensity", OptionKind::ownOrNumber, 0, 100, "map", "intensity of the light"},
+          &SessionOptions::intensity},
+    Entry{{"multiplier", OptionKind::ownOrNumber, 0, 1000, "map", "reach of the light, units"},
+          &SessionOptions::multiplier},
+    Entry{{"fog", OptionKind::onOff, 0, 0, "on", "fog in the maps that have some"},
+          &RenderOptions::fog},
+    Entry{{"mirrors", OptionKind::number, 0, kGreatestMirrors, "1",
+           "times the strength of all mirrors, 0 for none"},
+          &RenderOptions::mirrors},
+    Entry{{"lightPreset", OptionKind::choice, 0, 0, "map",
+           "the time of day in all maps, or each map's own light, fog and sky",
+           "map day dusk night fog"},
           &SessionOptions::lightPreset},
-    Entry{{"hazeColour", OptionKind::ownOrColour, 0, 0, "map", "colour of the fog and of the far floor, #rrggbb"}, &SessionOptions::hazeColour},
-    Entry{{"minimap", OptionKind::onOff, 0, 0, "off", "the map from above"}, &SessionOptions::minimap},
-    Entry{{"minimapLevel", OptionKind::wholeNumber, -1, kMaxLevels - 1, "-1", "level that the minimap shows, -1 for the player's"},
+    Entry{{"hazeColour", OptionKind::ownOrColour, 0, 0, "map",
+           "colour of the fog and of the far floor, #rrggbb"},
+          &SessionOptions::hazeColour},
+    Entry{{"minimap", OptionKind::onOff, 0, 0, "off", "the map from above"},
+          &SessionOptions::minimap},
+    Entry{{"minimapLevel", OptionKind::wholeNumber, -1, kMaxLevels - 1, "-1",
+           "level that the minimap shows, -1 for the player's"},
           &SessionOptions::minimapLevel},
-    Entry{{"minimapRays", OptionKind::onOff, 0, 0, "off", "rays on the minimap, each to the first block that it meets"}, &SessionOptions::minimapRays},
-    Entry{{"minimapTurns", OptionKind::onOff, 0, 0, "off", "the minimap turns with the view; else north is up"}, &SessionOptions::minimapTurns},
-    Entry{{"minimapReach", OptionKind::number, 0, 100, "2", "radius of the circle about the player, units, 0 for none"}, &SessionOptions::minimapReach},
-    Entry{{"playerPanel", OptionKind::onOff, 0, 0, "off", "where the player is and looks"}, &SessionOptions::playerPanel},
-    Entry{{"processPanel", OptionKind::onOff, 0, 0, "off", "what it takes to draw the picture"}, &SessionOptions::processPanel},
-    Entry{{"inspector", OptionKind::onOff, 0, 0, "off", "one slice: its line, and what it meets seen from the side"}, &SessionOptions::inspector},
-    Entry{{"inspectorColumn", OptionKind::wholeNumber, -1, kMaxPictureSide - 1, "-1", "the slice that is inspected, -1 for the middle one"},
+    Entry{{"minimapRays", OptionKind::onOff, 0, 0, "off",
+           "rays on the minimap, each to the first block that it meets"},
+          &SessionOptions::minimapRays},
+    Entry{{"minimapTurns", OptionKind::onOff, 0, 0, "off",
+           "the minimap turns with the view; else north is up"},
+          &SessionOptions::minimapTurns},
+    Entry{{"minimapReach", OptionKind::number, 0, 100, "2",
+           "radius of the circle about the player, units, 0 for none"},
+          &SessionOptions::minimapReach},
+    Entry{{"playerPanel", OptionKind::onOff, 0, 0, "off", "where the player is and looks"},
+          &SessionOptions::playerPanel},
+    Entry{{"processPanel", OptionKind::onOff, 0, 0, "off", "what it takes to draw the picture"},
+          &SessionOptions::processPanel},
+    Entry{{"inspector", OptionKind::onOff, 0, 0, "off",
+           "one slice: its line, and what it meets seen from the side"},
+          &SessionOptions::inspector},
+    Entry{{"inspectorColumn", OptionKind::wholeNumber, -1, kMaxPictureSide - 1, "-1",
+           "the slice that is inspected, -1 for the middle one"},
           &SessionOptions::inspectorColumn},
-    Entry{{"grid", OptionKind::onOff, 0, 0, "off", "a grid of 10 and 100 pixels over the picture"}, &SessionOptions::grid},
-    Entry{{"slow", OptionKind::onOff, 0, 0, "off", "the picture builds up slice by slice"}, &SessionOptions::slow},
-    Entry{{"slowSlices", OptionKind::wholeNumber, -kMostSlicesPerPicture, kMostSlicesPerPicture, "1",
-           "slices that each picture adds; -n adds one every n pictures"},
+    Entry{{"grid", OptionKind::onOff, 0, 0, "off", "a grid of 10 and 100 pixels over the picture"},
+          &SessionOptions::grid},
+    Entry{{"slow", OptionKind::onOff, 0, 0, "off", "the picture builds up slice by slice"},
+          &SessionOptions::slow},
+    Entry{{"slowSlices", OptionKind::wholeNumber, -kMostSlicesPerPicture, kMostSlicesPerPicture,
+           "1", "slices that each picture adds; -n adds one every n pictures"},
           &SessionOptions::slowSlices},
-    Entry{{"speed", OptionKind::number, kLeastSpeed, kGreatestSpeed, "1", "times the usual speed of moving"}, &SessionOptions::speed},
-    Entry{{"method", OptionKind::choice, 0, 0, "exact", "how pictures are made; classic is slow and shows the old ways below, for lessons", "exact classic"},
+    Entry{{"speed", OptionKind::number, kLeastSpeed, kGreatestSpeed, "1",
+           "times the usual speed of moving"},
+          &SessionOptions::speed},
+    Entry{{"method", OptionKind::choice, 0, 0, "exact",
+           "how pictures are made; classic is slow and shows the old ways below, for lessons",
+           "exact classic"},
           &SessionOptions::method},
-    Entry{{"classic.projection", OptionKind::choice, 0, 0, "plane", "how columns are aimed; equal angles bend walls, and are a fish eye unless corrected",
+    Entry{{"classic.projection", OptionKind::choice, 0, 0, "plane",
+           "how columns are aimed; equal angles bend walls, and are a fish eye unless corrected",
            "plane equalAngles equalAnglesCorrected"},
           &ClassicOptions::projection},
-    Entry{{"classic.march", OptionKind::onOff, 0, 0, "off", "rays look for blocks step by step"}, &ClassicOptions::march},
-    Entry{{"classic.step", OptionKind::number, kLeastMarchStep, kGreatestMarchStep, "0.001", "size of such a step, units"}, &ClassicOptions::stepSize},
-    Entry{{"classic.reach", OptionKind::number, kLeastMarchReach, kGreatestMarchReach, "25", "distance at which they give up, units"}, &ClassicOptions::reach},
-    Entry{{"classic.stretched", OptionKind::onOff, 0, 0, "off", "one texture over the whole height of a stack of blocks"}, &ClassicOptions::stretched},
-    Entry{{"classic.painter", OptionKind::onOff, 0, 0, "off", "painter's order: all blocks, from far to near, over each other"},
+    Entry{{"classic.march", OptionKind::onOff, 0, 0, "off", "rays look for blocks step by step"},
+          &ClassicOptions::march},
+    Entry{{"classic.step", OptionKind::number, kLeastMarchStep, kGreatestMarchStep, "0.001",
+           "size of such a step, units"},
+          &ClassicOptions::stepSize},
+    Entry{{"classic.reach", OptionKind::number, kLeastMarchReach, kGreatestMarchReach, "25",
+           "distance at which they give up, units"},
+          &ClassicOptions::reach},
+    Entry{{"classic.stretched", OptionKind::onOff, 0, 0, "off",
+           "one texture over the whole height of a stack of blocks"},
+          &ClassicOptions::stretched},
+    Entry{{"classic.painter", OptionKind::onOff, 0, 0, "off",
+           "painter's order: all blocks, from far to near, over each other"},
           &ClassicOptions::paintersOrder},
-    Entry{{"classic.oneLevel", OptionKind::onOff, 0, 0, "off", "the eye's level alone, as if on the floor, all blocks one unit high"},
+    Entry{{"classic.oneLevel", OptionKind::onOff, 0, 0, "off",
+           "the eye's level alone, as if on the floor, all blocks one unit high"},
           &ClassicOptions::oneLevel},
-    Entry{{"classic.sineSteps", OptionKind::wholeNumber, 0, kMostSineSteps, "0", "steps of the sine table over the full turn, 0 for exact sines"},
+    Entry{{"classic.sineSteps", OptionKind::wholeNumber, 0, kMostSineSteps, "0",
+           "steps of the sine table over the full turn, 0 for exact sines"},
           &ClassicOptions::sineSteps},
-    Entry{{"classic.pixelSize", OptionKind::wholeNumber, 1, kMostPixelSize, "1", "pixels a side that show one colour"}, &ClassicOptions::pixelSize},
+    Entry{{"classic.pixelSize", OptionKind::wholeNumber, 1, kMostPixelSize, "1",
+           "pixels a side that show one colour"},
+          &ClassicOptions::pixelSize},
 };
 
 constexpr auto kInfos = [] {
@@ -188,15 +237,18 @@ bool read(const OptionInfo&, std::string_view text, std::optional<Colour>& value
         value.reset();
         return true;
     }
-    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string_view::npos) return false;
+    if (text.size() != 7 || text[0] != '#' ||
+        text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string_view::npos)
+        return false;
     const unsigned long number = std::strtoul(std::string(text.substr(1)).c_str(), nullptr, 16);
-    value = Colour{static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8), static_cast<std::uint8_t>(number), 255};
+    value = Colour{static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8),
+                   static_cast<std::uint8_t>(number), 255};
     return true;
 }
 
 // The words of a choice stand in the order of the values.
 template <typename Value>
-    requires std::is_enum_v<Value>
+requires std::is_enum_v<Value>
 bool read(const OptionInfo& info, std::string_view text, Value& value) {
     std::string_view words = info.choices;
     for (int i = 0; !words.empty(); ++i) {
@@ -221,11 +273,11 @@ std::string written(const OptionInfo&, const std::optional<double>& value) {
 }
 std::string written(const OptionInfo&, const std::optional<Colour>& value) {
     if (!value) return "map";
-    return words("#", hexText(static_cast<std::uint64_t>(value->r << 16 | value->g << 8 | value->b), 6));
+    return words("#",
+                 hexText(static_cast<std::uint64_t>(value->r << 16 | value->g << 8 | value->b), 6));
 }
 template <typename Value>
-    requires std::is_enum_v<Value>
-std::string written(const OptionInfo& info, Value value) {
+requires std::is_enum_v<Value> std::string written(const OptionInfo& info, Value value) {
     std::string_view words = info.choices;
     for (int i = 0; i < static_cast<int>(value); ++i) nextWord(words);
     return std::string(nextWord(words));
@@ -241,10 +293,13 @@ std::string setOption(SessionOptions& options, std::string_view name, std::strin
     const Entry* entry = findEntry(name);
     if (entry == nullptr) {
         std::string message = words("found the option \"", name, "\", expected one of ");
-        for (const Entry& known : kEntries) add(message, {&known == kEntries.data() ? "" : ", ", known.info.name});
+        for (const Entry& known : kEntries)
+            add(message, {&known == kEntries.data() ? "" : ", ", known.info.name});
         return message;
     }
-    const auto readInto = [&](auto place) { return read(entry->info, value, member(options, place)); };
+    const auto readInto = [&](auto place) {
+        return read(entry->info, value, member(options, place));
+    };
     if (std::visit(readInto, entry->place)) return {};
     return words("option ", name, ": found \"", value, "\", expected ", expected(entry->info));
 }
@@ -264,7 +319,8 @@ std::string optionValue(const SessionOptions& options, std::string_view name) {
     const Entry* entry = findEntry(name);
     if (entry == nullptr) return {};
     SessionOptions copy = options;
-    return std::visit([&](auto place) { return written(entry->info, member(copy, place)); }, entry->place);
+    return std::visit([&](auto place) { return written(entry->info, member(copy, place)); },
+                      entry->place);
 }
 
 }  // namespace slicecast

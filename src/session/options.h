@@ -1,5 +1,6 @@
-// Everything about a running game that can be set by name: on a command line ("--set fov=75"), in a page's settings, by a key. One table holds the name,
-// the kind, the range, the default and the description of each.
+// Everything about a running game that can be set by name: on a command line ("--set fov=75"), in a
+// page's settings, by a key. One table holds the name, the kind, the range, the default and the
+// description of each.
 #pragma once
 
 #include "render/classic/classic_options.h"
@@ -20,7 +21,8 @@ enum class DrawMethod : std::uint8_t {
     classic,  // the slow one for lessons, by the old ways that ClassicOptions names
 };
 
-inline constexpr double kGreatestMirrors = 4.0;  // times the strength that a scene gives its mirrors
+inline constexpr double kGreatestMirrors =
+    4.0;  // times the strength that a scene gives its mirrors
 
 struct SessionOptions {
     RenderOptions render;
@@ -41,8 +43,8 @@ struct SessionOptions {
     int inspectorColumn = -1;  // which slice; -1 for the middle one
     bool grid = false;         // over the picture, in pixels
     bool slow = false;         // the picture builds up slice by slice
-    int slowSlices = 1;        // so many more with each picture; one every n pictures where it is -n
-    double speed = 1.0;        // multiplies the player's moving speeds
+    int slowSlices = 1;  // so many more with each picture; one every n pictures where it is -n
+    double speed = 1.0;  // multiplies the player's moving speeds
 };
 
 enum class OptionKind {
@@ -67,10 +69,12 @@ struct OptionInfo {
 // All options, in the order in which to list them.
 std::span<const OptionInfo> knownOptions();
 
-// Sets one option. An empty string on success; else what was found and what was expected, and nothing has changed.
+// Sets one option. An empty string on success; else what was found and what was expected, and
+// nothing has changed.
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
 
-// The word after `value` among those of a choice, the first one after the last; empty if there is no such choice or word.
+// The word after `value` among those of a choice, the first one after the last; empty if there is
+// no such choice or word.
 std::string nextChoice(std::string_view name, std::string_view value);
 
 // The value as setOption would take it; empty for an unknown name.

@@ -6,7 +6,8 @@ namespace slicecast {
 namespace {
 
 constexpr double kPeriodSeconds = 0.5;
-constexpr double kGapSeconds = 2.0;  // since the averages began; longer, nothing was drawn for a while, and they begin anew
+constexpr double kGapSeconds =
+    2.0;  // since the averages began; longer, nothing was drawn for a while, and they begin anew
 
 }  // namespace
 
@@ -24,7 +25,8 @@ void PhaseClock::endOverlays() {
     if (pictures_ > 0 && passed < kPeriodSeconds) return;
     if (pictures_ > 0 && passed < kGapSeconds) {
         const double milliseconds = 1000.0 / pictures_;
-        times_ = {pictures_ / passed, steps_ * milliseconds, view_ * milliseconds, overlays_ * milliseconds};
+        times_ = {pictures_ / passed, steps_ * milliseconds, view_ * milliseconds,
+                  overlays_ * milliseconds};
         known_ = true;
     }
     pictures_ = 0;

@@ -1,4 +1,5 @@
-// Measures how long the parts of a picture take, with a clock that somebody else reads. Without a clock it measures nothing.
+// Measures how long the parts of a picture take, with a clock that somebody else reads. Without a
+// clock it measures nothing.
 #pragma once
 
 #include "overlay/panels.h"
@@ -16,7 +17,8 @@ public:
     // Null before the first averages.
     const ProcessTimes* times() const { return known_ ? &times_ : nullptr; }
 
-    // The parts, in the order in which they come; the time since the last call counts for the part that ends.
+    // The parts, in the order in which they come; the time since the last call counts for the part
+    // that ends.
     void begin() { last_ = read(); }
     void endSteps() { add(steps_); }
     void endView() { add(view_); }

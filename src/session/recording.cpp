@@ -31,19 +31,29 @@ struct Performer {
     void operator()(const RecordedMark&) const {}
     void operator()(const RecordedFlying& entry) const { session.setFlying(entry.flying); }
     void operator()(const RecordedLevelLook&) const { session.levelLook(); }
-    void operator()(const RecordedHeading& entry) const { session.setHeading(fromUnits(entry.heading, kRecordedDegree)); }
+    void operator()(const RecordedHeading& entry) const {
+        session.setHeading(fromUnits(entry.heading, kRecordedDegree));
+    }
     void operator()(const RecordedReset&) const { session.reset(); }
     void operator()(const RecordedEye& entry) const {
-        session.setEye({entry.map, {entry.x}, {entry.y}, {entry.z}, fromUnits(entry.heading, kRecordedDegree), fromUnits(entry.look, kRecordedHeight)});
+        session.setEye({entry.map,
+                        {entry.x},
+                        {entry.y},
+                        {entry.z},
+                        fromUnits(entry.heading, kRecordedDegree),
+                        fromUnits(entry.look, kRecordedHeight)});
     }
-    void operator()(const RecordedOption& entry) const { session.setOption(entry.name, entry.value); }
+    void operator()(const RecordedOption& entry) const {
+        session.setOption(entry.name, entry.value);
+    }
 };
 
 }  // namespace
 
 RecordedInput toRecorded(const Input& input) {
     // A new field of Input is missed here by the compiler, and belongs into the recording.
-    const auto& [forward, strafe, turn, look, fly, turnDegrees, lookHeights, jump, fast, slow, use, open, close] = input;
+    const auto& [forward, strafe, turn, look, fly, turnDegrees, lookHeights, jump, fast, slow, use,
+                 open, close] = input;
     return {.forward = inUnits(forward, kRecordedAxis, 1),
             .strafe = inUnits(strafe, kRecordedAxis, 1),
             .turn = inUnits(turn, kRecordedAxis, 1),
@@ -76,24 +86,29 @@ Input toInput(const RecordedInput& input) {
 }
 
 bool isRecordedOption(std::string_view name) {
-    return std::find(kRecordedOptions.begin(), kRecordedOptions.end(), name) != kRecordedOptions.end();
+    return std::find(kRecordedOptions.begin(), kRecordedOptions.end(), name) !=
+           kRecordedOptions.end();
 }
 
 std::uint64_t poseOf(const Session& session) {
     const Eye eye = session.eye();
     Hash hash;
-    for (const std::int64_t number : {std::int64_t{eye.map}, std::int64_t{eye.x.raw}, std::int64_t{eye.y.raw}, std::int64_t{eye.z.raw}}) hash.add(number);
+    for (const std::int64_t number : {std::int64_t{eye.map}, std::int64_t{eye.x.raw},
+                                      std::int64_t{eye.y.raw}, std::int64_t{eye.z.raw}})
+        hash.add(number);
     hash.add(eye.headingDegrees);
     hash.add(eye.look);
     return hash.value();
 }
 
-// ----------------------------------------------------------------------------------------------------------- recorder
+// ---- recorder
 
 Input Recorder::step(const Input& input) {
     if (isFull()) return input;
     const RecordedInput kept = toRecorded(input);
-    auto* last = recording_.entries.empty() ? nullptr : std::get_if<RecordedSteps>(&recording_.entries.back());
+    auto* last = recording_.entries.empty()
+                     ? nullptr
+                     : std::get_if<RecordedSteps>(&recording_.entries.back());
     if (last != nullptr && last->input == kept) {
         ++last->count;
     } else {
@@ -113,7 +128,7 @@ Recording Recorder::finish(const Session& session) const {
     return finished;
 }
 
-// ------------------------------------------------------------------------------------------------------------- replay
+// ---- replay
 
 bool Replay::step(Session& session) {
     // What comes before the step

@@ -1,13 +1,16 @@
-// What was done in a game, step by step, so that it can be done again: the same inputs give the same states and pictures on every machine.
+// What was done in a game, step by step, so that it can be done again: the same inputs give the
+// same states and pictures on every machine.
 //
 //     Recorder recorder("harbour-town");
-//     session.record(&recorder);                            from the first step on; the session notes down what it is asked for
-//     std::string text = writeRecording(recorder.finish(session));                       (recording_text.h)
+//     session.record(&recorder);                            from the first step on; the session
+//     notes down what it is asked for std::string text = writeRecording(recorder.finish(session));
+//     (recording_text.h)
 //
 //     Replay replay(recording);
 //     while (replay.step(sessionOfTheSameScene)) ...
 //
-// Inputs are kept as whole numbers of small units, and the session acts on the input as it was kept. So nothing is rounded differently when it is read again.
+// Inputs are kept as whole numbers of small units, and the session acts on the input as it was
+// kept. So nothing is rounded differently when it is read again.
 #pragma once
 
 #include "session/input.h"
@@ -24,12 +27,13 @@ namespace slicecast {
 
 class Session;
 
-inline constexpr int kRecordedAxis = 256;                       // an axis of 1
-inline constexpr int kRecordedDegree = 1024;                    // a degree
-inline constexpr int kRecordedHeight = 65536;                   // a screen height, a unit
-inline constexpr int kMaxRecordedDegrees = 3600;                // turned in one step
-inline constexpr int kMaxRecordedHeights = 64;                  // looked up in one step, screen heights
-inline constexpr std::int64_t kMaxRecordedSteps = 120 * 36000;  // ten hours; the recorder keeps no more
+inline constexpr int kRecordedAxis = 256;         // an axis of 1
+inline constexpr int kRecordedDegree = 1024;      // a degree
+inline constexpr int kRecordedHeight = 65536;     // a screen height, a unit
+inline constexpr int kMaxRecordedDegrees = 3600;  // turned in one step
+inline constexpr int kMaxRecordedHeights = 64;    // looked up in one step, screen heights
+inline constexpr std::int64_t kMaxRecordedSteps =
+    120 * 36000;  // ten hours; the recorder keeps no more
 
 // An Input on the grid of the recording.
 struct RecordedInput {
@@ -83,7 +87,9 @@ struct RecordedMark {
     std::string name;
     std::uint64_t pose = 0;
 };
-using RecordedEntry = std::variant<RecordedSteps, RecordedFlying, RecordedLevelLook, RecordedHeading, RecordedReset, RecordedEye, RecordedOption, RecordedMark>;
+using RecordedEntry =
+    std::variant<RecordedSteps, RecordedFlying, RecordedLevelLook, RecordedHeading, RecordedReset,
+                 RecordedEye, RecordedOption, RecordedMark>;
 
 struct Recording {
     std::string scene;  // its file's name without folder and ending
@@ -92,7 +98,8 @@ struct Recording {
     std::uint64_t endPose = 0;  // of the eye after all of them
 };
 
-// True for the options that bear on steps. The others change pictures only, and belong to who looks on.
+// True for the options that bear on steps. The others change pictures only, and belong to who looks
+// on.
 bool isRecordedOption(std::string_view name);
 
 // A number that two sessions share if their eyes are at the same place and look the same way.
@@ -102,10 +109,13 @@ class Recorder {
 public:
     explicit Recorder(std::string scene) { recording_.scene = std::move(scene); }
 
-    // Keeps one step's input, and gives it back as it was kept. A recorder that is full gives it back as it is.
+    // Keeps one step's input, and gives it back as it was kept. A recorder that is full gives it
+    // back as it is.
     Input step(const Input& input);
     void add(RecordedEntry entry);
-    void mark(const std::string& name, const Session& session) { add(RecordedMark{name, poseOf(session)}); }
+    void mark(const std::string& name, const Session& session) {
+        add(RecordedMark{name, poseOf(session)});
+    }
     bool isFull() const { return recording_.steps >= kMaxRecordedSteps; }
 
     // Everything so far. The session may go on.
@@ -133,7 +143,8 @@ public:
     std::int64_t stepsDone() const { return stepsDone_; }
     bool isOver() const { return next_ >= recording_.entries.size(); }
     const std::vector<PassedMark>& marks() const { return marks_; }
-    // False once a mark, or the end, was found elsewhere than in the recording: the scene has changed since, or the engine.
+    // False once a mark, or the end, was found elsewhere than in the recording: the scene has
+    // changed since, or the engine.
     bool isSame() const { return isSame_; }
 
 private:

@@ -39,15 +39,12 @@ struct Button {
     bool RecordedInput::*member;
 };
 constexpr std::array kButtons = {
-    Button{"jump", &RecordedInput::jump},
-    Button{"fast", &RecordedInput::fast},
-    Button{"slow", &RecordedInput::slow},
-    Button{"use", &RecordedInput::use},
-    Button{"open", &RecordedInput::open},
-    Button{"close", &RecordedInput::close},
+    Button{"jump", &RecordedInput::jump}, Button{"fast", &RecordedInput::fast},
+    Button{"slow", &RecordedInput::slow}, Button{"use", &RecordedInput::use},
+    Button{"open", &RecordedInput::open}, Button{"close", &RecordedInput::close},
 };
 
-// ------------------------------------------------------------------------------------------------------------ writing
+// ---- writing
 
 struct Writer {
     std::string& out;
@@ -62,19 +59,26 @@ struct Writer {
             if (entry.input.*button.member) add(out, {" ", button.word});
         }
     }
-    void operator()(const RecordedFlying& entry) const { out += entry.flying ? "fly on" : "fly off"; }
+    void operator()(const RecordedFlying& entry) const {
+        out += entry.flying ? "fly on" : "fly off";
+    }
     void operator()(const RecordedLevelLook&) const { out += "level"; }
     void operator()(const RecordedHeading& entry) const { add(out, {"heading ", entry.heading}); }
     void operator()(const RecordedReset&) const { out += "reset"; }
     void operator()(const RecordedEye& entry) const {
         out += "eye";
-        for (const int number : {entry.map, entry.x, entry.y, entry.z, entry.heading, entry.look}) add(out, {" ", number});
+        for (const int number : {entry.map, entry.x, entry.y, entry.z, entry.heading, entry.look})
+            add(out, {" ", number});
     }
-    void operator()(const RecordedOption& entry) const { add(out, {"set ", entry.name, " ", entry.value}); }
-    void operator()(const RecordedMark& entry) const { add(out, {"mark ", entry.name, " ", hexText(entry.pose, 16)}); }
+    void operator()(const RecordedOption& entry) const {
+        add(out, {"set ", entry.name, " ", entry.value});
+    }
+    void operator()(const RecordedMark& entry) const {
+        add(out, {"mark ", entry.name, " ", hexText(entry.pose, 16)});
+    }
 };
 
-// ------------------------------------------------------------------------------------------------------------ reading
+// ---- reading
 
 struct Token {
     std::string_view text;
@@ -91,7 +95,8 @@ struct Wrong {
 bool isName(std::string_view text) {
     if (text.empty() || text.size() > kMaxRecordedName || text[0] == '.') return false;
     for (const char c : text) {
-        const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                             (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
         if (!isPlain) return false;
     }
     return true;
@@ -120,7 +125,8 @@ std::optional<std::uint64_t> hexNumber(std::string_view text) {
     return number;
 }
 
-// The words of one line, taken one after the other. The first that is wrong is remembered, and from then on nothing is found.
+// The words of one line, taken one after the other. The first that is wrong is remembered, and from
+// then on nothing is found.
 class Line {
 public:
     Line(std::vector<Token> tokens, std::size_t end) : tokens_(std::move(tokens)), end_(end) {}
@@ -148,7 +154,9 @@ public:
         take();
         return *value;
     }
-    int smallNumber(std::int64_t least, std::int64_t greatest, const char* what) { return static_cast<int>(number(least, greatest, what)); }
+    int smallNumber(std::int64_t least, std::int64_t greatest, const char* what) {
+        return static_cast<int>(number(least, greatest, what));
+    }
     std::uint64_t pose() {
         const auto value = hasMore() ? hexNumber(peek()) : std::nullopt;
         if (!value) refuse("where the eye is, 16 digits from 0 to f");
@@ -198,7 +206,10 @@ RecordedSteps readSteps(Line& line) {
             line.take();
             steps.input.*button.member = true;
         }
-        if (!isKnown) line.refuse("forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast, slow, use, open or close");
+        if (!isKnown)
+            line.refuse(
+                "forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast, slow, "
+                "use, open or close");
     }
     return steps;
 }
@@ -249,7 +260,8 @@ std::optional<RecordedEntry> readEntry(Line& line) {
     }
     if (word == "level" || word == "reset") {
         line.take();
-        return word == "level" ? RecordedEntry(RecordedLevelLook{}) : RecordedEntry(RecordedReset{});
+        return word == "level" ? RecordedEntry(RecordedLevelLook{})
+                               : RecordedEntry(RecordedReset{});
     }
     if (word == "heading") {
         line.take();
@@ -276,14 +288,17 @@ std::optional<RecordedEntry> readEntry(Line& line) {
 
 class Reader {
 public:
-    Reader(std::string_view text, const std::string& fileName) : source_(text), fileName_(fileName) {}
+    Reader(std::string_view text, const std::string& fileName)
+        : source_(text), fileName_(fileName) {}
 
     ReadRecording read() {
         const std::string_view text = source_.text();
         if (text.size() > kMaxRecordingBytes) {
-            addWrong({0, words(text.size(), " bytes"), words("a recording of at most ", kMaxRecordingBytes, " bytes")});
+            addWrong({0, words(text.size(), " bytes"),
+                      words("a recording of at most ", kMaxRecordingBytes, " bytes")});
         } else if (source_.invalidByte()) {
-            addWrong({*source_.invalidByte(), "a byte that is not UTF-8", "a recording, which is UTF-8 text"});
+            addWrong({*source_.invalidByte(), "a byte that is not UTF-8",
+                      "a recording, which is UTF-8 text"});
         } else {
             readLines(text);
         }
@@ -303,12 +318,14 @@ private:
             const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
             std::vector<Token> tokens = tokensOf(text, begin, end);
             if (!tokens.empty() && tokens[0].text[0] != '#') {
-                const bool goesOn = readLine(Line(std::move(tokens), end), text.substr(begin, end - begin));
+                const bool goesOn =
+                    readLine(Line(std::move(tokens), end), text.substr(begin, end - begin));
                 if (!goesOn) return;
             }
             begin = end + 1;
         }
-        if (awaited_ != Awaited::nothing) addWrong({text.size(), "the end of the file", expectedNext()});
+        if (awaited_ != Awaited::nothing)
+            addWrong({text.size(), "the end of the file", expectedNext()});
     }
 
     static std::vector<Token> tokensOf(std::string_view text, std::size_t begin, std::size_t end) {
@@ -382,7 +399,8 @@ private:
         }
         const std::optional<RecordedEntry> entry = readEntry(line);
         if (entry && !line.wrong()) {
-            if (const auto* steps = std::get_if<RecordedSteps>(&*entry)) recording_.steps += steps->count;
+            if (const auto* steps = std::get_if<RecordedSteps>(&*entry))
+                recording_.steps += steps->count;
             if (recording_.steps > kMaxRecordedSteps && isSumKnown_) {
                 isSumKnown_ = false;
                 line.refuse({"at most ", kMaxRecordedSteps, " steps in all"});

@@ -46,12 +46,19 @@ double headingBetween(double a, double b, double fraction) {
 }
 
 Eye eyeOf(const Player& player) {
-    return {.map = player.map, .x = player.x, .y = player.y, .z = eyeHeight(player), .headingDegrees = player.headingDegrees, .look = player.look};
+    return {.map = player.map,
+            .x = player.x,
+            .y = player.y,
+            .z = eyeHeight(player),
+            .headingDegrees = player.headingDegrees,
+            .look = player.look};
 }
 
 // On the grid of a recording.
 double recordedHeading(double degrees) {
-    return std::isfinite(degrees) ? std::floor(wrapDegrees(degrees) * kRecordedDegree + 0.5) / kRecordedDegree : 0.0;
+    return std::isfinite(degrees)
+               ? std::floor(wrapDegrees(degrees) * kRecordedDegree + 0.5) / kRecordedDegree
+               : 0.0;
 }
 
 double recordedLook(double look) {
@@ -81,8 +88,14 @@ void Session::step(const Input& input) {
 
 // A press is one wish, however long it lasts.
 GateAsk Session::gateAsk(const Input& input) {
-    const auto isPressed = [&](bool Input::*button) { return input.*button && !(heldBefore_.*button); };
-    GateAsk ask = {.wish = GateAsk::Wish::nothing, .map = player_.map, .x = player_.x, .y = player_.y, .z = eyeHeight(player_)};
+    const auto isPressed = [&](bool Input::*button) {
+        return input.*button && !(heldBefore_.*button);
+    };
+    GateAsk ask = {.wish = GateAsk::Wish::nothing,
+                   .map = player_.map,
+                   .x = player_.x,
+                   .y = player_.y,
+                   .z = eyeHeight(player_)};
     if (isPressed(&Input::use)) ask.wish = GateAsk::Wish::change;
     if (isPressed(&Input::close)) ask.wish = GateAsk::Wish::close;
     if (isPressed(&Input::open)) ask.wish = GateAsk::Wish::open;
@@ -103,7 +116,8 @@ void Session::stepAround(const GateAsk& ask) {
 
 bool Session::draw(const Picture& picture, double fraction) {
     clock_.begin();
-    // What moves is drawn between the steps as the eye is, or whoever rides on it would see it tremble.
+    // What moves is drawn between the steps as the eye is, or whoever rides on it would see it
+    // tremble.
     showMovers(world_, fraction);
     const bool isDrawn = drawView(eye(fraction), picture);
     showMovers(world_, 1.0);
@@ -111,8 +125,9 @@ bool Session::draw(const Picture& picture, double fraction) {
 }
 
 bool Session::drawView(const Eye& seen, const Picture& picture) {
-    const bool drawn = options_.method == DrawMethod::classic ? drawClassic(world_, seen, options_.render, options_.classic, picture)
-                                                              : renderer_.draw(world_, seen, options_.render, picture);
+    const bool drawn = options_.method == DrawMethod::classic
+                           ? drawClassic(world_, seen, options_.render, options_.classic, picture)
+                           : renderer_.draw(world_, seen, options_.render, picture);
     if (!drawn) return false;
     clock_.endView();
     drawOverlays(seen, picture);
@@ -126,13 +141,17 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     if (o.slow) slowDrawing_.show(picture, o.slowSlices);
     if (o.grid) drawPixelGrid(picture);
     if (o.inspector) {
-        const SliceTrace slice = renderer_.trace(world_, seen, o.render, picture.width, picture.height, inspectedColumn(picture.width));
+        const SliceTrace slice = renderer_.trace(world_, seen, o.render, picture.width,
+                                                 picture.height, inspectedColumn(picture.width));
         drawSliceLine(slice, picture);
         drawSideView(slice, world_, seen, picture);
     }
     if (o.minimap) {
-        const MinimapOptions minimap = {
-            .level = o.minimapLevel, .fovDegrees = o.render.fovDegrees, .rays = o.minimapRays, .turns = o.minimapTurns, .reach = o.minimapReach};
+        const MinimapOptions minimap = {.level = o.minimapLevel,
+                                        .fovDegrees = o.render.fovDegrees,
+                                        .rays = o.minimapRays,
+                                        .turns = o.minimapTurns,
+                                        .reach = o.minimapReach};
         drawMinimap(world_, seen, minimap, picture);
     }
     const Map& map = world_.maps[static_cast<std::size_t>(seen.map)];
@@ -184,7 +203,8 @@ void Session::levelLook() {
 
 void Session::setHeading(double degrees) {
     const double kept = recorder_ != nullptr ? recordedHeading(degrees) : degrees;
-    if (recorder_ != nullptr) recorder_->add(RecordedHeading{static_cast<int>(kept * kRecordedDegree)});
+    if (recorder_ != nullptr)
+        recorder_->add(RecordedHeading{static_cast<int>(kept * kRecordedDegree)});
     slicecast::setHeading(player_, kept);
     previous_.headingDegrees = player_.headingDegrees;
 }
@@ -196,7 +216,9 @@ void Session::setFlying(bool flying) {
 
 bool Session::setEye(const Eye& eye) {
     const bool exists = eye.map >= 0 && static_cast<std::size_t>(eye.map) < world_.maps.size();
-    if (!exists || !isAboveFloor(eye) || !std::isfinite(eye.headingDegrees) || !(std::abs(eye.look) <= kMaxLook)) return false;
+    if (!exists || !isAboveFloor(eye) || !std::isfinite(eye.headingDegrees) ||
+        !(std::abs(eye.look) <= kMaxLook))
+        return false;
     double heading = eye.headingDegrees;
     double look = eye.look;
     if (recorder_ != nullptr) {
@@ -222,7 +244,12 @@ bool Session::goToMap(int map) {
     }
     const MapEntry entry = findMapEntry(world_, map);
     const Coordinate eyeZ = entry.stands ? entry.feet + kStandingEye : entry.feet;
-    if (!setEye({.map = map, .x = entry.x, .y = entry.y, .z = eyeZ, .headingDegrees = player_.headingDegrees})) return false;
+    if (!setEye({.map = map,
+                 .x = entry.x,
+                 .y = entry.y,
+                 .z = eyeZ,
+                 .headingDegrees = player_.headingDegrees}))
+        return false;
     if (entry.stands) setFlying(false);
     return true;
 }
@@ -231,13 +258,15 @@ void Session::record(Recorder* recorder) {
     recorder_ = recorder;
     if (recorder_ == nullptr) return;
     for (const OptionInfo& info : knownOptions()) {
-        if (isRecordedOption(info.name)) recorder_->add(RecordedOption{info.name, option(info.name)});
+        if (isRecordedOption(info.name))
+            recorder_->add(RecordedOption{info.name, option(info.name)});
     }
 }
 
 std::string Session::setOption(std::string_view name, std::string_view value) {
     std::string fault = slicecast::setOption(options_, name, value);
-    if (recorder_ != nullptr && fault.empty() && isRecordedOption(name)) recorder_->add(RecordedOption{std::string(name), option(name)});
+    if (recorder_ != nullptr && fault.empty() && isRecordedOption(name))
+        recorder_->add(RecordedOption{std::string(name), option(name)});
     if (!options_.slow) slowDrawing_.restart();
     applyLight();
     return fault;
@@ -268,7 +297,8 @@ SessionState Session::state() const {
 
 Eye Session::eye(double fraction) const {
     const Eye now = eyeOf(player_);
-    if (!(fraction < 1.0) || previous_.map != player_.map || previous_.leaps != player_.leaps) return now;
+    if (!(fraction < 1.0) || previous_.map != player_.map || previous_.leaps != player_.leaps)
+        return now;
     const Eye before = eyeOf(previous_);
     const double part = fraction > 0.0 ? fraction : 0.0;
     return {.map = now.map,
@@ -285,30 +315,36 @@ SliceTrace Session::trace(int width, int height, int column) {
 
 FrameReport Session::measure(int width, int height) {
     Image image(width, height);
-    const bool isDrawn = renderer_.draw(world_, eye(), options_.render, {image.pixels.data(), width, height, width});
+    const bool isDrawn =
+        renderer_.draw(world_, eye(), options_.render, {image.pixels.data(), width, height, width});
     return isDrawn ? renderer_.report() : FrameReport{};
 }
 
 std::uint64_t Session::fingerprint() const {
     Hash hash;
     const Player& p = player_;
-    for (const std::int64_t number : {std::int64_t{p.map}, std::int64_t{p.x.raw}, std::int64_t{p.y.raw}, std::int64_t{p.z.raw}, std::int64_t{p.eyeLag.raw},
-                                      std::int64_t{p.flying}, std::int64_t{p.crouched}, std::int64_t{p.onGround}, std::int64_t{p.jumpHeld},
-                                      std::int64_t{p.lateJumpSteps}, std::int64_t{p.earlyJumpSteps}, steps_}) {
+    for (const std::int64_t number :
+         {std::int64_t{p.map}, std::int64_t{p.x.raw}, std::int64_t{p.y.raw}, std::int64_t{p.z.raw},
+          std::int64_t{p.eyeLag.raw}, std::int64_t{p.flying}, std::int64_t{p.crouched},
+          std::int64_t{p.onGround}, std::int64_t{p.jumpHeld}, std::int64_t{p.lateJumpSteps},
+          std::int64_t{p.earlyJumpSteps}, steps_}) {
         hash.add(number);
     }
-    for (const double number : {p.velocityX, p.velocityY, p.velocityZ, p.headingDegrees, p.look, p.turnRate, p.lookRate, p.eyeLagRate, options_.speed}) {
+    for (const double number : {p.velocityX, p.velocityY, p.velocityZ, p.headingDegrees, p.look,
+                                p.turnRate, p.lookRate, p.eyeLagRate, options_.speed}) {
         hash.add(number);
     }
     if (p.behind.isOn) {
         const Portal& back = p.behind.back;
         for (const int number :
-             {back.toMap, back.fromX, back.fromY, back.toX, back.toY, back.turn, back.levels, static_cast<int>(p.behind.side), p.behind.height.raw}) {
+             {back.toMap, back.fromX, back.fromY, back.toX, back.toY, back.turn, back.levels,
+              static_cast<int>(p.behind.side), p.behind.height.raw}) {
             hash.add(std::int64_t{number});
         }
     }
     if (!isStill(world_)) {
-        for (const bool held : {heldBefore_.use, heldBefore_.open, heldBefore_.close}) hash.add(std::int64_t{held});
+        for (const bool held : {heldBefore_.use, heldBefore_.open, heldBefore_.close})
+            hash.add(std::int64_t{held});
         addTo(hash, world_);
     }
     addMovingObjects(hash, world_);
@@ -321,7 +357,10 @@ int Session::inspectedColumn(int width) const {
 
 // The renderer takes the light from the map.
 void Session::applyLight() {
-    lights_.apply({.preset = options_.lightPreset, .intensity = options_.intensity, .multiplier = options_.multiplier, .haze = options_.hazeColour},
+    lights_.apply({.preset = options_.lightPreset,
+                   .intensity = options_.intensity,
+                   .multiplier = options_.multiplier,
+                   .haze = options_.hazeColour},
                   world_.maps);
 }
 

@@ -1,10 +1,13 @@
-// One running game: a world, a player in it, and options. The only thing that the program, the page's bindings and the tools talk to.
+// One running game: a world, a player in it, and options. The only thing that the program, the
+// page's bindings and the tools talk to.
 //
 //     Session session(std::move(world));
-//     session.step(input);                  exactly 1/120 s (kStepSeconds), as often as time has passed
-//     session.draw(picture, fraction);      `fraction` (0 to 1) of the way from the last step but one to the last
+//     session.step(input);                  exactly 1/120 s (kStepSeconds), as often as time has
+//     passed session.draw(picture, fraction);      `fraction` (0 to 1) of the way from the last
+//     step but one to the last
 //
-// It reads no clock, prints nothing and holds no global state: the same inputs give the same states and pictures everywhere.
+// It reads no clock, prints nothing and holds no global state: the same inputs give the same states
+// and pictures everywhere.
 #pragma once
 
 #include "overlay/slow_drawing.h"
@@ -55,30 +58,37 @@ public:
 
     void step(const Input& input);
 
-    // Draws the view between the last two steps, and the overlays that are switched on. False if the picture cannot be drawn (see Renderer::draw).
+    // Draws the view between the last two steps, and the overlays that are switched on. False if
+    // the picture cannot be drawn (see Renderer::draw).
     bool draw(const Picture& picture, double fraction = 1.0);
 
-    // Back to the world's start, at rest, walking; what moves, opens and is animated begins anew too. Options stay as they are.
+    // Back to the world's start, at rest, walking; what moves, opens and is animated begins anew
+    // too. Options stay as they are.
     void reset();
     // Looks level; when flying, also comes down to standing height (the notes' R key).
     void levelLook();
     void setHeading(double degrees);
     void setFlying(bool flying);
-    // Puts the player's eye somewhere else, flying, for tools; outside the grid and inside blocks too. False, and nothing changed, if such an eye cannot see:
-    // no such map, at or below the floor, look beyond kMaxLook, or a heading that is no number.
+    // Puts the player's eye somewhere else, flying, for tools; outside the grid and inside blocks
+    // too. False, and nothing changed, if such an eye cannot see: no such map, at or below the
+    // floor, look beyond kMaxLook, or a heading that is no number.
     bool setEye(const Eye& eye);
 
-    // Into a map: to the scene's start if it lies in that map, else to the place that map_entry.h describes, with the same heading. At rest, walking where
-    // there is room. False, and nothing changed, if there is no such map.
+    // Into a map: to the scene's start if it lies in that map, else to the place that map_entry.h
+    // describes, with the same heading. At rest, walking where there is room. False, and nothing
+    // changed, if there is no such map.
     bool goToMap(int map);
 
-    // From now on notes down there whatever bears on the player, until null is given. A recording is of use only if it begins with the session.
+    // From now on notes down there whatever bears on the player, until null is given. A recording
+    // is of use only if it begins with the session.
     void record(Recorder* recorder);
 
-    // A clock to measure with what the process panel shows; without one it shows none of that. Nothing else depends on it.
+    // A clock to measure with what the process panel shows; without one it shows none of that.
+    // Nothing else depends on it.
     void setClock(PhaseClock::Now now) { clock_.set(std::move(now)); }
 
-    // Options by name ("fov", "light" ...); see options.h. An empty string on success, else what was wrong.
+    // Options by name ("fov", "light" ...); see options.h. An empty string on success, else what
+    // was wrong.
     std::string setOption(std::string_view name, std::string_view value);
     std::string option(std::string_view name) const;
 
@@ -87,7 +97,9 @@ public:
 
     const World& world() const { return world_; }
     const Player& player() const { return player_; }
-    const Player& beforeStep() const { return previous_; }  // the player as it was before the last step; as it is now after a leap
+    const Player& beforeStep() const {
+        return previous_;
+    }  // the player as it was before the last step; as it is now after a leap
     const SessionOptions& options() const { return options_; }
     const FrameReport& report() const { return renderer_.report(); }
     std::int64_t steps() const { return steps_; }
@@ -96,13 +108,15 @@ public:
     Eye eye(double fraction = 1.0) const;
     // Everything that one column of a picture of that size does.
     SliceTrace trace(int width, int height, int column);
-    // What it takes to draw a picture of that size by the exact method, overlays apart; all 0 where it cannot be drawn.
+    // What it takes to draw a picture of that size by the exact method, overlays apart; all 0 where
+    // it cannot be drawn.
     FrameReport measure(int width, int height);
     // How long the parts of a picture have taken lately; null without a clock.
     const ProcessTimes* times() const { return clock_.times(); }
     // The column that is inspected in a picture of that width: the option's, or the middle one.
     int inspectedColumn(int width) const;
-    // A number that two sessions share if they are in the same state: the player, what moves and opens, the options that bear on a step, and the steps done.
+    // A number that two sessions share if they are in the same state: the player, what moves and
+    // opens, the options that bear on a step, and the steps done.
     std::uint64_t fingerprint() const;
 
 private:

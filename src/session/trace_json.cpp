@@ -16,7 +16,8 @@ namespace {
 
 using What = FilledRows::What;
 
-constexpr auto kOpaqueKinds = std::to_array<What>({What::side, What::roof, What::underside, What::floor, What::ceiling, What::sky, What::haze});
+constexpr auto kOpaqueKinds = std::to_array<What>(
+    {What::side, What::roof, What::underside, What::floor, What::ceiling, What::sky, What::haze});
 static_assert(kOpaqueKinds.back() == What{kOpaqueKinds.size() - 1}, "in the order of What");
 
 bool hasTexture(const FilledRows& rows) {
@@ -32,8 +33,13 @@ void writeIndex(JsonText& json, const char* key, int index) {
     }
 }
 
-void writeTile(JsonText& json, const World& world, const WalkedTile& tile, double projectionDistance) {
-    json.beginObject().key("map").text(mapName(world, tile.map)).key("portals").number(tile.portals);
+void writeTile(JsonText& json, const World& world, const WalkedTile& tile,
+               double projectionDistance) {
+    json.beginObject()
+        .key("map")
+        .text(mapName(world, tile.map))
+        .key("portals")
+        .number(tile.portals);
     writePair(json, "tile", tile.x, tile.y);
     json.key("axis");
     if (tile.entered) {
@@ -47,9 +53,16 @@ void writeTile(JsonText& json, const World& world, const WalkedTile& tile, doubl
     json.endObject();
 }
 
-void writeTexel(JsonText& json, const World& world, const FilledRows& rows, const TracedTexel& texel, int row) {
+void writeTexel(JsonText& json, const World& world, const FilledRows& rows,
+                const TracedTexel& texel, int row) {
     const auto detail = static_cast<std::size_t>(texel.detail);
-    json.beginObject().key("row").number(row).key("depth").number(texel.depth).key("detail").number(texel.detail);
+    json.beginObject()
+        .key("row")
+        .number(row)
+        .key("depth")
+        .number(texel.depth)
+        .key("detail")
+        .number(texel.detail);
     if (rows.what == What::object) {
         const SpriteLevel& level = world.sprites[rows.texture].frames[0][detail];
         writePair(json, "size", level.width, level.height);
@@ -57,7 +70,15 @@ void writeTexel(JsonText& json, const World& world, const FilledRows& rows, cons
         const TextureLevel& level = world.textures[rows.texture].levels[detail];
         writePair(json, "size", level.size, level.size);
     }
-    json.key("u").number(texel.u).key("v").number(texel.v).key("light").number(texel.light).key("fog").number(texel.fog).endObject();
+    json.key("u")
+        .number(texel.u)
+        .key("v")
+        .number(texel.v)
+        .key("light")
+        .number(texel.light)
+        .key("fog")
+        .number(texel.fog)
+        .endObject();
 }
 
 const std::string& textureName(const World& world, bool isSprite, std::size_t texture) {
@@ -65,7 +86,13 @@ const std::string& textureName(const World& world, bool isSprite, std::size_t te
 }
 
 void writeRun(JsonText& json, const World& world, const FilledRows& rows) {
-    json.beginObject().key("what").text(nameOf(rows.what)).key("map").text(mapName(world, rows.map)).key("portals").number(rows.portals);
+    json.beginObject()
+        .key("what")
+        .text(nameOf(rows.what))
+        .key("map")
+        .text(mapName(world, rows.map))
+        .key("portals")
+        .number(rows.portals);
     writeIndex(json, "hit", rows.hit);
     writeIndex(json, "object", rows.object);
     json.key("face");
@@ -92,7 +119,8 @@ void writeRun(JsonText& json, const World& world, const FilledRows& rows) {
 void writeSlice(JsonText& json, const Session& session, const SliceTrace& trace) {
     writeHits(json, session, trace);
     json.line(1).key("walk").beginArray();
-    for (const WalkedTile& tile : trace.tiles) writeTile(json.line(2), session.world(), tile, trace.projectionDistance);
+    for (const WalkedTile& tile : trace.tiles)
+        writeTile(json.line(2), session.world(), tile, trace.projectionDistance);
     json.endArray().line(1).key("runs").beginArray();
     for (const FilledRows& rows : trace.filled) writeRun(json.line(2), session.world(), rows);
     json.endArray();
@@ -105,7 +133,8 @@ void writeColumns(JsonText& json, const char* key, const std::vector<double>& nu
     json.endArray();
 }
 
-void writeNumbers(JsonText& json, const char* key, std::initializer_list<std::pair<const char*, double>> numbers) {
+void writeNumbers(JsonText& json, const char* key,
+                  std::initializer_list<std::pair<const char*, double>> numbers) {
     json.line(1).key(key).beginObject();
     for (const auto& [name, number] : numbers) json.key(name).number(number);
     json.endObject();
@@ -113,7 +142,11 @@ void writeNumbers(JsonText& json, const char* key, std::initializer_list<std::pa
 
 // What all columns of a picture add up to.
 struct Sums {
-    explicit Sums(int width) : nearest(static_cast<std::size_t>(width), std::numeric_limits<double>::infinity()), tiles(nearest.size()), hits(tiles), layers(tiles) {
+    explicit Sums(int width)
+        : nearest(static_cast<std::size_t>(width), std::numeric_limits<double>::infinity()),
+          tiles(nearest.size()),
+          hits(tiles),
+          layers(tiles) {
         rows.fill(tiles);
     }
 
@@ -122,12 +155,15 @@ struct Sums {
         tiles[column] = static_cast<double>(trace.tiles.size());
         hits[column] = static_cast<double>(trace.hits.size());
         for (const FilledRows& run : trace.filled) {
-            (run.layer ? layers : rows[static_cast<std::size_t>(run.what)])[column] += run.last - run.first;
-            if (run.hit >= 0 || run.object >= 0) nearest[column] = std::min({nearest[column], run.top.depth, run.bottom.depth});
+            (run.layer ? layers : rows[static_cast<std::size_t>(run.what)])[column] +=
+                run.last - run.first;
+            if (run.hit >= 0 || run.object >= 0)
+                nearest[column] = std::min({nearest[column], run.top.depth, run.bottom.depth});
             if (!hasTexture(run)) continue;
             auto& ofKind = texels[run.what == What::object ? 1 : 0];
             if (ofKind.size() <= run.texture) ofKind.resize(run.texture + std::size_t{1});
-            for (std::size_t m = 0; m < kMostDetails; ++m) ofKind[run.texture][m] += run.rowsOfDetail[m];
+            for (std::size_t m = 0; m < kMostDetails; ++m)
+                ofKind[run.texture][m] += run.rowsOfDetail[m];
         }
     }
 
@@ -136,7 +172,8 @@ struct Sums {
     std::vector<double> hits;
     std::vector<double> layers;
     std::array<std::vector<double>, kOpaqueKinds.size()> rows;
-    std::array<std::vector<std::array<std::int64_t, kMostDetails>>, 2> texels;  // by texture and sprite
+    std::array<std::vector<std::array<std::int64_t, kMostDetails>>, 2>
+        texels;  // by texture and sprite
 };
 
 void writeTextures(JsonText& json, const World& world, const Sums& sums) {
@@ -147,9 +184,15 @@ void writeTextures(JsonText& json, const World& world, const Sums& sums) {
             std::size_t details = kMostDetails;
             while (details > 0 && texels[i][details - 1] == 0) --details;
             if (details == 0) continue;
-            json.line(2).beginObject().key("name").text(textureName(world, isSprite, i)).key("kind").text(isSprite ? "sprite" : "texture");
+            json.line(2)
+                .beginObject()
+                .key("name")
+                .text(textureName(world, isSprite, i))
+                .key("kind")
+                .text(isSprite ? "sprite" : "texture");
             json.key("texels").beginArray();
-            for (std::size_t m = 0; m < details; ++m) json.number(static_cast<double>(texels[i][m]));
+            for (std::size_t m = 0; m < details; ++m)
+                json.number(static_cast<double>(texels[i][m]));
             json.endArray().endObject();
         }
     }
@@ -158,7 +201,8 @@ void writeTextures(JsonText& json, const World& world, const Sums& sums) {
 
 }  // namespace
 
-std::string traceJson(Session& session, const std::string& sceneName, int width, int height, int column) {
+std::string traceJson(Session& session, const std::string& sceneName, int width, int height,
+                      int column) {
     const SliceTrace trace = session.trace(width, height, column);
     JsonText json;
     json.beginObject();
@@ -179,12 +223,18 @@ std::string frameTraceJson(Session& session, const std::string& sceneName, int w
     const FrameReport report = session.measure(width, height);
     Sums sums(width);
     SliceTrace slice;
-    for (int column = 0; column < width; ++column) sums.add(slice = session.trace(width, height, column));
+    for (int column = 0; column < width; ++column)
+        sums.add(slice = session.trace(width, height, column));
 
     JsonText json;
     json.beginObject();
     writeView(json, session, sceneName, width, height);
-    json.line(1).key("horizonRow").number(slice.horizonRow).line(1).key("projectionDistance").number(slice.projectionDistance);
+    json.line(1)
+        .key("horizonRow")
+        .number(slice.horizonRow)
+        .line(1)
+        .key("projectionDistance")
+        .number(slice.projectionDistance);
     const auto number = [](std::int64_t whole) { return static_cast<double>(whole); };
     writeNumbers(json, "totals",
                  {{"tilesWalked", number(report.tilesWalked)},
@@ -211,7 +261,8 @@ std::string frameTraceJson(Session& session, const std::string& sceneName, int w
     writeColumns(json, "tiles", sums.tiles);
     writeColumns(json, "hits", sums.hits);
     json.line(2).key("rows").beginObject();
-    for (const What what : kOpaqueKinds) writeColumns(json, nameOf(what), sums.rows[static_cast<std::size_t>(what)]);
+    for (const What what : kOpaqueKinds)
+        writeColumns(json, nameOf(what), sums.rows[static_cast<std::size_t>(what)]);
     json.endObject();
     writeColumns(json, "layers", sums.layers);
     return json.endObject().line(0).endObject().str() + "\n";

@@ -6,10 +6,10 @@
 #include "base/number_text.h"
 #include "scene/scene.h"
 #include "session/hits_json.h"
+#include "session/json_text.h"
 #include "session/recording_text.h"
 #include "session/session.h"
 #include "session/trace_json.h"
-#include "session/json_text.h"
 
 #include <emscripten/emscripten.h>
 #include <unistd.h>
@@ -26,17 +26,18 @@
 
 using namespace slicecast;
 
-// One session as JavaScript sees it: what has been read of a scene so far, and the game. The game of the program's session lives in the program.
+// One session as JavaScript sees it: what has been read of a scene so far, and the game. The game
+// of the program's session lives in the program.
 struct SlicecastSession {
     bool ofProgram = false;
     ParsedScene parsed;
     SceneFiles files;
-    EarlyImages early;  // of the files that have come
+    EarlyImages early;                 // of the files that have come
     std::optional<Recorder> recorder;  // of the own game, which writes to it
     std::optional<Replay> replay;
     std::unique_ptr<Session> own;
     std::optional<Recording> recording;  // read, and not yet played
-    SessionOptions waiting;  // options set before there is a game
+    SessionOptions waiting;              // options set before there is a game
     Image picture;
     std::string answer;
     double view[6] = {};
@@ -59,7 +60,14 @@ void writeFaults(JsonText& json, const char* key, const std::vector<Fault>& faul
     for (const Fault& fault : faults) {
         json.beginObject();
         json.key("file").text(fault.file).key("pointer").text(fault.pointer);
-        json.key("line").number(fault.line).key("column").number(fault.column).key("row").number(fault.row).key("character").number(fault.character);
+        json.key("line")
+            .number(fault.line)
+            .key("column")
+            .number(fault.column)
+            .key("row")
+            .number(fault.row)
+            .key("character")
+            .number(fault.character);
         json.key("found").text(fault.found).key("expected").text(fault.expected);
         json.key("message").text(describe(fault));
         json.endObject();
@@ -112,7 +120,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_version(void) {
     return SLICECAST_VERSION;
 }
 
-// ----------------------------------------------------------------------------------------------------------- sessions
+// ---- sessions
 
 EMSCRIPTEN_KEEPALIVE SlicecastSession* slicecast_create(void) {
     return new SlicecastSession;
@@ -128,12 +136,14 @@ EMSCRIPTEN_KEEPALIVE SlicecastSession* slicecast_programSession(void) {
     return &session;
 }
 
-// ------------------------------------------------------------------------------------------------------------ loading
+// ---- loading
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes, const char* fileName) {
+EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, const char* text,
+                                                 int32_t textBytes, const char* fileName) {
     session->files.clear();
     session->early = {};
-    session->parsed = parseScene(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
+    session->parsed =
+        parseScene(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
     JsonText json;
     json.beginObject().key("files").beginArray();
     for (const std::string& file : session->parsed.files) json.text(file);
@@ -142,14 +152,17 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, cons
     return session->give(json.endObject().str());
 }
 
-EMSCRIPTEN_KEEPALIVE void slicecast_supply(SlicecastSession* session, const char* fileName, const uint8_t* bytes, int32_t byteCount) {
+EMSCRIPTEN_KEEPALIVE void slicecast_supply(SlicecastSession* session, const char* fileName,
+                                           const uint8_t* bytes, int32_t byteCount) {
     session->files[fileName].assign(bytes, bytes + byteCount);
     session->early.decode(fileName, session->files[fileName]);
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
     // A scene whose text is at fault says so again, and makes no world.
-    LoadedScene loaded = session->parsed.description ? loadScene(session->parsed, session->files, std::move(session->early)) : LoadedScene{{}, session->parsed.faults};
+    LoadedScene loaded = session->parsed.description
+                             ? loadScene(session->parsed, session->files, std::move(session->early))
+                             : LoadedScene{{}, session->parsed.faults};
     session->files.clear();
     session->early = {};
     JsonText json;
@@ -160,7 +173,8 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
     if (!loaded.world) return session->give(json.str());
 
     auto game = std::make_unique<Session>(std::move(*loaded.world));
-    for (const OptionInfo& option : knownOptions()) game->setOption(option.name, currentValue(*session, option.name));
+    for (const OptionInfo& option : knownOptions())
+        game->setOption(option.name, currentValue(*session, option.name));
     if (session->ofProgram) {
         pageProgram().play(std::move(game));
     } else {
@@ -192,15 +206,22 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_world(SlicecastSession* session) {
     json.beginObject().key("title").text(game->world().title).key("maps").beginArray();
     for (const Map& map : game->world().maps) {
         json.beginObject().key("name").text(map.name);
-        json.key("width").number(map.width).key("depth").number(map.depth).key("levels").number(map.levels).endObject();
+        json.key("width")
+            .number(map.width)
+            .key("depth")
+            .number(map.depth)
+            .key("levels")
+            .number(map.levels)
+            .endObject();
     }
     json.endArray().key("gates").number(static_cast<int>(game->world().gates.size()));
     return session->give(json.endObject().str());
 }
 
-// ------------------------------------------------------------------------------------------------------------ playing
+// ---- playing
 
-EMSCRIPTEN_KEEPALIVE void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn, double look, double fly, double turnDegrees,
+EMSCRIPTEN_KEEPALIVE void slicecast_step(SlicecastSession* session, double forward, double strafe,
+                                         double turn, double look, double fly, double turnDegrees,
                                          double lookHeights, int32_t buttons) {
     Session* game = session->game();
     if (game == nullptr) return;
@@ -220,10 +241,12 @@ EMSCRIPTEN_KEEPALIVE void slicecast_step(SlicecastSession* session, double forwa
     }
 }
 
-EMSCRIPTEN_KEEPALIVE int32_t slicecast_draw(SlicecastSession* session, int32_t width, int32_t height, double fraction) {
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_draw(SlicecastSession* session, int32_t width,
+                                            int32_t height, double fraction) {
     Session* game = session->game();
     if (game == nullptr || !canBe(width, height)) return 0;
-    if (session->picture.width != width || session->picture.height != height) session->picture = Image(width, height);
+    if (session->picture.width != width || session->picture.height != height)
+        session->picture = Image(width, height);
     return game->draw({session->picture.pixels.data(), width, height, width}, fraction) ? 1 : 0;
 }
 
@@ -231,12 +254,14 @@ EMSCRIPTEN_KEEPALIVE const uint8_t* slicecast_picture(SlicecastSession* session)
     return reinterpret_cast<const uint8_t*>(session->picture.pixels.data());
 }
 
-// ------------------------------------------------------------------------------------------------- options and state
+// ---- options and state
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_setOption(SlicecastSession* session, const char* name, const char* value) {
+EMSCRIPTEN_KEEPALIVE const char* slicecast_setOption(SlicecastSession* session, const char* name,
+                                                     const char* value) {
     Session* game = session->game();
     session->changed();
-    return session->give(game != nullptr ? game->setOption(name, value) : setOption(session->waiting, name, value));
+    return session->give(game != nullptr ? game->setOption(name, value)
+                                         : setOption(session->waiting, name, value));
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_option(SlicecastSession* session, const char* name) {
@@ -248,7 +273,12 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_options(SlicecastSession* session) {
     json.beginArray();
     for (const OptionInfo& option : knownOptions()) {
         json.beginObject().key("name").text(option.name).key("kind").text(kindName(option.kind));
-        json.key("least").number(option.least).key("greatest").number(option.greatest).key("choices").text(option.choices);
+        json.key("least")
+            .number(option.least)
+            .key("greatest")
+            .number(option.greatest)
+            .key("choices")
+            .text(option.choices);
         json.key("standard").text(option.standard).key("description").text(option.description);
         json.key("value").text(currentValue(*session, option.name)).endObject();
     }
@@ -262,11 +292,31 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
     JsonText json;
     json.beginObject();
     json.key("map").number(game->player().map).key("mapName").text(state.map);
-    json.key("x").number(state.x).key("y").number(state.y).key("z").number(state.z).key("feet").number(state.feet);
-    json.key("heading").number(state.headingDegrees).key("look").number(state.look).key("speed").number(state.speed);
-    json.key("flying").yesNo(state.flying).key("crouched").yesNo(state.crouched).key("onGround").yesNo(state.onGround);
+    json.key("x")
+        .number(state.x)
+        .key("y")
+        .number(state.y)
+        .key("z")
+        .number(state.z)
+        .key("feet")
+        .number(state.feet);
+    json.key("heading")
+        .number(state.headingDegrees)
+        .key("look")
+        .number(state.look)
+        .key("speed")
+        .number(state.speed);
+    json.key("flying")
+        .yesNo(state.flying)
+        .key("crouched")
+        .yesNo(state.crouched)
+        .key("onGround")
+        .yesNo(state.onGround);
     json.key("intensity").number(state.intensity).key("multiplier").number(state.multiplier);
-    json.key("steps").number(static_cast<double>(state.steps)).key("fingerprint").text(hexText(game->fingerprint(), 16));
+    json.key("steps")
+        .number(static_cast<double>(state.steps))
+        .key("fingerprint")
+        .text(hexText(game->fingerprint(), 16));
     return session->give(json.endObject().str());
 }
 
@@ -275,15 +325,22 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_view(SlicecastSession* session) {
     if (game == nullptr) return nullptr;
     const Eye eye = game->eye();
     double* out = session->view;
-    for (const double number : {static_cast<double>(eye.map), eye.x.value(), eye.y.value(), eye.z.value(), eye.headingDegrees, eye.look}) *out++ = number;
+    for (const double number : {static_cast<double>(eye.map), eye.x.value(), eye.y.value(),
+                                eye.z.value(), eye.headingDegrees, eye.look})
+        *out++ = number;
     return session->view;
 }
 
-EMSCRIPTEN_KEEPALIVE int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z, double headingDegrees, double look) {
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x,
+                                              double y, double z, double headingDegrees,
+                                              double look) {
     Session* game = session->game();
     if (game == nullptr) return 0;
     session->changed();
-    return game->setEye({map, toCoordinate(x), toCoordinate(y), toCoordinate(z), headingDegrees, look}) ? 1 : 0;
+    return game->setEye(
+               {map, toCoordinate(x), toCoordinate(y), toCoordinate(z), headingDegrees, look})
+               ? 1
+               : 0;
 }
 
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_goToMap(SlicecastSession* session, int32_t map) {
@@ -293,17 +350,21 @@ EMSCRIPTEN_KEEPALIVE int32_t slicecast_goToMap(SlicecastSession* session, int32_
     return game->goToMap(map) ? 1 : 0;
 }
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height, int32_t column) {
+EMSCRIPTEN_KEEPALIVE const char* slicecast_hits(SlicecastSession* session, int32_t width,
+                                                int32_t height, int32_t column) {
     Session* game = session->game();
-    if (game == nullptr || !canBe(width, height) || column < 0 || column >= width) return session->give("null");
+    if (game == nullptr || !canBe(width, height) || column < 0 || column >= width)
+        return session->give("null");
     return session->give(hitsJson(*game, game->world().title, width, height, column));
 }
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height, int32_t column) {
+EMSCRIPTEN_KEEPALIVE const char* slicecast_trace(SlicecastSession* session, int32_t width,
+                                                 int32_t height, int32_t column) {
     Session* game = session->game();
     if (game == nullptr || !canBe(width, height) || column >= width) return session->give("null");
     const std::string& title = game->world().title;
-    return session->give(column < 0 ? frameTraceJson(*game, title, width, height) : traceJson(*game, title, width, height, column));
+    return session->give(column < 0 ? frameTraceJson(*game, title, width, height)
+                                    : traceJson(*game, title, width, height, column));
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecast_setFlying(SlicecastSession* session, int32_t flying) {
@@ -320,7 +381,7 @@ EMSCRIPTEN_KEEPALIVE void slicecast_reset(SlicecastSession* session) {
     session->changed();
 }
 
-// -------------------------------------------------------------------------------------------------------- recordings
+// ---- recordings
 
 EMSCRIPTEN_KEEPALIVE void slicecast_record(SlicecastSession* session, const char* sceneName) {
     if (session->game() == nullptr) return;
@@ -345,20 +406,32 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_takeRecording(SlicecastSession* sessi
     return session->give(recording ? writeRecording(*recording) : std::string());
 }
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_readRecording(SlicecastSession* session, const char* text, int32_t textBytes, const char* fileName) {
-    ReadRecording read = readRecording(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
+EMSCRIPTEN_KEEPALIVE const char* slicecast_readRecording(SlicecastSession* session,
+                                                         const char* text, int32_t textBytes,
+                                                         const char* fileName) {
+    ReadRecording read =
+        readRecording(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
     JsonText json;
     json.beginObject();
     writeFaults(json, "faults", read.faults);
     session->recording = std::move(read.recording);
     if (session->recording) {
-        json.key("scene").text(session->recording->scene).key("steps").number(static_cast<double>(session->recording->steps));
+        json.key("scene")
+            .text(session->recording->scene)
+            .key("steps")
+            .number(static_cast<double>(session->recording->steps));
         json.key("marks").beginArray();
         std::int64_t steps = 0;
         for (const RecordedEntry& entry : session->recording->entries) {
             if (const auto* played = std::get_if<RecordedSteps>(&entry)) steps += played->count;
             const auto* mark = std::get_if<RecordedMark>(&entry);
-            if (mark != nullptr) json.beginObject().key("name").text(mark->name).key("step").number(static_cast<double>(steps)).endObject();
+            if (mark != nullptr)
+                json.beginObject()
+                    .key("name")
+                    .text(mark->name)
+                    .key("step")
+                    .number(static_cast<double>(steps))
+                    .endObject();
         }
         json.endArray();
     }
@@ -379,20 +452,26 @@ EMSCRIPTEN_KEEPALIVE int32_t slicecast_replay(SlicecastSession* session) {
 
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_replayStep(SlicecastSession* session, int32_t count) {
     int32_t done = 0;
-    while (session->own && session->replay && done < count && session->replay->step(*session->own)) ++done;
+    while (session->own && session->replay && done < count && session->replay->step(*session->own))
+        ++done;
     return done;
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_replayState(SlicecastSession* session) {
-    const Replay* replay = session->ofProgram ? pageProgram().replayed() : session->replay ? &*session->replay : nullptr;
+    const Replay* replay = session->ofProgram ? pageProgram().replayed()
+                           : session->replay  ? &*session->replay
+                                              : nullptr;
     if (replay == nullptr) return session->give("null");
     JsonText json;
     json.beginObject().key("steps").number(static_cast<double>(replay->recording().steps));
-    json.key("stepsDone").number(static_cast<double>(replay->stepsDone())).key("isSame").yesNo(replay->isSame());
+    json.key("stepsDone")
+        .number(static_cast<double>(replay->stepsDone()))
+        .key("isSame")
+        .yesNo(replay->isSame());
     return session->give(json.endObject().str());
 }
 
-// -------------------------------------------------------------------------------------------------- program in a page
+// ---- program in a page
 
 EMSCRIPTEN_KEEPALIVE void slicecast_resize(int32_t width, int32_t height) {
     pageProgram().resize(width, height);
@@ -410,7 +489,8 @@ EMSCRIPTEN_KEEPALIVE void slicecast_setMouse(double degreesPerPixel, int32_t inv
     pageProgram().setMouse(degreesPerPixel, invert != 0);
 }
 
-EMSCRIPTEN_KEEPALIVE void slicecast_gamepad(double leftX, double leftY, double rightX, double rightY, double leftTrigger, double rightTrigger,
+EMSCRIPTEN_KEEPALIVE void slicecast_gamepad(double leftX, double leftY, double rightX,
+                                            double rightY, double leftTrigger, double rightTrigger,
                                             int32_t buttons) {
     pageProgram().setGamepad({.left = {leftX, leftY},
                               .right = {rightX, rightY},
@@ -419,7 +499,8 @@ EMSCRIPTEN_KEEPALIVE void slicecast_gamepad(double leftX, double leftY, double r
                               .buttons = static_cast<unsigned>(buttons)});
 }
 
-EMSCRIPTEN_KEEPALIVE void slicecast_thumbs(double forward, double strafe, double fly, int32_t buttons) {
+EMSCRIPTEN_KEEPALIVE void slicecast_thumbs(double forward, double strafe, double fly,
+                                           int32_t buttons) {
     Input input;
     input.forward = forward;
     input.strafe = strafe;
@@ -440,7 +521,8 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_keys(void) {
     static const std::string text = [] {
         JsonText json;
         json.beginArray();
-        for (const KeyHelp& line : keyHelp()) json.beginObject().key("keys").text(line.keys).key("does").text(line.does).endObject();
+        for (const KeyHelp& line : keyHelp())
+            json.beginObject().key("keys").text(line.keys).key("does").text(line.does).endObject();
         return json.endArray().str();
     }();
     return text.c_str();

@@ -1,5 +1,6 @@
-// Copying and filling by the machine's own instructions, where WebAssembly has them: the small C library goes byte by byte. These functions stay out of the
-// optimisation of the whole, which takes what it compiles with them for a program of several threads.
+// Copying and filling by the machine's own instructions, where WebAssembly has them: the small C
+// library goes byte by byte. These functions stay out of the optimisation of the whole, which takes
+// what it compiles with them for a program of several threads.
 #ifdef __wasm_bulk_memory__
 
 #include <cstddef>

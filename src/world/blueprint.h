@@ -12,7 +12,8 @@ namespace slicecast {
 // The six sides of a block. North is towards smaller y, west towards smaller x, top upwards.
 enum class Face : std::uint8_t { north, east, south, west, top, bottom };
 inline constexpr int kFaces = 6;
-inline constexpr std::array<const char*, kFaces> kFaceNames = {"north", "east", "south", "west", "top", "bottom"};
+inline constexpr std::array<const char*, kFaces> kFaceNames = {"north", "east", "south",
+                                                               "west",  "top",  "bottom"};
 
 using TextureId = std::uint16_t;  // index into World::textures
 inline constexpr TextureId kNoTexture = 0xffff;
@@ -26,26 +27,29 @@ inline constexpr PortalId kNoPortal = 0xffff;
 struct FaceBlueprint {
     TextureId texture = kNoTexture;
     double light = 1.0;  // factor on the map's light, 0 to 1
-    bool glow = false;   // the factor is all: as bright as that at any distance, whatever the map's light
+    bool glow =
+        false;  // the factor is all: as bright as that at any distance, whatever the map's light
     std::uint8_t mirror = 0;      // of a top face: how much of what is above shows in it, of 255
     PortalId portal = kNoPortal;  // who or what comes in through this face is elsewhere
 };
 
-// A filled cell: the box between `bottom` and `top` above its level's base. What moves, opens, or leads elsewhere has blueprints of its own, made when the
-// world is: its edges and textures may change with every step. While top <= bottom its cells are empty (see Map::occupied).
+// A filled cell: the box between `bottom` and `top` above its level's base. What moves, opens, or
+// leads elsewhere has blueprints of its own, made when the world is: its edges and textures may
+// change with every step. While top <= bottom its cells are empty (see Map::occupied).
 struct CellBlueprint {
     std::string name;
-    Coordinate bottom;               // 0 <= bottom < top
-    Coordinate top = tileEdge(1);    // <= 1
+    Coordinate bottom;             // 0 <= bottom < top
+    Coordinate top = tileEdge(1);  // <= 1
     std::array<FaceBlueprint, kFaces> faces;
     bool seeThrough = false;  // a texel of a face has alpha below 255; set by markSeeThrough
-    bool join = true;         // where two see-through blocks of this blueprint touch, the two faces between them are left out
+    bool join = true;         // where two see-through blocks of this blueprint touch, the two faces
+                              // between them are left out
 
     bool passable = false;    // bodies go through it: an open gate
     bool hasPortals = false;  // a face has one; set by markPortals
-    int mover = -1;           // the thing that moves as one, of which this block is a part; -1 for none
-    int motion = -1;          // index into World::motions; -1 for what stands still
-    int gate = -1;            // index into World::gateKinds; -1 for what is no gate
+    int mover = -1;   // the thing that moves as one, of which this block is a part; -1 for none
+    int motion = -1;  // index into World::motions; -1 for what stands still
+    int gate = -1;    // index into World::gateKinds; -1 for what is no gate
 
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
 };

@@ -1,4 +1,5 @@
-// Bodies as moving blocks and gates see them: whoever must not be crushed, and who rides on what moves.
+// Bodies as moving blocks and gates see them: whoever must not be crushed, and who rides on what
+// moves.
 //
 //     bodies.push_back(bodyOf(travellerOf(player), player.onGround));
 //     stepWorld(world, bodies, ask);
@@ -25,13 +26,20 @@ struct Body {
 };
 
 inline Body bodyOf(const Traveller& traveller, bool rides) {
-    return {.map = traveller.map, .box = traveller.box, .rides = rides, .eye = traveller.eye, .behind = traveller.behind};
+    return {.map = traveller.map,
+            .box = traveller.box,
+            .rides = rides,
+            .eye = traveller.eye,
+            .behind = traveller.behind};
 }
 
 // The same, so far up.
 inline Traveller travellerOf(const Body& body, Coordinate up = {}) {
     const Position eye = {body.eye.x, body.eye.y, body.eye.z + up};
-    return {.map = body.map, .box = moved(body.box, {.x = {}, .y = {}, .z = up}), .eye = eye, .behind = body.behind};
+    return {.map = body.map,
+            .box = moved(body.box, {.x = {}, .y = {}, .z = up}),
+            .eye = eye,
+            .behind = body.behind};
 }
 
 }  // namespace slicecast

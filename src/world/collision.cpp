@@ -10,11 +10,14 @@ namespace slicecast {
 namespace {
 
 const Map* findMap(const World& world, int map) {
-    return map >= 0 && static_cast<std::size_t>(map) < world.maps.size() ? &world.maps[static_cast<std::size_t>(map)] : nullptr;
+    return map >= 0 && static_cast<std::size_t>(map) < world.maps.size()
+               ? &world.maps[static_cast<std::size_t>(map)]
+               : nullptr;
 }
 
 bool isInsideOutline(const Map& map, const Box& box) {
-    return box.west.raw >= 0 && box.north.raw >= 0 && box.east <= tileEdge(map.width) && box.south <= tileEdge(map.depth);
+    return box.west.raw >= 0 && box.north.raw >= 0 && box.east <= tileEdge(map.width) &&
+           box.south <= tileEdge(map.depth);
 }
 
 }  // namespace
@@ -52,11 +55,13 @@ std::optional<Coordinate> leastRise(const World& world, int map, const Box& box,
 }
 
 std::int64_t partsOf(Coordinate distanceX, Coordinate distanceY) {
-    const std::int64_t longest = std::max(std::abs(std::int64_t{distanceX.raw}), std::abs(std::int64_t{distanceY.raw}));
+    const std::int64_t longest =
+        std::max(std::abs(std::int64_t{distanceX.raw}), std::abs(std::int64_t{distanceY.raw}));
     return (longest + kLongestSlide.raw - 1) / kLongestSlide.raw;
 }
 
-Slide slide(const World& world, int map, const Box& box, Coordinate distanceX, Coordinate distanceY, Coordinate step) {
+Slide slide(const World& world, int map, const Box& box, Coordinate distanceX, Coordinate distanceY,
+            Coordinate step) {
     Slide state;
     state.box = box;
     const Map* where = findMap(world, map);

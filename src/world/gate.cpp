@@ -9,9 +9,11 @@ namespace slicecast {
 namespace {
 
 void show(World& world, const Gate& gate, const GateKind& kind) {
-    for (const BlueprintId part : gate.parts) world.blueprints[part].passable = gate.progress == kind.steps;
+    for (const BlueprintId part : gate.parts)
+        world.blueprints[part].passable = gate.progress == kind.steps;
     for (const GateFace& face : gate.faces) {
-        const int frame = static_cast<int>(std::min<std::int64_t>(face.frames - 1, std::int64_t{gate.progress} * face.frames / kind.steps));
+        const int frame = static_cast<int>(std::min<std::int64_t>(
+            face.frames - 1, std::int64_t{gate.progress} * face.frames / kind.steps));
         world.blueprints[face.part].faces[static_cast<std::size_t>(face.face)].texture =
             frame == 0 ? face.first : static_cast<TextureId>(face.later + frame - 1);
     }
@@ -37,13 +39,17 @@ bool isWithin(const Gate& gate, const Box& box, Coordinate distance) {
 void obey(Gate& gate, const GateKind& kind, const GateAsk& ask) {
     if (ask.wish == GateAsk::Wish::nothing || !kind.keyed || ask.map != gate.map) return;
     if (!isWithin(gate, {ask.x, ask.x, ask.y, ask.y, ask.z, ask.z}, kind.reach)) return;
-    gate.wantsOpen = ask.wish == GateAsk::Wish::open || (ask.wish == GateAsk::Wish::change && !gate.wantsOpen);
+    gate.wantsOpen =
+        ask.wish == GateAsk::Wish::open || (ask.wish == GateAsk::Wish::change && !gate.wantsOpen);
 }
 
-// Only who comes opens it, and only when all have gone it closes; between, it is as the keys have left it.
+// Only who comes opens it, and only when all have gone it closes; between, it is as the keys have
+// left it.
 void lookOut(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
     const bool wasNear = gate.isNear;
-    gate.isNear = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.map == gate.map && isWithin(gate, body.box, kind.approach); });
+    gate.isNear = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+        return body.map == gate.map && isWithin(gate, body.box, kind.approach);
+    });
     if (gate.isNear) {
         gate.awaySteps = 0;
         if (!wasNear) gate.wantsOpen = true;
@@ -55,10 +61,13 @@ void lookOut(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
 // True if a body that was free would not be with the gate shut, which it is not yet.
 bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
     for (Body& body : bodies) {
-        body.isMet = (body.straddles || (body.map == gate.map && isWithin(gate, body.box, {}))) && isFree(world, travellerOf(body));
+        body.isMet = (body.straddles || (body.map == gate.map && isWithin(gate, body.box, {}))) &&
+                     isFree(world, travellerOf(body));
     }
     for (const BlueprintId part : gate.parts) world.blueprints[part].passable = false;
-    const bool isEntered = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.isMet && !isFree(world, travellerOf(body)); });
+    const bool isEntered = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+        return body.isMet && !isFree(world, travellerOf(body));
+    });
     for (const BlueprintId part : gate.parts) world.blueprints[part].passable = true;
     return isEntered;
 }

@@ -1,9 +1,12 @@
 // Gates: blocks that open and close.
 //
-//     closed -> opening -> open -> closing -> closed         at any moment the other way round, from the progress reached
+//     closed -> opening -> open -> closing -> closed         at any moment the other way round,
+//     from the progress reached
 //
-// Cells of one gate's blueprint that touch, side by side or stacked, are one gate. Bodies go through it only while it is fully open. A gate never closes on
-// anyone: it waits, still open, until nobody is in it. Its faces that show a held sheet show the frame of its progress, the last one when it is open.
+// Cells of one gate's blueprint that touch, side by side or stacked, are one gate. Bodies go
+// through it only while it is fully open. A gate never closes on anyone: it waits, still open,
+// until nobody is in it. Its faces that show a held sheet show the frame of its progress, the last
+// one when it is open.
 #pragma once
 
 #include "base/coordinate.h"
@@ -24,9 +27,10 @@ inline constexpr double kFarthestGate = 64.0;  // units, to reach and to approac
 
 // What a blueprint says of its gates.
 struct GateKind {
-    int steps = 96;                  // from closed to open, > 0
-    Coordinate reach = tileEdge(2);  // how far an eye may be that opens it, from the nearest point of its blocks
-    bool keyed = true;               // opened and closed by whoever is within reach
+    int steps = 96;  // from closed to open, > 0
+    Coordinate reach =
+        tileEdge(2);    // how far an eye may be that opens it, from the nearest point of its blocks
+    bool keyed = true;  // opened and closed by whoever is within reach
     bool opensOnApproach = false;
     Coordinate approach = {};  // a body that comes this near opens it
     int holdSteps = 120;       // and it closes when nobody has been that near for so long
@@ -63,7 +67,8 @@ struct Gate {
     int awaySteps = 0;    // since nobody was near
 };
 
-// What somebody asks of the gates within reach of an eye. To close one that has somebody in it is granted when they have gone.
+// What somebody asks of the gates within reach of an eye. To close one that has somebody in it is
+// granted when they have gone.
 struct GateAsk {
     enum class Wish : std::uint8_t { nothing, change, open, close };
     Wish wish = Wish::nothing;
@@ -73,10 +78,12 @@ struct GateAsk {
     Coordinate z;
 };
 
-// Finds the gates of a world whose cells are complete, and puts them in their first state. What it gives is wrong with the world, which is of no use then.
+// Finds the gates of a world whose cells are complete, and puts them in their first state. What it
+// gives is wrong with the world, which is of no use then.
 std::vector<PlacingFault> makeGates(World& world);
 
-// Textures for the frames of the sheets that the gates show. For a world whose textures have been read, before markSeeThrough.
+// Textures for the frames of the sheets that the gates show. For a world whose textures have been
+// read, before markSeeThrough.
 void makeGateFrames(World& world);
 
 // One step of all of them. The bodies stay where they are.

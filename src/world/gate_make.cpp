@@ -20,7 +20,8 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
     std::vector<std::pair<BlueprintId, BlueprintId>> partOf;  // by the blueprint in the text
     for (const CellPlace& at : group) {
         const BlueprintId id = map.cell(at.x, at.y, at.level);
-        auto known = std::find_if(partOf.begin(), partOf.end(), [id](const auto& pair) { return pair.first == id; });
+        auto known = std::find_if(partOf.begin(), partOf.end(),
+                                  [id](const auto& pair) { return pair.first == id; });
         if (known == partOf.end()) {
             partOf.emplace_back(id, static_cast<BlueprintId>(world.blueprints.size()));
             known = partOf.end() - 1;
@@ -30,12 +31,14 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
         }
         map.setCell(at.x, at.y, at.level, known->second);
         const CellBlueprint& part = world.blueprints[known->second];
-        gate.boxes.push_back({at.x, at.y, tileEdge(at.level) + part.bottom, tileEdge(at.level) + part.top});
+        gate.boxes.push_back(
+            {at.x, at.y, tileEdge(at.level) + part.bottom, tileEdge(at.level) + part.top});
     }
     return gate;
 }
 
-// The texture of the sheet's second frame, the others behind it. The sheet itself keeps its first one, which it shows wherever it is no gate.
+// The texture of the sheet's second frame, the others behind it. The sheet itself keeps its first
+// one, which it shows wherever it is no gate.
 TextureId framesOf(World& world, TextureId sheet) {
     const auto later = static_cast<TextureId>(world.textures.size());
     std::vector<std::vector<TextureLevel>> frames = std::move(world.textures[sheet].laterFrames);
@@ -54,20 +57,26 @@ TextureId framesOf(World& world, TextureId sheet) {
 
 std::vector<PlacingFault> makeGates(World& world) {
     const std::vector<BlueprintId> kinds = kindsOf(world, &CellBlueprint::gate);
-    if (std::all_of(kinds.begin(), kinds.end(), [](BlueprintId kind) { return kind == kEmptyCell; })) return {};
+    if (std::all_of(kinds.begin(), kinds.end(),
+                    [](BlueprintId kind) { return kind == kEmptyCell; }))
+        return {};
     std::vector<PlacingFault> faults;
     std::size_t cells = kMaxMovingCells;
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         std::vector<std::vector<CellPlace>> groups;
         if (!groupCells(world.maps[map], kinds, cells, groups)) {
-            faults.push_back({static_cast<int>(map), 0, 0, 0, words("more than ", kMaxMovingCells, " cells of gates"), "fewer or smaller ones"});
+            faults.push_back({static_cast<int>(map), 0, 0, 0,
+                              words("more than ", kMaxMovingCells, " cells of gates"),
+                              "fewer or smaller ones"});
             break;
         }
         for (const std::vector<CellPlace>& group : groups) {
             // A gate has at most as many parts as cells.
             if (world.blueprints.size() + group.size() > static_cast<std::size_t>(kMaxBlueprints)) {
-                faults.push_back({static_cast<int>(map), group[0].x, group[0].y, group[0].level,
-                                  words("a gate with which there are more than ", kMaxBlueprints, " blueprints"), "fewer gates"});
+                faults.push_back(
+                    {static_cast<int>(map), group[0].x, group[0].y, group[0].level,
+                     words("a gate with which there are more than ", kMaxBlueprints, " blueprints"),
+                     "fewer gates"});
                 return faults;
             }
             world.gates.push_back(makeGate(world, static_cast<int>(map), group));
@@ -86,7 +95,9 @@ void makeGateFrames(World& world) {
                 face.part = part;
                 face.face = static_cast<Face>(side);
                 face.first = world.blueprints[part].face(face.face).texture;
-                const auto before = std::find_if(known.begin(), known.end(), [&](const GateFace& other) { return other.first == face.first; });
+                const auto before =
+                    std::find_if(known.begin(), known.end(),
+                                 [&](const GateFace& other) { return other.first == face.first; });
                 if (before != known.end()) {
                     face.later = before->later;
                     face.frames = before->frames;

@@ -1,4 +1,5 @@
-// A map: a grid of width x depth tiles with stacked levels, and what surrounds it (floor, ceiling, sky, light, fog).
+// A map: a grid of width x depth tiles with stacked levels, and what surrounds it (floor, ceiling,
+// sky, light, fog).
 //
 //        x ->                       level n lies between heights n and n + 1;
 //      +---+---+---+                cell (x, y, n) is empty or a block from a blueprint
@@ -22,7 +23,8 @@
 
 namespace slicecast {
 
-// The plane at height 0. It goes on without end: outside the grid with `texture`, inside with a texture per tile.
+// The plane at height 0. It goes on without end: outside the grid with `texture`, inside with a
+// texture per tile.
 struct Floor {
     TextureId texture = kNoTexture;
     std::vector<TextureId> tiles;  // [y * width + x]
@@ -31,10 +33,12 @@ struct Floor {
     std::uint8_t mirror = 0;       // see FaceBlueprint
 };
 
-// A plane above some or all tiles of the grid, seen from both sides. There is none where no tile has a texture.
+// A plane above some or all tiles of the grid, seen from both sides. There is none where no tile
+// has a texture.
 struct Ceiling {
     Coordinate height;             // units, > 0
-    std::vector<TextureId> tiles;  // [y * width + x], kNoTexture where the tile is open to the sky; empty when the map has no ceiling
+    std::vector<TextureId> tiles;  // [y * width + x], kNoTexture where the tile is open to the sky;
+                                   // empty when the map has no ceiling
     double light = 1.0;
     bool glow = false;
 };
@@ -45,11 +49,14 @@ struct Sky {
     Kind kind = Kind::colour;
     Colour low = {150, 190, 230, 255};  // the colour; the gradient's colour at the horizon
     Colour high;                        // the gradient's colour at `slope` and above
-    double slope = 1.0;                 // upward slope (height / distance) that the gradient's end or the panorama's upper edge stands for, > 0
-    Image panorama;                     // any size; wraps around the full circle, its left edge in the east, turning clockwise
+    double slope = 1.0;  // upward slope (height / distance) that the gradient's end or the
+                         // panorama's upper edge stands for, > 0
+    Image panorama;  // any size; wraps around the full circle, its left edge in the east, turning
+                     // clockwise
 };
 
-// Brightness at depth t is clamp(intensity * multiplier / t, darkest, brightest), times a face's own factor.
+// Brightness at depth t is clamp(intensity * multiplier / t, darkest, brightest), times a face's
+// own factor.
 struct Light {
     bool on = true;
     double intensity = 1.5;
@@ -67,13 +74,15 @@ struct Fog {
 
 struct Map {
     std::string name;
-    int width = 0;   // tiles eastward
-    int depth = 0;   // tiles southward
-    int levels = 0;  // stacked levels
-    std::vector<BlueprintId> cells;       // [(y * width + x) * levels + level]
-    std::vector<Object> objects;          // the order decides where two are at one depth
-    std::vector<std::uint32_t> occupied;  // [y * width + x]: bit n is set where level n holds a block
-    std::vector<PortalId> tilePortals;    // [y * width + x], kNoPortal where there is none; empty when the map has none
+    int width = 0;                   // tiles eastward
+    int depth = 0;                   // tiles southward
+    int levels = 0;                  // stacked levels
+    std::vector<BlueprintId> cells;  // [(y * width + x) * levels + level]
+    std::vector<Object> objects;     // the order decides where two are at one depth
+    std::vector<std::uint32_t>
+        occupied;  // [y * width + x]: bit n is set where level n holds a block
+    std::vector<PortalId>
+        tilePortals;  // [y * width + x], kNoPortal where there is none; empty when the map has none
     Floor floor;
     Ceiling ceiling;
     Sky sky;
@@ -83,17 +92,26 @@ struct Map {
     double far = kDefaultFar;            // units
 
     bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < depth; }
-    std::size_t tileIndex(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+    std::size_t tileIndex(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
+    }
     std::size_t cellIndex(int x, int y, int level) const {
         return tileIndex(x, y) * static_cast<std::size_t>(levels) + static_cast<std::size_t>(level);
     }
 
     bool isOccupied(int x, int y, int level) const {
-        return contains(x, y) && level >= 0 && level < levels && (occupied[tileIndex(x, y)] >> level & 1u) != 0;
+        return contains(x, y) && level >= 0 && level < levels &&
+               (occupied[tileIndex(x, y)] >> level & 1u) != 0;
     }
-    // The blueprint at a cell; empty where no block is at the moment, outside the grid and outside the levels.
-    BlueprintId cell(int x, int y, int level) const { return isOccupied(x, y, level) ? cells[cellIndex(x, y, level)] : kEmptyCell; }
-    PortalId tilePortal(int x, int y) const { return tilePortals.empty() || !contains(x, y) ? kNoPortal : tilePortals[tileIndex(x, y)]; }
+    // The blueprint at a cell; empty where no block is at the moment, outside the grid and outside
+    // the levels.
+    BlueprintId cell(int x, int y, int level) const {
+        return isOccupied(x, y, level) ? cells[cellIndex(x, y, level)] : kEmptyCell;
+    }
+    PortalId tilePortal(int x, int y) const {
+        return tilePortals.empty() || !contains(x, y) ? kNoPortal : tilePortals[tileIndex(x, y)];
+    }
     void setCell(int x, int y, int level, BlueprintId blueprint);
 };
 

@@ -32,9 +32,11 @@ MapEntry findMapEntry(const World& world, int mapIndex) {
     const int middleY = map.depth / 2;
     const Coordinate half = {tileEdge(1).raw / 2};
     for (int ring = 0; ring <= std::max(map.width, map.depth); ++ring) {
-        for (int y = std::max(0, middleY - ring); y <= std::min(map.depth - 1, middleY + ring); ++y) {
+        for (int y = std::max(0, middleY - ring); y <= std::min(map.depth - 1, middleY + ring);
+             ++y) {
             const bool wholeRow = y == middleY - ring || y == middleY + ring;
-            for (int x = middleX - ring; x <= middleX + ring; x += wholeRow || ring == 0 ? 1 : 2 * ring) {
+            for (int x = middleX - ring; x <= middleX + ring;
+                 x += wholeRow || ring == 0 ? 1 : 2 * ring) {
                 if (!map.contains(x, y)) continue;
                 if (const std::optional<Coordinate> feet = lowestPlace(world, mapIndex, x, y)) {
                     return {tileEdge(x) + half, tileEdge(y) + half, *feet, true};

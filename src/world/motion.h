@@ -1,7 +1,10 @@
-// Motions: how an edge of a moving block goes to and fro. All of it in whole steps and 1/65536 units.
+// Motions: how an edge of a moving block goes to and fro. All of it in whole steps and 1/65536
+// units.
 //
-//     offset  to |      ___                                A period takes the offset from `from` to `to` and back again. `even` goes at one speed,
-//                |    /     \            smooth            `smooth` begins and ends slowly, `stopAndGo` does so too and rests for a quarter of the
+//     offset  to |      ___                                A period takes the offset from `from` to
+//     `to` and back again. `even` goes at one speed,
+//                |    /     \            smooth            `smooth` begins and ends slowly,
+//                `stopAndGo` does so too and rests for a quarter of the
 //           from |__/         \__                          period at either end.
 //                +----------------> steps
 #pragma once
@@ -19,7 +22,8 @@ enum class MotionShape : std::uint8_t { smooth, even, stopAndGo };
 inline constexpr double kShortestPeriod = 0.1;    // seconds
 inline constexpr double kLongestPeriod = 3600.0;  // seconds
 inline constexpr double kGreatestOffset = 32.0;   // units either way: all levels of a map
-// Units per second. In a step an edge gets no further than 1/30, which is less than any body is high: nothing passes through anything.
+// Units per second. In a step an edge gets no further than 1/30, which is less than any body is
+// high: nothing passes through anything.
 inline constexpr double kFastestMotion = 4.0;
 
 struct Motion {

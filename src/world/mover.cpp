@@ -16,10 +16,12 @@ struct Extent {
 };
 
 Extent extentOf(const Shaft& shaft, MovingEdges edges, Coordinate offset) {
-    return {edges == MovingEdges::top ? shaft.low : shaft.low + offset, edges == MovingEdges::bottom ? shaft.high : shaft.high + offset};
+    return {edges == MovingEdges::top ? shaft.low : shaft.low + offset,
+            edges == MovingEdges::bottom ? shaft.high : shaft.high + offset};
 }
 
-// What stands on the shaft, or would if it were not empty. A top that does not move carries nothing.
+// What stands on the shaft, or would if it were not empty. A top that does not move carries
+// nothing.
 Coordinate groundOf(const Extent& extent) {
     return std::max(extent.low, extent.high);
 }
@@ -30,7 +32,9 @@ constexpr Coordinate withinLevel(Coordinate height, int level) {
 
 void placeShaft(World& world, Map& map, const Shaft& shaft, const Extent& extent) {
     for (int level = shaft.firstLevel; level <= shaft.lastLevel; ++level) {
-        CellBlueprint& part = world.blueprints[static_cast<std::size_t>(shaft.firstPart + (level - shaft.firstLevel))];
+        CellBlueprint& part =
+            world
+                .blueprints[static_cast<std::size_t>(shaft.firstPart + (level - shaft.firstLevel))];
         const bool wasEmpty = part.top <= part.bottom;
         part.bottom = withinLevel(extent.low, level);
         part.top = withinLevel(extent.high, level);
@@ -43,7 +47,8 @@ void placeShaft(World& world, Map& map, const Shaft& shaft, const Extent& extent
 void place(World& world, const Mover& mover, Coordinate offset) {
     const MovingEdges edges = world.motions[static_cast<std::size_t>(mover.motion)].edges;
     Map& map = world.maps[static_cast<std::size_t>(mover.map)];
-    for (const Shaft& shaft : mover.shafts) placeShaft(world, map, shaft, extentOf(shaft, edges, offset));
+    for (const Shaft& shaft : mover.shafts)
+        placeShaft(world, map, shaft, extentOf(shaft, edges, offset));
 }
 
 // One mover that is about to move.
@@ -52,7 +57,8 @@ struct Move {
     const Mover& mover;
     Coordinate offset;
 
-    // The push that a body gets, if it stands above the mover or beside, and whether the mover has anything to do with it.
+    // The push that a body gets, if it stands above the mover or beside, and whether the mover has
+    // anything to do with it.
     void meet(Body& body) const;
 };
 
@@ -70,16 +76,19 @@ void Move::meet(Body& body) const {
         for (int y = north; y <= south; ++y) {
             for (int x = west; x <= east; ++x) {
                 for (const Shaft& shaft : mover.shafts) {
-                    if (map.cells[map.cellIndex(x, y, shaft.firstLevel)] != shaft.firstPart) continue;
+                    if (map.cells[map.cellIndex(x, y, shaft.firstLevel)] != shaft.firstPart)
+                        continue;
                     body.isMet = true;
                     if (edges == MovingEdges::bottom) continue;
                     const Extent before = extentOf(shaft, edges, mover.offset);
                     const Extent after = extentOf(shaft, edges, offset);
                     const Coordinate rise = groundOf(after) - groundOf(before);
                     const Coordinate above = box.bottom - groundOf(before);
-                    if (rise > Coordinate{0} && above >= Coordinate{0} && above < rise) body.push = std::max(body.push, rise - above);
+                    if (rise > Coordinate{0} && above >= Coordinate{0} && above < rise)
+                        body.push = std::max(body.push, rise - above);
                     const bool stands = body.rides && above == Coordinate{0} && !before.isEmpty();
-                    if (rise < Coordinate{0} && stands && body.push <= Coordinate{0}) body.push = std::min(body.push, rise);
+                    if (rise < Coordinate{0} && stands && body.push <= Coordinate{0})
+                        body.push = std::min(body.push, rise);
                 }
             }
         }
@@ -104,8 +113,9 @@ void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
     // Tried out: it moves, and everybody with it
     for (Body& body : bodies) Move{world, mover, offset}.meet(body);
     place(world, mover, offset);
-    const bool isInTheWay =
-        std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.isMet && !isFree(world, travellerOf(body, liftOf(world, body))); });
+    const bool isInTheWay = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+        return body.isMet && !isFree(world, travellerOf(body, liftOf(world, body)));
+    });
     if (isInTheWay) {
         place(world, mover, mover.offset);
         return;
@@ -130,7 +140,8 @@ void stepMovers(World& world, std::span<Body> bodies) {
 void resetMovers(World& world) {
     for (Mover& mover : world.movers) {
         mover.clock = 0;
-        mover.offset = mover.previousOffset = offsetAt(world.motions[static_cast<std::size_t>(mover.motion)], 0);
+        mover.offset = mover.previousOffset =
+            offsetAt(world.motions[static_cast<std::size_t>(mover.motion)], 0);
         place(world, mover, mover.offset);
     }
 }

@@ -28,10 +28,13 @@ struct Maker {
     void addFault(int map, const CellPlace& at, std::string found, std::string expected) {
         faults.push_back({map, at.x, at.y, at.level, std::move(found), std::move(expected)});
     }
-    std::string blockOf(BlueprintId id) const { return words("the moving block \"", world.blueprints[id].name, "\""); }
+    std::string blockOf(BlueprintId id) const {
+        return words("the moving block \"", world.blueprints[id].name, "\"");
+    }
 
     void makeMover(int mapIndex, const std::vector<CellPlace>& group);
-    bool makeShaft(int mapIndex, const CellPlace& at, const Run& run, const Motion& motion, int mover, Shaft& shaft);
+    bool makeShaft(int mapIndex, const CellPlace& at, const Run& run, const Motion& motion,
+                   int mover, Shaft& shaft);
     bool takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& shaft);
 };
 
@@ -43,12 +46,16 @@ std::string heightText(Coordinate height) {
 }
 
 // Its extent, its reach, and its blueprints. `at` is its lowest cell in its first tile.
-bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const Motion& motion, int mover, Shaft& shaft) {
+bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const Motion& motion,
+                      int mover, Shaft& shaft) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const std::string block = blockOf(run.blueprints[0]);
     for (std::size_t i = 0; i + 1 < run.blueprints.size(); ++i) {
-        if (world.blueprints[run.blueprints[i]].top == tileEdge(1) && world.blueprints[run.blueprints[i + 1]].bottom == Coordinate{0}) continue;
-        addFault(mapIndex, at, words(block, " stacked without touching"), "a bottom of 0 and a top of 1 where a moving block is stacked");
+        if (world.blueprints[run.blueprints[i]].top == tileEdge(1) &&
+            world.blueprints[run.blueprints[i + 1]].bottom == Coordinate{0})
+            continue;
+        addFault(mapIndex, at, words(block, " stacked without touching"),
+                 "a bottom of 0 and a top of 1 where a moving block is stacked");
         return false;
     }
     shaft.low = tileEdge(run.firstLevel) + world.blueprints[run.blueprints.front()].bottom;
@@ -60,12 +67,15 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     const Coordinate lowest = motion.edges == MovingEdges::top ? shaft.low : shaft.low + least;
     const Coordinate highest = motion.edges == MovingEdges::bottom ? shaft.high : shaft.high + most;
     if (lowest < Coordinate{0} || highest > tileEdge(map.levels)) {
-        addFault(mapIndex, at, words(block, " that moves from height ", heightText(lowest), " to ", heightText(highest)),
+        addFault(mapIndex, at,
+                 words(block, " that moves from height ", heightText(lowest), " to ",
+                       heightText(highest)),
                  words("a motion that stays between 0 and the map's ", map.levels, " levels"));
         return false;
     }
     if (lowest >= highest) {
-        addFault(mapIndex, at, words(block, " whose top never gets above its bottom"), "a motion with which the block is to be seen");
+        addFault(mapIndex, at, words(block, " whose top never gets above its bottom"),
+                 "a motion with which the block is to be seen");
         return false;
     }
     shaft.firstLevel = std::min(run.firstLevel, lowest.tile());
@@ -74,8 +84,10 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     // A blueprint for each level
     const std::size_t parts = static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1);
     if (world.blueprints.size() + parts > static_cast<std::size_t>(kMaxBlueprints)) {
-        addFault(mapIndex, at, words(block, ", with whose parts there are more than ", kMaxBlueprints, " blueprints"),
-                 "fewer moving blocks and gates, or fewer levels that they reach");
+        addFault(
+            mapIndex, at,
+            words(block, ", with whose parts there are more than ", kMaxBlueprints, " blueprints"),
+            "fewer moving blocks and gates, or fewer levels that they reach");
         return false;
     }
     shaft.firstPart = static_cast<BlueprintId>(world.blueprints.size());
@@ -93,9 +105,12 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
 // Fills what the shaft reaches in one tile. It is empty otherwise.
 bool Maker::takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& shaft) {
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
-    const std::size_t reached = static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1) - run.blueprints.size();
+    const std::size_t reached =
+        static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1) - run.blueprints.size();
     if (reached > cells) {
-        addFault(mapIndex, at, words("moving blocks that reach more than ", kMaxMovingCells, " cells"), "fewer or smaller ones");
+        addFault(mapIndex, at,
+                 words("moving blocks that reach more than ", kMaxMovingCells, " cells"),
+                 "fewer or smaller ones");
         return false;
     }
     cells -= reached;
@@ -104,11 +119,15 @@ bool Maker::takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& s
         const bool isOwn = level >= run.firstLevel && level <= run.lastLevel();
         if (!isOwn && there != kEmptyCell) {
             const CellBlueprint& other = world.blueprints[there];
-            addFault(mapIndex, at, words(blockOf(run.blueprints[0]), " that runs into \"", other.name, "\" on level ", level),
-                     other.mover >= 0 ? "moving blocks that do not reach each other" : "empty cells wherever it moves");
+            addFault(mapIndex, at,
+                     words(blockOf(run.blueprints[0]), " that runs into \"", other.name,
+                           "\" on level ", level),
+                     other.mover >= 0 ? "moving blocks that do not reach each other"
+                                      : "empty cells wherever it moves");
             return false;
         }
-        map.setCell(at.x, at.y, level, static_cast<BlueprintId>(shaft.firstPart + (level - shaft.firstLevel)));
+        map.setCell(at.x, at.y, level,
+                    static_cast<BlueprintId>(shaft.firstPart + (level - shaft.firstLevel)));
     }
     shaft.tiles.push_back(map.tileIndex(at.x, at.y));
     return true;
@@ -129,7 +148,10 @@ void Maker::makeMover(int mapIndex, const std::vector<CellPlace>& group) {
         const CellPlace at = group[i];
         Run run;
         run.firstLevel = at.level;
-        for (; i < group.size() && group[i] == CellPlace{at.x, at.y, run.firstLevel + static_cast<int>(run.blueprints.size())}; ++i) {
+        for (; i < group.size() &&
+               group[i] ==
+                   CellPlace{at.x, at.y, run.firstLevel + static_cast<int>(run.blueprints.size())};
+             ++i) {
             run.blueprints.push_back(map.cell(at.x, at.y, group[i].level));
         }
         // Its shaft, with the other tiles of its kind
@@ -153,16 +175,21 @@ void Maker::makeMover(int mapIndex, const std::vector<CellPlace>& group) {
 
 std::vector<PlacingFault> makeMovers(World& world) {
     const std::vector<BlueprintId> kinds = kindsOf(world, &CellBlueprint::motion);
-    if (std::all_of(kinds.begin(), kinds.end(), [](BlueprintId kind) { return kind == kEmptyCell; })) return {};
+    if (std::all_of(kinds.begin(), kinds.end(),
+                    [](BlueprintId kind) { return kind == kEmptyCell; }))
+        return {};
     Maker maker{world, kMaxMovingCells, {}};
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         std::vector<std::vector<CellPlace>> groups;
         if (!groupCells(world.maps[map], kinds, maker.cells, groups)) {
-            maker.addFault(static_cast<int>(map), {}, words("more than ", kMaxMovingCells, " cells of moving blocks"), "fewer or smaller ones");
+            maker.addFault(static_cast<int>(map), {},
+                           words("more than ", kMaxMovingCells, " cells of moving blocks"),
+                           "fewer or smaller ones");
             break;
         }
         for (const std::vector<CellPlace>& group : groups) {
-            if (maker.faults.size() < kMaxPlacingFaults) maker.makeMover(static_cast<int>(map), group);
+            if (maker.faults.size() < kMaxPlacingFaults)
+                maker.makeMover(static_cast<int>(map), group);
         }
     }
     if (maker.faults.empty()) resetMovers(world);

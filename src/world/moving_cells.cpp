@@ -8,7 +8,8 @@
 namespace slicecast {
 namespace {
 
-constexpr CellPlace kNeighbours[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+constexpr CellPlace kNeighbours[] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                     {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
 
 }  // namespace
 
@@ -16,12 +17,15 @@ std::vector<BlueprintId> kindsOf(const World& world, int CellBlueprint::*index) 
     std::vector<BlueprintId> kinds(world.blueprints.size(), kEmptyCell);
     NameIndex firstOf;
     for (std::size_t id = 1; id < kinds.size(); ++id) {
-        if (world.blueprints[id].*index >= 0) kinds[id] = static_cast<BlueprintId>(firstOf.add(world.blueprints[id].name, static_cast<std::uint32_t>(id)));
+        if (world.blueprints[id].*index >= 0)
+            kinds[id] = static_cast<BlueprintId>(
+                firstOf.add(world.blueprints[id].name, static_cast<std::uint32_t>(id)));
     }
     return kinds;
 }
 
-bool groupCells(const Map& map, const std::vector<BlueprintId>& kinds, std::size_t& limit, std::vector<std::vector<CellPlace>>& groups) {
+bool groupCells(const Map& map, const std::vector<BlueprintId>& kinds, std::size_t& limit,
+                std::vector<std::vector<CellPlace>>& groups) {
     std::vector<bool> seen(map.cells.size());
     for (int x = 0; x < map.width; ++x) {
         for (int y = 0; y < map.depth; ++y) {
@@ -34,7 +38,8 @@ bool groupCells(const Map& map, const std::vector<BlueprintId>& kinds, std::size
                     if (group.size() > limit) return false;
                     const CellPlace at = group[i];
                     for (const CellPlace& step : kNeighbours) {
-                        const CellPlace next = {at.x + step.x, at.y + step.y, at.level + step.level};
+                        const CellPlace next = {at.x + step.x, at.y + step.y,
+                                                at.level + step.level};
                         if (kinds[map.cell(next.x, next.y, next.level)] != kind) continue;
                         const std::size_t index = map.cellIndex(next.x, next.y, next.level);
                         if (seen[index]) continue;

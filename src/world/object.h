@@ -1,5 +1,6 @@
-// Objects: billboards. An object is an upright rectangle that always turns to the viewer, parallel to the picture plane: `width` units wide about (x, y), from
-// its feet at height z up. It is met at one depth t, that of its middle, rounded to 1/65536.
+// Objects: billboards. An object is an upright rectangle that always turns to the viewer, parallel
+// to the picture plane: `width` units wide about (x, y), from its feet at height z up. It is met at
+// one depth t, that of its middle, rounded to 1/65536.
 #pragma once
 
 #include "base/coordinate.h"
@@ -14,9 +15,9 @@ struct Object {
     SpriteId sprite = 0;
     Coordinate x;
     Coordinate y;
-    Coordinate z;       // >= 0
-    Coordinate width;   // > 0
-    Coordinate height;  // > 0
+    Coordinate z;        // >= 0
+    Coordinate width;    // > 0
+    Coordinate height;   // > 0
     double light = 1.0;  // see FaceBlueprint
     bool glow = false;
 };

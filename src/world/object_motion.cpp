@@ -21,11 +21,15 @@ constexpr double kPhases = 4294967296.0;  // of a turn
 constexpr double kPi = 3.14159265358979323846;
 
 Object& movedObject(World& world, const ObjectMotion& motion) {
-    return world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
+    return world.maps[static_cast<std::size_t>(motion.map)]
+        .objects[static_cast<std::size_t>(motion.object)];
 }
 
 Traveller travellerOf(const ObjectMotion& motion, const Object& object) {
-    return {.map = motion.map, .box = objectBody(object), .eye = {object.x, object.y, object.z + motion.eye}, .behind = motion.behind};
+    return {.map = motion.map,
+            .box = objectBody(object),
+            .eye = {object.x, object.y, object.z + motion.eye},
+            .behind = motion.behind};
 }
 
 // Takes an object from its map's list to the end of another one's; the rest keep their order.
@@ -41,7 +45,8 @@ void changeMap(World& world, ObjectMotion& motion, int map) {
     motion.object = static_cast<int>(to.size()) - 1;
 }
 
-// The object where its body has come to, by a way of so much in its old map; everything that has a direction turns with it.
+// The object where its body has come to, by a way of so much in its old map; everything that has a
+// direction turns with it.
 void put(World& world, ObjectMotion& motion, const Traveller& body, GroundPoint way) {
     Object& object = movedObject(world, motion);
     GroundPoint fromHome = {object.x + way.x - motion.homeX, object.y + way.y - motion.homeY};
@@ -96,18 +101,22 @@ void fall(World& world, ObjectMotion& motion) {
 struct Step {
     bool stoppedX = false;
     bool stoppedY = false;
-    bool refused = false;  // it has not moved: before a ledge, or whatever would lead it off its line
+    bool refused =
+        false;  // it has not moved: before a ledge, or whatever would lead it off its line
 };
 
-// One step sideways and, over stairs, up or down. What has lost the ground under its feet begins to fall.
+// One step sideways and, over stairs, up or down. What has lost the ground under its feet begins to
+// fall.
 Step walk(World& world, ObjectMotion& motion, GroundPoint way) {
     const Object& object = movedObject(world, motion);
     const Traveller before = travellerOf(motion, object);
     Traveller body = before;
     const Travelled done = slide(world, body, way.x, way.y, kStepHeight);
     Step step = {.stoppedX = done.stoppedX, .stoppedY = done.stoppedY};
-    // A pacer keeps to its line; and where a wanderer's home is behind a portal, is known if it has come all the way.
-    const bool straight = motion.kind == ObjectMotion::Kind::pace || (body.leaps > 0 && motion.reach.raw > 0);
+    // A pacer keeps to its line; and where a wanderer's home is behind a portal, is known if it has
+    // come all the way.
+    const bool straight =
+        motion.kind == ObjectMotion::Kind::pace || (body.leaps > 0 && motion.reach.raw > 0);
     step.refused = (straight && (step.stoppedX || step.stoppedY)) || !comeDown(world, body);
     if (step.refused) {
         body = before;
@@ -130,12 +139,15 @@ void wander(World& world, ObjectMotion& motion) {
     }
     const Step step = walk(world, motion, {motion.wayX, motion.wayY});
     if (step.refused) {
-        face(motion, motion.headingDegrees + 180.0 + motion.random.between(-kTurnAtLedge, kTurnAtLedge));
+        face(motion,
+             motion.headingDegrees + 180.0 + motion.random.between(-kTurnAtLedge, kTurnAtLedge));
         return;
     }
     const Object& object = movedObject(world, motion);
-    if (step.stoppedX || isOutward(object.x - motion.homeX, motion.wayX, motion.reach)) face(motion, 180.0 - motion.headingDegrees);
-    if (step.stoppedY || isOutward(object.y - motion.homeY, motion.wayY, motion.reach)) face(motion, -motion.headingDegrees);
+    if (step.stoppedX || isOutward(object.x - motion.homeX, motion.wayX, motion.reach))
+        face(motion, 180.0 - motion.headingDegrees);
+    if (step.stoppedY || isOutward(object.y - motion.homeY, motion.wayY, motion.reach))
+        face(motion, -motion.headingDegrees);
 }
 
 void turnBack(ObjectMotion& motion) {
@@ -146,7 +158,8 @@ void turnBack(ObjectMotion& motion) {
 void pace(World& world, ObjectMotion& motion) {
     if (!motion.onGround) return fall(world, motion);
     const int sign = motion.back ? -1 : 1;
-    if (walk(world, motion, {{sign * motion.wayX.raw}, {sign * motion.wayY.raw}}).refused) return turnBack(motion);
+    if (walk(world, motion, {{sign * motion.wayX.raw}, {sign * motion.wayY.raw}}).refused)
+        return turnBack(motion);
     motion.steps += sign;
     const double length = motion.steps * motion.speed * kStepSeconds;
     if (motion.back ? motion.steps <= 0 : length >= motion.reach.value()) turnBack(motion);
@@ -154,16 +167,19 @@ void pace(World& world, ObjectMotion& motion) {
 
 GroundPoint onCircle(GroundPoint centre, Coordinate radius, std::uint32_t phase) {
     const SineCosine at = sineCosineDegrees(phase * (360.0 / kPhases));
-    return {toCoordinate(centre.x.value() + radius.value() * at.cosine), toCoordinate(centre.y.value() + radius.value() * at.sine)};
+    return {toCoordinate(centre.x.value() + radius.value() * at.cosine),
+            toCoordinate(centre.y.value() + radius.value() * at.sine)};
 }
 
 // Of one that flies clockwise along that heading.
 std::uint32_t phaseOf(double headingDegrees) {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(wrapDegrees(headingDegrees - 90.0) / 360.0 * kPhases));
+    return static_cast<std::uint32_t>(
+        static_cast<std::int64_t>(wrapDegrees(headingDegrees - 90.0) / 360.0 * kPhases));
 }
 
 void faceAlongCircle(ObjectMotion& motion) {
-    motion.headingDegrees = wrapDegrees(motion.phase * (360.0 / kPhases) + (motion.back ? -90.0 : 90.0));
+    motion.headingDegrees =
+        wrapDegrees(motion.phase * (360.0 / kPhases) + (motion.back ? -90.0 : 90.0));
 }
 
 void circle(World& world, ObjectMotion& motion) {
@@ -188,11 +204,14 @@ void circle(World& world, ObjectMotion& motion) {
 
 Box objectBody(const Object& object) {
     const Coordinate half = {std::clamp(object.width, kNarrowestBody, kWidestBody).raw / 2};
-    return {object.x - half, object.x + half, object.y - half, object.y + half, object.z, object.z + object.height};
+    return {object.x - half, object.x + half, object.y - half,
+            object.y + half, object.z,        object.z + object.height};
 }
 
 GroundPoint beginning(const ObjectMotion& motion, GroundPoint put) {
-    return motion.kind == ObjectMotion::Kind::circle ? onCircle(put, motion.reach, phaseOf(motion.headingDegrees)) : put;
+    return motion.kind == ObjectMotion::Kind::circle
+               ? onCircle(put, motion.reach, phaseOf(motion.headingDegrees))
+               : put;
 }
 
 void startObjects(World& world) {
@@ -212,7 +231,8 @@ void startObjects(World& world) {
             faceAlongCircle(motion);
         } else {
             face(motion, motion.headingDegrees);
-            if (motion.kind == ObjectMotion::Kind::wander) motion.steps = motion.random.between(kShortestWay, kLongestWay);
+            if (motion.kind == ObjectMotion::Kind::wander)
+                motion.steps = motion.random.between(kShortestWay, kLongestWay);
             motion.onGround = isSupported(world, travellerOf(motion, object));
         }
     }
@@ -220,7 +240,9 @@ void startObjects(World& world) {
     moving.objectsAtStart.clear();
     for (Map& map : world.maps) {
         moving.objectsAtStart.push_back(map.objects);
-        if (!world.portals.empty()) map.objects.reserve(map.objects.size() + moving.motions.size());  // for those that come by
+        if (!world.portals.empty())
+            map.objects.reserve(map.objects.size() +
+                                moving.motions.size());  // for those that come by
     }
 }
 
@@ -243,12 +265,14 @@ void stepObjects(World& world) {
 void resetObjects(World& world) {
     MovingObjects& moving = world.movingObjects;
     moving.motions = moving.motionsAtStart;
-    for (std::size_t i = 0; i < moving.objectsAtStart.size(); ++i) world.maps[i].objects = moving.objectsAtStart[i];
+    for (std::size_t i = 0; i < moving.objectsAtStart.size(); ++i)
+        world.maps[i].objects = moving.objectsAtStart[i];
 }
 
 void addBodies(const World& world, std::vector<Body>& bodies) {
     for (const ObjectMotion& motion : world.movingObjects.motions) {
-        const Object& object = world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
+        const Object& object = world.maps[static_cast<std::size_t>(motion.map)]
+                                   .objects[static_cast<std::size_t>(motion.object)];
         bodies.push_back(bodyOf(travellerOf(motion, object), motion.onGround));
     }
 }
@@ -262,14 +286,19 @@ void liftObjects(World& world, std::span<const Body> bodies) {
 
 void addMovingObjects(Hash& hash, const World& world) {
     for (const ObjectMotion& motion : world.movingObjects.motions) {
-        const Object& object = world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
+        const Object& object = world.maps[static_cast<std::size_t>(motion.map)]
+                                   .objects[static_cast<std::size_t>(motion.object)];
         Random next = motion.random;
         for (const std::int64_t number :
-             {std::int64_t{motion.map}, std::int64_t{motion.object}, std::int64_t{object.x.raw}, std::int64_t{object.y.raw}, std::int64_t{object.z.raw},
-              std::int64_t{motion.wayX.raw}, std::int64_t{motion.wayY.raw}, std::int64_t{motion.fallen.raw}, std::int64_t{motion.onGround},
-              std::int64_t{motion.back}, std::int64_t{motion.steps}, std::int64_t{motion.phase}, static_cast<std::int64_t>(next.next()),
-              std::int64_t{motion.homeX.raw}, std::int64_t{motion.homeY.raw}, std::int64_t{motion.eye.raw}, std::int64_t{motion.behind.isOn},
-              static_cast<std::int64_t>(motion.behind.side), std::int64_t{motion.behind.height.raw}}) {
+             {std::int64_t{motion.map}, std::int64_t{motion.object}, std::int64_t{object.x.raw},
+              std::int64_t{object.y.raw}, std::int64_t{object.z.raw}, std::int64_t{motion.wayX.raw},
+              std::int64_t{motion.wayY.raw}, std::int64_t{motion.fallen.raw},
+              std::int64_t{motion.onGround}, std::int64_t{motion.back}, std::int64_t{motion.steps},
+              std::int64_t{motion.phase}, static_cast<std::int64_t>(next.next()),
+              std::int64_t{motion.homeX.raw}, std::int64_t{motion.homeY.raw},
+              std::int64_t{motion.eye.raw}, std::int64_t{motion.behind.isOn},
+              static_cast<std::int64_t>(motion.behind.side),
+              std::int64_t{motion.behind.height.raw}}) {
             hash.add(number);
         }
         hash.add(motion.headingDegrees);

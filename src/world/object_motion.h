@@ -1,8 +1,10 @@
 // Objects that move: they wander about, pace to and fro or fly in circles, 1/120 s at a time.
 //
-// A moving object is a body (see traveller.h) as wide as its picture, within limits, and as high, with its eye halfway up. One that is free stays free. Walkers
-// take steps up and down like the player and turn at whatever they meet, ledges among it; with no ground under them they fall. Flyers turn back. All of them
-// go through portals. Ways are sums of coordinates, so they are the same everywhere. What stands still costs nothing here.
+// A moving object is a body (see traveller.h) as wide as its picture, within limits, and as high,
+// with its eye halfway up. One that is free stays free. Walkers take steps up and down like the
+// player and turn at whatever they meet, ledges among it; with no ground under them they fall.
+// Flyers turn back. All of them go through portals. Ways are sums of coordinates, so they are the
+// same everywhere. What stands still costs nothing here.
 //
 //     startObjects(world);      once the world is complete
 //     stepObjects(world);       1/120 s
@@ -26,12 +28,14 @@ struct Box;
 struct World;
 
 // The body's width; a narrower or wider picture has one of these.
-inline constexpr Coordinate kNarrowestBody = toCoordinate(0.125);  // wider than collision.h's kLongestSlide
-inline constexpr Coordinate kWidestBody = toCoordinate(0.4);       // as wide as the player
+inline constexpr Coordinate kNarrowestBody =
+    toCoordinate(0.125);  // wider than collision.h's kLongestSlide
+inline constexpr Coordinate kWidestBody = toCoordinate(0.4);  // as wide as the player
 
 struct ObjectMotion {
     enum class Kind : std::uint8_t {
-        wander,  // walks ahead, now and then another way; is thrown back, axis by axis, by what it meets
+        wander,  // walks ahead, now and then another way; is thrown back, axis by axis, by what it
+                 // meets
         pace,    // walks to and fro along a line
         circle,  // flies clockwise around a point, at its height
     };
@@ -40,8 +44,9 @@ struct ObjectMotion {
     int object = 0;               // index into its objects: the one that moves
     double speed = 0.5;           // units per second, > 0
     double headingDegrees = 0.0;  // where it goes at the moment
-    Coordinate reach;             // wander: how far it goes from home along each axis, 0 for no limit; pace: length of the way; circle: radius
-    Random random{0};             // its own
+    Coordinate reach;  // wander: how far it goes from home along each axis, 0 for no limit; pace:
+                       // length of the way; circle: radius
+    Random random{0};  // its own
 
     // Set by startObjects, and by every step.
     Coordinate homeX;  // where it began; of a circle, the middle
@@ -76,14 +81,16 @@ struct GroundPoint {
 // Where an object begins that was put there: in the same place, or to fly in a circle on it.
 GroundPoint beginning(const ObjectMotion& motion, GroundPoint put);
 
-// Puts those that fly in circles onto them (their x and y being the middle), and notes how everything stands.
+// Puts those that fly in circles onto them (their x and y being the middle), and notes how
+// everything stands.
 void startObjects(World& world);
 
 void stepObjects(World& world);
 
 void resetObjects(World& world);
 
-// What moves, as moving blocks and gates see it, in a fixed order; and how they have taken it along.
+// What moves, as moving blocks and gates see it, in a fixed order; and how they have taken it
+// along.
 void addBodies(const World& world, std::vector<Body>& bodies);
 void liftObjects(World& world, std::span<const Body> bodies);
 

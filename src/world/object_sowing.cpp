@@ -8,7 +8,8 @@
 namespace slicecast {
 namespace {
 
-constexpr int kMargin = 65536 / 5;  // of a tile, where no middle of an object is: the widest body fits into the rest
+constexpr int kMargin =
+    65536 / 5;  // of a tile, where no middle of an object is: the widest body fits into the rest
 
 // The ground of a tile on one level, if it is asked for: the floor is the ground below level 0.
 struct Ground {
@@ -21,29 +22,37 @@ std::optional<Ground> floorAt(const Map& map, const Sowing& sowing, std::size_t 
     return Ground{{}, map.floor.tiles.empty() ? map.floor.texture : map.floor.tiles[tile]};
 }
 
-std::optional<Ground> roofAt(const World& world, const Map& map, const Sowing& sowing, int x, int y, int level) {
+std::optional<Ground> roofAt(const World& world, const Map& map, const Sowing& sowing, int x, int y,
+                             int level) {
     const BlueprintId id = map.cell(x, y, level);
-    if (id == kEmptyCell || std::find(sowing.on.begin(), sowing.on.end(), id) == sowing.on.end()) return std::nullopt;
+    if (id == kEmptyCell || std::find(sowing.on.begin(), sowing.on.end(), id) == sowing.on.end())
+        return std::nullopt;
     const CellBlueprint& block = world.blueprints[id];
     const FaceBlueprint& roof = block.face(Face::top);
     if (roof.portal != kNoPortal || block.mover >= 0) return std::nullopt;
     return Ground{tileEdge(level) + block.top, roof.texture};
 }
 
-// Nothing is or may come, by moving, into the tile's cells between two heights but the ground itself.
-bool isEmpty(const World& world, const Map& map, int mapIndex, int x, int y, Coordinate ground, Coordinate top) {
-    for (int level = ground.tile(); level <= std::min(map.levels - 1, Coordinate{top.raw - 1}.tile()); ++level) {
+// Nothing is or may come, by moving, into the tile's cells between two heights but the ground
+// itself.
+bool isEmpty(const World& world, const Map& map, int mapIndex, int x, int y, Coordinate ground,
+             Coordinate top) {
+    for (int level = ground.tile();
+         level <= std::min(map.levels - 1, Coordinate{top.raw - 1}.tile()); ++level) {
         const bool holdsGround = tileEdge(level) < ground && map.isOccupied(x, y, level);
         if (!holdsGround && map.cells[map.cellIndex(x, y, level)] != kEmptyCell) return false;
     }
-    return isFree(world, mapIndex, {tileEdge(x), tileEdge(x + 1), tileEdge(y), tileEdge(y + 1), ground, top});
+    return isFree(world, mapIndex,
+                  {tileEdge(x), tileEdge(x + 1), tileEdge(y), tileEdge(y + 1), ground, top});
 }
 
 // Where somebody starts, or too near to it.
 bool isKept(const World& world, int map, int x, int y, const Object& object, Coordinate clear) {
     if (world.start.map != map) return false;
     const Box body = bodyBox(world.start.x, world.start.y, world.start.z, kStandingHeight);
-    if (body.east > tileEdge(x) && body.west < tileEdge(x + 1) && body.south > tileEdge(y) && body.north < tileEdge(y + 1)) return true;
+    if (body.east > tileEdge(x) && body.west < tileEdge(x + 1) && body.south > tileEdge(y) &&
+        body.north < tileEdge(y + 1))
+        return true;
     const std::int64_t dx = (object.x - world.start.x).raw;
     const std::int64_t dy = (object.y - world.start.y).raw;
     return dx * dx + dy * dy < std::int64_t{clear.raw} * clear.raw;
@@ -51,7 +60,8 @@ bool isKept(const World& world, int map, int x, int y, const Object& object, Coo
 
 // The numbers of one spot.
 Random randomAt(std::uint64_t seed, int x, int y, int spot) {
-    const auto place = static_cast<std::uint64_t>(y) << 40 | static_cast<std::uint64_t>(x) << 20 | static_cast<std::uint64_t>(spot);
+    const auto place = static_cast<std::uint64_t>(y) << 40 | static_cast<std::uint64_t>(x) << 20 |
+                       static_cast<std::uint64_t>(spot);
     return Random(Random(seed).next() ^ place);
 }
 
@@ -63,7 +73,9 @@ Coordinate within(const CoordinateRange& range, Random& random) {
 bool hasRoom(const World& world, int map, const Object& object, const ObjectMotion& motion) {
     if (motion.kind != ObjectMotion::Kind::circle) return true;
     const Coordinate reach = motion.reach + kWidestBody;
-    return isFree(world, map, {object.x - reach, object.x + reach, object.y - reach, object.y + reach, object.z, object.z + object.height});
+    return isFree(world, map,
+                  {object.x - reach, object.x + reach, object.y - reach, object.y + reach, object.z,
+                   object.z + object.height});
 }
 
 void addMotion(World& world, int map, const Sowing& sowing, Random& random) {
@@ -76,9 +88,12 @@ void addMotion(World& world, int map, const Sowing& sowing, Random& random) {
 }
 
 // Sows one spot.
-void sowSpot(World& world, int mapIndex, const Sowing& sowing, int x, int y, int spot, const Ground& ground, TakenSpots& taken) {
+void sowSpot(World& world, int mapIndex, const Sowing& sowing, int x, int y, int spot,
+             const Ground& ground, TakenSpots& taken) {
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
-    if (!sowing.textures.empty() && std::find(sowing.textures.begin(), sowing.textures.end(), ground.texture) == sowing.textures.end()) return;
+    if (!sowing.textures.empty() && std::find(sowing.textures.begin(), sowing.textures.end(),
+                                              ground.texture) == sowing.textures.end())
+        return;
     Random random = randomAt(sowing.seed, x, y, spot);
     if (random.unit() >= sowing.density) return;
     Object object = sowing.object;
@@ -96,14 +111,17 @@ void sowSpot(World& world, int mapIndex, const Sowing& sowing, int x, int y, int
 
 }  // namespace
 
-TakenSpots::TakenSpots(const Map& map) : spots_(static_cast<std::size_t>(map.levels) + 1), taken_(map.occupied.size() * spots_) {
+TakenSpots::TakenSpots(const Map& map)
+    : spots_(static_cast<std::size_t>(map.levels) + 1), taken_(map.occupied.size() * spots_) {
     for (const Object& object : map.objects) {
-        if (map.contains(object.x.tile(), object.y.tile())) take(map.tileIndex(object.x.tile(), object.y.tile()), object.z);
+        if (map.contains(object.x.tile(), object.y.tile()))
+            take(map.tileIndex(object.x.tile(), object.y.tile()), object.z);
     }
 }
 
 bool TakenSpots::take(std::size_t tile, Coordinate feet) {
-    const std::size_t spot = tile * spots_ + std::min(static_cast<std::size_t>(feet.tile()), spots_ - 1);
+    const std::size_t spot =
+        tile * spots_ + std::min(static_cast<std::size_t>(feet.tile()), spots_ - 1);
     const bool wasFree = !taken_[spot];
     taken_[spot] = true;
     return wasFree;
@@ -118,7 +136,8 @@ bool sowObjects(World& world, int mapIndex, const Sowing& sowing, TakenSpots& ta
                 if (ground) sowSpot(world, mapIndex, sowing, x, y, spot, *ground, taken);
             };
             sow(0, floorAt(map, sowing, map.tileIndex(x, y)));
-            for (int level = 0; !sowing.on.empty() && level < map.levels; ++level) sow(level + 1, roofAt(world, map, sowing, x, y, level));
+            for (int level = 0; !sowing.on.empty() && level < map.levels; ++level)
+                sow(level + 1, roofAt(world, map, sowing, x, y, level));
             if (map.objects.size() > static_cast<std::size_t>(kMaxObjects)) return false;
         }
     }

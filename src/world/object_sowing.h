@@ -1,8 +1,10 @@
-// Objects that are sown over a map rather than placed one by one: trees in a meadow, people in a square.
+// Objects that are sown over a map rather than placed one by one: trees in a meadow, people in a
+// square.
 //
-// A spot can hold one if it is on the ground that was asked for, its tile is empty from there up to the object's top, it is no portal's, nobody starts there
-// and nothing stands there yet. Each tile draws its own numbers from the seed and its place: what changes elsewhere on the map, or the map's size, does not
-// move what was sown here.
+// A spot can hold one if it is on the ground that was asked for, its tile is empty from there up to
+// the object's top, it is no portal's, nobody starts there and nothing stands there yet. Each tile
+// draws its own numbers from the seed and its place: what changes elsewhere on the map, or the
+// map's size, does not move what was sown here.
 #pragma once
 
 #include "world/blueprint.h"
@@ -53,7 +55,8 @@ private:
     std::vector<bool> taken_;
 };
 
-// Adds to the map's objects, and to what moves. False, with part of them added, if they would be more than a map may have.
+// Adds to the map's objects, and to what moves. False, with part of them added, if they would be
+// more than a map may have.
 bool sowObjects(World& world, int map, const Sowing& sowing, TakenSpots& taken);
 
 }  // namespace slicecast

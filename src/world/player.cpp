@@ -20,7 +20,8 @@ double within(double value, double least, double greatest, double ifNoNumber) {
 // The same wishes with every number within its range, and no more than full speed in any direction.
 PlayerInput withinRanges(const PlayerInput& input) {
     PlayerInput wish = input;
-    for (double PlayerInput::*axis : {&PlayerInput::forward, &PlayerInput::strafe, &PlayerInput::turn, &PlayerInput::look, &PlayerInput::fly}) {
+    for (double PlayerInput::*axis : {&PlayerInput::forward, &PlayerInput::strafe,
+                                      &PlayerInput::turn, &PlayerInput::look, &PlayerInput::fly}) {
         wish.*axis = within(input.*axis, -1.0, 1.0, 0.0);
     }
     wish.turnDegrees = within(input.turnDegrees, -kGreatestTurnDegrees, kGreatestTurnDegrees, 0.0);
@@ -53,7 +54,8 @@ Vector approach(Vector value, Vector target, double change) {
     return {value.x + difference.x * part, value.y + difference.y * part};
 }
 
-// A rate that reaches its full value within 1 / response seconds, and slows down from a higher one as fast.
+// A rate that reaches its full value within 1 / response seconds, and slows down from a higher one
+// as fast.
 double respond(double rate, double target, double full, double response) {
     return approach(rate, target, std::max(full, std::abs(rate)) * response * kStepSeconds);
 }
@@ -65,15 +67,19 @@ double gear(const Pace& pace, const PlayerInput& wish) {
 // The velocity along the ground that is asked for.
 Vector wishedVelocity(const Player& player, const PlayerInput& wish, double speed) {
     const SineCosine heading = sineCosineDegrees(player.headingDegrees);
-    return {speed * (wish.forward * heading.cosine - wish.strafe * heading.sine), speed * (wish.forward * heading.sine + wish.strafe * heading.cosine)};
+    return {speed * (wish.forward * heading.cosine - wish.strafe * heading.sine),
+            speed * (wish.forward * heading.sine + wish.strafe * heading.cosine)};
 }
 
 void turnAndLook(Player& player, const PlayerInput& wish) {
     const Pace& pace = player.flying ? kFlyingPace : kWalkingPace;
     const double factor = gear(pace, wish);
-    player.turnRate = respond(player.turnRate, wish.turn * pace.turn * factor, pace.turn * factor, kTurningResponse);
-    player.lookRate = respond(player.lookRate, wish.look * pace.look * factor, pace.look * factor, kTurningResponse);
-    player.headingDegrees = wrapDegrees(player.headingDegrees + player.turnRate * kStepSeconds + wish.turnDegrees);
+    player.turnRate = respond(player.turnRate, wish.turn * pace.turn * factor, pace.turn * factor,
+                              kTurningResponse);
+    player.lookRate = respond(player.lookRate, wish.look * pace.look * factor, pace.look * factor,
+                              kTurningResponse);
+    player.headingDegrees =
+        wrapDegrees(player.headingDegrees + player.turnRate * kStepSeconds + wish.turnDegrees);
     const double look = player.look + player.lookRate * kStepSeconds + wish.lookHeights;
     player.look = within(look, -kLookLimit, kLookLimit, 0.0);
     if (player.look != look) player.lookRate = 0.0;
@@ -83,7 +89,8 @@ Coordinate eyeAboveFeet(const Player& player) {
     return player.flying || player.crouched ? kCrouchedEye : kStandingEye;
 }
 
-// The player where the body has come to, maybe through portals: everything that has a direction turns with it.
+// The player where the body has come to, maybe through portals: everything that has a direction
+// turns with it.
 void put(Player& player, const Traveller& body) {
     player.map = body.map;
     player.x = body.eye.x;
@@ -111,7 +118,8 @@ void moveEyeTo(const World& world, Player& player, Coordinate wantedLag) {
 void easeEye(const World& world, Player& player) {
     constexpr double kPart = kEyeResponse * kStepSeconds;
     const double lag = player.eyeLag.value();
-    player.eyeLagRate = (player.eyeLagRate - kPart * kEyeResponse * lag) / (1.0 + 2.0 * kPart + kPart * kPart);
+    player.eyeLagRate =
+        (player.eyeLagRate - kPart * kEyeResponse * lag) / (1.0 + 2.0 * kPart + kPart * kPart);
     Coordinate wantedLag = toCoordinate(lag + player.eyeLagRate * kStepSeconds);
     if (std::abs(lag) < kEyeAtRest && std::abs(player.eyeLagRate) < kEyeAtRest * kEyeResponse) {
         wantedLag = {};
@@ -120,10 +128,12 @@ void easeEye(const World& world, Player& player) {
     moveEyeTo(world, player, wantedLag);
 }
 
-// Slides along the ground by the velocity; what stops it takes the velocity along that axis away. Over steps the eye stays behind.
+// Slides along the ground by the velocity; what stops it takes the velocity along that axis away.
+// Over steps the eye stays behind.
 void slidePlayer(const World& world, Player& player, Coordinate step) {
     Traveller body = travellerOf(player);
-    const Travelled way = slide(world, body, toCoordinate(player.velocityX * kStepSeconds), toCoordinate(player.velocityY * kStepSeconds), step);
+    const Travelled way = slide(world, body, toCoordinate(player.velocityX * kStepSeconds),
+                                toCoordinate(player.velocityY * kStepSeconds), step);
     put(player, body);
     if (way.stoppedX) player.velocityX = 0.0;
     if (way.stoppedY) player.velocityY = 0.0;
@@ -151,7 +161,8 @@ void crouchOrStand(const World& world, Player& player, bool crouch) {
     player.eyeLag = crouch ? player.eyeLag + kEyeDrop : player.eyeLag - kEyeDrop;
 }
 
-// A press is remembered for a while before it can be obeyed, and can be obeyed for a while after the ground has gone; holding the key does nothing more.
+// A press is remembered for a while before it can be obeyed, and can be obeyed for a while after
+// the ground has gone; holding the key does nothing more.
 void jumpIfAsked(Player& player, bool pressed) {
     if (pressed && !player.jumpHeld) player.earlyJumpSteps = kEarlyJumpSteps;
     player.jumpHeld = pressed;
@@ -192,11 +203,14 @@ void walk(const World& world, Player& player, const PlayerInput& wish) {
     crouchOrStand(world, player, wish.fly < 0.0);
     jumpIfAsked(player, wish.jump);
 
-    const double speed = kWalkingPace.move * gear(kWalkingPace, wish) * wish.speed * (player.crouched ? kCrouchedPace : 1.0);
+    const double speed = kWalkingPace.move * gear(kWalkingPace, wish) * wish.speed *
+                         (player.crouched ? kCrouchedPace : 1.0);
     const Vector target = wishedVelocity(player, wish, speed);
     const bool resting = target.x == 0.0 && target.y == 0.0;
-    const double acceleration = player.onGround ? (resting ? kGroundBraking : kGroundAcceleration) : (resting ? kAirBraking : kAirAcceleration);
-    const Vector velocity = approach({player.velocityX, player.velocityY}, target, acceleration * wish.speed * kStepSeconds);
+    const double acceleration = player.onGround ? (resting ? kGroundBraking : kGroundAcceleration)
+                                                : (resting ? kAirBraking : kAirAcceleration);
+    const Vector velocity = approach({player.velocityX, player.velocityY}, target,
+                                     acceleration * wish.speed * kStepSeconds);
     player.velocityX = velocity.x;
     player.velocityY = velocity.y;
 
@@ -208,12 +222,15 @@ void walk(const World& world, Player& player, const PlayerInput& wish) {
 void chooseFlyingVelocity(Player& player, const PlayerInput& wish) {
     const double factor = gear(kFlyingPace, wish) * wish.speed;
     const double speed = kFlyingPace.move * factor;
-    const double now = std::sqrt(player.velocityX * player.velocityX + player.velocityY * player.velocityY);
+    const double now =
+        std::sqrt(player.velocityX * player.velocityX + player.velocityY * player.velocityY);
     const Vector velocity =
-        approach({player.velocityX, player.velocityY}, wishedVelocity(player, wish, speed), std::max(speed, now) * kFlyingResponse * kStepSeconds);
+        approach({player.velocityX, player.velocityY}, wishedVelocity(player, wish, speed),
+                 std::max(speed, now) * kFlyingResponse * kStepSeconds);
     player.velocityX = velocity.x;
     player.velocityY = velocity.y;
-    player.velocityZ = respond(player.velocityZ, wish.fly * kFlyingPace.rise * factor, kFlyingPace.rise * factor, kFlyingResponse);
+    player.velocityZ = respond(player.velocityZ, wish.fly * kFlyingPace.rise * factor,
+                               kFlyingPace.rise * factor, kFlyingResponse);
 }
 
 void fly(const World& world, Player& player) {
@@ -225,7 +242,8 @@ void fly(const World& world, Player& player) {
 void drift(Player& player) {
     player.x = toCoordinate(player.x.value() + player.velocityX * kStepSeconds);
     player.y = toCoordinate(player.y.value() + player.velocityY * kStepSeconds);
-    player.z = std::max(toCoordinate(player.z.value() + player.velocityZ * kStepSeconds), kLowestEye - kCrouchedEye);
+    player.z = std::max(toCoordinate(player.z.value() + player.velocityZ * kStepSeconds),
+                        kLowestEye - kCrouchedEye);
     player.eyeLag = {};
     player.eyeLagRate = 0.0;
     player.behind = {};
@@ -241,7 +259,8 @@ void flyAtEye(Player& player) {
     player.eyeLag = eye - player.z - kCrouchedEye;
 }
 
-// The same for a free body. Above a portal that the eye has just passed there may be no room for it: then the eye comes down to the body.
+// The same for a free body. Above a portal that the eye has just passed there may be no room for
+// it: then the eye comes down to the body.
 void bringBodyToEye(const World& world, Player& player) {
     const Coordinate feet = player.z;
     flyAtEye(player);
@@ -255,19 +274,27 @@ void bringBodyToEye(const World& world, Player& player) {
 }  // namespace
 
 Box bodyBox(Coordinate x, Coordinate y, Coordinate feet, Coordinate height) {
-    return {x - kBodyHalfWidth, x + kBodyHalfWidth, y - kBodyHalfWidth, y + kBodyHalfWidth, feet, feet + height};
+    return {x - kBodyHalfWidth, x + kBodyHalfWidth, y - kBodyHalfWidth, y + kBodyHalfWidth, feet,
+            feet + height};
 }
 
 Box bodyBox(const Player& player) {
-    return bodyBox(player.x, player.y, player.z, player.flying || player.crouched ? kCrouchedHeight : kStandingHeight);
+    return bodyBox(player.x, player.y, player.z,
+                   player.flying || player.crouched ? kCrouchedHeight : kStandingHeight);
 }
 
 Traveller travellerOf(const Player& player) {
-    return {.map = player.map, .box = bodyBox(player), .eye = {player.x, player.y, eyeHeight(player)}, .behind = player.behind};
+    return {.map = player.map,
+            .box = bodyBox(player),
+            .eye = {player.x, player.y, eyeHeight(player)},
+            .behind = player.behind};
 }
 
 bool fitsStanding(const World& world, int map, Coordinate x, Coordinate y, Coordinate feet) {
-    return isFree(world, {.map = map, .box = bodyBox(x, y, feet, kStandingHeight), .eye = {x, y, feet + kStandingEye}, .behind = {}});
+    return isFree(world, {.map = map,
+                          .box = bodyBox(x, y, feet, kStandingHeight),
+                          .eye = {x, y, feet + kStandingEye},
+                          .behind = {}});
 }
 
 Coordinate eyeHeight(const Player& player) {
@@ -294,7 +321,8 @@ Player playerAtStart(const World& world) {
     return player;
 }
 
-Player playerWithEye(int map, Coordinate x, Coordinate y, Coordinate eyeZ, double headingDegrees, double look) {
+Player playerWithEye(int map, Coordinate x, Coordinate y, Coordinate eyeZ, double headingDegrees,
+                     double look) {
     Player player;
     player.map = map;
     player.x = x;
@@ -337,7 +365,8 @@ void setFlying(const World& world, Player& player, bool flying) {
     if (!isFreeNow) return;
     bringBodyToEye(world, player);
     const Coordinate eye = eyeHeight(player);
-    // Let the legs down as far as there is room for them; stay crouched if that is not enough to stand.
+    // Let the legs down as far as there is room for them; stay crouched if that is not enough to
+    // stand.
     const Coordinate legs = sweepZ(world, travellerOf(player), {-kEyeDrop.raw});
     player.crouched = !canStand(world, player, player.z + legs);
     if (!player.crouched) player.z = player.z + legs;

@@ -1,16 +1,21 @@
 // The player: a body that walks or flies through a map, one fixed step at a time.
 //
-//         top  +-----+   0.72 standing, 0.35 crouched or flying          x, y: the middle of the body
-//              |     |                                                   z:    the feet, i.e. the bottom of the body
+//         top  +-----+   0.72 standing, 0.35 crouched or flying          x, y: the middle of the
+//         body
+//              |     |                                                   z:    the feet, i.e. the
+//              bottom of the body
 //         eye  |  o  |   0.50 standing, 0.25 crouched or flying
-//              |     |   0.40 wide and deep                              Units are blocks, seconds and degrees.
+//              |     |   0.40 wide and deep                              Units are blocks, seconds
+//              and degrees.
 //        feet  +-----+   z
 //
-// Walking has weight: gravity, acceleration, jumps, steps up to 0.5 at once while the eye follows smoothly. Flying has none and stops at blocks too. A body
-// that is free stays free: no step and no change of mode puts it into something solid (see collision.h). One that is not free to begin with (a tool may put
-// an eye anywhere) flies through everything until it is.
+// Walking has weight: gravity, acceleration, jumps, steps up to 0.5 at once while the eye follows
+// smoothly. Flying has none and stops at blocks too. A body that is free stays free: no step and no
+// change of mode puts it into something solid (see collision.h). One that is not free to begin with
+// (a tool may put an eye anywhere) flies through everything until it is.
 //
-// The player goes through portals the moment that the eye does, with the same speed and the same view (see traveller.h).
+// The player goes through portals the moment that the eye does, with the same speed and the same
+// view (see traveller.h).
 #pragma once
 
 #include "base/coordinate.h"
@@ -31,10 +36,13 @@ inline constexpr Coordinate kStandingHeight = toCoordinate(0.72);
 inline constexpr Coordinate kStandingEye = toCoordinate(0.5);
 inline constexpr Coordinate kCrouchedHeight = toCoordinate(0.35);
 inline constexpr Coordinate kCrouchedEye = toCoordinate(0.25);
-inline constexpr Coordinate kLowestEye = toCoordinate(0.02);  // the eye stays this far above the feet while it catches up with them
-inline constexpr Coordinate kStepHeight = toCoordinate(0.5);  // the highest step that is taken without a jump, up or down
+inline constexpr Coordinate kLowestEye =
+    toCoordinate(0.02);  // the eye stays this far above the feet while it catches up with them
+inline constexpr Coordinate kStepHeight =
+    toCoordinate(0.5);  // the highest step that is taken without a jump, up or down
 
-// Speeds of a mode: units, degrees and screen heights per second; `fast` and `slow` multiply all of them.
+// Speeds of a mode: units, degrees and screen heights per second; `fast` and `slow` multiply all of
+// them.
 struct Pace {
     double move;
     double rise;  // flying only
@@ -43,8 +51,10 @@ struct Pace {
     double fast;
     double slow;
 };
-inline constexpr Pace kWalkingPace = {.move = 3.0, .rise = 0.0, .turn = 90.0, .look = 0.5, .fast = 1.8, .slow = 0.4};
-inline constexpr Pace kFlyingPace = {.move = 5.0, .rise = 1.0, .turn = 60.0, .look = 1.0 / 3.0, .fast = 3.0, .slow = 0.2};
+inline constexpr Pace kWalkingPace = {
+    .move = 3.0, .rise = 0.0, .turn = 90.0, .look = 0.5, .fast = 1.8, .slow = 0.4};
+inline constexpr Pace kFlyingPace = {
+    .move = 5.0, .rise = 1.0, .turn = 60.0, .look = 1.0 / 3.0, .fast = 3.0, .slow = 0.2};
 inline constexpr double kCrouchedPace = 0.5;  // of the walking speed
 
 // Walking. Units per second, or per second squared.
@@ -55,14 +65,16 @@ inline constexpr double kAirBraking = 2.0;
 inline constexpr double kGravity = 10.0;
 inline constexpr double kJumpSpeed = 4.0;      // rises by 4 * 4 / (2 * 10) = 0.8
 inline constexpr double kGreatestFall = 20.0;  // fastest fall
-inline constexpr int kLateJumpSteps = 12;      // a jump still counts this long after the ground has gone (0.1 s)
-inline constexpr int kEarlyJumpSteps = 12;     // and is remembered this long before landing
+inline constexpr int kLateJumpSteps =
+    12;  // a jump still counts this long after the ground has gone (0.1 s)
+inline constexpr int kEarlyJumpSteps = 12;  // and is remembered this long before landing
 
 // Flying and turning reach their full speed in a tenth of a second.
 inline constexpr double kFlyingResponse = 10.0;  // of the full speed, per second
 inline constexpr double kTurningResponse = 10.0;
 
-// After a step or a crouch the eye follows the body like a spring that does not swing: it takes about 4 / kEyeResponse seconds.
+// After a step or a crouch the eye follows the body like a spring that does not swing: it takes
+// about 4 / kEyeResponse seconds.
 inline constexpr double kEyeResponse = 12.0;
 
 // Screen heights that the horizon can be moved by looking up and down.
@@ -72,7 +84,8 @@ inline constexpr double kLookLimit = 1.5;
 inline constexpr double kLeastSpeed = 0.1;
 inline constexpr double kGreatestSpeed = 4.0;
 
-// What the player asks for during one step. Axes are -1 to 1; values beyond are clamped, NaN counts as 0.
+// What the player asks for during one step. Axes are -1 to 1; values beyond are clamped, NaN counts
+// as 0.
 struct PlayerInput {
     double forward = 0.0;      // positive walks ahead
     double strafe = 0.0;       // positive to the right
@@ -99,16 +112,18 @@ struct Player {
     double look = 0.0;            // screen heights, positive up
     double turnRate = 0.0;        // degrees per second, by keys
     double lookRate = 0.0;        // screen heights per second, by keys
-    Coordinate eyeLag;            // how far the eye is above its place in the body; dies away after a step or a crouch
-    double eyeLagRate = 0.0;      // units per second
+    Coordinate eyeLag;  // how far the eye is above its place in the body; dies away after a step or
+                        // a crouch
+    double eyeLagRate = 0.0;  // units per second
     bool flying = false;
     bool crouched = false;
     bool onGround = false;
     bool jumpHeld = false;
     int lateJumpSteps = 0;   // left to jump after the ground has gone
     int earlyJumpSteps = 0;  // left for a remembered jump
-    int leaps = 0;           // portals passed so far: what is between the places before and after one cannot be drawn
-    Threshold behind;        // of the portal that the body still reaches back through
+    int leaps = 0;  // portals passed so far: what is between the places before and after one cannot
+                    // be drawn
+    Threshold behind;  // of the portal that the body still reaches back through
 
     friend bool operator==(const Player&, const Player&) = default;
 };
@@ -126,11 +141,13 @@ bool fitsStanding(const World& world, int map, Coordinate x, Coordinate y, Coord
 // The height of the eye, which is always inside the space that the body has.
 Coordinate eyeHeight(const Player& player);
 
-// A player at rest at the world's start, crouched if there is no room to stand and flying if there is none at all.
+// A player at rest at the world's start, crouched if there is no room to stand and flying if there
+// is none at all.
 Player playerAtStart(const World& world);
 
 // A flying player at rest whose eye is at that place, which may be anywhere.
-Player playerWithEye(int map, Coordinate x, Coordinate y, Coordinate eyeZ, double headingDegrees, double look);
+Player playerWithEye(int map, Coordinate x, Coordinate y, Coordinate eyeZ, double headingDegrees,
+                     double look);
 
 // One step of kStepSeconds.
 void stepPlayer(const World& world, Player& player, const PlayerInput& input);
@@ -138,7 +155,8 @@ void stepPlayer(const World& world, Player& player, const PlayerInput& input);
 // Changes the mode; the eye stays where it is. A body that is not free goes on flying.
 void setFlying(const World& world, Player& player, bool flying);
 
-// Looks level; a flying player also comes down until the eye is at standing height above whatever lies below.
+// Looks level; a flying player also comes down until the eye is at standing height above whatever
+// lies below.
 void levelLook(const World& world, Player& player);
 
 // Faces a heading at once.

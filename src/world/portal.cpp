@@ -13,7 +13,8 @@ Position carried(const Portal& portal, Position place) {
     Coordinate x = place.x - tileEdge(portal.fromX) - kHalfTile;
     Coordinate y = place.y - tileEdge(portal.fromY) - kHalfTile;
     turnArrow(portal.turn, x, y);
-    return {tileEdge(portal.toX) + kHalfTile + x, tileEdge(portal.toY) + kHalfTile + y, place.z + tileEdge(portal.levels)};
+    return {tileEdge(portal.toX) + kHalfTile + x, tileEdge(portal.toY) + kHalfTile + y,
+            place.z + tileEdge(portal.levels)};
 }
 
 GridTile carried(const Portal& portal, GridTile tile) {
@@ -39,8 +40,8 @@ Face turned(Face face, int turn) {
 }
 
 bool leadOnTogether(const Portal& a, const Portal& b) {
-    return a.fromMap == b.fromMap && a.toMap == b.toMap && a.turn == b.turn && a.levels == b.levels &&
-           carried(a, GridTile{b.fromX, b.fromY}) == GridTile{b.toX, b.toY};
+    return a.fromMap == b.fromMap && a.toMap == b.toMap && a.turn == b.turn &&
+           a.levels == b.levels && carried(a, GridTile{b.fromX, b.fromY}) == GridTile{b.toX, b.toY};
 }
 
 Portal reversed(const Portal& portal) {
@@ -55,7 +56,12 @@ Portal reversed(const Portal& portal) {
 }
 
 Portal identityPortal(int map, GridTile tile) {
-    return {.fromMap = map, .fromX = tile.x, .fromY = tile.y, .toMap = map, .toX = tile.x, .toY = tile.y};
+    return {.fromMap = map,
+            .fromX = tile.x,
+            .fromY = tile.y,
+            .toMap = map,
+            .toX = tile.x,
+            .toY = tile.y};
 }
 
 }  // namespace slicecast

@@ -1,12 +1,18 @@
-// Portals: faces of blocks and whole tiles through which another map, or another place of the same one, is seen and entered.
+// Portals: faces of blocks and whole tiles through which another map, or another place of the same
+// one, is seen and entered.
 //
-//      entry map                 exit map                 The portal's tile is laid on the exit tile, turned clockwise (as seen from above) about its middle by
-//      +---+---+                 +---+---+                quarter turns and shifted by whole levels; headings grow by 90 degrees for each quarter turn. What
-//      |   | P |   turn = 1      | Q |   |                enters the portal goes on from there: seen from inside the block, or for an eye within the tile, the
-//   -> |  ->>>>|  ========>      | v |   |                portal does nothing, and the exit tile's own portal does not act on what arrives.
+//      entry map                 exit map                 The portal's tile is laid on the exit
+//      tile, turned clockwise (as seen from above) about its middle by
+//      +---+---+                 +---+---+                quarter turns and shifted by whole
+//      levels; headings grow by 90 degrees for each quarter turn. What |   | P |   turn = 1      |
+//      Q |   |                enters the portal goes on from there: seen from inside the block, or
+//      for an eye within the tile, the
+//   -> |  ->>>>|  ========>      | v |   |                portal does nothing, and the exit tile's
+//   own portal does not act on what arrives.
 //      +---+---+                 +-v-+---+
 //
-// Where a portal puts things is a turn in integers: all of it is exact, and the reversed portal puts them back. How bodies go through is in traveller.h.
+// Where a portal puts things is a turn in integers: all of it is exact, and the reversed portal
+// puts them back. How bodies go through is in traveller.h.
 #pragma once
 
 #include "base/coordinate.h"
@@ -53,13 +59,15 @@ struct GridTile {
     friend constexpr bool operator==(const GridTile&, const GridTile&) = default;
 };
 
-// Where a place of the entry map comes to lie in the exit map. The tile is what matters: a place on its western or northern edge, which belongs to it, may
-// come to lie on the exit tile's eastern or southern edge, which does not (see `keptInside`).
+// Where a place of the entry map comes to lie in the exit map. The tile is what matters: a place on
+// its western or northern edge, which belongs to it, may come to lie on the exit tile's eastern or
+// southern edge, which does not (see `keptInside`).
 Position carried(const Portal& portal, Position place);
 GridTile carried(const Portal& portal, GridTile tile);
 double carriedHeading(const Portal& portal, double degrees);
 
-// The same place, at most one 65536th of a unit to the west and to the north, so that it is in the tile on whose edge it lies.
+// The same place, at most one 65536th of a unit to the west and to the north, so that it is in the
+// tile on whose edge it lies.
 Position keptInside(GridTile tile, Position place);
 
 // A side of a block, turned; the top and the bottom stay what they are.

@@ -5,7 +5,8 @@
 namespace slicecast {
 namespace {
 
-// The side of a tile that faces another one beside it; nothing for tiles that have no side in common.
+// The side of a tile that faces another one beside it; nothing for tiles that have no side in
+// common.
 std::optional<Face> sideTowards(GridTile tile, GridTile other) {
     const int x = other.x - tile.x;
     const int y = other.y - tile.y;
@@ -66,7 +67,8 @@ void PortalSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting 
     MapSolids(world_, map_).visit(x, y, low, high, clipped);
     for (const Opening& opening : {openings.below, openings.above}) {
         if (opening.portal == nullptr) continue;
-        visitThrough(*opening.portal, x, y, std::max(from, opening.low), std::min(to, opening.high), low, high, met);
+        visitThrough(*opening.portal, x, y, std::max(from, opening.low), std::min(to, opening.high),
+                     low, high, met);
     }
 }
 
@@ -85,13 +87,15 @@ bool PortalSolids::isBehind(int x, int y) const {
     }
 }
 
-void PortalSolids::visitThrough(const Portal& portal, int x, int y, Coordinate from, Coordinate to, Coordinate low, Coordinate high, Meeting met) const {
+void PortalSolids::visitThrough(const Portal& portal, int x, int y, Coordinate from, Coordinate to,
+                                Coordinate low, Coordinate high, Meeting met) const {
     if (from >= to) return;
     const GridTile tile = carried(portal, GridTile{x, y});
     const Coordinate shift = tileEdge(portal.levels);
-    MapSolids(world_, mapAt(portal.toMap)).visit(tile.x, tile.y, low + shift, high + shift, [&](Coordinate bottom, Coordinate top) {
-        meet(bottom - shift, top - shift, from, to, met);
-    });
+    MapSolids(world_, mapAt(portal.toMap))
+        .visit(tile.x, tile.y, low + shift, high + shift, [&](Coordinate bottom, Coordinate top) {
+            meet(bottom - shift, top - shift, from, to, met);
+        });
 }
 
 Openings PortalSolids::openingsAbove(GridTile tile) const {
@@ -103,7 +107,8 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
             const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
             const Coordinate top = tileEdge(level) + block.top;
             if (top > eye_.z) continue;
-            openings.below = {portalOf(world_, block.face(Face::top).portal), {-kBoundless.raw}, top};
+            openings.below = {
+                portalOf(world_, block.face(Face::top).portal), {-kBoundless.raw}, top};
             break;
         }
         for (int level = std::max(eye_.z.tile(), 0); level < map_.levels; ++level) {
@@ -111,7 +116,8 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
             const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
             const Coordinate bottom = tileEdge(level) + block.bottom;
             if (bottom <= eye_.z) continue;
-            openings.above = {portalOf(world_, block.face(Face::bottom).portal), bottom, kBoundless};
+            openings.above = {portalOf(world_, block.face(Face::bottom).portal), bottom,
+                              kBoundless};
             break;
         }
         return openings;
@@ -126,44 +132,56 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
             const std::optional<Face> towardsEye = sideTowards(between, eyeTile_);
             if (!towardsEye || !sideTowards(between, tile)) continue;
             const Portal* const other = openingBeside(between, *towardsEye, nullptr).portal;
-            if (other != nullptr && openings.below.portal == nullptr) openings.below = openingBeside(tile, *towardsEye, other);
+            if (other != nullptr && openings.below.portal == nullptr)
+                openings.below = openingBeside(tile, *towardsEye, other);
         }
     }
     if (openings.below.portal != nullptr) return openings;
     // Beside a top or bottom that the eye is above or below
     const Openings ofEye = openingsAbove(eyeTile_);
-    if (ofEye.below.portal != nullptr) openings.below = {portalAt(tile, ofEye.below.high, Face::top, *ofEye.below.portal), ofEye.below.low, ofEye.below.high};
-    if (ofEye.above.portal != nullptr) openings.above = {portalAt(tile, ofEye.above.low, Face::bottom, *ofEye.above.portal), ofEye.above.low, ofEye.above.high};
+    if (ofEye.below.portal != nullptr)
+        openings.below = {portalAt(tile, ofEye.below.high, Face::top, *ofEye.below.portal),
+                          ofEye.below.low, ofEye.below.high};
+    if (ofEye.above.portal != nullptr)
+        openings.above = {portalAt(tile, ofEye.above.low, Face::bottom, *ofEye.above.portal),
+                          ofEye.above.low, ofEye.above.high};
     return openings;
 }
 
-// The opening of a side at the eye's height, with the blocks right above and below that lead on in the same way; if `like` is given, one that leads on as
-// that.
+// The opening of a side at the eye's height, with the blocks right above and below that lead on in
+// the same way; if `like` is given, one that leads on as that.
 Opening PortalSolids::openingBeside(GridTile tile, Face side, const Portal* like) const {
     const int eyeLevel = eye_.z.tile();
     const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, eyeLevel);
     if (block == nullptr) return {};
     const Portal* const portal = portalOf(world_, block->face(side).portal);
     Opening opening = {portal, tileEdge(eyeLevel) + block->bottom, tileEdge(eyeLevel) + block->top};
-    if (portal == nullptr || eye_.z < opening.low || eye_.z >= opening.high || (like != nullptr && !leadOnTogether(*like, *portal))) return {};
+    if (portal == nullptr || eye_.z < opening.low || eye_.z >= opening.high ||
+        (like != nullptr && !leadOnTogether(*like, *portal)))
+        return {};
     for (int level = eyeLevel + 1; opening.high == tileEdge(level); ++level) {
         block = portalBlock(world_, map_, tile.x, tile.y, level);
-        if (block == nullptr || block->bottom.raw != 0 || !leadsOn(*portal, block->face(side))) break;
+        if (block == nullptr || block->bottom.raw != 0 || !leadsOn(*portal, block->face(side)))
+            break;
         opening.high = tileEdge(level) + block->top;
     }
     for (int level = eyeLevel - 1; opening.low == tileEdge(level + 1); --level) {
         block = portalBlock(world_, map_, tile.x, tile.y, level);
-        if (block == nullptr || block->top != tileEdge(1) || !leadsOn(*portal, block->face(side))) break;
+        if (block == nullptr || block->top != tileEdge(1) || !leadsOn(*portal, block->face(side)))
+            break;
         opening.low = tileEdge(level) + block->bottom;
     }
     return opening;
 }
 
 // The portal of a top or bottom at that height if it leads on as the other one does.
-const Portal* PortalSolids::portalAt(GridTile tile, Coordinate height, Face face, const Portal& other) const {
+const Portal* PortalSolids::portalAt(GridTile tile, Coordinate height, Face face,
+                                     const Portal& other) const {
     const int level = face == Face::top ? Coordinate{height.raw - 1}.tile() : height.tile();
     const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, level);
-    if (block == nullptr || tileEdge(level) + (face == Face::top ? block->top : block->bottom) != height) return nullptr;
+    if (block == nullptr ||
+        tileEdge(level) + (face == Face::top ? block->top : block->bottom) != height)
+        return nullptr;
     return leadsOn(other, block->face(face)) ? portalOf(world_, block->face(face).portal) : nullptr;
 }
 

@@ -10,18 +10,21 @@ void visitBox(const Solids& solids, const Box& box, Meeting met) {
     const SolidRange columns = reached(box.west, box.east);
     const SolidRange rows = reached(box.north, box.south);
     for (int y = rows.first; y <= rows.last; ++y) {
-        for (int x = columns.first; x <= columns.last; ++x) solids.visit(x, y, box.bottom, box.top, met);
+        for (int x = columns.first; x <= columns.last; ++x)
+            solids.visit(x, y, box.bottom, box.top, met);
     }
 }
 
 bool tileBlocks(const Solids& solids, int x, int y, Coordinate bottom, Coordinate top) {
     bool blocks = false;
-    solids.visit(x, y, bottom, top, [&](Coordinate low, Coordinate high) { blocks = blocks || (low < top && high > bottom); });
+    solids.visit(x, y, bottom, top, [&](Coordinate low, Coordinate high) {
+        blocks = blocks || (low < top && high > bottom);
+    });
     return blocks;
 }
 
-// How far a side at `side` gets on its way along an axis of the grid, if blocks(i) tells whether tile i of that axis is in the way. Whatever stops it begins
-// at a tile's edge.
+// How far a side at `side` gets on its way along an axis of the grid, if blocks(i) tells whether
+// tile i of that axis is in the way. Whatever stops it begins at a tile's edge.
 template <typename Blocks>
 Coordinate sweepAcross(Coordinate low, Coordinate high, Coordinate distance, Blocks blocks) {
     if (distance.raw > 0) {
@@ -54,12 +57,15 @@ void MapSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting met
         if (block.passable) continue;
         met(tileEdge(level) + block.bottom, tileEdge(level) + block.top);
     }
-    if (!map_.ceiling.tiles.empty() && map_.ceiling.tiles[tile] != kNoTexture) met(map_.ceiling.height, map_.ceiling.height);
+    if (!map_.ceiling.tiles.empty() && map_.ceiling.tiles[tile] != kNoTexture)
+        met(map_.ceiling.height, map_.ceiling.height);
 }
 
 bool isFreeAmong(const Solids& solids, const Box& box) {
     bool free = true;
-    visitBox(solids, box, [&](Coordinate bottom, Coordinate top) { free = free && (bottom >= box.top || top <= box.bottom); });
+    visitBox(solids, box, [&](Coordinate bottom, Coordinate top) {
+        free = free && (bottom >= box.top || top <= box.bottom);
+    });
     return free;
 }
 
@@ -118,18 +124,22 @@ std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, C
     }
 }
 
-bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance, Coordinate step) {
+bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance,
+                  Coordinate step) {
     Offset way;
-    way.*axis = axis == &Offset::x ? sweepXAmong(solids, state.box, distance) : sweepYAmong(solids, state.box, distance);
+    way.*axis = axis == &Offset::x ? sweepXAmong(solids, state.box, distance)
+                                   : sweepYAmong(solids, state.box, distance);
     if (way.*axis == distance) {
         state.box = moved(state.box, way);
         return true;
     }
-    // Up, if there is room, and across. The rise is the least that frees the body over there, so it comes to rest there without a way down, and nothing is
-    // in its way across: the part is shorter than the body, which has reached into all the same tiles when it arrives.
+    // Up, if there is room, and across. The rise is the least that frees the body over there, so it
+    // comes to rest there without a way down, and nothing is in its way across: the part is shorter
+    // than the body, which has reached into all the same tiles when it arrives.
     Offset wholeWay;
     wholeWay.*axis = distance;
-    const std::optional<Coordinate> rise = step.raw > 0 ? leastRiseAmong(solids, moved(state.box, wholeWay), step) : std::nullopt;
+    const std::optional<Coordinate> rise =
+        step.raw > 0 ? leastRiseAmong(solids, moved(state.box, wholeWay), step) : std::nullopt;
     if (rise && sweepZAmong(solids, state.box, *rise) == *rise) {
         wholeWay.z = *rise;
         state.box = moved(state.box, wholeWay);

@@ -1,4 +1,5 @@
-// How boxes meet solid things. collision.cpp asks a map, traveller.cpp what a body sees that stands among portals.
+// How boxes meet solid things. collision.cpp asks a map, traveller.cpp what a body sees that stands
+// among portals.
 #pragma once
 
 #include "world/collision.h"
@@ -23,12 +24,15 @@ constexpr SolidRange reached(Coordinate low, Coordinate high) {
     return {low.tile(), Coordinate{high.raw - 1}.tile()};
 }
 
-// What is called with the bottom and top of a solid thing. It refers to a function object, which must outlive it.
+// What is called with the bottom and top of a solid thing. It refers to a function object, which
+// must outlive it.
 class Meeting {
 public:
     template <typename Met>
     requires(!std::is_same_v<Met, Meeting>) Meeting(const Met& met)
-        : met_(&met), call_([](const void* called, Coordinate bottom, Coordinate top) { (*static_cast<const Met*>(called))(bottom, top); }) {}
+        : met_(&met), call_([](const void* called, Coordinate bottom, Coordinate top) {
+              (*static_cast<const Met*>(called))(bottom, top);
+          }) {}
     void operator()(Coordinate bottom, Coordinate top) const { call_(met_, bottom, top); }
 
 private:
@@ -39,8 +43,8 @@ private:
 // Tells what is solid where.
 class Solids {
 public:
-    // Calls met(bottom, top) for the solid things above tile (x, y) that touch the heights from `low` to `high`, and maybe for some that do not; planes have
-    // bottom == top.
+    // Calls met(bottom, top) for the solid things above tile (x, y) that touch the heights from
+    // `low` to `high`, and maybe for some that do not; planes have bottom == top.
     virtual void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const = 0;
 
 protected:
@@ -66,8 +70,10 @@ Coordinate sweepYAmong(const Solids& solids, const Box& box, Coordinate distance
 Coordinate sweepZAmong(const Solids& solids, const Box& box, Coordinate distance);
 std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, Coordinate limit);
 
-// One part of a slide, along one axis and over a step if need be; no longer than kLongestSlide. True if it got all the way.
-bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance, Coordinate step);
+// One part of a slide, along one axis and over a step if need be; no longer than kLongestSlide.
+// True if it got all the way.
+bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance,
+                  Coordinate step);
 
 // Part i of `parts` of a way.
 constexpr Coordinate partOf(Coordinate whole, std::int64_t i, std::int64_t parts) {

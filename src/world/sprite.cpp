@@ -6,7 +6,8 @@
 
 namespace slicecast {
 const std::vector<SpriteLevel>& Sprite::levelsAt(double seconds) const {
-    return frames[static_cast<std::size_t>(frameAt(seconds, rate, static_cast<int>(frames.size())))];
+    return frames[static_cast<std::size_t>(
+        frameAt(seconds, rate, static_cast<int>(frames.size())))];
 }
 
 Sprite makeSprite(std::string name, const Image& image, int frames, double rate) {

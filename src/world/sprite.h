@@ -1,5 +1,6 @@
-// Sprites: the pictures of objects, of any size up to kMaxSpriteSide a side, with levels of detail. As with textures each level is made from the one before,
-// 2 x 2 texels at a time, but only while both sides are even. A sheet holds frames side by side.
+// Sprites: the pictures of objects, of any size up to kMaxSpriteSide a side, with levels of detail.
+// As with textures each level is made from the one before, 2 x 2 texels at a time, but only while
+// both sides are even. A sheet holds frames side by side.
 #pragma once
 
 #include "base/image.h"
@@ -10,7 +11,7 @@
 namespace slicecast {
 
 struct SpriteLevel {
-    int width = 0;   // texels
+    int width = 0;  // texels
     int height = 0;
     std::vector<Pixel> texels;  // column after column: texel (u, v) is texels[u * height + v]
 };

@@ -11,14 +11,17 @@ namespace {
 std::vector<TextureLevel> levelsOf(const Image& sheet, int frame) {
     std::vector<TextureLevel> levels;
     for (int size = sheet.height; size >= 1; size /= 2) {
-        std::vector<Pixel> texels = levels.empty() ? columnsOf(sheet, frame, size) : halved(levels.back().texels, 2 * size);
+        std::vector<Pixel> texels =
+            levels.empty() ? columnsOf(sheet, frame, size) : halved(levels.back().texels, 2 * size);
         levels.push_back({size, std::countr_zero(static_cast<unsigned>(size)), std::move(texels)});
     }
     return levels;
 }
 
 // As many pixels to be written over: bytes are copied far faster than zeros are constructed.
-std::vector<Pixel> firstOf(const std::vector<Pixel>& pixels, std::size_t count) { return {pixels.data(), pixels.data() + count}; }
+std::vector<Pixel> firstOf(const std::vector<Pixel>& pixels, std::size_t count) {
+    return {pixels.data(), pixels.data() + count};
+}
 
 // The mean of texels that are not all opaque.
 Pixel meanByAlpha(const Pixel (&four)[4]) {
@@ -34,11 +37,15 @@ Pixel meanByAlpha(const Pixel (&four)[4]) {
         blue += unsigned{c.b} * c.a;
     }
     if (alpha == 0) return 0;
-    const auto weighted = [alpha](unsigned sum) { return static_cast<std::uint8_t>((sum + alpha / 2) / alpha); };
-    return toPixel({weighted(red), weighted(green), weighted(blue), static_cast<std::uint8_t>((alpha + 2) / 4)});
+    const auto weighted = [alpha](unsigned sum) {
+        return static_cast<std::uint8_t>((sum + alpha / 2) / alpha);
+    };
+    return toPixel({weighted(red), weighted(green), weighted(blue),
+                    static_cast<std::uint8_t>((alpha + 2) / 4)});
 }
 
-// The mean of opaque ones, where (sum * 255 + 510) / 1020 is (sum + 2) / 4: two channels at a time, each with 16 bits for its sum.
+// The mean of opaque ones, where (sum * 255 + 510) / 1020 is (sum + 2) / 4: two channels at a time,
+// each with 16 bits for its sum.
 Pixel mean(const Pixel (&four)[4]) {
     constexpr Pixel kChannels = 0x00ff00ff;
     constexpr Pixel kHalf = 0x00020002;
@@ -54,9 +61,12 @@ Pixel mean(const Pixel (&four)[4]) {
 }  // namespace
 
 std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width) {
-    std::vector<Pixel> columns = firstOf(sheet.pixels, static_cast<std::size_t>(width) * static_cast<std::size_t>(sheet.height));
+    std::vector<Pixel> columns = firstOf(
+        sheet.pixels, static_cast<std::size_t>(width) * static_cast<std::size_t>(sheet.height));
     for (int y = 0; y < sheet.height; ++y) {
-        const Pixel* row = &sheet.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(sheet.width) + static_cast<std::size_t>(frame * width)];
+        const Pixel* row =
+            &sheet.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(sheet.width) +
+                          static_cast<std::size_t>(frame * width)];
         Pixel* out = columns.data() + y;
         for (int x = 0; x < width; ++x, out += sheet.height) *out = row[x];
     }
@@ -80,7 +90,8 @@ std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height) {
 
 int frameAt(double seconds, double rate, int frames) {
     if (frames <= 1 || !(seconds > 0.0)) return 0;
-    return std::min(frames - 1, static_cast<int>(std::fmod(std::floor(seconds * rate), static_cast<double>(frames))));
+    return std::min(frames - 1, static_cast<int>(std::fmod(std::floor(seconds * rate),
+                                                           static_cast<double>(frames))));
 }
 
 Texture makeTexture(std::string name, const Image& image, int frames, double rate) {
@@ -89,10 +100,13 @@ Texture makeTexture(std::string name, const Image& image, int frames, double rat
     texture.rate = frames > 1 ? rate : 0.0;
     texture.seeThrough = !image.isOpaque();
     texture.levels = levelsOf(image, 0);
-    for (int frame = 1; frame < frames; ++frame) texture.laterFrames.push_back(levelsOf(image, frame));
+    for (int frame = 1; frame < frames; ++frame)
+        texture.laterFrames.push_back(levelsOf(image, frame));
     return texture;
 }
 
-int Texture::frameAt(double seconds) const { return slicecast::frameAt(seconds, rate, frames()); }
+int Texture::frameAt(double seconds) const {
+    return slicecast::frameAt(seconds, rate, frames());
+}
 
 }  // namespace slicecast

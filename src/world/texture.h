@@ -1,10 +1,13 @@
-// Block textures: square, N x N texels with N a power of two from 8 to 1024, with their levels of detail.
+// Block textures: square, N x N texels with N a power of two from 8 to 1024, with their levels of
+// detail.
 //
-// A texture coordinate (u, v) is a fraction of a tile: u = 0 at the left, v = 0 at the top of the image. Level 0 is the image; each further level has half as
-// many texels a side, down to 1. Level m + 1 is made from level m, 2 x 2 texels at a time:
+// A texture coordinate (u, v) is a fraction of a tile: u = 0 at the left, v = 0 at the top of the
+// image. Level 0 is the image; each further level has half as many texels a side, down to 1. Level
+// m + 1 is made from level m, 2 x 2 texels at a time:
 //
 //     a      = (a0 + a1 + a2 + a3 + 2) / 4
-//     colour = (sum of c * a + half the sum of a) / sum of a, 0 where that sum is 0                  (integers, halves rounded down)
+//     colour = (sum of c * a + half the sum of a) / sum of a, 0 where that sum is 0 (integers,
+//     halves rounded down)
 #pragma once
 
 #include "base/image.h"
@@ -17,15 +20,18 @@ namespace slicecast {
 struct TextureLevel {
     int size = 0;               // texels a side
     int bits = 0;               // size = 1 << bits
-    std::vector<Pixel> texels;  // column after column, since walls are drawn downwards: texel (u, v) is texels[(u << bits) + v]
+    std::vector<Pixel> texels;  // column after column, since walls are drawn downwards: texel (u,
+                                // v) is texels[(u << bits) + v]
 };
 
 struct Texture {
     std::string name;
-    std::vector<TextureLevel> levels;  // levels[0] is the image, or a sheet's first frame, the last one is a single texel
+    std::vector<TextureLevel>
+        levels;  // levels[0] is the image, or a sheet's first frame, the last one is a single texel
     std::vector<std::vector<TextureLevel>> laterFrames;
-    double rate = 0.0;                 // frames per second, for ever around; 0 where there is one frame, or the first is held
-    bool seeThrough = false;           // a texel has alpha below 255
+    double rate = 0.0;  // frames per second, for ever around; 0 where there is one frame, or the
+                        // first is held
+    bool seeThrough = false;  // a texel has alpha below 255
 
     int size() const { return levels[0].size; }
     int frames() const { return 1 + static_cast<int>(laterFrames.size()); }
@@ -34,7 +40,9 @@ struct Texture {
 
     // The frame shown at a time: floor(seconds * rate) modulo their number.
     int frameAt(double seconds) const;
-    const std::vector<TextureLevel>& levelsOf(int frame) const { return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)]; }
+    const std::vector<TextureLevel>& levelsOf(int frame) const {
+        return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)];
+    }
 };
 
 // A frame of a sheet, `width` pixels wide: column after column.
@@ -46,7 +54,8 @@ std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height);
 // floor(seconds * rate) modulo `frames`; 0 before the beginning.
 int frameAt(double seconds, double rate, int frames);
 
-// The levels of a square image whose side is a power of two, or of a sheet of `frames` such images side by side.
+// The levels of a square image whose side is a power of two, or of a sheet of `frames` such images
+// side by side.
 Texture makeTexture(std::string name, const Image& image, int frames = 1, double rate = 0.0);
 
 }  // namespace slicecast

@@ -50,7 +50,8 @@ void leaveThreshold(Traveller& body) {
     if (!reaches) body.behind = {};
 }
 
-// A body whose eye has just come through a portal by that side, put where the portal leads. Gives by how much it was put inside the exit tile.
+// A body whose eye has just come through a portal by that side, put where the portal leads. Gives
+// by how much it was put inside the exit tile.
 Offset passPortal(Traveller& body, const Portal& portal, Face side, Coordinate height) {
     const Position middle = body.eye;
     const Position there = carried(portal, middle);
@@ -60,10 +61,14 @@ Offset passPortal(Traveller& body, const Portal& portal, Face side, Coordinate h
     Coordinate halfY = body.box.south - middle.y;
     if (portal.turn % 2 != 0) std::swap(halfX, halfY);
     const Coordinate lift = tileEdge(portal.levels);
-    body.box = {kept.x - halfX, kept.x + halfX, kept.y - halfY, kept.y + halfY, body.box.bottom + lift, body.box.top + lift};
+    body.box = {kept.x - halfX, kept.x + halfX,         kept.y - halfY,
+                kept.y + halfY, body.box.bottom + lift, body.box.top + lift};
     body.eye = kept;
     body.map = portal.toMap;
-    body.behind = {.isOn = true, .back = reversed(portal), .side = turned(side, portal.turn), .height = height + lift};
+    body.behind = {.isOn = true,
+                   .back = reversed(portal),
+                   .side = turned(side, portal.turn),
+                   .height = height + lift};
     body.turn = (body.turn + portal.turn) % 4;
     ++body.leaps;
     return {.x = kept.x - there.x, .y = kept.y - there.y, .z = {}};
@@ -95,11 +100,14 @@ Offset enterTile(const World& world, Traveller& body, GridTile left, Face side) 
     if (portal != nullptr) return passPortal(body, *portal, side, {});
     body.behind = {};
     // What still is in a portal's tile after the eye has left it stays there.
-    if (map.tilePortal(left.x, left.y) != kNoPortal) body.behind = {.isOn = true, .back = identityPortal(body.map, tile), .side = side, .height = {}};
+    if (map.tilePortal(left.x, left.y) != kNoPortal)
+        body.behind = {
+            .isOn = true, .back = identityPortal(body.map, tile), .side = side, .height = {}};
     return {};
 }
 
-// The body after its eye has come over the edge of a portal's block, or its threshold, upwards or downwards.
+// The body after its eye has come over the edge of a portal's block, or its threshold, upwards or
+// downwards.
 void passEdge(const World& world, Traveller& body, Coordinate before) {
     const bool down = body.eye.z < before;
     const Face side = down ? Face::top : Face::bottom;
@@ -110,12 +118,14 @@ void passEdge(const World& world, Traveller& body, Coordinate before) {
         return;
     }
     if (!body.behind.isOn) return;
-    const bool isBack =
-        body.behind.side == Face::top ? !down && body.eye.z >= body.behind.height : body.behind.side == Face::bottom && down && body.eye.z < body.behind.height;
+    const bool isBack = body.behind.side == Face::top ? !down && body.eye.z >= body.behind.height
+                                                      : body.behind.side == Face::bottom && down &&
+                                                            body.eye.z < body.behind.height;
     if (isBack) body.behind = {};
 }
 
-// How far the eye can go up (or down) and remain before, behind and beside the same portals, if it goes at most `distance`.
+// How far the eye can go up (or down) and remain before, behind and beside the same portals, if it
+// goes at most `distance`.
 Coordinate roomForEye(const World& world, const Traveller& body, Coordinate distance) {
     Coordinate room = distance;
     const Coordinate eye = body.eye.z;
@@ -123,7 +133,8 @@ Coordinate roomForEye(const World& world, const Traveller& body, Coordinate dist
         if (distance.raw > 0 && edge > eye) room = std::min(room, edge - kTiniest - eye);
         if (distance.raw < 0 && edge <= eye) room = std::max(room, edge - eye);
     };
-    if (body.behind.isOn && (body.behind.side == Face::top || body.behind.side == Face::bottom)) edgeAt(body.behind.height);
+    if (body.behind.isOn && (body.behind.side == Face::top || body.behind.side == Face::bottom))
+        edgeAt(body.behind.height);
     const Map& map = mapOf(world, body);
     const GridTile here = tileOf(body.eye);
     const int first = std::max(0, std::min(eye, eye + distance).tile() - 1);
@@ -142,7 +153,8 @@ Coordinate roomForEye(const World& world, const Traveller& body, Coordinate dist
 }
 
 // Takes up what the body has become, if there is room for it, over a step if need be.
-bool arrive(const World& world, Traveller& body, const Traveller& there, Coordinate step, Coordinate& risen) {
+bool arrive(const World& world, Traveller& body, const Traveller& there, Coordinate step,
+            Coordinate& risen) {
     const PortalSolids solids(world, there);
     const std::optional<Coordinate> rise = leastRiseAmong(solids, there.box, step);
     if (!rise) return false;
@@ -163,7 +175,8 @@ struct Stretch {
     Coordinate length() const { return isAlongX() ? x : y; }
 };
 
-// One part of a slide: through whatever is on the way, each time up to the border of the eye's tile and then over it.
+// One part of a slide: through whatever is on the way, each time up to the border of the eye's tile
+// and then over it.
 void go(const World& world, Traveller& body, Stretch way, Coordinate step, Travelled& done) {
     while (way.length().raw != 0) {
         const bool alongX = way.isAlongX();
@@ -173,7 +186,8 @@ void go(const World& world, Traveller& body, Stretch way, Coordinate step, Trave
         const GridTile tile = tileOf(body.eye);
         Coordinate& eye = alongX ? body.eye.x : body.eye.y;
         const int index = alongX ? tile.x : tile.y;
-        const Coordinate room = ahead ? tileEdge(index + 1) - kTiniest - eye : tileEdge(index) - eye;
+        const Coordinate room =
+            ahead ? tileEdge(index + 1) - kTiniest - eye : tileEdge(index) - eye;
         const bool crosses = ahead ? all > room : all < room;
         const Coordinate part = crosses ? room : all;
 
@@ -183,7 +197,8 @@ void go(const World& world, Traveller& body, Stretch way, Coordinate step, Trave
             Slide state;
             state.box = body.box;
             const bool whole = advanceAmong(solids, state, axis, part, step);
-            eye = eye + (alongX ? state.box.west - body.box.west : state.box.north - body.box.north);
+            eye =
+                eye + (alongX ? state.box.west - body.box.west : state.box.north - body.box.north);
             body.box = state.box;
             done.rise = done.rise + state.rise;
             if (!whole) {
@@ -202,7 +217,8 @@ void go(const World& world, Traveller& body, Stretch way, Coordinate step, Trave
         there.box = moved(there.box, over);
         there.eye.x = there.eye.x + over.x;
         there.eye.y = there.eye.y + over.y;
-        const Face side = alongX ? (ahead ? Face::west : Face::east) : (ahead ? Face::north : Face::south);
+        const Face side =
+            alongX ? (ahead ? Face::west : Face::east) : (ahead ? Face::north : Face::south);
         const Offset inwards = enterTile(world, there, tile, side);
         const int turn = (there.turn - body.turn + 4) % 4;
         if (!arrive(world, body, there, step, done.rise)) {
@@ -223,19 +239,22 @@ void go(const World& world, Traveller& body, Stretch way, Coordinate step, Trave
 
 bool isFree(const World& world, const Traveller& body) {
     if (!isThere(world, body)) return false;
-    return world.portals.empty() ? isFree(world, body.map, body.box) : isFreeAmong(PortalSolids(world, body), body.box);
+    return world.portals.empty() ? isFree(world, body.map, body.box)
+                                 : isFreeAmong(PortalSolids(world, body), body.box);
 }
 
 Coordinate sweepZ(const World& world, const Traveller& body, Coordinate distance) {
     if (!isThere(world, body)) return {};
-    return world.portals.empty() ? sweepZ(world, body.map, body.box, distance) : sweepZAmong(PortalSolids(world, body), body.box, distance);
+    return world.portals.empty() ? sweepZ(world, body.map, body.box, distance)
+                                 : sweepZAmong(PortalSolids(world, body), body.box, distance);
 }
 
 bool isSupported(const World& world, const Traveller& body) {
     return sweepZ(world, body, {-1}).raw == 0;
 }
 
-Travelled slide(const World& world, Traveller& body, Coordinate distanceX, Coordinate distanceY, Coordinate step) {
+Travelled slide(const World& world, Traveller& body, Coordinate distanceX, Coordinate distanceY,
+                Coordinate step) {
     if (!isThere(world, body)) return {};
     if (world.portals.empty()) {
         const Slide way = slide(world, body.map, body.box, distanceX, distanceY, step);

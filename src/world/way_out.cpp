@@ -28,11 +28,16 @@ bool somethingMoves(const World& world, const Map& map, GridTile tile) {
 }  // namespace
 
 bool hasWayOut(const World& world, int map, Coordinate x, Coordinate y, Coordinate feet) {
-    Traveller body = {.map = map, .box = bodyBox(x, y, feet, kCrouchedHeight), .eye = {x, y, feet + kCrouchedEye}, .behind = {}};
+    Traveller body = {.map = map,
+                      .box = bodyBox(x, y, feet, kCrouchedHeight),
+                      .eye = {x, y, feet + kCrouchedEye},
+                      .behind = {}};
     const GridTile home = {x.tile(), y.tile()};
     const Map& here = world.maps[static_cast<std::size_t>(map)];
     if ((here.width == 1 && here.depth == 1) || somethingMoves(world, here, home)) return true;
-    const auto isElsewhere = [&](const Traveller& there) { return there.leaps > 0 || there.eye.x.tile() != home.x || there.eye.y.tile() != home.y; };
+    const auto isElsewhere = [&](const Traveller& there) {
+        return there.leaps > 0 || there.eye.x.tile() != home.x || there.eye.y.tile() != home.y;
+    };
     rise(world, body, {-kMaxBodyHeight.raw});
 
     // To the middle of the tile, and from there in all four directions

@@ -6,15 +6,18 @@ namespace slicecast {
 
 void markSeeThrough(World& world) {
     for (CellBlueprint& blueprint : world.blueprints) {
-        blueprint.seeThrough = std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
-            return face.texture != kNoTexture && world.textures[face.texture].seeThrough;
-        });
+        blueprint.seeThrough = std::any_of(
+            blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
+                return face.texture != kNoTexture && world.textures[face.texture].seeThrough;
+            });
     }
 }
 
 void markPortals(World& world) {
     for (CellBlueprint& blueprint : world.blueprints) {
-        blueprint.hasPortals = std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [](const FaceBlueprint& face) { return face.portal != kNoPortal; });
+        blueprint.hasPortals =
+            std::any_of(blueprint.faces.begin(), blueprint.faces.end(),
+                        [](const FaceBlueprint& face) { return face.portal != kNoPortal; });
     }
 }
 

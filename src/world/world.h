@@ -31,7 +31,8 @@ struct World {
     std::string title;
     std::vector<Texture> textures;
     std::vector<Sprite> sprites;
-    std::vector<CellBlueprint> blueprints = {CellBlueprint{}};  // [0] stands for the empty cell and is never drawn
+    std::vector<CellBlueprint> blueprints = {
+        CellBlueprint{}};  // [0] stands for the empty cell and is never drawn
     std::vector<Map> maps;
     MovingObjects movingObjects;
     std::vector<Portal> portals;

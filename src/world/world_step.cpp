@@ -48,7 +48,9 @@ void resetWorld(World& world) {
 void addTo(Hash& hash, const World& world) {
     for (const Mover& mover : world.movers) hash.add(std::int64_t{mover.clock});
     for (const Gate& gate : world.gates) {
-        for (const int number : {gate.progress, int{gate.wantsOpen}, int{gate.isNear}, gate.awaySteps}) hash.add(std::int64_t{number});
+        for (const int number :
+             {gate.progress, int{gate.wantsOpen}, int{gate.isNear}, gate.awaySteps})
+            hash.add(std::int64_t{number});
     }
 }
 

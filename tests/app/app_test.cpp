@@ -20,7 +20,8 @@ public:
     void show(SDL_Surface& picture) override {
         ++shown;
         const auto* pixels = static_cast<const Pixel*>(picture.pixels);
-        last.assign(pixels, pixels + static_cast<std::size_t>(picture.w) * static_cast<std::size_t>(picture.h));
+        last.assign(pixels, pixels + static_cast<std::size_t>(picture.w) *
+                                         static_cast<std::size_t>(picture.h));
     }
     void askForFrame() override { ++asked; }
     void tell(News what, bool yes) override { news.emplace_back(what, yes); }
@@ -28,7 +29,9 @@ public:
         ++toldShown;
         moved += isMoved ? 1 : 0;
     }
-    void tellPortal(const std::string& from, const std::string& to) override { portals.emplace_back(from, to); }
+    void tellPortal(const std::string& from, const std::string& to) override {
+        portals.emplace_back(from, to);
+    }
     void tellRates(const FrameRates& told) override { rates.push_back(told); }
     void tellSize(int width, int height) override { sizes.emplace_back(width, height); }
     void tellHits(const std::string& json) override { hits.push_back(json); }
@@ -83,7 +86,9 @@ protected:
         }
     }
 
-    void press(SDL_Scancode scancode, bool repeated = false) { app.keyDown(*findKey(scancode), repeated); }
+    void press(SDL_Scancode scancode, bool repeated = false) {
+        app.keyDown(*findKey(scancode), repeated);
+    }
     void release(SDL_Scancode scancode) { app.keyUp(*findKey(scancode)); }
     double x() { return app.game()->player().x.value(); }
     double heading() { return app.game()->player().headingDegrees; }
@@ -215,7 +220,8 @@ TEST_F(AppTest, APortalIsTold) {
     World world = makeField();
     Map cellar = makeMap("cellar", 40, 40, 2, 0);
     world.maps.push_back(std::move(cellar));
-    world.portals.push_back({.fromMap = 0, .fromX = 22, .fromY = 20, .toMap = 1, .toX = 10, .toY = 20});
+    world.portals.push_back(
+        {.fromMap = 0, .fromX = 22, .fromY = 20, .toMap = 1, .toX = 10, .toY = 20});
     world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
     world.maps[0].tilePortals[world.maps[0].tileIndex(22, 20)] = 0;
     markPortals(world);
@@ -540,9 +546,11 @@ TEST(App, WithoutAGameThereIsNothingToDo) {
 }
 
 TEST_F(AppTest, KeysSwitchTheOverlaysOnAndOff) {
-    const std::pair<SDL_Scancode, const char*> switches[] = {{SDL_SCANCODE_M, "minimap"},     {SDL_SCANCODE_B, "minimapTurns"}, {SDL_SCANCODE_O, "minimapRays"},
-                                                             {SDL_SCANCODE_J, "playerPanel"}, {SDL_SCANCODE_U, "processPanel"}, {SDL_SCANCODE_G, "inspector"},
-                                                             {SDL_SCANCODE_K, "grid"},        {SDL_SCANCODE_Y, "slow"}};
+    const std::pair<SDL_Scancode, const char*> switches[] = {
+        {SDL_SCANCODE_M, "minimap"},      {SDL_SCANCODE_B, "minimapTurns"},
+        {SDL_SCANCODE_O, "minimapRays"},  {SDL_SCANCODE_J, "playerPanel"},
+        {SDL_SCANCODE_U, "processPanel"}, {SDL_SCANCODE_G, "inspector"},
+        {SDL_SCANCODE_K, "grid"},         {SDL_SCANCODE_Y, "slow"}};
     for (const auto& [scancode, option] : switches) {
         EXPECT_EQ(app.game()->option(option), "off") << option;
         press(scancode);

@@ -25,7 +25,8 @@ TEST(FillWindow, ALargeOneGetsWholePixelsAndIsCovered) {
 }
 
 TEST(FillWindow, AnyWindowIsCoveredBySquares) {
-    for (const Size window : {Size{1, 1}, Size{7, 3}, Size{1366, 768}, Size{1920, 1080}, Size{3840, 2160}, Size{5120, 1440}, Size{1, 4000}}) {
+    for (const Size window : {Size{1, 1}, Size{7, 3}, Size{1366, 768}, Size{1920, 1080},
+                              Size{3840, 2160}, Size{5120, 1440}, Size{1, 4000}}) {
         const Fit fit = fillWindow(window);
         EXPECT_LE(fit.picture.width * fit.picture.height, kSoftwarePixels);
         EXPECT_GE(fit.place.w, window.width);

@@ -29,7 +29,8 @@ TEST(Keys, EveryActionHasAKey) {
     EXPECT_EQ(actions.size(), static_cast<std::size_t>(Action::fasterSlices) + 1);
 }
 
-// A letter's code in a page is "Key" and the letter of the American layout, by which SDL names its scancodes.
+// A letter's code in a page is "Key" and the letter of the American layout, by which SDL names its
+// scancodes.
 TEST(Keys, CodesAndScancodesAreTheSamePlaces) {
     for (const Key& k : allKeys()) {
         if (k.code.size() == 4 && k.code.substr(0, 3) == "Key") {
@@ -74,7 +75,8 @@ TEST(Keys, TheNumberPadIsACompass) {
 
 TEST(HeldKeys, BecomeAxes) {
     HeldKeys held;
-    for (const SDL_Scancode code : {SDL_SCANCODE_S, SDL_SCANCODE_D, SDL_SCANCODE_LEFT, SDL_SCANCODE_UP, SDL_SCANCODE_PAGEDOWN, SDL_SCANCODE_LSHIFT}) {
+    for (const SDL_Scancode code : {SDL_SCANCODE_S, SDL_SCANCODE_D, SDL_SCANCODE_LEFT,
+                                    SDL_SCANCODE_UP, SDL_SCANCODE_PAGEDOWN, SDL_SCANCODE_LSHIFT}) {
         held.press(key(code));
     }
     const Input input = held.takeInput();

@@ -9,8 +9,10 @@ namespace slicecast {
 namespace {
 
 TEST(Pads, TheCursorRestsInTheMiddleAndReachesAllAtTheEdge) {
-    for (const double inside : {0.0, 0.1, -0.2, 0.2}) EXPECT_EQ(pastDeadZone(inside, kCursorDeadZone), 0.0) << inside;
-    EXPECT_NEAR(pastDeadZone(0.2001, kCursorDeadZone), 0.0001 / 0.8, 1e-12) << "no jump at its edge";
+    for (const double inside : {0.0, 0.1, -0.2, 0.2})
+        EXPECT_EQ(pastDeadZone(inside, kCursorDeadZone), 0.0) << inside;
+    EXPECT_NEAR(pastDeadZone(0.2001, kCursorDeadZone), 0.0001 / 0.8, 1e-12)
+        << "no jump at its edge";
     EXPECT_NEAR(pastDeadZone(0.6, kCursorDeadZone), 0.5, 1e-12);
     EXPECT_NEAR(pastDeadZone(-0.6, kCursorDeadZone), -0.5, 1e-12);
     EXPECT_EQ(pastDeadZone(1.0, kCursorDeadZone), 1.0);

@@ -27,11 +27,13 @@ TEST(SceneFile, AFileThatIsNotThereIsAFault) {
 }
 
 TEST(SceneFile, TheOpeningSceneIsTheFirstOfTheList) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "slicecast-opening";
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / "slicecast-opening";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "scenes");
     EXPECT_EQ(findOpeningScene(folder), std::filesystem::path());
-    std::ofstream(folder / "scenes/index.json") << "[{\"file\": \"one.json\"}, {\"file\": \"two.json\"}]";
+    std::ofstream(folder / "scenes/index.json")
+        << "[{\"file\": \"one.json\"}, {\"file\": \"two.json\"}]";
     EXPECT_EQ(findOpeningScene(folder), (folder / "scenes/one.json").lexically_normal());
     std::ofstream(folder / "scenes/index.json") << "[]";
     EXPECT_EQ(findOpeningScene(folder), std::filesystem::path());

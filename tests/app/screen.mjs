@@ -17,7 +17,9 @@ export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const program = join(root, 'build/native/bin/slicecast');
 
 // Why there can be no virtual display here, or false.
-export const noScreen = ['Xvfb', 'xdotool'].some((name) => spawnSync(name, ['-help']).error) ? 'Xvfb and xdotool are needed' : false;
+export const noScreen = ['Xvfb', 'xdotool'].some((name) => spawnSync(name, ['-help']).error)
+  ? 'Xvfb and xdotool are needed'
+  : false;
 
 // Looks again and again until `look` gives something; fails with `what` after ten seconds.
 export async function eventually(what, look) {
@@ -36,7 +38,19 @@ export class Screen {
   // The server picks a free number and tells it.
   static async open(width, height) {
     const screen = new Screen();
-    const args = ['-displayfd', '3', '-screen', '0', `${width}x${height}x24`, '-fbdir', screen.#folder, '-nocursor', '-nolisten', 'tcp', '-noreset'];
+    const args = [
+      '-displayfd',
+      '3',
+      '-screen',
+      '0',
+      `${width}x${height}x24`,
+      '-fbdir',
+      screen.#folder,
+      '-nocursor',
+      '-nolisten',
+      'tcp',
+      '-noreset',
+    ];
     screen.#server = spawn('Xvfb', args, { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
     const number = await new Promise((found, failed) => {
       screen.#server.once('error', failed);
@@ -56,7 +70,10 @@ export class Screen {
   }
 
   xdotool(...args) {
-    const result = spawnSync('xdotool', args.map(String), { env: this.environment, encoding: 'utf8' });
+    const result = spawnSync('xdotool', args.map(String), {
+      env: this.environment,
+      encoding: 'utf8',
+    });
     return result.status === 0 ? result.stdout.trim() : '';
   }
 
@@ -68,7 +85,8 @@ export class Screen {
     return started;
   }
 
-  // Xvfb keeps the screen in a file of the form that xwd writes: a header of big-endian numbers, colours, rows.
+  // Xvfb keeps the screen in a file of the form that xwd writes: a header of big-endian numbers,
+  // colours, rows.
   picture({ x, y, width, height }) {
     const file = readFileSync(join(this.#folder, 'Xvfb_screen0'));
     const field = (i) => file.readUInt32BE(4 * i);
@@ -102,13 +120,21 @@ class Program {
   constructor(screen, args) {
     this.#screen = screen;
     this.errors = '';
-    this.#process = spawn(program, args.map(String), { env: screen.environment, stdio: ['ignore', 'ignore', 'pipe'] });
+    this.#process = spawn(program, args.map(String), {
+      env: screen.environment,
+      stdio: ['ignore', 'ignore', 'pipe'],
+    });
     this.#process.stderr.on('data', (data) => (this.errors += data));
-    this.exit = new Promise((done) => this.#process.once('exit', (status) => done((this.ended = status))));
+    this.exit = new Promise((done) =>
+      this.#process.once('exit', (status) => done((this.ended = status))),
+    );
   }
 
   findWindow() {
-    this.window = this.#screen.xdotool('search', '--onlyvisible', '--pid', this.#process.pid).split('\n').pop();
+    this.window = this.#screen
+      .xdotool('search', '--onlyvisible', '--pid', this.#process.pid)
+      .split('\n')
+      .pop();
     return this.window;
   }
 
@@ -118,8 +144,18 @@ class Program {
 
   // Where the window is: {x, y, width, height}.
   get place() {
-    const values = Object.fromEntries(this.#screen.xdotool('getwindowgeometry', '--shell', this.window).split('\n').map((line) => line.split('=')));
-    return { x: Number(values.X), y: Number(values.Y), width: Number(values.WIDTH), height: Number(values.HEIGHT) };
+    const values = Object.fromEntries(
+      this.#screen
+        .xdotool('getwindowgeometry', '--shell', this.window)
+        .split('\n')
+        .map((line) => line.split('=')),
+    );
+    return {
+      x: Number(values.X),
+      y: Number(values.Y),
+      width: Number(values.WIDTH),
+      height: Number(values.HEIGHT),
+    };
   }
 
   picture() {

@@ -14,13 +14,18 @@ const { title, start } = JSON.parse(readFileSync(scene, 'utf8'));
 const kWidth = 320;
 const kHeight = 200;
 
-// What a session draws natively after a number of steps and a turn, without any window: bytes R, G, B.
+// What a session draws natively after a number of steps and a turn, without any window: bytes R, G,
+// B.
 function expectedPicture(width, height, turnDegrees = 0) {
   const folder = mkdtempSync(join(tmpdir(), 'slicecast-'));
   try {
     const pictures = join(folder, 'picture');
     const input = `120 0 0 0 0 0 0 0 0\n1 0 0 0 0 0 ${turnDegrees} 0 0`;
-    const result = spawnSync(join(root, 'build/native/tests/slicecast-replay'), [scene, width, height, pictures].map(String), { input });
+    const result = spawnSync(
+      join(root, 'build/native/tests/slicecast-replay'),
+      [scene, width, height, pictures].map(String),
+      { input },
+    );
     assert.equal(result.status, 0);
     const bytes = readFileSync(pictures).subarray(width * height * 4);
     return Buffer.from(bytes.filter((_, i) => i % 4 !== 3));
@@ -63,7 +68,8 @@ describe('the window', { skip: noScreen }, () => {
     }
   }
 
-  const shows = (started, picture, what) => eventually(what, () => started.picture().equals(picture));
+  const shows = (started, picture, what) =>
+    eventually(what, () => started.picture().equals(picture));
 
   test('shows the scene under its title, byte for byte, and Escape ends it', () =>
     withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
@@ -78,10 +84,13 @@ describe('the window', { skip: noScreen }, () => {
     try {
       const again = join(folder, 'again.txt');
       const tour = join(root, 'assets/tours/castle.txt');
-      await withWindow(['--size', `${kWidth}x${kHeight}`, '--replay', tour, '--record', again], async (started) => {
-        assert.equal(started.title, 'The castle in the lake (recording) (replay)');
-        await new Promise((resolve) => setTimeout(resolve, 1500));
-      });
+      await withWindow(
+        ['--size', `${kWidth}x${kHeight}`, '--replay', tour, '--record', again],
+        async (started) => {
+          assert.equal(started.title, 'The castle in the lake (recording) (replay)');
+          await new Promise((resolve) => setTimeout(resolve, 1500));
+        },
+      );
       // Whole lines but for the last stretch, which was cut.
       const played = readFileSync(again, 'utf8').trimEnd().split('\n').slice(3, -2);
       const wanted = readFileSync(tour, 'utf8').split('\n').slice(2);
@@ -95,13 +104,20 @@ describe('the window', { skip: noScreen }, () => {
   test('without a scene it opens the first one of the list', () =>
     withWindow(['--size', `${kWidth}x${kHeight}`], async (started) => {
       const [opening] = JSON.parse(readFileSync(join(root, 'assets/scenes/index.json'), 'utf8'));
-      assert.equal(started.title, JSON.parse(readFileSync(join(root, 'assets/scenes', opening.file), 'utf8')).title);
+      assert.equal(
+        started.title,
+        JSON.parse(readFileSync(join(root, 'assets/scenes', opening.file), 'utf8')).title,
+      );
     }));
 
   test('the number pad turns to a heading', () =>
     withWindow([scene, '--size', `${kWidth}x${kHeight}`], async (started) => {
       started.keys('KP_8');
-      await shows(started, expectedPicture(kWidth, kHeight, 270 - start.heading), 'the view to the north');
+      await shows(
+        started,
+        expectedPicture(kWidth, kHeight, 270 - start.heading),
+        'the view to the north',
+      );
     }));
 
   test('a held key moves, and a pause stands still', () =>
@@ -149,7 +165,11 @@ describe('the window', { skip: noScreen }, () => {
         return !started.picture().equals(plain);
       });
       started.keys('Escape', 'r', 'KP_8');
-      await shows(started, expectedPicture(kWidth, kHeight, 270 - start.heading), 'the view to the north');
+      await shows(
+        started,
+        expectedPicture(kWidth, kHeight, 270 - start.heading),
+        'the view to the north',
+      );
     }));
 
   test('a larger window enlarges a picture of fixed size by a whole number, with black around it', () =>
@@ -158,8 +178,16 @@ describe('the window', { skip: noScreen }, () => {
       screen.xdotool('windowmove', '--sync', started.window, 0, 0);
       const expected = enlarged(expectedPicture(kWidth, kHeight), kWidth, kHeight, 2);
       const { x, y } = started.place;
-      await eventually('twice the size', () => screen.picture({ x: x + 30, y: y + 50, width: 2 * kWidth, height: 2 * kHeight }).equals(expected));
-      for (const edge of [{ x, y, width: 30, height: 500 }, { x, y, width: 700, height: 50 }]) assert.ok(screen.picture(edge).every((byte) => byte === 0));
+      await eventually('twice the size', () =>
+        screen
+          .picture({ x: x + 30, y: y + 50, width: 2 * kWidth, height: 2 * kHeight })
+          .equals(expected),
+      );
+      for (const edge of [
+        { x, y, width: 30, height: 500 },
+        { x, y, width: 700, height: 50 },
+      ])
+        assert.ok(screen.picture(edge).every((byte) => byte === 0));
     }));
 
   test('without a size the picture fills the window, whatever its size', () =>
@@ -171,22 +199,29 @@ describe('the window', { skip: noScreen }, () => {
     }));
 
   test('options of the command line act', () =>
-    withWindow([scene, '--size', `${kWidth}x${kHeight}`, '--fov', '90', '--set', 'textures=off'], async (started) => {
-      const plain = expectedPicture(kWidth, kHeight);
-      await eventually('a picture', () => started.picture().some((byte) => byte !== 0));
-      assert.ok(!started.picture().equals(plain));
-    }));
+    withWindow(
+      [scene, '--size', `${kWidth}x${kHeight}`, '--fov', '90', '--set', 'textures=off'],
+      async (started) => {
+        const plain = expectedPicture(kWidth, kHeight);
+        await eventually('a picture', () => started.picture().some((byte) => byte !== 0));
+        assert.ok(!started.picture().equals(plain));
+      },
+    ));
 });
 
 function run(args, environment = {}) {
-  const { status, stdout, stderr } = spawnSync(program, args, { encoding: 'utf8', env: { ...process.env, ...environment } });
+  const { status, stdout, stderr } = spawnSync(program, args, {
+    encoding: 'utf8',
+    env: { ...process.env, ...environment },
+  });
   return { status, stdout, stderr };
 }
 
 test('--help lists options and keys', () => {
   const { status, stdout } = run(['--help']);
   assert.equal(status, 0);
-  for (const word of ['--size', '--fov', '--map', '--fullscreen', '--set', 'Number pad']) assert.ok(stdout.includes(word), word);
+  for (const word of ['--size', '--fov', '--map', '--fullscreen', '--set', 'Number pad'])
+    assert.ok(stdout.includes(word), word);
 });
 
 test('a scene at fault ends it with all faults', () => {

@@ -41,11 +41,15 @@ TEST(Angle, AgreesWithTheLibrary) {
     Random random(2);
     for (int i = 0; i < 100'000; ++i) {
         const double degrees = random.between(-720.0, 720.0);
-        const long double radians = static_cast<long double>(degrees) * 3.14159265358979323846264338327950288L / 180;
+        const long double radians =
+            static_cast<long double>(degrees) * 3.14159265358979323846264338327950288L / 180;
         ASSERT_NEAR(sinDegrees(degrees), static_cast<double>(std::sin(radians)), 3e-16) << degrees;
         ASSERT_NEAR(cosDegrees(degrees), static_cast<double>(std::cos(radians)), 3e-16) << degrees;
         const double slope = random.between(-50.0, 50.0);
-        ASSERT_NEAR(atanDegrees(slope), static_cast<double>(std::atan(static_cast<long double>(slope)) * 180 / 3.14159265358979323846264338327950288L), 3e-14)
+        ASSERT_NEAR(atanDegrees(slope),
+                    static_cast<double>(std::atan(static_cast<long double>(slope)) * 180 /
+                                        3.14159265358979323846264338327950288L),
+                    3e-14)
             << slope;
     }
 }

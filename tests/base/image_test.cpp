@@ -51,7 +51,8 @@ TEST(Image, RefusesWhatIsTooLargeBeforeDecoding) {
 // The largest size that worlds allow is within the bound on memory.
 TEST(Image, ReadsTheLargestPicture) {
     const Image image(8192, 4096);
-    const std::vector<std::uint8_t> bytes = encodePng(image.pixels.data(), image.width, image.height, image.width);
+    const std::vector<std::uint8_t> bytes =
+        encodePng(image.pixels.data(), image.width, image.height, image.width);
     const DecodedImage decoded = decodePng(bytes, 8192, 4096);
     EXPECT_EQ(decoded.fault, "");
     EXPECT_EQ(decoded.image.width, 8192);

@@ -65,10 +65,12 @@ std::vector<double> manyNumbers() {
     while (numbers.size() < kNumbers) {
         const double any = std::bit_cast<double>(next());
         if (std::isfinite(any)) numbers.push_back(any);
-        const double decimal = static_cast<double>(next() % 1000000) / std::pow(10.0, static_cast<double>(next() % 8));
+        const double decimal =
+            static_cast<double>(next() % 1000000) / std::pow(10.0, static_cast<double>(next() % 8));
         numbers.push_back(decimal);
         numbers.push_back(std::nextafter(decimal, 1e9));
-        numbers.push_back(static_cast<double>(next()) * std::pow(2.0, static_cast<double>(next() % 128) - 96.0));
+        numbers.push_back(static_cast<double>(next()) *
+                          std::pow(2.0, static_cast<double>(next() % 128) - 96.0));
     }
     return numbers;
 }
@@ -80,7 +82,8 @@ TEST(NumberText, ReadsAsTheLibraryDoes) {
             const double expected = std::strtod(text.c_str(), nullptr);
             const auto found = readNumber(text);
             ASSERT_TRUE(found) << text;
-            ASSERT_EQ(std::bit_cast<std::uint64_t>(*found), std::bit_cast<std::uint64_t>(expected)) << text;
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(*found), std::bit_cast<std::uint64_t>(expected))
+                << text;
         }
     }
 }
@@ -93,7 +96,8 @@ TEST(NumberText, RoundsAtTheBordersExactly) {
         const double low = std::abs(number);
         const double high = std::nextafter(low, HUGE_VAL);
         if (low == 0.0 || !std::isfinite(high)) continue;
-        const long double middle = (static_cast<long double>(low) + static_cast<long double>(high)) / 2;
+        const long double middle =
+            (static_cast<long double>(low) + static_cast<long double>(high)) / 2;
         std::vector<char> text(1200);
         std::snprintf(text.data(), text.size(), "%.*Lg", 800, middle);
         const std::string exact(text.data());
@@ -103,14 +107,16 @@ TEST(NumberText, RoundsAtTheBordersExactly) {
         const std::size_t exponent = exact.find('e');
         const std::string digits = exact.substr(0, exponent);
         const std::string rest = exponent == std::string::npos ? "" : exact.substr(exponent);
-        const std::string padding = (digits.find('.') == std::string::npos ? "." : "") + std::string(900, '0');
+        const std::string padding =
+            (digits.find('.') == std::string::npos ? "." : "") + std::string(900, '0');
         ASSERT_EQ(readNumber(digits + padding + "1" + rest), high) << exact;
     }
 }
 
 TEST(NumberText, ReadsNothingElse) {
-    for (const char* text : {"",    "+",   "-",   ".",   "e5",    "1e",    "1e+", "1.2.3", " 1",    "1 ",    "0x10", "inf",
-                             "nan", "1,5", "--1", "+-1", "1e5.0", "1e5e5", "\r5", "\v5",   "1e\r5", "1e\v5", "1E",   "1\x05"}) {
+    for (const char* text : {"",      "+",     "-",    ".",   "e5",    "1e",    "1e+", "1.2.3",
+                             " 1",    "1 ",    "0x10", "inf", "nan",   "1,5",   "--1", "+-1",
+                             "1e5.0", "1e5e5", "\r5",  "\v5", "1e\r5", "1e\v5", "1E",  "1\x05"}) {
         EXPECT_FALSE(readNumber(text)) << text;
     }
     EXPECT_EQ(readNumber("+1.5E3"), 1500.0);
@@ -127,7 +133,8 @@ TEST(NumberText, ReadsNothingElse) {
 
 TEST(NumberText, ReadsHoweverManyDigitsThereAre) {
     // An exact border of few digits, and something far behind it
-    EXPECT_EQ(readNumber("9223372050000000000." + std::string(800, '0') + "1"), 9223372050000001024.0);
+    EXPECT_EQ(readNumber("9223372050000000000." + std::string(800, '0') + "1"),
+              9223372050000001024.0);
     EXPECT_EQ(readNumber("9223372050000000000." + std::string(800, '0')), 9223372049999998976.0);
     EXPECT_EQ(readNumber("0." + std::string(200000, '0') + "1e200001"), 1.0);
     EXPECT_EQ(readNumber("1" + std::string(200000, '0') + "e-200000"), 1.0);
@@ -140,10 +147,14 @@ TEST(NumberText, TheShortestGivesTheNumberBackInTheFewestDigits) {
         const auto end = std::from_chars(text.data(), text.data() + text.size(), back);
         ASSERT_EQ(end.ptr, text.data() + text.size()) << text;
         ASSERT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(number)) << text;
-        if (std::abs(number) < std::numeric_limits<double>::min()) continue;  // 15 digits say more than these hold
-        // The library's shortest may be a digit of 17 shorter, where the nearest of 16 does not lead back but another one does.
+        if (std::abs(number) < std::numeric_limits<double>::min())
+            continue;  // 15 digits say more than these hold
+        // The library's shortest may be a digit of 17 shorter, where the nearest of 16 does not
+        // lead back but another one does.
         char shortest[40];
-        const auto last = std::to_chars(shortest, shortest + sizeof shortest, number, std::chars_format::scientific).ptr;
+        const auto last = std::to_chars(shortest, shortest + sizeof shortest, number,
+                                        std::chars_format::scientific)
+                              .ptr;
         const auto digitsIn = [](std::string_view any) {
             std::string digits;
             for (const char c : any.substr(0, any.find('e'))) {
@@ -153,7 +164,8 @@ TEST(NumberText, TheShortestGivesTheNumberBackInTheFewestDigits) {
             return digits.size();
         };
         const std::size_t fewest = digitsIn({shortest, static_cast<std::size_t>(last - shortest)});
-        ASSERT_LE(digitsIn(text), fewest < 16 ? fewest : 17) << text << " " << std::string(shortest, last);
+        ASSERT_LE(digitsIn(text), fewest < 16 ? fewest : 17)
+            << text << " " << std::string(shortest, last);
     }
 }
 
@@ -179,7 +191,8 @@ TEST(NumberText, IsWrittenAsPeopleDo) {
 TEST(NumberText, RoundsToDecimalsAsPrintfDoes) {
     for (const double number : manyNumbers()) {
         if (!(std::abs(number) < 1e15)) continue;
-        for (const int decimals : {0, 1, 2, 3, 6}) ASSERT_EQ(textOf(fixedText(number, decimals)), printed("%.*f", decimals, number));
+        for (const int decimals : {0, 1, 2, 3, 6})
+            ASSERT_EQ(textOf(fixedText(number, decimals)), printed("%.*f", decimals, number));
     }
     EXPECT_EQ(textOf(fixedText(1e300, 2)), "1e+300");
 }

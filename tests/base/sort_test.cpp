@@ -28,10 +28,12 @@ TEST(MergeSort, SortsAsTheLibraryDoesAndKeepsTheOrderOfEquals) {
 }
 
 TEST(MergeSort, MovesTexts) {
-    std::vector<std::string> names = {"stone, which is longer than what is kept in place", "brick", "wood"};
+    std::vector<std::string> names = {"stone, which is longer than what is kept in place", "brick",
+                                      "wood"};
     std::vector<std::string> room;
     mergeSort(names, room, std::less<>());
-    EXPECT_EQ(names, (std::vector<std::string>{"brick", "stone, which is longer than what is kept in place", "wood"}));
+    EXPECT_EQ(names, (std::vector<std::string>{
+                         "brick", "stone, which is longer than what is kept in place", "wood"}));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ constexpr int kStripColumns = 16;
 constexpr std::uint32_t kEven = 0x00ff00ff;
 constexpr std::uint32_t kOdd = 0xff00ff00;
 
-// A float of at least 2^23 and below 2^24 has no bits after the point: adding this leaves a number, rounded, in the low bits.
+// A float of at least 2^23 and below 2^24 has no bits after the point: adding this leaves a number,
+// rounded, in the low bits.
 constexpr float kMagic = 12582912.0f;
 
 inline std::uint32_t shadedOne(std::uint32_t texel, std::uint32_t factor) {
@@ -40,8 +41,10 @@ inline std::uint32_t bitsOf(float value) {
     return bits;
 }
 
-// The hot loops are functions of their own, which WebAssembly engines optimise soon; a loop within one long call stays slow.
-__attribute__((noinline)) void drawWall(Pixel* out, int rows, const Pixel* texels, std::uint32_t step, std::uint32_t factor) {
+// The hot loops are functions of their own, which WebAssembly engines optimise soon; a loop within
+// one long call stays slow.
+__attribute__((noinline)) void drawWall(Pixel* out, int rows, const Pixel* texels,
+                                        std::uint32_t step, std::uint32_t factor) {
     constexpr std::uint32_t kMask = kSize - 1;
     std::uint32_t position = 0;
     int row = 0;
@@ -51,8 +54,8 @@ __attribute__((noinline)) void drawWall(Pixel* out, int rows, const Pixel* texel
             const std::uint32_t second = position + step;
             const std::uint32_t third = second + step;
             const std::uint32_t fourth = third + step;
-            const U32x4 four = {texels[(position >> 16) & kMask], texels[(second >> 16) & kMask], texels[(third >> 16) & kMask],
-                                texels[(fourth >> 16) & kMask]};
+            const U32x4 four = {texels[(position >> 16) & kMask], texels[(second >> 16) & kMask],
+                                texels[(third >> 16) & kMask], texels[(fourth >> 16) & kMask]};
             storeVector(out + row, shadedFour(four, factors));
             position = fourth + step;
         }
@@ -63,7 +66,8 @@ __attribute__((noinline)) void drawWall(Pixel* out, int rows, const Pixel* texel
     }
 }
 
-__attribute__((noinline)) void drawPlane(Pixel* column, int first, int last, const Pixel* texels, const float* inverseOffsets, const std::uint32_t* factors,
+__attribute__((noinline)) void drawPlane(Pixel* column, int first, int last, const Pixel* texels,
+                                         const float* inverseOffsets, const std::uint32_t* factors,
                                          float eastPerInverse, float southPerInverse) {
     // East is scaled so that its texel's index stands where it is needed.
     constexpr std::uint32_t kEastMask = (kSize - 1) << kSizeBits;
@@ -79,7 +83,8 @@ __attribute__((noinline)) void drawPlane(Pixel* column, int first, int last, con
             const U32x4 u = (U32x4)(inverse * east4 + magic) & kEastMask;
             const U32x4 v = (U32x4)(inverse * south4 + magic) & kSouthMask;
             const U32x4 index = u | v;
-            const U32x4 four = {texels[index[0]], texels[index[1]], texels[index[2]], texels[index[3]]};
+            const U32x4 four = {texels[index[0]], texels[index[1]], texels[index[2]],
+                                texels[index[3]]};
             storeVector(column + row, shadedFour(four, loadVector<U32x4>(factors + row)));
         }
     }
@@ -107,7 +112,8 @@ __attribute__((noinline)) void drawPlane(Pixel* column, int first, int last, con
 }
 
 // A whole strip into the rows of the frame: 16 pixels of each are one cache line.
-__attribute__((noinline)) void transpose(const Pixel* strip, int stride, int height, Pixel* out, int pitch) {
+__attribute__((noinline)) void transpose(const Pixel* strip, int stride, int height, Pixel* out,
+                                         int pitch) {
     int y = 0;
     if constexpr (kHasVectors) {
         for (; y + 4 <= height; y += 4) {
@@ -130,7 +136,8 @@ __attribute__((noinline)) void transpose(const Pixel* strip, int stride, int hei
         }
     }
     for (; y < height; ++y) {
-        for (int c = 0; c < kStripColumns; ++c) out[static_cast<std::ptrdiff_t>(y) * pitch + c] = strip[c * stride + y];
+        for (int c = 0; c < kStripColumns; ++c)
+            out[static_cast<std::ptrdiff_t>(y) * pitch + c] = strip[c * stride + y];
     }
 }
 
@@ -169,9 +176,13 @@ LimitKernel::LimitKernel(int width, int height)
         const int first = (height - rows) / 2;
         const double sideways = (x + 0.5 - width_ / 2.0) / distance;
         const double texelsPerInverse = 0.5 * distance * kSize;
-        columns_.push_back({first, first + rows, static_cast<std::uint32_t>(across * 20.0 * kSize) % kSize << kSizeBits,
-                            static_cast<std::uint32_t>(65536.0 * kSize / rows), static_cast<std::uint32_t>(256.0 * std::min(1.0, 0.3 + share)) * 0x00010001u,
-                            static_cast<float>(texelsPerInverse * (0.8 - 0.6 * sideways)), static_cast<float>(texelsPerInverse * (0.6 + 0.8 * sideways))});
+        columns_.push_back(
+            {first, first + rows,
+             static_cast<std::uint32_t>(across * 20.0 * kSize) % kSize << kSizeBits,
+             static_cast<std::uint32_t>(65536.0 * kSize / rows),
+             static_cast<std::uint32_t>(256.0 * std::min(1.0, 0.3 + share)) * 0x00010001u,
+             static_cast<float>(texelsPerInverse * (0.8 - 0.6 * sideways)),
+             static_cast<float>(texelsPerInverse * (0.6 + 0.8 * sideways))});
     }
 }
 
@@ -180,9 +191,12 @@ void LimitKernel::draw(Pixel* frame) {
         for (int c = 0; c < kStripColumns; ++c) {
             const Column& column = columns_[static_cast<std::size_t>(x + c)];
             Pixel* out = strip_.data() + c * stride_;
-            drawPlane(out, 0, column.wallFirst, ceiling_.data(), inverseOffsets_.data(), factors_.data(), column.eastPerInverse, column.southPerInverse);
-            drawWall(out + column.wallFirst, column.wallLast - column.wallFirst, wall_.data() + column.texels, column.step, column.factor);
-            drawPlane(out, column.wallLast, height_, floor_.data(), inverseOffsets_.data(), factors_.data(), column.eastPerInverse, column.southPerInverse);
+            drawPlane(out, 0, column.wallFirst, ceiling_.data(), inverseOffsets_.data(),
+                      factors_.data(), column.eastPerInverse, column.southPerInverse);
+            drawWall(out + column.wallFirst, column.wallLast - column.wallFirst,
+                     wall_.data() + column.texels, column.step, column.factor);
+            drawPlane(out, column.wallLast, height_, floor_.data(), inverseOffsets_.data(),
+                      factors_.data(), column.eastPerInverse, column.southPerInverse);
         }
         transpose(strip_.data(), stride_, height_, frame + x, width_);
     }

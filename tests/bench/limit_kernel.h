@@ -1,7 +1,9 @@
-// The limit: a frame like the renderer's with nothing left out of the pixels and everything else left out. In every column one wall of a quarter to two thirds
-// of the height, floor and ceiling elsewhere, all textured (64x64) and shaded; no walk, no world, no levels of detail. Slices of 16 columns side by side in
-// memory that stays in the cache, transposed into the rows of the frame: the fastest arrangement that is known. Figures of the renderer are quoted as ratios
-// to this, measured in the same run.
+// The limit: a frame like the renderer's with nothing left out of the pixels and everything else
+// left out. In every column one wall of a quarter to two thirds of the height, floor and ceiling
+// elsewhere, all textured (64x64) and shaded; no walk, no world, no levels of detail. Slices of 16
+// columns side by side in memory that stays in the cache, transposed into the rows of the frame:
+// the fastest arrangement that is known. Figures of the renderer are quoted as ratios to this,
+// measured in the same run.
 #pragma once
 
 #include "base/colour.h"

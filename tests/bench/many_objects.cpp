@@ -27,8 +27,12 @@ bool isBlocked(const World& world, const Map& map, const Point& from, const Poin
     double along = 0.0;  // part of the way
     while (along < 1.0) {
         constexpr double kNever = std::numeric_limits<double>::infinity();
-        const double leaveX = wayX > 0.0 ? (x + 1 - from.x) / wayX : wayX < 0.0 ? (x - from.x) / wayX : kNever;
-        const double leaveY = wayY > 0.0 ? (y + 1 - from.y) / wayY : wayY < 0.0 ? (y - from.y) / wayY : kNever;
+        const double leaveX = wayX > 0.0   ? (x + 1 - from.x) / wayX
+                              : wayX < 0.0 ? (x - from.x) / wayX
+                                           : kNever;
+        const double leaveY = wayY > 0.0   ? (y + 1 - from.y) / wayY
+                              : wayY < 0.0 ? (y - from.y) / wayY
+                                           : kNever;
         const double leave = std::min({leaveX, leaveY, 1.0});
         const double z0 = from.z + (to.z - from.z) * along;
         const double z1 = from.z + (to.z - from.z) * leave;
@@ -62,7 +66,8 @@ bool isInSight(const World& world, const Map& map, const Eye& eye, const Object&
         const double right = -heading.sine * (x - from.x) + heading.cosine * (y - from.y);
         if (depth <= 0.0 || std::abs(right) > widest * depth) continue;
         for (int j = 0; j < kSamples; ++j) {
-            const double z = object.z.value() + object.height.value() * (j + 0.01) / (kSamples - 1 + 0.02);
+            const double z =
+                object.z.value() + object.height.value() * (j + 0.01) / (kSamples - 1 + 0.02);
             if (!isBlocked(world, map, from, {x, y, z})) return true;
         }
     }
@@ -91,11 +96,13 @@ std::optional<ManyObjects> spreadObjects(const World& world, const Eye& eye, int
     std::vector<Object> all;
     std::vector<Object> inSight;
     int outOfSight = 0;
-    for (int attempt = 0; attempt < 100 * count && static_cast<int>(all.size()) < count; ++attempt) {
+    for (int attempt = 0; attempt < 100 * count && static_cast<int>(all.size()) < count;
+         ++attempt) {
         const std::optional<Object> object = scatter(world, map, random);
         if (!object) continue;
         const bool isSeen = isInSight(world, map, eye, *object);
-        if (isSeen ? static_cast<int>(inSight.size()) == seen : outOfSight == count - seen) continue;
+        if (isSeen ? static_cast<int>(inSight.size()) == seen : outOfSight == count - seen)
+            continue;
         outOfSight += !isSeen;
         if (isSeen) inSight.push_back(*object);
         all.push_back(*object);

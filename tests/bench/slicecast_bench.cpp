@@ -1,5 +1,6 @@
-// Measures how fast fixed views of shipped scenes are drawn, beside the limit kernel and a copy of the frame. Everything takes its turn round by round, so that
-// whatever else the machine does falls on all alike; figures are medians over the rounds.
+// Measures how fast fixed views of shipped scenes are drawn, beside the limit kernel and a copy of
+// the frame. Everything takes its turn round by round, so that whatever else the machine does falls
+// on all alike; figures are medians over the rounds.
 //
 //     slicecast-bench ASSETS_FOLDER ROUNDS        prints JSON; tools/bench makes a table of it
 
@@ -34,7 +35,8 @@ constexpr int kManyObjects = 10'000;
 constexpr int kObjectsSeen = 100;
 constexpr double kPixels = static_cast<double>(kWidth) * kHeight;
 
-// An eye in the map in which the scene starts, or in another one of it; without one, the start itself.
+// An eye in the map in which the scene starts, or in another one of it; without one, the start
+// itself.
 struct Place {
     double x, y, z, headingDegrees, look;
     const char* map = nullptr;
@@ -88,7 +90,8 @@ double seconds() {
 }
 #endif
 
-// The first frame brings its textures into the caches, as the frame before would have done in a game.
+// The first frame brings its textures into the caches, as the frame before would have done in a
+// game.
 double measure(const Item& item) {
     item.draw();
     const double begin = seconds();
@@ -120,7 +123,9 @@ std::unique_ptr<Session> openScene(const std::string& assets, const View& view) 
         for (std::size_t i = 0; p.map != nullptr && i < maps.size(); ++i) {
             if (maps[i].name == p.map) map = static_cast<int>(i);
         }
-        if (!session->setEye({map, toCoordinate(p.x), toCoordinate(p.y), toCoordinate(p.z), p.headingDegrees, p.look})) return nullptr;
+        if (!session->setEye({map, toCoordinate(p.x), toCoordinate(p.y), toCoordinate(p.z),
+                              p.headingDegrees, p.look}))
+            return nullptr;
     }
     return session;
 }
@@ -135,18 +140,23 @@ bool addManyObjects(const std::string& assets, const Picture& picture, std::vect
     const auto alone = std::make_shared<Session>(std::move(many->seenOnly));
     const auto all = std::make_shared<Session>(std::move(many->all));
     items.push_back({"garden", "100 objects", 2, [alone, picture] { alone->draw(picture); }});
-    items.push_back({"garden", "10,000 objects, 100 seen", 2, [all, picture] { all->draw(picture); }});
+    items.push_back(
+        {"garden", "10,000 objects, 100 seen", 2, [all, picture] { all->draw(picture); }});
     items.back().comparedWith = static_cast<int>(items.size()) - 2;
     return true;
 }
 
 void printFigures(const Item& item, const Item* other, const Item* comparedWith, const char* end) {
     const double median = quantile(item.nsPerPixel, 0.5);
-    const double spread = (quantile(item.nsPerPixel, 0.75) - quantile(item.nsPerPixel, 0.25)) / median;
-    std::printf("{ \"scene\": \"%s\", \"name\": \"%s\", \"nsPerPixel\": %.4f, \"spread\": %.4f", item.scene.c_str(), item.name.c_str(), median, spread);
-    if (other != nullptr) std::printf(", \"ratio\": %.4f", ratio(item.nsPerPixel, other->nsPerPixel));
+    const double spread =
+        (quantile(item.nsPerPixel, 0.75) - quantile(item.nsPerPixel, 0.25)) / median;
+    std::printf("{ \"scene\": \"%s\", \"name\": \"%s\", \"nsPerPixel\": %.4f, \"spread\": %.4f",
+                item.scene.c_str(), item.name.c_str(), median, spread);
+    if (other != nullptr)
+        std::printf(", \"ratio\": %.4f", ratio(item.nsPerPixel, other->nsPerPixel));
     if (comparedWith != nullptr) {
-        std::printf(", \"comparedWith\": \"%s\", \"timesThat\": %.4f", comparedWith->name.c_str(), ratio(item.nsPerPixel, comparedWith->nsPerPixel));
+        std::printf(", \"comparedWith\": \"%s\", \"timesThat\": %.4f", comparedWith->name.c_str(),
+                    ratio(item.nsPerPixel, comparedWith->nsPerPixel));
     }
     std::printf(" }%s\n", end);
 }
@@ -158,16 +168,22 @@ int run(const std::string& assets, int rounds) {
     LimitKernel limit(kWidth, kHeight);
 
     std::vector<Item> items;
-    items.push_back({"", "copy", 8, [&] { std::memcpy(copy.data(), frame.data(), frame.size() * sizeof(Pixel)); }});
+    items.push_back({"", "copy", 8, [&] {
+                         std::memcpy(copy.data(), frame.data(), frame.size() * sizeof(Pixel));
+                     }});
     items.push_back({"", "limit", 2, [&] { limit.draw(frame.data()); }});
     for (const View& view : kViews) {
         const std::shared_ptr<Session> session = openScene(assets, view);
         for (int step = 0; session && step < view.steps; ++step) session->step({});
         if (!session || !session->draw(picture)) {
-            std::fprintf(stderr, "slicecast-bench: %s, %s cannot be drawn\n", view.scene, view.name);
+            std::fprintf(stderr, "slicecast-bench: %s, %s cannot be drawn\n", view.scene,
+                         view.name);
             return 1;
         }
-        items.push_back({view.scene, view.name, 2, [session, picture, fraction = view.steps > 0 ? 0.5 : 1.0] { session->draw(picture, fraction); }});
+        items.push_back(
+            {view.scene, view.name, 2, [session, picture, fraction = view.steps > 0 ? 0.5 : 1.0] {
+                 session->draw(picture, fraction);
+             }});
     }
     if (!addManyObjects(assets, picture, items)) {
         std::fprintf(stderr, "slicecast-bench: there is no room for many objects in the garden\n");
@@ -183,14 +199,17 @@ int run(const std::string& assets, int rounds) {
         }
     }
 
-    std::printf("{ \"width\": %d, \"height\": %d, \"rounds\": %d,\n  \"copy\": ", kWidth, kHeight, rounds);
+    std::printf("{ \"width\": %d, \"height\": %d, \"rounds\": %d,\n  \"copy\": ", kWidth, kHeight,
+                rounds);
     printFigures(items[0], nullptr, nullptr, ",");
     std::printf("  \"limit\": ");
     printFigures(items[1], &items[0], nullptr, ",");
     std::printf("  \"views\": [\n");
     for (std::size_t i = 2; i < items.size(); ++i) {
         std::printf("    ");
-        const Item* comparedWith = items[i].comparedWith < 0 ? nullptr : &items[static_cast<std::size_t>(items[i].comparedWith)];
+        const Item* comparedWith = items[i].comparedWith < 0
+                                       ? nullptr
+                                       : &items[static_cast<std::size_t>(items[i].comparedWith)];
         printFigures(items[i], &items[1], comparedWith, i + 1 < items.size() ? "," : "");
     }
     std::printf("  ] }\n");

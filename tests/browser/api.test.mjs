@@ -1,4 +1,5 @@
-// The element is what the table of its interface says, row by row, and nothing else: web/element/api.json against the class in Chromium.
+// The element is what the table of its interface says, row by row, and nothing else:
+// web/element/api.json against the class in Chromium.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -10,18 +11,28 @@ import { roomFiles, roomScene } from './room.mjs';
 import { serve } from './static-server.mjs';
 
 const axeFile = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
-const table = JSON.parse(readFileSync(new URL('../../web/element/api.json', import.meta.url), 'utf8'));
+const table = JSON.parse(
+  readFileSync(new URL('../../web/element/api.json', import.meta.url), 'utf8'),
+);
 const names = (rows) => rows.map(({ name }) => name);
 const sorted = (list) => [...list].sort();
 
 // What every custom element has for the browser's sake, and the focus that it hands on.
-const kCallbacks = ['connectedCallback', 'disconnectedCallback', 'connectedMoveCallback', 'adoptedCallback', 'attributeChangedCallback'];
+const kCallbacks = [
+  'connectedCallback',
+  'disconnectedCallback',
+  'connectedMoveCallback',
+  'adoptedCallback',
+  'attributeChangedCallback',
+];
 const kOfEveryElement = ['constructor', 'focus'];
 
 const portalScene = {
   ...roomScene(),
   maps: ['room', 'next'].map((name) => ({
-    ...roomScene().maps[0], name, portals: name === 'room' ? [{ x: 4, y: 3, to: { map: 'next', x: 2, y: 3 } }] : [],
+    ...roomScene().maps[0],
+    name,
+    portals: name === 'room' ? [{ x: 4, y: 3, to: { map: 'next', x: 2, y: 3 } }] : [],
   })),
 };
 
@@ -38,7 +49,12 @@ let page;
 before(async () => {
   browser = await launch();
   server = await serve({
-    files: { ...roomFiles(), 'table.html': kPage, 'scenes/portal.json': JSON.stringify(portalScene), 'scenes/broken.json': '{"title": 7}' },
+    files: {
+      ...roomFiles(),
+      'table.html': kPage,
+      'scenes/portal.json': JSON.stringify(portalScene),
+      'scenes/broken.json': '{"title": 7}',
+    },
   });
   page = await browser.newPage({ viewport: { width: 800, height: 600 } });
   await page.goto(`${server.address}table.html`);
@@ -51,40 +67,68 @@ after(async () => {
 });
 
 test('the module exports what the table lists', async () => {
-  assert.deepEqual(await page.evaluate(() => Object.keys(slicecast).sort()), sorted(names(table.exports)));
+  assert.deepEqual(
+    await page.evaluate(() => Object.keys(slicecast).sort()),
+    sorted(names(table.exports)),
+  );
   assert.equal(await page.evaluate(() => slicecast.apiVersion), table.apiVersion);
-  assert.deepEqual(await page.evaluate(() => Object.keys(slicecast.errorCodes).sort()), sorted(table.errorCodes));
-  assert.ok(await page.evaluate((tag) => customElements.get(tag) === slicecast.RayCaster, table.tag));
+  assert.deepEqual(
+    await page.evaluate(() => Object.keys(slicecast.errorCodes).sort()),
+    sorted(table.errorCodes),
+  );
+  assert.ok(
+    await page.evaluate((tag) => customElements.get(tag) === slicecast.RayCaster, table.tag),
+  );
 });
 
 test('nothing is public on the class that the table does not list', async () => {
   const found = await page.evaluate(() => ({
     prototype: Object.getOwnPropertyNames(slicecast.RayCaster.prototype),
-    statics: Object.getOwnPropertyNames(slicecast.RayCaster).filter((name) => !['length', 'name', 'prototype'].includes(name)),
+    statics: Object.getOwnPropertyNames(slicecast.RayCaster).filter(
+      (name) => !['length', 'name', 'prototype'].includes(name),
+    ),
     instance: Object.getOwnPropertyNames(document.createElement('ray-caster')),
   }));
   const listed = [...names(table.attributes), ...names(table.properties), ...names(table.methods)];
-  assert.deepEqual(sorted(found.prototype.filter((name) => !kCallbacks.includes(name))), sorted([...listed, ...kOfEveryElement]));
+  assert.deepEqual(
+    sorted(found.prototype.filter((name) => !kCallbacks.includes(name))),
+    sorted([...listed, ...kOfEveryElement]),
+  );
   assert.deepEqual(found.statics, ['observedAttributes']);
   assert.deepEqual(found.instance, []);
 });
 
 test('each attribute is observed and reflects', async () => {
-  assert.deepEqual(await page.evaluate(() => [...slicecast.RayCaster.observedAttributes].sort()), sorted(names(table.attributes)));
+  assert.deepEqual(
+    await page.evaluate(() => [...slicecast.RayCaster.observedAttributes].sort()),
+    sorted(names(table.attributes)),
+  );
   for (const { name, type, values, default: standard } of table.attributes) {
-    const value = type === 'boolean' ? true : values?.at(-1) ?? '1,2,3,4';
-    const found = await page.evaluate(([attribute, given]) => {
-      const element = document.createElement('ray-caster');
-      const without = element[attribute];
-      element[attribute] = given;
-      const asAttribute = element.getAttribute(attribute);
-      const other = document.createElement('ray-caster');
-      other.setAttribute(attribute, given === true ? '' : given);
-      const asProperty = other[attribute];
-      other.removeAttribute(attribute);
-      return { without, asAttribute, asProperty, again: other[attribute] };
-    }, [name, value]);
-    assert.deepEqual(found, { without: standard, asAttribute: value === true ? '' : value, asProperty: value, again: standard }, name);
+    const value = type === 'boolean' ? true : (values?.at(-1) ?? '1,2,3,4');
+    const found = await page.evaluate(
+      ([attribute, given]) => {
+        const element = document.createElement('ray-caster');
+        const without = element[attribute];
+        element[attribute] = given;
+        const asAttribute = element.getAttribute(attribute);
+        const other = document.createElement('ray-caster');
+        other.setAttribute(attribute, given === true ? '' : given);
+        const asProperty = other[attribute];
+        other.removeAttribute(attribute);
+        return { without, asAttribute, asProperty, again: other[attribute] };
+      },
+      [name, value],
+    );
+    assert.deepEqual(
+      found,
+      {
+        without: standard,
+        asAttribute: value === true ? '' : value,
+        asProperty: value,
+        again: standard,
+      },
+      name,
+    );
   }
 });
 
@@ -92,7 +136,11 @@ test('each property can only be read, and is there from the beginning', async ()
   for (const { name, readonly, default: standard } of table.properties) {
     const found = await page.evaluate((property) => {
       const { get, set } = Object.getOwnPropertyDescriptor(slicecast.RayCaster.prototype, property);
-      return { isRead: typeof get === 'function', isWritten: typeof set === 'function', without: document.createElement('ray-caster')[property] };
+      return {
+        isRead: typeof get === 'function',
+        isWritten: typeof set === 'function',
+        without: document.createElement('ray-caster')[property],
+      };
     }, name);
     assert.deepEqual(found, { isRead: true, isWritten: !readonly, without: standard }, name);
   }
@@ -103,20 +151,33 @@ test('each method takes what the table says, and needs a scene where the table s
     const found = await page.evaluate(async (method) => {
       const element = document.createElement('ray-caster');
       const call = async () => element[method]('fov', '60');
-      const code = method === 'whenReady' ? null : await call().then(() => null, (error) => error.code);
+      const code =
+        method === 'whenReady'
+          ? null
+          : await call().then(
+              () => null,
+              (error) => error.code,
+            );
       return { length: element[method].length, needsScene: code === 'not-ready' };
     }, name);
     const withoutDefault = parameters.findIndex((row) => row.default !== undefined);
-    assert.deepEqual(found, { length: withoutDefault < 0 ? parameters.length : withoutDefault, needsScene }, name);
+    assert.deepEqual(
+      found,
+      { length: withoutDefault < 0 ? parameters.length : withoutDefault, needsScene },
+      name,
+    );
   }
 });
 
 test('each method gives what the table says', async () => {
   const kinds = await page.evaluate(async () => {
-    const element = document.body.appendChild(Object.assign(document.createElement('ray-caster'), { scene: 'room', size: '64x40' }));
+    const element = document.body.appendChild(
+      Object.assign(document.createElement('ray-caster'), { scene: 'room', size: '64x40' }),
+    );
     const ready = await element.whenReady();
     const column = 32;
-    const kindOf = (value) => (value instanceof Blob ? 'Blob' : value === null ? 'null' : typeof value);
+    const kindOf = (value) =>
+      value instanceof Blob ? 'Blob' : value === null ? 'null' : typeof value;
     const found = {
       play: kindOf(element.play()),
       pause: kindOf(element.pause()),
@@ -133,16 +194,34 @@ test('each method gives what the table says', async () => {
     element.remove();
     return found;
   });
-  const expected = { void: 'undefined', string: 'string', boolean: 'boolean', 'Promise<Blob>': 'Blob' };
-  assert.deepEqual(kinds, Object.fromEntries(table.methods.map(({ name, returns }) => [name, expected[returns.type] ?? 'object'])));
+  const expected = {
+    void: 'undefined',
+    string: 'string',
+    boolean: 'boolean',
+    'Promise<Blob>': 'Blob',
+  };
+  assert.deepEqual(
+    kinds,
+    Object.fromEntries(
+      table.methods.map(({ name, returns }) => [name, expected[returns.type] ?? 'object']),
+    ),
+  );
 });
 
 test('each event comes, with the details of its shape, and does not bubble', async () => {
   const heard = await page.evaluate(async (events) => {
     const found = {};
-    const hear = (element) => events.forEach((name) => element.addEventListener(name, (event) => {
-      found[name] = { isCustom: event instanceof CustomEvent, bubbles: event.bubbles, composed: event.composed, detail: { ...event.detail } };
-    }));
+    const hear = (element) =>
+      events.forEach((name) =>
+        element.addEventListener(name, (event) => {
+          found[name] = {
+            isCustom: event instanceof CustomEvent,
+            bubbles: event.bubbles,
+            composed: event.composed,
+            detail: { ...event.detail },
+          };
+        }),
+      );
     const add = (scene) => {
       const element = Object.assign(document.createElement('ray-caster'), { scene, size: '64x40' });
       hear(element);
@@ -153,7 +232,8 @@ test('each event comes, with the details of its shape, and does not bubble', asy
     walker.step(240, { forward: 1 });
     const broken = add('broken');
     await broken.whenReady().catch(() => {});
-    for (let wait = 0; events.some((name) => !(name in found)) && wait < 40; ++wait) await new Promise((resolve) => setTimeout(resolve, 50));
+    for (let wait = 0; events.some((name) => !(name in found)) && wait < 40; ++wait)
+      await new Promise((resolve) => setTimeout(resolve, 50));
     walker.remove();
     broken.remove();
     return found;
@@ -161,8 +241,11 @@ test('each event comes, with the details of its shape, and does not bubble', asy
   for (const { name, detail } of table.events) {
     const { fields } = table.types.find((shape) => shape.name === detail);
     assert.ok(name in heard, `${name} never came`);
-    assert.deepEqual({ ...heard[name], detail: sorted(Object.keys(heard[name].detail)) },
-      { isCustom: true, bubbles: false, composed: false, detail: sorted(names(fields)) }, name);
+    assert.deepEqual(
+      { ...heard[name], detail: sorted(Object.keys(heard[name].detail)) },
+      { isCustom: true, bubbles: false, composed: false, detail: sorted(names(fields)) },
+      name,
+    );
   }
   const fault = table.types.find((shape) => shape.name === 'Fault');
   assert.deepEqual(sorted(Object.keys(heard.error.detail.faults[0])), sorted(names(fault.fields)));
@@ -179,14 +262,20 @@ test('slots, parts and custom properties are those of the table', async () => {
     const broken = add({ scene: 'broken' });
     await ready.whenReady();
     await broken.whenReady().catch(() => {});
-    while (ready.shadowRoot.querySelector('.controls') === null) await new Promise(requestAnimationFrame);
+    while (ready.shadowRoot.querySelector('.controls') === null)
+      await new Promise(requestAnimationFrame);
     const { validate } = WebAssembly;
     WebAssembly.validate = undefined;
     const unable = add({ scene: 'room', engine: 'scalar' });
     await unable.whenReady().catch(() => {});
     WebAssembly.validate = validate;
-    const inside = (selector) => [ready, broken, unable].flatMap((element) => [...element.shadowRoot.querySelectorAll(selector)]);
-    const rules = ready.shadowRoot.adoptedStyleSheets.flatMap((sheet) => [...sheet.cssRules].map((rule) => rule.cssText)).join('\n');
+    const inside = (selector) =>
+      [ready, broken, unable].flatMap((element) => [
+        ...element.shadowRoot.querySelectorAll(selector),
+      ]);
+    const rules = ready.shadowRoot.adoptedStyleSheets
+      .flatMap((sheet) => [...sheet.cssRules].map((rule) => rule.cssText))
+      .join('\n');
     const result = {
       parts: [...new Set(inside('[part]').flatMap((node) => [...node.part]))],
       slots: inside('slot').map(({ name }) => name),
@@ -207,18 +296,46 @@ test('the documentation names every row, its examples run, and axe finds nothing
   opened.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
   opened.on('pageerror', (error) => complaints.push(String(error)));
   await opened.goto(`${server.address}element.html`);
-  const states = await opened.evaluate(() => Promise.all([...document.querySelectorAll('ray-caster')].map((element) =>
-    element.whenReady().then(() => element.state, (error) => error.message))));
+  const states = await opened.evaluate(() =>
+    Promise.all(
+      [...document.querySelectorAll('ray-caster')].map((element) =>
+        element.whenReady().then(
+          () => element.state,
+          (error) => error.message,
+        ),
+      ),
+    ),
+  );
   assert.ok(states.length > 4);
   assert.deepEqual([...new Set(states)], ['paused']);
-  const kinds = { attribute: table.attributes, property: table.properties, method: table.methods, event: table.events, part: table.cssParts, css: table.cssProperties };
+  const kinds = {
+    attribute: table.attributes,
+    property: table.properties,
+    method: table.methods,
+    event: table.events,
+    part: table.cssParts,
+    css: table.cssProperties,
+  };
   for (const [kind, rows] of Object.entries(kinds)) {
-    for (const name of names(rows)) assert.equal(await opened.evaluate((id) => document.getElementById(id)?.localName, `${kind}-${name}`), 'tr', name);
+    for (const name of names(rows))
+      assert.equal(
+        await opened.evaluate((id) => document.getElementById(id)?.localName, `${kind}-${name}`),
+        'tr',
+        name,
+      );
   }
-  assert.ok(await opened.locator('#option-fov').count() === 1 && await opened.locator('#error-cors').count() === 1);
-  for (const details of await opened.locator('details').all()) await details.evaluate((one) => { one.open = true; });
+  assert.ok(
+    (await opened.locator('#option-fov').count()) === 1 &&
+      (await opened.locator('#error-cors').count()) === 1,
+  );
+  for (const details of await opened.locator('details').all())
+    await details.evaluate((one) => {
+      one.open = true;
+    });
   await opened.addScriptTag({ path: axeFile });
-  const violations = await opened.evaluate(async () => (await axe.run()).violations.map(({ id, nodes }) => [id, nodes.length, nodes[0].html]));
+  const violations = await opened.evaluate(async () =>
+    (await axe.run()).violations.map(({ id, nodes }) => [id, nodes.length, nodes[0].html]),
+  );
   assert.deepEqual(violations, []);
   assert.deepEqual(complaints, []);
 });

@@ -7,7 +7,13 @@ import { serve } from './static-server.mjs';
 import { roomFiles } from './room.mjs';
 
 const kArguments = [
-  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
 ];
 const kWaitMilliseconds = 15000; // for anything; a slow machine is not a fault
 
@@ -15,7 +21,9 @@ function findChromium() {
   const names = ['chromium', 'chromium-browser', 'google-chrome'];
   const places = [
     process.env.SLICECAST_CHROMIUM,
-    ...(process.env.PATH ?? '').split(path.delimiter).flatMap((folder) => names.map((name) => path.join(folder, name))),
+    ...(process.env.PATH ?? '')
+      .split(path.delimiter)
+      .flatMap((folder) => names.map((name) => path.join(folder, name))),
     '/Applications/Chromium.app/Contents/MacOS/Chromium',
     '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
   ];
@@ -27,7 +35,10 @@ function findChromium() {
       return false;
     }
   });
-  if (found === undefined) throw new Error('There is no Chromium; tools/setup installs it, or SLICECAST_CHROMIUM names it.');
+  if (found === undefined)
+    throw new Error(
+      'There is no Chromium; tools/setup installs it, or SLICECAST_CHROMIUM names it.',
+    );
   return found;
 }
 
@@ -36,9 +47,24 @@ export function launch(more = []) {
   return chromium.launch({ executablePath: findChromium(), args: [...kArguments, ...more] });
 }
 
-// A page on a server of its own. Whatever the page complains about on the console fails the test at its end, unless the test expects complaints.
-export async function openPage(t, browser, { server: serverOptions = {}, query = '', viewport = { width: 640, height: 360 }, context: contextOptions = {}, expectErrors = false, prepare = async () => {} } = {}) {
-  const server = await serve({ ...serverOptions, files: { ...roomFiles(), ...serverOptions.files } });
+// A page on a server of its own. Whatever the page complains about on the console fails the test at
+// its end, unless the test expects complaints.
+export async function openPage(
+  t,
+  browser,
+  {
+    server: serverOptions = {},
+    query = '',
+    viewport = { width: 640, height: 360 },
+    context: contextOptions = {},
+    expectErrors = false,
+    prepare = async () => {},
+  } = {},
+) {
+  const server = await serve({
+    ...serverOptions,
+    files: { ...roomFiles(), ...serverOptions.files },
+  });
   const context = await browser.newContext({ viewport, ...contextOptions });
   const page = await context.newPage();
   page.setDefaultTimeout(kWaitMilliseconds);
@@ -50,7 +76,8 @@ export async function openPage(t, browser, { server: serverOptions = {}, query =
   t.after(async () => {
     await context.close();
     await server.close();
-    if (!expectErrors && complaints.length > 0) throw new Error(`The page complained: ${complaints.join('\n')}`);
+    if (!expectErrors && complaints.length > 0)
+      throw new Error(`The page complained: ${complaints.join('\n')}`);
   });
   await prepare(page, context);
   await page.goto(server.address + query);
@@ -79,15 +106,25 @@ export function player(page) {
 
 // Waits until something is true of the player's state: a function that the page runs.
 export async function untilPlayer(page, condition, argument) {
-  await page.waitForFunction(`(${condition})(window.slicecast.engine.state, ${JSON.stringify(argument ?? null)})`);
+  await page.waitForFunction(
+    `(${condition})(window.slicecast.engine.state, ${JSON.stringify(argument ?? null)})`,
+  );
   return player(page);
 }
 
 export function pixel(page, shareX, shareY) {
-  return page.evaluate(([x, y]) => {
-    const canvas = document.getElementById('picture');
-    return [...canvas.getContext('2d').getImageData(Math.floor(x * canvas.width), Math.floor(y * canvas.height), 1, 1).data.subarray(0, 3)];
-  }, [shareX, shareY]);
+  return page.evaluate(
+    ([x, y]) => {
+      const canvas = document.getElementById('picture');
+      return [
+        ...canvas
+          .getContext('2d')
+          .getImageData(Math.floor(x * canvas.width), Math.floor(y * canvas.height), 1, 1)
+          .data.subarray(0, 3),
+      ];
+    },
+    [shareX, shareY],
+  );
 }
 
 // All of the canvas's pixels as a string that is equal only for equal pictures.
@@ -102,8 +139,12 @@ export function pictureHash(page, selector = '#picture') {
 
 // Long enough for several frames.
 export function frames(page, count = 3) {
-  return page.evaluate((left) => new Promise((resolve) => {
-    const next = () => (left-- > 0 ? requestAnimationFrame(next) : resolve());
-    next();
-  }), count);
+  return page.evaluate(
+    (left) =>
+      new Promise((resolve) => {
+        const next = () => (left-- > 0 ? requestAnimationFrame(next) : resolve());
+        next();
+      }),
+    count,
+  );
 }

@@ -3,7 +3,14 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
-import { elementPixel, eventsOf, inElementState, noteEvents, openElements, ready } from './element.mjs';
+import {
+  elementPixel,
+  eventsOf,
+  inElementState,
+  noteEvents,
+  openElements,
+  ready,
+} from './element.mjs';
 import { kBlue, kGreen, kRed, roomScene } from './room.mjs';
 
 let browser;
@@ -16,27 +23,53 @@ const kRoom = '<ray-caster id="a" scene="room" size="160x100"></ray-caster>';
 const kRows = '#######\n#.....#\n#..&gt;..#\n#.....#\n#######';
 
 test('a scene comes from an address, from its name, from a script inside or from rows', async (t) => {
-  const inline = JSON.stringify({ ...roomScene({ title: 'Inside', folder: 'pictures/' }), start: { x: 3.5, y: 3.5, heading: 90 } });
-  const { page, server } = await openElements(t, browser, `
+  const inline = JSON.stringify({
+    ...roomScene({ title: 'Inside', folder: 'pictures/' }),
+    start: { x: 3.5, y: 3.5, heading: 90 },
+  });
+  const { page, server } = await openElements(
+    t,
+    browser,
+    `
     <ray-caster id="address" scene="scenes/other.json" loading="eager"></ray-caster>
     <ray-caster id="name" scene="room" loading="eager"></ray-caster>
     <ray-caster id="inline" loading="eager"><script type="application/json">${inline}</script></ray-caster>
     <ray-caster id="rows" loading="eager" label="Typed"><pre slot="rows">${kRows}</pre></ray-caster>
-    <ray-caster id="rows-in-script" loading="eager"><script type="text/plain" data-rows>\n#####\n#.^.#\n#####</script></ray-caster>`);
+    <ray-caster id="rows-in-script" loading="eager"><script type="text/plain" data-rows>\n#####\n#.^.#\n#####</script></ray-caster>`,
+  );
   const titles = {};
-  for (const id of ['address', 'name', 'inline', 'rows', 'rows-in-script']) titles[id] = (await ready(page, id)).title;
-  assert.deepEqual(titles, { address: 'The other room', name: 'The coloured room', inline: 'Inside', rows: 'Typed', 'rows-in-script': 'A map' });
+  for (const id of ['address', 'name', 'inline', 'rows', 'rows-in-script'])
+    titles[id] = (await ready(page, id)).title;
+  assert.deepEqual(titles, {
+    address: 'The other room',
+    name: 'The coloured room',
+    inline: 'Inside',
+    rows: 'Typed',
+    'rows-in-script': 'A map',
+  });
   assert.deepEqual(await elementPixel(page, 'address'), kBlue);
   assert.deepEqual(await elementPixel(page, 'name'), kGreen);
   assert.deepEqual(await elementPixel(page, 'inline'), kBlue);
-  assert.deepEqual(await page.evaluate(() => [document.getElementById('rows').currentView.heading, document.getElementById('rows-in-script').currentView.heading]), [0, 270]);
+  assert.deepEqual(
+    await page.evaluate(() => [
+      document.getElementById('rows').currentView.heading,
+      document.getElementById('rows-in-script').currentView.heading,
+    ]),
+    [0, 270],
+  );
   for (const file of ['engine/slicecast-simd.wasm', 'scenes/pictures/red.png']) {
-    assert.equal(server.asked.filter((name) => name === file).length, 1, `${file} is fetched once for all`);
+    assert.equal(
+      server.asked.filter((name) => name === file).length,
+      1,
+      `${file} is fetched once for all`,
+    );
   }
 });
 
 test('attributes and properties are the same thing, also those set before the element is defined', async (t) => {
-  const { page } = await openElements(t, browser, '<ray-caster id="a"></ray-caster>', { script: '' });
+  const { page } = await openElements(t, browser, '<ray-caster id="a"></ray-caster>', {
+    script: '',
+  });
   await page.evaluate(() => {
     window.a = document.getElementById('a');
     window.a.scene = 'other';
@@ -56,11 +89,41 @@ test('attributes and properties are the same thing, also those set before the el
     const set = bare.outerHTML;
     bare.controls = bare.view = null;
     bare.autoplay = false;
-    return { attribute: a.getAttribute('scene'), standard, set, gone: bare.outerHTML, apiVersion, codes: Object.keys(errorCodes), same: a instanceof RayCaster,
-      empty: [bare.state, bare.paused, bare.world, bare.memory, bare.currentView, bare.picture, bare.error, bare.optionList] };
+    return {
+      attribute: a.getAttribute('scene'),
+      standard,
+      set,
+      gone: bare.outerHTML,
+      apiVersion,
+      codes: Object.keys(errorCodes),
+      same: a instanceof RayCaster,
+      empty: [
+        bare.state,
+        bare.paused,
+        bare.world,
+        bare.memory,
+        bare.currentView,
+        bare.picture,
+        bare.error,
+        bare.optionList,
+      ],
+    };
   });
-  assert.deepEqual(seen.standard, { scene: '', view: '', size: 'auto', controls: null, options: '', overlay: '', autoplay: false, tour: '', poster: '', loading: 'lazy',
-    keys: 'all', label: '', engine: 'auto' });
+  assert.deepEqual(seen.standard, {
+    scene: '',
+    view: '',
+    size: 'auto',
+    controls: null,
+    options: '',
+    overlay: '',
+    autoplay: false,
+    tour: '',
+    poster: '',
+    loading: 'lazy',
+    keys: 'all',
+    label: '',
+    engine: 'auto',
+  });
   assert.equal(seen.set, '<ray-caster controls="" autoplay="" view="1,2,3,4"></ray-caster>');
   assert.equal(seen.gone, '<ray-caster></ray-caster>');
   assert.equal(seen.attribute, 'other');
@@ -78,21 +141,32 @@ test('another scene takes the place of the first only once it is there', async (
     await new Promise((resolve) => setTimeout(resolve, 400));
     await route.continue();
   });
-  await page.evaluate(() => { document.getElementById('a').scene = 'other'; });
+  await page.evaluate(() => {
+    document.getElementById('a').scene = 'other';
+  });
   await inElementState(page, 'a', 'loading');
   assert.deepEqual(await elementPixel(page, 'a'), kGreen, 'the old picture stays meanwhile');
   assert.equal((await ready(page, 'a')).title, 'The other room');
   assert.deepEqual(await elementPixel(page, 'a'), kBlue);
   const events = await eventsOf(page, 'a');
-  assert.deepEqual(events.filter(([name]) => name !== 'progress').map(([name, { state, title }]) => state ?? title), ['loading', 'paused', 'The other room']);
+  assert.deepEqual(
+    events
+      .filter(([name]) => name !== 'progress')
+      .map(([name, { state, title }]) => state ?? title),
+    ['loading', 'paused', 'The other room'],
+  );
   assert.ok(events.some(([name, { share }]) => name === 'progress' && share === 1));
 
   // The last wish counts, whatever comes first.
   await page.evaluate(() => {
     const a = document.getElementById('a');
     a.scene = 'room';
-    setTimeout(() => { a.scene = 'other'; }, 1);
-    setTimeout(() => { a.scene = 'room'; }, 50);
+    setTimeout(() => {
+      a.scene = 'other';
+    }, 1);
+    setTimeout(() => {
+      a.scene = 'room';
+    }, 50);
   });
   await page.waitForTimeout(600);
   assert.equal((await ready(page, 'a')).title, 'The coloured room');
@@ -102,50 +176,97 @@ test('view, options, overlays, size, engine and label change while it runs', asy
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   const change = async (attributes) => {
-    await page.evaluate((values) => Object.assign(document.getElementById('a'), values), attributes);
+    await page.evaluate(
+      (values) => Object.assign(document.getElementById('a'), values),
+      attributes,
+    );
     return ready(page, 'a');
   };
-  const ask = (question) => page.evaluate(`(async () => { const a = document.getElementById('a'); return ${question}; })()`);
+  const ask = (question) =>
+    page.evaluate(
+      `(async () => { const a = document.getElementById('a'); return ${question}; })()`,
+    );
 
   await change({ view: '3.5,3.5,0.5,270,0.1' });
   assert.deepEqual(await elementPixel(page, 'a'), kRed);
-  assert.deepEqual(await ask('a.currentView'), { map: 'room', x: 3.5, y: 3.5, z: 0.5, heading: 270, look: 0.1 });
+  assert.deepEqual(await ask('a.currentView'), {
+    map: 'room',
+    x: 3.5,
+    y: 3.5,
+    z: 0.5,
+    heading: 270,
+    look: 0.1,
+  });
 
   await change({ options: 'fov=75 light=off', overlay: 'grid minimap' });
-  assert.deepEqual(await ask("['fov', 'light', 'grid', 'minimap'].map((name) => a.get(name))"), ['75', 'off', 'on', 'on']);
+  assert.deepEqual(await ask("['fov', 'light', 'grid', 'minimap'].map((name) => a.get(name))"), [
+    '75',
+    'off',
+    'on',
+    'on',
+  ]);
   await change({ options: 'light=off', overlay: 'grid' });
-  assert.deepEqual(await ask("['fov', 'light', 'grid', 'minimap'].map((name) => a.get(name))"), ['60', 'off', 'on', 'off'], 'what is no longer named is as before');
+  assert.deepEqual(
+    await ask("['fov', 'light', 'grid', 'minimap'].map((name) => a.get(name))"),
+    ['60', 'off', 'on', 'off'],
+    'what is no longer named is as before',
+  );
   await change({ options: '', overlay: '' });
 
   await change({ size: '80x60' });
-  await page.waitForFunction(() => document.getElementById('a').shadowRoot.querySelector('canvas').width === 80);
+  await page.waitForFunction(
+    () => document.getElementById('a').shadowRoot.querySelector('canvas').width === 80,
+  );
   assert.deepEqual(await ask('a.picture'), { width: 80, height: 60 });
   await change({ size: null });
-  await page.waitForFunction(() => document.getElementById('a').shadowRoot.querySelector('canvas').width === 320);
+  await page.waitForFunction(
+    () => document.getElementById('a').shadowRoot.querySelector('canvas').width === 320,
+  );
   assert.deepEqual(await ask('a.picture'), { width: 320, height: 200 });
-  await page.evaluate(() => { document.getElementById('a').style.width = '240px'; });
-  await page.waitForFunction(() => document.getElementById('a').picture.width === 240, undefined, { polling: 20 });
+  await page.evaluate(() => {
+    document.getElementById('a').style.width = '240px';
+  });
+  await page.waitForFunction(() => document.getElementById('a').picture.width === 240, undefined, {
+    polling: 20,
+  });
 
   await change({ engine: 'scalar' });
   assert.deepEqual(await elementPixel(page, 'a'), kRed, 'the other engine shows the same view');
 
   await change({ label: 'Four walls' });
-  const names = await page.evaluate(() => [...document.getElementById('a').shadowRoot.querySelectorAll('canvas, .cover')].map((node) => node.getAttribute('aria-label')));
+  const names = await page.evaluate(() =>
+    [...document.getElementById('a').shadowRoot.querySelectorAll('canvas, .cover')].map((node) =>
+      node.getAttribute('aria-label'),
+    ),
+  );
   assert.deepEqual(names, ['Four walls', 'Play: Four walls']);
 });
 
 test('a scene inside the element may change, and come later', async (t) => {
-  const { page } = await openElements(t, browser, '<ray-caster id="a" size="160x100"></ray-caster>');
+  const { page } = await openElements(
+    t,
+    browser,
+    '<ray-caster id="a" size="160x100"></ray-caster>',
+  );
   assert.equal((await ready(page, 'a')).code, 'address');
-  await page.evaluate((rows) => { document.getElementById('a').innerHTML = `<pre slot="rows">${rows}</pre>`; }, kRows);
+  await page.evaluate((rows) => {
+    document.getElementById('a').innerHTML = `<pre slot="rows">${rows}</pre>`;
+  }, kRows);
   assert.equal((await ready(page, 'a')).title, 'A map');
-  await page.evaluate(() => { document.querySelector('pre').firstChild.data = '####\n#^.#\n####'; });
+  await page.evaluate(() => {
+    document.querySelector('pre').firstChild.data = '####\n#^.#\n####';
+  });
   await page.waitForFunction(() => document.getElementById('a').currentView?.heading === 270);
 });
 
 const kFaults = [
   ['view', '1,2', /view: found "1,2", expected x,y,z,heading/, 'address'],
-  ['view', '3.5,3.5,-4,0', /view: found "3.5,3.5,-4,0", expected an eye above the floor/, 'address'],
+  [
+    'view',
+    '3.5,3.5,-4,0',
+    /view: found "3.5,3.5,-4,0", expected an eye above the floor/,
+    'address',
+  ],
   ['view', '3.5,3.5,0.5,0,0,cellar', /view: found ".*cellar"/, 'address'],
   ['size', 'large', /size: found "large", expected auto, or WIDTHxHEIGHT/, 'address'],
   ['size', '5000x10', /size: found "5000x10".*at most 4096/, 'address'],
@@ -167,42 +288,73 @@ test('each attribute that cannot be read is an error with a code, and is mended 
   await ready(page, 'a');
   await noteEvents(page, 'a', ['error']);
   for (const [name, value, message, code] of kFaults) {
-    const before = await page.evaluate(([which, bad]) => {
-      const a = document.getElementById('a');
-      const was = a.getAttribute(which);
-      a.setAttribute(which, bad);
-      return was;
-    }, [name, value]);
+    const before = await page.evaluate(
+      ([which, bad]) => {
+        const a = document.getElementById('a');
+        const was = a.getAttribute(which);
+        a.setAttribute(which, bad);
+        return was;
+      },
+      [name, value],
+    );
     const error = await ready(page, 'a');
     assert.match(error.message, message);
     assert.equal(error.code, code);
     const shown = await page.evaluate(() => {
       const { shadowRoot, state, error: own } = document.getElementById('a');
       const sheet = shadowRoot.querySelector('.message');
-      return { state, code: own.code, text: sheet.textContent, role: sheet.getAttribute('role'), isThere: sheet.getBoundingClientRect().height > 0 };
+      return {
+        state,
+        code: own.code,
+        text: sheet.textContent,
+        role: sheet.getAttribute('role'),
+        isThere: sheet.getBoundingClientRect().height > 0,
+      };
     });
     assert.equal(shown.state, 'error');
     assert.equal(shown.code, code);
     assert.equal(shown.role, 'alert');
     assert.ok(shown.isThere && shown.text.includes(error.message));
-    await page.evaluate(([which, good]) => {
-      const a = document.getElementById('a');
-      if (good === null) a.removeAttribute(which);
-      else a.setAttribute(which, good);
-    }, [name, before]);
+    await page.evaluate(
+      ([which, good]) => {
+        const a = document.getElementById('a');
+        if (good === null) a.removeAttribute(which);
+        else a.setAttribute(which, good);
+      },
+      [name, before],
+    );
     assert.equal((await ready(page, 'a')).title, 'The coloured room', `${name} is mended`);
     assert.equal(await page.evaluate(() => document.getElementById('a').error), null);
   }
-  assert.deepEqual((await eventsOf(page, 'a')).map(([, { code }]) => code), kFaults.map((fault) => fault[3]));
+  assert.deepEqual(
+    (await eventsOf(page, 'a')).map(([, { code }]) => code),
+    kFaults.map((fault) => fault[3]),
+  );
 });
 
 test('a scene with faults lists them all with their places, and can be tried again', async (t) => {
   let text = JSON.stringify({ ...roomScene(), start: { x: 99, y: 3.5, heading: 'east' } });
-  const { page } = await openElements(t, browser, '<ray-caster id="a" scene="scenes/bad.json"></ray-caster>', { files: { 'scenes/bad.json': () => text } });
+  const { page } = await openElements(
+    t,
+    browser,
+    '<ray-caster id="a" scene="scenes/bad.json"></ray-caster>',
+    { files: { 'scenes/bad.json': () => text } },
+  );
   const error = await ready(page, 'a');
   assert.equal(error.code, 'scene');
-  assert.ok(error.faults.length >= 1 && error.faults.every(({ place, found, expected }) => place.startsWith('bad.json:1:') && found !== '' && expected !== ''));
-  assert.equal(await page.evaluate(() => document.getElementById('a').shadowRoot.querySelectorAll('.message li').length), error.faults.length);
+  assert.ok(
+    error.faults.length >= 1 &&
+      error.faults.every(
+        ({ place, found, expected }) =>
+          place.startsWith('bad.json:1:') && found !== '' && expected !== '',
+      ),
+  );
+  assert.equal(
+    await page.evaluate(
+      () => document.getElementById('a').shadowRoot.querySelectorAll('.message li').length,
+    ),
+    error.faults.length,
+  );
   text = JSON.stringify(roomScene());
   await page.locator('#a').getByRole('button', { name: 'Try again' }).click();
   await inElementState(page, 'a', 'paused');
@@ -213,24 +365,42 @@ test('methods that need a scene say so before there is one, and whenReady loads 
   const refusals = await page.evaluate(async () => {
     await customElements.whenDefined('ray-caster');
     const a = document.getElementById('a');
-    const calls = { reset: [], step: [], set: ['fov', 70], get: ['fov'], look: ['1,1,1,1'], snapshot: [], hits: [0], trace: [0] };
+    const calls = {
+      reset: [],
+      step: [],
+      set: ['fov', 70],
+      get: ['fov'],
+      look: ['1,1,1,1'],
+      snapshot: [],
+      hits: [0],
+      trace: [0],
+    };
     const codes = {};
     for (const [name, values] of Object.entries(calls)) {
       try {
         await a[name](...values);
       } catch (error) {
-        codes[name] = error instanceof Error && error.message.startsWith(`${name}()`) ? error.code : String(error);
+        codes[name] =
+          error instanceof Error && error.message.startsWith(`${name}()`)
+            ? error.code
+            : String(error);
       }
     }
     return codes;
   });
   assert.deepEqual([...new Set(Object.values(refusals))], ['not-ready']);
   assert.equal(Object.keys(refusals).length, 8);
-  assert.equal(await page.evaluate(() => document.getElementById('a').state), 'idle', 'far away nothing is loaded');
+  assert.equal(
+    await page.evaluate(() => document.getElementById('a').state),
+    'idle',
+    'far away nothing is loaded',
+  );
   const { title, maps, memory } = await ready(page, 'a');
   assert.equal(title, 'The coloured room');
   assert.deepEqual(maps, [{ name: 'room', width: 7, depth: 7, levels: 1 }]);
-  assert.ok(memory > 1e6 && memory === await page.evaluate(() => document.getElementById('a').memory));
+  assert.ok(
+    memory > 1e6 && memory === (await page.evaluate(() => document.getElementById('a').memory)),
+  );
 });
 
 test('methods step, look, reset, set and get, and hand out pictures, hits and traces', async (t) => {
@@ -263,14 +433,34 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
     const canvas = new OffscreenCanvas(64, 40);
     canvas.getContext('2d').drawImage(picture, 0, 0);
     return {
-      start, walked, back, looked, turned, refused, kept,
-      options: [a.get('fov'), a.get('light'), a.optionList.find(({ name }) => name === 'fov').value, a.optionList.length > 20],
-      badOption: failure(() => a.set('fov', 'wide')), noOption: failure(() => a.get('colour')), badStep: failure(() => a.step(1, { sideways: 1 })),
-      badViews: [{ x: 'three' }, { north: 1 }, null, { map: 3 }, { look: 9 }].map((view) => failure(() => a.look(view))), badColumn: failure(() => a.hits(1.5)),
+      start,
+      walked,
+      back,
+      looked,
+      turned,
+      refused,
+      kept,
+      options: [
+        a.get('fov'),
+        a.get('light'),
+        a.optionList.find(({ name }) => name === 'fov').value,
+        a.optionList.length > 20,
+      ],
+      badOption: failure(() => a.set('fov', 'wide')),
+      noOption: failure(() => a.get('colour')),
+      badStep: failure(() => a.step(1, { sideways: 1 })),
+      badViews: [{ x: 'three' }, { north: 1 }, null, { map: 3 }, { look: 9 }].map((view) =>
+        failure(() => a.look(view)),
+      ),
+      badColumn: failure(() => a.hits(1.5)),
       middle: [...canvas.getContext('2d').getImageData(32, 20, 1, 1).data.subarray(0, 3)],
-      type: (await a.snapshot()).type, jpeg: (await a.snapshot({ type: 'image/jpeg' })).type,
-      tooLarge: await a.snapshot({ width: 9000 }).catch((error) => error.message), badType: await a.snapshot({ type: 'image/tiff' }).catch((error) => error.message),
-      hit: a.hits(80).hits[0].blueprint, noHit: a.hits(160), paused: a.paused,
+      type: (await a.snapshot()).type,
+      jpeg: (await a.snapshot({ type: 'image/jpeg' })).type,
+      tooLarge: await a.snapshot({ width: 9000 }).catch((error) => error.message),
+      badType: await a.snapshot({ type: 'image/tiff' }).catch((error) => error.message),
+      hit: a.hits(80).hits[0].blueprint,
+      noHit: a.hits(160),
+      paused: a.paused,
     };
   });
   assert.ok(seen.walked.x > seen.start.x + 0.5);
@@ -304,16 +494,25 @@ test('events tell of pictures, of the eye, and of portals', async (t) => {
   const room = roomScene();
   const scene = {
     ...room,
-    maps: [{ ...room.maps[0], portals: [{ x: 5, y: 3, to: { map: 'cellar', x: 1, y: 3 } }] }, { ...room.maps[0], name: 'cellar' }],
+    maps: [
+      { ...room.maps[0], portals: [{ x: 5, y: 3, to: { map: 'cellar', x: 1, y: 3 } }] },
+      { ...room.maps[0], name: 'cellar' },
+    ],
   };
-  const { page } = await openElements(t, browser, kRoom, { files: { 'scenes/room.json': JSON.stringify(scene) } });
+  const { page } = await openElements(t, browser, kRoom, {
+    files: { 'scenes/room.json': JSON.stringify(scene) },
+  });
   const found = await ready(page, 'a');
   if (found.code !== undefined) assert.fail(JSON.stringify(found.faults));
   await noteEvents(page, 'a', ['framechange', 'viewchange', 'portal']);
   await page.evaluate(() => document.getElementById('a').step(40, { forward: 1 }));
   await page.waitForFunction(() => window.noted.a.some(([name]) => name === 'framechange'));
   const events = await eventsOf(page, 'a');
-  assert.deepEqual(events.map(([name]) => name), ['viewchange', 'framechange'], 'many steps by hand are one picture');
+  assert.deepEqual(
+    events.map(([name]) => name),
+    ['viewchange', 'framechange'],
+    'many steps by hand are one picture',
+  );
   assert.ok(events[0][1].view.x > 3.5);
   assert.equal(events[1][1].steps, 40);
   await page.evaluate(() => document.getElementById('a').step(200, { forward: 1 }));
@@ -321,65 +520,87 @@ test('events tell of pictures, of the eye, and of portals', async (t) => {
   const portal = (await eventsOf(page, 'a')).find(([name]) => name === 'portal');
   assert.deepEqual(portal[1], { from: 'room', to: 'cellar' });
   // Nothing bubbles out of the element.
-  assert.equal(await page.evaluate(async () => {
-    let heard = 0;
-    for (const name of ['framechange', 'viewchange', 'statechange', 'error']) document.body.addEventListener(name, () => { heard += 1; });
-    const a = document.getElementById('a');
-    a.size = 'none';
-    await a.whenReady().catch(() => {});
-    return heard;
-  }), 0);
+  assert.equal(
+    await page.evaluate(async () => {
+      let heard = 0;
+      for (const name of ['framechange', 'viewchange', 'statechange', 'error'])
+        document.body.addEventListener(name, () => {
+          heard += 1;
+        });
+      const a = document.getElementById('a');
+      a.size = 'none';
+      await a.whenReady().catch(() => {});
+      return heard;
+    }),
+    0,
+  );
 });
 
 test('a tour leads through its scene when play begins, and begins again', async (t) => {
-  const { page } = await openElements(t, browser, '<ray-caster id="a" tour="castle" size="160x100"></ray-caster>', {
-    // Frames of a sixtieth of a second each, however long they take: so both runs see the same steps. The second one of a row is longer by a third of a
-    // step, which is owed from then on; else two steps would end just where a frame does, now before it and now after.
-    prepare: (opened) => opened.addInitScript(() => {
-      const ask = window.requestAnimationFrame.bind(window);
-      let time = performance.now();
-      let isWithin = false;
-      let count = 0; // of frames in a row
-      window.requestAnimationFrame = (act) => {
-        if (!isWithin) count = 0;
-        return ask(() => {
-          time += 1000 / 60 + (++count === 2 ? 1000 / 360 : 0);
-          isWithin = true;
-          act(time);
-          isWithin = false;
-        });
-      };
-    }),
-  });
+  const { page } = await openElements(
+    t,
+    browser,
+    '<ray-caster id="a" tour="castle" size="160x100"></ray-caster>',
+    {
+      // Frames of a sixtieth of a second each, however long they take: so both runs see the same
+      // steps. The second one of a row is longer by a third of a step, which is owed from then on;
+      // else two steps would end just where a frame does, now before it and now after.
+      prepare: (opened) =>
+        opened.addInitScript(() => {
+          const ask = window.requestAnimationFrame.bind(window);
+          let time = performance.now();
+          let isWithin = false;
+          let count = 0; // of frames in a row
+          window.requestAnimationFrame = (act) => {
+            if (!isWithin) count = 0;
+            return ask(() => {
+              time += 1000 / 60 + (++count === 2 ? 1000 / 360 : 0);
+              isWithin = true;
+              act(time);
+              isWithin = false;
+            });
+          };
+        }),
+    },
+  );
   assert.equal((await ready(page, 'a')).title, 'The castle in the lake');
   // Where the eye is after each number of steps that is seen
-  const play = () => page.evaluate(async () => {
-    const a = document.getElementById('a');
-    const places = [];
-    await new Promise((resolve) => {
-      let first = null; // the world's time goes on over a reset
-      a.addEventListener('framechange', function note({ detail: { steps } }) {
-        first ??= steps;
-        places.push([steps - first, a.currentView.x, a.currentView.y, a.currentView.heading].join());
-        if (steps < first + 240) return;
-        a.removeEventListener('framechange', note);
-        resolve();
+  const play = () =>
+    page.evaluate(async () => {
+      const a = document.getElementById('a');
+      const places = [];
+      await new Promise((resolve) => {
+        let first = null; // the world's time goes on over a reset
+        a.addEventListener('framechange', function note({ detail: { steps } }) {
+          first ??= steps;
+          places.push(
+            [steps - first, a.currentView.x, a.currentView.y, a.currentView.heading].join(),
+          );
+          if (steps < first + 240) return;
+          a.removeEventListener('framechange', note);
+          resolve();
+        });
+        a.play();
       });
-      a.play();
+      a.pause();
+      a.reset();
+      return places;
     });
-    a.pause();
-    a.reset();
-    return places;
-  });
   const start = await page.evaluate(() => document.getElementById('a').currentView);
   const once = await play();
   assert.deepEqual(await page.evaluate(() => document.getElementById('a').currentView), start);
   const again = await play();
-  assert.ok(new Set(once.map((place) => place.split(',').slice(1).join())).size > 3, 'the eye moves');
+  assert.ok(
+    new Set(once.map((place) => place.split(',').slice(1).join())).size > 3,
+    'the eye moves',
+  );
   const steps = (places) => new Map(places.map((place) => [place.split(',', 1)[0], place]));
   const common = [...steps(once)].filter(([count]) => steps(again).has(count));
   assert.ok(common.length > 100, `${common.length} of ${once.length} and ${again.length}`);
-  assert.deepEqual(common.map(([, place]) => place), common.map(([count]) => steps(again).get(count)));
+  assert.deepEqual(
+    common.map(([, place]) => place),
+    common.map(([count]) => steps(again).get(count)),
+  );
 });
 
 test('trace() tells what the engine did for one slice, and for the picture', async (t) => {
@@ -389,18 +610,31 @@ test('trace() tells what the engine did for one slice, and for the picture', asy
     const a = document.getElementById('a');
     const slice = a.trace(80);
     const frame = a.trace();
-    return { slice: Object.keys(slice), frame: Object.keys(frame), column: slice.column, none: a.trace(160), hits: slice.hits.map(({ blueprint, depth }) => [blueprint, Math.round(depth * 10)]),
-      hit: a.hits(80).hits.map(({ blueprint, depth }) => [blueprint, Math.round(depth * 10)]) };
+    return {
+      slice: Object.keys(slice),
+      frame: Object.keys(frame),
+      column: slice.column,
+      none: a.trace(160),
+      hits: slice.hits.map(({ blueprint, depth }) => [blueprint, Math.round(depth * 10)]),
+      hit: a.hits(80).hits.map(({ blueprint, depth }) => [blueprint, Math.round(depth * 10)]),
+    };
   });
   assert.equal(seen.column, 80);
   assert.equal(seen.none, null);
   assert.deepEqual(seen.hits, seen.hit);
   assert.deepEqual(seen.hits[0], ['wall', 25]);
-  assert.ok(seen.slice.includes('tiles') && seen.frame.includes('totals'), `${seen.slice} / ${seen.frame}`);
+  assert.ok(
+    seen.slice.includes('tiles') && seen.frame.includes('totals'),
+    `${seen.slice} / ${seen.frame}`,
+  );
 });
 
 test('reset goes back to the view of the attribute', async (t) => {
-  const { page } = await openElements(t, browser, '<ray-caster id="a" scene="room" view="2.5,3.5,0.5,0"></ray-caster>');
+  const { page } = await openElements(
+    t,
+    browser,
+    '<ray-caster id="a" scene="room" view="2.5,3.5,0.5,0"></ray-caster>',
+  );
   await ready(page, 'a');
   const places = await page.evaluate(() => {
     const a = document.getElementById('a');

@@ -14,36 +14,70 @@ before(async () => {
 });
 after(() => browser.close());
 
-const ready = (page) => page.waitForFunction(() => document.querySelector('ray-caster')?.state === 'paused');
+const ready = (page) =>
+  page.waitForFunction(() => document.querySelector('ray-caster')?.state === 'paused');
 
 test('a frame shows the scene, view and options of its address, and fills its window', async (t) => {
-  const { page } = await openPage(t, browser, { query: 'embed.html?scene=room&view=2.5,4.25,0.75,200&options=fov=90+light=off&overlay=grid&label=My+room&size=320x180' });
+  const { page } = await openPage(t, browser, {
+    query:
+      'embed.html?scene=room&view=2.5,4.25,0.75,200&options=fov=90+light=off&overlay=grid&label=My+room&size=320x180',
+  });
   await ready(page);
   const found = await page.evaluate(() => {
     const caster = document.querySelector('ray-caster');
     const { x, y, z, heading } = caster.currentView;
     const { width, height } = caster.getBoundingClientRect();
-    return { view: [x, y, z, heading], fov: caster.get('fov'), light: caster.get('light'), grid: caster.get('grid'), picture: caster.picture, width, height, label: caster.label };
+    return {
+      view: [x, y, z, heading],
+      fov: caster.get('fov'),
+      light: caster.get('light'),
+      grid: caster.get('grid'),
+      picture: caster.picture,
+      width,
+      height,
+      label: caster.label,
+    };
   });
   assert.deepEqual(found, {
-    view: [2.5, 4.25, 0.75, 200], fov: '90', light: 'off', grid: 'on', picture: { width: 320, height: 180 }, width: 640, height: 360, label: 'My room',
+    view: [2.5, 4.25, 0.75, 200],
+    fov: '90',
+    light: 'off',
+    grid: 'on',
+    picture: { width: 320, height: 180 },
+    width: 640,
+    height: 360,
+    label: 'My room',
   });
   assert.equal(await page.title(), 'The coloured room · Slicecast');
   await page.addScriptTag({ path: kAxe });
-  assert.deepEqual(await page.evaluate(async () => (await window.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`)), []);
+  assert.deepEqual(
+    await page.evaluate(async () =>
+      (await window.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`),
+    ),
+    [],
+  );
 });
 
 test('the link leads to the same in the play page', async (t) => {
-  const { page, context } = await openPage(t, browser, { query: 'embed.html?scene=other&view=2.5,4.25,0.75,200,0,room&options=fov=90&controls=play&label=x' });
+  const { page, context } = await openPage(t, browser, {
+    query:
+      'embed.html?scene=other&view=2.5,4.25,0.75,200,0,room&options=fov=90&controls=play&label=x',
+  });
   await ready(page);
   const [other] = await Promise.all([context.waitForEvent('page'), page.click('#open')]);
   await other.waitForFunction(() => document.body.dataset.state === 'paused');
-  assert.match(other.url(), /index\.html\?scene=other&view=2\.5,4\.25,0\.75,200,0,room&options=fov=90$/);
+  assert.match(
+    other.url(),
+    /index\.html\?scene=other&view=2\.5,4\.25,0\.75,200,0,room&options=fov=90$/,
+  );
   assert.equal(await other.evaluate(() => window.slicecast.engine.state.x), 2.5);
 });
 
 test('a tour leads through its scene, by itself where the address says so', async (t) => {
-  const { page } = await openPage(t, browser, { query: 'embed.html?tour=castle&autoplay&size=160x100', context: { reducedMotion: 'no-preference' } });
+  const { page } = await openPage(t, browser, {
+    query: 'embed.html?tour=castle&autoplay&size=160x100',
+    context: { reducedMotion: 'no-preference' },
+  });
   await page.waitForFunction(() => document.querySelector('ray-caster')?.state === 'playing');
   assert.equal(await page.innerText('#title'), 'The castle in the lake');
   const start = await page.evaluate(() => document.querySelector('ray-caster').currentView);
@@ -74,24 +108,40 @@ test('a bad parameter is told in the frame', async (t) => {
   for (const [query, expected] of elements) {
     await page.goto(`${server.address}embed.html${query}`);
     await page.waitForFunction(() => document.querySelector('ray-caster')?.state === 'error');
-    assert.match(await page.evaluate(() => document.querySelector('ray-caster').shadowRoot.querySelector('[part=message]').innerText), expected, query);
+    assert.match(
+      await page.evaluate(
+        () =>
+          document.querySelector('ray-caster').shadowRoot.querySelector('[part=message]').innerText,
+      ),
+      expected,
+      query,
+    );
   }
 });
 
 // A page on another origin, with the frame in it.
 async function openHost(t, { headers, sandbox, query = '?scene=room' }) {
-  const host = await serve({ files: { 'host.html': '<!doctype html><title>Host</title><body></body>' } });
+  const host = await serve({
+    files: { 'host.html': '<!doctype html><title>Host</title><body></body>' },
+  });
   t.after(() => host.close());
-  const { page, server } = await openPage(t, browser, { query: 'embed.html?scene=room', server: { headers }, expectErrors: true });
+  const { page, server } = await openPage(t, browser, {
+    query: 'embed.html?scene=room',
+    server: { headers },
+    expectErrors: true,
+  });
   await page.goto(`${host.address}host.html`);
-  await page.evaluate(([source, rules]) => {
-    const frame = document.createElement('iframe');
-    frame.width = '480';
-    frame.height = '300';
-    if (rules !== null) frame.setAttribute('sandbox', rules);
-    frame.src = source;
-    document.body.append(frame);
-  }, [`${server.address}embed.html${query}`, sandbox]);
+  await page.evaluate(
+    ([source, rules]) => {
+      const frame = document.createElement('iframe');
+      frame.width = '480';
+      frame.height = '300';
+      if (rules !== null) frame.setAttribute('sandbox', rules);
+      frame.src = source;
+      document.body.append(frame);
+    },
+    [`${server.address}embed.html${query}`, sandbox],
+  );
   return (await page.waitForSelector('iframe')).contentFrame();
 }
 
@@ -101,7 +151,10 @@ test('it works in a frame of another origin', async (t) => {
 });
 
 test('it works sandboxed with scripts alone, where its host allows any origin', async (t) => {
-  const frame = await openHost(t, { headers: { 'Access-Control-Allow-Origin': '*' }, sandbox: 'allow-scripts' });
+  const frame = await openHost(t, {
+    headers: { 'Access-Control-Allow-Origin': '*' },
+    sandbox: 'allow-scripts',
+  });
   await ready(frame);
   assert.equal(await frame.evaluate(() => self.origin), 'null');
   assert.equal(await frame.getAttribute('#open', 'target'), '_self', 'a sandbox opens no windows');
@@ -110,5 +163,8 @@ test('it works sandboxed with scripts alone, where its host allows any origin', 
 test('sandboxed, where its host does not, it says what to do', async (t) => {
   const frame = await openHost(t, { headers: {}, sandbox: 'allow-scripts' });
   await frame.waitForFunction(() => !document.getElementById('trouble').hidden);
-  assert.match(await frame.evaluate(() => document.getElementById('trouble').innerText), /Access-Control-Allow-Origin: \*/);
+  assert.match(
+    await frame.evaluate(() => document.getElementById('trouble').innerText),
+    /Access-Control-Allow-Origin: \*/,
+  );
 });

@@ -1,4 +1,5 @@
-// The engine in the page: both builds of it, several side by side, and what is said where none can run.
+// The engine in the page: both builds of it, several side by side, and what is said where none can
+// run.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -20,11 +21,25 @@ async function trouble(page) {
 
 test('the browser gets the engine with SIMD; without SIMD the other one, with the same picture', async (t) => {
   const simd = await openScene(t, browser);
-  assert.ok(simd.server.asked.includes('engine/slicecast-simd.wasm') && !simd.server.asked.includes('engine/slicecast-scalar.wasm'));
+  assert.ok(
+    simd.server.asked.includes('engine/slicecast-simd.wasm') &&
+      !simd.server.asked.includes('engine/slicecast-scalar.wasm'),
+  );
   const scalar = await openScene(t, browser, { query: '?engine=scalar' });
-  assert.ok(scalar.server.asked.includes('engine/slicecast-scalar.wasm') && !scalar.server.asked.includes('engine/slicecast-simd.wasm'));
-  const old = await openScene(t, browser, { prepare: (page) => page.addInitScript(() => { WebAssembly.validate = () => false; }) });
-  assert.ok(old.server.asked.includes('engine/slicecast-scalar.wasm') && !old.server.asked.includes('engine/slicecast-simd.wasm'));
+  assert.ok(
+    scalar.server.asked.includes('engine/slicecast-scalar.wasm') &&
+      !scalar.server.asked.includes('engine/slicecast-simd.wasm'),
+  );
+  const old = await openScene(t, browser, {
+    prepare: (page) =>
+      page.addInitScript(() => {
+        WebAssembly.validate = () => false;
+      }),
+  });
+  assert.ok(
+    old.server.asked.includes('engine/slicecast-scalar.wasm') &&
+      !old.server.asked.includes('engine/slicecast-simd.wasm'),
+  );
   const picture = await pictureHash(simd.page);
   assert.equal(await pictureHash(scalar.page), picture);
   assert.equal(await pictureHash(old.page), picture);
@@ -32,23 +47,43 @@ test('the browser gets the engine with SIMD; without SIMD the other one, with th
 
 test('two canvases on one page draw their own pictures and get their own keys', async (t) => {
   const files = {};
-  for (const name of ['two-canvases.html', 'two-canvases.js']) files[name] = await readFile(new URL(name, kPages));
-  const { page, server } = await openPage(t, browser, { query: 'two-canvases.html', server: { files } });
+  for (const name of ['two-canvases.html', 'two-canvases.js'])
+    files[name] = await readFile(new URL(name, kPages));
+  const { page, server } = await openPage(t, browser, {
+    query: 'two-canvases.html',
+    server: { files },
+  });
   await page.waitForFunction(() => window.engines?.every((engine) => engine.isReady));
-  assert.equal(server.asked.filter((name) => name.endsWith('.wasm')).length, 1, 'one program serves both');
+  assert.equal(
+    server.asked.filter((name) => name.endsWith('.wasm')).length,
+    1,
+    'one program serves both',
+  );
 
   const states = () => page.evaluate(() => window.engines.map((engine) => engine.state));
-  const middles = await page.evaluate(() => window.engines.map(({ canvas }) => [...canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data].join()));
+  const middles = await page.evaluate(() =>
+    window.engines.map(({ canvas }) =>
+      [
+        ...canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data,
+      ].join(),
+    ),
+  );
   assert.deepEqual(middles, ['40,180,60,255', '50,70,210,255']);
 
   // The keys go where the focus is: the second canvas is inside a shadow root.
   const moved = async (index) => {
     const before = await states();
     await page.keyboard.down('ArrowRight');
-    await page.waitForFunction(([which, heading]) => window.engines[which].state.heading > heading + 5, [index, before[index].heading]);
+    await page.waitForFunction(
+      ([which, heading]) => window.engines[which].state.heading > heading + 5,
+      [index, before[index].heading],
+    );
     await page.keyboard.up('ArrowRight');
     // Turning dies away.
-    await page.waitForFunction(([which, steps]) => window.engines[which].state.steps > steps + 120, [index, (await states())[index].steps]);
+    await page.waitForFunction(
+      ([which, steps]) => window.engines[which].state.steps > steps + 120,
+      [index, (await states())[index].steps],
+    );
     const now = await states();
     assert.equal(now[1 - index].heading, before[1 - index].heading);
   };
@@ -63,7 +98,10 @@ test('two canvases on one page draw their own pictures and get their own keys', 
   await page.keyboard.type('wasd');
   assert.equal(await page.inputValue('#text'), 'wasd');
   const now = await states();
-  assert.deepEqual(now.map(({ x, y }) => [x, y]), before.map(({ x, y }) => [x, y]));
+  assert.deepEqual(
+    now.map(({ x, y }) => [x, y]),
+    before.map(({ x, y }) => [x, y]),
+  );
 
   // One ends, the other goes on.
   await page.evaluate(() => window.engines[0].stop());
@@ -72,7 +110,12 @@ test('two canvases on one page draw their own pictures and get their own keys', 
 });
 
 test('without WebAssembly the page says what it needs', async (t) => {
-  const { page, server } = await openPage(t, browser, { prepare: (newPage) => newPage.addInitScript(() => { delete window.WebAssembly; }) });
+  const { page, server } = await openPage(t, browser, {
+    prepare: (newPage) =>
+      newPage.addInitScript(() => {
+        delete window.WebAssembly;
+      }),
+  });
   assert.match(await trouble(page), /This browser has no WebAssembly.*a current browser/);
   assert.ok(!server.asked.some((name) => name.startsWith('engine/')));
 });
@@ -83,7 +126,11 @@ test('opened as a file, the page says what to do', async (t) => {
   const page = await context.newPage();
   await page.goto(new URL('../../build/web/index.html', import.meta.url).href);
   assert.match(await trouble(page), /wants a server.*tools\/play.*any static web server/);
-  assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector('.sheet')).backgroundColor), 'rgb(34, 27, 32)', 'the style sheet is there');
+  assert.equal(
+    await page.evaluate(() => getComputedStyle(document.querySelector('.sheet')).backgroundColor),
+    'rgb(34, 27, 32)',
+    'the style sheet is there',
+  );
 });
 
 test('without JavaScript the page says that it needs it', async (t) => {
@@ -93,11 +140,40 @@ test('without JavaScript the page says that it needs it', async (t) => {
 });
 
 for (const [what, server, query, expected] of [
-  ['an engine that is not there', { files: { 'engine/slicecast-simd.wasm': null } }, '', /slicecast-simd\.wasm: the server answers 404/],
-  ['a page in the place of the engine', { files: { 'engine/slicecast-simd.wasm': '<!doctype html><title>Welcome</title>' } }, '', /found "<!doctype html>.*expected a WebAssembly program/],
-  ['an engine cut short', { files: { 'engine/slicecast-simd.wasm': () => Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9]) } }, '', /does not run here.*refuses/],
-  ['an engine that nobody knows', {}, '?engine=turbo', /Found engine=turbo, expected engine=simd or engine=scalar/],
-  ['a list of scenes that is not there', { files: { 'scenes/index.json': null } }, '', /There is no scene to open/],
+  [
+    'an engine that is not there',
+    { files: { 'engine/slicecast-simd.wasm': null } },
+    '',
+    /slicecast-simd\.wasm: the server answers 404/,
+  ],
+  [
+    'a page in the place of the engine',
+    { files: { 'engine/slicecast-simd.wasm': '<!doctype html><title>Welcome</title>' } },
+    '',
+    /found "<!doctype html>.*expected a WebAssembly program/,
+  ],
+  [
+    'an engine cut short',
+    {
+      files: {
+        'engine/slicecast-simd.wasm': () => Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9]),
+      },
+    },
+    '',
+    /does not run here.*refuses/,
+  ],
+  [
+    'an engine that nobody knows',
+    {},
+    '?engine=turbo',
+    /Found engine=turbo, expected engine=simd or engine=scalar/,
+  ],
+  [
+    'a list of scenes that is not there',
+    { files: { 'scenes/index.json': null } },
+    '',
+    /There is no scene to open/,
+  ],
 ]) {
   test(`${what} is explained`, async (t) => {
     const { page } = await openPage(t, browser, { server, query, expectErrors: true });
@@ -108,12 +184,18 @@ for (const [what, server, query, expected] of [
 }
 
 test('wasm sent with the wrong type is good enough', async (t) => {
-  const { page } = await openScene(t, browser, { server: { types: { 'engine/slicecast-simd.wasm': 'text/plain' } } });
+  const { page } = await openScene(t, browser, {
+    server: { types: { 'engine/slicecast-simd.wasm': 'text/plain' } },
+  });
   assert.equal((await player(page)).heading, 0);
 });
 
 test('an engine that fails while it plays says so', async (t) => {
   const { page } = await openScene(t, browser, { expectErrors: true });
-  await page.evaluate(() => setTimeout(() => { throw new WebAssembly.RuntimeError('unreachable'); }));
+  await page.evaluate(() =>
+    setTimeout(() => {
+      throw new WebAssembly.RuntimeError('unreachable');
+    }),
+  );
   assert.match(await trouble(page), /The engine has stopped.*unreachable/);
 });

@@ -1,4 +1,5 @@
-// The element in a second engine: Firefox, driven over WebDriver BiDi. The same pixels as in Chromium and under Node, played by keys, and left again.
+// The element in a second engine: Firefox, driven over WebDriver BiDi. The same pixels as in
+// Chromium and under Node, played by keys, and left again.
 
 import assert from 'node:assert/strict';
 import { accessSync, constants } from 'node:fs';
@@ -21,7 +22,9 @@ const kPage = `<!doctype html><html lang="en"><title>Another engine</title>
 function findFirefox() {
   const places = [
     process.env.SLICECAST_FIREFOX,
-    ...(process.env.PATH ?? '').split(path.delimiter).flatMap((folder) => ['firefox-esr', 'firefox'].map((name) => path.join(folder, name))),
+    ...(process.env.PATH ?? '')
+      .split(path.delimiter)
+      .flatMap((folder) => ['firefox-esr', 'firefox'].map((name) => path.join(folder, name))),
     '/Applications/Firefox.app/Contents/MacOS/firefox',
   ];
   return places.find((place) => {
@@ -35,7 +38,9 @@ function findFirefox() {
 }
 
 const executablePath = findFirefox();
-const skip = executablePath === undefined && 'there is no Firefox; tools/setup installs it where the system has a package, or SLICECAST_FIREFOX names it';
+const skip =
+  executablePath === undefined &&
+  'there is no Firefox; tools/setup installs it where the system has a package, or SLICECAST_FIREFOX names it';
 let browser;
 let server;
 let page;
@@ -44,7 +49,12 @@ const complaints = [];
 before(async () => {
   if (skip) return;
   server = await serve({ files: { ...roomFiles(), 'firefox.html': kPage } });
-  browser = await puppeteer.launch({ browser: 'firefox', executablePath, headless: true, timeout: kStartMilliseconds });
+  browser = await puppeteer.launch({
+    browser: 'firefox',
+    executablePath,
+    headless: true,
+    timeout: kStartMilliseconds,
+  });
   page = await browser.newPage();
   page.setDefaultTimeout(kWaitMilliseconds);
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
@@ -74,7 +84,8 @@ test('the first picture has the bytes that Node draws', { skip }, async () => {
 });
 
 test('the same steps lead to the same picture as in Chromium', { skip }, async () => {
-  const walk = () => document.querySelector('ray-caster').step(90, { forward: 1, turn: 0.4, jump: true });
+  const walk = () =>
+    document.querySelector('ray-caster').step(90, { forward: 1, turn: 0.4, jump: true });
   const chromium = await launch();
   try {
     const other = await chromium.newPage();
@@ -82,31 +93,42 @@ test('the same steps lead to the same picture as in Chromium', { skip }, async (
     await other.waitForFunction(() => document.querySelector('ray-caster').state === 'paused');
     await other.evaluate(walk);
     await page.evaluate(walk);
-    assert.deepEqual(await view(), await other.evaluate(() => document.querySelector('ray-caster').currentView));
+    assert.deepEqual(
+      await view(),
+      await other.evaluate(() => document.querySelector('ray-caster').currentView),
+    );
     assert.equal(await page.evaluate(hashOf), await other.evaluate(hashOf));
   } finally {
     await chromium.close();
   }
 });
 
-test('it is played by keys after a click, without scrolling the page; Escape leaves, Tab moves on', { skip }, async () => {
-  await page.mouse.click(160, 100);
-  await page.waitForFunction(() => document.querySelector('ray-caster').state === 'playing');
-  const { heading } = await view();
-  await page.keyboard.down('ArrowDown');
-  await page.keyboard.down('ArrowRight');
-  await page.waitForFunction((before) => document.querySelector('ray-caster').currentView.heading !== before, {}, heading);
-  await page.keyboard.up('ArrowRight');
-  await page.keyboard.up('ArrowDown');
-  assert.equal(await page.evaluate(() => scrollY), 0);
+test(
+  'it is played by keys after a click, without scrolling the page; Escape leaves, Tab moves on',
+  { skip },
+  async () => {
+    await page.mouse.click(160, 100);
+    await page.waitForFunction(() => document.querySelector('ray-caster').state === 'playing');
+    const { heading } = await view();
+    await page.keyboard.down('ArrowDown');
+    await page.keyboard.down('ArrowRight');
+    await page.waitForFunction(
+      (before) => document.querySelector('ray-caster').currentView.heading !== before,
+      {},
+      heading,
+    );
+    await page.keyboard.up('ArrowRight');
+    await page.keyboard.up('ArrowDown');
+    assert.equal(await page.evaluate(() => scrollY), 0);
 
-  await page.keyboard.press('Escape');
-  await page.waitForFunction(() => document.querySelector('ray-caster').state === 'paused');
-  await page.keyboard.press('Tab');
-  await page.waitForFunction(() => document.activeElement?.id === 'next');
-  await page.keyboard.press('ArrowDown');
-  await page.waitForFunction(() => scrollY > 0);
-  assert.equal(await state(), 'paused');
-});
+    await page.keyboard.press('Escape');
+    await page.waitForFunction(() => document.querySelector('ray-caster').state === 'paused');
+    await page.keyboard.press('Tab');
+    await page.waitForFunction(() => document.activeElement?.id === 'next');
+    await page.keyboard.press('ArrowDown');
+    await page.waitForFunction(() => scrollY > 0);
+    assert.equal(await state(), 'paused');
+  },
+);
 
 test('nothing complained', { skip }, () => assert.deepEqual(complaints, []));

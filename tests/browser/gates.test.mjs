@@ -1,4 +1,5 @@
-// A gate in the page: opened by a key, and by the button under the thumb, which only scenes with gates have.
+// A gate in the page: opened by a key, and by the button under the thumb, which only scenes with
+// gates have.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -18,8 +19,13 @@ function files() {
   scene.textures.gate = { file: 'pictures/gate.png', frames: 2 };
   scene.blueprints.gate = { faces: 'gate', gate: { seconds: 0.25, reach: 1 } };
   scene.legend.g = 'gate';
-  scene.maps[0].levels[0] = scene.maps[0].levels[0].map((row) => (row === '#######' ? row : '#...g.#'));
-  return { 'scenes/room.json': JSON.stringify(scene), 'scenes/pictures/gate.png': png(16, (x) => (x < 8 ? [90, 60, 30] : [30, 90, 60]), 8) };
+  scene.maps[0].levels[0] = scene.maps[0].levels[0].map((row) =>
+    row === '#######' ? row : '#...g.#',
+  );
+  return {
+    'scenes/room.json': JSON.stringify(scene),
+    'scenes/pictures/gate.png': png(16, (x) => (x < 8 ? [90, 60, 30] : [30, 90, 60]), 8),
+  };
 }
 
 const halts = async (page) => {
@@ -52,7 +58,10 @@ test('X opens the gate and closes it again', async (t) => {
 });
 
 test('a thumb opens the gate; without gates there is no such button', async (t) => {
-  const phone = { viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true } };
+  const phone = {
+    viewport: { width: 390, height: 844 },
+    context: { isMobile: true, hasTouch: true },
+  };
   const open = async (options) => {
     const { page, context } = await openScene(t, browser, { ...phone, ...options });
     await page.tap('#play');
@@ -65,7 +74,8 @@ test('a thumb opens the gate; without gates there is no such button', async (t) 
   const { page, touches } = await open({ server: { files: files() } });
   await page.tap('[data-thumb="use"]');
   await gateMoves(page);
-  const touch = (type, ...touchPoints) => touches.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const touch = (type, ...touchPoints) =>
+    touches.send('Input.dispatchTouchEvent', { type, touchPoints });
   await touch('touchStart', { id: 1, x: 90, y: 600 });
   await touch('touchMove', { id: 1, x: 90, y: 530 });
   await untilPlayer(page, (state) => state.x > 5.2);

@@ -1,4 +1,5 @@
-// Who plays a <ray-caster>, by keys and by fingers: what they hold when the window comes back, what is taken away under them, what stays the page's.
+// Who plays a <ray-caster>, by keys and by fingers: what they hold when the window comes back, what
+// is taken away under them, what stays the page's.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -13,13 +14,21 @@ before(async () => {
 after(() => browser.close());
 
 const kRoom = '<ray-caster id="a" scene="room" controls></ray-caster>';
-const phone = { viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true } };
+const phone = {
+  viewport: { width: 390, height: 844 },
+  context: { isMobile: true, hasTouch: true },
+};
 
 const button = (page, name) => page.locator('#a').getByRole('button', { name, exact: true });
 const whereIs = (page) => page.evaluate(() => document.getElementById('a').currentView);
 
 test('a finger that was playing finds its thumbs, and the way out, when it comes back from another tab', async (t) => {
-  const { page, context } = await openElements(t, browser, '<ray-caster id="a" scene="room"></ray-caster>', phone);
+  const { page, context } = await openElements(
+    t,
+    browser,
+    '<ray-caster id="a" scene="room"></ray-caster>',
+    phone,
+  );
   // Pages under test always count as focused, unless told otherwise.
   const session = await context.newCDPSession(page);
   await session.send('Emulation.setFocusEmulationEnabled', { enabled: false });
@@ -38,10 +47,16 @@ test('a finger that was playing finds its thumbs, and the way out, when it comes
 });
 
 test('thumbs that are taken away under a finger work again afterwards', async (t) => {
-  const { page, context } = await openElements(t, browser, kRoom.replace('controls', 'style="height: 400px"'), phone);
+  const { page, context } = await openElements(
+    t,
+    browser,
+    kRoom.replace('controls', 'style="height: 400px"'),
+    phone,
+  );
   await ready(page, 'a');
   const session = await context.newCDPSession(page);
-  const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const touch = (type, ...touchPoints) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints });
   await page.tap('#a');
   await inElementState(page, 'a', 'playing');
   await touch('touchStart', { id: 1, x: 80, y: 250 });
@@ -62,10 +77,16 @@ test('thumbs that are taken away under a finger work again afterwards', async (t
 });
 
 test('keys="none": put back into the page, its picture is still no stop for Tab', async (t) => {
-  const { page } = await openElements(t, browser, '<button id="x">Before</button><ray-caster id="a" scene="room" keys="none"></ray-caster><button id="y">After</button>');
+  const { page } = await openElements(
+    t,
+    browser,
+    '<button id="x">Before</button><ray-caster id="a" scene="room" keys="none"></ray-caster><button id="y">After</button>',
+  );
   await ready(page, 'a');
   await page.hover('#a'); // what one steers by comes
-  await page.waitForFunction(() => document.getElementById('a').shadowRoot.querySelector('.leave') !== null);
+  await page.waitForFunction(
+    () => document.getElementById('a').shadowRoot.querySelector('.leave') !== null,
+  );
   await page.evaluate(async () => {
     const element = document.getElementById('a');
     const next = element.nextSibling;
@@ -88,16 +109,29 @@ test('other keys are wished for while somebody plays: they play on', async (t) =
   await ready(page, 'a');
   await page.click('#a');
   await inElementState(page, 'a', 'playing');
-  for (const [keys, place] of [['none', 'a stage'], ['move', 'a canvas']]) {
-    await page.evaluate((wanted) => { document.getElementById('a').keys = wanted; }, keys);
-    await page.waitForFunction(([wanted]) => document.getElementById('a').shadowRoot.activeElement?.matches(wanted === 'none' ? '.stage' : 'canvas'), [keys]);
+  for (const [keys, place] of [
+    ['none', 'a stage'],
+    ['move', 'a canvas'],
+  ]) {
+    await page.evaluate((wanted) => {
+      document.getElementById('a').keys = wanted;
+    }, keys);
+    await page.waitForFunction(
+      ([wanted]) =>
+        document
+          .getElementById('a')
+          .shadowRoot.activeElement?.matches(wanted === 'none' ? '.stage' : 'canvas'),
+      [keys],
+    );
     assert.equal(await focusOf(page), place);
     assert.equal(await page.evaluate(() => document.getElementById('a').state), 'playing');
   }
   // From the bar nothing takes the focus.
   await page.keyboard.press('Tab');
   assert.equal(await focusOf(page), 'a play');
-  await page.evaluate(() => { document.getElementById('a').keys = 'all'; });
+  await page.evaluate(() => {
+    document.getElementById('a').keys = 'all';
+  });
   await wait(100);
   assert.equal(await focusOf(page), 'a play');
   await page.keyboard.press('Escape');
@@ -111,11 +145,15 @@ test('a fault closes the sheet of keys; once it is mended the cover has the focu
   await inElementState(page, 'a', 'playing');
   await page.keyboard.press('h');
   await page.locator('#a').getByRole('dialog', { name: 'Keys' }).waitFor();
-  await page.evaluate(() => { document.getElementById('a').scene = 'nowhere'; });
+  await page.evaluate(() => {
+    document.getElementById('a').scene = 'nowhere';
+  });
   await inElementState(page, 'a', 'error');
   assert.equal(await focusOf(page), 'a sheet');
   assert.equal(await page.locator('#a .keys').isVisible(), false);
-  await page.evaluate(() => { document.getElementById('a').scene = 'room'; });
+  await page.evaluate(() => {
+    document.getElementById('a').scene = 'room';
+  });
   await inElementState(page, 'a', 'paused');
   assert.equal(await focusOf(page), 'a cover');
 });
@@ -138,7 +176,10 @@ test('under the sheet of keys nothing can be reached; it lists what works here',
     await page.keyboard.press(step);
     seen.push(await focusOf(page));
   }
-  assert.ok(seen.every((place) => ['a again', 'y', 'body'].includes(place)), seen.join('; '));
+  assert.ok(
+    seen.every((place) => ['a again', 'y', 'body'].includes(place)),
+    seen.join('; '),
+  );
   await page.evaluate(() => document.getElementById('a').focus());
   assert.equal(await focusOf(page), 'a again');
   await page.keyboard.press('Escape');
@@ -152,15 +193,28 @@ test('keys for which an element has no place go on to the page', async (t) => {
   await ready(page, 'a');
   await page.evaluate(() => {
     window.heard = [];
-    document.addEventListener('keydown', ({ code, defaultPrevented }) => window.heard.push([code, defaultPrevented]));
+    document.addEventListener('keydown', ({ code, defaultPrevented }) =>
+      window.heard.push([code, defaultPrevented]),
+    );
   });
   await page.click('#a');
   await inElementState(page, 'a', 'playing');
   for (const key of ['i', 't', 'F9', 'k']) await page.keyboard.press(key);
-  await page.evaluate(() => { document.getElementById('a').keys = 'move'; });
-  await page.waitForFunction(() => document.getElementById('a').shadowRoot.activeElement?.localName === 'canvas');
+  await page.evaluate(() => {
+    document.getElementById('a').keys = 'move';
+  });
+  await page.waitForFunction(
+    () => document.getElementById('a').shadowRoot.activeElement?.localName === 'canvas',
+  );
   for (const key of ['k', 'w']) await page.keyboard.press(key);
-  assert.deepEqual(await page.evaluate(() => window.heard), [['KeyI', false], ['KeyT', false], ['F9', false], ['KeyK', true], ['KeyK', false], ['KeyW', true]]);
+  assert.deepEqual(await page.evaluate(() => window.heard), [
+    ['KeyI', false],
+    ['KeyT', false],
+    ['F9', false],
+    ['KeyK', true],
+    ['KeyK', false],
+    ['KeyW', true],
+  ]);
 });
 
 test('the button for overlays knows of each of them, by whatever key', async (t) => {
@@ -171,12 +225,20 @@ test('the button for overlays knows of each of them, by whatever key', async (t)
   await inElementState(page, 'a', 'playing');
   for (const isOn of [true, false]) {
     await page.keyboard.press('k');
-    await page.locator('#a').getByRole('button', { name: 'Map and panels', pressed: isOn }).waitFor();
+    await page
+      .locator('#a')
+      .getByRole('button', { name: 'Map and panels', pressed: isOn })
+      .waitFor();
   }
 });
 
 test('what is wrong can have the focus', async (t) => {
-  const { page } = await openElements(t, browser, '<ray-caster id="a" scene="nowhere"></ray-caster>', { expectErrors: true });
+  const { page } = await openElements(
+    t,
+    browser,
+    '<ray-caster id="a" scene="nowhere"></ray-caster>',
+    { expectErrors: true },
+  );
   await ready(page, 'a');
   await page.evaluate(() => document.getElementById('a').focus());
   assert.equal(await focusOf(page), 'a sheet');

@@ -1,10 +1,21 @@
-// What <ray-caster> costs a page where nobody plays: no time, one fetch of each file, and nothing once it is gone.
+// What <ray-caster> costs a page where nobody plays: no time, one fetch of each file, and nothing
+// once it is gone.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
-import { guestPage, kRoom, openGuest, processorSeconds, ready, stateOf, until, wait, watchPage } from './guest-page.mjs';
+import {
+  guestPage,
+  kRoom,
+  openGuest,
+  processorSeconds,
+  ready,
+  stateOf,
+  until,
+  wait,
+  watchPage,
+} from './guest-page.mjs';
 
 const kIdleSeconds = 5; // the browser counts in hundredths of a second: three of them are too many
 const kTries = 4;
@@ -19,8 +30,11 @@ before(async () => {
 });
 after(() => browser.close());
 
-const one = (scene) => `<ray-caster scene="${scene}" loading="eager" controls style="width: 180px"></ray-caster>`;
-const twelve = Array.from({ length: kElements }, (_, index) => one(index % 2 === 0 ? 'room' : 'other')).join('');
+const one = (scene) =>
+  `<ray-caster scene="${scene}" loading="eager" controls style="width: 180px"></ray-caster>`;
+const twelve = Array.from({ length: kElements }, (_, index) =>
+  one(index % 2 === 0 ? 'room' : 'other'),
+).join('');
 const watched = { prepare: (page) => page.addInitScript(watchPage) };
 
 const scriptsOf = (server) => server.asked.filter((path) => path.endsWith('.js')).sort();
@@ -32,7 +46,10 @@ function atRest(page) {
 
 // Processor seconds of the renderers over a while.
 async function renderersUse(seconds) {
-  const sum = (processes) => processes.filter(({ type }) => type === 'renderer').reduce((total, { cpuTime }) => total + cpuTime, 0);
+  const sum = (processes) =>
+    processes
+      .filter(({ type }) => type === 'renderer')
+      .reduce((total, { cpuTime }) => total + cpuTime, 0);
   const begin = sum(await processorSeconds(browser));
   await wait(seconds * 1000);
   return sum(await processorSeconds(browser)) - begin;
@@ -49,9 +66,15 @@ test('twelve idle elements use no time, no timer and no frame', async (t) => {
   const calls = await page.evaluate(() => window.watch.calls);
   // The browser has small tasks of its own now and then: the least of several whiles counts.
   let used = Infinity;
-  for (let tries = 0; tries < kTries && used / kIdleSeconds >= kIdleShare; ++tries) used = Math.min(used, await renderersUse(kIdleSeconds));
-  const after = await page.evaluate(() => ({ calls: window.watch.calls, pending: [...window.watch.pending.values()] }));
-  t.diagnostic(`${kElements} idle elements: ${((100 * used) / kIdleSeconds).toFixed(2)} % of a core over ${kIdleSeconds} s`);
+  for (let tries = 0; tries < kTries && used / kIdleSeconds >= kIdleShare; ++tries)
+    used = Math.min(used, await renderersUse(kIdleSeconds));
+  const after = await page.evaluate(() => ({
+    calls: window.watch.calls,
+    pending: [...window.watch.pending.values()],
+  }));
+  t.diagnostic(
+    `${kElements} idle elements: ${((100 * used) / kIdleSeconds).toFixed(2)} % of a core over ${kIdleSeconds} s`,
+  );
   assert.deepEqual(after, { calls, pending: [] });
   assert.ok(used / kIdleSeconds < kIdleShare, `${used} s of ${kIdleSeconds} s`);
 });
@@ -59,20 +82,33 @@ test('twelve idle elements use no time, no timer and no frame', async (t) => {
 test('several elements fetch each file once and compile once; each tells what it holds', async (t) => {
   const { page, server } = await openGuest(t, browser, { body: twelve, ...watched });
   await ready(page);
-  await until(page, () => [...document.querySelectorAll('ray-caster')].every(({ shadowRoot }) => shadowRoot.querySelector('.controls') !== null));
+  await until(page, () =>
+    [...document.querySelectorAll('ray-caster')].every(
+      ({ shadowRoot }) => shadowRoot.querySelector('.controls') !== null,
+    ),
+  );
   assert.deepEqual(scriptsOf(server), ['ray-caster-steering.js', 'ray-caster.js']);
   const often = server.asked.filter((path, index) => server.asked.indexOf(path) !== index);
   assert.deepEqual(often, []);
   assert.equal(await page.evaluate(() => window.watch.compiled), 1);
   assert.equal(await page.evaluate(() => window.watch.memories.length), kElements);
-  const memory = await page.evaluate(() => [...document.querySelectorAll('ray-caster')].map((element) => element.memory));
-  assert.ok(memory.every((bytes) => bytes > 1e6 && bytes < 64e6), memory.join());
-  t.diagnostic(`${server.asked.length} requests for ${kElements} elements; ${(memory[0] / 2 ** 20).toFixed(1)} MiB each`);
+  const memory = await page.evaluate(() =>
+    [...document.querySelectorAll('ray-caster')].map((element) => element.memory),
+  );
+  assert.ok(
+    memory.every((bytes) => bytes > 1e6 && bytes < 64e6),
+    memory.join(),
+  );
+  t.diagnostic(
+    `${server.asked.length} requests for ${kElements} elements; ${(memory[0] / 2 ** 20).toFixed(1)} MiB each`,
+  );
 
   // One that comes later asks for nothing either.
   const before = server.asked.length;
   await page.evaluate(() => {
-    document.querySelector('main').insertAdjacentHTML('beforeend', '<ray-caster id="late" scene="room"></ray-caster>');
+    document
+      .querySelector('main')
+      .insertAdjacentHTML('beforeend', '<ray-caster id="late" scene="room"></ray-caster>');
     return document.querySelector('#late').whenReady();
   });
   assert.equal(server.asked.length, before);
@@ -84,7 +120,10 @@ test('what one steers by is fetched when somebody comes near, and by a bar after
   await wait(300);
   assert.deepEqual(scriptsOf(server), ['ray-caster.js']);
   await page.hover('ray-caster');
-  await until(page, () => performance.getEntriesByName(new URL('ray-caster-steering.js', location).href).length > 0);
+  await until(
+    page,
+    () => performance.getEntriesByName(new URL('ray-caster-steering.js', location).href).length > 0,
+  );
 
   const order = await page.evaluate(async () => {
     const element = document.querySelector('ray-caster').cloneNode();
@@ -92,7 +131,9 @@ test('what one steers by is fetched when somebody comes near, and by a bar after
     document.querySelector('main').append(element);
     const hasBar = () => element.shadowRoot.querySelector('.controls') !== null;
     let before;
-    element.addEventListener('ready', () => { before = hasBar(); });
+    element.addEventListener('ready', () => {
+      before = hasBar();
+    });
     while (!hasBar()) await new Promise((resolve) => setTimeout(resolve, 5));
     return [before, element.state];
   });
@@ -100,22 +141,33 @@ test('what one steers by is fetched when somebody comes near, and by a bar after
 });
 
 test('an element out of view loads nothing until it comes near', async (t) => {
-  const { page, server } = await openGuest(t, browser, { body: `<p style="height: 4000px">Read on.</p>${kRoom}`, ...watched });
+  const { page, server } = await openGuest(t, browser, {
+    body: `<p style="height: 4000px">Read on.</p>${kRoom}`,
+    ...watched,
+  });
   await page.evaluate(() => customElements.whenDefined('ray-caster'));
   await wait(300);
   assert.equal(await stateOf(page), 'idle');
-  assert.deepEqual(server.asked.filter((path) => /engine\/|scenes\//.test(path)), []);
+  assert.deepEqual(
+    server.asked.filter((path) => /engine\/|scenes\//.test(path)),
+    [],
+  );
   await page.evaluate(() => document.querySelector('ray-caster').scrollIntoView());
   await until(page, () => document.querySelector('ray-caster').state === 'paused');
 });
 
 test('loading="eager" does not wait for that', async (t) => {
-  const { page } = await openGuest(t, browser, { body: `<p style="height: 4000px">Read on.</p>${kRoom.replace('scene', 'loading="eager" scene')}` });
+  const { page } = await openGuest(t, browser, {
+    body: `<p style="height: 4000px">Read on.</p>${kRoom.replace('scene', 'loading="eager" scene')}`,
+  });
   await until(page, () => document.querySelector('ray-caster').state === 'paused');
 });
 
 test('it runs only while it is seen, and while it was asked to or has the focus', async (t) => {
-  const { page } = await openGuest(t, browser, { body: `${kRoom}<p style="height: 4000px"><input id="text"></p>`, ...watched });
+  const { page } = await openGuest(t, browser, {
+    body: `${kRoom}<p style="height: 4000px"><input id="text"></p>`,
+    ...watched,
+  });
   await ready(page);
   await atRest(page);
   await page.evaluate(() => {
@@ -165,7 +217,11 @@ test('while it stands still a change draws one picture', async (t) => {
   const { page } = await openGuest(t, browser, watched);
   await ready(page);
   await atRest(page);
-  await page.evaluate(() => document.querySelector('ray-caster').addEventListener('framechange', () => { window.pictures += 1; }));
+  await page.evaluate(() =>
+    document.querySelector('ray-caster').addEventListener('framechange', () => {
+      window.pictures += 1;
+    }),
+  );
   for (const change of ["look('3,3,0.6,90')", "set('fov', 75)", 'step(5)', 'reset()']) {
     await page.evaluate((act) => {
       window.pictures = 0;
@@ -179,30 +235,44 @@ test('while it stands still a change draws one picture', async (t) => {
 });
 
 test('what is removed is gone: the heap is flat after fifty elements', async (t) => {
-  const { page, context } = await openGuest(t, browser, { body: '<div id="place"></div>', ...watched });
+  const { page, context } = await openGuest(t, browser, {
+    body: '<div id="place"></div>',
+    ...watched,
+  });
   const session = await context.newCDPSession(page);
   await session.send('Performance.enable');
-  const mount = (count) => page.evaluate(async (times) => {
-    await customElements.whenDefined('ray-caster');
-    for (let i = 0; i < times; ++i) {
-      const element = document.createElement('ray-caster');
-      element.scene = 'room';
-      element.style.width = '200px';
-      element.setAttribute('controls', '');
-      document.querySelector('#place').append(element);
-      await element.whenReady();
-      element.play();
-      await new Promise((resolve) => element.addEventListener('framechange', resolve, { once: true }));
-      element.remove();
-    }
-  }, count);
+  const mount = (count) =>
+    page.evaluate(async (times) => {
+      await customElements.whenDefined('ray-caster');
+      for (let i = 0; i < times; ++i) {
+        const element = document.createElement('ray-caster');
+        element.scene = 'room';
+        element.style.width = '200px';
+        element.setAttribute('controls', '');
+        document.querySelector('#place').append(element);
+        await element.whenReady();
+        element.play();
+        await new Promise((resolve) =>
+          element.addEventListener('framechange', resolve, { once: true }),
+        );
+        element.remove();
+      }
+    }, count);
   const measure = async () => {
     await wait(600);
     for (let i = 0; i < 3; ++i) await session.send('HeapProfiler.collectGarbage');
     const { metrics } = await session.send('Performance.getMetrics');
     const found = Object.fromEntries(metrics.map(({ name, value }) => [name, value]));
-    const memories = await page.evaluate(() => window.watch.memories.filter((reference) => reference.deref() !== undefined).length);
-    return { heap: found.JSHeapUsedSize, nodes: found.Nodes, listeners: found.JSEventListeners, buffers: found.ArrayBufferContents, memories };
+    const memories = await page.evaluate(
+      () => window.watch.memories.filter((reference) => reference.deref() !== undefined).length,
+    );
+    return {
+      heap: found.JSHeapUsedSize,
+      nodes: found.Nodes,
+      listeners: found.JSEventListeners,
+      buffers: found.ArrayBufferContents,
+      memories,
+    };
   };
   await mount(kWarmUp);
   const begin = await measure();
@@ -211,14 +281,21 @@ test('what is removed is gone: the heap is flat after fifty elements', async (t)
   t.diagnostic(`after ${kWarmUp}: ${JSON.stringify(begin)}; after 50 more: ${JSON.stringify(end)}`);
   assert.equal(end.memories, 0);
   assert.ok(end.nodes <= begin.nodes + 5, `nodes: ${begin.nodes}, ${end.nodes}`);
-  assert.ok(end.listeners <= begin.listeners + 2, `listeners: ${begin.listeners}, ${end.listeners}`);
+  assert.ok(
+    end.listeners <= begin.listeners + 2,
+    `listeners: ${begin.listeners}, ${end.listeners}`,
+  );
   assert.ok(end.heap < begin.heap + kHeapSlack, `heap: ${begin.heap}, ${end.heap}`);
-  if (end.buffers !== undefined) assert.ok(end.buffers <= begin.buffers + 1, `buffers: ${begin.buffers}, ${end.buffers}`);
+  if (end.buffers !== undefined)
+    assert.ok(end.buffers <= begin.buffers + 1, `buffers: ${begin.buffers}, ${end.buffers}`);
   assert.deepEqual(await page.evaluate(() => [...window.watch.pending.values()]), []);
 });
 
 test('an element that is moved goes on; one that is taken away while it loads leaves nothing', async (t) => {
-  const { page } = await openGuest(t, browser, { body: `<div id="one">${kRoom}</div><div id="two"></div>`, ...watched });
+  const { page } = await openGuest(t, browser, {
+    body: `<div id="one">${kRoom}</div><div id="two"></div>`,
+    ...watched,
+  });
   await ready(page);
   await page.evaluate(() => {
     const element = document.querySelector('ray-caster');
@@ -226,7 +303,13 @@ test('an element that is moved goes on; one that is taken away while it loads le
     document.querySelector('#two').append(element);
   });
   await wait(100);
-  assert.deepEqual(await page.evaluate(() => [document.querySelector('ray-caster').state, document.querySelector('ray-caster').currentView.x]), ['paused', 2.5]);
+  assert.deepEqual(
+    await page.evaluate(() => [
+      document.querySelector('ray-caster').state,
+      document.querySelector('ray-caster').currentView.x,
+    ]),
+    ['paused', 2.5],
+  );
   await page.evaluate(async () => {
     for (const delay of [0, 1, 5, 20, 60]) {
       const element = document.createElement('ray-caster');
@@ -239,15 +322,30 @@ test('an element that is moved goes on; one that is taken away while it loads le
   await atRest(page);
   const session = await page.context().newCDPSession(page);
   for (let i = 0; i < 3; ++i) await session.send('HeapProfiler.collectGarbage');
-  assert.equal(await page.evaluate(() => window.watch.memories.filter((reference) => reference.deref() !== undefined).length), 1);
+  assert.equal(
+    await page.evaluate(
+      () => window.watch.memories.filter((reference) => reference.deref() !== undefined).length,
+    ),
+    1,
+  );
 });
 
-// A machine with nothing else to do keeps far below these limits; here others may be at work. The figures are in the report.
+// A machine with nothing else to do keeps far below these limits; here others may be at work. The
+// figures are in the report.
 test('start times: the first picture, an engine more, and an element more', async (t) => {
-  const startPage = guestPage(kRoom.replace('scene', 'loading="eager" scene'), { script: '<script type="module" src="start.js"></script>' });
+  const startPage = guestPage(kRoom.replace('scene', 'loading="eager" scene'), {
+    script: '<script type="module" src="start.js"></script>',
+  });
   // The page has them in its script only.
-  const modules = ['source', 'late', 'page-cache'].map((name) => [`element/${name}.js`, readFileSync(new URL(`../../web/element/${name}.js`, import.meta.url))]);
-  const { page } = await openGuest(t, browser, { server: { files: { 'start.js': startScript, 'start.html': startPage, ...Object.fromEntries(modules) } } });
+  const modules = ['source', 'late', 'page-cache'].map((name) => [
+    `element/${name}.js`,
+    readFileSync(new URL(`../../web/element/${name}.js`, import.meta.url)),
+  ]);
+  const { page } = await openGuest(t, browser, {
+    server: {
+      files: { 'start.js': startScript, 'start.html': startPage, ...Object.fromEntries(modules) },
+    },
+  });
   const first = [];
   for (let round = 0; round < 4; ++round) {
     await page.goto(page.url().replace(/[^/]*$/, 'start.html'));
@@ -257,7 +355,8 @@ test('start times: the first picture, an engine more, and an element more', asyn
     const { Engine } = await import('./engine.js');
     const { findScene } = await import('./element/source.js');
     const { holdCache, sharedEngineFiles } = await import('./element/page-cache.js');
-    // The modules beside the element's script keep a cache of their own: the first round fills it, and does not count.
+    // The modules beside the element's script keep a cache of their own: the first round fills it,
+    // and does not count.
     holdCache();
     const shown = document.querySelector('ray-caster');
     const times = [[], []];
@@ -271,7 +370,9 @@ test('start times: the first picture, an engine more, and an element more', asyn
       engine.stop();
 
       const element = shown.cloneNode(true);
-      const came = new Promise((resolve) => element.addEventListener('ready', () => resolve(performance.now()), { once: true }));
+      const came = new Promise((resolve) =>
+        element.addEventListener('ready', () => resolve(performance.now()), { once: true }),
+      );
       begin = performance.now();
       document.querySelector('main').append(element);
       times[1].push((await came) - begin);
@@ -280,21 +381,30 @@ test('start times: the first picture, an engine more, and an element more', asyn
     return times.map((list) => list.slice(1));
   }, 8);
   const list = (numbers) => numbers.map((number) => number.toFixed(0)).join(' ');
-  t.diagnostic(`ms: first picture after the script's start ${list(first)}; an engine more ${list(engines)}; an element more, with its picture ${list(elements)}`);
+  t.diagnostic(
+    `ms: first picture after the script's start ${list(first)}; an engine more ${list(engines)}; an element more, with its picture ${list(elements)}`,
+  );
   assert.ok(Math.min(...first) < 500, `first picture: ${list(first)} ms`);
   assert.ok(Math.min(...engines) < 25, `an engine more: ${list(engines)} ms`);
   assert.ok(Math.min(...elements) < 25, `an element more: ${list(elements)} ms`);
 });
 
 test('start times of a large scene, and of one more element with it', async (t) => {
-  const startPage = guestPage('<ray-caster scene="castle" loading="eager" style="width: 640px"></ray-caster>', { script: '<script type="module" src="start.js"></script>' });
-  const { page, server } = await openGuest(t, browser, { body: '', server: { files: { 'start.js': startScript, 'start.html': startPage } } });
+  const startPage = guestPage(
+    '<ray-caster scene="castle" loading="eager" style="width: 640px"></ray-caster>',
+    { script: '<script type="module" src="start.js"></script>' },
+  );
+  const { page, server } = await openGuest(t, browser, {
+    body: '',
+    server: { files: { 'start.js': startScript, 'start.html': startPage } },
+  });
   const first = [];
   for (let round = 0; round < 3; ++round) {
     server.asked.length = 0;
     await page.goto(page.url().replace(/[^/]*$/, 'start.html'));
     first.push(await until(page, () => window.firstPicture));
-    // The pictures' names are found in the text, and then come from the engine: each is fetched once.
+    // The pictures' names are found in the text, and then come from the engine: each is fetched
+    // once.
     const pictures = server.asked.filter((path) => path.endsWith('.png'));
     assert.equal(new Set(pictures).size, pictures.length);
     assert.ok(pictures.length > 30);
@@ -320,11 +430,17 @@ test('start times of a large scene, and of one more element with it', async (t) 
   });
   assert.equal(server.asked.length, before);
   const list = (numbers) => numbers.map((number) => number.toFixed(0)).join(' ');
-  t.diagnostic(`ms: first picture of the castle after the script's start ${list(first)}; an element more, with its picture ${list(elements)}; a copy of as many bytes into new memory ${list(copies)}`);
+  t.diagnostic(
+    `ms: first picture of the castle after the script's start ${list(first)}; an element more, with its picture ${list(elements)}; a copy of as many bytes into new memory ${list(copies)}`,
+  );
   assert.ok(Math.min(...first) < 1000, `first picture: ${list(first)} ms`);
-  // An element that loads its scene anew takes eight to ten times as long as the copy, one that adopts it two to three times.
+  // An element that loads its scene anew takes eight to ten times as long as the copy, one that
+  // adopts it two to three times.
   const times = elements.map((element, round) => element / copies[round]);
-  assert.ok(Math.min(...times) < 6, `an element more: ${list(elements)} ms, ${list(times)} times a copy`);
+  assert.ok(
+    Math.min(...times) < 6,
+    `an element more: ${list(elements)} ms, ${list(times)} times a copy`,
+  );
 });
 
 const startScript = `

@@ -1,4 +1,5 @@
-// A guest's manners: keys, focus, wheel and touch stay the page's until somebody gives them to <ray-caster>, and it gives them back.
+// A guest's manners: keys, focus, wheel and touch stay the page's until somebody gives them to
+// <ray-caster>, and it gives them back.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -15,8 +16,10 @@ const tall = '<p style="height: 3000px">Read on.</p>';
 const middle = { position: { x: 160, y: 100 } };
 
 const scrolled = (page) => page.evaluate(() => window.scrollY);
-const headingOf = (page, selector = 'ray-caster') => page.evaluate((which) => document.querySelector(which).currentView.heading, selector);
-const focused = (page) => page.evaluate(() => document.activeElement.id || document.activeElement.localName);
+const headingOf = (page, selector = 'ray-caster') =>
+  page.evaluate((which) => document.querySelector(which).currentView.heading, selector);
+const focused = (page) =>
+  page.evaluate(() => document.activeElement.id || document.activeElement.localName);
 
 async function activate(page, selector = 'ray-caster') {
   await page.click(selector, middle);
@@ -41,7 +44,8 @@ test('arrows scroll the page unless somebody plays; then they turn the eye', asy
   const before = await scrolled(page);
   await hold(page, 'ArrowRight');
   await until(page, () => document.querySelector('ray-caster').currentView.heading > 5);
-  for (const key of ['ArrowDown', 'ArrowUp', 'Space', 'PageDown', 'Home']) await hold(page, key, 60);
+  for (const key of ['ArrowDown', 'ArrowUp', 'Space', 'PageDown', 'Home'])
+    await hold(page, key, 60);
   assert.equal(await scrolled(page), before);
 
   // Escape leaves, and the arrows are the page's again.
@@ -55,22 +59,31 @@ test('arrows scroll the page unless somebody plays; then they turn the eye', asy
 });
 
 test('a text box in the page stays usable, and the element hears nothing of it', async (t) => {
-  const { page } = await openGuest(t, browser, { body: `<label>Name <input id="text"></label>${kRoom}` });
+  const { page } = await openGuest(t, browser, {
+    body: `<label>Name <input id="text"></label>${kRoom}`,
+  });
   await ready(page);
   await activate(page);
   await hold(page, 'KeyW', 60);
   await page.keyboard.press('Escape');
   await page.click('#text');
   await until(page, () => document.querySelector('ray-caster').state === 'paused');
-  const before = await page.evaluate(() => ({ ...document.querySelector('ray-caster').currentView }));
+  const before = await page.evaluate(() => ({
+    ...document.querySelector('ray-caster').currentView,
+  }));
   await page.keyboard.type('wasd maps, 12 tiles');
   await page.keyboard.press('ArrowLeft');
   assert.equal(await page.inputValue('#text'), 'wasd maps, 12 tiles');
-  assert.deepEqual(await page.evaluate(() => ({ ...document.querySelector('ray-caster').currentView })), before);
+  assert.deepEqual(
+    await page.evaluate(() => ({ ...document.querySelector('ray-caster').currentView })),
+    before,
+  );
 });
 
 test('a text box stays usable while an element was asked to play', async (t) => {
-  const { page } = await openGuest(t, browser, { body: `<input id="text" aria-label="Name">${kRoom.replace('scene', 'autoplay scene')}` });
+  const { page } = await openGuest(t, browser, {
+    body: `<input id="text" aria-label="Name">${kRoom.replace('scene', 'autoplay scene')}`,
+  });
   await ready(page);
   await until(page, () => document.querySelector('ray-caster').state === 'playing');
   await page.click('#text');
@@ -80,10 +93,18 @@ test('a text box stays usable while an element was asked to play', async (t) => 
   assert.equal(await headingOf(page), 0);
 });
 
-const three = [1, 2, 3].map((number) => `<ray-caster id="rc${number}" scene="room" loading="eager" controls style="width: 320px"></ray-caster>`).join('');
+const three = [1, 2, 3]
+  .map(
+    (number) =>
+      `<ray-caster id="rc${number}" scene="room" loading="eager" controls style="width: 320px"></ray-caster>`,
+  )
+  .join('');
 
 test('Tab moves on through several elements, forward and back, and is never kept', async (t) => {
-  const { page } = await openGuest(t, browser, { body: `<a id="first" href="#x">first</a>${three}<a id="last" href="#y">last</a>`, viewport: { width: 800, height: 900 } });
+  const { page } = await openGuest(t, browser, {
+    body: `<a id="first" href="#x">first</a>${three}<a id="last" href="#y">last</a>`,
+    viewport: { width: 800, height: 900 },
+  });
   await ready(page);
   const walk = async (key, from, to) => {
     await page.focus(`#${from}`);
@@ -107,7 +128,9 @@ test('Tab moves on through several elements, forward and back, and is never kept
 });
 
 test('Enter begins, without a mouse; Escape leaves and the focus stays in place', async (t) => {
-  const { page } = await openGuest(t, browser, { body: `<a id="first" href="#x">first</a>${kRoom}<a id="last" href="#y">last</a>` });
+  const { page } = await openGuest(t, browser, {
+    body: `<a id="first" href="#x">first</a>${kRoom}<a id="last" href="#y">last</a>`,
+  });
   await ready(page);
   await page.focus('#first');
   await page.keyboard.press('Tab');
@@ -135,7 +158,10 @@ test('Space on the cover begins too, and does not scroll', async (t) => {
 });
 
 test('only the element that somebody plays hears keys', async (t) => {
-  const { page } = await openGuest(t, browser, { body: three, viewport: { width: 800, height: 900 } });
+  const { page } = await openGuest(t, browser, {
+    body: three,
+    viewport: { width: 800, height: 900 },
+  });
   await ready(page);
   await activate(page, '#rc2');
   await hold(page, 'ArrowRight');
@@ -143,7 +169,7 @@ test('only the element that somebody plays hears keys', async (t) => {
   assert.deepEqual([await headingOf(page, '#rc1'), await headingOf(page, '#rc3')], [0, 0]);
 });
 
-test('the browser\'s own keys stay its own', async (t) => {
+test("the browser's own keys stay its own", async (t) => {
   const { page } = await openGuest(t, browser, {});
   await ready(page);
   await activate(page);
@@ -151,8 +177,22 @@ test('the browser\'s own keys stay its own', async (t) => {
     const found = [];
     let target = document.activeElement;
     while (target.shadowRoot?.activeElement) target = target.shadowRoot.activeElement;
-    for (const [code, modifiers] of [['Tab', {}], ['KeyF', { ctrlKey: true }], ['KeyR', { metaKey: true }], ['ArrowLeft', { altKey: true }], ['F5', {}], ['F12', {}]]) {
-      const event = new KeyboardEvent('keydown', { code, key: code.replace('Key', ''), bubbles: true, composed: true, cancelable: true, ...modifiers });
+    for (const [code, modifiers] of [
+      ['Tab', {}],
+      ['KeyF', { ctrlKey: true }],
+      ['KeyR', { metaKey: true }],
+      ['ArrowLeft', { altKey: true }],
+      ['F5', {}],
+      ['F12', {}],
+    ]) {
+      const event = new KeyboardEvent('keydown', {
+        code,
+        key: code.replace('Key', ''),
+        bubbles: true,
+        composed: true,
+        cancelable: true,
+        ...modifiers,
+      });
       target.dispatchEvent(event);
       if (event.defaultPrevented) found.push(code);
     }
@@ -161,16 +201,23 @@ test('the browser\'s own keys stay its own', async (t) => {
   assert.deepEqual(kept, []);
 });
 
-for (const [keys, moves, shows] of [['all', true, true], ['move', true, false], ['none', false, false]]) {
+for (const [keys, moves, shows] of [
+  ['all', true, true],
+  ['move', true, false],
+  ['none', false, false],
+]) {
   test(`keys="${keys}": ${moves ? 'they move' : 'none moves'}, ${shows ? 'and' : 'none'} changes options`, async (t) => {
-    const { page } = await openGuest(t, browser, { body: `${kRoom.replace('scene', `keys="${keys}" scene`)}${tall}` });
+    const { page } = await openGuest(t, browser, {
+      body: `${kRoom.replace('scene', `keys="${keys}" scene`)}${tall}`,
+    });
     await ready(page);
     await activate(page);
     const option = () => page.evaluate(() => document.querySelector('ray-caster').get('minimap'));
     const before = await option();
     await hold(page, 'KeyM', 60);
     await hold(page, 'ArrowRight', 300);
-    if (moves) await until(page, () => document.querySelector('ray-caster').currentView.heading > 5);
+    if (moves)
+      await until(page, () => document.querySelector('ray-caster').currentView.heading > 5);
     else assert.equal(await headingOf(page), 0);
     assert.equal((await option()) !== before, shows);
     await page.keyboard.press('Escape');
@@ -188,10 +235,16 @@ test('the wheel scrolls the page, before and while somebody plays', async (t) =>
   assert.equal(await stateOf(page), 'paused');
 });
 
-const phone = { viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true } };
+const phone = {
+  viewport: { width: 390, height: 844 },
+  context: { isMobile: true, hasTouch: true },
+};
 
 test('a finger scrolls the page over the picture; a tap begins, and a button leaves', async (t) => {
-  const { page, context } = await openGuest(t, browser, { body: `<ray-caster scene="room"></ray-caster>${tall}`, ...phone });
+  const { page, context } = await openGuest(t, browser, {
+    body: `<ray-caster scene="room"></ray-caster>${tall}`,
+    ...phone,
+  });
   await ready(page);
   const session = await context.newCDPSession(page);
   const box = await page.locator('ray-caster').boundingBox();
@@ -199,7 +252,11 @@ test('a finger scrolls the page over the picture; a tap begins, and a button lea
     const x = box.x + box.width / 2;
     const y = box.y + box.height - 20;
     await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] });
-    for (let i = 1; i <= 6; ++i) await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [{ x, y: y - 20 * i }] });
+    for (let i = 1; i <= 6; ++i)
+      await session.send('Input.dispatchTouchEvent', {
+        type: 'touchMove',
+        touchPoints: [{ x, y: y - 20 * i }],
+      });
     await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
     await wait(150);
   };
@@ -224,7 +281,9 @@ test('a finger scrolls the page over the picture; a tap begins, and a button lea
 
 // The colours along the edge of the element as it is seen, as one text.
 async function edge(page, selector = 'ray-caster') {
-  const picture = await page.locator(selector).screenshot({ animations: 'disabled', caret: 'hide' });
+  const picture = await page
+    .locator(selector)
+    .screenshot({ animations: 'disabled', caret: 'hide' });
   return page.evaluate(async (base64) => {
     const image = new Image();
     image.src = `data:image/png;base64,${base64}`;
@@ -254,7 +313,10 @@ test('the focus is seen: a ring on the cover, and on the picture while somebody 
 });
 
 test('who prefers reduced motion: autoplay waits to be asked', async (t) => {
-  const { page } = await openGuest(t, browser, { body: kRoom.replace('scene', 'autoplay scene'), context: { reducedMotion: 'reduce' } });
+  const { page } = await openGuest(t, browser, {
+    body: kRoom.replace('scene', 'autoplay scene'),
+    context: { reducedMotion: 'reduce' },
+  });
   await ready(page);
   await wait(300);
   assert.equal(await stateOf(page), 'paused');
@@ -263,17 +325,29 @@ test('who prefers reduced motion: autoplay waits to be asked', async (t) => {
 });
 
 test('what is seen can be heard: a name, and a live text when the player has come to rest', async (t) => {
-  const { page } = await openGuest(t, browser, { body: kRoom.replace('scene', 'label="A room with four colours" scene') });
+  const { page } = await openGuest(t, browser, {
+    body: kRoom.replace('scene', 'label="A room with four colours" scene'),
+  });
   await ready(page);
   const live = () => {
-    const texts = [...document.querySelector('ray-caster').shadowRoot.querySelectorAll('[aria-live]')].map((element) => element.textContent);
+    const texts = [
+      ...document.querySelector('ray-caster').shadowRoot.querySelectorAll('[aria-live]'),
+    ].map((element) => element.textContent);
     return texts.find((text) => /Facing/.test(text)) ?? '';
   };
-  assert.equal(await until(page, live), 'The coloured room. Facing east. Ahead: wall at 2.5 units. To the left: wall at 2.5 units. To the right: wall at 2.5 units.');
+  assert.equal(
+    await until(page, live),
+    'The coloured room. Facing east. Ahead: wall at 2.5 units. To the left: wall at 2.5 units. To the right: wall at 2.5 units.',
+  );
   const snapshot = await page.locator('main').ariaSnapshot();
   assert.match(snapshot, /A room with four colours/);
   await activate(page);
   await hold(page, 'ArrowRight', 400);
-  await until(page, () => [...document.querySelector('ray-caster').shadowRoot.querySelectorAll('[aria-live="polite"]')]
-    .some((element) => /Facing/.test(element.textContent) && !/Facing east\./.test(element.textContent)));
+  await until(page, () =>
+    [
+      ...document.querySelector('ray-caster').shadowRoot.querySelectorAll('[aria-live="polite"]'),
+    ].some(
+      (element) => /Facing/.test(element.textContent) && !/Facing east\./.test(element.textContent),
+    ),
+  );
 });

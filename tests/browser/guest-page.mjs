@@ -19,12 +19,26 @@ export function guestPage(body, { head = '', script = kScript } = {}) {
 </html>`;
 }
 
-export function openGuest(t, browser, { body = kRoom, head, script, server = {}, ...options } = {}) {
-  const files = { 'favicon.ico': '', 'guest.html': guestPage(body, { head, script }), ...server.files };
-  return openPage(t, browser, { query: 'guest.html', viewport: { width: 800, height: 600 }, ...options, server: { ...server, files } });
+export function openGuest(
+  t,
+  browser,
+  { body = kRoom, head, script, server = {}, ...options } = {},
+) {
+  const files = {
+    'favicon.ico': '',
+    'guest.html': guestPage(body, { head, script }),
+    ...server.files,
+  };
+  return openPage(t, browser, {
+    query: 'guest.html',
+    viewport: { width: 800, height: 600 },
+    ...options,
+    server: { ...server, files },
+  });
 }
 
-// All of the page's elements have their scenes, as many as there are. No waiting by frames: it would be found among what the page schedules.
+// All of the page's elements have their scenes, as many as there are. No waiting by frames: it
+// would be found among what the page schedules.
 export function ready(page, selector = 'ray-caster') {
   return page.evaluate(async (which) => {
     await customElements.whenDefined('ray-caster');
@@ -47,8 +61,9 @@ export function stateOf(page, selector = 'ray-caster') {
   return page.evaluate((which) => document.querySelector(which).state, selector);
 }
 
-// In the page, before anything else: keeps a list of all that is scheduled and has not come yet (`pending`), counts what was ever (`calls`), and how often
-// programs of WebAssembly are compiled. `memories` are weak references to the memories of instances.
+// In the page, before anything else: keeps a list of all that is scheduled and has not come yet
+// (`pending`), counts what was ever (`calls`), and how often programs of WebAssembly are compiled.
+// `memories` are weak references to the memories of instances.
 export function watchPage() {
   const watch = { calls: 0, pending: new Map(), compiled: 0, memories: [] };
   window.watch = watch;
@@ -57,10 +72,13 @@ export function watchPage() {
     const drop = window[cancel].bind(window);
     window[name] = (act, ...more) => {
       watch.calls += 1;
-      const run = typeof act !== 'function' ? act : (...values) => {
-        if (!repeats) watch.pending.delete(`${name} ${id}`);
-        return act(...values);
-      };
+      const run =
+        typeof act !== 'function'
+          ? act
+          : (...values) => {
+              if (!repeats) watch.pending.delete(`${name} ${id}`);
+              return act(...values);
+            };
       const id = original(run, ...more);
       watch.pending.set(`${name} ${id}`, new Error().stack);
       return id;

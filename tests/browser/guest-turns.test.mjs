@@ -1,4 +1,5 @@
-// What may befall a <ray-caster> in a page that does not stand still: faults that are mended, wishes that overtake each other, another document.
+// What may befall a <ray-caster> in a page that does not stand still: faults that are mended,
+// wishes that overtake each other, another document.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -14,64 +15,103 @@ before(async () => {
 });
 after(() => browser.close());
 
-const stateIs = (page, state) => until(page, (wanted) => document.querySelector('ray-caster').state === wanted, state);
+const stateIs = (page, state) =>
+  until(page, (wanted) => document.querySelector('ray-caster').state === wanted, state);
 
 // What has changed in the element has been taken.
 const settled = (page) => page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
 
 // The colour in the middle of the canvas.
-const middle = (page) => page.evaluate(async () => {
-  await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-  const canvas = document.querySelector('ray-caster').shadowRoot.querySelector('canvas');
-  return [...canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data.subarray(0, 3)];
-});
+const middle = (page) =>
+  page.evaluate(async () => {
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    const canvas = document.querySelector('ray-caster').shadowRoot.querySelector('canvas');
+    return [
+      ...canvas
+        .getContext('2d')
+        .getImageData(canvas.width / 2, canvas.height / 2, 1, 1)
+        .data.subarray(0, 3),
+    ];
+  });
 
 // Counts the errors of the first element, before it is there.
-const countErrors = (page) => page.addInitScript(() => {
-  window.errors = [];
-  document.addEventListener('error', ({ target, detail }) => target.localName === 'ray-caster' && window.errors.push(detail), { capture: true });
-});
+const countErrors = (page) =>
+  page.addInitScript(() => {
+    window.errors = [];
+    document.addEventListener(
+      'error',
+      ({ target, detail }) => target.localName === 'ray-caster' && window.errors.push(detail),
+      { capture: true },
+    );
+  });
 const errorsOf = (page) => page.evaluate(() => window.errors.map(({ code }) => code));
 const failing = { expectErrors: true, prepare: countErrors };
 
-const inFocus = (page) => page.evaluate(() => {
-  const inside = document.activeElement?.shadowRoot?.activeElement;
-  return inside ? inside.classList[inside.classList.length - 1] ?? inside.localName : document.activeElement?.localName;
-});
+const inFocus = (page) =>
+  page.evaluate(() => {
+    const inside = document.activeElement?.shadowRoot?.activeElement;
+    return inside
+      ? (inside.classList[inside.classList.length - 1] ?? inside.localName)
+      : document.activeElement?.localName;
+  });
 
-for (const [name, bad, good] of [['options', 'fov=wide', 'fov=75'], ['view', '1,2,0.5,0,0,attic', '3.5,3.5,0.5,0']]) {
+for (const [name, bad, good] of [
+  ['options', 'fov=wide', 'fov=75'],
+  ['view', '1,2,0.5,0,0,attic', '3.5,3.5,0.5,0'],
+]) {
   test(`a first load with a faulty ${name} shows its picture once that is mended`, async (t) => {
-    const { page } = await openGuest(t, browser, { body: kRoom.replace('<ray-caster', `<ray-caster ${name}="${bad}"`), ...failing });
+    const { page } = await openGuest(t, browser, {
+      body: kRoom.replace('<ray-caster', `<ray-caster ${name}="${bad}"`),
+      ...failing,
+    });
     await stateIs(page, 'error');
-    await page.evaluate(([attribute, value]) => document.querySelector('ray-caster').setAttribute(attribute, value), [name, good]);
+    await page.evaluate(
+      ([attribute, value]) => document.querySelector('ray-caster').setAttribute(attribute, value),
+      [name, good],
+    );
     await stateIs(page, 'paused');
     assert.deepEqual(await middle(page), kGreen);
   });
 }
 
-for (const [what, attributes] of [['that is not there', 'scene="nowhere"'], ['behind a faulty attribute', 'scene="room" size="big"']]) {
+for (const [what, attributes] of [
+  ['that is not there', 'scene="nowhere"'],
+  ['behind a faulty attribute', 'scene="room" size="big"'],
+]) {
   test(`an error about a scene ${what} is told once, whatever the page then writes about it`, async (t) => {
     const { page, server } = await openGuest(t, browser, { body: '', ...failing });
     await page.evaluate((markup) => {
-      document.addEventListener('error', ({ target, detail }) => {
-        if (target.localName !== 'ray-caster') return;
-        target.textContent = detail.message;
-        target.label = `${detail.title} (${window.errors.length})`;
-      }, { capture: true });
-      document.querySelector('main').insertAdjacentHTML('beforeend', `<ray-caster ${markup}></ray-caster>`);
+      document.addEventListener(
+        'error',
+        ({ target, detail }) => {
+          if (target.localName !== 'ray-caster') return;
+          target.textContent = detail.message;
+          target.label = `${detail.title} (${window.errors.length})`;
+        },
+        { capture: true },
+      );
+      document
+        .querySelector('main')
+        .insertAdjacentHTML('beforeend', `<ray-caster ${markup}></ray-caster>`);
     }, attributes);
     await stateIs(page, 'error');
     await wait(300);
     assert.equal((await errorsOf(page)).length, 1);
     assert.ok(server.asked.filter((path) => path === 'scenes/nowhere.json').length <= 1);
-    await page.evaluate(() => { document.querySelector('ray-caster').label = 'Another'; });
+    await page.evaluate(() => {
+      document.querySelector('ray-caster').label = 'Another';
+    });
     await wait(200);
     assert.equal((await errorsOf(page)).length, 1);
     assert.ok(server.asked.filter((path) => path === 'scenes/nowhere.json').length <= 1);
     // And yet it is only a wish away.
-    await page.evaluate(() => Object.assign(document.querySelector('ray-caster'), { scene: 'room', size: 'auto' }));
+    await page.evaluate(() =>
+      Object.assign(document.querySelector('ray-caster'), { scene: 'room', size: 'auto' }),
+    );
     await stateIs(page, 'paused');
-    await page.evaluate(() => { document.querySelector('ray-caster').scene = 'nowhere'; });
+    await page.evaluate(() => {
+      document.querySelector('ray-caster').scene = 'nowhere';
+    });
     await stateIs(page, 'error');
   });
 }
@@ -80,10 +120,14 @@ test('what failed, was left and is wanted again fails again; the scene that play
   const { page } = await openGuest(t, browser, failing);
   await ready(page);
   for (let round = 1; round <= 2; ++round) {
-    await page.evaluate(() => { document.querySelector('ray-caster').scene = 'nowhere'; });
+    await page.evaluate(() => {
+      document.querySelector('ray-caster').scene = 'nowhere';
+    });
     await stateIs(page, 'error');
     assert.equal((await errorsOf(page)).length, round);
-    await page.evaluate(() => { document.querySelector('ray-caster').scene = 'room'; });
+    await page.evaluate(() => {
+      document.querySelector('ray-caster').scene = 'room';
+    });
     await stateIs(page, 'paused');
     assert.deepEqual(await middle(page), kGreen);
   }
@@ -114,20 +158,32 @@ test('a scene that is overtaken by another wish never shows', async (t) => {
   });
   await stateIs(page, 'paused');
   assert.deepEqual(await middle(page), kGreen);
-  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').world.title), 'The coloured room');
-  await page.evaluate(() => { document.querySelector('ray-caster').scene = 'other'; });
+  assert.equal(
+    await page.evaluate(() => document.querySelector('ray-caster').world.title),
+    'The coloured room',
+  );
+  await page.evaluate(() => {
+    document.querySelector('ray-caster').scene = 'other';
+  });
   await until(page, () => document.querySelector('ray-caster').world?.title === 'The other room');
   assert.deepEqual(await middle(page), kBlue);
 });
 
 test('who works with keys keeps the focus: on the message, and from its button on the cover', async (t) => {
   let isThere = true;
-  const { page } = await openGuest(t, browser, { ...failing, server: { files: { 'scenes/third.json': () => (isThere ? JSON.stringify(roomScene()) : null) } } });
+  const { page } = await openGuest(t, browser, {
+    ...failing,
+    server: {
+      files: { 'scenes/third.json': () => (isThere ? JSON.stringify(roomScene()) : null) },
+    },
+  });
   await ready(page);
   isThere = false;
   await page.keyboard.press('Tab');
   assert.equal(await inFocus(page), 'cover');
-  await page.evaluate(() => { document.querySelector('ray-caster').scene = 'third'; });
+  await page.evaluate(() => {
+    document.querySelector('ray-caster').scene = 'third';
+  });
   await stateIs(page, 'error');
   assert.equal(await inFocus(page), 'message');
   isThere = true;
@@ -149,44 +205,71 @@ test('who works with keys keeps the focus: on the message, and from its button o
 });
 
 test('autoplay waits until the element comes near', async (t) => {
-  const { page, server } = await openGuest(t, browser, { body: `<p style="height: 4000px">Read on.</p>${kRoom.replace('scene', 'autoplay scene')}` });
+  const { page, server } = await openGuest(t, browser, {
+    body: `<p style="height: 4000px">Read on.</p>${kRoom.replace('scene', 'autoplay scene')}`,
+  });
   await page.evaluate(() => customElements.whenDefined('ray-caster'));
   await wait(300);
-  assert.deepEqual(server.asked.filter((path) => /engine\/|scenes\//.test(path)), []);
+  assert.deepEqual(
+    server.asked.filter((path) => /engine\/|scenes\//.test(path)),
+    [],
+  );
   await page.evaluate(() => document.querySelector('ray-caster').scrollIntoView());
   await stateIs(page, 'playing');
 });
 
 test('a tour that was recorded in another scene is refused', async (t) => {
-  const tour = 'slicecast recording 1\nscene other\n100 forward 256\nmark there 0123456789abcdef\nend 100 0123456789abcdef\n';
-  const { page } = await openGuest(t, browser, { body: kRoom.replace('scene', 'tour="mine" scene'), ...failing, server: { files: { 'tours/mine.txt': tour } } });
+  const tour =
+    'slicecast recording 1\nscene other\n100 forward 256\nmark there 0123456789abcdef\nend 100 0123456789abcdef\n';
+  const { page } = await openGuest(t, browser, {
+    body: kRoom.replace('scene', 'tour="mine" scene'),
+    ...failing,
+    server: { files: { 'tours/mine.txt': tour } },
+  });
   await stateIs(page, 'error');
   const { code, message } = await page.evaluate(() => document.querySelector('ray-caster').error);
   assert.equal(code, 'tour');
   assert.match(message, /mine\.txt was recorded in the scene other, and this one is room\./);
   await page.evaluate(() => document.querySelector('ray-caster').removeAttribute('scene'));
   await stateIs(page, 'paused');
-  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').world.title), 'The other room');
+  assert.equal(
+    await page.evaluate(() => document.querySelector('ray-caster').world.title),
+    'The other room',
+  );
 });
 
 test('a scene out of the page itself is as one inside the element: its pictures are the shipped ones', async (t) => {
   const { page } = await openGuest(t, browser, { body: '<ray-caster></ray-caster>', ...failing });
   const show = async (scheme, scene) => {
-    await page.evaluate(([kind, text]) => {
-      window.errors.length = 0;
-      document.querySelector('ray-caster').scene = kind === 'blob' ? URL.createObjectURL(new Blob([text])) : `data:application/json,${encodeURIComponent(text)}`;
-    }, [scheme, JSON.stringify(scene)]);
+    await page.evaluate(
+      ([kind, text]) => {
+        window.errors.length = 0;
+        document.querySelector('ray-caster').scene =
+          kind === 'blob'
+            ? URL.createObjectURL(new Blob([text]))
+            : `data:application/json,${encodeURIComponent(text)}`;
+      },
+      [scheme, JSON.stringify(scene)],
+    );
   };
   for (const scheme of ['blob', 'data']) {
     await show(scheme, roomScene());
-    await until(page, () => document.querySelector('ray-caster').world !== null && document.querySelector('ray-caster').state === 'paused');
+    await until(
+      page,
+      () =>
+        document.querySelector('ray-caster').world !== null &&
+        document.querySelector('ray-caster').state === 'paused',
+    );
     assert.deepEqual(await middle(page), kGreen);
     await show(scheme, roomScene({ folder: 'nowhere/' }));
     await until(page, () => window.errors.length > 0);
     const [{ code, faults }] = await page.evaluate(() => window.errors);
     assert.equal(code, 'scene');
     assert.equal(faults.length, 5);
-    assert.ok(faults.every(({ place }) => place.startsWith(`${scheme}: address:1:`)), JSON.stringify(faults[0]));
+    assert.ok(
+      faults.every(({ place }) => place.startsWith(`${scheme}: address:1:`)),
+      JSON.stringify(faults[0]),
+    );
   }
 });
 
@@ -203,9 +286,17 @@ test('pause() takes back a press whose keys are still on their way', async (t) =
   await page.click('ray-caster');
   await asked;
   await page.evaluate(() => document.querySelector('ray-caster').pause());
-  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').shadowRoot.querySelector('.waiting')), null);
+  assert.equal(
+    await page.evaluate(() =>
+      document.querySelector('ray-caster').shadowRoot.querySelector('.waiting'),
+    ),
+    null,
+  );
   await arrive();
-  await until(page, () => document.querySelector('ray-caster').shadowRoot.querySelector('.leave') !== null);
+  await until(
+    page,
+    () => document.querySelector('ray-caster').shadowRoot.querySelector('.leave') !== null,
+  );
   await wait(100);
   assert.equal(await page.evaluate(() => document.querySelector('ray-caster').state), 'paused');
   await page.click('ray-caster');
@@ -227,21 +318,29 @@ test('a second press while the keys are still on their way changes nothing', asy
 
 test('Play in the bar, by a finger, brings the thumbs', async (t) => {
   const { page } = await openGuest(t, browser, {
-    body: kRoom.replace('scene', 'controls scene'), viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true },
+    body: kRoom.replace('scene', 'controls scene'),
+    viewport: { width: 390, height: 844 },
+    context: { isMobile: true, hasTouch: true },
   });
   await ready(page);
   const playButton = page.locator('ray-caster').getByRole('button', { name: 'Play', exact: true });
   await playButton.tap();
   await stateIs(page, 'playing');
   assert.equal(await page.locator('ray-caster [data-thumb="walk"]').isVisible(), true);
-  assert.equal(await page.locator('ray-caster').getByRole('button', { name: 'Leave the picture' }).isVisible(), true);
+  assert.equal(
+    await page.locator('ray-caster').getByRole('button', { name: 'Leave the picture' }).isVisible(),
+    true,
+  );
   await page.locator('ray-caster').getByRole('button', { name: 'Leave the picture' }).tap();
   await stateIs(page, 'paused');
 });
 
 test('in the document of a frame that it was moved to, the mouse turns the view', async (t) => {
   const frame = guestPage('', { script: '' });
-  const { page } = await openGuest(t, browser, { body: `${kRoom}<iframe name="inner" src="inner.html" width="500" height="400"></iframe>`, server: { files: { 'inner.html': frame } } });
+  const { page } = await openGuest(t, browser, {
+    body: `${kRoom}<iframe name="inner" src="inner.html" width="500" height="400"></iframe>`,
+    server: { files: { 'inner.html': frame } },
+  });
   await ready(page);
   await page.evaluate(() => {
     const element = document.querySelector('ray-caster');
@@ -263,9 +362,12 @@ test('in the document of a frame that it was moved to, the mouse turns the view'
 });
 
 test('a shape that was taken off while the element was out of the page is gone', async (t) => {
-  const { page } = await openGuest(t, browser, { body: '<ray-caster scene="room" size="640x200" style="width: 320px"></ray-caster>' });
+  const { page } = await openGuest(t, browser, {
+    body: '<ray-caster scene="room" size="640x200" style="width: 320px"></ray-caster>',
+  });
   await ready(page);
-  const height = () => page.evaluate(() => document.querySelector('ray-caster').getBoundingClientRect().height);
+  const height = () =>
+    page.evaluate(() => document.querySelector('ray-caster').getBoundingClientRect().height);
   assert.equal(await height(), 100);
   await page.evaluate(async () => {
     const element = document.querySelector('ray-caster');
@@ -279,15 +381,26 @@ test('a shape that was taken off while the element was out of the page is gone',
 });
 
 test('progress goes forward, in its share and in its bytes, and is told once', async (t) => {
-  const { page } = await openGuest(t, browser, { prepare: (opened) => opened.addInitScript(() => {
-    window.steps = [];
-    document.addEventListener('progress', ({ target, detail }) => target.localName === 'ray-caster' && window.steps.push([detail.share, detail.bytes]), { capture: true });
-  }) });
+  const { page } = await openGuest(t, browser, {
+    prepare: (opened) =>
+      opened.addInitScript(() => {
+        window.steps = [];
+        document.addEventListener(
+          'progress',
+          ({ target, detail }) =>
+            target.localName === 'ray-caster' && window.steps.push([detail.share, detail.bytes]),
+          { capture: true },
+        );
+      }),
+  });
   await ready(page);
   const steps = await page.evaluate(() => window.steps);
   assert.ok(steps.length > 5 && steps.at(-1)[0] === 1, JSON.stringify(steps));
   for (let i = 1; i < steps.length; ++i) {
-    assert.ok(steps[i][0] >= steps[i - 1][0] && steps[i][1] >= steps[i - 1][1], JSON.stringify(steps));
+    assert.ok(
+      steps[i][0] >= steps[i - 1][0] && steps[i][1] >= steps[i - 1][1],
+      JSON.stringify(steps),
+    );
     assert.notDeepEqual(steps[i], steps[i - 1]);
   }
 });
@@ -295,12 +408,22 @@ test('progress goes forward, in its share and in its bytes, and is told once', a
 test('a bar that cannot come is told of once, whatever the page writes about it; another try asks again', async (t) => {
   let isThere = false;
   const { page, server } = await openGuest(t, browser, {
-    body: kRoom.replace('scene', 'controls scene'), ...failing,
-    server: { files: { 'ray-caster-steering.js': () => (isThere ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url)) : null) } },
+    body: kRoom.replace('scene', 'controls scene'),
+    ...failing,
+    server: {
+      files: {
+        'ray-caster-steering.js': () =>
+          isThere
+            ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url))
+            : null,
+      },
+    },
   });
   await page.evaluate(() => {
     const element = document.querySelector('ray-caster');
-    element.addEventListener('error', ({ detail }) => { element.textContent = `${detail.message} ${performance.now()}`; });
+    element.addEventListener('error', ({ detail }) => {
+      element.textContent = `${detail.message} ${performance.now()}`;
+    });
   });
   await stateIs(page, 'error');
   await wait(300);
@@ -317,8 +440,16 @@ test('a bar that cannot come is told of once, whatever the page writes about it;
 test('a bar that comes after all takes the error with it', async (t) => {
   let isThere = false;
   const { page } = await openGuest(t, browser, {
-    body: kRoom.replace('scene', 'controls scene'), ...failing,
-    server: { files: { 'ray-caster-steering.js': () => (isThere ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url)) : null) } },
+    body: kRoom.replace('scene', 'controls scene'),
+    ...failing,
+    server: {
+      files: {
+        'ray-caster-steering.js': () =>
+          isThere
+            ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url))
+            : null,
+      },
+    },
   });
   await stateIs(page, 'error');
   isThere = true;
@@ -327,13 +458,17 @@ test('a bar that comes after all takes the error with it', async (t) => {
 });
 
 test('what methods and keys have set stays, whatever else changes in the element', async (t) => {
-  const { page } = await openGuest(t, browser, { body: '<ray-caster scene="room" options="fov=90" overlay="minimap" view="4,4,0.6,0"><p>A room</p></ray-caster>', ...failing });
-  await ready(page);
-  const options = () => page.evaluate(async () => {
-    const element = document.querySelector('ray-caster');
-    await element.whenReady();
-    return [element.get('fov'), element.get('minimap'), element.currentView.x];
+  const { page } = await openGuest(t, browser, {
+    body: '<ray-caster scene="room" options="fov=90" overlay="minimap" view="4,4,0.6,0"><p>A room</p></ray-caster>',
+    ...failing,
   });
+  await ready(page);
+  const options = () =>
+    page.evaluate(async () => {
+      const element = document.querySelector('ray-caster');
+      await element.whenReady();
+      return [element.get('fov'), element.get('minimap'), element.currentView.x];
+    });
   assert.deepEqual(await options(), ['90', 'on', 4]);
   await page.evaluate(() => {
     const element = document.querySelector('ray-caster');
@@ -341,30 +476,49 @@ test('what methods and keys have set stays, whatever else changes in the element
     element.set('minimap', false);
     element.look({ x: 2 });
   });
-  for (const change of ["label = 'Another'", "querySelector('p').textContent = 'A hall'", 'overlay = element.overlay']) {
-    await page.evaluate((act) => new Function('element', `element.${act}`)(document.querySelector('ray-caster')), change);
+  for (const change of [
+    "label = 'Another'",
+    "querySelector('p').textContent = 'A hall'",
+    'overlay = element.overlay',
+  ]) {
+    await page.evaluate(
+      (act) => new Function('element', `element.${act}`)(document.querySelector('ray-caster')),
+      change,
+    );
     await settled(page);
     assert.deepEqual(await options(), ['60', 'off', 2], change);
   }
-  await page.evaluate(() => { document.querySelector('ray-caster').options = 'fov=75'; });
+  await page.evaluate(() => {
+    document.querySelector('ray-caster').options = 'fov=75';
+  });
   await settled(page);
-  assert.deepEqual(await options(), ['75', 'on', 2], 'a new attribute counts, with those beside it');
+  assert.deepEqual(
+    await options(),
+    ['75', 'on', 2],
+    'a new attribute counts, with those beside it',
+  );
   // One that is refused in part leaves nothing behind once it is taken back
   for (const text of ['fov=90 nosuch=1', 'fov=75']) {
-    await page.evaluate((wanted) => { document.querySelector('ray-caster').options = wanted; }, text);
+    await page.evaluate((wanted) => {
+      document.querySelector('ray-caster').options = wanted;
+    }, text);
     await settled(page);
   }
   assert.equal((await options())[0], '75');
   // The same view once more, after none
   for (const view of ['', '4,4,0.6,0']) {
-    await page.evaluate((text) => { document.querySelector('ray-caster').view = text; }, view);
+    await page.evaluate((text) => {
+      document.querySelector('ray-caster').view = text;
+    }, view);
     await settled(page);
   }
   assert.equal((await options())[2], 4);
 });
 
 test('asked before it is in the page, it loads wherever it is put', async (t) => {
-  const { page } = await openGuest(t, browser, { body: '<p style="height: 4000px">Read on.</p><div id="place"></div>' });
+  const { page } = await openGuest(t, browser, {
+    body: '<p style="height: 4000px">Read on.</p><div id="place"></div>',
+  });
   const states = await page.evaluate(async () => {
     await customElements.whenDefined('ray-caster');
     const found = [];
@@ -382,11 +536,18 @@ test('asked before it is in the page, it loads wherever it is put', async (t) =>
 });
 
 test('a scene that plays on after another one has failed is still there for a further element', async (t) => {
-  const { page } = await openGuest(t, browser, { ...failing, server: { files: { 'scenes/broken.json': '{"title": 3}' } } });
+  const { page } = await openGuest(t, browser, {
+    ...failing,
+    server: { files: { 'scenes/broken.json': '{"title": 3}' } },
+  });
   await ready(page);
-  await page.evaluate(() => { document.querySelector('ray-caster').scene = 'broken'; });
+  await page.evaluate(() => {
+    document.querySelector('ray-caster').scene = 'broken';
+  });
   await stateIs(page, 'error');
-  await page.evaluate(() => { document.querySelector('ray-caster').scene = 'room'; });
+  await page.evaluate(() => {
+    document.querySelector('ray-caster').scene = 'room';
+  });
   await stateIs(page, 'paused');
   const shares = await page.evaluate(async () => {
     const found = [];
@@ -402,7 +563,13 @@ test('a scene that plays on after another one has failed is still there for a fu
 
 test('another try asks the server, whatever the browser has kept', async (t) => {
   let scene = '{"title": 3}';
-  const { page, server } = await openGuest(t, browser, { ...failing, server: { headers: { 'Cache-Control': 'max-age=600' }, files: { 'scenes/room.json': () => scene } } });
+  const { page, server } = await openGuest(t, browser, {
+    ...failing,
+    server: {
+      headers: { 'Cache-Control': 'max-age=600' },
+      files: { 'scenes/room.json': () => scene },
+    },
+  });
   await stateIs(page, 'error');
   scene = JSON.stringify(roomScene());
   await page.getByRole('button', { name: 'Try again' }).click();
@@ -414,11 +581,14 @@ test("what else a page's policy refuses is not taken for the cause", async (t) =
   const other = await serve({ files: { 'scenes/room.json': JSON.stringify(roomScene()) } });
   t.after(() => other.close());
   const { page } = await openGuest(t, browser, {
-    body: `<ray-caster scene="${other.address}scenes/room.json" style="width: 320px"></ray-caster>`, ...failing,
+    body: `<ray-caster scene="${other.address}scenes/room.json" style="width: 320px"></ray-caster>`,
+    ...failing,
     head: '<script src="tracker.js"></script>',
     server: {
       headers: { 'Content-Security-Policy': "img-src 'self'" },
-      files: { 'tracker.js': `setInterval(() => { new Image().src = 'http://tracker.invalid/' + Math.random(); }, 1);` },
+      files: {
+        'tracker.js': `setInterval(() => { new Image().src = 'http://tracker.invalid/' + Math.random(); }, 1);`,
+      },
     },
   });
   await stateIs(page, 'error');
@@ -436,5 +606,10 @@ test('in a template it waits for a window', async (t) => {
     await element.whenReady();
   });
   assert.deepEqual(await middle(page), kGreen);
-  assert.equal(await page.evaluate(() => document.querySelector('ray-caster').shadowRoot.querySelector('.box').offsetWidth), 320);
+  assert.equal(
+    await page.evaluate(
+      () => document.querySelector('ray-caster').shadowRoot.querySelector('.box').offsetWidth,
+    ),
+    320,
+  );
 });

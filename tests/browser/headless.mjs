@@ -5,7 +5,8 @@ import { createHash } from 'node:crypto';
 import { load } from '../../build/web/node/index.js';
 import { serve } from './static-server.mjs';
 
-// The picture of a scene from its start, hashed like pictureHash of browser.mjs does. `files` are those of a server: the scene is in scenes/.
+// The picture of a scene from its start, hashed like pictureHash of browser.mjs does. `files` are
+// those of a server: the scene is in scenes/.
 export async function hashHeadless(sceneName, files, width, height) {
   const server = await serve({ files });
   try {

@@ -2,7 +2,16 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { frames, inState, launch, openScene, pictureHash, play, player, untilPlayer } from './browser.mjs';
+import {
+  frames,
+  inState,
+  launch,
+  openScene,
+  pictureHash,
+  play,
+  player,
+  untilPlayer,
+} from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -12,13 +21,17 @@ after(() => browser.close());
 
 // Twice the same place, a twentieth of a second apart.
 function atRest(page) {
-  return page.waitForFunction(() => {
-    const { x, y, z, heading, look } = window.slicecast.engine.state;
-    const now = [x, y, z, heading, look].join();
-    const still = now === window.before;
-    window.before = now;
-    return still;
-  }, undefined, { polling: 50 });
+  return page.waitForFunction(
+    () => {
+      const { x, y, z, heading, look } = window.slicecast.engine.state;
+      const now = [x, y, z, heading, look].join();
+      const still = now === window.before;
+      window.before = now;
+      return still;
+    },
+    undefined,
+    { polling: 50 },
+  );
 }
 
 const focused = (page) => page.evaluate(() => document.activeElement.id);
@@ -64,7 +77,8 @@ test('keys of the game scroll nothing', async (t) => {
     document.body.style.height = '5000px';
   });
   await play(page);
-  for (const key of ['ArrowDown', 'ArrowDown', 'Space', 'PageDown', 'End']) await page.keyboard.press(key);
+  for (const key of ['ArrowDown', 'ArrowDown', 'Space', 'PageDown', 'End'])
+    await page.keyboard.press(key);
   await frames(page, 10);
   assert.equal(await page.evaluate(() => scrollY), 0);
   // The proof that there was something to scroll
@@ -105,7 +119,14 @@ test('Tab moves on from the canvas to the buttons, with a ring around them', asy
     order.push(`${await focused(page)} ${ring}`);
     await page.keyboard.press('Tab');
   }
-  assert.deepEqual(order, ['open-scenes solid', 'open-lessons solid', 'open-keys solid', 'open-settings solid', 'open-share solid', 'full-screen solid']);
+  assert.deepEqual(order, [
+    'open-scenes solid',
+    'open-lessons solid',
+    'open-keys solid',
+    'open-settings solid',
+    'open-share solid',
+    'full-screen solid',
+  ]);
   assert.equal(await focused(page), 'play');
   await page.keyboard.press('Enter');
   await inState(page, 'playing');
@@ -118,11 +139,34 @@ test("the browser's own combinations stay its own", async (t) => {
   await page.evaluate(() => {
     window.taken = {};
     window.addEventListener('keydown', (event) => {
-      window.taken[`${event.ctrlKey ? 'Ctrl ' : ''}${event.altKey ? 'Alt ' : ''}${event.metaKey ? 'Meta ' : ''}${event.code}`] = event.defaultPrevented;
+      window.taken[
+        `${event.ctrlKey ? 'Ctrl ' : ''}${event.altKey ? 'Alt ' : ''}${event.metaKey ? 'Meta ' : ''}${event.code}`
+      ] = event.defaultPrevented;
     });
   });
-  for (const keys of ['Control+a', 'Control+p', 'Alt+d', 'Meta+w', 'F5', 'w', 'ArrowUp', 'Shift+w']) {
-    if (keys === 'F5') await page.evaluate(() => document.getElementById('picture').dispatchEvent(new KeyboardEvent('keydown', { code: 'F5', key: 'F5', bubbles: true, cancelable: true })));
+  for (const keys of [
+    'Control+a',
+    'Control+p',
+    'Alt+d',
+    'Meta+w',
+    'F5',
+    'w',
+    'ArrowUp',
+    'Shift+w',
+  ]) {
+    if (keys === 'F5')
+      await page.evaluate(() =>
+        document
+          .getElementById('picture')
+          .dispatchEvent(
+            new KeyboardEvent('keydown', {
+              code: 'F5',
+              key: 'F5',
+              bubbles: true,
+              cancelable: true,
+            }),
+          ),
+      );
     else await page.keyboard.press(keys);
   }
   const taken = await page.evaluate(() => window.taken);
@@ -186,7 +230,9 @@ test('H shows the keys in a table, Escape brings the game back', async (t) => {
   await play(page);
   await page.keyboard.press('h');
   await page.waitForSelector('#keys[open]');
-  const rows = await page.$$eval('#key-tables tbody tr', (all) => all.map((row) => [row.querySelectorAll('kbd').length, row.querySelector('td').textContent]));
+  const rows = await page.$$eval('#key-tables tbody tr', (all) =>
+    all.map((row) => [row.querySelectorAll('kbd').length, row.querySelector('td').textContent]),
+  );
   assert.ok(rows.length >= 12);
   assert.ok(rows.every(([keys, text]) => keys > 0 && text !== ''));
   await page.keyboard.press('Escape');
@@ -207,7 +253,9 @@ test('I shows the frame rate', async (t) => {
   await play(page);
   assert.equal(await page.isVisible('#rate'), false);
   await page.keyboard.press('i');
-  await page.waitForFunction(() => /^[1-9]\d* fps · \d+\.\d ms$/.test(document.getElementById('rate').textContent));
+  await page.waitForFunction(() =>
+    /^[1-9]\d* fps · \d+\.\d ms$/.test(document.getElementById('rate').textContent),
+  );
   assert.equal(await page.isVisible('#rate'), true);
 });
 
@@ -216,7 +264,9 @@ test('F fills the screen and leaves it', async (t) => {
   await play(page);
   await page.keyboard.press('f');
   await page.waitForFunction(() => document.fullscreenElement === document.documentElement);
-  await page.waitForFunction(() => document.getElementById('full-screen').textContent === 'Leave full screen');
+  await page.waitForFunction(
+    () => document.getElementById('full-screen').textContent === 'Leave full screen',
+  );
   await page.keyboard.press('f');
   await page.waitForFunction(() => document.fullscreenElement === null);
 });
@@ -225,10 +275,16 @@ test('a click takes the pointer, the mouse looks around, Escape gives it back', 
   const { page } = await openScene(t, browser);
   await page.mouse.click(320, 100);
   await inState(page, 'playing');
-  await page.waitForFunction(() => document.pointerLockElement === document.getElementById('picture'));
+  await page.waitForFunction(
+    () => document.pointerLockElement === document.getElementById('picture'),
+  );
   const before = await player(page);
   await page.mouse.move(420, 100, { steps: 5 });
-  const turned = await untilPlayer(page, (now, heading) => now.heading > heading + 5 && now.heading < 180, before.heading);
+  const turned = await untilPlayer(
+    page,
+    (now, heading) => now.heading > heading + 5 && now.heading < 180,
+    before.heading,
+  );
   await page.mouse.move(420, 60, { steps: 5 });
   await untilPlayer(page, (now, look) => now.look > look + 0.02, turned.look);
   await page.keyboard.press('Escape');
@@ -249,16 +305,21 @@ test('a slow or hidden tab neither jumps nor sticks', async (t) => {
     };
     window.setHidden = (hidden) => {
       Object.defineProperty(document, 'hidden', { configurable: true, get: () => hidden });
-      Object.defineProperty(document, 'visibilityState', { configurable: true, get: () => (hidden ? 'hidden' : 'visible') });
+      Object.defineProperty(document, 'visibilityState', {
+        configurable: true,
+        get: () => (hidden ? 'hidden' : 'visible'),
+      });
       document.dispatchEvent(new Event('visibilitychange', { bubbles: true }));
     };
   });
 
   // One frame that takes a second and a half: time is lost, not caught up with.
-  const slow = await page.evaluate(() => window.stepsDuring(() => {
-    const end = performance.now() + 1500;
-    while (performance.now() < end);
-  }));
+  const slow = await page.evaluate(() =>
+    window.stepsDuring(() => {
+      const end = performance.now() + 1500;
+      while (performance.now() < end);
+    }),
+  );
   assert.ok(slow <= 36, `${slow} steps in two frames`);
 
   // Hidden, with a key held
@@ -290,7 +351,9 @@ test('Ctrl walks slowly; with W it would close the tab, so the browser asks firs
     };
     page.on('dialog', listen);
     for (const key of keys) await page.keyboard.down(key);
-    const left = await page.evaluate(() => !window.dispatchEvent(new Event('beforeunload', { cancelable: true })));
+    const left = await page.evaluate(
+      () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true })),
+    );
     for (const key of keys) await page.keyboard.up(key);
     page.off('dialog', listen);
     return left || answer;

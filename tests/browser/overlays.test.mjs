@@ -11,10 +11,14 @@ before(async () => {
 });
 after(() => browser.close());
 
-const option = (page, name) => page.evaluate((which) => window.slicecast.engine.option(which), name);
+const option = (page, name) =>
+  page.evaluate((which) => window.slicecast.engine.option(which), name);
 
 async function untilOption(page, name, value) {
-  await page.waitForFunction(([which, wanted]) => window.slicecast.engine.option(which) === wanted, [name, value]);
+  await page.waitForFunction(
+    ([which, wanted]) => window.slicecast.engine.option(which) === wanted,
+    [name, value],
+  );
   await frames(page);
 }
 
@@ -23,7 +27,14 @@ test('each overlay has a key that shows and hides it', async (t) => {
   await play(page);
   await frames(page);
   const plain = await pictureHash(page);
-  for (const [key, name] of [['KeyM', 'minimap'], ['KeyJ', 'playerPanel'], ['KeyU', 'processPanel'], ['KeyG', 'inspector'], ['KeyK', 'grid'], ['KeyY', 'slow']]) {
+  for (const [key, name] of [
+    ['KeyM', 'minimap'],
+    ['KeyJ', 'playerPanel'],
+    ['KeyU', 'processPanel'],
+    ['KeyG', 'inspector'],
+    ['KeyK', 'grid'],
+    ['KeyY', 'slow'],
+  ]) {
     await page.keyboard.press(key);
     await untilOption(page, name, 'on');
     assert.notEqual(await pictureHash(page), plain, name);
@@ -33,7 +44,10 @@ test('each overlay has a key that shows and hides it', async (t) => {
   }
   await page.keyboard.press('KeyM');
   await untilOption(page, 'minimap', 'on');
-  for (const [key, name] of [['KeyB', 'minimapTurns'], ['KeyO', 'minimapRays']]) {
+  for (const [key, name] of [
+    ['KeyB', 'minimapTurns'],
+    ['KeyO', 'minimapRays'],
+  ]) {
     const without = await pictureHash(page);
     await page.keyboard.press(key);
     await untilOption(page, name, 'on');
@@ -41,10 +55,12 @@ test('each overlay has a key that shows and hides it', async (t) => {
   }
 });
 
-test('F1 to F4 are the game\'s, not the browser\'s', async (t) => {
+test("F1 to F4 are the game's, not the browser's", async (t) => {
   const { page, context } = await openScene(t, browser);
   await play(page);
-  const { width } = await page.evaluate(() => ({ width: document.getElementById('picture').width }));
+  const { width } = await page.evaluate(() => ({
+    width: document.getElementById('picture').width,
+  }));
   await page.keyboard.press('F2');
   await untilOption(page, 'inspectorColumn', String(Math.floor(width / 2) + 1));
   await page.keyboard.press('F1');
@@ -64,7 +80,10 @@ test('T tells the console what the inspected slice meets', async (t) => {
   await page.keyboard.press('KeyT');
   const { hits, column, map } = await (await told).args()[2].jsonValue();
   assert.equal(map, 'room');
-  assert.equal(column, Math.floor((await page.evaluate(() => document.getElementById('picture').width)) / 2));
+  assert.equal(
+    column,
+    Math.floor((await page.evaluate(() => document.getElementById('picture').width)) / 2),
+  );
   assert.equal(hits[0].face, 'west');
   assert.deepEqual(hits[0].tile, [6, 3]);
 });
@@ -72,7 +91,9 @@ test('T tells the console what the inspected slice meets', async (t) => {
 test('the number row goes to the maps, L round the times of day', async (t) => {
   const scene = roomScene();
   scene.maps.push({ ...scene.maps[0], name: 'second room' });
-  const { page } = await openScene(t, browser, { server: { files: { 'scenes/room.json': JSON.stringify(scene) } } });
+  const { page } = await openScene(t, browser, {
+    server: { files: { 'scenes/room.json': JSON.stringify(scene) } },
+  });
   await play(page);
   await page.keyboard.press('Digit1');
   await untilPlayer(page, (now) => now.mapName === 'second room');

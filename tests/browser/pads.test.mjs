@@ -1,8 +1,18 @@
-// Gamepads, and the cursor that steers by its place in the picture. There is no gamepad here: the page is given one by its own interface.
+// Gamepads, and the cursor that steers by its place in the picture. There is no gamepad here: the
+// page is given one by its own interface.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { frames, inState, launch, openPage, openScene, play, player, untilPlayer } from './browser.mjs';
+import {
+  frames,
+  inState,
+  launch,
+  openPage,
+  openScene,
+  play,
+  player,
+  untilPlayer,
+} from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -10,14 +20,18 @@ before(async () => {
 });
 after(() => browser.close());
 
-// window.pad(axes, pressed buttons) sets it; the first call connects it, window.unplug() takes it away.
+// window.pad(axes, pressed buttons) sets it; the first call connects it, window.unplug() takes it
+// away.
 async function withPad(page) {
   await page.addInitScript(() => {
     let pad = null;
     navigator.getGamepads = () => [null, pad];
     window.pad = (axes = [0, 0, 0, 0], pressed = [], mapping = 'standard') => {
       const isNew = pad === null;
-      const buttons = Array.from({ length: 17 }, (_, index) => ({ pressed: pressed.includes(index), value: pressed.includes(index) ? 1 : 0 }));
+      const buttons = Array.from({ length: 17 }, (_, index) => ({
+        pressed: pressed.includes(index),
+        value: pressed.includes(index) ? 1 : 0,
+      }));
       pad = { connected: true, mapping, axes, buttons, index: 1, id: 'fake', timestamp: 0 };
       if (isNew) window.dispatchEvent(new Event('gamepadconnected'));
     };
@@ -106,8 +120,15 @@ test("N steers by the cursor's place, with rest in the middle", async (t) => {
 
 test('where the browser refuses to hold the pointer, a click steers by its place', async (t) => {
   // A sandbox without allow-pointer-lock
-  const files = { 'frame.html': '<!doctype html><body style="margin:0"><iframe sandbox="allow-scripts allow-same-origin" src="./" style="border:0;width:640px;height:360px">' };
-  const { page } = await openPage(t, browser, { server: { files }, query: 'frame.html', expectErrors: true });
+  const files = {
+    'frame.html':
+      '<!doctype html><body style="margin:0"><iframe sandbox="allow-scripts allow-same-origin" src="./" style="border:0;width:640px;height:360px">',
+  };
+  const { page } = await openPage(t, browser, {
+    server: { files },
+    query: 'frame.html',
+    expectErrors: true,
+  });
   const frame = await (await page.waitForSelector('iframe')).contentFrame();
   await frame.waitForFunction(() => document.body.dataset.state === 'paused');
   const state = () => frame.evaluate(() => window.slicecast.engine.state);
@@ -115,11 +136,17 @@ test('where the browser refuses to hold the pointer, a click steers by its place
   await frame.waitForFunction(() => document.body.classList.contains('steering'));
   assert.equal(await frame.evaluate(() => document.pointerLockElement), null);
   await page.mouse.move(40, 180);
-  await frame.waitForFunction(() => window.slicecast.engine.state.heading > 180 && window.slicecast.engine.state.heading < 350);
+  await frame.waitForFunction(
+    () =>
+      window.slicecast.engine.state.heading > 180 && window.slicecast.engine.state.heading < 350,
+  );
   await page.mouse.move(320, 180);
   const { steps } = await state();
   await frame.waitForFunction((last) => window.slicecast.engine.state.steps > last + 60, steps);
   const rested = await state();
-  await frame.waitForFunction((last) => window.slicecast.engine.state.steps > last + 20, rested.steps);
+  await frame.waitForFunction(
+    (last) => window.slicecast.engine.state.steps > last + 20,
+    rested.steps,
+  );
   assert.equal((await state()).heading, rested.heading);
 });

@@ -13,15 +13,29 @@ before(async () => {
 after(() => browser.close());
 
 test('the loading bar shows real progress and goes', async (t) => {
-  // The program's pieces and the pictures come one after the other, each once the bar has told of the one before: however slow the machine, none is missed.
+  // The program's pieces and the pictures come one after the other, each once the bar has told of
+  // the one before: however slow the machine, none is missed.
   let opened = null;
   let picturesSent = 0;
-  const tells = (condition, argument) => opened.waitForFunction(`(${condition})(window.seen, ${argument})`);
+  const tells = (condition, argument) =>
+    opened.waitForFunction(`(${condition})(window.seen, ${argument})`);
   async function mayGo(name, sent) {
-    if (name.endsWith('.wasm') && sent > 0) await tells((seen, kilobytes) => seen.some(({ bytes }) => parseInt(bytes.slice(2), 10) >= kilobytes), Math.floor(sent / 1024));
+    if (name.endsWith('.wasm') && sent > 0)
+      await tells(
+        (seen, kilobytes) => seen.some(({ bytes }) => parseInt(bytes.slice(2), 10) >= kilobytes),
+        Math.floor(sent / 1024),
+      );
     if (name.endsWith('.png') && sent === 0) {
       const before = picturesSent++;
-      await tells((seen, count) => new Set(seen.filter(({ step, value }) => step.startsWith('Opening') && value > 0.5).map(({ value }) => value)).size >= count, before);
+      await tells(
+        (seen, count) =>
+          new Set(
+            seen
+              .filter(({ step, value }) => step.startsWith('Opening') && value > 0.5)
+              .map(({ value }) => value),
+          ).size >= count,
+        before,
+      );
     }
   }
   const { page } = await openPage(t, browser, {
@@ -34,8 +48,17 @@ test('the loading bar shows real progress and goes', async (t) => {
         new MutationObserver(() => {
           const bar = document.getElementById('loading-bar');
           if (bar === null || !bar.checkVisibility()) return;
-          window.seen.push({ value: bar.value, step: document.getElementById('loading-step').textContent, bytes: document.getElementById('loading-bytes').textContent });
-        }).observe(document, { subtree: true, childList: true, attributes: true, characterData: true });
+          window.seen.push({
+            value: bar.value,
+            step: document.getElementById('loading-step').textContent,
+            bytes: document.getElementById('loading-bytes').textContent,
+          });
+        }).observe(document, {
+          subtree: true,
+          childList: true,
+          attributes: true,
+          characterData: true,
+        });
       });
     },
   });
@@ -45,9 +68,18 @@ test('the loading bar shows real progress and goes', async (t) => {
   const values = seen.map(({ value }) => value);
   t.diagnostic(`${[...new Set(values)].map((value) => value.toFixed(2)).join(' ')}`);
   assert.ok(new Set(values).size >= 10, `only the values ${[...new Set(values)]}`);
-  assert.deepEqual(values, [...values].sort((a, b) => a - b), 'it never goes back');
-  assert.ok(values.some((value) => value > 0.05 && value < 0.45) && values.some((value) => value > 0.55 && value < 0.95));
-  assert.ok(seen.some(({ step, bytes }) => step === 'Fetching the engine' && /^· [1-9]\d* KB$/.test(bytes)));
+  assert.deepEqual(
+    values,
+    [...values].sort((a, b) => a - b),
+    'it never goes back',
+  );
+  assert.ok(
+    values.some((value) => value > 0.05 && value < 0.45) &&
+      values.some((value) => value > 0.55 && value < 0.95),
+  );
+  assert.ok(
+    seen.some(({ step, bytes }) => step === 'Fetching the engine' && /^· [1-9]\d* KB$/.test(bytes)),
+  );
   assert.ok(seen.some(({ step }) => step === 'Opening room.json'));
 });
 
@@ -56,11 +88,18 @@ test('every wall of the room has its colour, floor and sky too', async (t) => {
   assert.deepEqual(await pixel(page, 0.5, 0.05), kSky);
   assert.deepEqual(await pixel(page, 0.5, 0.95), kGrey);
   await play(page);
-  for (const [key, colour] of [['Numpad8', kRed], ['Numpad6', kGreen], ['Numpad2', kBlue], ['Numpad4', kYellow]]) {
+  for (const [key, colour] of [
+    ['Numpad8', kRed],
+    ['Numpad6', kGreen],
+    ['Numpad2', kBlue],
+    ['Numpad4', kYellow],
+  ]) {
     await page.keyboard.press(key);
     await page.waitForFunction(([r, g, b]) => {
       const canvas = document.getElementById('picture');
-      const [red, green, blue] = canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data;
+      const [red, green, blue] = canvas
+        .getContext('2d')
+        .getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data;
       return red === r && green === g && blue === b;
     }, colour);
   }
@@ -74,7 +113,9 @@ test('the canvas holds the very picture that the engine draws without a page', a
 test('what is on the screen is the canvas, pixel by pixel', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
-  await page.waitForFunction(() => getComputedStyle(document.getElementById('bar')).opacity === '0');
+  await page.waitForFunction(
+    () => getComputedStyle(document.getElementById('bar')).opacity === '0',
+  );
   const shot = `data:image/png;base64,${(await page.screenshot()).toString('base64')}`;
   const different = await page.evaluate(async (address) => {
     const image = await createImageBitmap(await (await fetch(address)).blob());
@@ -95,13 +136,18 @@ test('the title, the description and the icon are its own', async (t) => {
   assert.equal(await page.textContent('#pause-about'), 'Four walls.');
   assert.ok((await page.getAttribute('meta[name=description]', 'content')).length > 40);
   assert.match(await page.getAttribute('meta[name=theme-color]', 'content'), /^#[0-9a-f]{6}$/);
-  const icon = await page.request.get(server.address + await page.getAttribute('link[rel=icon]', 'href'));
+  const icon = await page.request.get(
+    server.address + (await page.getAttribute('link[rel=icon]', 'href')),
+  );
   assert.equal(icon.headers()['content-type'], 'image/svg+xml');
 });
 
 test('a strict content security policy lets it play', async (t) => {
-  const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self'; connect-src 'self'";
-  const { page, complaints } = await openScene(t, browser, { server: { headers: { 'Content-Security-Policy': policy } } });
+  const policy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self'; connect-src 'self'";
+  const { page, complaints } = await openScene(t, browser, {
+    server: { headers: { 'Content-Security-Policy': policy } },
+  });
   assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
   await page.click('#open-settings');
   await page.selectOption('#set-size', '320x180');
@@ -123,13 +169,16 @@ test('a phone shows all of it, without overflow', async (t) => {
     viewport: { width: 390, height: 844 },
     context: { isMobile: true, hasTouch: true, deviceScaleFactor: 2 },
   });
-  const outside = () => page.evaluate(() => [...document.querySelectorAll('button, h1, h2, h3, p, kbd, select, input, textarea, td, th')]
-    .filter((element) => element.checkVisibility() && element.getClientRects().length > 0)
-    .filter((element) => {
-      const box = element.getBoundingClientRect();
-      return box.width > 1 && (box.left < 0 || box.right > innerWidth + 0.5);
-    })
-    .map((element) => element.outerHTML));
+  const outside = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll('button, h1, h2, h3, p, kbd, select, input, textarea, td, th')]
+        .filter((element) => element.checkVisibility() && element.getClientRects().length > 0)
+        .filter((element) => {
+          const box = element.getBoundingClientRect();
+          return box.width > 1 && (box.left < 0 || box.right > innerWidth + 0.5);
+        })
+        .map((element) => element.outerHTML),
+    );
   assert.deepEqual(await outside(), []);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
   assert.match(await page.innerText('#play-hint'), /Tap/);
@@ -137,7 +186,13 @@ test('a phone shows all of it, without overflow', async (t) => {
     await page.tap(`#open-${name}`);
     await page.waitForSelector(`#${name}[open]`);
     assert.deepEqual(await outside(), [], name);
-    assert.ok(await page.evaluate((id) => document.getElementById(id).scrollWidth <= document.getElementById(id).clientWidth, name), `${name} scrolls sideways`);
+    assert.ok(
+      await page.evaluate(
+        (id) => document.getElementById(id).scrollWidth <= document.getElementById(id).clientWidth,
+        name,
+      ),
+      `${name} scrolls sideways`,
+    );
     await page.tap(`#${name} [data-close]`);
   }
 });

@@ -1,4 +1,5 @@
-// Putting a picture on the canvas costs what one putImageData of a view on the engine's memory costs, and nothing on top.
+// Putting a picture on the canvas costs what one putImageData of a view on the engine's memory
+// costs, and nothing on top.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -13,7 +14,8 @@ before(async () => {
 });
 after(() => browser.close());
 
-// Notes, for each picture, what is handed to the canvas, and the time from when it was drawn (the program's last look at the clock) to when it is there.
+// Notes, for each picture, what is handed to the canvas, and the time from when it was drawn (the
+// program's last look at the clock) to when it is there.
 function watch() {
   window.shown = [];
   let drawn = 0;
@@ -32,9 +34,14 @@ function watch() {
       return original.apply(this, parameters);
     };
   }
-  // A picture's worth of bytes of the memory put on a canvas of the same size: the least that presenting can be.
+  // A picture's worth of bytes of the memory put on a canvas of the same size: the least that
+  // presenting can be.
   window.putAgain = ({ image, place }, context) => {
-    const view = new ImageData(new Uint8ClampedArray(image.data.buffer, image.data.byteOffset, image.data.length), image.width, image.height);
+    const view = new ImageData(
+      new Uint8ClampedArray(image.data.buffer, image.data.byteOffset, image.data.length),
+      image.width,
+      image.height,
+    );
     const begin = now();
     putImageData.call(context, view, ...place);
     return now() - begin;
@@ -42,9 +49,15 @@ function watch() {
 }
 
 test('a picture is put on the canvas straight out of the memory, in the time that this takes', async (t) => {
-  const { page } = await openScene(t, browser, { viewport: { width: 1280, height: 720 }, prepare: (newPage) => newPage.addInitScript(watch) });
+  const { page } = await openScene(t, browser, {
+    viewport: { width: 1280, height: 720 },
+    prepare: (newPage) => newPage.addInitScript(watch),
+  });
   const result = await page.evaluate(async (frames) => {
-    const nextFrame = () => new Promise((resolve) => { requestAnimationFrame(resolve); });
+    const nextFrame = () =>
+      new Promise((resolve) => {
+        requestAnimationFrame(resolve);
+      });
     const other = document.createElement('canvas');
     const engine = window.slicecast.engine;
     engine.resize(1280, 720);
@@ -73,11 +86,16 @@ test('a picture is put on the canvas straight out of the memory, in the time tha
       putting: median(bare),
     };
   }, kFrames);
-  t.diagnostic(`presenting ${result.presenting.toFixed(2)} ms, putImageData alone ${result.putting.toFixed(2)} ms`);
+  t.diagnostic(
+    `presenting ${result.presenting.toFixed(2)} ms, putImageData alone ${result.putting.toFixed(2)} ms`,
+  );
   assert.deepEqual(result.calls, []);
   assert.equal(result.count, kFrames, 'one for each picture');
   assert.deepEqual(result.sizes, ['1280x720']);
   assert.ok(result.isView, "the bytes are the engine's own memory");
   assert.equal(result.objects, 1, 'and are wrapped once');
-  assert.ok(result.presenting <= result.putting * kSlack + 0.1, `presenting takes ${result.presenting} ms, putImageData ${result.putting} ms`);
+  assert.ok(
+    result.presenting <= result.putting * kSlack + 0.1,
+    `presenting takes ${result.presenting} ms, putImageData ${result.putting} ms`,
+  );
 });

@@ -1,4 +1,5 @@
-// A room whose picture is known without looking: every wall has a colour of its own, and light plays no part.
+// A room whose picture is known without looking: every wall has a colour of its own, and light
+// plays no part.
 //
 //     7 x 7 tiles, the outer ring is walls of height 1; north red, east green, south blue, west yellow, grey floor, blue-grey sky. The player stands in the
 //     middle and looks east.
@@ -18,23 +19,43 @@ export function roomScene({ title = 'The coloured room', folder = 'pictures/' } 
   const open = '#.....#';
   return {
     title,
-    textures: Object.fromEntries(Object.keys(kPictures).map((name) => [name, `${folder}${name}.png`])),
+    textures: Object.fromEntries(
+      Object.keys(kPictures).map((name) => [name, `${folder}${name}.png`]),
+    ),
     // A wall is seen from inside the room: the one in the north shows its south face.
-    blueprints: { wall: { faces: { south: 'red', west: 'green', north: 'blue', east: 'yellow', top: 'grey', bottom: 'grey' } } },
+    blueprints: {
+      wall: {
+        faces: {
+          south: 'red',
+          west: 'green',
+          north: 'blue',
+          east: 'yellow',
+          top: 'grey',
+          bottom: 'grey',
+        },
+      },
+    },
     legend: { '#': 'wall' },
-    maps: [{
-      name: 'room',
-      levels: [['#######', open, open, open, open, open, '#######']],
-      floor: 'grey',
-      sky: '#88a0b8',
-      light: { on: false },
-    }],
+    maps: [
+      {
+        name: 'room',
+        levels: [['#######', open, open, open, open, open, '#######']],
+        floor: 'grey',
+        sky: '#88a0b8',
+        light: { on: false },
+      },
+    ],
     start: { x: 3.5, y: 3.5, heading: 0 },
   };
 }
 
 export function roomPictures(prefix = '') {
-  return Object.fromEntries(Object.entries(kPictures).map(([name, colour]) => [`${prefix}${name}.png`, png(8, () => colour)]));
+  return Object.fromEntries(
+    Object.entries(kPictures).map(([name, colour]) => [
+      `${prefix}${name}.png`,
+      png(8, () => colour),
+    ]),
+  );
 }
 
 // What a server hands out, so that the room stands among the page's scenes, first in the list.
@@ -45,7 +66,10 @@ export function roomFiles(options = {}) {
       { file: 'other.json', title: 'The other room', about: 'Four walls too.' },
     ]),
     'scenes/room.json': JSON.stringify(roomScene(options)),
-    'scenes/other.json': JSON.stringify({ ...roomScene({ ...options, title: 'The other room' }), start: { x: 3.5, y: 3.5, heading: 90 } }),
+    'scenes/other.json': JSON.stringify({
+      ...roomScene({ ...options, title: 'The other room' }),
+      start: { x: 3.5, y: 3.5, heading: 90 },
+    }),
     ...roomPictures('scenes/pictures/'),
   };
 }

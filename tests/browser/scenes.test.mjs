@@ -7,7 +7,16 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { startServer } from '../../tools/serve.mjs';
-import { inState, launch, openPage, openScene, pixel, play, player, untilPlayer } from './browser.mjs';
+import {
+  inState,
+  launch,
+  openPage,
+  openScene,
+  pixel,
+  play,
+  player,
+  untilPlayer,
+} from './browser.mjs';
 import { png } from './png.mjs';
 import { kBlue, kGreen, roomPictures, roomScene } from './room.mjs';
 
@@ -19,21 +28,32 @@ before(async () => {
 });
 after(() => browser.close());
 
-const faultRows = (page) => page.$$eval('#trouble-faults tbody tr', (rows) => rows.map((row) => ({
-  place: row.querySelector('th').firstChild.textContent,
-  inside: row.querySelector('.inside')?.textContent ?? '',
-  found: row.querySelectorAll('td')[0].textContent,
-  expected: row.querySelectorAll('td')[1].textContent,
-})));
+const faultRows = (page) =>
+  page.$$eval('#trouble-faults tbody tr', (rows) =>
+    rows.map((row) => ({
+      place: row.querySelector('th').firstChild.textContent,
+      inside: row.querySelector('.inside')?.textContent ?? '',
+      found: row.querySelectorAll('td')[0].textContent,
+      expected: row.querySelectorAll('td')[1].textContent,
+    })),
+  );
 
 // Drops files on the page: name -> text or bytes.
 function drop(page, files) {
-  const list = Object.entries(files).map(([name, content]) => ({ name, base64: Buffer.from(content).toString('base64') }));
+  const list = Object.entries(files).map(([name, content]) => ({
+    name,
+    base64: Buffer.from(content).toString('base64'),
+  }));
   return page.evaluate((all) => {
     const data = new DataTransfer();
-    for (const { name, base64 } of all) data.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
+    for (const { name, base64 } of all)
+      data.items.add(
+        new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name),
+      );
     for (const type of ['dragenter', 'dragover', 'drop']) {
-      window.dispatchEvent(new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }));
+      window.dispatchEvent(
+        new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }),
+      );
     }
   }, list);
 }
@@ -42,13 +62,21 @@ test('the menu shows a view of every scene, opens one, and Back leads back', asy
   const { page } = await openScene(t, browser);
   await page.click('#open-scenes');
   await page.waitForSelector('#scenes[open]');
-  assert.deepEqual(await page.$$eval('#scene-list h3', (titles) => titles.map((title) => title.textContent)), ['The coloured room', 'The other room']);
+  assert.deepEqual(
+    await page.$$eval('#scene-list h3', (titles) => titles.map((title) => title.textContent)),
+    ['The coloured room', 'The other room'],
+  );
   assert.equal(await page.textContent('#scene-list a[aria-current] h3'), 'The coloured room');
-  const middle = (index) => page.waitForFunction((which) => {
-    const view = document.querySelectorAll('#scene-list canvas')[which];
-    const [red, green, blue, alpha] = view.getContext('2d').getImageData(view.width / 2, view.height / 2, 1, 1).data;
-    return alpha === 255 && `${red},${green},${blue}`;
-  }, index).then((handle) => handle.jsonValue());
+  const middle = (index) =>
+    page
+      .waitForFunction((which) => {
+        const view = document.querySelectorAll('#scene-list canvas')[which];
+        const [red, green, blue, alpha] = view
+          .getContext('2d')
+          .getImageData(view.width / 2, view.height / 2, 1, 1).data;
+        return alpha === 255 && `${red},${green},${blue}`;
+      }, index)
+      .then((handle) => handle.jsonValue());
   assert.equal(await middle(0), kGreen.join());
   assert.equal(await middle(1), kBlue.join());
 
@@ -71,17 +99,31 @@ test('the list of scenes names every scene by its own title, and each opens with
   const folder = new URL('../../build/web/scenes/', import.meta.url);
   const read = async (name) => JSON.parse(await readFile(new URL(name, folder), 'utf8'));
   const list = await read('index.json');
-  const there = (await readdir(folder)).filter((name) => name.endsWith('.json') && name !== 'index.json');
+  const there = (await readdir(folder)).filter(
+    (name) => name.endsWith('.json') && name !== 'index.json',
+  );
   assert.deepEqual(list.map(({ file }) => file).sort(), there.sort());
-  const tours = (await readdir(new URL('../tours/', folder))).map((name) => name.replace(/\.txt$/, '.json'));
-  assert.deepEqual(list.filter(({ tour }) => tour).map(({ file }) => file).sort(), tours.sort());
-  const { page } = await openScene(t, browser, { server: { files: { 'scenes/index.json': JSON.stringify(list) } } });
+  const tours = (await readdir(new URL('../tours/', folder))).map((name) =>
+    name.replace(/\.txt$/, '.json'),
+  );
+  assert.deepEqual(
+    list
+      .filter(({ tour }) => tour)
+      .map(({ file }) => file)
+      .sort(),
+    tours.sort(),
+  );
+  const { page } = await openScene(t, browser, {
+    server: { files: { 'scenes/index.json': JSON.stringify(list) } },
+  });
   assert.equal(await page.textContent('#bar-title'), list[0].title);
   for (const { file, title, about } of list) {
     assert.equal((await read(file)).title, title);
     assert.ok(about.length > 10, `${file} says what it is about`);
     await page.click('#open-scenes');
-    await page.click(`#scene-list a[href="?scene=${encodeURIComponent(file.replace(/\.json$/, ''))}"]`);
+    await page.click(
+      `#scene-list a[href="?scene=${encodeURIComponent(file.replace(/\.json$/, ''))}"]`,
+    );
     await page.waitForFunction((wanted) => document.title.startsWith(wanted), title);
     await inState(page, 'paused');
   }
@@ -98,7 +140,11 @@ test('the address names a scene, with or without its ending', async (t) => {
 test('a scene dropped with its pictures opens', async (t) => {
   const { page } = await openScene(t, browser);
   const scene = roomScene({ title: 'Dropped', folder: 'own/' });
-  await drop(page, { ...roomPictures(), 'dropped.json': JSON.stringify(scene), 'green.png': png(8, () => kOrange) });
+  await drop(page, {
+    ...roomPictures(),
+    'dropped.json': JSON.stringify(scene),
+    'green.png': png(8, () => kOrange),
+  });
   await page.waitForFunction(() => document.title.startsWith('Dropped'));
   await inState(page, 'paused');
   assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
@@ -106,21 +152,37 @@ test('a scene dropped with its pictures opens', async (t) => {
 
 test('a scene that is dropped while the engine is still to come opens first', async (t) => {
   let arrive;
-  const { page } = await openPage(t, browser, { query: '?scene=other&options=fov=90', prepare: (newPage) => newPage.route('**/*.wasm', async (route) => {
-    await new Promise((resolve) => { arrive = resolve; });
-    await route.continue();
-  }) });
+  const { page } = await openPage(t, browser, {
+    query: '?scene=other&options=fov=90',
+    prepare: (newPage) =>
+      newPage.route('**/*.wasm', async (route) => {
+        await new Promise((resolve) => {
+          arrive = resolve;
+        });
+        await route.continue();
+      }),
+  });
   while (arrive === undefined) await page.waitForTimeout(20);
-  await drop(page, { ...roomPictures(), 'dropped.json': JSON.stringify(roomScene({ title: 'Dropped', folder: 'own/' })) });
+  await drop(page, {
+    ...roomPictures(),
+    'dropped.json': JSON.stringify(roomScene({ title: 'Dropped', folder: 'own/' })),
+  });
   arrive();
   await inState(page, 'paused');
   assert.equal(await page.title(), 'Dropped · Slicecast');
-  assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '90', 'as the address wants it');
+  assert.equal(
+    await page.evaluate(() => window.slicecast.engine.option('fov')),
+    '90',
+    'as the address wants it',
+  );
 });
 
 test('a picture that cannot be read: the sheet says why, and another try asks for it again', async (t) => {
   let picture = null;
-  const { page } = await openPage(t, browser, { expectErrors: true, server: { files: { 'scenes/pictures/green.png': () => picture } } });
+  const { page } = await openPage(t, browser, {
+    expectErrors: true,
+    server: { files: { 'scenes/pictures/green.png': () => picture } },
+  });
   await inState(page, 'trouble');
   assert.match((await faultRows(page))[0].found, /pictures\/green\.png.*the server answers 404/);
   picture = png(8, () => kOrange);
@@ -130,15 +192,29 @@ test('a picture that cannot be read: the sheet says why, and another try asks fo
 });
 
 test('where a server sends a scene on, its pictures lie beside the place where it is', async (t) => {
-  const files = { 'far/off/room.json': JSON.stringify(roomScene()), ...roomPictures('far/off/pictures/'), 'far/off/pictures/green.png': png(8, () => kOrange) };
-  const { page } = await openScene(t, browser, { query: '?scene=moved', server: { files, redirects: { 'scenes/moved.json': '/far/off/room.json' } } });
+  const files = {
+    'far/off/room.json': JSON.stringify(roomScene()),
+    ...roomPictures('far/off/pictures/'),
+    'far/off/pictures/green.png': png(8, () => kOrange),
+  };
+  const { page } = await openScene(t, browser, {
+    query: '?scene=moved',
+    server: { files, redirects: { 'scenes/moved.json': '/far/off/room.json' } },
+  });
   assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
 });
 
 test('a server that no longer sends a scene on: another try looks for its pictures where it is now', async (t) => {
   const redirects = { 'scenes/moved.json': '/far/off/room.json' };
-  const files = { 'far/off/room.json': JSON.stringify(roomScene()), 'scenes/moved.json': JSON.stringify(roomScene()) };
-  const { page } = await openPage(t, browser, { query: '?scene=moved', expectErrors: true, server: { files, redirects } });
+  const files = {
+    'far/off/room.json': JSON.stringify(roomScene()),
+    'scenes/moved.json': JSON.stringify(roomScene()),
+  };
+  const { page } = await openPage(t, browser, {
+    query: '?scene=moved',
+    expectErrors: true,
+    server: { files, redirects },
+  });
   await inState(page, 'trouble');
   delete redirects['scenes/moved.json'];
   await page.click('#trouble-again');
@@ -147,15 +223,33 @@ test('a server that no longer sends a scene on: another try looks for its pictur
 });
 
 test('without a list of scenes the menu says why', async (t) => {
-  const { page } = await openScene(t, browser, { query: '?scene=room', expectErrors: true, server: { files: { 'scenes/index.json': null } } });
+  const { page } = await openScene(t, browser, {
+    query: '?scene=room',
+    expectErrors: true,
+    server: { files: { 'scenes/index.json': null } },
+  });
   await page.click('#open-scenes');
-  assert.match(await page.textContent('#scenes .missing'), /list of scenes could not be loaded.*scenes\/index\.json: the server answers 404/);
+  assert.match(
+    await page.textContent('#scenes .missing'),
+    /list of scenes could not be loaded.*scenes\/index\.json: the server answers 404/,
+  );
 });
 
 test('pictures that were not dropped come from the page', async (t) => {
   const { page } = await openScene(t, browser);
   await page.click('#open-scenes');
-  await page.setInputFiles('#files', [{ name: 'alone.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ ...roomScene({ title: 'Alone' }), start: { x: 3.5, y: 3.5, heading: 90 } })) }]);
+  await page.setInputFiles('#files', [
+    {
+      name: 'alone.json',
+      mimeType: 'application/json',
+      buffer: Buffer.from(
+        JSON.stringify({
+          ...roomScene({ title: 'Alone' }),
+          start: { x: 3.5, y: 3.5, heading: 90 },
+        }),
+      ),
+    },
+  ]);
   await page.waitForFunction(() => document.title.startsWith('Alone'));
   await inState(page, 'paused');
   assert.deepEqual(await pixel(page, 0.5, 0.5), kBlue);
@@ -174,15 +268,27 @@ test('files without a scene among them are refused, and the picture is kept', as
 test('all faults of a scene are shown, with place, found and expected; mended, it opens', async (t) => {
   const scene = roomScene({ title: 'Mended' });
   const good = JSON.stringify(scene, null, 1);
-  const bad = good.replace('"top": "grey"', '"top": "gray"').replace('"#.....#"', '"#..Q..#"').replace('"sky": "#88a0b8"', '"sky": "#88a0b"').replace('"floor"', '"flor"');
+  const bad = good
+    .replace('"top": "grey"', '"top": "gray"')
+    .replace('"#.....#"', '"#..Q..#"')
+    .replace('"sky": "#88a0b8"', '"sky": "#88a0b"')
+    .replace('"floor"', '"flor"');
   let text = bad;
-  const { page } = await openPage(t, browser, { query: '?scene=broken', server: { files: { 'scenes/broken.json': () => text } } });
+  const { page } = await openPage(t, browser, {
+    query: '?scene=broken',
+    server: { files: { 'scenes/broken.json': () => text } },
+  });
   await inState(page, 'trouble');
   const rows = await faultRows(page);
   const lineOf = (part) => bad.split('\n').findIndex((line) => line.includes(part)) + 1;
   assert.ok(rows.length >= 4, JSON.stringify(rows));
   assert.equal(await page.textContent('#trouble-title'), `${rows.length} faults in broken.json`);
-  for (const [part, pointer, found] of [['"gray"', '/blueprints/wall/faces/top', /gray/], ['Q', '/maps/0/levels/0', /Q/], ['#88a0b', '/maps/0/sky', /#88a0b/], ['flor', '/maps/0', /flor/]]) {
+  for (const [part, pointer, found] of [
+    ['"gray"', '/blueprints/wall/faces/top', /gray/],
+    ['Q', '/maps/0/levels/0', /Q/],
+    ['#88a0b', '/maps/0/sky', /#88a0b/],
+    ['flor', '/maps/0', /flor/],
+  ]) {
     const row = rows.find(({ place }) => place.startsWith(`broken.json:${lineOf(part)}:`));
     assert.ok(row !== undefined, `${part} in line ${lineOf(part)}: ${JSON.stringify(rows)}`);
     assert.match(row.place, /^broken\.json:\d+:\d+$/);
@@ -198,7 +304,11 @@ test('all faults of a scene are shown, with place, found and expected; mended, i
 });
 
 test('a picture that is not there is a fault with the place that names it', async (t) => {
-  const { page } = await openPage(t, browser, { query: '?scene=room', expectErrors: true, server: { files: { 'scenes/pictures/red.png': null, 'scenes/pictures/blue.png': 'no PNG' } } });
+  const { page } = await openPage(t, browser, {
+    query: '?scene=room',
+    expectErrors: true,
+    server: { files: { 'scenes/pictures/red.png': null, 'scenes/pictures/blue.png': 'no PNG' } },
+  });
   await inState(page, 'trouble');
   const rows = await faultRows(page);
   assert.equal(rows.length, 2);
@@ -208,7 +318,10 @@ test('a picture that is not there is a fault with the place that names it', asyn
 test('a scene that is not there says so, and others can be chosen', async (t) => {
   const { page } = await openPage(t, browser, { query: '?scene=nowhere', expectErrors: true });
   await inState(page, 'trouble');
-  assert.match(await page.textContent('#trouble-text'), /scenes\/nowhere\.json: the server answers 404/);
+  assert.match(
+    await page.textContent('#trouble-text'),
+    /scenes\/nowhere\.json: the server answers 404/,
+  );
   await page.click('#trouble-scenes');
   await page.click('#scene-list a:has-text("The other room")');
   await inState(page, 'paused');
@@ -218,10 +331,18 @@ test('a scene that is not there says so, and others can be chosen', async (t) =>
 test('a scene saved under tools/play is loaded anew, and the eye stays where it is', async (t) => {
   const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-live-'));
   await mkdir(path.join(folder, 'pictures'));
-  const save = (scene) => writeFile(path.join(folder, 'edited.json'), typeof scene === 'string' ? scene : JSON.stringify(scene));
+  const save = (scene) =>
+    writeFile(
+      path.join(folder, 'edited.json'),
+      typeof scene === 'string' ? scene : JSON.stringify(scene),
+    );
   await save(roomScene({ title: 'First' }));
-  for (const [name, bytes] of Object.entries(roomPictures())) await writeFile(path.join(folder, 'pictures', name), bytes);
-  const server = await startServer({ folder: fileURLToPath(new URL('../../build/web', import.meta.url)), scene: path.join(folder, 'edited.json') });
+  for (const [name, bytes] of Object.entries(roomPictures()))
+    await writeFile(path.join(folder, 'pictures', name), bytes);
+  const server = await startServer({
+    folder: fileURLToPath(new URL('../../build/web', import.meta.url)),
+    scene: path.join(folder, 'edited.json'),
+  });
   const context = await browser.newContext({ viewport: { width: 640, height: 360 } });
   t.after(async () => {
     await context.close();
@@ -245,10 +366,16 @@ test('a scene saved under tools/play is loaded anew, and the eye stays where it 
   await page.waitForFunction(() => document.title.startsWith('Second'));
   await inState(page, 'playing');
   const now = await player(page);
-  assert.deepEqual([now.x, now.y, now.z, now.heading, now.flying], [before.x, before.y, before.z, before.heading, before.flying]);
+  assert.deepEqual(
+    [now.x, now.y, now.z, now.heading, now.flying],
+    [before.x, before.y, before.z, before.heading, before.flying],
+  );
   await page.waitForFunction(() => {
     const canvas = document.getElementById('picture');
-    return canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data[2] === 210;
+    return (
+      canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data[2] ===
+      210
+    );
   });
 
   // Broken, then mended

@@ -2,7 +2,16 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { frames, inState, launch, openScene, pictureHash, play, player, untilPlayer } from './browser.mjs';
+import {
+  frames,
+  inState,
+  launch,
+  openScene,
+  pictureHash,
+  play,
+  player,
+  untilPlayer,
+} from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -10,15 +19,21 @@ before(async () => {
 });
 after(() => browser.close());
 
-const canvasSize = (page) => page.evaluate(() => `${document.getElementById('picture').width}x${document.getElementById('picture').height}`);
-const untilSize = (page, size) => page.waitForFunction((wanted) => {
-  const canvas = document.getElementById('picture');
-  return `${canvas.width}x${canvas.height}` === wanted;
-}, size);
-const shownSize = (page) => page.evaluate(() => {
-  const { width, height } = document.getElementById('picture').getBoundingClientRect();
-  return `${width}x${height}`;
-});
+const canvasSize = (page) =>
+  page.evaluate(
+    () =>
+      `${document.getElementById('picture').width}x${document.getElementById('picture').height}`,
+  );
+const untilSize = (page, size) =>
+  page.waitForFunction((wanted) => {
+    const canvas = document.getElementById('picture');
+    return `${canvas.width}x${canvas.height}` === wanted;
+  }, size);
+const shownSize = (page) =>
+  page.evaluate(() => {
+    const { width, height } = document.getElementById('picture').getBoundingClientRect();
+    return `${width}x${height}`;
+  });
 
 async function openSettings(page) {
   await page.click('#open-settings');
@@ -26,17 +41,25 @@ async function openSettings(page) {
 }
 
 async function slide(page, selector, value) {
-  await page.evaluate(([which, wanted]) => {
-    const field = document.querySelector(which);
-    field.value = wanted;
-    field.dispatchEvent(new Event('input', { bubbles: true }));
-  }, [selector, String(value)]);
+  await page.evaluate(
+    ([which, wanted]) => {
+      const field = document.querySelector(which);
+      field.value = wanted;
+      field.dispatchEvent(new Event('input', { bubbles: true }));
+    },
+    [selector, String(value)],
+  );
 }
 
 test('the picture follows the window, and never exceeds 1280 x 720 pixels', async (t) => {
   const { page } = await openScene(t, browser);
   assert.equal(await canvasSize(page), '640x360');
-  for (const [width, height, picture] of [[1280, 720, '1280x720'], [800, 601, '800x601'], [1920, 1080, '960x540'], [1367, 768, '684x384']]) {
+  for (const [width, height, picture] of [
+    [1280, 720, '1280x720'],
+    [800, 601, '800x601'],
+    [1920, 1080, '960x540'],
+    [1367, 768, '684x384'],
+  ]) {
     await page.setViewportSize({ width, height });
     await untilSize(page, picture);
     assert.deepEqual(await page.evaluate(() => window.slicecast.engine.state !== null), true);
@@ -45,33 +68,46 @@ test('the picture follows the window, and never exceeds 1280 x 720 pixels', asyn
   assert.equal(await shownSize(page), '1368x768');
 });
 
-for (const ratio of [1, 1.25]) test(`a chosen size is scaled by a whole number, without blur, where a CSS pixel is ${ratio} of the screen's`, async (t) => {
-  const { page } = await openScene(t, browser, { viewport: { width: 1280, height: 720 }, context: { deviceScaleFactor: ratio } });
-  await openSettings(page);
-  await page.selectOption('#set-size', '320x180');
-  await untilSize(page, '320x180');
-  assert.equal(await shownSize(page), '1280x720');
-  await page.click('#settings button[type=submit]');
-  await play(page);
-  await page.keyboard.press('Numpad9'); // a corner of the room: slanted edges
-  await page.waitForFunction(() => getComputedStyle(document.getElementById('bar')).opacity === '0');
-  await frames(page);
-  const shot = `data:image/png;base64,${(await page.screenshot()).toString('base64')}`;
-  const different = await page.evaluate(async (address) => {
-    const image = await createImageBitmap(await (await fetch(address)).blob());
-    const copy = new OffscreenCanvas(image.width, image.height).getContext('2d');
-    copy.drawImage(image, 0, 0);
-    const scale = image.width / 320;
-    const screen = new Uint32Array(copy.getImageData(0, 0, image.width, image.height).data.buffer);
-    const picture = new Uint32Array(document.getElementById('picture').getContext('2d').getImageData(0, 0, 320, 180).data.buffer);
-    return screen.reduce((sum, colour, index) => {
-      const x = index % image.width;
-      const y = (index - x) / image.width;
-      return sum + (colour === picture[Math.floor(y / scale) * 320 + Math.floor(x / scale)] ? 0 : 1);
-    }, 0);
-  }, shot);
-  assert.equal(different, 0);
-});
+for (const ratio of [1, 1.25])
+  test(`a chosen size is scaled by a whole number, without blur, where a CSS pixel is ${ratio} of the screen's`, async (t) => {
+    const { page } = await openScene(t, browser, {
+      viewport: { width: 1280, height: 720 },
+      context: { deviceScaleFactor: ratio },
+    });
+    await openSettings(page);
+    await page.selectOption('#set-size', '320x180');
+    await untilSize(page, '320x180');
+    assert.equal(await shownSize(page), '1280x720');
+    await page.click('#settings button[type=submit]');
+    await play(page);
+    await page.keyboard.press('Numpad9'); // a corner of the room: slanted edges
+    await page.waitForFunction(
+      () => getComputedStyle(document.getElementById('bar')).opacity === '0',
+    );
+    await frames(page);
+    const shot = `data:image/png;base64,${(await page.screenshot()).toString('base64')}`;
+    const different = await page.evaluate(async (address) => {
+      const image = await createImageBitmap(await (await fetch(address)).blob());
+      const copy = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      copy.drawImage(image, 0, 0);
+      const scale = image.width / 320;
+      const screen = new Uint32Array(
+        copy.getImageData(0, 0, image.width, image.height).data.buffer,
+      );
+      const picture = new Uint32Array(
+        document.getElementById('picture').getContext('2d').getImageData(0, 0, 320, 180).data
+          .buffer,
+      );
+      return screen.reduce((sum, colour, index) => {
+        const x = index % image.width;
+        const y = (index - x) / image.width;
+        return (
+          sum + (colour === picture[Math.floor(y / scale) * 320 + Math.floor(x / scale)] ? 0 : 1)
+        );
+      }, 0);
+    }, shot);
+    assert.equal(different, 0);
+  });
 
 test('other shapes stand in the middle, between margins', async (t) => {
   const { page } = await openScene(t, browser, { viewport: { width: 1000, height: 800 } });
@@ -150,7 +186,11 @@ test('sensitivity and the way the mouse looks are those chosen', async (t) => {
     await frames(page, 5);
     const before = await player(page);
     await page.mouse.move(300 + pixels, 100 - pixels / 2, { steps: 4 });
-    const now = await untilPlayer(page, (state, { heading, look }) => state.heading !== heading && state.look !== look, before);
+    const now = await untilPlayer(
+      page,
+      (state, { heading, look }) => state.heading !== heading && state.look !== look,
+      before,
+    );
     await frames(page, 10);
     const end = await player(page);
     await page.keyboard.press('Escape');
@@ -172,9 +212,14 @@ test('sensitivity and the way the mouse looks are those chosen', async (t) => {
 
 test('without a storage the page works on', async (t) => {
   const { page } = await openScene(t, browser, {
-    prepare: (newPage) => newPage.addInitScript(() => {
-      Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('The operation is insecure.', 'SecurityError'); } });
-    }),
+    prepare: (newPage) =>
+      newPage.addInitScript(() => {
+        Object.defineProperty(window, 'localStorage', {
+          get() {
+            throw new DOMException('The operation is insecure.', 'SecurityError');
+          },
+        });
+      }),
   });
   await openSettings(page);
   await page.selectOption('#set-size', '320x180');
@@ -182,9 +227,14 @@ test('without a storage the page works on', async (t) => {
 });
 
 test('a storage with nonsense in it is not believed', async (t) => {
-  for (const nonsense of ['{"fov": 4000, "size": "9x9", "light": "maybe", "mouse": null, "other": 1}', 'no JSON', '"text"']) {
+  for (const nonsense of [
+    '{"fov": 4000, "size": "9x9", "light": "maybe", "mouse": null, "other": 1}',
+    'no JSON',
+    '"text"',
+  ]) {
     const { page } = await openScene(t, browser, {
-      prepare: (newPage) => newPage.addInitScript((text) => localStorage.setItem('slicecast.settings', text), nonsense),
+      prepare: (newPage) =>
+        newPage.addInitScript((text) => localStorage.setItem('slicecast.settings', text), nonsense),
     });
     assert.equal(await canvasSize(page), '640x360');
     assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '60');
@@ -195,12 +245,19 @@ test('a storage with nonsense in it is not believed', async (t) => {
 test('back to standard: also what the address had put in front of the own settings', async (t) => {
   const { page } = await openScene(t, browser, {
     query: '?scene=room&options=fov=60',
-    prepare: (newPage) => newPage.addInitScript((text) => localStorage.setItem('slicecast.settings', text), JSON.stringify({ fov: 90 })),
+    prepare: (newPage) =>
+      newPage.addInitScript(
+        (text) => localStorage.setItem('slicecast.settings', text),
+        JSON.stringify({ fov: 90 }),
+      ),
   });
   await openSettings(page);
   await page.click('#standard-settings');
   assert.equal(await page.inputValue('#set-fov'), '60');
-  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('slicecast.settings')).fov), 60);
+  assert.equal(
+    await page.evaluate(() => JSON.parse(localStorage.getItem('slicecast.settings')).fov),
+    60,
+  );
   await page.keyboard.press('Escape');
   await page.evaluate(() => {
     history.pushState(null, '', '?scene=other');

@@ -4,7 +4,16 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { inState, launch, openPage, openScene, pictureHash, play, player, untilPlayer } from './browser.mjs';
+import {
+  inState,
+  launch,
+  openPage,
+  openScene,
+  pictureHash,
+  play,
+  player,
+  untilPlayer,
+} from './browser.mjs';
 import { roomFiles, roomPictures, roomScene } from './room.mjs';
 
 const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
@@ -15,7 +24,8 @@ before(async () => {
 });
 after(() => browser.close());
 
-const option = (page, name) => page.evaluate((wanted) => window.slicecast.engine.option(wanted), name);
+const option = (page, name) =>
+  page.evaluate((wanted) => window.slicecast.engine.option(wanted), name);
 
 async function openShare(page) {
   await page.click('#open-share');
@@ -23,10 +33,23 @@ async function openShare(page) {
 }
 
 test('an address with view, options and overlay plays exactly that', async (t) => {
-  const { page } = await openScene(t, browser, { query: '?scene=other&view=2.5,4.25,0.75,200,0.125,room&options=fov=90+light=off&overlay=minimap+grid' });
+  const { page } = await openScene(t, browser, {
+    query:
+      '?scene=other&view=2.5,4.25,0.75,200,0.125,room&options=fov=90+light=off&overlay=minimap+grid',
+  });
   const { mapName, x, y, z, heading, look } = await player(page);
-  assert.deepEqual({ mapName, x, y, z, heading, look }, { mapName: 'room', x: 2.5, y: 4.25, z: 0.75, heading: 200, look: 0.125 });
-  for (const [name, value] of [['fov', '90'], ['light', 'off'], ['minimap', 'on'], ['grid', 'on'], ['fog', 'on'], ['minimapRays', 'off']]) {
+  assert.deepEqual(
+    { mapName, x, y, z, heading, look },
+    { mapName: 'room', x: 2.5, y: 4.25, z: 0.75, heading: 200, look: 0.125 },
+  );
+  for (const [name, value] of [
+    ['fov', '90'],
+    ['light', 'off'],
+    ['minimap', 'on'],
+    ['grid', 'on'],
+    ['fog', 'on'],
+    ['minimapRays', 'off'],
+  ]) {
     assert.equal(await option(page, name), value, name);
   }
   assert.equal(await page.inputValue('#set-fov'), '90');
@@ -37,14 +60,23 @@ test("what the address does not name is at its standard, and the visitor's own s
   const stored = JSON.stringify({ fov: 80, fog: false });
   const { page } = await openScene(t, browser, {
     query: '?scene=room&options=light=off',
-    prepare: (newPage) => newPage.addInitScript((text) => localStorage.setItem('slicecast.settings', text), stored),
+    prepare: (newPage) =>
+      newPage.addInitScript((text) => localStorage.setItem('slicecast.settings', text), stored),
   });
-  assert.deepEqual([await option(page, 'fov'), await option(page, 'fog'), await option(page, 'light')], ['60', 'on', 'off']);
+  assert.deepEqual(
+    [await option(page, 'fov'), await option(page, 'fog'), await option(page, 'light')],
+    ['60', 'on', 'off'],
+  );
   assert.equal(await page.evaluate(() => localStorage.getItem('slicecast.settings')), stored);
   await page.click('#open-scenes');
   await page.click('#scene-list a:has-text("The other room")');
-  await page.waitForFunction(() => document.title.startsWith('The other room') && document.body.dataset.state === 'paused');
-  assert.deepEqual([await option(page, 'fov'), await option(page, 'fog'), await option(page, 'light')], ['80', 'off', 'on']);
+  await page.waitForFunction(
+    () => document.title.startsWith('The other room') && document.body.dataset.state === 'paused',
+  );
+  assert.deepEqual(
+    [await option(page, 'fov'), await option(page, 'fog'), await option(page, 'light')],
+    ['80', 'off', 'on'],
+  );
 });
 
 test('a bad value is told on the sheet before anything plays', async (t) => {
@@ -55,15 +87,27 @@ test('a bad value is told on the sheet before anything plays', async (t) => {
     ['options=fov=500', /option fov: found "500", expected a number from 10 to 150/, false],
     ['options=light=off+hat=1', /found the option "hat", expected one of fov/, false],
     ['overlay=hat', /found "hat", expected some of minimap/, false],
-    ['view=2.5,2.5,-1,0', /view: found "2.5,2.5,-1,0,0", expected an eye above the floor of a map among room/, true],
-    ['view=2.5,2.5,0.5,0,0,cellar', /cellar", expected an eye above the floor of a map among room/, true],
+    [
+      'view=2.5,2.5,-1,0',
+      /view: found "2.5,2.5,-1,0,0", expected an eye above the floor of a map among room/,
+      true,
+    ],
+    [
+      'view=2.5,2.5,0.5,0,0,cellar',
+      /cellar", expected an eye above the floor of a map among room/,
+      true,
+    ],
   ];
   const { page, server } = await openPage(t, browser, { query: `?scene=room&${cases[0][0]}` });
   for (const [query, expected, isLoaded] of cases) {
     await page.goto(`${server.address}?scene=room&${query}`);
     await inState(page, 'trouble');
     assert.match(await page.innerText('#trouble-text'), expected, query);
-    assert.equal(await page.evaluate(() => window.slicecast.engine.world !== null), isLoaded, query);
+    assert.equal(
+      await page.evaluate(() => window.slicecast.engine.world !== null),
+      isLoaded,
+      query,
+    );
     assert.equal(await option(page, 'light'), 'on', query);
     assert.equal(await page.isVisible('#picture'), false, query);
   }
@@ -80,7 +124,10 @@ test('the link leads somebody else to the very same picture', async (t) => {
   });
   await openShare(page);
   const link = await page.inputValue('#share-link');
-  assert.match(link.slice(server.address.length), /^\?scene=other&view=2\.123,4\.7,0\.5,33\.25,-0\.1,room&options=textures=off\+hazeColour=%23a0b4c8&overlay=playerPanel$/);
+  assert.match(
+    link.slice(server.address.length),
+    /^\?scene=other&view=2\.123,4\.7,0\.5,33\.25,-0\.1,room&options=textures=off\+hazeColour=%23a0b4c8&overlay=playerPanel$/,
+  );
   const other = await openPage(t, browser, {});
   await other.page.goto(link);
   await inState(other.page, 'paused');
@@ -96,7 +143,13 @@ test('a view from the air stays in the air, one from the ground on the ground', 
   const { page, server } = await openScene(t, browser, { query: '?scene=room&view=3.5,3.5,2.5,0' });
   await play(page);
   await untilPlayer(page, ({ steps }) => steps > 30);
-  assert.deepEqual(await page.evaluate(() => [window.slicecast.engine.state.z, window.slicecast.engine.state.flying]), [2.5, true]);
+  assert.deepEqual(
+    await page.evaluate(() => [
+      window.slicecast.engine.state.z,
+      window.slicecast.engine.state.flying,
+    ]),
+    [2.5, true],
+  );
   await page.goto(`${server.address}?scene=room&view=3.5,3.5,0.5,0`);
   await inState(page, 'paused');
   assert.equal((await player(page)).flying, false);
@@ -104,36 +157,66 @@ test('a view from the air stays in the air, one from the ground on the ground', 
 
 test('the tag and the frame say the same, whatever is in a title', async (t) => {
   const title = 'Rooms "A" & <B>';
-  const { page, server } = await openScene(t, browser, { query: '?scene=room&options=fov=75', server: { files: roomFiles({ title }) } });
+  const { page, server } = await openScene(t, browser, {
+    query: '?scene=room&options=fov=75',
+    server: { files: roomFiles({ title }) },
+  });
   await openShare(page);
   const parsed = await page.evaluate(() => {
     const template = document.createElement('template');
-    const attributesOf = (selector) => Object.fromEntries([...template.content.querySelector(selector).attributes].map(({ name, value }) => [name, value]));
+    const attributesOf = (selector) =>
+      Object.fromEntries(
+        [...template.content.querySelector(selector).attributes].map(({ name, value }) => [
+          name,
+          value,
+        ]),
+      );
     template.innerHTML = document.getElementById('share-tag').value;
     const [script, tag] = [attributesOf('script'), attributesOf('ray-caster')];
     template.innerHTML = document.getElementById('share-frame').value;
     return { script, tag, frame: attributesOf('iframe') };
   });
   assert.deepEqual(parsed.script, { type: 'module', src: `${server.address}ray-caster.js` });
-  assert.deepEqual(parsed.tag, { scene: `${server.address}scenes/room.json`, view: '3.5,3.5,0.5,0,0,room', options: 'fov=75', label: title, controls: '' });
-  assert.equal(parsed.frame.src, `${server.address}embed.html?scene=room&view=3.5,3.5,0.5,0,0,room&options=fov=75`);
+  assert.deepEqual(parsed.tag, {
+    scene: `${server.address}scenes/room.json`,
+    view: '3.5,3.5,0.5,0,0,room',
+    options: 'fov=75',
+    label: title,
+    controls: '',
+  });
+  assert.equal(
+    parsed.frame.src,
+    `${server.address}embed.html?scene=room&view=3.5,3.5,0.5,0,0,room&options=fov=75`,
+  );
   assert.equal(parsed.frame.title, title);
 });
 
 test('copying says so, by keys alone', async (t) => {
   const { page, context, server } = await openScene(t, browser);
-  await context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: new URL(server.address).origin });
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'], {
+    origin: new URL(server.address).origin,
+  });
   await play(page);
   await page.keyboard.press('z');
   await page.waitForSelector('#share[open]');
   for (const what of ['link', 'tag', 'frame']) {
     await page.focus(`[data-copy=${what}]`);
     await page.keyboard.press('Enter');
-    await page.waitForFunction((name) => document.querySelector(`[data-copy=${name}]`).textContent === 'Copied', what);
-    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await page.inputValue(`#share-${what}`));
+    await page.waitForFunction(
+      (name) => document.querySelector(`[data-copy=${name}]`).textContent === 'Copied',
+      what,
+    );
+    assert.equal(
+      await page.evaluate(() => navigator.clipboard.readText()),
+      await page.inputValue(`#share-${what}`),
+    );
     assert.equal(await page.innerText('#share-status'), `Copied: the ${what}`);
     assert.equal(await page.locator('.done').count(), 1);
-    assert.equal(await page.evaluate((name) => document.activeElement.dataset.copy === name, what), true, 'the focus stays');
+    assert.equal(
+      await page.evaluate((name) => document.activeElement.dataset.copy === name, what),
+      true,
+      'the focus stays',
+    );
   }
   await page.keyboard.press('Escape');
   await page.waitForSelector('#share:not([open])', { state: 'attached' });
@@ -143,20 +226,34 @@ test('copying says so, by keys alone', async (t) => {
 
 test('where the clipboard is refused, the text is selected', async (t) => {
   const { page } = await openScene(t, browser, {
-    prepare: (newPage) => newPage.addInitScript(() => Object.defineProperty(navigator, 'clipboard', { value: undefined })),
+    prepare: (newPage) =>
+      newPage.addInitScript(() =>
+        Object.defineProperty(navigator, 'clipboard', { value: undefined }),
+      ),
   });
   await openShare(page);
   await page.click('[data-copy=tag]');
-  await page.waitForFunction(() => document.getElementById('share-status').textContent.includes('selected'));
-  assert.equal(await page.evaluate(() => getSelection().toString()), await page.inputValue('#share-tag'));
+  await page.waitForFunction(() =>
+    document.getElementById('share-status').textContent.includes('selected'),
+  );
+  assert.equal(
+    await page.evaluate(() => getSelection().toString()),
+    await page.inputValue('#share-tag'),
+  );
 });
 
 test('the view is saved as a picture of the size that was chosen', async (t) => {
   const { page } = await openScene(t, browser);
   await openShare(page);
-  for (const [value, name, size] of [[null, 'room-640x360.png', [640, 360]], ['1920x1080', 'room-1920x1080.png', [1920, 1080]]]) {
+  for (const [value, name, size] of [
+    [null, 'room-640x360.png', [640, 360]],
+    ['1920x1080', 'room-1920x1080.png', [1920, 1080]],
+  ]) {
     if (value !== null) await page.selectOption('#share-size', value);
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#share-save')]);
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.click('#share-save'),
+    ]);
     assert.equal(download.suggestedFilename(), name);
     const bytes = await readFile(await download.path());
     assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
@@ -167,9 +264,22 @@ test('the view is saved as a picture of the size that was chosen', async (t) => 
 
 test('a scene of the visitor’s own files has no address, but can be pictured', async (t) => {
   const { page } = await openScene(t, browser);
-  const pictures = Object.entries(roomPictures()).map(([name, buffer]) => ({ name, mimeType: 'image/png', buffer }));
-  await page.setInputFiles('#files', [{ name: 'mine.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(roomScene({ title: 'Mine', folder: '' }))) }, ...pictures]);
-  await page.waitForFunction(() => document.title.startsWith('Mine') && document.body.dataset.state === 'paused');
+  const pictures = Object.entries(roomPictures()).map(([name, buffer]) => ({
+    name,
+    mimeType: 'image/png',
+    buffer,
+  }));
+  await page.setInputFiles('#files', [
+    {
+      name: 'mine.json',
+      mimeType: 'application/json',
+      buffer: Buffer.from(JSON.stringify(roomScene({ title: 'Mine', folder: '' }))),
+    },
+    ...pictures,
+  ]);
+  await page.waitForFunction(
+    () => document.title.startsWith('Mine') && document.body.dataset.state === 'paused',
+  );
   await openShare(page);
   assert.equal(await page.isVisible('#share-addresses'), false);
   assert.match(await page.innerText('#share-no-address'), /no address/);
@@ -181,8 +291,13 @@ test('axe finds nothing wrong with the dialog', async (t) => {
   const { page } = await openScene(t, browser);
   await openShare(page);
   await page.addScriptTag({ path: kAxe });
-  const { violations } = await page.evaluate(() => window.axe.run(document.getElementById('share')));
-  assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`), []);
+  const { violations } = await page.evaluate(() =>
+    window.axe.run(document.getElementById('share')),
+  );
+  assert.deepEqual(
+    violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`),
+    [],
+  );
 });
 
 test('what is shared is the scene that is seen, also where another could not be opened', async (t) => {

@@ -1,4 +1,5 @@
-// A plain static server: what any host does, and nothing that helps. It can lie for a test: other files, other headers, a subfolder.
+// A plain static server: what any host does, and nothing that helps. It can lie for a test: other
+// files, other headers, a subfolder.
 //
 //     const server = await serve({files: {'scenes/room.json': '...'}, prefix: '/some/where/'});
 //     await page.goto(server.address);
@@ -23,10 +24,20 @@ const kTypes = {
   '.wasm': 'application/wasm',
 };
 
-// `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function that gives one of them. `headers` go with every answer.
-// `asked` lists the paths in the order in which they were wanted. `folder` is another one than the page's. `redirects`: path -> where the server sends one on.
-// With `mayGo` every file comes in pieces, each after `await mayGo(path, bytes sent of it)`.
-export async function serve({ folder = kPage, files = {}, prefix = '/', headers = {}, types = {}, redirects = {}, mayGo = null } = {}) {
+// `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function
+// that gives one of them. `headers` go with every answer. `asked` lists the paths in the order in
+// which they were wanted. `folder` is another one than the page's. `redirects`: path -> where the
+// server sends one on. With `mayGo` every file comes in pieces, each after `await mayGo(path, bytes
+// sent of it)`.
+export async function serve({
+  folder = kPage,
+  files = {},
+  prefix = '/',
+  headers = {},
+  types = {},
+  redirects = {},
+  mayGo = null,
+} = {}) {
   const asked = [];
   const server = createServer(async (request, response) => {
     const address = decodeURIComponent(request.url.split(/[?#]/, 1)[0]);
@@ -35,7 +46,10 @@ export async function serve({ folder = kPage, files = {}, prefix = '/', headers 
     asked.push(name);
     if (name in redirects) return response.writeHead(302, { Location: redirects[name] }).end();
     const content = await contentOf(folder, name, files);
-    if (content === null) return response.writeHead(404, { 'Content-Type': 'text/plain' }).end('There is no such file.');
+    if (content === null)
+      return response
+        .writeHead(404, { 'Content-Type': 'text/plain' })
+        .end('There is no such file.');
     const type = types[name] ?? kTypes[path.extname(name)] ?? 'application/octet-stream';
     response.writeHead(200, { 'Content-Type': type, 'Content-Length': content.length, ...headers });
     if (mayGo === null) return response.end(content);
@@ -62,7 +76,8 @@ async function sendInPieces(response, content, mayGo) {
 }
 
 async function contentOf(folder, name, files) {
-  if (!(name in files)) return readFile(path.join(folder, path.normalize(`/${name}`))).catch(() => null);
+  if (!(name in files))
+    return readFile(path.join(folder, path.normalize(`/${name}`))).catch(() => null);
   const content = typeof files[name] === 'function' ? files[name]() : files[name];
   return content === null ? null : Buffer.from(content);
 }

@@ -10,16 +10,24 @@ before(async () => {
 });
 after(() => browser.close());
 
-const phone = { viewport: { width: 390, height: 844 }, context: { isMobile: true, hasTouch: true } };
+const phone = {
+  viewport: { width: 390, height: 844 },
+  context: { isMobile: true, hasTouch: true },
+};
 
-// The page, played, and a function that sends touches: touch('touchMove', {id, x, y}, ...) names all fingers on the glass.
+// The page, played, and a function that sends touches: touch('touchMove', {id, x, y}, ...) names
+// all fingers on the glass.
 async function openTouched(t) {
   const { page, context } = await openScene(t, browser, phone);
   assert.equal(await page.isVisible('#touch'), false);
   await page.tap('#play');
   await inState(page, 'playing');
   const session = await context.newCDPSession(page);
-  return { page, touch: (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints }) };
+  return {
+    page,
+    touch: (type, ...touchPoints) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints }),
+  };
 }
 
 // The player no longer moves; the state.
@@ -84,7 +92,8 @@ test('two taps on the right jump, one does not', async (t) => {
     const { engine } = window.slicecast;
     const { steps } = engine.state;
     let most = 0;
-    for (; engine.state.steps < steps + 60; await new Promise(requestAnimationFrame)) most = Math.max(most, engine.state.z);
+    for (; engine.state.steps < steps + 60; await new Promise(requestAnimationFrame))
+      most = Math.max(most, engine.state.z);
     return most;
   });
   await tap();
@@ -113,7 +122,9 @@ test('the buttons jump, crouch and fly, and then rise and sink', async (t) => {
   await touch('touchStart', await on('fly'));
   await touch('touchEnd');
   await untilPlayer(page, (now) => now.flying);
-  await page.waitForFunction(() => document.querySelector('[data-thumb="jump"] span').textContent === 'Rise');
+  await page.waitForFunction(
+    () => document.querySelector('[data-thumb="jump"] span').textContent === 'Rise',
+  );
   await touch('touchStart', await on('jump'));
   await untilPlayer(page, (now) => now.z > 1.2);
   await touch('touchEnd');
@@ -135,11 +146,19 @@ test('the page scrolls under a finger until the game is played', async (t) => {
   const session = await context.newCDPSession(page);
   const swipe = async () => {
     for (let y = 500; y >= 300; y -= 20) {
-      await session.send('Input.dispatchTouchEvent', { type: y === 500 ? 'touchStart' : 'touchMove', touchPoints: [{ id: 1, x: 300, y }] });
+      await session.send('Input.dispatchTouchEvent', {
+        type: y === 500 ? 'touchStart' : 'touchMove',
+        touchPoints: [{ id: 1, x: 300, y }],
+      });
     }
     await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
     // A tap on a page that still glides would only stop it.
-    for (let before = -1, now = 0; now !== before; before = now, now = await page.evaluate(() => scrollY)) await frames(page, 20);
+    for (
+      let before = -1, now = 0;
+      now !== before;
+      before = now, now = await page.evaluate(() => scrollY)
+    )
+      await frames(page, 20);
   };
   await swipe();
   const scrolled = await page.evaluate(() => scrollY);

@@ -1,4 +1,5 @@
-// Recordings in the page: a tour is played, somebody takes over, and what is played is recorded and saved.
+// Recordings in the page: a tour is played, somebody takes over, and what is played is recorded and
+// saved.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -11,12 +12,19 @@ before(async () => {
 });
 after(() => browser.close());
 
-const tour = 'slicecast recording 1\nscene other\n100 forward 256\nmark there 0123456789abcdef\n4000 turn 128\nend 4100 0123456789abcdef\n';
+const tour =
+  'slicecast recording 1\nscene other\n100 forward 256\nmark there 0123456789abcdef\n4000 turn 128\nend 4100 0123456789abcdef\n';
 
-const shown = (page) => page.evaluate(() => (document.getElementById('mode').hidden ? '' : document.getElementById('mode').textContent));
+const shown = (page) =>
+  page.evaluate(() =>
+    document.getElementById('mode').hidden ? '' : document.getElementById('mode').textContent,
+  );
 
 test('a tour of the address opens its scene and plays, until somebody moves', async (t) => {
-  const { page } = await openScene(t, browser, { query: '?tour=mine', server: { files: { 'tours/mine.txt': tour } } });
+  const { page } = await openScene(t, browser, {
+    query: '?tour=mine',
+    server: { files: { 'tours/mine.txt': tour } },
+  });
   assert.equal(await page.title(), 'The other room · Slicecast');
   assert.match(await shown(page), /recorded tour/);
   assert.equal((await player(page)).steps, 0);
@@ -28,12 +36,20 @@ test('a tour of the address opens its scene and plays, until somebody moves', as
   assert.equal(await shown(page), '');
   const { steps } = await player(page);
   const rested = await untilPlayer(page, (now, last) => now.steps > last + 90, steps);
-  assert.equal((await untilPlayer(page, (now, last) => now.steps > last + 30, rested.steps)).heading, rested.heading);
+  assert.equal(
+    (await untilPlayer(page, (now, last) => now.steps > last + 30, rested.steps)).heading,
+    rested.heading,
+  );
 });
 
 test('the menu leads to the tours of scenes that have one', async (t) => {
-  const scenes = [{ file: 'room.json', title: 'The coloured room', about: 'Four walls.' }, { file: 'other.json', title: 'The other room', about: 'Four walls too.', tour: true }];
-  const { page } = await openScene(t, browser, { server: { files: { 'scenes/index.json': JSON.stringify(scenes), 'tours/other.txt': tour } } });
+  const scenes = [
+    { file: 'room.json', title: 'The coloured room', about: 'Four walls.' },
+    { file: 'other.json', title: 'The other room', about: 'Four walls too.', tour: true },
+  ];
+  const { page } = await openScene(t, browser, {
+    server: { files: { 'scenes/index.json': JSON.stringify(scenes), 'tours/other.txt': tour } },
+  });
   await page.click('#open-scenes');
   assert.equal(await page.$$eval('#scene-list .tour', (links) => links.length), 1);
   await page.click('#scene-list .tour');
@@ -44,7 +60,10 @@ test('the menu leads to the tours of scenes that have one', async (t) => {
 });
 
 test('the tours that are shipped play in the page, to the same place as anywhere', async (t) => {
-  const { page } = await openScene(t, browser, { query: '?tour=library', server: { files: { 'scenes/index.json': '[]' } } });
+  const { page } = await openScene(t, browser, {
+    query: '?tour=library',
+    server: { files: { 'scenes/index.json': '[]' } },
+  });
   assert.equal(await page.title(), 'The library · Slicecast');
   await play(page);
   await page.waitForFunction(() => window.slicecast.engine.replayState.stepsDone > 240);
@@ -73,7 +92,9 @@ test('F9 begins the scene anew and records it, F9 saves what was played', async 
   await untilPlayer(page, (now) => now.x > 4);
   await page.keyboard.up('w');
   await page.keyboard.press('F9');
-  await page.waitForFunction(() => !document.getElementById('mode').hidden && document.body.dataset.state === 'playing');
+  await page.waitForFunction(
+    () => !document.getElementById('mode').hidden && document.body.dataset.state === 'playing',
+  );
   assert.match(await shown(page), /Recording/);
   assert.ok((await player(page)).x < 3.6, 'from the start');
   await page.keyboard.down('d');
@@ -84,17 +105,34 @@ test('F9 begins the scene anew and records it, F9 saves what was played', async 
   const download = await downloading;
   assert.equal(download.suggestedFilename(), 'room-recording.txt');
   const text = readFileSync(await download.path(), 'utf8');
-  assert.match(text, /^slicecast recording 1\nscene room\nset speed 1\n(\d+\n)?\d+ strafe 256\n(\d+\n)?end \d+ [0-9a-f]{16}\n$/);
+  assert.match(
+    text,
+    /^slicecast recording 1\nscene room\nset speed 1\n(\d+\n)?\d+ strafe 256\n(\d+\n)?end \d+ [0-9a-f]{16}\n$/,
+  );
   assert.equal(await shown(page), '');
-  assert.equal(await page.evaluate((bytes) => window.slicecast.engine.readRecording(new TextEncoder().encode(bytes), 'x').faults.length, text), 0);
+  assert.equal(
+    await page.evaluate(
+      (bytes) =>
+        window.slicecast.engine.readRecording(new TextEncoder().encode(bytes), 'x').faults.length,
+      text,
+    ),
+    0,
+  );
 });
 
 test('a tour that is long on its way is overtaken by a scene that is chosen meanwhile', async (t) => {
   let arrive;
-  const { page } = await openPage(t, browser, { query: '?tour=mine', server: { files: { 'tours/mine.txt': tour } }, prepare: (newPage) => newPage.route('**/tours/mine.txt', async (route) => {
-    await new Promise((resolve) => { arrive = resolve; });
-    await route.continue();
-  }) });
+  const { page } = await openPage(t, browser, {
+    query: '?tour=mine',
+    server: { files: { 'tours/mine.txt': tour } },
+    prepare: (newPage) =>
+      newPage.route('**/tours/mine.txt', async (route) => {
+        await new Promise((resolve) => {
+          arrive = resolve;
+        });
+        await route.continue();
+      }),
+  });
   await page.waitForFunction(() => window.slicecast.menu !== undefined);
   while (arrive === undefined) await page.waitForTimeout(20);
   await page.evaluate(() => {
@@ -113,10 +151,17 @@ test('a tour that is long on its way is overtaken by a scene that is chosen mean
 for (const query of ['?scene=room&view=bad', '?tour=gone']) {
   test(`what is on its way does not open over what is wrong with ${query}`, async (t) => {
     let arrive;
-    const { page } = await openPage(t, browser, { query: '?scene=other', expectErrors: true, prepare: (newPage) => newPage.route('**/scenes/other.json', async (route) => {
-      await new Promise((resolve) => { arrive = resolve; });
-      await route.continue();
-    }) });
+    const { page } = await openPage(t, browser, {
+      query: '?scene=other',
+      expectErrors: true,
+      prepare: (newPage) =>
+        newPage.route('**/scenes/other.json', async (route) => {
+          await new Promise((resolve) => {
+            arrive = resolve;
+          });
+          await route.continue();
+        }),
+    });
     while (arrive === undefined) await page.waitForTimeout(20);
     await page.evaluate((address) => {
       history.pushState(null, '', address);

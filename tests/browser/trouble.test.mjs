@@ -1,4 +1,5 @@
-// Every cause in the table of web/element/faults.js, provoked for real: the element shows it and sends it with its code.
+// Every cause in the table of web/element/faults.js, provoked for real: the element shows it and
+// sends it with its code.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -23,11 +24,21 @@ after(async () => {
 
 // What the event `error` brought and what the element shows of it; both tell the same.
 async function troubleOf(page, selector = 'ray-caster') {
-  const told = await until(page, (which) => window.told?.find(({ selector: at }) => document.querySelector(which).matches(at)), selector);
+  const told = await until(
+    page,
+    (which) => window.told?.find(({ selector: at }) => document.querySelector(which).matches(at)),
+    selector,
+  );
   const shown = await page.evaluate((which) => {
     const element = document.querySelector(which);
     const message = element.shadowRoot.querySelector('[part~="message"]');
-    return { text: message.innerText, isVisible: message.checkVisibility(), role: message.getAttribute('role'), state: element.state, error: element.error };
+    return {
+      text: message.innerText,
+      isVisible: message.checkVisibility(),
+      role: message.getAttribute('role'),
+      state: element.state,
+      error: element.error,
+    };
   }, selector);
   provoked.add(told.detail.code);
   assert.equal(shown.isVisible, true);
@@ -43,40 +54,170 @@ async function troubleOf(page, selector = 'ray-caster') {
 // Hears all errors, from the beginning on.
 function listen() {
   window.told = [];
-  document.addEventListener('error', ({ target, detail, bubbles }) => {
-    if (target.localName === 'ray-caster') window.told.push({ selector: target.id === '' ? 'ray-caster' : `#${target.id}`, detail, bubbles });
-  }, { capture: true });
+  document.addEventListener(
+    'error',
+    ({ target, detail, bubbles }) => {
+      if (target.localName === 'ray-caster')
+        window.told.push({
+          selector: target.id === '' ? 'ray-caster' : `#${target.id}`,
+          detail,
+          bubbles,
+        });
+    },
+    { capture: true },
+  );
 }
 
 function openTroubled(t, options, inBrowser = browser) {
-  return openGuest(t, inBrowser, { expectErrors: true, prepare: (page) => page.addInitScript(listen), ...options });
+  return openGuest(t, inBrowser, {
+    expectErrors: true,
+    prepare: (page) => page.addInitScript(listen),
+    ...options,
+  });
 }
 
 const withPolicy = (policy) => ({ headers: { 'Content-Security-Policy': policy } });
 const gone = 'http://localhost:9';
 
 for (const [what, code, expected, options] of [
-  ['a scene that is not there', 'fetch', /scenes\/nowhere\.json: the server answers 404/, { body: '<ray-caster scene="nowhere"></ray-caster>' }],
-  ['a server that does not answer', 'fetch', /does not answer/, { body: `<ray-caster scene="${gone}/room.json"></ray-caster>` }],
-  ['an engine that is not there', 'fetch', /slicecast-simd\.wasm: the server answers 404/, { server: { files: { 'engine/slicecast-simd.wasm': null } } }],
-  ['a scene of a host that does not share', 'cors', /does not allow pages of other origins/, () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>` })],
-  ['a page in the place of the engine', 'mime', /found "<!doctype html>/, { server: { files: { 'engine/slicecast-simd.wasm': '<!doctype html><title>Welcome</title>' } } }],
-  ['a page in the place of the scene', 'mime', /room\.json: the server answers with a web page.*pictures and tours must be served in http/, { server: { files: { 'scenes/room.json': '\n<!DOCTYPE html><title>Welcome</title>' } } }],
-  ['a policy without WebAssembly', 'csp', /does not allow WebAssembly.*'wasm-unsafe-eval'/s, { server: withPolicy("script-src 'self'") }],
-  ['a policy without fetches', 'csp', /connect-src/, { server: withPolicy("script-src 'self' 'wasm-unsafe-eval'; connect-src 'none'") }],
-  ['a policy without data: addresses', 'csp', /connect-src/, { body: '<ray-caster scene="data:application/json,{}"></ray-caster>', server: withPolicy("connect-src 'self'") }],
-  ['a policy without that host', 'csp', /connect-src/, () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>`, server: withPolicy("connect-src 'self'") })],
-  ['an engine cut short', 'engine', /refuses .*slicecast-simd\.wasm/, { server: { files: { 'engine/slicecast-simd.wasm': () => Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9]) } } }],
-  ['a view that cannot be read', 'address', /view: found "1,2", expected x,y,z,heading/, { body: kRoom.replace('scene', 'view="1,2" scene') }],
-  ['a view that cannot be', 'address', /view: found "1,2,-3,0"/, { body: kRoom.replace('scene', 'view="1,2,-3,0" scene') }],
-  ['a size that is none', 'address', /size: found "big"/, { body: kRoom.replace('scene', 'size="big" scene') }],
-  ['keys that are none', 'address', /keys: found "few", expected all, move, none/, { body: kRoom.replace('scene', 'keys="few" scene') }],
+  [
+    'a scene that is not there',
+    'fetch',
+    /scenes\/nowhere\.json: the server answers 404/,
+    { body: '<ray-caster scene="nowhere"></ray-caster>' },
+  ],
+  [
+    'a server that does not answer',
+    'fetch',
+    /does not answer/,
+    { body: `<ray-caster scene="${gone}/room.json"></ray-caster>` },
+  ],
+  [
+    'an engine that is not there',
+    'fetch',
+    /slicecast-simd\.wasm: the server answers 404/,
+    { server: { files: { 'engine/slicecast-simd.wasm': null } } },
+  ],
+  [
+    'a scene of a host that does not share',
+    'cors',
+    /does not allow pages of other origins/,
+    () => ({ body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>` }),
+  ],
+  [
+    'a page in the place of the engine',
+    'mime',
+    /found "<!doctype html>/,
+    {
+      server: { files: { 'engine/slicecast-simd.wasm': '<!doctype html><title>Welcome</title>' } },
+    },
+  ],
+  [
+    'a page in the place of the scene',
+    'mime',
+    /room\.json: the server answers with a web page.*pictures and tours must be served in http/,
+    { server: { files: { 'scenes/room.json': '\n<!DOCTYPE html><title>Welcome</title>' } } },
+  ],
+  [
+    'a policy without WebAssembly',
+    'csp',
+    /does not allow WebAssembly.*'wasm-unsafe-eval'/s,
+    { server: withPolicy("script-src 'self'") },
+  ],
+  [
+    'a policy without fetches',
+    'csp',
+    /connect-src/,
+    { server: withPolicy("script-src 'self' 'wasm-unsafe-eval'; connect-src 'none'") },
+  ],
+  [
+    'a policy without data: addresses',
+    'csp',
+    /connect-src/,
+    {
+      body: '<ray-caster scene="data:application/json,{}"></ray-caster>',
+      server: withPolicy("connect-src 'self'"),
+    },
+  ],
+  [
+    'a policy without that host',
+    'csp',
+    /connect-src/,
+    () => ({
+      body: `<ray-caster scene="${other.address}scenes/room.json"></ray-caster>`,
+      server: withPolicy("connect-src 'self'"),
+    }),
+  ],
+  [
+    'an engine cut short',
+    'engine',
+    /refuses .*slicecast-simd\.wasm/,
+    {
+      server: {
+        files: {
+          'engine/slicecast-simd.wasm': () => Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9]),
+        },
+      },
+    },
+  ],
+  [
+    'a view that cannot be read',
+    'address',
+    /view: found "1,2", expected x,y,z,heading/,
+    { body: kRoom.replace('scene', 'view="1,2" scene') },
+  ],
+  [
+    'a view that cannot be',
+    'address',
+    /view: found "1,2,-3,0"/,
+    { body: kRoom.replace('scene', 'view="1,2,-3,0" scene') },
+  ],
+  [
+    'a size that is none',
+    'address',
+    /size: found "big"/,
+    { body: kRoom.replace('scene', 'size="big" scene') },
+  ],
+  [
+    'keys that are none',
+    'address',
+    /keys: found "few", expected all, move, none/,
+    { body: kRoom.replace('scene', 'keys="few" scene') },
+  ],
   ['no scene at all', 'address', /scene: found nothing/, { body: '<ray-caster></ray-caster>' }],
-  ['options without a value', 'address', /options: found "fov"/, { body: kRoom.replace('scene', 'options="fov" scene') }],
-  ['an option that is none', 'option', /colour/, { body: kRoom.replace('scene', 'options="colour=red" scene') }],
-  ['a value that an option does not take', 'option', /fov/, { body: kRoom.replace('scene', 'options="fov=wide" scene') }],
-  ['a tour that is not there', 'tour', /tours\/nowhere\.txt: the server answers 404/, { body: kRoom.replace('scene', 'tour="nowhere" scene') }],
-  ['a tour that is none', 'tour', /mine\.txt/, { body: kRoom.replace('scene', 'tour="./mine.txt" scene'), server: { files: { 'mine.txt': 'walk about\n' } } }],
+  [
+    'options without a value',
+    'address',
+    /options: found "fov"/,
+    { body: kRoom.replace('scene', 'options="fov" scene') },
+  ],
+  [
+    'an option that is none',
+    'option',
+    /colour/,
+    { body: kRoom.replace('scene', 'options="colour=red" scene') },
+  ],
+  [
+    'a value that an option does not take',
+    'option',
+    /fov/,
+    { body: kRoom.replace('scene', 'options="fov=wide" scene') },
+  ],
+  [
+    'a tour that is not there',
+    'tour',
+    /tours\/nowhere\.txt: the server answers 404/,
+    { body: kRoom.replace('scene', 'tour="nowhere" scene') },
+  ],
+  [
+    'a tour that is none',
+    'tour',
+    /mine\.txt/,
+    {
+      body: kRoom.replace('scene', 'tour="./mine.txt" scene'),
+      server: { files: { 'mine.txt': 'walk about\n' } },
+    },
+  ],
 ]) {
   test(`${what}: ${code}`, async (t) => {
     const { page } = await openTroubled(t, typeof options === 'function' ? options() : options);
@@ -90,15 +231,21 @@ test('a bad scene: all of its faults, each with its place', async (t) => {
   const scene = roomScene();
   scene.maps[0].levels[0][2] = '#..?..#';
   scene.maps[0].floor = 'gras';
-  const { page } = await openTroubled(t, { server: { files: { 'scenes/room.json': JSON.stringify(scene, null, 1) } } });
+  const { page } = await openTroubled(t, {
+    server: { files: { 'scenes/room.json': JSON.stringify(scene, null, 1) } },
+  });
   const { code, title, faults, text } = await troubleOf(page);
   assert.equal(code, 'scene');
   assert.equal(title, '2 faults in room.json');
   const places = faults.map(({ pointer, row, character }) => [pointer, row, character]);
-  assert.deepEqual(places.sort(), [['/maps/0/floor', -1, -1], ['/maps/0/levels/0/2', 2, 3]]);
+  assert.deepEqual(places.sort(), [
+    ['/maps/0/floor', -1, -1],
+    ['/maps/0/levels/0/2', 2, 3],
+  ]);
   for (const { place, found, expected } of faults) {
     assert.match(place, /^room\.json:\d+:\d+$/);
-    for (const part of [place, found, expected]) assert.ok(text.includes(part), `${part} in ${text}`);
+    for (const part of [place, found, expected])
+      assert.ok(text.includes(part), `${part} in ${text}`);
   }
 });
 
@@ -113,14 +260,20 @@ test('pictures that are not there, JSON that is none, and rows with faults: scen
   });
   const one = await troubleOf(page, '#one');
   assert.match(one.faults[0].pointer, /textures\/red/);
-  assert.match(one.faults[0].found, /"pictures\/red\.png", which could not be read: the server answers 404/);
+  assert.match(
+    one.faults[0].found,
+    /"pictures\/red\.png", which could not be read: the server answers 404/,
+  );
   assert.match((await troubleOf(page, '#two')).faults[0].found, /./);
   assert.equal((await troubleOf(page, '#three')).faults[0].place, 'rows:1:2');
 });
 
-test('pictures of a host that does not share: the scene\'s fault says so', async (t) => {
+test("pictures of a host that does not share: the scene's fault says so", async (t) => {
   const pictures = new URL('scenes/pictures/', other.address).href;
-  const shared = await serve({ files: { 'far.json': () => JSON.stringify(roomScene()) }, headers: { 'Access-Control-Allow-Origin': '*' } });
+  const shared = await serve({
+    files: { 'far.json': () => JSON.stringify(roomScene()) },
+    headers: { 'Access-Control-Allow-Origin': '*' },
+  });
   t.after(() => shared.close());
   const { page } = await openTroubled(t, {
     body: `<ray-caster scene="${shared.address}far.json"></ray-caster>`,
@@ -128,7 +281,10 @@ test('pictures of a host that does not share: the scene\'s fault says so', async
       await opened.addInitScript(listen);
       await opened.route('**/pictures/*.png', (route) => {
         const elsewhere = pictures + route.request().url().split('/').pop();
-        return route.fulfill({ status: 302, headers: { 'Location': elsewhere, 'Access-Control-Allow-Origin': '*' } });
+        return route.fulfill({
+          status: 302,
+          headers: { Location: elsewhere, 'Access-Control-Allow-Origin': '*' },
+        });
       });
     },
   });
@@ -144,7 +300,11 @@ test('no memory for the engine: engine', async (t) => {
         const instantiate = WebAssembly.instantiate.bind(WebAssembly);
         WebAssembly.instantiate = () => {
           WebAssembly.instantiate = instantiate;
-          return Promise.reject(new RangeError('WebAssembly.instantiate(): Out of memory: Cannot allocate Wasm memory for new instance'));
+          return Promise.reject(
+            new RangeError(
+              'WebAssembly.instantiate(): Out of memory: Cannot allocate Wasm memory for new instance',
+            ),
+          );
         };
       });
     },
@@ -158,12 +318,23 @@ test('no memory for the engine: engine', async (t) => {
 });
 
 test('methods before there is a scene: not-ready', async (t) => {
-  const { page } = await openTroubled(t, { body: '<p style="height: 4000px">Read on.</p><ray-caster scene="room"></ray-caster>' });
+  const { page } = await openTroubled(t, {
+    body: '<p style="height: 4000px">Read on.</p><ray-caster scene="room"></ray-caster>',
+  });
   const thrown = await page.evaluate(async () => {
     await customElements.whenDefined('ray-caster');
     const element = document.querySelector('ray-caster');
     const codes = [];
-    for (const [name, ...values] of [['reset'], ['step'], ['set', 'fov', 75], ['get', 'fov'], ['look', '1,1,1,0'], ['hits', 0], ['trace', 0], ['trace']]) {
+    for (const [name, ...values] of [
+      ['reset'],
+      ['step'],
+      ['set', 'fov', 75],
+      ['get', 'fov'],
+      ['look', '1,1,1,0'],
+      ['hits', 0],
+      ['trace', 0],
+      ['trace'],
+    ]) {
       try {
         element[name](...values);
         codes.push(`${name} went well`);
@@ -181,44 +352,78 @@ test('methods before there is a scene: not-ready', async (t) => {
 test('set() with what the engine does not take: an Error with the code option, and the scene goes on', async (t) => {
   const { page } = await openTroubled(t, {});
   await ready(page);
-  assert.deepEqual(await page.evaluate(() => ['colour', 'fov'].map((name) => {
-    try {
-      return document.querySelector('ray-caster').set(name, 'wide');
-    } catch (error) {
-      return error.code;
-    }
-  })), ['option', 'option']);
+  assert.deepEqual(
+    await page.evaluate(() =>
+      ['colour', 'fov'].map((name) => {
+        try {
+          return document.querySelector('ray-caster').set(name, 'wide');
+        } catch (error) {
+          return error.code;
+        }
+      }),
+    ),
+    ['option', 'option'],
+  );
   assert.equal(await page.evaluate(() => document.querySelector('ray-caster').state), 'paused');
 });
 
 test('what was wrong can be mended: another try, another address, another attribute', async (t) => {
   let isThere = false;
-  const { page } = await openTroubled(t, { server: { files: {
-    'scenes/room.json': () => (isThere ? JSON.stringify(roomScene()) : null),
-    'engine/slicecast-simd.wasm': () => (isThere ? readFileSync(new URL('../../build/web/engine/slicecast-simd.wasm', import.meta.url)) : null),
-  } } });
+  const { page } = await openTroubled(t, {
+    server: {
+      files: {
+        'scenes/room.json': () => (isThere ? JSON.stringify(roomScene()) : null),
+        'engine/slicecast-simd.wasm': () =>
+          isThere
+            ? readFileSync(new URL('../../build/web/engine/slicecast-simd.wasm', import.meta.url))
+            : null,
+      },
+    },
+  });
   await troubleOf(page);
   isThere = true;
   await page.getByRole('button', { name: 'Try again' }).click();
   await until(page, () => document.querySelector('ray-caster').state === 'paused');
   assert.equal(await page.evaluate(() => document.querySelector('ray-caster').error), null);
 
-  for (const [name, bad, good] of [['view', '1,2', '2.5,2.5,0.6,90'], ['scene', 'nowhere', 'other'], ['options', 'fov=wide', 'fov=75']]) {
-    await page.evaluate(([attribute, value]) => {
-      window.told.length = 0;
-      document.querySelector('ray-caster').setAttribute(attribute, value);
-    }, [name, bad]);
+  for (const [name, bad, good] of [
+    ['view', '1,2', '2.5,2.5,0.6,90'],
+    ['scene', 'nowhere', 'other'],
+    ['options', 'fov=wide', 'fov=75'],
+  ]) {
+    await page.evaluate(
+      ([attribute, value]) => {
+        window.told.length = 0;
+        document.querySelector('ray-caster').setAttribute(attribute, value);
+      },
+      [name, bad],
+    );
     await troubleOf(page);
-    await page.evaluate(([attribute, value]) => document.querySelector('ray-caster').setAttribute(attribute, value), [name, good]);
-    await until(page, () => document.querySelector('ray-caster').state === 'paused' && document.querySelector('ray-caster').error === null);
+    await page.evaluate(
+      ([attribute, value]) => document.querySelector('ray-caster').setAttribute(attribute, value),
+      [name, good],
+    );
+    await until(
+      page,
+      () =>
+        document.querySelector('ray-caster').state === 'paused' &&
+        document.querySelector('ray-caster').error === null,
+    );
   }
 });
 
 test('what one steers by is not there: who wants to play is told, who passes is not', async (t) => {
   let isThere = false;
-  const { page } = await openTroubled(t, { server: { files: {
-    'ray-caster-steering.js': () => (isThere ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url)) : null),
-  } } });
+  const { page } = await openTroubled(t, {
+    server: {
+      files: {
+        'ray-caster-steering.js': () =>
+          isThere
+            ? readFileSync(new URL('../../build/web/ray-caster-steering.js', import.meta.url))
+            : null,
+      },
+    },
+  });
   await ready(page);
   await page.hover('ray-caster');
   await page.waitForTimeout(300);
@@ -235,11 +440,24 @@ test('what one steers by is not there: who wants to play is told, who passes is 
 });
 
 for (const [what, code, expected, server] of [
-  ['not there', 'fetch', /ray-caster-rows\.js: the server answers 404/, { files: { 'ray-caster-rows.js': null } }],
-  ['sent as something else', 'mime', /ray-caster-rows\.js: the server sends it as text\/plain/, { types: { 'ray-caster-rows.js': 'text/plain' } }],
+  [
+    'not there',
+    'fetch',
+    /ray-caster-rows\.js: the server answers 404/,
+    { files: { 'ray-caster-rows.js': null } },
+  ],
+  [
+    'sent as something else',
+    'mime',
+    /ray-caster-rows\.js: the server sends it as text\/plain/,
+    { types: { 'ray-caster-rows.js': 'text/plain' } },
+  ],
 ]) {
   test(`what reads rows is ${what}: ${code}`, async (t) => {
-    const { page } = await openTroubled(t, { body: '<ray-caster><script type="text/plain" data-rows>#>#</script></ray-caster>', server });
+    const { page } = await openTroubled(t, {
+      body: '<ray-caster><script type="text/plain" data-rows>#>#</script></ray-caster>',
+      server,
+    });
     const { code: found, message } = await troubleOf(page);
     assert.equal(found, code, message);
     assert.match(message, expected);
@@ -254,7 +472,8 @@ async function launchWith(t, flags) {
 
 // Without a compiler there is none, as in the strict modes of browsers.
 test('no WebAssembly: no-webassembly, and what the page wrote for that case', async (t) => {
-  const body = '<ray-caster scene="room" style="width: 400px"><p id="text">A room with four walls</p></ray-caster>';
+  const body =
+    '<ray-caster scene="room" style="width: 400px"><p id="text">A room with four walls</p></ray-caster>';
   const { page } = await openTroubled(t, { body }, await launchWith(t, '--jitless'));
   const { code } = await troubleOf(page);
   assert.equal(code, 'no-webassembly');
@@ -262,10 +481,16 @@ test('no WebAssembly: no-webassembly, and what the page wrote for that case', as
 });
 
 test('no SIMD: the other build, without a word', async (t) => {
-  const { page, server } = await openTroubled(t, {}, await launchWith(t, '--no-enable-sse4-1 --no-enable-ssse3'));
+  const { page, server } = await openTroubled(
+    t,
+    {},
+    await launchWith(t, '--no-enable-sse4-1 --no-enable-ssse3'),
+  );
   await ready(page);
   assert.deepEqual(await page.evaluate(() => window.told), []);
-  assert.deepEqual(server.asked.filter((path) => path.startsWith('engine/')).sort(), ['engine/slicecast-scalar.wasm']);
+  assert.deepEqual(server.asked.filter((path) => path.startsWith('engine/')).sort(), [
+    'engine/slicecast-scalar.wasm',
+  ]);
 });
 
 test('every code of the table has been provoked', () => {

@@ -24,8 +24,8 @@ Image anyImage(Random& random, int width, int height) {
     for (Pixel& pixel : image.pixels) {
         const int bits = random.between(0, 0xffffff);
         const int alpha = random.oneIn(3) ? 0 : random.oneIn(3) ? random.between(1, 254) : 255;
-        pixel = toPixel(
-            {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16), static_cast<std::uint8_t>(alpha)});
+        pixel = toPixel({static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8),
+                         static_cast<std::uint8_t>(bits >> 16), static_cast<std::uint8_t>(alpha)});
     }
     return image;
 }
@@ -37,7 +37,8 @@ void addSeeThrough(Random& random, World& world) {
         const int frames = i < 2 ? 1 : random.between(2, 4);
         const int size = 8 << random.below(3);
         const double rate = i < 4 ? random.between(0.5, 20.0) : 0.0;
-        world.textures.push_back(makeTexture("glass " + std::to_string(i), anyImage(random, size * frames, size), frames, rate));
+        world.textures.push_back(makeTexture("glass " + std::to_string(i),
+                                             anyImage(random, size * frames, size), frames, rate));
     }
     const int shapes = static_cast<int>(world.blueprints.size());
     for (int id = 1; id < shapes; ++id) {
@@ -45,7 +46,8 @@ void addSeeThrough(Random& random, World& world) {
         blueprint.join = !random.oneIn(3);
         if (random.oneIn(2)) continue;
         for (FaceBlueprint& face : blueprint.faces) {
-            if (!random.oneIn(3)) face.texture = static_cast<TextureId>(random.between(first, first + 5));
+            if (!random.oneIn(3))
+                face.texture = static_cast<TextureId>(random.between(first, first + 5));
             face.glow = random.oneIn(8);
         }
     }
@@ -57,12 +59,16 @@ void addMirrors(Random& random, World& world) {
         if (random.oneIn(2)) map.floor.mirror = strength();
     }
     for (CellBlueprint& blueprint : world.blueprints) {
-        if (random.oneIn(3)) blueprint.faces[static_cast<std::size_t>(Face::top)].mirror = strength();
+        if (random.oneIn(3))
+            blueprint.faces[static_cast<std::size_t>(Face::top)].mirror = strength();
     }
 }
 
 PortalId anyPortal(Random& random, World& world, int map, Cell at) {
-    Portal portal = {.fromMap = map, .fromX = at.x, .fromY = at.y, .toMap = random.below(static_cast<int>(world.maps.size()))};
+    Portal portal = {.fromMap = map,
+                     .fromX = at.x,
+                     .fromY = at.y,
+                     .toMap = random.below(static_cast<int>(world.maps.size()))};
     const Map& exit = world.maps[static_cast<std::size_t>(portal.toMap)];
     portal.toX = random.below(exit.width);
     portal.toY = random.below(exit.depth);
@@ -90,7 +96,8 @@ void addPortals(Random& random, World& world) {
                 if (random.oneIn(2)) face.portal = anyPortal(random, world, m, at);
             }
             world.blueprints.push_back(std::move(instance));
-            map.setCell(at.x, at.y, at.level, static_cast<BlueprintId>(world.blueprints.size() - 1));
+            map.setCell(at.x, at.y, at.level,
+                        static_cast<BlueprintId>(world.blueprints.size() - 1));
         }
     }
 }
@@ -99,7 +106,8 @@ void addObjects(Random& random, World& world) {
     for (int i = 0; i < 3; ++i) {
         const int frames = random.between(1, 3);
         const int height = random.between(5, 40);
-        world.sprites.push_back(makeSprite("figure " + std::to_string(i), anyImage(random, 16 * frames, height), frames, 4.0));
+        world.sprites.push_back(makeSprite("figure " + std::to_string(i),
+                                           anyImage(random, 16 * frames, height), frames, 4.0));
     }
     for (int m = 0; m < static_cast<int>(world.maps.size()); ++m) {
         Map& map = world.maps[static_cast<std::size_t>(m)];
@@ -109,7 +117,8 @@ void addObjects(Random& random, World& world) {
             object.sprite = static_cast<SpriteId>(random.below(3));
             object.x = {random.between(0, map.width * 65536 - 1)};
             object.y = {random.between(0, map.depth * 65536 - 1)};
-            object.z = random.oneIn(2) ? Coordinate{0} : Coordinate{random.between(0, map.levels * 65536)};
+            object.z =
+                random.oneIn(2) ? Coordinate{0} : Coordinate{random.between(0, map.levels * 65536)};
             object.width = {random.between(4096, 2 * 65536)};
             object.height = {random.between(4096, 2 * 65536)};
             object.light = random.unit();
@@ -142,10 +151,14 @@ void addMovers(Random& random, World& world) {
         motion.shape = static_cast<MotionShape>(random.below(3));
         world.motions.push_back(std::move(motion));
     }
-    world.gateKinds.push_back({.steps = random.between(10, 200), .opensOnApproach = true, .approach = tileEdge(2), .holdSteps = random.between(1, 200)});
+    world.gateKinds.push_back({.steps = random.between(10, 200),
+                               .opensOnApproach = true,
+                               .approach = tileEdge(2),
+                               .holdSteps = random.between(1, 200)});
     const int shapes = static_cast<int>(world.blueprints.size());
     for (int i = 0; i < 4; ++i) {
-        CellBlueprint moving = world.blueprints[static_cast<std::size_t>(random.between(1, shapes - 1))];
+        CellBlueprint moving =
+            world.blueprints[static_cast<std::size_t>(random.between(1, shapes - 1))];
         for (FaceBlueprint& face : moving.faces) face.portal = kNoPortal;
         if (i < 3) {
             moving.motion = i;
@@ -154,7 +167,8 @@ void addMovers(Random& random, World& world) {
         } else {
             moving.gate = 0;
             const int held = static_cast<int>(world.textures.size()) - 1;
-            moving.faces[static_cast<std::size_t>(Face::west)].texture = static_cast<TextureId>(held);
+            moving.faces[static_cast<std::size_t>(Face::west)].texture =
+                static_cast<TextureId>(held);
         }
         world.blueprints.push_back(std::move(moving));
     }
@@ -162,7 +176,8 @@ void addMovers(Random& random, World& world) {
         for (int i = 0; i < 8; ++i) {
             const Cell at = anyCell(random, map);
             if (map.levels < 2 || map.tilePortal(at.x, at.y) != kNoPortal) continue;
-            for (int level = 0; level < map.levels; ++level) map.setCell(at.x, at.y, level, kEmptyCell);
+            for (int level = 0; level < map.levels; ++level)
+                map.setCell(at.x, at.y, level, kEmptyCell);
             map.setCell(at.x, at.y, 0, static_cast<BlueprintId>(shapes + random.below(4)));
         }
     }

@@ -1,5 +1,5 @@
-// What generated worlds have beyond blocks: a second and a third map, see-through textures and sheets, mirrors, portals, objects that stand and move, blocks
-// that move, gates.
+// What generated worlds have beyond blocks: a second and a third map, see-through textures and
+// sheets, mirrors, portals, objects that stand and move, blocks that move, gates.
 #pragma once
 
 #include "base/random.h"

@@ -16,7 +16,8 @@ constexpr int kTextures = 10;
 
 Colour anyColour(Random& random) {
     const int bits = random.between(0, 0xffffff);
-    return {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16), 255};
+    return {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8),
+            static_cast<std::uint8_t>(bits >> 16), 255};
 }
 
 TextureId anyTexture(Random& random) {
@@ -74,7 +75,8 @@ void addCeiling(Random& random, Map& map) {
     map.ceiling.tiles.resize(map.floor.tiles.size());
     const int open = random.between(1, 6);
     const TextureId texture = anyTexture(random);
-    for (TextureId& tile : map.ceiling.tiles) tile = random.oneIn(open + 1) ? kNoTexture : random.oneIn(4) ? anyTexture(random) : texture;
+    for (TextureId& tile : map.ceiling.tiles)
+        tile = random.oneIn(open + 1) ? kNoTexture : random.oneIn(4) ? anyTexture(random) : texture;
 }
 
 Map anyMap(Random& random, int blueprints, Sky::Kind sky) {
@@ -87,7 +89,9 @@ Map anyMap(Random& random, int blueprints, Sky::Kind sky) {
     for (int y = 0; y < depth; ++y) {
         for (int x = 0; x < width; ++x) {
             for (int level = 0; level < levels; ++level) {
-                if (random.unit() < filled) map.setCell(x, y, level, static_cast<BlueprintId>(random.between(1, blueprints)));
+                if (random.unit() < filled)
+                    map.setCell(x, y, level,
+                                static_cast<BlueprintId>(random.between(1, blueprints)));
             }
         }
     }
@@ -113,7 +117,8 @@ Map anyMap(Random& random, int blueprints, Sky::Kind sky) {
 
 RenderOptions anyOptions(Random& random) {
     RenderOptions options;
-    options.fovDegrees = random.oneIn(4) ? random.between(kMinFovDegrees, kMaxFovDegrees) : random.between(30.0, 110.0);
+    options.fovDegrees = random.oneIn(4) ? random.between(kMinFovDegrees, kMaxFovDegrees)
+                                         : random.between(30.0, 110.0);
     options.detail = !random.oneIn(5);
     if (random.oneIn(4)) options.detailThreshold = random.between(0.125, 8.0);
     options.textures = !random.oneIn(10);
@@ -135,7 +140,9 @@ World generatedWorld(std::uint64_t seed) {
     const bool withFeatures = seed % 2 == 1;
     const int maps = withFeatures ? random.between(2, 3) : 1;
     for (int i = 0; i < maps; ++i) {
-        world.maps.push_back(anyMap(random, blueprints, static_cast<Sky::Kind>((seed + static_cast<std::uint64_t>(i)) % 3)));
+        world.maps.push_back(
+            anyMap(random, blueprints,
+                   static_cast<Sky::Kind>((seed + static_cast<std::uint64_t>(i)) % 3)));
         world.maps.back().name += " " + std::to_string(i);
     }
     if (withFeatures) addFeatures(random, world);
@@ -146,11 +153,15 @@ World generatedWorld(std::uint64_t seed) {
 }
 
 GeneratedView generatedView(const World& world, std::uint64_t seed) {
-    constexpr std::array<std::array<int, 2>, 6> kSizes = {{{320, 200}, {319, 201}, {1, 1}, {7, 3}, {33, 240}, {400, 17}}};
+    constexpr std::array<std::array<int, 2>, 6> kSizes = {
+        {{320, 200}, {319, 201}, {1, 1}, {7, 3}, {33, 240}, {400, 17}}};
     Random random(seed);
     GeneratedView view;
     view.options = anyOptions(random);
-    const auto& size = random.oneIn(3) ? kSizes[static_cast<std::size_t>(random.below(static_cast<int>(kSizes.size())))] : kSizes[0];
+    const auto& size =
+        random.oneIn(3)
+            ? kSizes[static_cast<std::size_t>(random.below(static_cast<int>(kSizes.size())))]
+            : kSizes[0];
     view.width = size[0];
     view.height = size[1];
 
@@ -166,7 +177,8 @@ GeneratedView generatedView(const World& world, std::uint64_t seed) {
     if (random.oneIn(6)) eye.x = tileEdge(eye.x.tile());
     if (random.oneIn(6)) eye.y = tileEdge(eye.y.tile());
     if (random.oneIn(6)) eye.z = {std::max(1, eye.z.raw >> 13) * 8192};
-    eye.headingDegrees = random.oneIn(5) ? 45.0 * random.between(-8, 16) : random.between(-400.0, 800.0);
+    eye.headingDegrees =
+        random.oneIn(5) ? 45.0 * random.between(-8, 16) : random.between(-400.0, 800.0);
     eye.look = random.oneIn(4) ? random.between(-kMaxLook, kMaxLook) : random.between(-0.5, 0.5);
     return view;
 }

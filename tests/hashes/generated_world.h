@@ -1,6 +1,7 @@
-// Worlds and views that nobody has made: every seed gives another one, the same from every compiler. They hold what shipped scenes have little of: blocks of
-// all shapes in great number, all kinds of sky, ceilings with holes, fog, a near end of the floor, eyes anywhere; every other one has what generated_features.h
-// lists.
+// Worlds and views that nobody has made: every seed gives another one, the same from every
+// compiler. They hold what shipped scenes have little of: blocks of all shapes in great number, all
+// kinds of sky, ceilings with holes, fog, a near end of the floor, eyes anywhere; every other one
+// has what generated_features.h lists.
 #pragma once
 
 #include "render/eye.h"

@@ -1,8 +1,8 @@
-// Prints one line per view: its name and the hash of its picture, and one line per stretch of a run: its name and a fingerprint of the state. Of the recorded
-// tours it prints both at each mark.
+// Prints one line per view: its name and the hash of its picture, and one line per stretch of a
+// run: its name and a fingerprint of the state. Of the recorded tours it prints both at each mark.
 // Builds by different compilers must print the same.
 //
-//     picture-hashes ASSETS_FOLDER
+//     picture-hashes FOLDER        of the frozen set, tests/frozen
 
 #include "base/angle.h"
 #include "base/random.h"
@@ -49,7 +49,8 @@ template <typename Draw>
 void printPicture(const std::string& name, int width, int height, Draw&& draw) {
     Image image(width, height);
     const bool drawn = draw(Picture{image.pixels.data(), width, height, width});
-    printLine(name + (drawn ? "" : " refused"), hashOf(image.pixels.data(), image.pixels.size() * sizeof(Pixel)));
+    printLine(name + (drawn ? "" : " refused"),
+              hashOf(image.pixels.data(), image.pixels.size() * sizeof(Pixel)));
 }
 
 Input anyInput(Random& random) {
@@ -80,9 +81,12 @@ void printRun(const std::string& name, Session& session, std::uint64_t seed, int
             if (random.oneIn(20)) session.setFlying(!session.player().flying);
         }
         session.step(input);
-        if ((step + 1) % kStepsOfALine == 0) printLine(name + " after " + std::to_string(step + 1) + " steps", session.fingerprint());
+        if ((step + 1) % kStepsOfALine == 0)
+            printLine(name + " after " + std::to_string(step + 1) + " steps",
+                      session.fingerprint());
     }
-    printPicture(name + " where it ends", 320, 200, [&](const Picture& picture) { return session.draw(picture, 0.5); });
+    printPicture(name + " where it ends", 320, 200,
+                 [&](const Picture& picture) { return session.draw(picture, 0.5); });
 }
 
 // Somewhere over the map, mostly at the height of a person.
@@ -113,8 +117,10 @@ void printOldWays(const std::string& name, Session& session) {
     session.setOption("method", "classic");
     for (std::size_t i = 0; i < ways.size(); ++i) {
         for (const auto& [option, value] : ways[i]) session.setOption(option, value);
-        printPicture(name + " old way " + std::to_string(i), 160, 100, [&](const Picture& picture) { return session.draw(picture); });
-        for (const auto& [option, value] : ways[i]) session.setOption(option, optionValue({}, option));
+        printPicture(name + " old way " + std::to_string(i), 160, 100,
+                     [&](const Picture& picture) { return session.draw(picture); });
+        for (const auto& [option, value] : ways[i])
+            session.setOption(option, optionValue({}, option));
     }
     session.setOption("method", "exact");
 }
@@ -126,7 +132,8 @@ bool printScene(const std::filesystem::path& path, std::uint64_t seed) {
     Session session(std::move(*scene.world));
     const std::string name = path.stem().string();
     const auto print = [&](const std::string& view, int width, int height) {
-        printPicture(name + " " + view, width, height, [&](const Picture& picture) { return session.draw(picture); });
+        printPicture(name + " " + view, width, height,
+                     [&](const Picture& picture) { return session.draw(picture); });
     };
     print("start", 1280, 720);
     print("start small", 320, 200);
@@ -158,7 +165,9 @@ struct Shown {
         layers += report.layers;
         objectSlices += report.objectSlices;
     }
-    bool isEverything() const { return portals > 4 && mirroredRows > 100'000 && layers > 100'000 && objectSlices > 1000; }
+    bool isEverything() const {
+        return portals > 4 && mirroredRows > 100'000 && layers > 100'000 && objectSlices > 1000;
+    }
 };
 
 void printGenerated(std::uint64_t seed, Shown& shown) {
@@ -170,7 +179,9 @@ void printGenerated(std::uint64_t seed, Shown& shown) {
         const GeneratedView view = generatedView(world, seed * kViews + i);
         world.seconds = 0.37 * static_cast<double>(i);
         printPicture(name + " view " + std::to_string(i), view.width, view.height,
-                     [&](const Picture& picture) { return renderer.draw(world, view.eye, view.options, picture); });
+                     [&](const Picture& picture) {
+                         return renderer.draw(world, view.eye, view.options, picture);
+                     });
         shown.add(renderer.report());
     }
     if (seed % 6 < 2) {
@@ -182,10 +193,12 @@ void printGenerated(std::uint64_t seed, Shown& shown) {
 // A recorded tour: the state and the picture at each of its marks and at its end.
 bool printTour(const std::filesystem::path& assets, const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    ReadRecording read = readRecording(std::string(std::istreambuf_iterator<char>(file), {}), path.string());
+    ReadRecording read =
+        readRecording(std::string(std::istreambuf_iterator<char>(file), {}), path.string());
     for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     if (!read.recording) return false;
-    SceneFromFile scene = readScene((assets / "scenes" / (read.recording->scene + ".json")).string());
+    SceneFromFile scene =
+        readScene((assets / "scenes" / (read.recording->scene + ".json")).string());
     for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     if (!scene.world) return false;
 
@@ -193,8 +206,10 @@ bool printTour(const std::filesystem::path& assets, const std::filesystem::path&
     Replay replay(std::move(*read.recording));
     const auto print = [&](const std::string& mark) {
         const std::string name = "tour " + path.stem().string() + " " + mark;
-        printLine(name + " after " + std::to_string(replay.stepsDone()) + " steps", session.fingerprint());
-        printPicture(name, 320, 200, [&](const Picture& picture) { return session.draw(picture, 0.5); });
+        printLine(name + " after " + std::to_string(replay.stepsDone()) + " steps",
+                  session.fingerprint());
+        printPicture(name, 320, 200,
+                     [&](const Picture& picture) { return session.draw(picture, 0.5); });
     };
     for (std::size_t passed = 0; replay.step(session);) {
         for (; passed < replay.marks().size(); ++passed) print(replay.marks()[passed].name);
@@ -203,12 +218,15 @@ bool printTour(const std::filesystem::path& assets, const std::filesystem::path&
     return true;
 }
 
-// The files of a folder with that ending, in the order of their names. index.json is the list of the scenes.
-std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, const char* ending) {
+// The files of a folder with that ending, in the order of their names. index.json is the list of
+// the scenes.
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder,
+                                           const char* ending) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (entry.path().extension() == ending && entry.path().filename() != "index.json") files.push_back(entry.path());
+        if (entry.path().extension() == ending && entry.path().filename() != "index.json")
+            files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     return files;
@@ -218,7 +236,8 @@ int printAll(const std::filesystem::path& assets) {
     printAngles();
     const std::vector<std::filesystem::path> scenes = filesIn(assets / "scenes", ".json");
     if (scenes.empty()) {
-        std::fprintf(stderr, "picture-hashes: there are no scenes in %s\n", (assets / "scenes").string().c_str());
+        std::fprintf(stderr, "picture-hashes: there are no scenes in %s\n",
+                     (assets / "scenes").string().c_str());
         return 1;
     }
     std::uint64_t seed = 1;
@@ -233,7 +252,8 @@ int printAll(const std::filesystem::path& assets) {
     for (std::uint64_t i = 0; i < kWorlds; ++i) printGenerated(i, shown);
     if (!shown.isEverything()) {
         std::fprintf(stderr,
-                     "picture-hashes: generated views show too little: %d portals deep, %" PRId64 " mirrored rows, %" PRId64 " see-through runs, %" PRId64
+                     "picture-hashes: generated views show too little: %d portals deep, %" PRId64
+                     " mirrored rows, %" PRId64 " see-through runs, %" PRId64
                      " slices of objects\n",
                      shown.portals, shown.mirroredRows, shown.layers, shown.objectSlices);
         return 1;
@@ -246,7 +266,7 @@ int printAll(const std::filesystem::path& assets) {
 
 int main(int argc, char** argv) {
     if (argc != 2) {
-        std::fprintf(stderr, "usage: picture-hashes ASSETS_FOLDER\n");
+        std::fprintf(stderr, "usage: picture-hashes FOLDER        of the frozen set, tests/frozen\n");
         return 2;
     }
     return slicecast::printAll(argv[1]);

@@ -25,16 +25,19 @@ TEST(CheckProgram, SaysOk) {
 TEST(CheckProgram, TellsAllFaultsOfAllScenes) {
     const std::string several = kFolder + "broken/several-faults.json";
     const std::string missing = kFolder + "no-such-scene.json";
-    const Finished finished = runProgram(SLICECAST_CHECK, {several, kFolder + "everything.json", missing});
+    const Finished finished =
+        runProgram(SLICECAST_CHECK, {several, kFolder + "everything.json", missing});
     EXPECT_EQ(finished.status, 1);
     EXPECT_GT(readScene(several).faults.size(), 5u);
-    EXPECT_EQ(finished.out, faultsOf(several) + kFolder + "everything.json: ok\n" + faultsOf(missing));
+    EXPECT_EQ(finished.out,
+              faultsOf(several) + kFolder + "everything.json: ok\n" + faultsOf(missing));
 }
 
 TEST(CheckProgram, WarnsOfWhatIsProbablyNotMeantSo) {
     const std::string path = kFolder + "warnings.json";
     std::string lines;
-    for (const Fault& warning : readScene(path).warnings) lines += "warning: " + describe(warning) + "\n";
+    for (const Fault& warning : readScene(path).warnings)
+        lines += "warning: " + describe(warning) + "\n";
     const Finished finished = runProgram(SLICECAST_CHECK, {path});
     EXPECT_EQ(finished.status, 0);
     EXPECT_EQ(finished.out, path + ": ok\n");

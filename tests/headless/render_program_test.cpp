@@ -22,7 +22,8 @@ Finished render(const std::vector<std::string>& arguments) {
 
 Image readPicture(const std::filesystem::path& path) {
     const std::string bytes = readText(path);
-    const DecodedImage decoded = decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, 4096, 4096);
+    const DecodedImage decoded =
+        decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, 4096, 4096);
     EXPECT_EQ(decoded.fault, "");
     return decoded.image;
 }
@@ -37,9 +38,11 @@ Image drawn(Session& session, int width, int height) {
 std::string blinking(const TestFolder& folder) {
     Image sheet(16, 8);
     for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 16; ++x) sheet.at(x, y) = toPixel(x < 8 ? Colour{200, 0, 0, 255} : Colour{0, 200, 0, 255});
+        for (int x = 0; x < 16; ++x)
+            sheet.at(x, y) = toPixel(x < 8 ? Colour{200, 0, 0, 255} : Colour{0, 200, 0, 255});
     }
-    const std::vector<std::uint8_t> png = encodePng(sheet.pixels.data(), sheet.width, sheet.height, sheet.width);
+    const std::vector<std::uint8_t> png =
+        encodePng(sheet.pixels.data(), sheet.width, sheet.height, sheet.width);
     writeText(folder / "sheet.png", std::string(png.begin(), png.end()));
     const std::string path = (folder / "blinking.json").string();
     writeText(path, R"({
@@ -54,7 +57,8 @@ std::string blinking(const TestFolder& folder) {
 // A wall across a corridor that runs east, 2.5 units before an eye in its middle.
 std::string corridor(const TestFolder& folder) {
     const std::string path = (folder / "corridor.json").string();
-    std::filesystem::copy_file(SLICECAST_SOURCE_FOLDER "/tests/scene/broken/images/tile.png", folder / "tile.png");
+    std::filesystem::copy_file(SLICECAST_SOURCE_FOLDER "/tests/scene/broken/images/tile.png",
+                               folder / "tile.png");
     writeText(path, R"({
         "title": "Corridor",
         "textures": { "tile": "tile.png" },
@@ -68,7 +72,8 @@ std::string corridor(const TestFolder& folder) {
 
 TEST(RenderProgram, DrawsTheStartAsThePlayerSeesIt) {
     const TestFolder folder;
-    const Finished finished = render({kScene, "--size", "97x61", "--out", (folder / "start.png").string()});
+    const Finished finished =
+        render({kScene, "--size", "97x61", "--out", (folder / "start.png").string()});
     EXPECT_EQ(finished.status, 0) << finished.err;
     EXPECT_EQ(finished.out + finished.err, "");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"start.png"});
@@ -97,15 +102,19 @@ TEST(RenderProgram, DrawsTheWorldAtATime) {
 
 TEST(RenderProgram, DrawsAnyEyeMapAndOptions) {
     const TestFolder folder;
-    const Finished finished = render({kScene, "--map", "yard", "--eye", "-1.25,0.5,0.75,12.5,0.25", "--size", "64x48", "--fov", "75", "--set", "light=off",
-                                      "--set", "detail=off", "--out", (folder / "yard.png").string()});
+    const Finished finished =
+        render({kScene, "--map", "yard", "--eye", "-1.25,0.5,0.75,12.5,0.25", "--size", "64x48",
+                "--fov", "75", "--set", "light=off", "--set", "detail=off", "--out",
+                (folder / "yard.png").string()});
     EXPECT_EQ(finished.status, 0) << finished.err;
     SceneFromFile scene = readScene(kScene);
     Session session(std::move(*scene.world));
     ASSERT_EQ(session.world().maps[1].name, "yard");
-    ASSERT_TRUE(session.setEye({1, toCoordinate(-1.25), toCoordinate(0.5), toCoordinate(0.75), 12.5, 0.25}));
+    ASSERT_TRUE(session.setEye(
+        {1, toCoordinate(-1.25), toCoordinate(0.5), toCoordinate(0.75), 12.5, 0.25}));
     const Image plain = drawn(session, 64, 48);
-    for (const auto& [name, value] : {std::pair{"fov", "75"}, {"light", "off"}, {"detail", "off"}}) EXPECT_EQ(session.setOption(name, value), "");
+    for (const auto& [name, value] : {std::pair{"fov", "75"}, {"light", "off"}, {"detail", "off"}})
+        EXPECT_EQ(session.setOption(name, value), "");
     const Image picture = readPicture(folder / "yard.png");
     EXPECT_EQ(picture.pixels, drawn(session, 64, 48).pixels);
     EXPECT_NE(picture.pixels, plain.pixels);
@@ -113,10 +122,13 @@ TEST(RenderProgram, DrawsAnyEyeMapAndOptions) {
 
 TEST(RenderProgram, TellsTheHitsOfAColumn) {
     const TestFolder folder;
-    const Finished finished = render({corridor(folder), "--eye", "1.5,2.5,0.5,0,0", "--fov", "90", "--size", "64x64", "--hits", "32"});
+    const Finished finished = render({corridor(folder), "--eye", "1.5,2.5,0.5,0,0", "--fov", "90",
+                                      "--size", "64x64", "--hits", "32"});
     ASSERT_EQ(finished.status, 0) << finished.err;
     rapidjson::Document json;
-    ASSERT_FALSE(json.Parse<rapidjson::kParseFullPrecisionFlag>(finished.out.c_str()).HasParseError()) << finished.out;
+    ASSERT_FALSE(
+        json.Parse<rapidjson::kParseFullPrecisionFlag>(finished.out.c_str()).HasParseError())
+        << finished.out;
 
     // Half the width is the distance to the projection plane, so this column's rays run 1/64 aside.
     EXPECT_EQ(json["map"], "corridor");
@@ -152,7 +164,8 @@ TEST(RenderProgram, TellsTheHitsOfAColumn) {
     ASSERT_EQ(hit["filled"].Size(), 1u);
     EXPECT_EQ(hit["filled"][0]["what"], "side");
     EXPECT_EQ(hit["filled"][0]["face"], "west");
-    EXPECT_EQ(hit["filled"][0]["first"].GetInt(), 26);  // centres 26.5 to 37.5 lie between 25.6 and 38.4
+    EXPECT_EQ(hit["filled"][0]["first"].GetInt(),
+              26);  // centres 26.5 to 37.5 lie between 25.6 and 38.4
     EXPECT_EQ(hit["filled"][0]["last"].GetInt(), 37);
     ASSERT_EQ(json["planes"].Size(), 2u);
     EXPECT_EQ(json["planes"][0]["what"], "floor");
@@ -167,13 +180,15 @@ TEST(RenderProgram, TellsTheTraceOfAColumnOrOfAll) {
     const TestFolder folder;
     const std::string scene = corridor(folder);
     rapidjson::Document json;
-    const Finished column = render({scene, "--eye", "1.5,2.5,0.5,0,0", "--fov", "90", "--size", "64x64", "--trace", "32"});
+    const Finished column = render(
+        {scene, "--eye", "1.5,2.5,0.5,0,0", "--fov", "90", "--size", "64x64", "--trace", "32"});
     ASSERT_EQ(column.status, 0) << column.err;
     ASSERT_FALSE(json.Parse(column.out.c_str()).HasParseError()) << column.out;
     EXPECT_EQ(json["walk"][1]["depth"].GetDouble(), 0.5);
     EXPECT_EQ(json["runs"][0]["what"], "side");
     EXPECT_NEAR(json["runs"][0]["texels"][0]["depth"].GetDouble(), 2.5, 1e-12);
-    const Finished all = render({scene, "--eye", "1.5,2.5,0.5,0,0", "--size", "64x48", "--trace", "all"});
+    const Finished all =
+        render({scene, "--eye", "1.5,2.5,0.5,0,0", "--size", "64x48", "--trace", "all"});
     ASSERT_EQ(all.status, 0) << all.err;
     ASSERT_FALSE(json.Parse(all.out.c_str()).HasParseError()) << all.out;
     EXPECT_EQ(json["columns"]["nearest"].Size(), 64u);
@@ -182,7 +197,8 @@ TEST(RenderProgram, TellsTheTraceOfAColumnOrOfAll) {
 
 TEST(RenderProgram, HasNullForWhatIsInfinite) {
     const TestFolder folder;
-    const Finished finished = render({corridor(folder), "--eye", "0.5,3.5,0.5,0,0", "--size", "64x64", "--hits", "32"});
+    const Finished finished =
+        render({corridor(folder), "--eye", "0.5,3.5,0.5,0,0", "--size", "64x64", "--hits", "32"});
     ASSERT_EQ(finished.status, 0) << finished.err;
     rapidjson::Document json;
     ASSERT_FALSE(json.Parse(finished.out.c_str()).HasParseError()) << finished.out;
@@ -211,32 +227,41 @@ TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
         {{kScene, "--out", out, "--size", "0x5"}, "found \"0x5\""},
         {{kScene, "--out", out, "--size", "8193x5"}, "8192x8192"},
         {{kScene, "--out", out, "--size", "64x48 "}, "found \"64x48 \""},
-        {{kScene, "--out", out, "--fov", "200"}, "option fov: found \"200\", expected a number from 10 to 150"},
-        {{kScene, "--out", out, "--set", "lights=on"}, "found the option \"lights\", expected one of fov"},
+        {{kScene, "--out", out, "--fov", "200"},
+         "option fov: found \"200\", expected a number from 10 to 150"},
+        {{kScene, "--out", out, "--set", "lights=on"},
+         "found the option \"lights\", expected one of fov"},
         {{kScene, "--out", out, "--set", "light"}, "found \"light\", expected OPTION=VALUE"},
-        {{kScene, "--out", out, "--map", "cellar"}, "found \"cellar\", expected a map of this scene: \"hall\", \"yard\", \"works\", \"plain\", \"gallery\""},
+        {{kScene, "--out", out, "--map", "cellar"},
+         "found \"cellar\", expected a map of this scene: \"hall\", \"yard\", \"works\", "
+         "\"plain\", \"gallery\""},
         {{kScene, "--out", out, "--map", "yard"}, "expected --eye"},
         {{kScene, "--out", out, "--eye", "1,1,0.5,0"}, "expected five numbers X,Y,Z,HEADING,LOOK"},
         {{kScene, "--out", out, "--eye", "1,1,0.5,0,0,0"}, "expected five numbers"},
-        {{kScene, "--out", out, "--eye", "1,north,0.5,0,0"}, "Y: found \"north\", expected a number"},
+        {{kScene, "--out", out, "--eye", "1,north,0.5,0,0"},
+         "Y: found \"north\", expected a number"},
         {{kScene, "--out", out, "--eye", "1,nan,0.5,0,0"}, "Y: found \"nan\""},
         {{kScene, "--out", out, "--eye", "1,1,0,0,0"}, "an eye at or below the floor sees nothing"},
         {{kScene, "--out", out, "--eye", "1,1,-2,0,0"}, "found -2"},
-        {{kScene, "--out", out, "--eye", "1,1,0.5,0,4.5"}, "LOOK: found \"4.5\", expected a number from -4 to 4"},
+        {{kScene, "--out", out, "--eye", "1,1,0.5,0,4.5"},
+         "LOOK: found \"4.5\", expected a number from -4 to 4"},
         {{kScene, "--out", out, "--time", "-1"}, "found \"-1\", expected seconds, from 0 to 3600"},
         {{kScene, "--out", out, "--time", "3601"}, "found \"3601\""},
         {{kScene, "--out", out, "--time", "soon"}, "found \"soon\""},
-        {{kScene, "--hits", "64", "--size", "64x48"}, "found \"64\", expected a column of the picture, 0 to 63"},
+        {{kScene, "--hits", "64", "--size", "64x48"},
+         "found \"64\", expected a column of the picture, 0 to 63"},
         {{kScene, "--hits", "-1"}, "0 to 1279"},
         {{kScene, "--hits", "middle"}, "found \"middle\""},
-        {{kScene, "--trace", "64", "--size", "64x48"}, "--trace: found \"64\", expected a column of the picture, 0 to 63"},
+        {{kScene, "--trace", "64", "--size", "64x48"},
+         "--trace: found \"64\", expected a column of the picture, 0 to 63"},
         {{kScene, "--trace", "1", "--hits", "1"}, "--hits"},
         {{kScene, "--out", out, "--quick"}, "--quick"},
     };
     for (const WrongUse& use : uses) {
         const Finished finished = render(use.arguments);
         EXPECT_EQ(finished.status, 2) << use.says;
-        EXPECT_NE(finished.err.find(use.says), std::string::npos) << use.says << "\nnot in: " << finished.err;
+        EXPECT_NE(finished.err.find(use.says), std::string::npos)
+            << use.says << "\nnot in: " << finished.err;
         EXPECT_EQ(finished.out, "") << use.says;
     }
     EXPECT_TRUE(folder.names().empty());
@@ -246,7 +271,8 @@ TEST(RenderProgram, LeavesNothingBehindWhereItCannotWrite) {
     const TestFolder folder;
     std::filesystem::create_directory(folder / "taken.png");
     EXPECT_EQ(render({kScene, "--out", (folder / "taken.png").string()}).status, 1);
-    EXPECT_EQ(render({kScene, "--out", (folder / "no such folder/picture.png").string()}).status, 1);
+    EXPECT_EQ(render({kScene, "--out", (folder / "no such folder/picture.png").string()}).status,
+              1);
     EXPECT_EQ(folder.names(), std::vector<std::string>{"taken.png"});
 }
 
@@ -262,11 +288,16 @@ TEST(RenderProgram, TellsTheFaultsOfAScene) {
 TEST(RenderProgram, HasHelp) {
     const Finished finished = render({"--help"});
     EXPECT_EQ(finished.status, 0);
-    for (const char* word : {"--map", "--eye", "--time", "--size", "--fov", "--set", "--hits", "--trace", "--out", "Examples:"}) {
+    for (const char* word : {"--map", "--eye", "--time", "--size", "--fov", "--set", "--hits",
+                             "--trace", "--out", "Examples:"}) {
         EXPECT_NE(finished.out.find(word), std::string::npos) << word;
     }
-    for (const OptionInfo& option : knownOptions()) EXPECT_NE(finished.out.find("  " + std::string(option.name) + " "), std::string::npos) << option.name;
-    EXPECT_NE(finished.out.find(": plane, equalAngles, equalAnglesCorrected (plane)\n"), std::string::npos) << "the words of a choice";
+    for (const OptionInfo& option : knownOptions())
+        EXPECT_NE(finished.out.find("  " + std::string(option.name) + " "), std::string::npos)
+            << option.name;
+    EXPECT_NE(finished.out.find(": plane, equalAngles, equalAnglesCorrected (plane)\n"),
+              std::string::npos)
+        << "the words of a choice";
 }
 
 // A recording of the corridor: ahead until the wall, then about.
@@ -296,7 +327,8 @@ TEST(RenderProgram, PlaysARecordingUpToAStepOrAMark) {
         return drawn(session, 64, 40);
     };
     const auto view = [&](std::vector<std::string> more) {
-        std::vector<std::string> arguments = {scene, "--replay", walk, "--size", "64x40", "--out", out};
+        std::vector<std::string> arguments = {scene,   "--replay", walk, "--size",
+                                              "64x40", "--out",    out};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Finished finished = render(arguments);
         EXPECT_EQ(finished.status, 0) << finished.err;
@@ -325,12 +357,20 @@ TEST(RenderProgram, RefusesARecordingThatDoesNotFit) {
     const std::string elsewhere = (folder / "elsewhere.txt").string();
     writeText(elsewhere, "slicecast recording 1\nscene corridor\n5\nend 5 0123456789abcdef\n");
     const std::vector<Refusal> refusals = {
-        {{scene, "--replay", walk, "--at", "101"}, 2, "--at: found \"101\", expected a step from 0 to 100 or one of the marks half-way"},
+        {{scene, "--replay", walk, "--at", "101"},
+         2,
+         "--at: found \"101\", expected a step from 0 to 100 or one of the marks half-way"},
         {{scene, "--replay", walk, "--at", "there"}, 2, "--at: found \"there\""},
         {{scene, "--at", "7"}, 2, "--replay"},
-        {{scene, "--replay", walk, "--eye", "1.5,2.5,0.5,0,0"}, 2, "expected no --eye and no --map"},
-        {{kScene, "--replay", walk}, 2, "found a recording of the scene \"corridor\", expected one of \"everything\""},
-        {{scene, "--replay", (folder / ".").string()}, 1, "found no file that can be read, expected a recording"},
+        {{scene, "--replay", walk, "--eye", "1.5,2.5,0.5,0,0"},
+         2,
+         "expected no --eye and no --map"},
+        {{kScene, "--replay", walk},
+         2,
+         "found a recording of the scene \"corridor\", expected one of \"everything\""},
+        {{scene, "--replay", (folder / ".").string()},
+         1,
+         "found no file that can be read, expected a recording"},
         {{scene, "--replay", broken}, 1, "broken.txt:3:3: found \"run\""},
         {{scene, "--replay", elsewhere}, 1, "leads elsewhere"},
     };
@@ -339,7 +379,8 @@ TEST(RenderProgram, RefusesARecordingThatDoesNotFit) {
         arguments.insert(arguments.end(), {"--out", out});
         const Finished finished = render(arguments);
         EXPECT_EQ(finished.status, refusal.status) << finished.err;
-        EXPECT_NE((finished.out + finished.err).find(refusal.words), std::string::npos) << finished.out << finished.err;
+        EXPECT_NE((finished.out + finished.err).find(refusal.words), std::string::npos)
+            << finished.out << finished.err;
         EXPECT_FALSE(std::filesystem::exists(out));
     }
 }

@@ -27,7 +27,8 @@ Finished runProgram(const std::string& program, const std::vector<std::string>& 
     for (const std::string& argument : arguments) command += " " + quoted(argument);
     command += " >" + quoted((folder / "out").string()) + " 2>" + quoted((folder / "err").string());
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder / "out"), readText(folder / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder / "out"),
+            readText(folder / "err")};
 }
 
 std::string readText(const std::filesystem::path& path) {
@@ -41,7 +42,8 @@ void writeText(const std::filesystem::path& path, const std::string& text) {
 
 TestFolder::TestFolder() {
     static std::atomic<int> count{0};
-    path_ = std::filesystem::temp_directory_path() / ("slicecast-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+    path_ = std::filesystem::temp_directory_path() /
+            ("slicecast-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
     std::filesystem::create_directories(path_);
 }
 
@@ -52,7 +54,8 @@ TestFolder::~TestFolder() {
 
 std::vector<std::string> TestFolder::names() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(path_))
+        names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
 }

@@ -27,7 +27,8 @@ TEST(SceneFile, NamesTheFileAsItWasGiven) {
 }
 
 TEST(SceneFile, ThatCannotBeReadIsAFault) {
-    for (const std::string& path : {kFolder + "no-such-scene.json", kFolder, kFolder + "broken", std::string()}) {
+    for (const std::string& path :
+         {kFolder + "no-such-scene.json", kFolder, kFolder + "broken", std::string()}) {
         const SceneFromFile scene = readScene(path);
         EXPECT_FALSE(scene.world.has_value());
         ASSERT_EQ(scene.faults.size(), 1u) << path;

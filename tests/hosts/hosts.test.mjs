@@ -1,6 +1,6 @@
-// The package as others use it: the packed file is installed, and drawn with in a plain page, a Vite app, scripts made by esbuild, a VitePress site
-// and a program under Node.
-// Needs build/slicecast-VERSION.tgz (tools/package), and nothing from the network.
+// The package as others use it: the packed file is installed, and drawn with in a plain page, a
+// Vite app, scripts made by esbuild, a VitePress site and a program under Node. Needs
+// build/slicecast-VERSION.tgz (tools/package), and nothing from the network.
 
 import assert from 'node:assert/strict';
 import { execFile, spawn } from 'node:child_process';
@@ -33,15 +33,23 @@ let browser;
 let expected; // the picture's bytes, hashed
 
 before(async () => {
-  const names = (await readdir(path.join(root, 'build'))).filter((name) => /^slicecast-.*\.tgz$/.test(name));
+  const names = (await readdir(path.join(root, 'build'))).filter((name) =>
+    /^slicecast-.*\.tgz$/.test(name),
+  );
   assert.equal(names.length, 1, 'one packed file in build/, by tools/package');
   tarball = path.join(root, 'build', names[0]);
   await rm(installed, { recursive: true, force: true });
-  await run('npm', ['install', '--no-save', '--offline', '--no-audit', '--no-fund', '--ignore-scripts', tarball], { cwd: hosts });
+  await run(
+    'npm',
+    ['install', '--no-save', '--offline', '--no-audit', '--no-fund', '--ignore-scripts', tarball],
+    { cwd: hosts },
+  );
   await rm(built, { recursive: true, force: true });
-  // By an address they may lie anywhere; by their names they are looked for beside the built script.
+  // By an address they may lie anywhere; by their names they are looked for beside the built
+  // script.
   for (const place of ['slicecast', 'assets']) {
-    for (const name of kArt) await cp(path.join(installed, name), path.join(shared, place, name), { recursive: true });
+    for (const name of kArt)
+      await cp(path.join(installed, name), path.join(shared, place, name), { recursive: true });
   }
 
   const { load } = await import('slicecast/node');
@@ -57,16 +65,22 @@ function hashOf(bytes) {
   return createHash('sha256').update(bytes).digest('hex');
 }
 
-// The element at an address draws the scene's picture, a click plays it, and nothing in the page complains.
+// The element at an address draws the scene's picture, a click plays it, and nothing in the page
+// complains.
 async function assertDraws(address) {
   const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
   page.setDefaultTimeout(kWaitMilliseconds);
   const complaints = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()));
+  page.on(
+    'console',
+    (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()),
+  );
   page.on('pageerror', (error) => complaints.push(String(error)));
   try {
     await page.goto(address);
-    await page.waitForFunction(() => customElements.get('ray-caster') !== undefined).catch(() => assert.fail(`the element is not defined: ${complaints.join('\n')}`));
+    await page
+      .waitForFunction(() => customElements.get('ray-caster') !== undefined)
+      .catch(() => assert.fail(`the element is not defined: ${complaints.join('\n')}`));
     const found = await page.evaluate(async () => {
       const elements = [...document.querySelectorAll('ray-caster')];
       await Promise.all(elements.map((element) => element.whenReady().catch(() => {})));
@@ -96,16 +110,31 @@ async function assertFolderDraws(folder) {
   }
 }
 
-// The tools of the hosts run as commands, as their users run them. The folder of shared files reaches them by a variable.
-const toolOptions = { cwd: hosts, env: { ...process.env, SLICECAST_PUBLIC: shared, SLICECAST_CACHE: path.join(built, 'cache'), NO_COLOR: '1' } };
+// The tools of the hosts run as commands, as their users run them. The folder of shared files
+// reaches them by a variable.
+const toolOptions = {
+  cwd: hosts,
+  env: {
+    ...process.env,
+    SLICECAST_PUBLIC: shared,
+    SLICECAST_CACHE: path.join(built, 'cache'),
+    NO_COLOR: '1',
+  },
+};
 
 function runTool(file, words) {
-  return run(process.execPath, [path.join(hosts, 'node_modules', file), ...words], { ...toolOptions, timeout: kToolMilliseconds });
+  return run(process.execPath, [path.join(hosts, 'node_modules', file), ...words], {
+    ...toolOptions,
+    timeout: kToolMilliseconds,
+  });
 }
 
 // A tool that serves: its address, once it tells it, and a way to end it.
 function startTool(file, words) {
-  const child = spawn(process.execPath, [path.join(hosts, 'node_modules', file), ...words], { ...toolOptions, stdio: ['ignore', 'pipe', 'pipe'] });
+  const child = spawn(process.execPath, [path.join(hosts, 'node_modules', file), ...words], {
+    ...toolOptions,
+    stdio: ['ignore', 'pipe', 'pipe'],
+  });
   const ended = new Promise((resolve) => child.on('close', resolve));
   const address = new Promise((resolve, reject) => {
     let said = '';
@@ -136,7 +165,15 @@ test('a plain page beside the copied folder', async () => {
 
 test('an app that Vite builds', async () => {
   const outDir = path.join(built, 'vite');
-  await runTool('vite/bin/vite.js', ['build', 'vite', '--outDir', outDir, '--emptyOutDir', '--logLevel', 'warn']);
+  await runTool('vite/bin/vite.js', [
+    'build',
+    'vite',
+    '--outDir',
+    outDir,
+    '--emptyOutDir',
+    '--logLevel',
+    'warn',
+  ]);
   await assertFolderDraws(outDir);
 });
 
@@ -149,16 +186,31 @@ test('an app that Vite serves while it is written', async () => {
   }
 });
 
-// What follows no files: the engine lies beside the script, or, where the script does not know its address, where the page says that all of it lies.
-for (const [format, tag, engine] of [['esm', '<script type="module"', 'engine'], ['iife', '<script defer', 'slicecast/engine']]) {
+// What follows no files: the engine lies beside the script, or, where the script does not know its
+// address, where the page says that all of it lies.
+for (const [format, tag, engine] of [
+  ['esm', '<script type="module"', 'engine'],
+  ['iife', '<script defer', 'slicecast/engine'],
+]) {
   test(`an app that esbuild makes one script of: ${format}`, async () => {
     const folder = path.join(built, `esbuild-${format}`);
     await cp(path.join(shared, 'slicecast'), path.join(folder, 'slicecast'), { recursive: true });
     await cp(path.join(installed, 'engine'), path.join(folder, engine), { recursive: true });
-    await build({ entryPoints: [path.join(hosts, 'vite/main.js')], outfile: path.join(folder, 'main.js'), bundle: true, format, logLevel: 'error' });
+    await build({
+      entryPoints: [path.join(hosts, 'vite/main.js')],
+      outfile: path.join(folder, 'main.js'),
+      bundle: true,
+      format,
+      logLevel: 'error',
+    });
     const page = await readFile(path.join(hosts, 'vite/index.html'), 'utf8');
     const home = '<meta name="slicecast-home" content="/slicecast">';
-    await writeFile(path.join(folder, 'index.html'), page.replace('<script type="module"', `${home}\n${tag}`).replace('"/slicecast/scenes/first-walk.json"', '"first-walk"'));
+    await writeFile(
+      path.join(folder, 'index.html'),
+      page
+        .replace('<script type="module"', `${home}\n${tag}`)
+        .replace('"/slicecast/scenes/first-walk.json"', '"first-walk"'),
+    );
     await assertFolderDraws(folder);
   });
 }
@@ -166,7 +218,10 @@ for (const [format, tag, engine] of [['esm', '<script type="module"', 'engine'],
 test('a site that VitePress builds, its pages drawn on the server', async () => {
   const outDir = path.join(built, 'vitepress');
   await runTool('vitepress/bin/vitepress.js', ['build', 'vitepress', '--outDir', outDir]);
-  assert.match(await readFile(path.join(outDir, 'index.html'), 'utf8'), /<ray-caster scene="\/slicecast\/scenes\/first-walk.json"/);
+  assert.match(
+    await readFile(path.join(outDir, 'index.html'), 'utf8'),
+    /<ray-caster scene="\/slicecast\/scenes\/first-walk.json"/,
+  );
   await assertFolderDraws(outDir);
 });
 
@@ -183,17 +238,36 @@ test('the script is found by each of its names, and nothing is packed that nobod
   const { resolve } = createRequire(import.meta.url);
   const { main } = JSON.parse(await readFile(resolve('slicecast/package.json'), 'utf8'));
   const script = path.join(installed, 'ray-caster.js');
-  assert.deepEqual([resolve('slicecast'), resolve('slicecast/ray-caster.js'), path.join(installed, main)], [script, script, script]);
+  assert.deepEqual(
+    [resolve('slicecast'), resolve('slicecast/ray-caster.js'), path.join(installed, main)],
+    [script, script, script],
+  );
   const packed = await readdir(installed);
   for (const name of ['element', 'pictures']) assert.ok(!packed.includes(name), name);
 });
 
 test('publint finds nothing', async () => {
-  await run(process.execPath, [path.join(root, 'tests/node_modules/publint/src/cli.js'), tarball, '--strict']);
+  await run(process.execPath, [
+    path.join(root, 'tests/node_modules/publint/src/cli.js'),
+    tarball,
+    '--strict',
+  ]);
 });
 
 // It takes a page for a module, which nobody imports.
-test('the types are right', { skip: Number(process.versions.node.split('.')[0]) < 20 && 'its tool needs Node 20' }, async () => {
-  const tool = path.join(root, 'tests/node_modules/@arethetypeswrong/cli/dist/index.js');
-  await run(process.execPath, [tool, tarball, '--profile', 'esm-only', '--exclude-entrypoints', 'embed.html', '--no-color']);
-});
+test(
+  'the types are right',
+  { skip: Number(process.versions.node.split('.')[0]) < 20 && 'its tool needs Node 20' },
+  async () => {
+    const tool = path.join(root, 'tests/node_modules/@arethetypeswrong/cli/dist/index.js');
+    await run(process.execPath, [
+      tool,
+      tarball,
+      '--profile',
+      'esm-only',
+      '--exclude-entrypoints',
+      'embed.html',
+      '--no-color',
+    ]);
+  },
+);

@@ -8,11 +8,20 @@
 namespace slicecast::judge {
 
 inline RenderOptions optionsOf(const View& view) {
-    return {.fovDegrees = view.fovDegrees, .detail = view.detail, .light = view.light, .fog = view.fog, .mirrors = view.mirrors};
+    return {.fovDegrees = view.fovDegrees,
+            .detail = view.detail,
+            .light = view.light,
+            .fog = view.fog,
+            .mirrors = view.mirrors};
 }
 
 inline Eye eyeOf(const View& view) {
-    return {.map = view.map, .x = view.x, .y = view.y, .z = view.z, .headingDegrees = view.headingDegrees, .look = view.look};
+    return {.map = view.map,
+            .x = view.x,
+            .y = view.y,
+            .z = view.z,
+            .headingDegrees = view.headingDegrees,
+            .look = view.look};
 }
 
 // Empty if the renderer refuses.

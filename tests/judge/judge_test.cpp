@@ -1,4 +1,5 @@
-// The renderer before the judge: random worlds and eyes, not one pixel that the tracer does not see.
+// The renderer before the judge: random worlds and eyes, not one pixel that the tracer does not
+// see.
 #include "suite.h"
 
 #include <gtest/gtest.h>
@@ -20,17 +21,20 @@ void expectNoComplaint(const Verdict& verdict) {
 }
 
 void report(const char* suite, const Verdict& verdict) {
-    std::printf("%s: %lld pixels judged, %lld unexcused, %lld excused\n", suite, static_cast<long long>(verdict.pixels),
-                static_cast<long long>(verdict.unexcused), static_cast<long long>(verdict.excused));
+    std::printf("%s: %lld pixels judged, %lld unexcused, %lld excused\n", suite,
+                static_cast<long long>(verdict.pixels), static_cast<long long>(verdict.unexcused),
+                static_cast<long long>(verdict.excused));
 }
 
 void expectWithinBounds(const Verdict& verdict) {
     expectNoComplaint(verdict);
-    EXPECT_LE(static_cast<double>(verdict.excused), kExcusedShareOfSuite * static_cast<double>(verdict.pixels));
+    EXPECT_LE(static_cast<double>(verdict.excused),
+              kExcusedShareOfSuite * static_cast<double>(verdict.pixels));
     EXPECT_EQ(verdict.crowded, 0) << "pictures with too many excused pixels";
 }
 
-// What the suite must have seen, in a stated least number of pixels: a fault in something that is never seen would not be found.
+// What the suite must have seen, in a stated least number of pixels: a fault in something that is
+// never seen would not be found.
 struct Seen {
     const char* what;
     std::int64_t pixels;
@@ -40,7 +44,9 @@ void expectSeen(const Verdict& verdict, std::initializer_list<Seen> all) {
     for (const Seen& seen : all) {
         if (kShare > 1 && seen.pixels < 20'000) continue;  // a handful of pictures holds these
         const auto found = verdict.coverage.find(seen.what);
-        EXPECT_GE((found == verdict.coverage.end() ? 0 : found->second) * kShare * kRarer, seen.pixels) << seen.what;
+        EXPECT_GE((found == verdict.coverage.end() ? 0 : found->second) * kShare * kRarer,
+                  seen.pixels)
+            << seen.what;
     }
 }
 
@@ -159,7 +165,8 @@ TEST(Judge, FullSizePictures) {
     EXPECT_GE(verdict.pixels * kShare, 10'000'000);
 }
 
-// Many rays meet borders and edges exactly here, where either side may be right by the tracer's neighbours; these count apart.
+// Many rays meet borders and edges exactly here, where either side may be right by the tracer's
+// neighbours; these count apart.
 TEST(Judge, PicturesMadeToTie) {
     const Verdict verdict = judgeAll(tieScene, 1, 1600 / kShare, kSmallSizes);
     report("pictures made to tie", verdict);
@@ -173,11 +180,14 @@ TEST(Judge, FindsOneWrongPixel) {
     const Scene scene = randomScene(3, 97, 53);
     Image image = draw(renderer, scene.world, scene.view);
     const Colour before = toColour(image.at(40, 20));
-    image.at(40, 20) = toPixel({static_cast<std::uint8_t>(before.r ^ 0x80), before.g, before.b, 255});
-    const Verdict verdict = judge(scene.world, scene.view, image.pixels.data(), image.width, "spoilt");
+    image.at(40, 20) =
+        toPixel({static_cast<std::uint8_t>(before.r ^ 0x80), before.g, before.b, 255});
+    const Verdict verdict =
+        judge(scene.world, scene.view, image.pixels.data(), image.width, "spoilt");
     EXPECT_EQ(verdict.unexcused, 1);
     ASSERT_EQ(verdict.complaints.size(), 1u);
-    EXPECT_NE(verdict.complaints[0].find("pixel 40,20"), std::string::npos) << verdict.complaints[0];
+    EXPECT_NE(verdict.complaints[0].find("pixel 40,20"), std::string::npos)
+        << verdict.complaints[0];
 }
 
 }  // namespace

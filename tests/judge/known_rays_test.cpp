@@ -36,7 +36,8 @@ World twoMaps() {
 // A block at (x, y, level) of the first map whose faces all lead on.
 void addPortalBlock(World& world, int x, int y, int level, const Portal& portal) {
     CellBlueprint block = world.blueprints[kWall];
-    for (FaceBlueprint& face : block.faces) face.portal = static_cast<PortalId>(world.portals.size());
+    for (FaceBlueprint& face : block.faces)
+        face.portal = static_cast<PortalId>(world.portals.size());
     world.portals.push_back(portal);
     world.blueprints.push_back(block);
     world.maps[0].setCell(x, y, level, static_cast<BlueprintId>(world.blueprints.size() - 1));
@@ -62,8 +63,9 @@ std::vector<Sight> along(const World& world, const View& view, double sideways, 
     return sights;
 }
 
-// Eastwards through the west face of (5, 4), turned by 90 degrees to go south from the north side of (3, 1): the wall at (3, 3) is 4.5 away from x = 2.5, and
-// what is 0.25 right of the ray's middle, seen from the eye, is west there.
+// Eastwards through the west face of (5, 4), turned by 90 degrees to go south from the north side
+// of (3, 1): the wall at (3, 3) is 4.5 away from x = 2.5, and what is 0.25 right of the ray's
+// middle, seen from the eye, is west there.
 TEST(Tracer, GoesOnTurnedBehindAPortal) {
     World world = twoMaps();
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 1, 0});
@@ -78,7 +80,8 @@ TEST(Tracer, GoesOnTurnedBehindAPortal) {
     EXPECT_NEAR(sights[0].u, -(0.5 - 0.05 * 4.5), 1e-12);
 }
 
-// The same portal two levels up: what is at height 0.5 before it is at 2.5 behind it, and the floor there lies 2 lower.
+// The same portal two levels up: what is at height 0.5 before it is at 2.5 behind it, and the floor
+// there lies 2 lower.
 TEST(Tracer, ShiftsByWholeLevels) {
     World world = twoMaps();
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 1, 2});
@@ -95,7 +98,8 @@ TEST(Tracer, ShiftsByWholeLevels) {
     EXPECT_DOUBLE_EQ(below[0].depth, 2.5);
 }
 
-// A portal that leads to the tile before it: seen through as often as it may be, then a face shows its own texture and a tile haze.
+// A portal that leads to the tile before it: seen through as often as it may be, then a face shows
+// its own texture and a tile haze.
 TEST(Tracer, PassesAsManyPortalsAsItMay) {
     World world = twoMaps();
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 0, 4, 4, 0, 0});
@@ -126,13 +130,15 @@ TEST(Tracer, APortalActsFromOutsideOnly) {
     ASSERT_EQ(sights.size(), 1u);
     EXPECT_EQ(sights[0].map, 0);
     EXPECT_EQ(sights[0].kind, Sight::Kind::sky);
-    // At t = 0 it acts on a ray that moves into it: westwards from the east border, not eastwards from the west one.
+    // At t = 0 it acts on a ray that moves into it: westwards from the east border, not eastwards
+    // from the west one.
     EXPECT_EQ(along(world, eyeAt(6.0, 4.5, 0.5, 180.0), 0.0, 0.0)[0].map, 1);
     EXPECT_EQ(along(world, eyeAt(5.0, 4.5, 0.5, 0.0), 0.0, 0.0)[0].map, 0);
     EXPECT_EQ(along(world, eyeAt(5.5, 4.5, 1.0, 0.0), 0.0, -0.5)[0].map, 1);
 }
 
-// From 1.5 above a floor, down by half a unit each unit: the mirror at 3, then up to the middle of a wall at 4; above it the sky.
+// From 1.5 above a floor, down by half a unit each unit: the mirror at 3, then up to the middle of
+// a wall at 4; above it the sky.
 TEST(Tracer, RisesAgainFromAMirror) {
     World world = twoMaps();
     world.maps[0].floor.mirror = 100;
@@ -173,7 +179,8 @@ TEST(Tracer, MeetsObjectsOfTheMapThatItIsIn) {
         object.height = tileEdge(1);
         return object;
     };
-    // Before the portal, behind it in the entry map, behind it in the exit map, and before it there.
+    // Before the portal, behind it in the entry map, behind it in the exit map, and before it
+    // there.
     world.maps[0].objects = {objectAt(3.5, 4.5), objectAt(7.5, 4.5)};
     world.maps[1].objects = {objectAt(3.5, 3.5), objectAt(3.5, 0.5)};
     const std::vector<Sight> sights = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0);

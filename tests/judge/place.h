@@ -1,8 +1,10 @@
-// Where a ray is: the map that it goes through, and how that map lies along it. A ray keeps the coordinates of the map that it began in all the way; behind a
-// portal the other map's tiles are laid along it, turned clockwise (as seen from above) by quarter turns and moved by whole tiles and levels, so that nothing
-// is rounded anew:
+// Where a ray is: the map that it goes through, and how that map lies along it. A ray keeps the
+// coordinates of the map that it began in all the way; behind a portal the other map's tiles are
+// laid along it, turned clockwise (as seen from above) by quarter turns and moved by whole tiles
+// and levels, so that nothing is rounded anew:
 //
-//     map point = ray point, turned about the origin by `turn`, plus (x, y)        map height = ray height + levels
+//     map point = ray point, turned about the origin by `turn`, plus (x, y)        map height = ray
+//     height + levels
 #pragma once
 
 #include "world/portal.h"
@@ -26,7 +28,8 @@ struct Place {
     int y = 0;
     int levels = 0;
 
-    // A direction, or a step from one tile to the next, turned by quarter turns: east becomes south, south becomes west.
+    // A direction, or a step from one tile to the next, turned by quarter turns: east becomes
+    // south, south becomes west.
     template <typename Vector>
     static Vector turned(Vector v, int quarters) {
         switch (quarters & 3) {
@@ -41,7 +44,8 @@ struct Place {
         }
     }
 
-    // The map's tile that lies over a tile of the ray. Middles of tiles are turned, in halves, which are whole numbers.
+    // The map's tile that lies over a tile of the ray. Middles of tiles are turned, in halves,
+    // which are whole numbers.
     Tile tileOf(Tile tile) const {
         const Tile middle = turned(Tile{2 * tile.x + 1, 2 * tile.y + 1}, turn);
         return {(middle.x - 1) / 2 + x, (middle.y - 1) / 2 + y};
@@ -53,13 +57,16 @@ struct Place {
     }
 
     // The ray's point for a point of the map.
-    Point rayPointOf(Point point) const { return turned(Point{point.x - x, point.y - y}, 4 - turn); }
+    Point rayPointOf(Point point) const {
+        return turned(Point{point.x - x, point.y - y}, 4 - turn);
+    }
 
     // The way on behind a portal of this place's map: the portal's tile is laid on the exit tile.
     Place through(const Portal& portal) const {
         const Tile beforeTurn = {2 * (x - portal.fromX) - 1, 2 * (y - portal.fromY) - 1};
         const Tile offset = turned(beforeTurn, portal.turn);
-        return {portal.toMap, (turn + portal.turn) & 3, (offset.x + 1) / 2 + portal.toX, (offset.y + 1) / 2 + portal.toY, levels + portal.levels};
+        return {portal.toMap, (turn + portal.turn) & 3, (offset.x + 1) / 2 + portal.toX,
+                (offset.y + 1) / 2 + portal.toY, levels + portal.levels};
     }
 };
 

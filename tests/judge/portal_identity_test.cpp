@@ -1,4 +1,5 @@
-// Portals that must not be seen: to a copy of what they hide, and just before one's eye is carried through.
+// Portals that must not be seen: to a copy of what they hide, and just before one's eye is carried
+// through.
 #include "draw.h"
 #include "turned_copy.h"
 
@@ -13,7 +14,9 @@ namespace {
 bool isFit(const Scene& scene) {
     const View& view = scene.view;
     const Map& map = scene.world.maps[static_cast<std::size_t>(view.map)];
-    const auto onGrid = [](Coordinate c) { return (c.raw & 0x1fff) < 16 || (c.raw & 0x1fff) > 0x1ff0; };
+    const auto onGrid = [](Coordinate c) {
+        return (c.raw & 0x1fff) < 16 || (c.raw & 0x1fff) > 0x1ff0;
+    };
     if (!scene.world.portals.empty() || onGrid(view.x) || onGrid(view.y)) return false;
     const double turns = view.headingDegrees / 45.0;
     if (turns == static_cast<int>(turns)) return false;
@@ -23,7 +26,8 @@ bool isFit(const Scene& scene) {
     return height < scene.world.blueprints[id].bottom || height >= scene.world.blueprints[id].top;
 }
 
-// A turned block is of another blueprint, so that it does not join the one before the portal; and a panorama must have quarters.
+// A turned block is of another blueprint, so that it does not join the one before the portal; and a
+// panorama must have quarters.
 void prepareForTurn(World& world, int turn) {
     if (turn == 0) return;
     for (CellBlueprint& blueprint : world.blueprints) blueprint.join = false;
@@ -31,12 +35,15 @@ void prepareForTurn(World& world, int turn) {
     if (sky.kind != Sky::Kind::panorama) return;
     Image wider(sky.panorama.width * 4, sky.panorama.height);
     for (int y = 0; y < wider.height; ++y) {
-        for (int x = 0; x < wider.width; ++x) wider.at(x, y) = sky.panorama.at(x % sky.panorama.width, y) ^ static_cast<Pixel>(x / sky.panorama.width * 16);
+        for (int x = 0; x < wider.width; ++x)
+            wider.at(x, y) = sky.panorama.at(x % sky.panorama.width, y) ^
+                             static_cast<Pixel>(x / sky.panorama.width * 16);
     }
     sky.panorama = std::move(wider);
 }
 
-// Portals from map 0 to its copy, map 1: on whole tiles, on some faces of opaque blocks, on all faces of see-through ones.
+// Portals from map 0 to its copy, map 1: on whole tiles, on some faces of opaque blocks, on all
+// faces of see-through ones.
 void addPortalsToCopy(Random& random, World& world, int turn) {
     Map& map = world.maps[0];
     map.tilePortals.assign(static_cast<std::size_t>(map.width * map.depth), kNoPortal);
@@ -69,7 +76,8 @@ int differences(const Image& a, const Image& b) {
 }
 
 // Of the pixels that differ, those whose rays pass fewer portals than they may.
-int differencesWithinTheLimit(const Image& a, const Image& b, const World& world, const View& view) {
+int differencesWithinTheLimit(const Image& a, const Image& b, const World& world,
+                              const View& view) {
     int count = 0;
     std::vector<Sight> sights;
     const Tracer tracer(world, view);
@@ -101,7 +109,8 @@ TEST_P(PortalIdentity, APortalToACopyIsNotSeen) {
         Random random(seed);
         ASSERT_EQ(addTurnedCopy(scene.world, 0, turn), 1);
         addPortalsToCopy(random, scene.world, turn);
-        EXPECT_EQ(differences(before, draw(renderer, scene.world, scene.view)), 0) << "seed " << seed;
+        EXPECT_EQ(differences(before, draw(renderer, scene.world, scene.view)), 0)
+            << "seed " << seed;
         // The portals are there: in a copy of another colour they show.
         scene.world.maps[1].haze = {255, 0, 255, 255};
         scene.world.maps[1].fog = {true, 0.0, 0.001};
@@ -111,7 +120,8 @@ TEST_P(PortalIdentity, APortalToACopyIsNotSeen) {
     EXPECT_GE(changed, pictures / 2);
 }
 
-// The eye stands just before a crossing that all its rays pass, or on it, and then where the portal carries it.
+// The eye stands just before a crossing that all its rays pass, or on it, and then where the portal
+// carries it.
 TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
     const int turn = GetParam();
     Renderer renderer;
@@ -120,7 +130,9 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
     for (std::uint64_t seed = 9000; pictures < 300; ++seed) {
         Scene scene = randomScene(seed, 96, 60);
         World& world = scene.world;
-        if (world.portals.empty() || world.maps.size() < 2 || world.maps[0].width < 3 || world.maps[0].depth < 3) continue;
+        if (world.portals.empty() || world.maps.size() < 2 || world.maps[0].width < 3 ||
+            world.maps[0].depth < 3)
+            continue;
         Random random(seed);
         Map& map = world.maps[0];
         const auto exitMap = static_cast<int>(world.maps.size()) - 1;
@@ -133,7 +145,8 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
         const Tile exit = {random.between(1, other.width - 2), random.between(1, other.depth - 2)};
         const int direction = random.below(4);
         const Tile step = Place::turned(Tile{1, 0}, direction);
-        const Portal portal = {0, entry.x, entry.y, exitMap, exit.x, exit.y, turn, random.between(0, 2)};
+        const Portal portal = {0,      entry.x, entry.y, exitMap,
+                               exit.x, exit.y,  turn,    random.between(0, 2)};
         const auto id = static_cast<PortalId>(world.portals.size());
         world.portals.push_back(portal);
         Place place;
@@ -146,12 +159,14 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
         view.look = random.between(-0.2, 0.2);
         view.fovDegrees = random.between(40.0, 80.0);
         view.headingDegrees = 90.0 * direction + random.between(-20.0, 20.0);
-        // Nothing stands where the eye is, in either map, and nothing but this portal leads out of there.
+        // Nothing stands where the eye is, in either map, and nothing but this portal leads out of
+        // there.
         const Tile before = {entry.x - step.x, entry.y - step.y};
         const Tile carried = place.tileOf(before);
         map.occupied[map.tileIndex(before.x, before.y)] = 0;
         other.occupied[other.tileIndex(carried.x, carried.y)] = 0;
-        if (!other.tilePortals.empty()) other.tilePortals[other.tileIndex(exit.x, exit.y)] = kNoPortal;
+        if (!other.tilePortals.empty())
+            other.tilePortals[other.tileIndex(exit.x, exit.y)] = kNoPortal;
         for (int i = 0; i < other.levels; ++i) {
             const BlueprintId cell = other.cells[other.cellIndex(exit.x, exit.y, i)];
             if (world.blueprints[cell].hasPortals) other.setCell(exit.x, exit.y, i, kEmptyCell);
@@ -162,13 +177,15 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
                 map.tilePortals[map.tileIndex(entry.x, entry.y)] = id;
                 return;
             }
-            if (!map.tilePortals.empty()) map.tilePortals[map.tileIndex(entry.x, entry.y)] = kNoPortal;
+            if (!map.tilePortals.empty())
+                map.tilePortals[map.tileIndex(entry.x, entry.y)] = kNoPortal;
             CellBlueprint block = world.blueprints[1];
             block.bottom = {};
             block.top = tileEdge(1);
             for (FaceBlueprint& face : block.faces) face.portal = id;
             world.blueprints.push_back(block);
-            map.setCell(entry.x, entry.y, level, static_cast<BlueprintId>(world.blueprints.size() - 1));
+            map.setCell(entry.x, entry.y, level,
+                        static_cast<BlueprintId>(world.blueprints.size() - 1));
         };
         leadThere();
         markPortals(world);
@@ -177,7 +194,9 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
         // So near that all rays pass the face, and not at the texels' borders.
         const int near = random.oneIn(3) ? 0 : random.between(1, 40);
         const int aside = random.between(-20000, 20000) | 1;
-        const auto raw = [&](int tile, int ahead, int across) { return Coordinate{tile * 65536 + 32768 + ahead * (-32768 - near) + across * aside}; };
+        const auto raw = [&](int tile, int ahead, int across) {
+            return Coordinate{tile * 65536 + 32768 + ahead * (-32768 - near) + across * aside};
+        };
         view.x = raw(entry.x, step.x, step.y);
         view.y = raw(entry.y, step.y, step.x);
         // On a border the eye is in the tile to the east or south of it.
@@ -193,7 +212,8 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
         there.y = {turned.y + place.y * 65536};
         there.z = view.z + tileEdge(portal.levels);
         there.headingDegrees = view.headingDegrees + 90.0 * turn;
-        EXPECT_EQ(differencesWithinTheLimit(here, draw(renderer, world, there), world, view), 0) << "seed " << seed;
+        EXPECT_EQ(differencesWithinTheLimit(here, draw(renderer, world, there), world, view), 0)
+            << "seed " << seed;
         // It is the portal that leads there.
         world.portals[id].levels += 40;
         changed += differences(here, draw(renderer, world, view)) > 0;

@@ -37,7 +37,8 @@ PortalId anyPortal(Random& random, World& world, int map, int x, int y, bool twi
     const Map& exit = world.maps[static_cast<std::size_t>(portal.toMap)];
     // Every other exit is rather where blocks stand.
     const int tries = random.oneIn(2) ? 6 : 1;
-    for (int i = 0; i < tries && (i == 0 || exit.occupied[exit.tileIndex(portal.toX, portal.toY)] == 0); ++i) {
+    for (int i = 0;
+         i < tries && (i == 0 || exit.occupied[exit.tileIndex(portal.toX, portal.toY)] == 0); ++i) {
         portal.toX = random.below(exit.width);
         portal.toY = random.below(exit.depth);
     }
@@ -51,7 +52,8 @@ PortalId anyPortal(Random& random, World& world, int map, int x, int y, bool twi
 // Some rows of glass that joins, the same in both maps.
 void addRowsOfGlass(Random& random, World& world, Map& first, Map& second) {
     for (int i = 0; i < 6; ++i) {
-        const auto id = static_cast<BlueprintId>(random.between(1, static_cast<int>(world.blueprints.size()) - 1));
+        const auto id = static_cast<BlueprintId>(
+            random.between(1, static_cast<int>(world.blueprints.size()) - 1));
         const CellBlueprint& blueprint = world.blueprints[id];
         const Cell from = anyCell(random, first);
         if (!blueprint.seeThrough || !blueprint.join || blueprint.top <= blueprint.bottom) continue;
@@ -78,7 +80,8 @@ void makeAlike(Map& twin, const Map& map) {
 
 void addPortals(Random& random, World& world) {
     world.portalLimit = random.oneIn(3) ? random.between(0, 5) : random.between(3, 5);
-    // Sometimes two maps are alike and some portals lead from one to the other without a seam, so that blocks join behind a portal.
+    // Sometimes two maps are alike and some portals lead from one to the other without a seam, so
+    // that blocks join behind a portal.
     const bool twins = world.maps.size() >= 2 && random.oneIn(2);
     if (twins) {
         makeAlike(world.maps[1], world.maps[0]);
@@ -95,37 +98,44 @@ void addPortals(Random& random, World& world) {
         for (int i = 0; i < blocks; ++i) {
             const Cell cell = anyCell(random, map);
             BlueprintId from = map.cell(cell.x, cell.y, cell.level);
-            while (from == kEmptyCell || world.blueprints[from].top <= world.blueprints[from].bottom) {
+            while (from == kEmptyCell ||
+                   world.blueprints[from].top <= world.blueprints[from].bottom) {
                 from = static_cast<BlueprintId>(random.between(1, shape - 1));
             }
             const BlueprintId id = instanceOf(world, from);
             const bool all = random.oneIn(4);
             for (FaceBlueprint& face : world.blueprints[id].faces) {
-                if (all || random.oneIn(2)) face.portal = anyPortal(random, world, m, cell.x, cell.y, twins && m < 2);
+                if (all || random.oneIn(2))
+                    face.portal = anyPortal(random, world, m, cell.x, cell.y, twins && m < 2);
             }
             world.blueprints[id].mover = random.oneIn(6) ? id : -1;
             map.setCell(cell.x, cell.y, cell.level, id);
             // Like any that moves, such a block may be empty at the moment.
-            if (random.oneIn(10)) map.occupied[map.tileIndex(cell.x, cell.y)] &= ~(1u << cell.level);
+            if (random.oneIn(10))
+                map.occupied[map.tileIndex(cell.x, cell.y)] &= ~(1u << cell.level);
         }
         if (!random.oneIn(2)) continue;
         map.tilePortals.assign(static_cast<std::size_t>(tiles), kNoPortal);
         const int portals = random.between(1, std::max(1, std::min(16, tiles / 6)));
         for (int i = 0; i < portals; ++i) {
             const Cell cell = anyCell(random, map);
-            map.tilePortals[map.tileIndex(cell.x, cell.y)] = anyPortal(random, world, m, cell.x, cell.y, twins && m < 2);
+            map.tilePortals[map.tileIndex(cell.x, cell.y)] =
+                anyPortal(random, world, m, cell.x, cell.y, twins && m < 2);
         }
     }
     markPortals(world);
 }
 
 void addMirrors(Random& random, World& world) {
-    const auto strength = [&] { return static_cast<std::uint8_t>(random.oneIn(6) ? 255 : random.between(1, 255)); };
+    const auto strength = [&] {
+        return static_cast<std::uint8_t>(random.oneIn(6) ? 255 : random.between(1, 255));
+    };
     for (Map& map : world.maps) {
         if (!random.oneIn(3)) map.floor.mirror = strength();
     }
     for (CellBlueprint& blueprint : world.blueprints) {
-        if (random.oneIn(2)) blueprint.faces[static_cast<std::size_t>(Face::top)].mirror = strength();
+        if (random.oneIn(2))
+            blueprint.faces[static_cast<std::size_t>(Face::top)].mirror = strength();
     }
 }
 
@@ -138,7 +148,9 @@ void addMovers(Random& random, World& world) {
             const int levels = random.between(1, map.levels - cell.level);
             auto shape = static_cast<BlueprintId>(random.between(1, shapes - 1));
             // Parts of glass join: if there is any, most are of it.
-            for (int tries = 0; tries < 8 && !(world.blueprints[shape].seeThrough && world.blueprints[shape].join); ++tries) {
+            for (int tries = 0;
+                 tries < 8 && !(world.blueprints[shape].seeThrough && world.blueprints[shape].join);
+                 ++tries) {
                 shape = static_cast<BlueprintId>(random.between(1, shapes - 1));
             }
             const int wide = std::min(map.width - cell.x, random.between(1, 2));
@@ -154,7 +166,8 @@ void addMovers(Random& random, World& world) {
                 if (level >= empty) part.top = part.bottom;
                 for (int x = cell.x; x < cell.x + wide; ++x) {
                     map.setCell(x, cell.y, cell.level + level, id);
-                    if (level >= empty) map.occupied[map.tileIndex(x, cell.y)] &= ~(1u << (cell.level + level));
+                    if (level >= empty)
+                        map.occupied[map.tileIndex(x, cell.y)] &= ~(1u << (cell.level + level));
                 }
             }
         }

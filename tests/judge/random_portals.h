@@ -1,4 +1,5 @@
-// What random worlds have beyond blocks, planes and objects: portals, mirrors, and what moving blocks leave behind.
+// What random worlds have beyond blocks, planes and objects: portals, mirrors, and what moving
+// blocks leave behind.
 #pragma once
 
 #include "base/random.h"
@@ -6,14 +7,16 @@
 
 namespace slicecast::judge {
 
-// Portals on faces and on whole tiles, between all maps and within each, at any turn and shifted by whole levels; exits anywhere, within blocks too, often in
-// loops. A ray may pass 0 to 5. For a world whose maps and blueprints are complete.
+// Portals on faces and on whole tiles, between all maps and within each, at any turn and shifted by
+// whole levels; exits anywhere, within blocks too, often in loops. A ray may pass 0 to 5. For a
+// world whose maps and blueprints are complete.
 void addPortals(Random& random, World& world);
 
 // Mirrors of any strength on floors and roofs.
 void addMirrors(Random& random, World& world);
 
-// Blocks as moving ones are at some moment: pillars whose parts on several levels move as one, and cells that are empty just now.
+// Blocks as moving ones are at some moment: pillars whose parts on several levels move as one, and
+// cells that are empty just now.
 void addMovers(Random& random, World& world);
 
 }  // namespace slicecast::judge

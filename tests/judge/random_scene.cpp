@@ -10,20 +10,24 @@
 namespace slicecast::judge {
 namespace {
 
-// A texture whose every texel tells where it stands: red which texture, green u, blue v. Up to 8 texels a side, neighbours differ so much that they
-// can be told apart in the dimmest light; finer textures only stand in worlds whose light never falls below a half.
-// Where there are two frames, red tells which one. See-through ones have holes, opaque texels and all between.
+// A texture whose every texel tells where it stands: red which texture, green u, blue v. Up to 8
+// texels a side, neighbours differ so much that they can be told apart in the dimmest light; finer
+// textures only stand in worlds whose light never falls below a half. Where there are two frames,
+// red tells which one. See-through ones have holes, opaque texels and all between.
 Texture codedTexture(int index, int size, bool seeThrough, int frames, double rate) {
     Image image(size * frames, size);
     const int step = 240 / size;
     for (int y = 0; y < size; ++y) {
         for (int column = 0; column < size * frames; ++column) {
             const int x = column % size;
-            image.at(column, y) = toPixel({static_cast<std::uint8_t>(10 + index * 12 + 6 * (column / size)), static_cast<std::uint8_t>(8 + x * step),
-                                           static_cast<std::uint8_t>(8 + y * step), 255});
+            image.at(column, y) =
+                toPixel({static_cast<std::uint8_t>(10 + index * 12 + 6 * (column / size)),
+                         static_cast<std::uint8_t>(8 + x * step),
+                         static_cast<std::uint8_t>(8 + y * step), 255});
             if (seeThrough && (x + y + index) % 3 != 0) {
                 Colour colour = toColour(image.at(column, y));
-                colour.a = static_cast<std::uint8_t>((x * 5 + y * 3 + index) % 4 == 0 ? 0 : 40 + (x * 31 + y * 57) % 200);
+                colour.a = static_cast<std::uint8_t>(
+                    (x * 5 + y * 3 + index) % 4 == 0 ? 0 : 40 + (x * 31 + y * 57) % 200);
                 image.at(column, y) = toPixel(colour);
             }
         }
@@ -42,7 +46,9 @@ TextureId anyTexture(Random& random) {
 }
 
 Colour anyColour(Random& random) {
-    return {static_cast<std::uint8_t>(random.below(256)), static_cast<std::uint8_t>(random.below(256)), static_cast<std::uint8_t>(random.below(256)), 255};
+    return {static_cast<std::uint8_t>(random.below(256)),
+            static_cast<std::uint8_t>(random.below(256)),
+            static_cast<std::uint8_t>(random.below(256)), 255};
 }
 
 CellBlueprint randomBlueprint(Random& random, bool coarse) {
@@ -83,13 +89,16 @@ Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse
     const int levels = random.oneIn(8) ? random.between(7, kMaxLevels) : random.between(1, 5);
     const int depth = random.between(1, longest);
     Map map = makeMap("random", random.between(1, longest), depth, levels, floorTexture);
-    // From a few blocks to nearly solid; some maps repeat one level in all others, so that faces meet flush.
+    // From a few blocks to nearly solid; some maps repeat one level in all others, so that faces
+    // meet flush.
     const double filled = random.oneIn(5) ? random.between(0.5, 0.95) : random.between(0.0, 0.35);
     const int blueprints = static_cast<int>(world.blueprints.size());
     for (int y = 0; y < map.depth; ++y) {
         for (int x = 0; x < map.width; ++x) {
             for (int level = 0; level < map.levels; ++level) {
-                if (random.unit() < filled) map.setCell(x, y, level, static_cast<BlueprintId>(random.between(1, blueprints - 1)));
+                if (random.unit() < filled)
+                    map.setCell(x, y, level,
+                                static_cast<BlueprintId>(random.between(1, blueprints - 1)));
             }
         }
     }
@@ -101,12 +110,16 @@ Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse
     }
     if (random.oneIn(2)) {
         map.ceiling.height = {random.between(1, map.levels * 65536 + 65536)};
-        if (coarse || random.oneIn(3)) map.ceiling.height = {std::max(1, map.ceiling.height.raw >> 14) * 16384};
+        if (coarse || random.oneIn(3))
+            map.ceiling.height = {std::max(1, map.ceiling.height.raw >> 14) * 16384};
         map.ceiling.light = random.between(0.5, 1.0);
         const TextureId texture = anyTexture(random);
         const int open = random.between(0, 3);
         map.ceiling.tiles.resize(map.floor.tiles.size());
-        for (TextureId& tile : map.ceiling.tiles) tile = open > 0 && random.oneIn(2 * open) ? kNoTexture : random.oneIn(4) ? anyTexture(random) : texture;
+        for (TextureId& tile : map.ceiling.tiles)
+            tile = open > 0 && random.oneIn(2 * open) ? kNoTexture
+                   : random.oneIn(4)                  ? anyTexture(random)
+                                                      : texture;
     }
     map.floor.glow = random.oneIn(8);
     map.ceiling.glow = random.oneIn(8);
@@ -117,7 +130,8 @@ Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse
     map.light.darkest = fineTextures ? random.between(0.5, 0.9) : random.between(0.1, 0.6);
     map.light.brightest = random.between(0.9, 1.0);
     if (fineTextures) {
-        // Full brightness from half the clamp on: face factors are at least a half, and the product is to stay there.
+        // Full brightness from half the clamp on: face factors are at least a half, and the product
+        // is to stay there.
         map.light.darkest = 1.0;
         map.light.brightest = 1.0;
     }
@@ -141,12 +155,17 @@ Sprite codedSprite(Random& random, int index) {
     for (int y = 0; y < height; ++y) {
         for (int column = 0; column < image.width; ++column) {
             const int x = column % width;
-            const int alpha = (x + 2 * y + index) % 4 == 0 ? 0 : (x + y) % 3 == 0 ? 60 + x * 15 + y * 9 : 255;
-            image.at(column, y) = toPixel({static_cast<std::uint8_t>(70 + 24 * index + 12 * (column / width)), static_cast<std::uint8_t>(20 + x * 30),
-                                           static_cast<std::uint8_t>(20 + y * 30), static_cast<std::uint8_t>(alpha)});
+            const int alpha = (x + 2 * y + index) % 4 == 0 ? 0
+                              : (x + y) % 3 == 0           ? 60 + x * 15 + y * 9
+                                                           : 255;
+            image.at(column, y) =
+                toPixel({static_cast<std::uint8_t>(70 + 24 * index + 12 * (column / width)),
+                         static_cast<std::uint8_t>(20 + x * 30),
+                         static_cast<std::uint8_t>(20 + y * 30), static_cast<std::uint8_t>(alpha)});
         }
     }
-    return makeSprite("coded " + std::to_string(index), std::move(image), frames, random.between(0.5, 20.0));
+    return makeSprite("coded " + std::to_string(index), std::move(image), frames,
+                      random.between(0.5, 20.0));
 }
 
 constexpr int kSprites = 6;
@@ -159,7 +178,8 @@ void addObjects(Random& random, Map& map, bool coarse) {
         object.sprite = static_cast<SpriteId>(random.below(kSprites));
         object.x = {random.between(0, map.width * 65536 - 1)};
         object.y = {random.between(0, map.depth * 65536 - 1)};
-        object.z = random.oneIn(2) ? Coordinate{random.between(0, map.levels) * 65536} : Coordinate{random.between(0, map.levels * 65536)};
+        object.z = random.oneIn(2) ? Coordinate{random.between(0, map.levels) * 65536}
+                                   : Coordinate{random.between(0, map.levels * 65536)};
         if (coarse) {
             object.x = {object.x.raw >> 13 << 13};
             object.y = {object.y.raw >> 13 << 13};
@@ -180,14 +200,17 @@ World randomWorld(Random& random, bool coarse) {
     for (int i = 0; i < kTextures; ++i) {
         const double rate = random.between(0.5, 20.0);
         const int frames = random.oneIn(4) ? 2 : 1;
-        world.textures.push_back(codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque, frames, rate));
+        world.textures.push_back(
+            codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque, frames, rate));
     }
     world.seconds = random.between(0.0, 100.0);
     const int blueprints = random.between(1, 12);
-    for (int i = 0; i < blueprints; ++i) world.blueprints.push_back(randomBlueprint(random, coarse));
+    for (int i = 0; i < blueprints; ++i)
+        world.blueprints.push_back(randomBlueprint(random, coarse));
     markSeeThrough(world);
-    // In every third world there are portals, most of them between several maps; in every third mirrors, in every fourth
-    // moving blocks (more often beside mirrors: what joins does not reflect), in every third objects.
+    // In every third world there are portals, most of them between several maps; in every third
+    // mirrors, in every fourth moving blocks (more often beside mirrors: what joins does not
+    // reflect), in every third objects.
     const bool portals = random.oneIn(3);
     const int maps = portals ? random.between(1, 3) : 1;
     for (int i = 0; i < maps; ++i) world.maps.push_back(randomMap(random, world, fine, coarse));
@@ -222,7 +245,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     view.width = width;
     view.height = height;
     view.fovDegrees = random.between(30.0, 110.0);
-    view.headingDegrees = random.oneIn(6) ? 45.0 * random.between(-8, 16) : random.between(-400.0, 800.0);
+    view.headingDegrees =
+        random.oneIn(6) ? 45.0 * random.between(-8, 16) : random.between(-400.0, 800.0);
     view.look = random.oneIn(3) ? random.between(-2.0, 2.0) : random.between(-0.4, 0.4);
     view.detail = !random.oneIn(4);
     view.light = !random.oneIn(8);
@@ -260,7 +284,10 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     view.headingDegrees = 45.0 * random.between(0, 7);
     view.look = 0.125 * random.between(-4, 4);
     view.detail = !random.oneIn(3);
-    const auto onGrid = [&](int tiles) { return Coordinate{random.oneIn(2) ? random.between(0, tiles) * 65536 : random.between(0, tiles * 8) * 8192}; };
+    const auto onGrid = [&](int tiles) {
+        return Coordinate{random.oneIn(2) ? random.between(0, tiles) * 65536
+                                          : random.between(0, tiles * 8) * 8192};
+    };
     view.x = onGrid(map.width);
     view.y = onGrid(map.depth);
     view.z = {random.between(1, map.levels * 8 + 4) * 8192};

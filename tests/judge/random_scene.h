@@ -13,10 +13,12 @@ struct Scene {
     View view;
 };
 
-// Anything goes: all block shapes, eyes at any height, inside blocks, outside the grid, looking far up and down. `width` and `height` are the picture's.
+// Anything goes: all block shapes, eyes at any height, inside blocks, outside the grid, looking far
+// up and down. `width` and `height` are the picture's.
 Scene randomScene(std::uint64_t seed, int width, int height);
 
-// Made to tie: eyes on borders, corners and edges, quarter and eighth turns, a field of view of 90 degrees, so that many rays meet borders exactly.
+// Made to tie: eyes on borders, corners and edges, quarter and eighth turns, a field of view of 90
+// degrees, so that many rays meet borders exactly.
 Scene tieScene(std::uint64_t seed, int width, int height);
 
 }  // namespace slicecast::judge

@@ -17,13 +17,16 @@ struct Size {
 };
 
 // Small pictures of many shapes.
-inline constexpr std::array<Size, 8> kSmallSizes = {{{160, 100}, {1, 1}, {7, 3}, {64, 64}, {97, 53}, {128, 80}, {33, 120}, {160, 99}}};
+inline constexpr std::array<Size, 8> kSmallSizes = {
+    {{160, 100}, {1, 1}, {7, 3}, {64, 64}, {97, 53}, {128, 80}, {33, 120}, {160, 99}}};
 // Full size and odd.
-inline constexpr std::array<Size, 4> kLargeSizes = {{{1280, 720}, {641, 399}, {1280, 720}, {1279, 721}}};
+inline constexpr std::array<Size, 4> kLargeSizes = {
+    {{1280, 720}, {641, 399}, {1280, 720}, {1279, 721}}};
 
 using MakeScene = Scene (*)(std::uint64_t seed, int width, int height);
 
-// Judges the pictures of the seeds [first, first + count). A refused picture counts as an unexcused pixel.
+// Judges the pictures of the seeds [first, first + count). A refused picture counts as an unexcused
+// pixel.
 template <typename Sizes>
 Verdict judgeAll(MakeScene make, std::uint64_t first, int count, const Sizes& sizes) {
     Renderer renderer;

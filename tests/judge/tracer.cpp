@@ -7,7 +7,10 @@ namespace {
 
 // Which face of a block is met by what moves that way.
 Face enteredFace(Tile step) {
-    return step.x > 0 ? Face::west : step.x < 0 ? Face::east : step.y > 0 ? Face::north : Face::south;
+    return step.x > 0   ? Face::west
+           : step.x < 0 ? Face::east
+           : step.y > 0 ? Face::north
+                        : Face::south;
 }
 
 Face leftFace(Tile step) {
@@ -24,12 +27,14 @@ void Tracer::look(double x, double y, std::vector<Sight>& sights, Notes* notes) 
     walk.addObjects();
 }
 
-Tracer::Walk::Walk(const Tracer& tracer, double px, double py, std::vector<Sight>& sights, Notes& notes)
+Tracer::Walk::Walk(const Tracer& tracer, double px, double py, std::vector<Sight>& sights,
+                   Notes& notes)
     : tracer_(tracer), world_(tracer.world_), sights_(sights), notes_(notes) {
     const View& view = tracer.view_;
     const double q = px - view.width / 2.0;
     const double d = tracer.distance_;
-    direction_ = {d * tracer.forwardX_ - q * tracer.forwardY_, d * tracer.forwardY_ + q * tracer.forwardX_};
+    direction_ = {d * tracer.forwardX_ - q * tracer.forwardY_,
+                  d * tracer.forwardY_ + q * tracer.forwardX_};
     up_ = view.height / 2.0 + view.look * view.height - py;
     sideways_ = q / d;
     eye_ = {view.x.value(), view.y.value()};
@@ -50,8 +55,8 @@ void Tracer::Walk::run() {
 
 // ---- Before and after, above and below ----
 
-// Where the ray is at a height. The eye counts as a trifle above its own height: a ray that rises or runs level is above it from the start, one that falls
-// crosses it at once.
+// Where the ray is at a height. The eye counts as a trifle above its own height: a ray that rises
+// or runs level is above it from the start, one that falls crosses it at once.
 double Tracer::Walk::alongOf(double height) const {
     if (height == eyeZ_) return falls() ? 0.0 : -kNever;
     if (up_ == 0.0) return height < eyeZ_ ? -kNever : kNever;
@@ -64,13 +69,16 @@ bool Tracer::Walk::crossedBefore(double height, const Border& border) const {
     return along < border.along || (along == border.along && !border.early);
 }
 
-// Is the ray above a height when it crosses a border? A falling ray is not above what lies higher than the eye, a rising one always above what lies lower.
+// Is the ray above a height when it crosses a border? A falling ray is not above what lies higher
+// than the eye, a rising one always above what lies lower.
 bool Tracer::Walk::isAbove(double height, const Border& border) const {
-    return falls() ? height <= eyeZ_ && !crossedBefore(height, border) : crossedBefore(height, border);
+    return falls() ? height <= eyeZ_ && !crossedBefore(height, border)
+                   : crossedBefore(height, border);
 }
 
-// Is the ray above an edge where it begins in the tile? Where it comes out of a top or bottom face, the faces entered and the planes at that very height are
-// still to be met and the faces left are not; from a mirror only what lies above is.
+// Is the ray above an edge where it begins in the tile? Where it comes out of a top or bottom face,
+// the faces entered and the planes at that very height are still to be met and the faces left are
+// not; from a mirror only what lies above is.
 bool Tracer::Walk::isAboveAtStart(double height, Edge edge) const {
     switch (start_) {
         case Start::eye:
@@ -88,7 +96,9 @@ bool Tracer::Walk::isAboveAtStart(double height, Edge edge) const {
 
 Border Tracer::Walk::nextBorder() const {
     const auto next = [](int tile, double eye, double direction) {
-        return direction > 0.0 ? Meeting{tile + 1 - eye, direction} : direction < 0.0 ? Meeting{eye - tile, -direction} : Meeting{kNever, 1.0};
+        return direction > 0.0   ? Meeting{tile + 1 - eye, direction}
+               : direction < 0.0 ? Meeting{eye - tile, -direction}
+                                 : Meeting{kNever, 1.0};
     };
     const Meeting x = next(tile_.x, eye_.x, direction_.x);
     const Meeting y = next(tile_.y, eye_.y, direction_.y);
@@ -104,7 +114,8 @@ bool Tracer::Walk::join(BlueprintId a, BlueprintId b) const {
     if (a == kEmptyCell || b == kEmptyCell) return false;
     const CellBlueprint& first = blueprint(a);
     const CellBlueprint& second = blueprint(b);
-    return first.seeThrough && second.seeThrough && first.join && second.join && (a == b || (first.mover >= 0 && first.mover == second.mover));
+    return first.seeThrough && second.seeThrough && first.join && second.join &&
+           (a == b || (first.mover >= 0 && first.mover == second.mover));
 }
 
 // The block that the ray is in as soon as it has crossed a border into a tile.
@@ -115,21 +126,26 @@ BlueprintId Tracer::Walk::blockBehind(const Place& place, Tile tile, const Borde
         const BlueprintId id = map.cell(at.x, at.y, level);
         if (id == kEmptyCell) continue;
         const double base = level - place.levels;
-        if (isAbove(base + blueprint(id).bottom.value(), border) && !isAbove(base + blueprint(id).top.value(), border)) return id;
+        if (isAbove(base + blueprint(id).bottom.value(), border) &&
+            !isAbove(base + blueprint(id).top.value(), border))
+            return id;
     }
     return kEmptyCell;
 }
 
-// The block of a level of the tile if it reaches down to the level's base (where it is above something) or up to its end.
+// The block of a level of the tile if it reaches down to the level's base (where it is above
+// something) or up to its end.
 BlueprintId Tracer::Walk::touching(const Place& place, int level, bool above) const {
     const Tile at = place.tileOf(tile_);
     const BlueprintId id = mapOf(place).cell(at.x, at.y, level);
     if (id == kEmptyCell) return id;
-    const bool touches = above ? blueprint(id).bottom == Coordinate{0} : blueprint(id).top == tileEdge(1);
+    const bool touches =
+        above ? blueprint(id).bottom == Coordinate{0} : blueprint(id).top == tileEdge(1);
     return touches ? id : kEmptyCell;
 }
 
-// What touches the end of the current tile's `level` from the next one: what the ray meets there, behind a portal if there is one.
+// What touches the end of the current tile's `level` from the next one: what the ray meets there,
+// behind a portal if there is one.
 BlueprintId Tracer::Walk::behindLevel(int level, bool above) const {
     const int next = above ? level + 1 : level - 1;
     const BlueprintId id = touching(place_, next, above);
@@ -150,10 +166,13 @@ Tracer::Walk::Then Tracer::Walk::passTile(const Border& leave) {
 
 Tracer::Walk::Then Tracer::Walk::passOutside(const Border& leave) {
     const Point direction = Place::turned(direction_, place_.turn);
-    const bool goneX = mapTile_.x < 0 ? direction.x <= 0.0 : mapTile_.x >= map().width && direction.x >= 0.0;
-    const bool goneY = mapTile_.y < 0 ? direction.y <= 0.0 : mapTile_.y >= map().depth && direction.y >= 0.0;
+    const bool goneX =
+        mapTile_.x < 0 ? direction.x <= 0.0 : mapTile_.x >= map().width && direction.x >= 0.0;
+    const bool goneY =
+        mapTile_.y < 0 ? direction.y <= 0.0 : mapTile_.y >= map().depth && direction.y >= 0.0;
     const bool gone = goneX || goneY;
-    if (falls() && (gone || crossedBefore(-place_.levels, leave))) return meetFloor(map().floor.texture, true);
+    if (falls() && (gone || crossedBefore(-place_.levels, leave)))
+        return meetFloor(map().floor.texture, true);
     if (!gone) return Then::leaves;
     pushBackground();
     return Then::ended;
@@ -165,13 +184,15 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
     // Crossed after the start and before the exit.
     const auto add = [&](double height, Edge edge, int order, int level) {
         const bool met =
-            up_ != 0.0 && (falls() ? isAboveAtStart(height, edge) && !isAbove(height, leave) : !isAboveAtStart(height, edge) && isAbove(height, leave));
+            up_ != 0.0 && (falls() ? isAboveAtStart(height, edge) && !isAbove(height, leave)
+                                   : !isAboveAtStart(height, edge) && isAbove(height, leave));
         if (met) events[count++] = {height, alongOf(height), order, level, edge == Edge::top};
     };
     for (int level = 0; level < map().levels; ++level) {
         const BlueprintId id = map().cell(mapTile_.x, mapTile_.y, level);
         if (id == kEmptyCell) {
-            if (map().cells[map().cellIndex(mapTile_.x, mapTile_.y, level)] != kEmptyCell) note(Note::emptyMover);
+            if (map().cells[map().cellIndex(mapTile_.x, mapTile_.y, level)] != kEmptyCell)
+                note(Note::emptyMover);
             continue;
         }
         const CellBlueprint& block = blueprint(id);
@@ -181,7 +202,8 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
             if (start_ == Start::border && enter_.along > 0.0) {
                 const Face entered = enteredFace(Place::turned(enter_.step, place_.turn));
                 if (!(left_ == id && join(left_, id))) {
-                    if (block.face(entered).portal != kNoPortal) note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
+                    if (block.face(entered).portal != kNoPortal)
+                        note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
                     pushFace(block, level, entered, enter_.meeting, false);
                 }
                 if (!block.seeThrough) return Then::ended;
@@ -193,10 +215,13 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
         add(top, Edge::top, falls() ? 1 : 0, level);
     }
     if (falls()) add(-place_.levels, Edge::plane, 2, kFloor);
-    if (!map().ceiling.tiles.empty() && map().ceiling.tiles[map().tileIndex(mapTile_.x, mapTile_.y)] != kNoTexture) {
+    if (!map().ceiling.tiles.empty() &&
+        map().ceiling.tiles[map().tileIndex(mapTile_.x, mapTile_.y)] != kNoTexture) {
         add(map().ceiling.height.value() - place_.levels, Edge::plane, 2, kCeiling);
     }
-    std::sort(events, events + count, [](const Event& a, const Event& b) { return a.along != b.along ? a.along < b.along : a.order < b.order; });
+    std::sort(events, events + count, [](const Event& a, const Event& b) {
+        return a.along != b.along ? a.along < b.along : a.order < b.order;
+    });
     for (int i = 0; i < count; ++i) {
         const Then then = meet(events[i], i > 0 ? &events[i - 1] : nullptr);
         if (then != Then::leaves) return then;
@@ -204,13 +229,17 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
     return Then::leaves;
 }
 
-// `before` is what was met before in this tile; a block that was left at the same height is the event just before.
+// `before` is what was met before in this tile; a block that was left at the same height is the
+// event just before.
 Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
     const Meeting meeting = meetingOf(event.height);
-    if (event.level == kFloor) return meetFloor(map().floor.tiles[map().tileIndex(mapTile_.x, mapTile_.y)], false);
+    if (event.level == kFloor)
+        return meetFloor(map().floor.tiles[map().tileIndex(mapTile_.x, mapTile_.y)], false);
     if (event.level == kCeiling) {
         if (event.along <= 0.0) return Then::leaves;
-        pushPlane(Sight::Kind::ceiling, map().ceiling.tiles[map().tileIndex(mapTile_.x, mapTile_.y)], map().ceiling.light, map().ceiling.glow, meeting, false);
+        pushPlane(Sight::Kind::ceiling,
+                  map().ceiling.tiles[map().tileIndex(mapTile_.x, mapTile_.y)], map().ceiling.light,
+                  map().ceiling.glow, meeting, false);
         return sights_.back().seeThrough ? Then::leaves : Then::ended;
     }
     const BlueprintId id = map().cell(mapTile_.x, mapTile_.y, event.level);
@@ -235,18 +264,23 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
     }
     if (acts(block, which) && mayPass()) {
         const bool left = before != nullptr && before->height == event.height && before->order == 0;
-        return throughHeight(block.face(which).portal, event, left ? map().cell(mapTile_.x, mapTile_.y, before->level) : kEmptyCell);
+        return throughHeight(block.face(which).portal, event,
+                             left ? map().cell(mapTile_.x, mapTile_.y, before->level) : kEmptyCell);
     }
     inside_ = event.level;
     if (event.along <= 0.0) return Then::leaves;
     const bool atPortal = start_ == Start::portal && event.height == startHeight_;
-    const BlueprintId left = atPortal ? left_ : atLevelsEnd ? touching(place_, event.top ? event.level + 1 : event.level - 1, event.top) : kEmptyCell;
+    const BlueprintId left =
+        atPortal      ? left_
+        : atLevelsEnd ? touching(place_, event.top ? event.level + 1 : event.level - 1, event.top)
+                      : kEmptyCell;
     if (join(left, id)) {
         if (atPortal) note(Note::joinedByPortal);
         if (event.top && block.face(which).mirror > 0) note(Note::mirrorJoined);
         return Then::leaves;
     }
-    if (block.face(which).portal != kNoPortal) note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
+    if (block.face(which).portal != kNoPortal)
+        note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
     pushFace(block, event.level, which, meeting, false);
     if (sights_.back().mirror > 0) {
         note(Note::roofMirror);
@@ -318,10 +352,12 @@ bool Tracer::Walk::leaveTile(const Border& leave) {
     const Tile next = {tile_.x + leave.step.x, tile_.y + leave.step.y};
     const Tile mapNext = place_.tileOf(next);
     const Tile mapStep = Place::turned(leave.step, place_.turn);
-    const BlueprintId left = inside_ == kNoLevel ? kEmptyCell : map().cell(mapTile_.x, mapTile_.y, inside_);
+    const BlueprintId left =
+        inside_ == kNoLevel ? kEmptyCell : map().cell(mapTile_.x, mapTile_.y, inside_);
     const Face entered = enteredFace(mapStep);
 
-    // What lies behind the border: a tile portal, or a block with or without a portal on the face that is met.
+    // What lies behind the border: a tile portal, or a block with or without a portal on the face
+    // that is met.
     BlueprintId ahead = kEmptyCell;
     PortalId portal = map().tilePortal(mapNext.x, mapNext.y);
     const bool wholeTile = portal != kNoPortal;
@@ -363,7 +399,8 @@ bool Tracer::Walk::leaveTile(const Border& leave) {
     if (passes) {
         if (inGlass) note(Note::portalInGlass);
         if (!wholeTile) note(Note::northPortal, static_cast<int>(entered));
-        passPortal(beyond, world_.portals[portal], leave.along, wholeTile ? Note::tilePortal0 : Note::facePortal0);
+        passPortal(beyond, world_.portals[portal], leave.along,
+                   wholeTile ? Note::tilePortal0 : Note::facePortal0);
         if (below) {
             note(Note::belowFloor);
             pushHaze(leave.along);

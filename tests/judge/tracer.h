@@ -1,6 +1,7 @@
-// The judge's tracer: a slow, plain statement of what a correct picture is. It follows the ray of one pixel through the blocks in three dimensions, from
-// border to border and from height to height, through portals and up again from mirrors, in double precision, and knows nothing of the renderer: it includes
-// `base` and `world` only, and does its own sampling, light and fog.
+// The judge's tracer: a slow, plain statement of what a correct picture is. It follows the ray of
+// one pixel through the blocks in three dimensions, from border to border and from height to
+// height, through portals and up again from mirrors, in double precision, and knows nothing of the
+// renderer: it includes `base` and `world` only, and does its own sampling, light and fog.
 #pragma once
 
 #include "base/colour.h"
@@ -50,7 +51,8 @@ struct Sight {
     double v = 0.0;
     Colour colour;            // sky, haze: what they show
     bool seeThrough = false;  // what lies behind may show, depending on the texel's alpha
-    int mirror = 0;           // how much of what comes next shows in it, of 255; then it counts as opaque otherwise
+    int mirror =
+        0;  // how much of what comes next shows in it, of 255; then it counts as opaque otherwise
 };
 
 // What happened to a ray on its way, besides what it met; for asserting coverage.
@@ -74,7 +76,8 @@ enum class Note : std::uint8_t {
     portalWithinMap,
     portalAtOnce,   // at t = 0
     portalInGlass,  // on a block that is see-through
-    faceAtLimit,    // the face's own texture is drawn, since the ray has passed as many portals as it may
+    faceAtLimit,  // the face's own texture is drawn, since the ray has passed as many portals as it
+                  // may
     tileAtLimit,
     belowFloor,         // came out below the floor
     outInsideBlock,     // came out within a block, upwards or downwards
@@ -99,11 +102,13 @@ class Tracer {
 public:
     Tracer(const World& world, const View& view);
 
-    // The sights through a point of the picture plane, in pixels from its upper left; a pixel's centre is at + 0.5. Front to back: see-through ones and
-    // mirrors, and then one that is neither.
+    // The sights through a point of the picture plane, in pixels from its upper left; a pixel's
+    // centre is at + 0.5. Front to back: see-through ones and mirrors, and then one that is
+    // neither.
     void look(double x, double y, std::vector<Sight>& sights, Notes* notes = nullptr) const;
 
-    // A sight's colour, with the texel's own alpha (255 of a mirror). `depthFactor` is 1, or a little off to ask for the other side of a threshold on t.
+    // A sight's colour, with the texel's own alpha (255 of a mirror). `depthFactor` is 1, or a
+    // little off to ask for the other side of a threshold on t.
     Colour colour(const Sight& sight, double depthFactor = 1.0) const;
 
     // The level of detail that a sight is shown at, for asserting coverage.

@@ -48,20 +48,26 @@ Tracer::Tracer(const World& world, const View& view) : world_(world), view_(view
     forwardY_ = sinDegrees(view.headingDegrees);
     // A sheet's frames follow one another for ever.
     const auto frameOf = [&](std::size_t frames, double rate) {
-        return frames == 1 ? 0 : static_cast<std::size_t>(static_cast<std::int64_t>(std::floor(world.seconds * rate)) % static_cast<std::int64_t>(frames));
+        return frames == 1 ? 0
+                           : static_cast<std::size_t>(
+                                 static_cast<std::int64_t>(std::floor(world.seconds * rate)) %
+                                 static_cast<std::int64_t>(frames));
     };
     const auto levelsOf = [](const std::vector<Pixel>& columns, int width, int height) {
         Image shown(width, height);
         for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) shown.at(x, y) = columns[static_cast<std::size_t>(x * height + y)];
+            for (int x = 0; x < width; ++x)
+                shown.at(x, y) = columns[static_cast<std::size_t>(x * height + y)];
         }
         std::vector<Image> levels = {shown};
-        while (levels.back().width % 2 == 0 && levels.back().height % 2 == 0) levels.push_back(nextLevel(levels.back()));
+        while (levels.back().width % 2 == 0 && levels.back().height % 2 == 0)
+            levels.push_back(nextLevel(levels.back()));
         return levels;
     };
     for (const Texture& texture : world.textures) {
         const std::size_t frame = frameOf(1 + texture.laterFrames.size(), texture.rate);
-        const TextureLevel& shown = frame == 0 ? texture.levels[0] : texture.laterFrames[frame - 1][0];
+        const TextureLevel& shown =
+            frame == 0 ? texture.levels[0] : texture.laterFrames[frame - 1][0];
         levels_.push_back(levelsOf(shown.texels, shown.size, shown.size));
     }
     for (const Sprite& sprite : world.sprites) {
@@ -79,7 +85,10 @@ int Tracer::level(const Sight& sight, double depthFactor) const {
     const std::vector<Image>& levels = levelsOf(sight);
     const int last = static_cast<int>(levels.size()) - 1;
     int level = 0;
-    for (double threshold = 1.0; level < last && sight.depth * depthFactor * levels[0].height > threshold * distance_; threshold *= 2.0) ++level;
+    for (double threshold = 1.0;
+         level < last && sight.depth * depthFactor * levels[0].height > threshold * distance_;
+         threshold *= 2.0)
+        ++level;
     return level;
 }
 
@@ -94,18 +103,28 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
         const int i = std::min(n - 1, static_cast<int>(std::floor(std::fabs(fraction) * n)));
         return std::signbit(fraction) ? n - 1 - i : i;
     };
-    const Colour raw = toColour(image.at(texel(sight.u, image.width), texel(sight.v, image.height)));
+    const Colour raw =
+        toColour(image.at(texel(sight.u, image.width), texel(sight.v, image.height)));
 
-    const double falloff = map.light.on && view_.light ? map.light.intensity * map.light.multiplier / depth : 1.0;
-    const double bright = (sight.glow ? 1.0 : clampTo(falloff, map.light.darkest, map.light.brightest)) * sight.faceLight;
+    const double falloff =
+        map.light.on && view_.light ? map.light.intensity * map.light.multiplier / depth : 1.0;
+    const double bright =
+        (sight.glow ? 1.0 : clampTo(falloff, map.light.darkest, map.light.brightest)) *
+        sight.faceLight;
     const int q = std::min(256, static_cast<int>(std::floor(256.0 * bright + 0.5)));
     int fog = 0;
     if (map.fog.on && view_.fog) {
-        fog = static_cast<int>(std::floor(255.0 * clampTo((depth - map.fog.start) / (map.fog.end - map.fog.start), 0.0, 1.0) + 0.5));
+        fog = static_cast<int>(std::floor(
+            255.0 * clampTo((depth - map.fog.start) / (map.fog.end - map.fog.start), 0.0, 1.0) +
+            0.5));
     }
-    const auto channel = [&](int c, int haze) { return static_cast<std::uint8_t>((haze * fog + ((c * q + 128) >> 8) * (255 - fog) + 127) / 255); };
+    const auto channel = [&](int c, int haze) {
+        return static_cast<std::uint8_t>((haze * fog + ((c * q + 128) >> 8) * (255 - fog) + 127) /
+                                         255);
+    };
     const std::uint8_t alpha = sight.mirror > 0 ? 255 : raw.a;
-    return {channel(raw.r, map.haze.r), channel(raw.g, map.haze.g), channel(raw.b, map.haze.b), alpha};
+    return {channel(raw.r, map.haze.r), channel(raw.g, map.haze.g), channel(raw.b, map.haze.b),
+            alpha};
 }
 
 const char* nameOf(Note note) {

@@ -23,14 +23,18 @@ void Tracer::Walk::push(Sight sight) {
     sights_.push_back(sight);
 }
 
-// Where the ray meets a face, as fractions of its texture. Seen from outside u runs to the right: north and east run against the map, which is marked by
-// a negative fraction. The top shows the map as from above, the bottom with its rows reversed.
-void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which, const Meeting& meeting, bool fromInside) {
+// Where the ray meets a face, as fractions of its texture. Seen from outside u runs to the right:
+// north and east run against the map, which is marked by a negative fraction. The top shows the map
+// as from above, the bottom with its rows reversed.
+void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
+                            const Meeting& meeting, bool fromInside) {
     const FaceBlueprint& look = block.face(which);
-    const Point point = Place::turned(Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
+    const Point point = Place::turned(
+        Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
     const double x = clampTo(point.x + (place_.x - mapTile_.x), 0.0, 1.0);
     const double y = clampTo(point.y + (place_.y - mapTile_.y), 0.0, 1.0);
-    const double z = clampTo(eyeZ_ + meeting.at(up_) + (place_.levels - level), block.bottom.value(), block.top.value());
+    const double z = clampTo(eyeZ_ + meeting.at(up_) + (place_.levels - level),
+                             block.bottom.value(), block.top.value());
     Sight sight;
     sight.face = which;
     sight.fromInside = fromInside;
@@ -60,7 +64,9 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which, c
     if (which == Face::top) {
         sight.kind = Sight::Kind::roof;
         sight.v = y;
-        if (!fromInside) sight.mirror = std::min(255, static_cast<int>(std::floor(look.mirror * tracer_.view_.mirrors + 0.5)));
+        if (!fromInside)
+            sight.mirror = std::min(
+                255, static_cast<int>(std::floor(look.mirror * tracer_.view_.mirrors + 0.5)));
         if (sight.mirror > 0) sight.seeThrough = false;
     } else if (which == Face::bottom) {
         sight.kind = Sight::Kind::underside;
@@ -72,11 +78,14 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which, c
     push(sight);
 }
 
-void Tracer::Walk::pushPlane(Sight::Kind kind, TextureId texture, double light, bool glow, const Meeting& meeting, bool outside) {
+void Tracer::Walk::pushPlane(Sight::Kind kind, TextureId texture, double light, bool glow,
+                             const Meeting& meeting, bool outside) {
     const Point rayPoint = {eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)};
     const Point point = Place::turned(rayPoint, place_.turn);
     // Outside the grid, the tile is the one that the point is in.
-    const Tile tile = outside ? place_.tileOf({static_cast<int>(std::floor(rayPoint.x)), static_cast<int>(std::floor(rayPoint.y))}) : mapTile_;
+    const Tile tile = outside ? place_.tileOf({static_cast<int>(std::floor(rayPoint.x)),
+                                               static_cast<int>(std::floor(rayPoint.y))})
+                              : mapTile_;
     Sight sight;
     sight.kind = kind;
     sight.outsideGrid = outside;
@@ -89,7 +98,9 @@ void Tracer::Walk::pushPlane(Sight::Kind kind, TextureId texture, double light, 
     sight.u = clampTo(point.x + (place_.x - tile.x), 0.0, 1.0);
     const double y = clampTo(point.y + (place_.y - tile.y), 0.0, 1.0);
     sight.v = kind == Sight::Kind::ceiling ? -y : y;
-    if (kind == Sight::Kind::floor) sight.mirror = std::min(255, static_cast<int>(std::floor(map().floor.mirror * tracer_.view_.mirrors + 0.5)));
+    if (kind == Sight::Kind::floor)
+        sight.mirror = std::min(
+            255, static_cast<int>(std::floor(map().floor.mirror * tracer_.view_.mirrors + 0.5)));
     if (sight.mirror > 0) sight.seeThrough = false;
     push(sight);
 }
@@ -116,15 +127,21 @@ void Tracer::Walk::pushBackground() {
             sight.colour = sky.low;
             break;
         case Sky::Kind::gradient: {
-            const auto mix = [&](int a, int b) { return static_cast<std::uint8_t>(std::floor(a + (b - a) * height + 0.5)); };
-            sight.colour = {mix(sky.low.r, sky.high.r), mix(sky.low.g, sky.high.g), mix(sky.low.b, sky.high.b), 255};
+            const auto mix = [&](int a, int b) {
+                return static_cast<std::uint8_t>(std::floor(a + (b - a) * height + 0.5));
+            };
+            sight.colour = {mix(sky.low.r, sky.high.r), mix(sky.low.g, sky.high.g),
+                            mix(sky.low.b, sky.high.b), 255};
             break;
         }
         case Sky::Kind::panorama: {
-            const double azimuth = (tracer_.view_.headingDegrees + 90.0 * place_.turn + atanDegrees(sideways_)) / 360.0;
+            const double azimuth =
+                (tracer_.view_.headingDegrees + 90.0 * place_.turn + atanDegrees(sideways_)) /
+                360.0;
             const int w = sky.panorama.width;
             const int h = sky.panorama.height;
-            const int column = std::min(w - 1, static_cast<int>(std::floor((azimuth - std::floor(azimuth)) * w)));
+            const int column =
+                std::min(w - 1, static_cast<int>(std::floor((azimuth - std::floor(azimuth)) * w)));
             const int row = std::min(h - 1, static_cast<int>(std::floor((1.0 - height) * h)));
             sight.colour = toColour(sky.panorama.at(column, row));
             break;
@@ -133,29 +150,36 @@ void Tracer::Walk::pushBackground() {
     push(sight);
 }
 
-// Every object is a rectangle at one depth t, that of its middle to the nearest 1/65536; it is met where the ray is in its map at that depth, after whatever
-// else is at that depth.
+// Every object is a rectangle at one depth t, that of its middle to the nearest 1/65536; it is met
+// where the ray is in its map at that depth, after whatever else is at that depth.
 void Tracer::Walk::addObjects() {
     double end = sights_.back().along;
     std::size_t last = sights_.size();
     for (std::size_t i = stretches_.size(); i-- > 0;) {
         const Stretch& stretch = stretches_[i];
-        const int portals = static_cast<int>(
-            std::count_if(stretches_.begin() + 1, stretches_.begin() + static_cast<std::ptrdiff_t>(i) + 1, [](const Stretch& s) { return !s.afterMirror; }));
+        const int portals = static_cast<int>(std::count_if(
+            stretches_.begin() + 1, stretches_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+            [](const Stretch& s) { return !s.afterMirror; }));
         const bool reflected =
-            std::any_of(stretches_.begin(), stretches_.begin() + static_cast<std::ptrdiff_t>(i) + 1, [](const Stretch& s) { return s.afterMirror; });
+            std::any_of(stretches_.begin(), stretches_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                        [](const Stretch& s) { return s.afterMirror; });
         std::vector<Sight> met;
         for (const Object& object : mapOf(stretch.place).objects) {
             const Point at = stretch.place.rayPointOf({object.x.value(), object.y.value()});
             const double dx = at.x - eye_.x;
             const double dy = at.y - eye_.y;
-            const double t = std::floor(65536.0 * (tracer_.forwardX_ * dx + tracer_.forwardY_ * dy) + 0.5) / 65536.0;
+            const double t =
+                std::floor(65536.0 * (tracer_.forwardX_ * dx + tracer_.forwardY_ * dy) + 0.5) /
+                65536.0;
             const double along = t / tracer_.distance_;
             if (t <= 0.0 || along < stretch.from || along >= end) continue;
-            const double left = -tracer_.forwardY_ * dx + tracer_.forwardX_ * dy - object.width.value() / 2.0;
+            const double left =
+                -tracer_.forwardY_ * dx + tracer_.forwardX_ * dy - object.width.value() / 2.0;
             const double across = (sideways_ * t - left) / object.width.value();
-            const double height = stretch.eyeZ + stretch.place.levels - object.z.value() + stretch.slope * t;
-            if (across < 0.0 || across >= 1.0 || height < 0.0 || height >= object.height.value()) continue;
+            const double height =
+                stretch.eyeZ + stretch.place.levels - object.z.value() + stretch.slope * t;
+            if (across < 0.0 || across >= 1.0 || height < 0.0 || height >= object.height.value())
+                continue;
             Sight sight;
             sight.kind = Sight::Kind::object;
             sight.map = stretch.place.map;
@@ -172,7 +196,8 @@ void Tracer::Walk::addObjects() {
             sight.v = clampTo(1.0 - height / object.height.value(), 0.0, 1.0);
             met.push_back(sight);
         }
-        std::stable_sort(met.begin(), met.end(), [](const Sight& a, const Sight& b) { return a.depth < b.depth; });
+        std::stable_sort(met.begin(), met.end(),
+                         [](const Sight& a, const Sight& b) { return a.depth < b.depth; });
         std::size_t from = stretch.first;
         std::size_t to = last;
         for (const Sight& object : met) {

@@ -11,7 +11,8 @@ namespace slicecast::judge {
 
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// How far along the ray something is met: distance / speed on the axis that it was found on, so that points can be worked out before the division rounds.
+// How far along the ray something is met: distance / speed on the axis that it was found on, so
+// that points can be worked out before the division rounds.
 struct Meeting {
     double distance = 0.0;
     double speed = 1.0;
@@ -20,7 +21,8 @@ struct Meeting {
     double at(double direction) const { return direction * distance / speed; }
 };
 
-// A border between tiles. It is met "early" when it is crossed eastward or southward, for the eye counts as a little further that way.
+// A border between tiles. It is met "early" when it is crossed eastward or southward, for the eye
+// counts as a little further that way.
 struct Border {
     Meeting meeting;
     double along = 0.0;
@@ -28,7 +30,8 @@ struct Border {
     bool early = false;
 };
 
-// One ray on its way. Tiles, points and heights are in the ray's own coordinates (those of the eye's map) unless they say map.
+// One ray on its way. Tiles, points and heights are in the ray's own coordinates (those of the
+// eye's map) unless they say map.
 class Tracer::Walk {
 public:
     Walk(const Tracer& tracer, double px, double py, std::vector<Sight>& sights, Notes& notes);
@@ -38,7 +41,8 @@ public:
 
 private:
     enum class Then { ended, again, leaves };
-    // Where the ray begins in a tile: at the eye, on a border, at the height of a top or bottom face through which it came out of a portal, or of a mirror.
+    // Where the ray begins in a tile: at the eye, on a border, at the height of a top or bottom
+    // face through which it came out of a portal, or of a mirror.
     enum class Start { eye, border, portal, mirror };
     enum class Edge { bottom, top, plane };
     // The heights at which something lies in a tile, in the order in which the ray meets them.
@@ -52,7 +56,8 @@ private:
     static constexpr int kFloor = -1;
     static constexpr int kCeiling = -2;
     static constexpr int kNoLevel = -1;
-    // A part of the ray within one place; objects of that map are met there. `first` is where its sights begin.
+    // A part of the ray within one place; objects of that map are met there. `first` is where its
+    // sights begin.
     struct Stretch {
         Place place;
         double from = 0.0;  // t / d
@@ -71,10 +76,14 @@ private:
     Border nextBorder() const;
 
     const Map& map() const { return mapOf(place_); }
-    const Map& mapOf(const Place& place) const { return world_.maps[static_cast<std::size_t>(place.map)]; }
+    const Map& mapOf(const Place& place) const {
+        return world_.maps[static_cast<std::size_t>(place.map)];
+    }
     const CellBlueprint& blueprint(BlueprintId id) const { return world_.blueprints[id]; }
     bool mayPass() const { return portals_ < world_.portalLimit; }
-    bool acts(const CellBlueprint& block, Face face) const { return block.face(face).portal != kNoPortal && !arrived_; }
+    bool acts(const CellBlueprint& block, Face face) const {
+        return block.face(face).portal != kNoPortal && !arrived_;
+    }
     bool join(BlueprintId a, BlueprintId b) const;
     BlueprintId blockBehind(const Place& place, Tile tile, const Border& border) const;
     BlueprintId touching(const Place& place, int level, bool above) const;
@@ -91,20 +100,25 @@ private:
     void passPortal(const Place& next, const Portal& portal, double along, Note kind);
 
     void push(Sight sight);
-    void pushFace(const CellBlueprint& block, int level, Face face, const Meeting& meeting, bool fromInside);
-    void pushPlane(Sight::Kind kind, TextureId texture, double light, bool glow, const Meeting& meeting, bool outside);
+    void pushFace(const CellBlueprint& block, int level, Face face, const Meeting& meeting,
+                  bool fromInside);
+    void pushPlane(Sight::Kind kind, TextureId texture, double light, bool glow,
+                   const Meeting& meeting, bool outside);
     void pushHaze(double along);
     void pushBackground();
     void note(Note note) { notes_.set(static_cast<std::size_t>(note)); }
-    void note(Note first, int further) { notes_.set(static_cast<std::size_t>(first) + static_cast<std::size_t>(further)); }
+    void note(Note first, int further) {
+        notes_.set(static_cast<std::size_t>(first) + static_cast<std::size_t>(further));
+    }
 
     const Tracer& tracer_;
     const World& world_;
     std::vector<Sight>& sights_;
     Notes& notes_;
 
-    // The ray's direction, d units of t ahead: d * (forward + k * right + s * up) = d * forward + (x - W / 2) * right + (horizon - y) * up. Without the
-    // division by d, rays through corners and along edges keep exact numbers, and equal quotients come out equal.
+    // The ray's direction, d units of t ahead: d * (forward + k * right + s * up) = d * forward +
+    // (x - W / 2) * right + (horizon - y) * up. Without the division by d, rays through corners and
+    // along edges keep exact numbers, and equal quotients come out equal.
     Point direction_;
     double up_;
     double sideways_;

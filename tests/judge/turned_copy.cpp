@@ -7,7 +7,8 @@ namespace {
 
 constexpr int kTileSide = 65536;  // as a coordinate
 
-// The point of a map of that size where one of its points, (x, y), lies after clockwise quarter turns. Of tiles, `side` is 1 and the result is the tile.
+// The point of a map of that size where one of its points, (x, y), lies after clockwise quarter
+// turns. Of tiles, `side` is 1 and the result is the tile.
 Tile turnedWithin(Tile at, int width, int depth, int turn, int side) {
     for (int i = 0; i < turn; ++i) {
         at = {depth - side - at.y, at.x};
@@ -26,7 +27,8 @@ TextureId turnedTexture(World& world, TextureId id, int turn) {
         for (int column = 0; column < image.width; ++column) {
             const Tile to = turnedWithin({column % size, y}, size, size, turn, 1);
             const TextureLevel& frame = texture.levelsOf(column / size)[0];
-            image.at(column - column % size + to.x, to.y) = frame.texels[static_cast<std::size_t>(column % size * size + y)];
+            image.at(column - column % size + to.x, to.y) =
+                frame.texels[static_cast<std::size_t>(column % size * size + y)];
         }
     }
     const double rate = texture.rate;
@@ -39,7 +41,8 @@ TextureId turnedTexture(World& world, TextureId id, int turn) {
 Image turnedPanorama(const Image& panorama, int turn) {
     Image turned(panorama.width, panorama.height);
     for (int y = 0; y < panorama.height; ++y) {
-        for (int x = 0; x < panorama.width; ++x) turned.at((x + turn * panorama.width / 4) % panorama.width, y) = panorama.at(x, y);
+        for (int x = 0; x < panorama.width; ++x)
+            turned.at((x + turn * panorama.width / 4) % panorama.width, y) = panorama.at(x, y);
     }
     return turned;
 }
@@ -56,7 +59,8 @@ int addTurnedCopy(World& world, int index, int turn) {
     copy.tilePortals.clear();
     if (turn % 2 != 0) std::swap(copy.width, copy.depth);
 
-    // Each texture is turned once for what is seen from above and once for what is seen from below, where it runs the other way.
+    // Each texture is turned once for what is seen from above and once for what is seen from below,
+    // where it runs the other way.
     const int fromBelow = (4 - turn) % 4;
     std::vector<TextureId> above(world.textures.size());
     std::vector<TextureId> below(world.textures.size());
@@ -69,7 +73,9 @@ int addTurnedCopy(World& world, int index, int turn) {
         blocks[i] = static_cast<BlueprintId>(i);
         if (i == kEmptyCell || turn == 0) continue;
         CellBlueprint block = world.blueprints[i];
-        for (std::size_t side = 0; side < 4; ++side) block.faces[(side + static_cast<std::size_t>(turn)) % 4] = world.blueprints[i].faces[side];
+        for (std::size_t side = 0; side < 4; ++side)
+            block.faces[(side + static_cast<std::size_t>(turn)) % 4] =
+                world.blueprints[i].faces[side];
         for (FaceBlueprint& face : block.faces) face.portal = kNoPortal;
         FaceBlueprint& top = block.faces[static_cast<std::size_t>(Face::top)];
         FaceBlueprint& bottom = block.faces[static_cast<std::size_t>(Face::bottom)];
@@ -86,7 +92,8 @@ int addTurnedCopy(World& world, int index, int turn) {
             const std::size_t from = original.tileIndex(x, y);
             const std::size_t to = copy.tileIndex(at.x, at.y);
             for (int level = 0; level < original.levels; ++level) {
-                copy.cells[copy.cellIndex(at.x, at.y, level)] = blocks[original.cells[original.cellIndex(x, y, level)]];
+                copy.cells[copy.cellIndex(at.x, at.y, level)] =
+                    blocks[original.cells[original.cellIndex(x, y, level)]];
             }
             copy.occupied[to] = original.occupied[from];
             copy.floor.tiles[to] = above[original.floor.tiles[from]];
@@ -96,11 +103,13 @@ int addTurnedCopy(World& world, int index, int turn) {
         }
     }
     for (Object& object : copy.objects) {
-        const Tile at = turnedWithin({object.x.raw, object.y.raw}, original.width * kTileSide, original.depth * kTileSide, turn, 0);
+        const Tile at = turnedWithin({object.x.raw, object.y.raw}, original.width * kTileSide,
+                                     original.depth * kTileSide, turn, 0);
         object.x = {at.x};
         object.y = {at.y};
     }
-    if (original.sky.kind == Sky::Kind::panorama) copy.sky.panorama = turnedPanorama(original.sky.panorama, turn);
+    if (original.sky.kind == Sky::Kind::panorama)
+        copy.sky.panorama = turnedPanorama(original.sky.panorama, turn);
     world.maps.push_back(std::move(copy));
     return static_cast<int>(world.maps.size()) - 1;
 }

@@ -10,24 +10,32 @@ namespace {
 
 constexpr std::size_t kComplaints = 5;
 constexpr double kRadii[] = {1.0 / 64, 1.0 / 512, 1.0 / 4096, 1.0 / 32768};
-constexpr int kDirections[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+constexpr int kDirections[8][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                                   {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
 constexpr double kDiagonal = 0.70710678;
 constexpr double kDepthFactors[] = {1.0, 1.0 - 1e-6, 1.0 + 1e-6};
 
 bool alike(Colour a, Colour b) {
-    return std::abs(a.r - b.r) <= 1 && std::abs(a.g - b.g) <= 1 && std::abs(a.b - b.b) <= 1 && a.a == b.a;
+    return std::abs(a.r - b.r) <= 1 && std::abs(a.g - b.g) <= 1 && std::abs(a.b - b.b) <= 1 &&
+           a.a == b.a;
 }
 
 // out = (front * a + behind * (255 - a) + 127) / 255
 Colour blended(Colour front, Colour behind) {
-    const auto channel = [&](int f, int b) { return static_cast<std::uint8_t>((f * front.a + b * (255 - front.a) + 127) / 255); };
-    return {channel(front.r, behind.r), channel(front.g, behind.g), channel(front.b, behind.b), 255};
+    const auto channel = [&](int f, int b) {
+        return static_cast<std::uint8_t>((f * front.a + b * (255 - front.a) + 127) / 255);
+    };
+    return {channel(front.r, behind.r), channel(front.g, behind.g), channel(front.b, behind.b),
+            255};
 }
 
 // out = (mirror * (255 - r) + reflected * r + 127) / 255
 Colour mirrored(Colour mirror, int strength, Colour reflected) {
-    const auto channel = [&](int m, int b) { return static_cast<std::uint8_t>((m * (255 - strength) + b * strength + 127) / 255); };
-    return {channel(mirror.r, reflected.r), channel(mirror.g, reflected.g), channel(mirror.b, reflected.b), 255};
+    const auto channel = [&](int m, int b) {
+        return static_cast<std::uint8_t>((m * (255 - strength) + b * strength + 127) / 255);
+    };
+    return {channel(mirror.r, reflected.r), channel(mirror.g, reflected.g),
+            channel(mirror.b, reflected.b), 255};
 }
 
 // The colours that a layer of a pixel may have.
@@ -38,14 +46,16 @@ struct Layer {
 using Choices = std::vector<Layer>;  // front to back
 
 void addChoice(std::vector<Colour>& choices, Colour colour) {
-    if (std::find(choices.begin(), choices.end(), colour) == choices.end()) choices.push_back(colour);
+    if (std::find(choices.begin(), choices.end(), colour) == choices.end())
+        choices.push_back(colour);
 }
 
 void addChoices(const Tracer& tracer, const std::vector<Sight>& sights, Choices& choices) {
     choices.resize(sights.size());
     for (std::size_t i = 0; i < sights.size(); ++i) {
         choices[i].mirror = sights[i].mirror;
-        for (const double factor : kDepthFactors) addChoice(choices[i].colours, tracer.colour(sights[i], factor));
+        for (const double factor : kDepthFactors)
+            addChoice(choices[i].colours, tracer.colour(sights[i], factor));
     }
 }
 
@@ -57,12 +67,16 @@ bool canShow(const Choices& choices, Colour found) {
         std::vector<Colour> sums;
         for (const Colour front : choices[i].colours) {
             for (const Colour back : behind) {
-                if (sums.size() < kMost) addChoice(sums, choices[i].mirror > 0 ? mirrored(front, choices[i].mirror, back) : blended(front, back));
+                if (sums.size() < kMost)
+                    addChoice(sums, choices[i].mirror > 0 ? mirrored(front, choices[i].mirror, back)
+                                                          : blended(front, back));
             }
         }
         behind = std::move(sums);
     }
-    return std::any_of(behind.begin(), behind.end(), [&](Colour colour) { return alike({colour.r, colour.g, colour.b, 255}, found); });
+    return std::any_of(behind.begin(), behind.end(), [&](Colour colour) {
+        return alike({colour.r, colour.g, colour.b, 255}, found);
+    });
 }
 
 bool shows(const Tracer& tracer, const std::vector<Sight>& sights, Colour found) {
@@ -73,18 +87,22 @@ bool shows(const Tracer& tracer, const std::vector<Sight>& sights, Colour found)
 
 bool sameKinds(const std::vector<Sight>& a, const std::vector<Sight>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Sight& x, const Sight& y) {
-        return x.kind == y.kind && x.face == y.face && x.fromInside == y.fromInside && x.mirror == y.mirror && x.portals == y.portals;
+        return x.kind == y.kind && x.face == y.face && x.fromInside == y.fromInside &&
+               x.mirror == y.mirror && x.portals == y.portals;
     });
 }
 
-// Where layers blend, each may take its texel from another of the points, if that point's ray meets the same kinds of layer in the same order.
-bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight>& sights, Colour found) {
+// Where layers blend, each may take its texel from another of the points, if that point's ray meets
+// the same kinds of layer in the same order.
+bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight>& sights,
+               Colour found) {
     Choices all;
     addChoices(tracer, sights, all);
     std::vector<Sight> around;
     for (const double radius : kRadii) {
         for (const auto& direction : kDirections) {
-            const double length = direction[0] != 0 && direction[1] != 0 ? radius * kDiagonal : radius;
+            const double length =
+                direction[0] != 0 && direction[1] != 0 ? radius * kDiagonal : radius;
             tracer.look(x + direction[0] * length, y + direction[1] * length, around);
             if (shows(tracer, around, found)) return true;
             if (sights.size() > 1 && sameKinds(sights, around)) addChoices(tracer, around, all);
@@ -93,7 +111,8 @@ bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight
     return sights.size() > 1 && canShow(all, found);
 }
 
-constexpr const char* kKinds[] = {"side", "roof", "underside", "floor", "ceiling", "sky", "haze", "object"};
+constexpr const char* kKinds[] = {"side",    "roof", "underside", "floor",
+                                  "ceiling", "sky",  "haze",      "object"};
 
 std::string nameOf(const World& world, const Tracer& tracer, const Sight& sight) {
     const Map& map = world.maps[static_cast<std::size_t>(sight.map)];
@@ -104,15 +123,21 @@ std::string nameOf(const World& world, const Tracer& tracer, const Sight& sight)
     if (sight.kind == Sight::Kind::haze) return name;
     if (sight.fromInside) name += " from inside";
     if (sight.outsideGrid) name += " outside";
-    if (sight.kind == Sight::Kind::object) return name + (tracer.level(sight) > 0 ? " smaller" : "");
+    if (sight.kind == Sight::Kind::object)
+        return name + (tracer.level(sight) > 0 ? " smaller" : "");
     if (sight.mirror > 0) return name + " mirror";
     if (sight.seeThrough) return name + " see-through";
-    if (tracer.level(sight) > 0) name += tracer.level(sight) + 1 == static_cast<int>(world.textures[sight.texture].levels.size()) ? " last level" : " smaller";
+    if (tracer.level(sight) > 0)
+        name +=
+            tracer.level(sight) + 1 == static_cast<int>(world.textures[sight.texture].levels.size())
+                ? " last level"
+                : " smaller";
     return name;
 }
 
 std::string words(Colour c) {
-    return "(" + std::to_string(c.r) + " " + std::to_string(c.g) + " " + std::to_string(c.b) + " " + std::to_string(c.a) + ")";
+    return "(" + std::to_string(c.r) + " " + std::to_string(c.g) + " " + std::to_string(c.b) + " " +
+           std::to_string(c.a) + ")";
 }
 
 }  // namespace
@@ -128,7 +153,8 @@ void Verdict::add(const Verdict& other) {
     for (const auto& [name, count] : other.coverage) coverage[name] += count;
 }
 
-Verdict judge(const World& world, const View& view, const Pixel* pixels, int pitch, const std::string& name) {
+Verdict judge(const World& world, const View& view, const Pixel* pixels, int pitch,
+              const std::string& name) {
     const Tracer tracer(world, view);
     Verdict verdict;
     std::vector<Sight> sights;
@@ -136,7 +162,8 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
     std::array<std::int64_t, static_cast<std::size_t>(Note::count)> noted{};
     std::array<std::int64_t, std::size(kKinds)> mirroredKinds{};
     std::array<std::int64_t, std::size(kKinds)> kindsBehindPortals{};
-    std::map<std::uint64_t, std::int64_t> counts;  // by kind, face and the like: names are made once at the end
+    std::map<std::uint64_t, std::int64_t>
+        counts;  // by kind, face and the like: names are made once at the end
     std::map<std::uint64_t, std::string> names;
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
@@ -146,19 +173,24 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
             ++verdict.pixels;
             for (std::size_t i = 0; i < noted.size(); ++i) noted[i] += notes[i] ? 1 : 0;
             for (const Sight& sight : sights) {
-                const auto key = static_cast<std::uint64_t>(static_cast<int>(sight.kind) | static_cast<int>(sight.face) << 4 | sight.fromInside << 8 |
-                                                            sight.outsideGrid << 9 | sight.seeThrough << 10 | (sight.mirror > 0) << 11 |
-                                                            tracer.level(sight) << 12 | (sight.texture & 0xff) << 16 | sight.map << 24);
+                const auto key = static_cast<std::uint64_t>(
+                    static_cast<int>(sight.kind) | static_cast<int>(sight.face) << 4 |
+                    sight.fromInside << 8 | sight.outsideGrid << 9 | sight.seeThrough << 10 |
+                    (sight.mirror > 0) << 11 | tracer.level(sight) << 12 |
+                    (sight.texture & 0xff) << 16 | sight.map << 24);
                 if (sight.glow) ++verdict.coverage["glow"];
-                if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture && world.textures[sight.texture].frames() > 1)
+                if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture &&
+                    world.textures[sight.texture].frames() > 1)
                     ++verdict.coverage["animated"];
                 if (++counts[key] == 1) names[key] = nameOf(world, tracer, sight);
                 if (sight.reflected) ++mirroredKinds[static_cast<std::size_t>(sight.kind)];
                 if (sight.portals > 0) ++kindsBehindPortals[static_cast<std::size_t>(sight.kind)];
-                if (sight.portals > 0 && sight.turn > 0 && sight.kind == Sight::Kind::sky) ++verdict.coverage["sky turned"];
+                if (sight.portals > 0 && sight.turn > 0 && sight.kind == Sight::Kind::sky)
+                    ++verdict.coverage["sky turned"];
             }
             if (sights.size() > 1) {
-                ++verdict.coverage[std::to_string(std::min<std::size_t>(sights.size() - 1, 8)) + " layers"];
+                ++verdict.coverage[std::to_string(std::min<std::size_t>(sights.size() - 1, 8)) +
+                                   " layers"];
                 if (tracer.colour(sights[0]).a == 0) ++verdict.coverage["hole"];
             }
             if (shows(tracer, sights, found)) continue;
@@ -170,15 +202,18 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
             if (verdict.complaints.size() < kComplaints) {
                 std::string met;
                 for (const Sight& sight : sights) {
-                    met += (met.empty() ? "" : ", then ") + nameOf(world, tracer, sight) + " of map " + std::to_string(sight.map) + " at depth " +
+                    met += (met.empty() ? "" : ", then ") + nameOf(world, tracer, sight) +
+                           " of map " + std::to_string(sight.map) + " at depth " +
                            std::to_string(sight.depth) + ", " + words(tracer.colour(sight)) +
                            (sight.mirror > 0 ? " mirror " + std::to_string(sight.mirror) : "");
                 }
                 for (std::size_t i = 0; i < notes.size(); ++i) {
                     if (notes[i]) met += std::string(", ") + nameOf(static_cast<Note>(i));
                 }
-                verdict.complaints.push_back(name + ", pixel " + std::to_string(x) + "," + std::to_string(y) + " of " + std::to_string(view.width) + "x" +
-                                             std::to_string(view.height) + ": drawn " + words(found) + ", but the ray meets " + met);
+                verdict.complaints.push_back(
+                    name + ", pixel " + std::to_string(x) + "," + std::to_string(y) + " of " +
+                    std::to_string(view.width) + "x" + std::to_string(view.height) + ": drawn " +
+                    words(found) + ", but the ray meets " + met);
             }
         }
     }
@@ -191,7 +226,9 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
         seen(std::string(kKinds[i]) + " behind a portal", kindsBehindPortals[i]);
     }
     for (const auto& [key, count] : counts) verdict.coverage[names[key]] += count;
-    const auto allowed = std::max(kExcusedAtLeast, static_cast<std::int64_t>(kExcusedShareOfPicture * static_cast<double>(verdict.pixels)));
+    const auto allowed = std::max(
+        kExcusedAtLeast,
+        static_cast<std::int64_t>(kExcusedShareOfPicture * static_cast<double>(verdict.pixels)));
     verdict.crowded = verdict.excused > allowed ? 1 : 0;
     return verdict;
 }

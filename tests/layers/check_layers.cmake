@@ -17,7 +17,8 @@ set(may_headless ${may_app})
 # The slow renderer of the old ways shares plain data with the fast one, which knows nothing of it.
 set(classicShares "classic/[a-z_]+|eye|options|picture|shading")
 
-# The engine draws and simulates the same everywhere: no screen, no clock, no printing, and none of the library functions whose last bit differs.
+# The engine draws and simulates the same everywhere: no screen, no clock, no printing, and none of
+# the library functions whose last bit differs.
 set(engine base world scene render overlay session)
 set(engineHeadersRefused "SDL[^>\"]*|emscripten[^>\"]*|chrono|ctime|time.h|iostream|fstream|filesystem|random|thread|cstdio|sstream")
 set(engineCallsRefused "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|pow|hypot|log|log2|log10|cbrt|sinf|cosf|tanf|fma)")

@@ -22,7 +22,12 @@ const run = promisify(execFile);
 async function serve(t, answers) {
   const server = createServer(({ url }, response) => {
     const { text, location } = answers[url] ?? {};
-    response.writeHead(location !== undefined ? 302 : text !== undefined ? 200 : 404, location === undefined ? {} : { location }).end(text);
+    response
+      .writeHead(
+        location !== undefined ? 302 : text !== undefined ? 200 : 404,
+        location === undefined ? {} : { location },
+      )
+      .end(text);
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   t.after(() => server.close());
@@ -47,32 +52,60 @@ test('both builds draw what the bindings draw', async () => {
     session.load(castle);
     scene.step(60, { forward: 1, turn: 0.5, jump: true });
     session.step([1, 0, 0.5, 0, 0, 0, 0, 1], 60);
-    assert.ok(Buffer.from(scene.picture(kSize).data).equals(session.draw(kSize.width, kSize.height)), engine);
+    assert.ok(
+      Buffer.from(scene.picture(kSize).data).equals(session.draw(kSize.width, kSize.height)),
+      engine,
+    );
     scene.free();
   }
 });
 
 test('an object names its files from a base: a folder, or a file in it', async () => {
   const folder = `${root}/assets/textures`;
-  for (const base of [new URL(`file://${folder}/`), new URL(`file://${folder}`), folder, `${folder}/brick.png`, path.relative('.', folder)]) {
+  for (const base of [
+    new URL(`file://${folder}/`),
+    new URL(`file://${folder}`),
+    folder,
+    `${folder}/brick.png`,
+    path.relative('.', folder),
+  ]) {
     const scene = await load(JSON.parse(roomScene()), { base });
-    assert.deepEqual(scene.world, { title: 'A room', maps: [{ name: 'room', width: 8, depth: 6, levels: 1 }] });
+    assert.deepEqual(scene.world, {
+      title: 'A room',
+      maps: [{ name: 'room', width: 8, depth: 6, levels: 1 }],
+    });
     scene.free();
   }
-  for (const base of [7, null, '', 'data:,x', {}]) await assert.rejects(load({}, { base }), { name: 'TypeError', message: /^base: found .*, expected the path or address of a folder/ });
-  // One at which the system will not even look is nobody's fault but that of the pictures beside it.
-  await assert.rejects(load({}, { base: `/${'x'.repeat(5000)}` }), { name: 'SceneError', code: 'scene' });
+  for (const base of [7, null, '', 'data:,x', {}])
+    await assert.rejects(load({}, { base }), {
+      name: 'TypeError',
+      message: /^base: found .*, expected the path or address of a folder/,
+    });
+  // One at which the system will not even look is nobody's fault but that of the pictures beside
+  // it.
+  await assert.rejects(load({}, { base: `/${'x'.repeat(5000)}` }), {
+    name: 'SceneError',
+    code: 'scene',
+  });
 });
 
 test('a scene in its own address names its files beside the shipped scenes', async () => {
-  const scene = await load(`data:application/json,${encodeURIComponent(await readFile(castle, 'utf8'))}`);
+  const scene = await load(
+    `data:application/json,${encodeURIComponent(await readFile(castle, 'utf8'))}`,
+  );
   assert.equal(scene.world.title, 'The castle in the lake');
   scene.free();
 });
 
 test('a scene that was sent on names its files from where it came', async (t) => {
-  const address = await serve(t, { '/short': { location: '/long/scenes/room.json' }, '/long/scenes/room.json': { text: roomScene() } });
-  await assert.rejects(load(`${address}/short`), { code: 'scene', message: /127\.0\.0\.1:\d+\/long\/scenes\/brick\.png: the server answers 404 Not Found/ });
+  const address = await serve(t, {
+    '/short': { location: '/long/scenes/room.json' },
+    '/long/scenes/room.json': { text: roomScene() },
+  });
+  await assert.rejects(load(`${address}/short`), {
+    code: 'scene',
+    message: /127\.0\.0\.1:\d+\/long\/scenes\/brick\.png: the server answers 404 Not Found/,
+  });
 });
 
 test('options, the eye and what it sees', async () => {
@@ -95,8 +128,23 @@ test('options, the eye and what it sees', async () => {
   assert.equal(scene.currentView.look, 0.5);
   assert.equal(scene.look({ map: 'nowhere' }), false);
   assert.equal(scene.look({ z: 0 }), false);
-  for (const view of [null, undefined, 7, '1,2', '1,2,3,4,5', { x: NaN }, { x: 32768 }, { look: -4.1 }, { north: 1 }, { toString: 1 }]) {
-    assert.throws(() => scene.look(view), { name: 'SceneError', code: 'address', message: /^(look|view): found .*, expected / });
+  for (const view of [
+    null,
+    undefined,
+    7,
+    '1,2',
+    '1,2,3,4,5',
+    { x: NaN },
+    { x: 32768 },
+    { look: -4.1 },
+    { north: 1 },
+    { toString: 1 },
+  ]) {
+    assert.throws(() => scene.look(view), {
+      name: 'SceneError',
+      code: 'address',
+      message: /^(look|view): found .*, expected /,
+    });
   }
   scene.reset();
   assert.deepEqual(scene.currentView, before);
@@ -110,9 +158,19 @@ test('options, the eye and what it sees', async () => {
   }
   assert.equal(scene.trace(60, kSize).hits.length, hits.length);
   assert.deepEqual(scene.trace(undefined, kSize).size, size);
-  for (const size of [null, {}, { width: 0, height: 10 }, { width: 10, height: 1.5 }, { width: 8193, height: 1 }, { width: '10', height: 10 }]) {
+  for (const size of [
+    null,
+    {},
+    { width: 0, height: 10 },
+    { width: 10, height: 1.5 },
+    { width: 8193, height: 1 },
+    { width: '10', height: 10 },
+  ]) {
     for (const ask of ['picture', 'hits', 'trace']) {
-      assert.throws(() => scene[ask](...(ask === 'picture' ? [size] : [3, size])), { name: 'RangeError', message: /^size: found .*, expected .* 1 to 8192/ });
+      assert.throws(() => scene[ask](...(ask === 'picture' ? [size] : [3, size])), {
+        name: 'RangeError',
+        message: /^size: found .*, expected .* 1 to 8192/,
+      });
     }
     await assert.rejects(scene.png(size), RangeError);
   }
@@ -127,8 +185,18 @@ test('whatever is asked of a scene that was freed says so', async () => {
   scene.free();
   scene.free();
   const told = { name: 'Error', message: 'This scene has been freed.' };
-  for (const property of ['warnings', 'world', 'currentView', 'optionList', 'memory']) assert.throws(() => scene[property], told);
-  for (const [method, ...words] of [['set', 'fov', 70], ['get', 'fov'], ['look', null], ['step', 0], ['reset'], ['hits', 0], ['trace'], ['picture', null]]) {
+  for (const property of ['warnings', 'world', 'currentView', 'optionList', 'memory'])
+    assert.throws(() => scene[property], told);
+  for (const [method, ...words] of [
+    ['set', 'fov', 70],
+    ['get', 'fov'],
+    ['look', null],
+    ['step', 0],
+    ['reset'],
+    ['hits', 0],
+    ['trace'],
+    ['picture', null],
+  ]) {
     assert.throws(() => scene[method](...words), told, method);
   }
   await assert.rejects(scene.png(), told);
@@ -148,40 +216,84 @@ test('all faults are listed, with their places, and the engine is given back', a
   assert.equal(stop.mock.callCount(), 1);
   assert.equal(error.code, 'scene');
   assert.ok(error.faults.length >= 2);
-  for (const { place, found, expected } of error.faults) assert.ok(error.message.includes(`${place}: found ${found}, expected ${expected}`));
+  for (const { place, found, expected } of error.faults)
+    assert.ok(error.message.includes(`${place}: found ${found}, expected ${expected}`));
 });
 
 test('what cannot be read is told', async () => {
-  await assert.rejects(load('nowhere/scene.json'), { name: 'SceneError', code: 'fetch', message: /nowhere\/scene\.json/ });
-  await assert.rejects(load('http://localhost:9/100%.json'), { name: 'SceneError', code: 'fetch', message: /localhost:9/ });
-  const error = await load(JSON.parse(roomScene()), { base: new URL('file:///nowhere/') }).catch((thrown) => thrown);
+  await assert.rejects(load('nowhere/scene.json'), {
+    name: 'SceneError',
+    code: 'fetch',
+    message: /nowhere\/scene\.json/,
+  });
+  await assert.rejects(load('http://localhost:9/100%.json'), {
+    name: 'SceneError',
+    code: 'fetch',
+    message: /localhost:9/,
+  });
+  const error = await load(JSON.parse(roomScene()), { base: new URL('file:///nowhere/') }).catch(
+    (thrown) => thrown,
+  );
   assert.equal(error.code, 'scene');
-  assert.match(error.faults[0].found, /^"brick\.png", .*: file:\/\/\/nowhere\/brick\.png: ENOENT: no such file or directory$/);
+  assert.match(
+    error.faults[0].found,
+    /^"brick\.png", .*: file:\/\/\/nowhere\/brick\.png: ENOENT: no such file or directory$/,
+  );
   assert.ok(error.faults[0].message.includes(error.faults[0].found));
-  await assert.rejects(load('nosuch'), { name: 'SceneError', code: 'fetch', message: /found "nosuch", .*castle, .* path, which \.\/nosuch would be/ });
-  for (const scene of [7, null, undefined, '', 'http://']) await assert.rejects(load(scene), { name: 'TypeError', message: /^scene: found .*, expected a path/ });
-  for (const options of [null, 7, { bass: '.' }, { engine: 'fast' }]) await assert.rejects(load('castle', options), { name: 'TypeError', message: /: found .*, expected / });
+  await assert.rejects(load('nosuch'), {
+    name: 'SceneError',
+    code: 'fetch',
+    message: /found "nosuch", .*castle, .* path, which \.\/nosuch would be/,
+  });
+  for (const scene of [7, null, undefined, '', 'http://'])
+    await assert.rejects(load(scene), {
+      name: 'TypeError',
+      message: /^scene: found .*, expected a path/,
+    });
+  for (const options of [null, 7, { bass: '.' }, { engine: 'fast' }])
+    await assert.rejects(load('castle', options), {
+      name: 'TypeError',
+      message: /: found .*, expected /,
+    });
   const circle = {};
   circle.circle = circle;
-  for (const scene of [circle, { title: 1n }]) await assert.rejects(load(scene), { name: 'SceneError', code: 'scene', message: /JSON/ });
+  for (const scene of [circle, { title: 1n }])
+    await assert.rejects(load(scene), { name: 'SceneError', code: 'scene', message: /JSON/ });
 });
 
-test('many scenes at once need few open files', { skip: process.platform === 'win32' }, async () => {
-  const program = `import { load } from ${JSON.stringify(new URL('../../build/web/node/index.js', import.meta.url).href)};
+test(
+  'many scenes at once need few open files',
+  { skip: process.platform === 'win32' },
+  async () => {
+    const program = `import { load } from ${JSON.stringify(new URL('../../build/web/node/index.js', import.meta.url).href)};
     const scenes = await Promise.all(Array.from({ length: 4 }, () => load('castle')));
     console.log(scenes.length);`;
-  const { stdout } = await run('sh', ['-c', 'ulimit -n 72; exec "$0" --input-type=module --eval "$1"', process.execPath, program]);
-  assert.equal(stdout.trim(), '4');
-});
+    const { stdout } = await run('sh', [
+      '-c',
+      'ulimit -n 72; exec "$0" --input-type=module --eval "$1"',
+      process.execPath,
+      program,
+    ]);
+    assert.equal(stdout.trim(), '4');
+  },
+);
 
 test('without its files beside it the program says why, and tries again when it is asked again', async (t) => {
   const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-'));
   t.after(() => rm(folder, { recursive: true }));
   const page = path.join(root, 'build/web');
-  await cp(page, folder, { recursive: true, filter: (file) => file === page || /\.js(on)?$/.test(file) || file.endsWith(`${path.sep}node`) });
+  await cp(page, folder, {
+    recursive: true,
+    filter: (file) => file === page || /\.js(on)?$/.test(file) || file.endsWith(`${path.sep}node`),
+  });
   const moved = await import(pathToFileURL(path.join(folder, 'node/index.js')));
-  await assert.rejects(moved.load('castle'), { name: 'SceneError', code: 'fetch', message: /slicecast-\w+\.wasm: ENOENT.*must leave external/ });
-  for (const part of ['engine', 'scenes', 'textures', 'see-through', 'sheets', 'sprites']) await cp(path.join(page, part), path.join(folder, part), { recursive: true });
+  await assert.rejects(moved.load('castle'), {
+    name: 'SceneError',
+    code: 'fetch',
+    message: /slicecast-\w+\.wasm: ENOENT.*must leave external/,
+  });
+  for (const part of ['engine', 'scenes', 'textures', 'see-through', 'sheets', 'sprites'])
+    await cp(path.join(page, part), path.join(folder, part), { recursive: true });
   const scene = await moved.load('first-walk');
   scene.free();
 });

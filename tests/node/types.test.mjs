@@ -1,4 +1,5 @@
-// The declarations made from the table compile strictly, refuse what is wrong, and describe what the engine really hands out.
+// The declarations made from the table compile strictly, refuse what is wrong, and describe what
+// the engine really hands out.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -10,12 +11,15 @@ import { load } from '../../build/web/node/index.js';
 import { sceneOfRows } from '../../build/web/ray-caster-rows.js';
 import { complaints } from './types.mjs';
 
-const table = JSON.parse(await readFile(new URL('../../web/element/api.json', import.meta.url), 'utf8'));
+const table = JSON.parse(
+  await readFile(new URL('../../web/element/api.json', import.meta.url), 'utf8'),
+);
 const kSize = { width: 96, height: 60 };
 const kScenes = ['wayhouse', 'water-palace', 'garden', 'glassworks']; // portals, mirrors, objects, see-through faces
 
 test('a page that uses the element compiles', () => {
-  assert.deepEqual(complaints(`
+  assert.deepEqual(
+    complaints(`
     import { apiVersion, errorCodes, RayCaster, type FrameTrace, type RayCasterAttributes, type SliceTrace, type View } from './ray-caster.js';
     const element = document.createElement('ray-caster');
     const version: 1 = apiVersion;
@@ -30,11 +34,14 @@ test('a page that uses the element compiles', () => {
     const column: number | undefined = version > 1 ? 3 : undefined;
     const trace: SliceTrace | FrameTrace | null = element.trace(column);
     const attributes: RayCasterAttributes = { scene: 'castle', controls: true, autoplay: true, loading: 'eager' };
-    console.log(version, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals, trace, attributes);`), []);
+    console.log(version, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals, trace, attributes);`),
+    [],
+  );
 });
 
 test('a program under Node compiles', () => {
-  assert.deepEqual(complaints(`
+  assert.deepEqual(
+    complaints(`
     import { load, SceneError } from './node/index.js';
     const scene = await load('castle', { engine: 'scalar' }).catch((error: SceneError) => { throw new Error(error.faults.join()); });
     scene.set('fov', 75);
@@ -43,18 +50,31 @@ test('a program under Node compiles', () => {
     const column: number | undefined = width > 3 ? 3 : undefined;
     console.log(scene.hits(3)?.hits, scene.trace(3)?.runs, scene.trace().columns, scene.trace(column)?.size, new ImageData(data, width), new Blob([bytes]));
     scene.free();
-    export {};`), []);
+    export {};`),
+    [],
+  );
 });
 
 for (const [what, line] of [
   ['a value that an attribute does not take', "element.keys = 'some';"],
   ['a write to what is read-only', "element.state = 'idle';"],
   ['an input that there is not', 'element.step(1, { sideways: 1 });'],
-  ['an attribute that there is not', "const attributes: import('./ray-caster.js').RayCasterAttributes = { scenes: 'castle' }; console.log(attributes, element);"],
-  ['a detail that an event does not have', "element.addEventListener('progress', ({ detail }) => detail.percent);"],
+  [
+    'an attribute that there is not',
+    "const attributes: import('./ray-caster.js').RayCasterAttributes = { scenes: 'castle' }; console.log(attributes, element);",
+  ],
+  [
+    'a detail that an event does not have',
+    "element.addEventListener('progress', ({ detail }) => detail.percent);",
+  ],
 ]) {
   test(`the compiler refuses ${what}`, () => {
-    assert.equal(complaints(`import './ray-caster.js'; const element = document.createElement('ray-caster');\n${line}`).length, 1);
+    assert.equal(
+      complaints(
+        `import './ray-caster.js'; const element = document.createElement('ray-caster');\n${line}`,
+      ).length,
+      1,
+    );
   });
 }
 
@@ -63,23 +83,38 @@ test('hits and traces of real scenes are as they are declared', async () => {
   for (const name of kScenes) {
     const scene = await load(name);
     for (let column = 0; column < kSize.width; column += 16) {
-      lines.push(`export const ${name.replace('-', '')}${column}: [Hits, SliceTrace] = [${JSON.stringify(scene.hits(column, kSize))}, ${JSON.stringify(scene.trace(column, kSize))}];`);
+      lines.push(
+        `export const ${name.replace('-', '')}${column}: [Hits, SliceTrace] = [${JSON.stringify(scene.hits(column, kSize))}, ${JSON.stringify(scene.trace(column, kSize))}];`,
+      );
     }
-    lines.push(`export const ${name.replace('-', '')}: FrameTrace = ${JSON.stringify(scene.trace(undefined, kSize))};`);
+    lines.push(
+      `export const ${name.replace('-', '')}: FrameTrace = ${JSON.stringify(scene.trace(undefined, kSize))};`,
+    );
     scene.free();
   }
   assert.deepEqual(complaints(lines.join('\n')), []);
 });
 
 test('the manifest is one', async () => {
-  const schema = JSON.parse(await readFile(createRequire(import.meta.url).resolve('custom-elements-manifest/schema.json'), 'utf8'));
-  const manifest = JSON.parse(await readFile(new URL('../../build/web/custom-elements.json', import.meta.url), 'utf8'));
+  const schema = JSON.parse(
+    await readFile(
+      createRequire(import.meta.url).resolve('custom-elements-manifest/schema.json'),
+      'utf8',
+    ),
+  );
+  const manifest = JSON.parse(
+    await readFile(new URL('../../build/web/custom-elements.json', import.meta.url), 'utf8'),
+  );
   const ajv = new Ajv({ strict: false });
   assert.ok(ajv.validate(schema, manifest), ajv.errorsText());
 });
 
 test('plain rows may hold the characters of the table, and no others', () => {
-  const listed = new Set(table.rows.flatMap(({ characters }) => characters.split(' ').map((character) => (character === 'blank' ? ' ' : character))));
+  const listed = new Set(
+    table.rows.flatMap(({ characters }) =>
+      characters.split(' ').map((character) => (character === 'blank' ? ' ' : character)),
+    ),
+  );
   const starts = ['>', 'v', '<', '^'];
   for (let code = 32; code < 127; ++code) {
     const character = String.fromCharCode(code);

@@ -15,7 +15,8 @@ struct Canvas {
 
     Canvas(int width, int height) : image(width + 2 * kBorder, height + 2 * kBorder) {
         for (Pixel& pixel : image.pixels) pixel = kUntouched;
-        picture = {image.pixels.data() + kBorder * image.width + kBorder, width, height, image.width};
+        picture = {image.pixels.data() + kBorder * image.width + kBorder, width, height,
+                   image.width};
     }
 
     Pixel at(int x, int y) const { return picture.row(y)[x]; }
@@ -24,7 +25,8 @@ struct Canvas {
     bool borderUntouched() const {
         for (int y = 0; y < image.height; ++y) {
             for (int x = 0; x < image.width; ++x) {
-                const bool inside = x >= kBorder && y >= kBorder && x < image.width - kBorder && y < image.height - kBorder;
+                const bool inside = x >= kBorder && y >= kBorder && x < image.width - kBorder &&
+                                    y < image.height - kBorder;
                 if (!inside && image.at(x, y) != kUntouched) return false;
             }
         }

@@ -9,7 +9,8 @@ namespace slicecast {
 namespace {
 
 bool overlap(PixelRect a, PixelRect b) {
-    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+           b.y < a.y + a.height;
 }
 
 TEST(Layout, PanelsStandOnOneMarginAndApartFromEachOther) {
@@ -17,14 +18,21 @@ TEST(Layout, PanelsStandOnOneMarginAndApartFromEachOther) {
         for (int height = 400; height <= 1800; height += 20) {
             const OverlayLayout layout = layoutOverlays(width, height);
             const int margin = layout.margin;
-            const std::array<PixelRect, 4> panels = {layout.minimap, layout.player, layout.process, layout.sideView};
+            const std::array<PixelRect, 4> panels = {layout.minimap, layout.player, layout.process,
+                                                     layout.sideView};
             for (const PixelRect& panel : panels) {
                 ASSERT_GT(panel.width, 0) << width << " x " << height;
-                ASSERT_TRUE(panel.x == margin || panel.x + panel.width == width - margin) << width << " x " << height;
-                ASSERT_TRUE(panel.y == margin || panel.y + panel.height == height - margin) << width << " x " << height;
+                ASSERT_TRUE(panel.x == margin || panel.x + panel.width == width - margin)
+                    << width << " x " << height;
+                ASSERT_TRUE(panel.y == margin || panel.y + panel.height == height - margin)
+                    << width << " x " << height;
                 // Apart by the margin, too
-                const PixelRect wide = {panel.x - margin + 1, panel.y - margin + 1, panel.width + 2 * margin - 2, panel.height + 2 * margin - 2};
-                for (const PixelRect& other : panels) ASSERT_TRUE(&other == &panel || !overlap(wide, other)) << width << " x " << height;
+                const PixelRect wide = {panel.x - margin + 1, panel.y - margin + 1,
+                                        panel.width + 2 * margin - 2,
+                                        panel.height + 2 * margin - 2};
+                for (const PixelRect& other : panels)
+                    ASSERT_TRUE(&other == &panel || !overlap(wide, other))
+                        << width << " x " << height;
             }
         }
     }
@@ -33,8 +41,11 @@ TEST(Layout, PanelsStandOnOneMarginAndApartFromEachOther) {
 TEST(Layout, ASmallPictureLeavesOutWhatHasNoRoom) {
     for (int side = 1; side <= 640; side += 3) {
         const OverlayLayout layout = layoutOverlays(side, side / 2 + 1);
-        for (const PixelRect& panel : {layout.minimap, layout.player, layout.process, layout.sideView}) {
-            EXPECT_TRUE(panel.width == 0 || (panel.x >= 0 && panel.y >= 0 && panel.x + panel.width <= side && panel.y + panel.height <= side / 2 + 1));
+        for (const PixelRect& panel :
+             {layout.minimap, layout.player, layout.process, layout.sideView}) {
+            EXPECT_TRUE(panel.width == 0 ||
+                        (panel.x >= 0 && panel.y >= 0 && panel.x + panel.width <= side &&
+                         panel.y + panel.height <= side / 2 + 1));
         }
     }
     EXPECT_EQ(layoutOverlays(100, 60).player.width, 0);

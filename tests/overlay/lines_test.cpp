@@ -50,7 +50,8 @@ TEST(Lines, StayInside) {
     EXPECT_GT(canvas.touchedPixels(), 30);
     for (int y = 0; y < 30; ++y) {
         for (int x = 0; x < 40; ++x) {
-            ASSERT_TRUE((x >= 10 && x < 30 && y >= 8 && y < 20) || !canvas.touched(x, y)) << x << ", " << y;
+            ASSERT_TRUE((x >= 10 && x < 30 && y >= 8 && y < 20) || !canvas.touched(x, y))
+                << x << ", " << y;
         }
     }
 }

@@ -7,7 +7,8 @@
 namespace slicecast {
 namespace {
 
-// Ten tiles a side. On level 1 a whole block at (7, 5), the lower half of one at (5, 2), the upper half of one at (5, 8).
+// Ten tiles a side. On level 1 a whole block at (7, 5), the lower half of one at (5, 2), the upper
+// half of one at (5, 8).
 World rayWorld() {
     World world;
     for (const auto& [bottom, top] : {std::pair{0.0, 1.0}, {0.0, 0.5}, {0.5, 1.0}}) {
@@ -26,7 +27,13 @@ World rayWorld() {
 MapRayEnd follow(double directionX, double directionY, double height = 0.25, int level = 1) {
     static const World world = rayWorld();
     return followRay(world, world.maps[0],
-                     {.x = 5.25, .y = 5.5, .directionX = directionX, .directionY = directionY, .level = level, .height = toCoordinate(height)}, 100.0);
+                     {.x = 5.25,
+                      .y = 5.5,
+                      .directionX = directionX,
+                      .directionY = directionY,
+                      .level = level,
+                      .height = toCoordinate(height)},
+                     100.0);
 }
 
 TEST(MapRay, EndsAtTheFirstBlockOfItsLevel) {
@@ -60,7 +67,14 @@ TEST(MapRay, EndsAtPortals) {
     map.tilePortals[map.tileIndex(7, 2)] = 0;
     world.blueprints[1].faces[static_cast<std::size_t>(Face::west)].portal = 1;
     const auto follow = [&](double x, double y, double directionX, double directionY) {
-        return followRay(world, map, {.x = x, .y = y, .directionX = directionX, .directionY = directionY, .level = 1, .height = toCoordinate(0.75)}, 100.0);
+        return followRay(world, map,
+                         {.x = x,
+                          .y = y,
+                          .directionX = directionX,
+                          .directionY = directionY,
+                          .level = 1,
+                          .height = toCoordinate(0.75)},
+                         100.0);
     };
     EXPECT_EQ(follow(5.25, 2.5, 1.0, 0.0).length, 1.75);
     EXPECT_TRUE(follow(5.25, 2.5, 1.0, 0.0).portal);

@@ -9,8 +9,9 @@
 namespace slicecast {
 namespace {
 
-// A map of 40 x 30 x 3 with, about the eye at (20.5, 15.5): a whole block two tiles north, a low one two tiles east, a higher one two tiles south, and a
-// block on level 1 two tiles west; four tiles north the upper half of a block in the air.
+// A map of 40 x 30 x 3 with, about the eye at (20.5, 15.5): a whole block two tiles north, a low
+// one two tiles east, a higher one two tiles south, and a block on level 1 two tiles west; four
+// tiles north the upper half of a block in the air.
 World smallWorld() {
     World world;
     for (const double top : {1.0, 0.25, 0.75}) {
@@ -32,22 +33,29 @@ World smallWorld() {
 }
 
 Eye eyeAt(double x, double y, double z, double heading) {
-    return {.map = 0, .x = toCoordinate(x), .y = toCoordinate(y), .z = toCoordinate(z), .headingDegrees = heading};
+    return {.map = 0,
+            .x = toCoordinate(x),
+            .y = toCoordinate(y),
+            .z = toCoordinate(z),
+            .headingDegrees = heading};
 }
 
 struct Seen {
     Canvas canvas;
     MinimapLayout layout;
 
-    Seen(const World& world, const Eye& eye, const MinimapOptions& options = {}, int width = 640, int height = 400)
+    Seen(const World& world, const Eye& eye, const MinimapOptions& options = {}, int width = 640,
+         int height = 400)
         : canvas(width, height), layout(layoutMinimap(width, height)) {
         drawMinimap(world, eye, options, canvas.picture);
     }
 
-    // The colour in the middle of the tile that is so many tiles east and south of an eye in the middle of a tile.
+    // The colour in the middle of the tile that is so many tiles east and south of an eye in the
+    // middle of a tile.
     Colour tile(int east, int south) const {
         const int middle = layout.side / 2;
-        return toColour(canvas.at(layout.left + middle + east * layout.pixelsPerTile, layout.top + middle + south * layout.pixelsPerTile));
+        return toColour(canvas.at(layout.left + middle + east * layout.pixelsPerTile,
+                                  layout.top + middle + south * layout.pixelsPerTile));
     }
 };
 
@@ -56,7 +64,8 @@ int brightness(Colour colour) {
 }
 
 TEST(Minimap, IsASquareOfAtMostAThirdOfThePicture) {
-    for (const auto& [width, height] : {std::pair{1280, 720}, {160, 100}, {640, 400}, {320, 900}, {60, 45}, {8192, 8192}}) {
+    for (const auto& [width, height] :
+         {std::pair{1280, 720}, {160, 100}, {640, 400}, {320, 900}, {60, 45}, {8192, 8192}}) {
         const MinimapLayout layout = layoutMinimap(width, height);
         EXPECT_LE(layout.side, std::min(width, height) / 3);
         EXPECT_GE(layout.side, std::min(width, height) / 3 - 1);
@@ -70,20 +79,23 @@ TEST(Minimap, IsASquareOfAtMostAThirdOfThePicture) {
 
 TEST(Minimap, DrawsInItsSquareOnly) {
     const World world = smallWorld();
-    for (const auto& [width, height] : {std::pair{1280, 720}, {160, 100}, {60, 45}, {7, 3}, {1, 1}}) {
+    for (const auto& [width, height] :
+         {std::pair{1280, 720}, {160, 100}, {60, 45}, {7, 3}, {1, 1}}) {
         const Seen seen(world, eyeAt(20.5, 15.5, 0.5, 10.0), {}, width, height);
         EXPECT_TRUE(seen.canvas.borderUntouched());
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
-                const bool inside =
-                    x >= seen.layout.left && y >= seen.layout.top && x < seen.layout.left + seen.layout.side && y < seen.layout.top + seen.layout.side;
+                const bool inside = x >= seen.layout.left && y >= seen.layout.top &&
+                                    x < seen.layout.left + seen.layout.side &&
+                                    y < seen.layout.top + seen.layout.side;
                 ASSERT_TRUE(inside || !seen.canvas.touched(x, y)) << x << ", " << y;
                 ASSERT_EQ(toColour(seen.canvas.at(x, y)).a, 255);
             }
         }
         EXPECT_EQ(seen.canvas.touchedPixels() > 0, seen.layout.side > 0);
     }
-    const Seen nowhere(world, {.map = 1, .x = {}, .y = {}, .z = {1}, .headingDegrees = 0.0, .look = 0.0});
+    const Seen nowhere(world,
+                       {.map = 1, .x = {}, .y = {}, .z = {1}, .headingDegrees = 0.0, .look = 0.0});
     EXPECT_EQ(nowhere.canvas.touchedPixels(), 0);
 }
 
@@ -99,7 +111,8 @@ TEST(Minimap, ShowsHeightsByColourWithNorthUp) {
     EXPECT_GT(brightness(high), brightness(low) + 40);
     EXPECT_LT(brightness(ground), brightness(whole) - 40);
     EXPECT_EQ(seen.tile(1, 3), ground);
-    EXPECT_NEAR(brightness(seen.tile(0, -4)), (brightness(whole) + brightness(ground)) / 2, 4) << "in the air";
+    EXPECT_NEAR(brightness(seen.tile(0, -4)), (brightness(whole) + brightness(ground)) / 2, 4)
+        << "in the air";
 }
 
 TEST(Minimap, ShowsTheLevelOfTheEyeOrTheChosenOne) {
@@ -113,7 +126,8 @@ TEST(Minimap, ShowsTheLevelOfTheEyeOrTheChosenOne) {
     EXPECT_EQ(minimapLevel(map, eyeAt(1, 1, 0.5, 0), {.level = 31}), 2);
     const Seen seen(world, eyeAt(20.5, 15.5, 1.5, 45.0));
     EXPECT_GT(seen.tile(-2, 0).b, seen.tile(-2, 0).r + 20) << "the block of level 1";
-    EXPECT_GT(brightness(seen.tile(0, -2)), brightness(seen.tile(3, -3)) + 10) << "ground at the level's base is lighter than the floor further down";
+    EXPECT_GT(brightness(seen.tile(0, -2)), brightness(seen.tile(3, -3)) + 10)
+        << "ground at the level's base is lighter than the floor further down";
     const Seen chosen(world, eyeAt(20.5, 15.5, 0.5, 45.0), {.level = 1});
     EXPECT_EQ(chosen.canvas.image.pixels, seen.canvas.image.pixels);
 }
@@ -150,8 +164,13 @@ TEST(Minimap, TheFieldOfViewPointsWhereTheEyeLooks) {
         EXPECT_GT(yellow(seen.tile(0, 0)), 200) << "the eye itself";
     }
     // A wider field shows more.
-    EXPECT_LT(yellow(Seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = -1, .fovDegrees = 60.0}).tile(1, 1)), 20);
-    EXPECT_GT(yellow(Seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = -1, .fovDegrees = 110.0}).tile(1, 1)), 40);
+    EXPECT_LT(
+        yellow(
+            Seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = -1, .fovDegrees = 60.0}).tile(1, 1)),
+        20);
+    EXPECT_GT(yellow(Seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = -1, .fovDegrees = 110.0})
+                         .tile(1, 1)),
+              40);
 }
 
 TEST(Minimap, TurnsWithTheViewWhenAsked) {
@@ -160,8 +179,11 @@ TEST(Minimap, TurnsWithTheViewWhenAsked) {
     // What lies ahead is up: two tiles ahead, to the right, behind and to the left, by the heading.
     const int ahead[4][2] = {{2, 0}, {0, 2}, {-2, 0}, {0, -2}};
     for (int quarter = 0; quarter < 4; ++quarter) {
-        const Seen turned(world, eyeAt(20.5, 15.5, 0.5, 90.0 * quarter), {.fovDegrees = 10.0, .turns = true});
-        const auto tileAt = [&](int side) { return north.tile(ahead[(quarter + side) % 4][0], ahead[(quarter + side) % 4][1]); };
+        const Seen turned(world, eyeAt(20.5, 15.5, 0.5, 90.0 * quarter),
+                          {.fovDegrees = 10.0, .turns = true});
+        const auto tileAt = [&](int side) {
+            return north.tile(ahead[(quarter + side) % 4][0], ahead[(quarter + side) % 4][1]);
+        };
         EXPECT_EQ(turned.tile(2, 0), tileAt(1)) << quarter;
         EXPECT_EQ(turned.tile(0, 2), tileAt(2)) << quarter;
         EXPECT_EQ(turned.tile(-2, 0), tileAt(3)) << quarter;
@@ -180,7 +202,10 @@ TEST(Minimap, TurnedItMarksWhereNorthIs) {
     const MinimapLayout layout = layoutMinimap(640, 400);
     int bright = 0;
     for (int y = -6; y <= 6; ++y) {
-        for (int x = 2; x <= 14; ++x) bright += brightness(toColour(canvas.at(layout.left + x, layout.top + layout.side / 2 + y))) > 700;
+        for (int x = 2; x <= 14; ++x)
+            bright +=
+                brightness(toColour(canvas.at(layout.left + x, layout.top + layout.side / 2 + y))) >
+                700;
     }
     EXPECT_GT(bright, 12) << "the letter";
 }
@@ -207,7 +232,8 @@ TEST(Minimap, RaysOnAnotherLevelEndAtItsBlocks) {
         const Seen with(world, eye, {.level = 1, .rays = true});
         const Seen without(world, eye, {.level = 1});
         EXPECT_NE(with.tile(-1, 0), without.tile(-1, 0)) << height;
-        EXPECT_EQ(with.tile(-4, 0), without.tile(-4, 0)) << height << ": behind the block two tiles west";
+        EXPECT_EQ(with.tile(-4, 0), without.tile(-4, 0))
+            << height << ": behind the block two tiles west";
     }
 }
 
@@ -225,7 +251,8 @@ TEST(Minimap, TheCircleReachesAsFarAsItSays) {
     const int middle = small.layout.side / 2;
     const int radius = small.layout.pixelsPerTile * 3 / 2;
     for (const auto& [x, y] : {std::pair{radius, 0}, {-radius, 0}, {0, radius}, {0, -radius}}) {
-        const Colour rim = toColour(small.canvas.at(small.layout.left + middle + x, small.layout.top + middle + y));
+        const Colour rim = toColour(
+            small.canvas.at(small.layout.left + middle + x, small.layout.top + middle + y));
         EXPECT_GT(brightness(rim), brightness(without.tile(1, 0)) + 150);
     }
 }
@@ -245,7 +272,8 @@ TEST(Minimap, ShowsObjectsThatReachIntoTheLevelBrightlyAndThoseBelowFaintly) {
     World world = smallWorld();
     const Eye eye = eyeAt(20.5, 15.5, 1.5, 225.0);
     const Colour ground = Seen(world, eye).tile(3, 3);
-    world.maps[0].objects = {objectAt(3, 3, 1.0, 0.5), objectAt(4, 3, 0.0, 1.25), objectAt(5, 3, 0.0, 1.0), objectAt(3, 4, 2.0, 1.0)};
+    world.maps[0].objects = {objectAt(3, 3, 1.0, 0.5), objectAt(4, 3, 0.0, 1.25),
+                             objectAt(5, 3, 0.0, 1.0), objectAt(3, 4, 2.0, 1.0)};
     const Seen seen(world, eye);
     EXPECT_GT(brightness(seen.tile(3, 3)), brightness(ground) + 300);
     EXPECT_EQ(seen.tile(4, 3), seen.tile(3, 3));
@@ -272,7 +300,8 @@ TEST(Minimap, ShowsWhereObjectsGo) {
         const int middle = seen.layout.side / 2;
         const int size = seen.layout.pixelsPerTile;
         const int off = static_cast<int>(tiles * size);
-        return magenta(toColour(seen.canvas.at(seen.layout.left + middle - 4 * size + east * off, seen.layout.top + middle + 3 * size + south * off)));
+        return magenta(toColour(seen.canvas.at(seen.layout.left + middle - 4 * size + east * off,
+                                               seen.layout.top + middle + 3 * size + south * off)));
     };
     EXPECT_GT(ahead(0, 1, 0.8), 40) << "a line to the south";
     EXPECT_LT(ahead(0, -1, 0.8), 20);
@@ -304,7 +333,8 @@ TEST(Minimap, ShowsPortals) {
     const auto edge = [&](int east, int south) {
         const int middle = seen.layout.side / 2;
         const int size = seen.layout.pixelsPerTile;
-        return turquoise(toColour(seen.canvas.at(seen.layout.left + middle + 4 * size + east, seen.layout.top + middle + 3 * size + south)));
+        return turquoise(toColour(seen.canvas.at(seen.layout.left + middle + 4 * size + east,
+                                                 seen.layout.top + middle + 3 * size + south)));
     };
     EXPECT_GT(edge(0, -half + 1), 200) << "its north side";
     EXPECT_LT(edge(0, half - 1), 120);

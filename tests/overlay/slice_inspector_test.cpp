@@ -34,17 +34,22 @@ Hit wall(double depth, double top, int first, int last) {
     return hit;
 }
 
-// Seen from 0.5 above the floor: ever higher walls two, four and eight units away, one behind the other.
+// Seen from 0.5 above the floor: ever higher walls two, four and eight units away, one behind the
+// other.
 SliceTrace stairs() {
     SliceTrace trace;
     trace.column = 200;
     trace.horizonRow = kHorizon;
     trace.projectionDistance = kDistance;
     trace.tiles = {{0, 0, 0, 0.0}, {0, 1, 0, 2.0}};
-    const auto rowOf = [](double depth, double z) { return static_cast<int>(200.0 - kDistance * (z - 0.5) / depth); };
-    trace.hits = {wall(2.0, 0.75, rowOf(2.0, 0.75), rowOf(2.0, 0.0)), wall(4.0, 2.0, rowOf(4.0, 2.0), rowOf(2.0, 0.75)),
+    const auto rowOf = [](double depth, double z) {
+        return static_cast<int>(200.0 - kDistance * (z - 0.5) / depth);
+    };
+    trace.hits = {wall(2.0, 0.75, rowOf(2.0, 0.75), rowOf(2.0, 0.0)),
+                  wall(4.0, 2.0, rowOf(4.0, 2.0), rowOf(2.0, 0.75)),
                   wall(8.0, 4.5, rowOf(8.0, 4.5), rowOf(4.0, 2.0))};
-    trace.planes = {{What::floor, Face::top, rowOf(2.0, 0.0), kHeight}, {What::sky, Face::top, 0, rowOf(8.0, 4.5)}};
+    trace.planes = {{What::floor, Face::top, rowOf(2.0, 0.0), kHeight},
+                    {What::sky, Face::top, 0, rowOf(8.0, 4.5)}};
     return trace;
 }
 
@@ -71,8 +76,10 @@ TEST(SliceInspector, TheLineStandsInItsColumnAndTellsWhatFillsEachRow) {
     }
     // Where one thing ends and the next begins there is a dark row.
     const int floor = trace.planes[0].first;
-    for (const int y : {60, 150, 210, floor - 2}) EXPECT_LT(apart(toColour(canvas.at(202, y)), kindColour(What::side)), 40) << y;
-    for (const int y : {floor + 2, kHeight - 1}) EXPECT_LT(apart(toColour(canvas.at(202, y)), kindColour(What::floor)), 40) << y;
+    for (const int y : {60, 150, 210, floor - 2})
+        EXPECT_LT(apart(toColour(canvas.at(202, y)), kindColour(What::side)), 40) << y;
+    for (const int y : {floor + 2, kHeight - 1})
+        EXPECT_LT(apart(toColour(canvas.at(202, y)), kindColour(What::floor)), 40) << y;
     EXPECT_LT(toColour(canvas.at(202, floor)).r, 60);
 }
 
@@ -118,7 +125,8 @@ TEST(SliceInspector, TheSideViewStaysInItsPanel) {
     const PixelRect panel = layoutOverlays(kWidth, kHeight).sideView;
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
-            const bool inside = x >= panel.x && y >= panel.y && x < panel.x + panel.width && y < panel.y + panel.height;
+            const bool inside = x >= panel.x && y >= panel.y && x < panel.x + panel.width &&
+                                y < panel.y + panel.height;
             ASSERT_TRUE(inside || !canvas.touched(x, y)) << x << ", " << y;
         }
     }
@@ -141,7 +149,8 @@ TEST(SliceInspector, WhatIsNotSeenIsDimmer) {
     EXPECT_GT(greyAt(true), greyAt(false) + 60);
 }
 
-// Two walls that a ray meets behind a portal to another map two levels up, six and eight units away.
+// Two walls that a ray meets behind a portal to another map two levels up, six and eight units
+// away.
 SliceTrace behindPortal() {
     SliceTrace trace = stairs();
     trace.portals = {{0, 0, 5.0, 0, trace.planes[0].first}};
@@ -158,7 +167,14 @@ SliceTrace behindPortal() {
 World twoMaps() {
     World world = oneMap();
     world.maps.push_back(makeMap("cellar", 10, 10, 6, kNoTexture));
-    world.portals.push_back({.fromMap = 0, .fromX = 6, .fromY = 1, .toMap = 1, .toX = 0, .toY = 0, .turn = 1, .levels = 2});
+    world.portals.push_back({.fromMap = 0,
+                             .fromX = 6,
+                             .fromY = 1,
+                             .toMap = 1,
+                             .toX = 0,
+                             .toY = 0,
+                             .turn = 1,
+                             .levels = 2});
     return world;
 }
 
@@ -170,15 +186,18 @@ TEST(SliceInspector, DepthsAndHeightsGoOnBehindAPortal) {
     const std::vector<int> portals = uprights(canvas, kPortalColour);
     const std::vector<int> walls = uprights(canvas, kindColour(What::side));
     ASSERT_EQ(walls.size(), 3u);
-    // Other colours come near that of the line where rays lie over each other; it stands a quarter of the way from the wall at 4 to that at 8.
+    // Other colours come near that of the line where rays lie over each other; it stands a quarter
+    // of the way from the wall at 4 to that at 8.
     const int expected = walls[1] + (walls[2] - walls[1]) / 4;
-    EXPECT_TRUE(std::any_of(portals.begin(), portals.end(), [&](int x) { return std::abs(x - expected) <= 2; }));
+    EXPECT_TRUE(std::any_of(portals.begin(), portals.end(),
+                            [&](int x) { return std::abs(x - expected) <= 2; }));
     EXPECT_TRUE(uprights(straight, kPortalColour).empty());
     // The rest is as it would be without it, below the name of the map.
     const PixelRect panel = layoutOverlays(kWidth, kHeight).sideView;
     for (int y = panel.y + 40; y < panel.y + panel.height; ++y) {
         for (int x = panel.x; x < panel.x + panel.width; ++x) {
-            ASSERT_TRUE(canvas.at(x, y) == straight.at(x, y) || std::abs(x - expected) <= 2) << x << ", " << y;
+            ASSERT_TRUE(canvas.at(x, y) == straight.at(x, y) || std::abs(x - expected) <= 2)
+                << x << ", " << y;
         }
     }
 }
@@ -187,7 +206,14 @@ TEST(SliceInspector, RowsAreBehindThePortalsThatTheyWentThrough) {
     SliceTrace trace = behindPortal();
     trace.portals = {{0, 0, 5.0, 10, 50}, {1, 1, 9.0, 20, 30}};
     World world = twoMaps();
-    world.portals.push_back({.fromMap = 1, .fromX = 3, .fromY = 3, .toMap = 0, .toX = 0, .toY = 0, .turn = 0, .levels = -3});
+    world.portals.push_back({.fromMap = 1,
+                             .fromX = 3,
+                             .fromY = 3,
+                             .toMap = 0,
+                             .toX = 0,
+                             .toY = 0,
+                             .turn = 0,
+                             .levels = -3});
     const auto beyond = [&](int row) { return beyondPortals(trace, world, 0, row); };
     EXPECT_EQ(beyond(9).map, 0);
     EXPECT_EQ(beyond(9).levels, 0);
@@ -210,16 +236,23 @@ TEST(SliceInspector, ObjectsAreBarsAndMirrorsDashes) {
     const std::vector<int> bars = uprights(canvas, kObjectColour);
     const std::vector<int> walls = uprights(canvas, kindColour(What::side));
     ASSERT_EQ(bars.size(), 1u);
-    EXPECT_NEAR(walls[0] - bars[0], (walls[1] - walls[0]) / 2, 3) << "at 1, where the walls are at 2 and 4";
+    EXPECT_NEAR(walls[0] - bars[0], (walls[1] - walls[0]) / 2, 3)
+        << "at 1, where the walls are at 2 and 4";
 
     const auto touchedWith = [&](bool mirrored) {
         Canvas with(kWidth, kHeight);
         SliceTrace other = stairs();
-        if (mirrored) other.mirrors = {{.map = 0, .strength = 128, .height = {}, .first = other.planes[0].first, .last = kHeight}};
+        if (mirrored)
+            other.mirrors = {{.map = 0,
+                              .strength = 128,
+                              .height = {},
+                              .first = other.planes[0].first,
+                              .last = kHeight}};
         drawSideView(other, oneMap(), kEye, with.picture);
         int count = 0;
         for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < kWidth; ++x) count += apart(toColour(with.at(x, y)), kMirrorColour) < 30;
+            for (int x = 0; x < kWidth; ++x)
+                count += apart(toColour(with.at(x, y)), kMirrorColour) < 30;
         }
         return count;
     };

@@ -12,11 +12,13 @@ namespace {
 constexpr int kWidth = 10;
 constexpr int kHeight = 4;
 
-// Shows a picture of one grey; gives the grey of each column after it: 0 where nothing has been drawn yet.
+// Shows a picture of one grey; gives the grey of each column after it: 0 where nothing has been
+// drawn yet.
 std::vector<int> shown(SlowDrawing& slow, std::uint8_t grey, int slices) {
     Canvas canvas(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) canvas.picture.row(y)[x] = toPixel({grey, grey, grey, 255});
+        for (int x = 0; x < kWidth; ++x)
+            canvas.picture.row(y)[x] = toPixel({grey, grey, grey, 255});
     }
     slow.show(canvas.picture, slices);
     EXPECT_TRUE(canvas.borderUntouched());
@@ -31,10 +33,14 @@ std::vector<int> shown(SlowDrawing& slow, std::uint8_t grey, int slices) {
 TEST(SlowDrawing, BuildsThePictureUpSliceBySliceAndOver) {
     SlowDrawing slow;
     EXPECT_EQ(shown(slow, 100, 3), (std::vector<int>{100, 100, 100, -1, 0, 0, 0, 0, 0, 0}));
-    EXPECT_EQ(shown(slow, 120, 5), (std::vector<int>{100, 100, 100, 120, 120, 120, 120, 120, -1, 0}));
-    EXPECT_EQ(shown(slow, 140, 4), (std::vector<int>{140, 140, -1, 120, 120, 120, 120, 120, 140, 140}));
-    EXPECT_EQ(shown(slow, 160, 0), (std::vector<int>{140, 140, -1, 120, 120, 120, 120, 120, 140, 140}));
-    EXPECT_EQ(shown(slow, 180, 200), (std::vector<int>{180, 180, -1, 180, 180, 180, 180, 180, 180, 180}));
+    EXPECT_EQ(shown(slow, 120, 5),
+              (std::vector<int>{100, 100, 100, 120, 120, 120, 120, 120, -1, 0}));
+    EXPECT_EQ(shown(slow, 140, 4),
+              (std::vector<int>{140, 140, -1, 120, 120, 120, 120, 120, 140, 140}));
+    EXPECT_EQ(shown(slow, 160, 0),
+              (std::vector<int>{140, 140, -1, 120, 120, 120, 120, 120, 140, 140}));
+    EXPECT_EQ(shown(slow, 180, 200),
+              (std::vector<int>{180, 180, -1, 180, 180, 180, 180, 180, 180, 180}));
 }
 
 TEST(SlowDrawing, ANegativeRateWaits) {

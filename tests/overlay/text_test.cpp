@@ -82,7 +82,8 @@ TEST(Text, HasTheSizeThatItSays) {
 
 TEST(Text, IsClippedToThePicture) {
     Canvas canvas(20, 10);
-    for (int offset = -40; offset < 40; offset += 3) drawText(canvas.picture, offset, offset, "####\n####", {.scale = 2});
+    for (int offset = -40; offset < 40; offset += 3)
+        drawText(canvas.picture, offset, offset, "####\n####", {.scale = 2});
     EXPECT_TRUE(canvas.borderUntouched());
     EXPECT_GT(canvas.touchedPixels(), 50);
 }

@@ -1,4 +1,5 @@
-// Pictures take no memory once such pictures have been drawn, whatever is in them and wherever the eye goes.
+// Pictures take no memory once such pictures have been drawn, whatever is in them and wherever the
+// eye goes.
 #include "../count_allocations.h"
 #include "render/renderer.h"
 #include "world/world.h"
@@ -21,8 +22,12 @@ Image pattern(int width, int height, int holes) {
     Image image(width, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const auto alpha = holes > 0 && (x + y) % holes == 0 ? 0 : holes > 0 && x % holes == 1 ? 120 : 255;
-            image.at(x, y) = toPixel({static_cast<std::uint8_t>(x * 15), static_cast<std::uint8_t>(y * 15), 90, static_cast<std::uint8_t>(alpha)});
+            const auto alpha = holes > 0 && (x + y) % holes == 0 ? 0
+                               : holes > 0 && x % holes == 1     ? 120
+                                                                 : 255;
+            image.at(x, y) =
+                toPixel({static_cast<std::uint8_t>(x * 15), static_cast<std::uint8_t>(y * 15), 90,
+                         static_cast<std::uint8_t>(alpha)});
         }
     }
     return image;
@@ -34,7 +39,9 @@ void addBlocks(World& world, Random& random, Map& map) {
     for (int y = 0; y < map.depth; ++y) {
         for (int x = 0; x < map.width; ++x) {
             for (int level = 0; level < map.levels; ++level) {
-                if (random.oneIn(7 + 3 * level)) map.setCell(x, y, level, static_cast<BlueprintId>(random.between(1, shapes - 1)));
+                if (random.oneIn(7 + 3 * level))
+                    map.setCell(x, y, level,
+                                static_cast<BlueprintId>(random.between(1, shapes - 1)));
             }
         }
     }
@@ -81,7 +88,8 @@ void addObjects(Random& random, Map& map) {
 World mixedWorld() {
     Random random(7);
     World world;
-    for (const int holes : {0, 0, 3, 5}) world.textures.push_back(makeTexture("pattern", pattern(16, 16, holes)));
+    for (const int holes : {0, 0, 3, 5})
+        world.textures.push_back(makeTexture("pattern", pattern(16, 16, holes)));
     world.sprites.push_back(makeSprite("figure", pattern(12, 16, 4)));
     for (int i = 0; i < 12; ++i) {
         CellBlueprint block;

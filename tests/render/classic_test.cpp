@@ -1,4 +1,5 @@
-// The old ways: drawn without any of them the picture is the renderer's; each of them shows its known defect.
+// The old ways: drawn without any of them the picture is the renderer's; each of them shows its
+// known defect.
 #include "render/classic/draw_classic.h"
 
 #include "base/random.h"
@@ -23,9 +24,12 @@ struct Drawn {
     ClassicReport report;
 };
 
-Drawn drawOld(const World& world, const Eye& eye, int width, int height, const ClassicOptions& classic, const RenderOptions& options = {}) {
+Drawn drawOld(const World& world, const Eye& eye, int width, int height,
+              const ClassicOptions& classic, const RenderOptions& options = {}) {
     Drawn drawn{Image(width, height), {}};
-    if (!drawClassic(world, eye, options, classic, {drawn.image.pixels.data(), width, height, width}, &drawn.report)) drawn.image = {};
+    if (!drawClassic(world, eye, options, classic,
+                     {drawn.image.pixels.data(), width, height, width}, &drawn.report))
+        drawn.image = {};
     return drawn;
 }
 
@@ -52,7 +56,9 @@ bool columnsAreEqual(const Image& image, int a, int b) {
 Texture squares(const std::string& name, std::uint8_t blue) {
     Image image(8, 8);
     for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 8; ++x) image.at(x, y) = toPixel({static_cast<std::uint8_t>(120 + 17 * x), static_cast<std::uint8_t>(120 + 17 * y), blue, 255});
+        for (int x = 0; x < 8; ++x)
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(120 + 17 * x),
+                                      static_cast<std::uint8_t>(120 + 17 * y), blue, 255});
     }
     return makeTexture(name, std::move(image));
 }
@@ -63,7 +69,8 @@ Texture lattice(const std::string& name) {
     for (int y = 0; y < 8; ++y) {
         for (int x = 0; x < 8; ++x) {
             const std::uint8_t alpha = (x + y) % 3 == 0 ? 255 : (x + y) % 3 == 1 ? 90 : 0;
-            image.at(x, y) = toPixel({static_cast<std::uint8_t>(120 + 17 * x), 60, static_cast<std::uint8_t>(120 + 17 * y), alpha});
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(120 + 17 * x), 60,
+                                      static_cast<std::uint8_t>(120 + 17 * y), alpha});
         }
     }
     return makeTexture(name, std::move(image));
@@ -73,7 +80,9 @@ Texture lattice(const std::string& name) {
 Texture flicker(const std::string& name) {
     Image image(16, 8);
     for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 16; ++x) image.at(x, y) = toPixel({static_cast<std::uint8_t>(120 + 8 * x), static_cast<std::uint8_t>(120 + 17 * y), 200, 255});
+        for (int x = 0; x < 16; ++x)
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(120 + 8 * x),
+                                      static_cast<std::uint8_t>(120 + 17 * y), 200, 255});
     }
     return makeTexture(name, std::move(image), 2, 3.0);
 }
@@ -104,17 +113,18 @@ World wallWorld(Texture wall) {
     return world;
 }
 
-// Blocks of all kinds on several levels, some glowing or flickering, in every other world some see-through; ceilings over some tiles, light, fog, a gradient
-// for a sky.
+// Blocks of all kinds on several levels, some glowing or flickering, in every other world some
+// see-through; ceilings over some tiles, light, fog, a gradient for a sky.
 World mixedWorld(std::uint64_t seed) {
     Random random(seed);
     World world = emptyWorld(10, 9, 4, squares("floor", 10));
     std::vector<BlueprintId> blocks;
     for (int i = 0; i < 6; ++i) {
         const bool seeThrough = seed % 2 == 1 && i % 2 == 1;
-        const TextureId texture = addTexture(world, seeThrough ? lattice("lattice")
-                                                    : i == 4   ? flicker("flicker")
-                                                               : squares("wall", static_cast<std::uint8_t>(60 + 30 * i)));
+        const TextureId texture =
+            addTexture(world, seeThrough ? lattice("lattice")
+                              : i == 4   ? flicker("flicker")
+                                         : squares("wall", static_cast<std::uint8_t>(60 + 30 * i)));
         const int bottom = i < 2 ? 0 : random.between(0, 40000);
         const int top = i < 2 ? 65536 : random.between(bottom + 1, 65536);
         blocks.push_back(addBlock(world, texture, {bottom}, {top}));
@@ -131,7 +141,9 @@ World mixedWorld(std::uint64_t seed) {
     map.ceiling.tiles.assign(90, kNoTexture);
     for (int y = 0; y < 9; ++y) {
         for (int x = 0; x < 10; ++x) {
-            if (random.oneIn(6)) map.ceiling.tiles[map.tileIndex(x, y)] = static_cast<TextureId>(random.between(1, 2));
+            if (random.oneIn(6))
+                map.ceiling.tiles[map.tileIndex(x, y)] =
+                    static_cast<TextureId>(random.between(1, 2));
             for (int level = 0; level < 4; ++level) {
                 if (random.oneIn(4)) map.setCell(x, y, level, blocks[random.below(6)]);
             }
@@ -140,7 +152,8 @@ World mixedWorld(std::uint64_t seed) {
     world.seconds = 0.2 * static_cast<double>(seed);
     map.light.on = random.oneIn(2);
     map.fog = {.on = random.oneIn(2), .start = 1.0, .end = 20.0};
-    map.sky = {.kind = Sky::Kind::gradient, .low = kRed, .high = kGreen, .slope = 0.5, .panorama = {}};
+    map.sky = {
+        .kind = Sky::Kind::gradient, .low = kRed, .high = kGreen, .slope = 0.5, .panorama = {}};
     map.far = random.oneIn(2) ? 30.0 : kDefaultFar;
     return world;
 }
@@ -150,8 +163,9 @@ World glassWorld(std::uint64_t seed) {
     Random random(seed);
     World world = emptyWorld(6, 6, 3, lattice("floor"));
     const TextureId pane = addTexture(world, lattice("pane"));
-    const BlueprintId blocks[] = {addBlock(world, pane), addBlock(world, pane, {}, toCoordinate(0.5)), addBlock(world, pane),
-                                  addBlock(world, addTexture(world, squares("solid", 60)))};
+    const BlueprintId blocks[] = {
+        addBlock(world, pane), addBlock(world, pane, {}, toCoordinate(0.5)), addBlock(world, pane),
+        addBlock(world, addTexture(world, squares("solid", 60)))};
     world.blueprints[blocks[2]].join = false;
     markSeeThrough(world);
     for (int y = 0; y < 6; ++y) {
@@ -180,7 +194,10 @@ void expectTheRenderersPictures(std::uint64_t seed, MakeWorld&& makeWorld) {
                          .z = {random.between(1, (map.levels + 2) * 65536)},
                          .headingDegrees = random.between(0.0, 360.0),
                          .look = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0)};
-        const RenderOptions options = {.fovDegrees = random.between(30.0, 120.0), .detail = false, .textures = !random.oneIn(8), .fog = !random.oneIn(4)};
+        const RenderOptions options = {.fovDegrees = random.between(30.0, 120.0),
+                                       .detail = false,
+                                       .textures = !random.oneIn(8),
+                                       .fog = !random.oneIn(4)};
         const Image exact = draw(world, eye, 97, 61, options);
         const Drawn old = drawOld(world, eye, 97, 61, {}, options);
         ASSERT_FALSE(exact.empty());
@@ -190,7 +207,9 @@ void expectTheRenderersPictures(std::uint64_t seed, MakeWorld&& makeWorld) {
             const Colour a = toColour(exact.pixels[p]);
             const Colour b = toColour(old.image.pixels[p]);
             ++pixels;
-            if (std::abs(a.r - b.r) > 1 || std::abs(a.g - b.g) > 1 || std::abs(a.b - b.b) > 1 || b.a != 255) ++different;
+            if (std::abs(a.r - b.r) > 1 || std::abs(a.g - b.g) > 1 || std::abs(a.b - b.b) > 1 ||
+                b.a != 255)
+                ++different;
             colours.insert(exact.pixels[p]);
         }
     }
@@ -227,8 +246,10 @@ TEST(Classic, MarchingIsAsGoodAsItsStep) {
             const World world = mixedWorld(i);
             const Eye eye = eyeAt(-2.0, 4.3, 2.6, -10.0);
             const Image exact = drawOld(world, eye, 160, 100, {}).image;
-            const Image marched = drawOld(world, eye, 160, 100, {.march = true, .stepSize = step}).image;
-            for (std::size_t p = 0; p < exact.pixels.size(); ++p) pixels += exact.pixels[p] != marched.pixels[p] ? 1 : 0;
+            const Image marched =
+                drawOld(world, eye, 160, 100, {.march = true, .stepSize = step}).image;
+            for (std::size_t p = 0; p < exact.pixels.size(); ++p)
+                pixels += exact.pixels[p] != marched.pixels[p] ? 1 : 0;
         }
         return pixels / (8 * 160.0 * 100.0);
     };
@@ -241,14 +262,17 @@ TEST(Classic, MarchingFindsWallsTooLateAndRagged) {
     const Eye eye = eyeAt(8.1, 20.5, 0.5, 0.0);
     const RenderOptions options = {.fovDegrees = 90.0};
     const Image exact = drawOld(world, eye, 200, 200, {}, options).image;
-    const Image fine = drawOld(world, eye, 200, 200, {.march = true, .stepSize = 0.001}, options).image;
-    const Image coarse = drawOld(world, eye, 200, 200, {.march = true, .stepSize = 0.4}, options).image;
+    const Image fine =
+        drawOld(world, eye, 200, 200, {.march = true, .stepSize = 0.001}, options).image;
+    const Image coarse =
+        drawOld(world, eye, 200, 200, {.march = true, .stepSize = 0.4}, options).image;
     int turns = 0;  // of the coarse wall's upper edge
     int way = 0;
     for (int x = 0; x < 200; ++x) {
         ASSERT_EQ(firstRow(exact, x, kWhite), firstRow(exact, 0, kWhite));
         EXPECT_LE(firstRow(fine, x, kWhite) - firstRow(exact, x, kWhite), 1);
-        EXPECT_GE(firstRow(coarse, x, kWhite), firstRow(exact, x, kWhite)) << "never nearer than it is";
+        EXPECT_GE(firstRow(coarse, x, kWhite), firstRow(exact, x, kWhite))
+            << "never nearer than it is";
         const int step = x > 0 ? firstRow(coarse, x, kWhite) - firstRow(coarse, x - 1, kWhite) : 0;
         if (step != 0 && (step > 0) != (way > 0)) ++turns;
         if (step != 0) way = step;
@@ -273,26 +297,30 @@ TEST(Classic, MarchingMissesThinCornersAndGivesUp) {
     EXPECT_GT(exact, 50);
     EXPECT_LE(std::abs(columnsWithWall({.march = true, .stepSize = 0.001}) - exact), 1);
     EXPECT_LT(columnsWithWall({.march = true, .stepSize = 0.5}), exact - 3);
-    EXPECT_EQ(columnsWithWall({.march = true, .stepSize = 0.001, .reach = 3.0}), 0) << "it gives up before the block";
+    EXPECT_EQ(columnsWithWall({.march = true, .stepSize = 0.001, .reach = 3.0}), 0)
+        << "it gives up before the block";
 
     // The walk looks at as many places as there are tiles, the march at one every step.
     EXPECT_LT(drawOld(world, eye, 10, 10, {}).report.samples, 10 * 70);
     EXPECT_GT(drawOld(world, eye, 10, 10, {.march = true}).report.samples, 10 * 1000);
 }
 
-// A wall that is faced: its upper edge is a straight line, but at the distance along the ray it sinks to both sides.
+// A wall that is faced: its upper edge is a straight line, but at the distance along the ray it
+// sinks to both sides.
 TEST(Classic, EqualAnglesAloneAreAFishEye) {
     const World world = wallWorld(plain("wall", kWhite));
     const Eye eye = eyeAt(8.0, 20.5, 0.5, 0.0);
     const RenderOptions options = {.fovDegrees = 90.0};
     const auto edge = [&](ClassicProjection projection, int column) {
-        return firstRow(drawOld(world, eye, 200, 200, {.projection = projection}, options).image, column, kWhite);
+        return firstRow(drawOld(world, eye, 200, 200, {.projection = projection}, options).image,
+                        column, kWhite);
     };
     for (const int column : {0, 50, 100, 150, 199}) {
         EXPECT_EQ(edge(ClassicProjection::plane, column), 75) << column;  // 100 - 0.5 * 100 / 2
         EXPECT_EQ(edge(ClassicProjection::equalAnglesCorrected, column), 75) << column;
     }
-    // At 45 degrees the way to the wall is longer by the square root of two: 100 - 25 / 1.414 = 82.3; at 22.5 degrees 100 - 25 * 0.924 = 76.9.
+    // At 45 degrees the way to the wall is longer by the square root of two: 100 - 25 / 1.414
+    // = 82.3; at 22.5 degrees 100 - 25 * 0.924 = 76.9.
     EXPECT_EQ(edge(ClassicProjection::equalAngles, 100), 75);
     EXPECT_EQ(edge(ClassicProjection::equalAngles, 50), 77);
     EXPECT_EQ(edge(ClassicProjection::equalAngles, 150), 77);
@@ -305,13 +333,16 @@ TEST(Classic, EqualAnglesBendSlantingWallsEvenWithTheCosine) {
     const Eye eye = eyeAt(9.0, 20.5, 0.5, 35.0);
     const RenderOptions options = {.fovDegrees = 90.0};
     const auto bend = [&](ClassicProjection projection) {
-        const Image image = drawOld(world, eye, 800, 800, {.projection = projection}, options).image;
+        const Image image =
+            drawOld(world, eye, 800, 800, {.projection = projection}, options).image;
         // How far the upper edge lies off the straight line between its ends.
         const int left = firstRow(image, 40, kWhite);
         const int right = firstRow(image, 760, kWhite);
         int furthest = 0;
         for (int x = 40; x <= 760; ++x) {
-            furthest = std::max(furthest, std::abs(firstRow(image, x, kWhite) * 720 - (left * (760 - x) + right * (x - 40))) / 720);
+            furthest = std::max(furthest, std::abs(firstRow(image, x, kWhite) * 720 -
+                                                   (left * (760 - x) + right * (x - 40))) /
+                                              720);
         }
         return furthest;
     };
@@ -323,7 +354,8 @@ TEST(Classic, EqualAnglesMakeTexturesUnevenlyWide) {
     const World world = wallWorld(sides("wall", kWhite, kGreen));
     const Eye eye = eyeAt(8.0, 20.5, 0.5, 0.0);
     const auto widths = [&](ClassicProjection projection) {
-        const Image image = drawOld(world, eye, 400, 20, {.projection = projection}, {.fovDegrees = 90.0}).image;
+        const Image image =
+            drawOld(world, eye, 400, 20, {.projection = projection}, {.fovDegrees = 90.0}).image;
         std::vector<int> runs = {1};
         for (int x = 1; x < 400; ++x) {
             if (image.at(x, 10) == image.at(x - 1, 10))
@@ -333,8 +365,8 @@ TEST(Classic, EqualAnglesMakeTexturesUnevenlyWide) {
         }
         return runs;
     };
-    // Half a unit at depth 2 with d = 200: 50 pixels everywhere. At equal angles it is 400 / 90 * atan(1 / 4) = 62.4 in the middle, 400 / 90 * (45 - atan(3 /
-    // 4)) = 36.1 at the border.
+    // Half a unit at depth 2 with d = 200: 50 pixels everywhere. At equal angles it is 400 / 90 *
+    // atan(1 / 4) = 62.4 in the middle, 400 / 90 * (45 - atan(3 / 4)) = 36.1 at the border.
     EXPECT_EQ(widths(ClassicProjection::plane), std::vector<int>(8, 50));
     const std::vector<int> uneven = widths(ClassicProjection::equalAnglesCorrected);
     ASSERT_EQ(uneven.size(), 8u);
@@ -371,7 +403,8 @@ TEST(Classic, StretchedTexturesGrowWithTheStack) {
         }
         return lengths;
     };
-    // A unit at depth 4 with d = 173 is 43.3 rows. Three and a half tiles, the half one showing its lower half; or one over 3.5 units, 75.8 rows each half.
+    // A unit at depth 4 with d = 173 is 43.3 rows. Three and a half tiles, the half one showing its
+    // lower half; or one over 3.5 units, 75.8 rows each half.
     const std::vector<int> tiled = runs({});
     ASSERT_EQ(tiled.size(), 7u);
     for (const int length : tiled) EXPECT_NEAR(length, 21.7, 1.0);
@@ -379,12 +412,15 @@ TEST(Classic, StretchedTexturesGrowWithTheStack) {
     ASSERT_EQ(stretched.size(), 2u);
     for (const int length : stretched) EXPECT_NEAR(length, 75.8, 1.0);
 
-    // Blocks that do not touch are stacks of their own: a gap below a level's edge, then one above it.
+    // Blocks that do not touch are stacks of their own: a gap below a level's edge, then one above
+    // it.
     const auto expectStacks = [&](double upperUnits, double lowerUnits) {
         const std::vector<int> lengths = runs({.stretched = true});
         ASSERT_EQ(lengths.size(), 4u);
-        for (const std::size_t run : {0u, 1u}) EXPECT_NEAR(lengths[run], upperUnits / 2.0 * 43.3, 1.0);
-        for (const std::size_t run : {2u, 3u}) EXPECT_NEAR(lengths[run], lowerUnits / 2.0 * 43.3, 1.0);
+        for (const std::size_t run : {0u, 1u})
+            EXPECT_NEAR(lengths[run], upperUnits / 2.0 * 43.3, 1.0);
+        for (const std::size_t run : {2u, 3u})
+            EXPECT_NEAR(lengths[run], lowerUnits / 2.0 * 43.3, 1.0);
     };
     for (int y = 0; y < 9; ++y) map.setCell(10, y, 0, half);
     expectStacks(2.5, 0.5);
@@ -397,7 +433,8 @@ TEST(Classic, StretchedTexturesGrowWithTheStack) {
     expectStacks(2.0, 1.0);
 }
 
-// Ten walls behind one another, and a picture of two pixels at the height of the eye, both of which look along one row of tiles.
+// Ten walls behind one another, and a picture of two pixels at the height of the eye, both of which
+// look along one row of tiles.
 TEST(Classic, PaintersOrderPaintsEverythingOverAndOver) {
     World world = emptyWorld(20, 41, 1, plain("floor", kBlack));
     const BlueprintId block = addBlock(world, addTexture(world, plain("wall", kWhite)));
@@ -411,9 +448,11 @@ TEST(Classic, PaintersOrderPaintsEverythingOverAndOver) {
 }
 
 TEST(Classic, PaintersOrderIsWrongWhereBlocksInterlock) {
-    // From high above, the middle of a far full block is nearer than that of a low slab before it, and so its side is painted over the slab's roof.
+    // From high above, the middle of a far full block is nearer than that of a low slab before it,
+    // and so its side is painted over the slab's roof.
     World world = emptyWorld(12, 9, 1, plain("floor", kBlack));
-    const BlueprintId slab = addBlock(world, addTexture(world, plain("slab", kRed)), {}, toCoordinate(0.2));
+    const BlueprintId slab =
+        addBlock(world, addTexture(world, plain("slab", kRed)), {}, toCoordinate(0.2));
     const BlueprintId full = addBlock(world, addTexture(world, plain("block", kWhite)));
     for (int y = 0; y < 9; ++y) {
         world.maps[0].setCell(4, y, 0, slab);
@@ -425,7 +464,8 @@ TEST(Classic, PaintersOrderIsWrongWhereBlocksInterlock) {
     EXPECT_GT(count(right, kRed), 1000);
     EXPECT_GT(count(right, kRed) - count(painted, kRed), 100);
 
-    // A ceiling that pierces a block: its part inside, which nobody can see, is painted over the block's side.
+    // A ceiling that pierces a block: its part inside, which nobody can see, is painted over the
+    // block's side.
     World pierced = emptyWorld(12, 9, 2, plain("floor", kBlack));
     const BlueprintId wall = addBlock(pierced, addTexture(pierced, plain("wall", kWhite)));
     const TextureId plaster = addTexture(pierced, plain("plaster", kGreen));
@@ -434,7 +474,8 @@ TEST(Classic, PaintersOrderIsWrongWhereBlocksInterlock) {
         map.setCell(6, y, 0, wall);
         map.setCell(6, y, 1, wall);
     }
-    map.ceiling = {.height = toCoordinate(1.3), .tiles = std::vector<TextureId>(12 * 9, kNoTexture)};
+    map.ceiling = {.height = toCoordinate(1.3),
+                   .tiles = std::vector<TextureId>(12 * 9, kNoTexture)};
     for (int y = 0; y < 9; ++y) map.ceiling.tiles[map.tileIndex(6, y)] = plaster;
     const Eye below = eyeAt(3.5, 4.5, 0.5, 0.0);
     EXPECT_EQ(count(drawOld(pierced, below, 100, 100, {}).image, kGreen), 0);
@@ -444,7 +485,8 @@ TEST(Classic, PaintersOrderIsWrongWhereBlocksInterlock) {
 TEST(Classic, OneLevelHidesWhatIsAboveAndBehind) {
     World world = emptyWorld(20, 21, 3, plain("floor", kBlack));
     const BlueprintId tower = addBlock(world, addTexture(world, plain("tower", kWhite)));
-    const BlueprintId low = addBlock(world, addTexture(world, plain("low", kRed)), {}, toCoordinate(0.25));
+    const BlueprintId low =
+        addBlock(world, addTexture(world, plain("low", kRed)), {}, toCoordinate(0.25));
     const BlueprintId upper = addBlock(world, addTexture(world, plain("upper", kGreen)));
     Map& map = world.maps[0];
     for (int y = 0; y < 21; ++y) {
@@ -465,7 +507,8 @@ TEST(Classic, OneLevelHidesWhatIsAboveAndBehind) {
     EXPECT_NEAR(count(flat, kRed) / 100.0, 24.7, 1.0);
 
     // From the level above, that one alone is seen, and stands on the floor.
-    const Image above = drawOld(world, eyeAt(4.5, 10.5, 1.5, 0.0), 100, 100, {.oneLevel = true}).image;
+    const Image above =
+        drawOld(world, eyeAt(4.5, 10.5, 1.5, 0.0), 100, 100, {.oneLevel = true}).image;
     EXPECT_EQ(count(above, kWhite) + count(above, kRed), 0);
     const auto greenRows = [&](int column) {
         int rows = 0;
@@ -482,7 +525,10 @@ TEST(Classic, CoarseSineTablesMakeColumnsAndTurnsJump) {
     const RenderOptions options = {.fovDegrees = 60.0};
     const auto differentColumns = [&](int steps) {
         const Image image =
-            drawOld(world, eyeAt(7.3, 20.4, 0.5, 20.0), 480, 60, {.projection = ClassicProjection::equalAnglesCorrected, .sineSteps = steps}, options).image;
+            drawOld(world, eyeAt(7.3, 20.4, 0.5, 20.0), 480, 60,
+                    {.projection = ClassicProjection::equalAnglesCorrected, .sineSteps = steps},
+                    options)
+                .image;
         int different = 1;
         for (int x = 1; x < 480; ++x) different += columnsAreEqual(image, x - 1, x) ? 0 : 1;
         return different;
@@ -491,10 +537,13 @@ TEST(Classic, CoarseSineTablesMakeColumnsAndTurnsJump) {
     EXPECT_LE(differentColumns(360), 61);
     EXPECT_GT(differentColumns(360), 20);
     EXPECT_GT(differentColumns(360'000), differentColumns(360));
-    EXPECT_EQ(differentColumns(360'000), differentColumns(0)) << "the notes' finer table was fine enough for this";
+    EXPECT_EQ(differentColumns(360'000), differentColumns(0))
+        << "the notes' finer table was fine enough for this";
 
     const auto turned = [&](double heading, int steps) {
-        return drawOld(world, eyeAt(7.3, 20.4, 0.5, heading), 120, 60, {.sineSteps = steps}, options).image.pixels;
+        return drawOld(world, eyeAt(7.3, 20.4, 0.5, heading), 120, 60, {.sineSteps = steps},
+                       options)
+            .image.pixels;
     };
     EXPECT_EQ(turned(20.0, 360), turned(20.9, 360));
     EXPECT_NE(turned(20.0, 360), turned(21.0, 360));
@@ -508,7 +557,8 @@ TEST(Classic, CoarsePixelsAreBlocksOfOneColour) {
     const Image small = drawOld(world, eye, 40, 30, {}).image;
     const Drawn coarse = drawOld(world, eye, 160, 120, {.pixelSize = 4});
     for (int y = 0; y < 120; ++y) {
-        for (int x = 0; x < 160; ++x) ASSERT_EQ(coarse.image.at(x, y), small.at(x / 4, y / 4)) << x << ", " << y;
+        for (int x = 0; x < 160; ++x)
+            ASSERT_EQ(coarse.image.at(x, y), small.at(x / 4, y / 4)) << x << ", " << y;
     }
     EXPECT_EQ(coarse.report.pixelsPainted, 40 * 30);
 
@@ -529,11 +579,14 @@ TEST(Classic, WithoutTexturesAndLightCornersVanish) {
     world.maps[0].light = {.on = true, .intensity = 0.5, .multiplier = 5.0};
     const auto wallColours = [&](const RenderOptions& options) {
         const Image image = drawOld(world, eyeAt(6.5, 8.5, 0.5, 45.0), 200, 100, {}, options).image;
-        return std::set<Pixel>(image.pixels.begin() + 50 * 200, image.pixels.begin() + 51 * 200).size();
+        return std::set<Pixel>(image.pixels.begin() + 50 * 200, image.pixels.begin() + 51 * 200)
+            .size();
     };
-    EXPECT_EQ(wallColours({.textures = false, .light = false}), 1u) << "one colour all along, around the corner too";
+    EXPECT_EQ(wallColours({.textures = false, .light = false}), 1u)
+        << "one colour all along, around the corner too";
     EXPECT_GT(wallColours({.textures = false}), 10u) << "light tells near from far";
-    EXPECT_EQ(wallColours({.light = false}), 8u) << "the texels of one row, as bright far away as near";
+    EXPECT_EQ(wallColours({.light = false}), 8u)
+        << "the texels of one row, as bright far away as near";
     EXPECT_GT(wallColours({}), 30u);
 }
 
@@ -541,15 +594,16 @@ TEST(Classic, RefusesWhatCannotBeDrawn) {
     const World world = wallWorld(plain("wall", kWhite));
     const Eye eye = eyeAt(8.0, 20.5, 0.5, 0.0);
     EXPECT_FALSE(drawOld(world, eye, 8, 8, {}).image.empty());
-    for (const ClassicOptions& wrong : std::vector<ClassicOptions>{{.stepSize = 0.0},
-                                                                   {.stepSize = -0.1},
-                                                                   {.stepSize = 1.1},
-                                                                   {.reach = 0.5},
-                                                                   {.reach = 101.0},
-                                                                   {.sineSteps = -1},
-                                                                   {.sineSteps = kMostSineSteps + 1},
-                                                                   {.pixelSize = 0},
-                                                                   {.pixelSize = kMostPixelSize + 1}}) {
+    for (const ClassicOptions& wrong :
+         std::vector<ClassicOptions>{{.stepSize = 0.0},
+                                     {.stepSize = -0.1},
+                                     {.stepSize = 1.1},
+                                     {.reach = 0.5},
+                                     {.reach = 101.0},
+                                     {.sineSteps = -1},
+                                     {.sineSteps = kMostSineSteps + 1},
+                                     {.pixelSize = 0},
+                                     {.pixelSize = kMostPixelSize + 1}}) {
         EXPECT_TRUE(drawOld(world, eye, 8, 8, wrong).image.empty());
     }
     EXPECT_TRUE(drawOld(world, eyeAt(8.0, 20.5, 0.0, 0.0), 8, 8, {}).image.empty());
@@ -561,27 +615,34 @@ TEST(Classic, RefusesWhatCannotBeDrawn) {
     EXPECT_FALSE(drawClassic(world, eye, {}, {}, {nullptr, 8, 8, 8}));
 }
 
-// All at once, at the least of steps and the widest of views: nothing is divided by zero, nothing looked up beside a texture.
+// All at once, at the least of steps and the widest of views: nothing is divided by zero, nothing
+// looked up beside a texture.
 TEST(Classic, AnyMixtureCanBeDrawn) {
     Random random(5);
     for (std::uint64_t i = 0; i < 60; ++i) {
         const World world = mixedWorld(i);
-        const ClassicOptions classic = {.projection = static_cast<ClassicProjection>(random.below(3)),
-                                        .march = random.oneIn(2),
-                                        .stepSize = random.oneIn(2) ? 0.01 : random.between(0.02, 1.0),
-                                        .reach = random.between(1.0, 100.0),
-                                        .stretched = random.oneIn(2),
-                                        .paintersOrder = random.oneIn(2),
-                                        .oneLevel = random.oneIn(3),
-                                        .sineSteps = random.oneIn(2) ? 0 : random.between(1, 400),
-                                        .pixelSize = random.between(1, 9)};
-        const Eye eye = {.map = 0,
-                         .x = {random.oneIn(4) ? 5 * 65536 : random.between(-3 * 65536, 13 * 65536)},
-                         .y = {random.oneIn(4) ? 4 * 65536 : random.between(-3 * 65536, 12 * 65536)},
-                         .z = {random.oneIn(4) ? 65536 : random.between(1, 6 * 65536)},
-                         .headingDegrees = random.oneIn(3) ? 90.0 * random.between(-4, 4) : random.between(-400.0, 400.0),
-                         .look = random.between(-4.0, 4.0)};
-        const Image image = drawOld(world, eye, 64, 48, classic, {.fovDegrees = random.oneIn(2) ? 150.0 : random.between(10.0, 150.0)}).image;
+        const ClassicOptions classic = {
+            .projection = static_cast<ClassicProjection>(random.below(3)),
+            .march = random.oneIn(2),
+            .stepSize = random.oneIn(2) ? 0.01 : random.between(0.02, 1.0),
+            .reach = random.between(1.0, 100.0),
+            .stretched = random.oneIn(2),
+            .paintersOrder = random.oneIn(2),
+            .oneLevel = random.oneIn(3),
+            .sineSteps = random.oneIn(2) ? 0 : random.between(1, 400),
+            .pixelSize = random.between(1, 9)};
+        const Eye eye = {
+            .map = 0,
+            .x = {random.oneIn(4) ? 5 * 65536 : random.between(-3 * 65536, 13 * 65536)},
+            .y = {random.oneIn(4) ? 4 * 65536 : random.between(-3 * 65536, 12 * 65536)},
+            .z = {random.oneIn(4) ? 65536 : random.between(1, 6 * 65536)},
+            .headingDegrees =
+                random.oneIn(3) ? 90.0 * random.between(-4, 4) : random.between(-400.0, 400.0),
+            .look = random.between(-4.0, 4.0)};
+        const Image image =
+            drawOld(world, eye, 64, 48, classic,
+                    {.fovDegrees = random.oneIn(2) ? 150.0 : random.between(10.0, 150.0)})
+                .image;
         ASSERT_FALSE(image.empty());
         for (const Pixel pixel : image.pixels) ASSERT_EQ(toColour(pixel).a, 255);
     }

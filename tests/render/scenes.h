@@ -32,7 +32,8 @@ inline World emptyWorld(int width, int depth, int levels, Texture floor) {
 }
 
 // A full block with the same texture on all faces.
-inline BlueprintId addBlock(World& world, TextureId texture, Coordinate bottom = {}, Coordinate top = tileEdge(1)) {
+inline BlueprintId addBlock(World& world, TextureId texture, Coordinate bottom = {},
+                            Coordinate top = tileEdge(1)) {
     CellBlueprint blueprint;
     blueprint.bottom = bottom;
     blueprint.top = top;
@@ -47,14 +48,22 @@ inline TextureId addTexture(World& world, Texture texture) {
 }
 
 inline Eye eyeAt(double x, double y, double z, double heading, double look = 0.0) {
-    return {.map = 0, .x = toCoordinate(x), .y = toCoordinate(y), .z = toCoordinate(z), .headingDegrees = heading, .look = look};
+    return {.map = 0,
+            .x = toCoordinate(x),
+            .y = toCoordinate(y),
+            .z = toCoordinate(z),
+            .headingDegrees = heading,
+            .look = look};
 }
 
 // Draws; an image of no pixels if the renderer refuses.
-inline Image draw(const World& world, const Eye& eye, int width, int height, const RenderOptions& options = {}) {
+inline Image draw(const World& world, const Eye& eye, int width, int height,
+                  const RenderOptions& options = {}) {
     Renderer renderer;
     Image image(width, height);
-    return renderer.draw(world, eye, options, {image.pixels.data(), width, height, width}) ? image : Image{};
+    return renderer.draw(world, eye, options, {image.pixels.data(), width, height, width})
+               ? image
+               : Image{};
 }
 
 }  // namespace slicecast::known

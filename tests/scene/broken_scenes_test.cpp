@@ -1,5 +1,6 @@
-// One file per kind of fault that a person could make. broken/expected.json lists for each file the faults that loading reports, with their places, and
-// whether the schema rejects the file as well (schema.test.mjs looks at that).
+// One file per kind of fault that a person could make. broken/expected.json lists for each file the
+// faults that loading reports, with their places, and whether the schema rejects the file as well
+// (schema.test.mjs looks at that).
 #include "scene/json_tree.h"
 #include "scene/scene_files.h"
 
@@ -22,7 +23,9 @@ std::vector<ExpectedScene> readExpected() {
     const SourceText source(text);
     const ParsedJson json = parseJson(source);
     EXPECT_FALSE(json.fault.has_value());
-    const auto word = [](JsonValue object, std::string_view key) { return std::string(object.find(key)->text()); };
+    const auto word = [](JsonValue object, std::string_view key) {
+        return std::string(object.find(key)->text());
+    };
     const auto number = [](JsonValue object, std::string_view key, int otherwise) {
         const auto value = object.find(key);
         return value ? static_cast<int>(value->number()) : otherwise;
@@ -67,7 +70,8 @@ TEST(BrokenScenes, ReportWhatIsWrongAndWhere) {
             EXPECT_EQ(found.row, expected.row);
             EXPECT_EQ(found.character, expected.character);
             EXPECT_NE(found.found.find(expected.found), std::string::npos) << expected.found;
-            EXPECT_NE(found.expected.find(expected.expected), std::string::npos) << expected.expected;
+            EXPECT_NE(found.expected.find(expected.expected), std::string::npos)
+                << expected.expected;
             EXPECT_FALSE(expected.found.empty());
             EXPECT_FALSE(expected.expected.empty());
         }
@@ -76,7 +80,8 @@ TEST(BrokenScenes, ReportWhatIsWrongAndWhere) {
 
 TEST(BrokenScenes, AreAllListed) {
     std::set<std::string> listed;
-    for (const ExpectedScene& scene : readExpected()) EXPECT_TRUE(listed.insert(scene.file).second) << scene.file;
+    for (const ExpectedScene& scene : readExpected())
+        EXPECT_TRUE(listed.insert(scene.file).second) << scene.file;
     std::set<std::string> present;
     for (const auto& entry : std::filesystem::directory_iterator(sceneTestFolder() / "broken")) {
         const std::string name = entry.path().filename().string();
@@ -95,7 +100,9 @@ TEST(BrokenScenes, AreDescribedInOneLine) {
     fault.character = 7;
     fault.found = "'Q'";
     fault.expected = "a character of the legend";
-    EXPECT_EQ(describe(fault), "castle.json:12:5 (/maps/0/levels/1/3, row 3, character 7): found 'Q', expected a character of the legend");
+    EXPECT_EQ(describe(fault),
+              "castle.json:12:5 (/maps/0/levels/1/3, row 3, character 7): found 'Q', expected a "
+              "character of the legend");
 }
 
 }  // namespace

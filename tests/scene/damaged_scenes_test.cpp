@@ -1,4 +1,5 @@
-// Scenes that were cut short or damaged at random: reading them must end, in a sound world or in faults, and never in both. The sanitizers look on.
+// Scenes that were cut short or damaged at random: reading them must end, in a sound world or in
+// faults, and never in both. The sanitizers look on.
 #include "base/random.h"
 #include "scene/scene.h"
 #include "scene/scene_files.h"
@@ -18,9 +19,11 @@ void expectSound(const World& world) {
     for (const Texture& texture : world.textures) EXPECT_GE(texture.size(), kMinTextureSize);
     for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
         EXPECT_GE(world.blueprints[i].bottom.raw, 0);
-        EXPECT_TRUE(world.blueprints[i].bottom < world.blueprints[i].top || world.blueprints[i].mover >= 0);
+        EXPECT_TRUE(world.blueprints[i].bottom < world.blueprints[i].top ||
+                    world.blueprints[i].mover >= 0);
         EXPECT_LE(world.blueprints[i].top.raw, 65536);
-        for (const FaceBlueprint& face : world.blueprints[i].faces) EXPECT_LT(face.texture, textures);
+        for (const FaceBlueprint& face : world.blueprints[i].faces)
+            EXPECT_LT(face.texture, textures);
     }
     ASSERT_FALSE(world.maps.empty());
     for (const Map& map : world.maps) {
@@ -57,7 +60,9 @@ bool expectWorldOrFaults(const std::string& text, const SceneFiles& files) {
     EXPECT_EQ(parsed.description == nullptr, !parsed.faults.empty());
     const LoadedScene loaded = loadScene(parsed, files);
     EXPECT_EQ(loaded.world.has_value(), loaded.faults.empty());
-    const int lines = 1 + static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }));
+    const int lines = 1 + static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) {
+                          return c == '\n' || c == '\r';
+                      }));
     for (const Fault& fault : loaded.faults) {
         EXPECT_FALSE(fault.found.empty());
         EXPECT_FALSE(fault.expected.empty());
@@ -75,7 +80,8 @@ std::string damaged(std::string text, Random& random) {
     for (int i = 0; i < changes; ++i) {
         const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
         constexpr std::string_view kTelling = "{}[]\",:.#0123456789-+eE\\u \n\r\t\xff\xc3\xed\xf0";
-        const char telling = kTelling[static_cast<std::size_t>(random.below(static_cast<int>(kTelling.size())))];
+        const char telling =
+            kTelling[static_cast<std::size_t>(random.below(static_cast<int>(kTelling.size())))];
         switch (random.below(5)) {
             case 0:
                 text[at] = static_cast<char>(random.below(256));
@@ -90,7 +96,8 @@ std::string damaged(std::string text, Random& random) {
                 text.erase(at, static_cast<std::size_t>(random.between(1, 8)));
                 break;
             default: {
-                const auto from = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
+                const auto from =
+                    static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
                 text.insert(at, text.substr(from, static_cast<std::size_t>(random.between(1, 40))));
             }
         }
@@ -119,7 +126,8 @@ TEST_F(DamagedScenes, GiveAWorldOrFaults) {
     constexpr int kScenes = 6000;
     Random random(20);
     int worlds = 0;
-    for (int i = 0; i < kScenes; ++i) worlds += expectWorldOrFaults(damaged(text_, random), files_) ? 1 : 0;
+    for (int i = 0; i < kScenes; ++i)
+        worlds += expectWorldOrFaults(damaged(text_, random), files_) ? 1 : 0;
     // Some damage does no harm (a comment, a colour); most does.
     EXPECT_GT(worlds, kScenes / 50);
     EXPECT_LT(worlds, kScenes / 2);

@@ -1,4 +1,5 @@
-// Scenes at and beyond the limits: refused before they take the memory, and quick to read up to there.
+// Scenes at and beyond the limits: refused before they take the memory, and quick to read up to
+// there.
 #include "scene/limits.h"
 
 #include "base/image.h"
@@ -29,7 +30,8 @@ TEST(Limits, TheLargestMapIsReadInSeconds) {
     const std::string text = smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + "]");
     const auto start = std::chrono::steady_clock::now();
     const ParsedScene parsed = parseScene(text, "test.json");
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     EXPECT_EQ(inWords(parsed.faults), "");
 #ifndef SLICECAST_SANITIZED
     EXPECT_LT(seconds, 4.0);
@@ -42,7 +44,8 @@ TEST(Limits, TheLargestMapIsReadInSeconds) {
     EXPECT_EQ(loaded.world->maps[0].depth, kMaxMapDepth);
 }
 
-// Texts that would take minutes if anything in their reading went with the square of a length, or slowly digit by digit.
+// Texts that would take minutes if anything in their reading went with the square of a length, or
+// slowly digit by digit.
 TEST(Limits, HostileTextsAreReadInSeconds) {
     const auto repeated = [](const std::string& text, int times) {
         std::string all;
@@ -54,10 +57,12 @@ TEST(Limits, HostileTextsAreReadInSeconds) {
     for (char32_t c = 0x10000 + 200000; c > 0x10000; --c) key += toUtf8(c);
     // Rows of every width, and then many more
     std::string rows;
-    for (int width = 10000; width > 1; --width) rows += "\"" + std::string(static_cast<std::size_t>(width), '.') + "\",";
+    for (int width = 10000; width > 1; --width)
+        rows += "\"" + std::string(static_cast<std::size_t>(width), '.') + "\",";
     // The keys of one object, a third of them twice
     std::string members;
-    for (int i = 0; i < 300000; ++i) members += (i > 0 ? ",\"" : "\"") + std::to_string(i % 200000) + "\":0";
+    for (int i = 0; i < 300000; ++i)
+        members += (i > 0 ? ",\"" : "\"") + std::to_string(i % 200000) + "\":0";
     const std::string texts[] = {
         smallScene(R"([["###", "#.#", "###"]])", "\"legend\": { \"" + key + "\": \"wall\" }"),
         "[" + repeated("9e307", 100000) + "]",
@@ -68,7 +73,8 @@ TEST(Limits, HostileTextsAreReadInSeconds) {
     for (const std::string& text : texts) {
         const auto start = std::chrono::steady_clock::now();
         EXPECT_FALSE(faultsOf(text).empty());
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 #ifndef SLICECAST_SANITIZED
         EXPECT_LT(seconds, 2.0) << text.substr(0, 60);
 #else
@@ -79,7 +85,8 @@ TEST(Limits, HostileTextsAreReadInSeconds) {
 
 TEST(Limits, EmptyLevelsCountAsCells) {
     // 4096 x 4096 x 4 cells are more than 64 million; the text says so in a few bytes.
-    const std::vector<Fault> faults = faultsOf(smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + ",[],[],[]]"));
+    const std::vector<Fault> faults =
+        faultsOf(smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + ",[],[],[]]"));
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_NE(faults[0].found.find("67108864 cells"), std::string::npos) << faults[0].found;
 }
@@ -87,7 +94,8 @@ TEST(Limits, EmptyLevelsCountAsCells) {
 TEST(Limits, CellsAreCountedInAllMapsTogether) {
     const std::string first = "[" + level(4096, 2048) + ",[],[],[]]";  // 33.6 million
     const std::string second = R"("levels": [)" + level(4096, 2048) + ",[],[],[]]";
-    const std::string text = smallScene(first, R"("far": 9 }, { "name": "other", "floor": "brick", )" + second);
+    const std::string text =
+        smallScene(first, R"("far": 9 }, { "name": "other", "floor": "brick", )" + second);
     const std::vector<Fault> faults = faultsOf(text);
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_EQ(faults[0].pointer, "/maps/1/levels");
@@ -113,16 +121,20 @@ TEST(Limits, FilesAndValues) {
 TEST(Limits, NamesTitlesAndLegends) {
     const auto withTexture = [](std::size_t length) {
         const std::string name(length, 'n');
-        return R"({ "title": "T", "textures": { ")" + name + R"(": "broken/images/brick.png" }, "maps": [{ "name": "m", "floor": ")" + name +
+        return R"({ "title": "T", "textures": { ")" + name +
+               R"(": "broken/images/brick.png" }, "maps": [{ "name": "m", "floor": ")" + name +
                R"(", "levels": [["..", ".."]] }], "start": { "x": 1, "y": 1 } })";
     };
     EXPECT_EQ(faultsOf(withTexture(kMaxNameLength)).size(), 0u);
-    EXPECT_EQ(faultsOf(withTexture(kMaxNameLength + 1)).size(), 2u);  // where it is given, and where it is used
+    EXPECT_EQ(faultsOf(withTexture(kMaxNameLength + 1)).size(),
+              2u);  // where it is given, and where it is used
 
     const auto withLegend = [](std::size_t count) {
         std::string legend;
         for (std::size_t i = 0; i < count; ++i)
-            legend += (i > 0 ? ", \"" : "\"") + std::string("\xe4") + static_cast<char>(0x80 + i / 64) + static_cast<char>(0x80 + i % 64) + "\": \"wall\"";
+            legend += (i > 0 ? ", \"" : "\"") + std::string("\xe4") +
+                      static_cast<char>(0x80 + i / 64) + static_cast<char>(0x80 + i % 64) +
+                      "\": \"wall\"";
         return smallScene(R"([["###", "#.#", "###"]])", R"("legend": { )" + legend + " }");
     };
     EXPECT_EQ(faultsOf(withLegend(kMaxLegend)).size(), 0u);
@@ -145,7 +157,8 @@ TEST(Limits, NoMoreFaultsThanAPersonReads) {
 
 TEST(Limits, NoMoreMissingImagesEither) {
     std::string textures;
-    for (int i = 0; i < 1200; ++i) textures += "\"t" + std::to_string(i) + "\": \"" + std::to_string(i) + ".png\", ";
+    for (int i = 0; i < 1200; ++i)
+        textures += "\"t" + std::to_string(i) + "\": \"" + std::to_string(i) + ".png\", ";
     std::string text = smallScene();
     text.insert(text.find("\"brick\": "), textures);
     const std::vector<Fault> faults = loadScene(parseScene(text, "test.json"), {}).faults;
@@ -155,7 +168,8 @@ TEST(Limits, NoMoreMissingImagesEither) {
 }
 
 TEST(Limits, AreTheSchemasToo) {
-    const std::string text = readText(std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "assets/scene.schema.json");
+    const std::string text =
+        readText(std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "assets/scene.schema.json");
     const SourceText source(text);
     const ParsedJson json = parseJson(source);
     ASSERT_FALSE(json.fault.has_value());
@@ -183,8 +197,10 @@ TEST(Limits, AreTheSchemasToo) {
     const Map normal;
     EXPECT_EQ(number({"definitions", "map", "properties", "levels", "maxItems"}), kMaxLevels);
     EXPECT_EQ(number({"definitions", "map", "properties", "sow", "maxItems"}), kMaxSowings);
-    EXPECT_EQ(number({"definitions", "objectMotion", "properties", "speed", "maximum"}), kMaxObjectSpeed);
-    EXPECT_EQ(number({"definitions", "objectMotion", "properties", "reach", "maximum"}), kMaxObjectReach);
+    EXPECT_EQ(number({"definitions", "objectMotion", "properties", "speed", "maximum"}),
+              kMaxObjectSpeed);
+    EXPECT_EQ(number({"definitions", "objectMotion", "properties", "reach", "maximum"}),
+              kMaxObjectReach);
     EXPECT_EQ(number({"definitions", "map", "properties", "far", "maximum"}), kMaxFar);
     EXPECT_EQ(number({"definitions", "map", "properties", "far", "default"}), kDefaultFar);
     EXPECT_EQ(ofMap("ceiling", "height", "maximum"), kMaxHeight);
@@ -198,7 +214,8 @@ TEST(Limits, AreTheSchemasToo) {
     EXPECT_EQ(number({"definitions", "slope", "maximum"}), kMaxSkySlope);
     EXPECT_EQ(number({"definitions", "slope", "default"}), normal.sky.slope);
     EXPECT_EQ(number({"definitions", "start", "properties", "z", "maximum"}), kMaxHeight);
-    EXPECT_EQ(number({"definitions", "start", "properties", "heading", "maximum"}), kMaxStartHeading);
+    EXPECT_EQ(number({"definitions", "start", "properties", "heading", "maximum"}),
+              kMaxStartHeading);
     EXPECT_EQ(number({"definitions", "start", "properties", "look", "maximum"}), kLookLimit);
 }
 
@@ -214,7 +231,8 @@ std::string sownScene(int side, const std::string& sow) {
 TEST(Limits, SownObjects) {
     const std::string bush = R"({ "sprite": "bush", "density": 1, "height": 1 })";
     const ParsedScene full = parseScene(sownScene(1000, bush), "test.json");
-    EXPECT_EQ(inWords(full.faults), "") << "one less than there are tiles: nobody stands at the start";
+    EXPECT_EQ(inWords(full.faults), "")
+        << "one less than there are tiles: nobody stands at the start";
     const ParsedScene over = parseScene(sownScene(1001, bush), "test.json");
     ASSERT_EQ(over.faults.size(), 1u);
     EXPECT_EQ(over.faults[0].pointer, "/maps/0/sow/0");
@@ -229,16 +247,20 @@ TEST(Limits, SownObjects) {
 }
 
 TEST(Limits, ImagesOfAllMapsTogether) {
-    // 32 maps that show one panorama of 2 million pixels have all that there may be; the texture is too much.
+    // 32 maps that show one panorama of 2 million pixels have all that there may be; the texture is
+    // too much.
     Image sky(2048, 1024);
     sky.pixels.assign(sky.pixels.size(), toPixel({120, 160, 220, 255}));
     constexpr int kMaps = 32;
     static_assert(kMaps * std::int64_t{2048} * 1024 == kMaxSceneTexels);
     std::string maps;
     for (int i = 1; i < kMaps; ++i) {
-        maps += R"("sky": { "panorama": "sky.png" } }, { "name": "map )" + std::to_string(i) + R"(", "floor": "brick", "levels": [["."]], )";
+        maps += R"("sky": { "panorama": "sky.png" } }, { "name": "map )" + std::to_string(i) +
+                R"(", "floor": "brick", "levels": [["."]], )";
     }
-    const ParsedScene parsed = parseScene(smallScene(R"([["...", "...", "..."]])", maps + R"("sky": { "panorama": "sky.png" })"), "test.json");
+    const ParsedScene parsed = parseScene(
+        smallScene(R"([["...", "...", "..."]])", maps + R"("sky": { "panorama": "sky.png" })"),
+        "test.json");
     EXPECT_EQ(inWords(parsed.faults), "");
     SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
     files["sky.png"] = encodePng(sky.pixels.data(), sky.width, sky.height, sky.width);

@@ -6,7 +6,8 @@ namespace slicecast {
 namespace {
 
 TEST(Names, SuggestsTheNearest) {
-    const std::vector<std::string_view> names = {"brick", "stone", "planks", "top", "bottom", "sky-day"};
+    const std::vector<std::string_view> names = {"brick", "stone",  "planks",
+                                                 "top",   "bottom", "sky-day"};
     EXPECT_EQ(nearestName("brik", names), "brick");
     EXPECT_EQ(nearestName("birck", names), "brick");  // two letters swapped
     EXPECT_EQ(nearestName("Stone", names), "stone");

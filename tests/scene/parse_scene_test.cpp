@@ -24,10 +24,13 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(ParseScene, NamesTheFilesThatItNeeds) {
-    const ParsedScene parsed = parseScene(readText(sceneTestFolder() / "everything.json"), "everything.json");
+    const ParsedScene parsed =
+        parseScene(readText(sceneTestFolder() / "everything.json"), "everything.json");
     EXPECT_EQ(inWords(parsed.faults), "");
     ASSERT_NE(parsed.description, nullptr);
-    EXPECT_EQ(parsed.files, (std::vector<std::string>{"broken/images/brick.png", "broken/images/tile.png", "broken/images/sheet.png", "broken/images/sky.png"}));
+    EXPECT_EQ(parsed.files,
+              (std::vector<std::string>{"broken/images/brick.png", "broken/images/tile.png",
+                                        "broken/images/sheet.png", "broken/images/sky.png"}));
 }
 
 TEST(ParseScene, ReadsEveryKey) {
@@ -80,7 +83,8 @@ TEST(ParseScene, ReadsEveryKey) {
     for (int face = 0; face < kFaces; ++face) {
         const bool isRoof = face == static_cast<int>(Face::top);
         EXPECT_EQ(world.blueprints[slab].faces[face].mirror, isRoof ? 128 : 0) << kFaceNames[face];
-        EXPECT_EQ(world.blueprints[brazier].faces[face].mirror, isRoof ? 255 : 0) << kFaceNames[face];
+        EXPECT_EQ(world.blueprints[brazier].faces[face].mirror, isRoof ? 255 : 0)
+            << kFaceNames[face];
         EXPECT_EQ(world.blueprints[slab].faces[face].texture, textures[face]) << kFaceNames[face];
         EXPECT_EQ(world.blueprints[slab].faces[face].light, lights[face]) << kFaceNames[face];
     }
@@ -101,14 +105,17 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(hall.cell(2, 1, 2), slab);
     EXPECT_EQ(hall.occupied[hall.tileIndex(0, 0)], 1u);
     EXPECT_EQ(hall.occupied[hall.tileIndex(2, 1)], 4u);
-    EXPECT_EQ(std::count_if(hall.cells.begin(), hall.cells.end(), [](BlueprintId id) { return id != kEmptyCell; }), 17);
+    EXPECT_EQ(std::count_if(hall.cells.begin(), hall.cells.end(),
+                            [](BlueprintId id) { return id != kEmptyCell; }),
+              17);
 
     EXPECT_EQ(hall.floor.texture, brick);
     EXPECT_EQ(hall.floor.light, 0.5);
     EXPECT_TRUE(hall.floor.glow);
     EXPECT_EQ(hall.floor.mirror, 77);  // 76.5
     EXPECT_TRUE(hall.ceiling.glow);
-    EXPECT_EQ(hall.floor.tiles, (std::vector<TextureId>{0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(hall.floor.tiles,
+              (std::vector<TextureId>{0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
     EXPECT_EQ(hall.ceiling.height.raw, 98304);
     EXPECT_EQ(hall.ceiling.light, 0.25);
     EXPECT_EQ(hall.ceiling.tiles[0], kNoTexture);
@@ -209,22 +216,50 @@ TEST(ParseScene, ReadsEveryKey) {
     const int plainMap = 3;
     const int galleryMap = 4;
     const Map& gallery = world.maps[galleryMap];
-    const auto faceOf = [&](int x, int y, Face face) { return world.blueprints[gallery.cell(x, y, 0)].face(face).portal; };
+    const auto faceOf = [&](int x, int y, Face face) {
+        return world.blueprints[gallery.cell(x, y, 0)].face(face).portal;
+    };
     ASSERT_EQ(world.portals.size(), 5u);
     const PortalId door = faceOf(0, 1, Face::east);
-    EXPECT_EQ(world.portals[door], (Portal{.fromMap = galleryMap, .fromX = 0, .fromY = 1, .toMap = plainMap, .toX = 0, .toY = 0, .turn = 3, .levels = 0}));
+    EXPECT_EQ(world.portals[door], (Portal{.fromMap = galleryMap,
+                                           .fromX = 0,
+                                           .fromY = 1,
+                                           .toMap = plainMap,
+                                           .toX = 0,
+                                           .toY = 0,
+                                           .turn = 3,
+                                           .levels = 0}));
     EXPECT_EQ(faceOf(0, 1, Face::west), kNoPortal);
     EXPECT_EQ(faceOf(0, 0, Face::east), kNoPortal);
     EXPECT_TRUE(world.blueprints[gallery.cell(0, 1, 0)].hasPortals);
     EXPECT_FALSE(world.blueprints[gallery.cell(0, 0, 0)].hasPortals);
     // Who walks south into the pillar comes out of the east wall, going west.
-    EXPECT_EQ(world.portals[faceOf(2, 2, Face::north)],
-              (Portal{.fromMap = galleryMap, .fromX = 2, .fromY = 2, .toMap = galleryMap, .toX = 3, .toY = 1, .turn = 1, .levels = 0}));
-    EXPECT_EQ(world.portals[faceOf(4, 1, Face::west)],
-              (Portal{.fromMap = galleryMap, .fromX = 4, .fromY = 1, .toMap = galleryMap, .toX = 2, .toY = 1, .turn = 3, .levels = 0}));
+    EXPECT_EQ(world.portals[faceOf(2, 2, Face::north)], (Portal{.fromMap = galleryMap,
+                                                                .fromX = 2,
+                                                                .fromY = 2,
+                                                                .toMap = galleryMap,
+                                                                .toX = 3,
+                                                                .toY = 1,
+                                                                .turn = 1,
+                                                                .levels = 0}));
+    EXPECT_EQ(world.portals[faceOf(4, 1, Face::west)], (Portal{.fromMap = galleryMap,
+                                                               .fromX = 4,
+                                                               .fromY = 1,
+                                                               .toMap = galleryMap,
+                                                               .toX = 2,
+                                                               .toY = 1,
+                                                               .turn = 3,
+                                                               .levels = 0}));
     ASSERT_NE(gallery.tilePortal(1, 2), kNoPortal);
     ASSERT_NE(gallery.tilePortal(3, 2), kNoPortal);
-    const Portal lift = {.fromMap = galleryMap, .fromX = 1, .fromY = 2, .toMap = galleryMap, .toX = 3, .toY = 2, .turn = 2, .levels = 1};
+    const Portal lift = {.fromMap = galleryMap,
+                         .fromX = 1,
+                         .fromY = 2,
+                         .toMap = galleryMap,
+                         .toX = 3,
+                         .toY = 2,
+                         .turn = 2,
+                         .levels = 1};
     EXPECT_EQ(world.portals[gallery.tilePortal(1, 2)], lift);
     EXPECT_EQ(world.portals[gallery.tilePortal(3, 2)], reversed(lift));
 
@@ -260,12 +295,16 @@ TEST(ParseScene, ReadsWhatMovesAndOpens) {
     const int works = 2;
     ASSERT_EQ(world.movers.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(world.movers[i].map, works);
-    const auto motionAt = [&](int x, int y) { return world.blueprints[world.maps[works].cells[world.maps[works].cellIndex(x, y, 0)]].motion; };
+    const auto motionAt = [&](int x, int y) {
+        return world.blueprints[world.maps[works].cells[world.maps[works].cellIndex(x, y, 0)]]
+            .motion;
+    };
     EXPECT_EQ(motionAt(0, 0), 0);
     EXPECT_EQ(motionAt(1, 0), 0);
     EXPECT_EQ(motionAt(0, 2), 1);
     EXPECT_EQ(motionAt(1, 2), 2);
-    EXPECT_EQ(world.blueprints[world.maps[works].cell(0, 0, 1)].top, toCoordinate(0.625));  // half way up
+    EXPECT_EQ(world.blueprints[world.maps[works].cell(0, 0, 1)].top,
+              toCoordinate(0.625));  // half way up
 
     ASSERT_EQ(world.gateKinds.size(), 2u);
     const GateKind& gate = world.gateKinds[0];
@@ -288,7 +327,8 @@ TEST(ParseScene, ReadsWhatMovesAndOpens) {
     const CellBlueprint& shut = world.blueprints[world.maps[works].cell(2, 1, 0)];
     EXPECT_TRUE(open.passable);
     EXPECT_FALSE(shut.passable);
-    // The held sheet at its first frame, and on an open gate at its last; the rest of the gate is as it says.
+    // The held sheet at its first frame, and on an open gate at its last; the rest of the gate is
+    // as it says.
     EXPECT_TRUE(open.seeThrough);
     EXPECT_EQ(shut.face(Face::north).texture, 3);
     EXPECT_EQ(shut.face(Face::east).texture, 3);
@@ -314,7 +354,9 @@ TEST(ParseScene, GivesWhatIsLeftOutItsNormalValue) {
 }
 
 TEST(ParseScene, RoundsCoordinatesAndNothingElse) {
-    const World world = load(replaced(smallScene(), R"("x": 1.5, "y": 1.5)", R"("x": 1.4000076, "y": 1.59999, "heading": 0.1, "look": 0.3)"));
+    const World world =
+        load(replaced(smallScene(), R"("x": 1.5, "y": 1.5)",
+                      R"("x": 1.4000076, "y": 1.59999, "heading": 0.1, "look": 0.3)"));
     EXPECT_EQ(world.start.x.raw, 91751);   // 65536 * 1.4000076 = 91750.898...
     EXPECT_EQ(world.start.y.raw, 104857);  // 65536 * 1.59999 = 104856.9...
     EXPECT_EQ(world.start.headingDegrees, 0.1);
@@ -323,10 +365,14 @@ TEST(ParseScene, RoundsCoordinatesAndNothingElse) {
 
 TEST(ParseScene, ReadsNumbersWithCorrectRounding) {
     // Halfway cases and long digits that quick parsers get wrong.
-    for (const auto& [text, value] : {std::pair{"0.1000000000000000055511151231257827021181583404541015625", 0.1},
-                                      std::pair{"0.41866852935895693", 0.41866852935895693}, std::pair{"0.99892030650086816", 0.99892030650086816},
-                                      std::pair{"0.30000000000000004", 0.30000000000000004}, std::pair{"123456789012345678e-18", 0.123456789012345678}}) {
-        const World world = load(replaced(smallScene(), R"("y": 1.5)", R"("y": 1.5, "look": )" + std::string(text)));
+    for (const auto& [text, value] :
+         {std::pair{"0.1000000000000000055511151231257827021181583404541015625", 0.1},
+          std::pair{"0.41866852935895693", 0.41866852935895693},
+          std::pair{"0.99892030650086816", 0.99892030650086816},
+          std::pair{"0.30000000000000004", 0.30000000000000004},
+          std::pair{"123456789012345678e-18", 0.123456789012345678}}) {
+        const World world = load(
+            replaced(smallScene(), R"("y": 1.5)", R"("y": 1.5, "look": )" + std::string(text)));
         EXPECT_EQ(world.start.look, value) << text;
     }
 }
@@ -350,31 +396,38 @@ TEST(ParseScene, ReadsTheSameFromEveryKindOfLineEnd) {
 }
 
 TEST(ParseScene, FindsTheCharacterBehindEscapes) {
-    const std::vector<Fault> faults = parseScene(smallScene("[[\"###\", \"\\u0023\\ud83e\\uddf1#\", \"###\"]]"), "test.json").faults;
+    const std::vector<Fault> faults =
+        parseScene(smallScene("[[\"###\", \"\\u0023\\ud83e\\uddf1#\", \"###\"]]"), "test.json")
+            .faults;
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_EQ(faults[0].found, "'\xf0\x9f\xa7\xb1'");
     EXPECT_EQ(faults[0].row, 1);
     EXPECT_EQ(faults[0].character, 1);
     // The pair is one character: Q is the third.
-    const std::vector<Fault> third = parseScene(smallScene("[[\"###\", \"\\u0023\\ud83e\\uddf1Q\", \"###\"]]"), "test.json").faults;
+    const std::vector<Fault> third =
+        parseScene(smallScene("[[\"###\", \"\\u0023\\ud83e\\uddf1Q\", \"###\"]]"), "test.json")
+            .faults;
     ASSERT_EQ(third.size(), 2u);
     EXPECT_EQ(third[1].character, 2);
     EXPECT_EQ(third[0].column + 12, third[1].column);
-    const std::vector<Fault> behind = parseScene(smallScene("[[\"###\", \"\\u0023\\\"Q\", \"###\"]]"), "test.json").faults;
+    const std::vector<Fault> behind =
+        parseScene(smallScene("[[\"###\", \"\\u0023\\\"Q\", \"###\"]]"), "test.json").faults;
     ASSERT_EQ(behind.size(), 2u);
     EXPECT_EQ(behind[0].column + 2, behind[1].column);
     EXPECT_EQ(behind[1].character, 2);
 }
 
 TEST(ParseScene, NeedsNoBlueprints) {
-    const World world = load(R"({ "title": "Plain", "textures": { "grass": "broken/images/brick.png" },
+    const World world =
+        load(R"({ "title": "Plain", "textures": { "grass": "broken/images/brick.png" },
         "maps": [{ "name": "plain", "levels": [["...", "...", "..."]], "floor": "grass" }], "start": { "x": 1, "y": 1 } })");
     EXPECT_EQ(world.maps[0].width, 3);
 }
 
 TEST(ParseScene, StartsCrouchedWhereThereIsNoRoomToStand) {
     const std::string low = R"("ceiling": { "height": 0.5, "texture": "brick" })";
-    EXPECT_EQ(inWords(parseScene(smallScene(R"([["###", "#.#", "###"]])", low), "test.json").faults), "");
+    EXPECT_EQ(
+        inWords(parseScene(smallScene(R"([["###", "#.#", "###"]])", low), "test.json").faults), "");
 }
 
 TEST(LoadScene, PassesOnTheFaultsOfTheText) {
@@ -404,17 +457,21 @@ TEST(LoadScene, TakesImagesThatWereDecodedEarly) {
         bytes = {1, 2, 3};  // not looked at again
     }
     const LoadedScene loaded = loadScene(parsed, files, std::move(early));
-    ASSERT_TRUE(loaded.world.has_value()) << (loaded.faults.empty() ? "" : describe(loaded.faults[0]));
+    ASSERT_TRUE(loaded.world.has_value())
+        << (loaded.faults.empty() ? "" : describe(loaded.faults[0]));
     ASSERT_EQ(loaded.world->textures.size(), expected.world->textures.size());
     for (std::size_t i = 0; i < loaded.world->textures.size(); ++i) {
-        EXPECT_EQ(loaded.world->textures[i].levels[0].texels, expected.world->textures[i].levels[0].texels);
+        EXPECT_EQ(loaded.world->textures[i].levels[0].texels,
+                  expected.world->textures[i].levels[0].texels);
     }
 }
 
 TEST(LoadScene, TellsTheFaultsOfImagesThatWereDecodedEarly) {
     const ParsedScene parsed = parseScene(smallScene(), "test.json");
     const std::vector<Pixel> pixels(2048 * 2048, toPixel({1, 2, 3, 255}));
-    for (const std::vector<std::uint8_t>& bytes : {encodePng(pixels.data(), 2048, 2048, 2048), encodePng(pixels.data(), 24, 24, 24), std::vector<std::uint8_t>{1}}) {
+    for (const std::vector<std::uint8_t>& bytes :
+         {encodePng(pixels.data(), 2048, 2048, 2048), encodePng(pixels.data(), 24, 24, 24),
+          std::vector<std::uint8_t>{1}}) {
         SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
         EarlyImages early;
         for (auto& [name, content] : files) early.decode(name, content = bytes);

@@ -20,7 +20,8 @@ SceneFiles readSceneFiles(const std::filesystem::path& folder, const ParsedScene
 LoadedScene loadFrom(const std::filesystem::path& path);
 
 // A scene of one room whose parts a test replaces.
-std::string smallScene(const std::string& levels = R"([["###", "#.#", "###"]])", const std::string& moreOfTheMap = "");
+std::string smallScene(const std::string& levels = R"([["###", "#.#", "###"]])",
+                       const std::string& moreOfTheMap = "");
 
 // All faults in words, a line each.
 std::string inWords(const std::vector<Fault>& faults);

@@ -8,9 +8,11 @@ namespace {
 
 TEST(ShippedScenes, Load) {
     int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "assets/scenes")) {
+    for (const auto& entry : std::filesystem::directory_iterator(
+             std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "assets/scenes")) {
         // The index lists the scenes for the page's menu.
-        if (entry.path().extension() != ".json" || entry.path().filename() == "index.json") continue;
+        if (entry.path().extension() != ".json" || entry.path().filename() == "index.json")
+            continue;
         const LoadedScene loaded = loadFrom(entry.path());
         EXPECT_EQ(inWords(loaded.faults), "");
         EXPECT_TRUE(loaded.world.has_value()) << entry.path();

@@ -39,15 +39,24 @@ TEST(SourceText, FindsPlacesInLongTextsAsInShortOnes) {
     Random random(7);
     std::string text;
     while (text.size() < 20'000) {
-        const char* parts[] = {"a", "\n", "\r\n", "\xc3\xa9", "\xe2\x96\x88", "\xf0\x9f\xa7\xb1", "a long piece of text", "\r"};
+        const char* parts[] = {"a",
+                               "\n",
+                               "\r\n",
+                               "\xc3\xa9",
+                               "\xe2\x96\x88",
+                               "\xf0\x9f\xa7\xb1",
+                               "a long piece of text",
+                               "\r"};
         text += parts[random.below(8)];
     }
     const SourceText source(text);
     int line = 1;
     int column = 1;
     for (std::size_t offset = 0; offset < text.size();) {
-        ASSERT_EQ(placeOf(source, offset), std::to_string(line) + ":" + std::to_string(column)) << offset;
-        const bool endsLine = text[offset] == '\n' || (text[offset] == '\r' && text[offset + 1] != '\n');
+        ASSERT_EQ(placeOf(source, offset), std::to_string(line) + ":" + std::to_string(column))
+            << offset;
+        const bool endsLine =
+            text[offset] == '\n' || (text[offset] == '\r' && text[offset + 1] != '\n');
         if (endsLine) {
             ++line;
             column = 1;
@@ -59,17 +68,29 @@ TEST(SourceText, FindsPlacesInLongTextsAsInShortOnes) {
 }
 
 TEST(SourceText, KnowsWhatIsUtf8) {
-    for (const char* sound : {"", "plain", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80", "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"}) {
+    for (const char* sound : {"", "plain", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf",
+                              "\xee\x80\x80", "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"}) {
         EXPECT_FALSE(SourceText(sound).invalidByte().has_value()) << sound;
     }
-    const std::string_view faulty[] = {"ab\x80",         "ab\xc3",         "ab\xc0\xaf",         "ab\xc1\xbf",         "ab\xe2\x96",
-                                       "ab\xe0\x9f\xbf", "ab\xed\xa0\x80", "ab\xf0\x8f\xbf\xbf", "ab\xf4\x90\x80\x80", "ab\xf5\x80\x80\x80",
-                                       "ab\xff",         "ab\xf0\x9f\xa7 "};
-    for (const std::string_view text : faulty) EXPECT_EQ(SourceText(text).invalidByte(), std::size_t{2}) << text;
+    const std::string_view faulty[] = {"ab\x80",
+                                       "ab\xc3",
+                                       "ab\xc0\xaf",
+                                       "ab\xc1\xbf",
+                                       "ab\xe2\x96",
+                                       "ab\xe0\x9f\xbf",
+                                       "ab\xed\xa0\x80",
+                                       "ab\xf0\x8f\xbf\xbf",
+                                       "ab\xf4\x90\x80\x80",
+                                       "ab\xf5\x80\x80\x80",
+                                       "ab\xff",
+                                       "ab\xf0\x9f\xa7 "};
+    for (const std::string_view text : faulty)
+        EXPECT_EQ(SourceText(text).invalidByte(), std::size_t{2}) << text;
 }
 
 TEST(SourceText, ConvertsCodePointsBothWays) {
-    for (const char32_t codePoint : {0x24u, 0x7fu, 0x80u, 0x7ffu, 0x800u, 0xffffu, 0x10000u, 0x10ffffu}) {
+    for (const char32_t codePoint :
+         {0x24u, 0x7fu, 0x80u, 0x7ffu, 0x800u, 0xffffu, 0x10000u, 0x10ffffu}) {
         const std::string bytes = toUtf8(codePoint);
         EXPECT_EQ(utf8Length(bytes, 0), static_cast<int>(bytes.size()));
         std::size_t offset = 0;
@@ -80,8 +101,11 @@ TEST(SourceText, ConvertsCodePointsBothWays) {
 }
 
 TEST(SourceText, KnowsWhatCanBeSeen) {
-    for (const char32_t seen : {U'#', U'~', U'a', U'\u00e9', U'\u2588', U'\u65e5', U'\U0001f9f1'}) EXPECT_TRUE(isPrintable(seen));
-    for (const char32_t unseen : {U' ', U'\t', U'\u007f', U'\u00a0', U'\u00ad', U'\u0301', U'\u200b', U'\u200d', U'\u2028', U'\u3000', U'\ufe0f', U'\ufeff'}) {
+    for (const char32_t seen : {U'#', U'~', U'a', U'\u00e9', U'\u2588', U'\u65e5', U'\U0001f9f1'})
+        EXPECT_TRUE(isPrintable(seen));
+    for (const char32_t unseen :
+         {U' ', U'\t', U'\u007f', U'\u00a0', U'\u00ad', U'\u0301', U'\u200b', U'\u200d', U'\u2028',
+          U'\u3000', U'\ufe0f', U'\ufeff'}) {
         EXPECT_FALSE(isPrintable(unseen)) << static_cast<unsigned>(unseen);
     }
 }

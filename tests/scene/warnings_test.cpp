@@ -38,7 +38,8 @@ TEST(Warnings, AreNotGivenBesideFaults) {
     const std::string text = readText(sceneTestFolder() / "warnings.json");
     const std::size_t at = text.find("\"floor\": \"tile\"");
     ASSERT_NE(at, std::string::npos);
-    const ParsedScene parsed = parseScene(text.substr(0, at) + "\"floor\": \"till\"" + text.substr(at + 15), "test.json");
+    const ParsedScene parsed =
+        parseScene(text.substr(0, at) + "\"floor\": \"till\"" + text.substr(at + 15), "test.json");
     EXPECT_EQ(parsed.faults.size(), 1u);
     EXPECT_TRUE(parsed.warnings.empty());
 }
@@ -66,25 +67,35 @@ TEST(Warnings, CountWhatIsLowEnoughToJumpOntoAsAWayOut) {
 
 TEST(Warnings, CountPortalsAsAWayOut) {
     const std::string closed = R"([["###", "#.#", "###"], ["###", "#.#", "###"]])";
-    const std::string face = R"({ "x": 0, "y": 1, "face": "east", "to": { "x": 0, "y": 0, "level": 2 }, "turn": 90 })";
-    const std::string back = R"({ "x": 0, "y": 1, "face": "west", "to": { "x": 0, "y": 0, "level": 2 }, "turn": 90 })";
+    const std::string face =
+        R"({ "x": 0, "y": 1, "face": "east", "to": { "x": 0, "y": 0, "level": 2 }, "turn": 90 })";
+    const std::string back =
+        R"({ "x": 0, "y": 1, "face": "west", "to": { "x": 0, "y": 0, "level": 2 }, "turn": 90 })";
     EXPECT_EQ(warningsOf(closed, R"("portals": [ )" + face + " ]"), 0u);
-    EXPECT_EQ(warningsOf(closed, R"("portals": [ )" + back + " ]"), 1u) << "on the far side of the wall";
+    EXPECT_EQ(warningsOf(closed, R"("portals": [ )" + back + " ]"), 1u)
+        << "on the far side of the wall";
 }
 
 TEST(Warnings, TellMapsWhoseNumberLeadsIntoAHole) {
     const auto second = [](const std::string& levels) {
         std::string text = smallScene(R"([["###", "#..", "###"]])");
-        const std::string other = R"(, { "name": "second", "floor": "brick", "levels": )" + levels + " }";
+        const std::string other =
+            R"(, { "name": "second", "floor": "brick", "levels": )" + levels + " }";
         return load(text.insert(text.find(" }],") + 2, other)).warnings;
     };
-    const std::vector<Fault> shut = second(R"([["####", "#..#", "##.#", "####"], ["####", "####", "##.#", "####"]])");
+    const std::vector<Fault> shut =
+        second(R"([["####", "#..#", "##.#", "####"], ["####", "####", "##.#", "####"]])");
     ASSERT_EQ(shut.size(), 0u) << "its middle is (2, 2), from where (2, 1) can be walked to";
     const std::vector<Fault> hole = second(R"([["###", "#.#", "###"], ["###", "#.#", "###"]])");
     ASSERT_EQ(hole.size(), 1u);
     EXPECT_EQ(hole[0].pointer, "/maps/1");
     EXPECT_EQ(second(R"([["."]])").size(), 0u) << "there is no other tile";
-    EXPECT_EQ(second(R"([["###", "###", "###"], ["###", "###", "###"], ["###", "#.#", "###"], ["###", "#.#", "###"]])").size(), 1u) << "on the blocks";
+    EXPECT_EQ(
+        second(
+            R"([["###", "###", "###"], ["###", "###", "###"], ["###", "#.#", "###"], ["###", "#.#", "###"]])")
+            .size(),
+        1u)
+        << "on the blocks";
 }
 
 TEST(Warnings, AreNotGivenWhereTheWayOutMayOpen) {
@@ -94,9 +105,13 @@ TEST(Warnings, AreNotGivenWhereTheWayOutMayOpen) {
         EXPECT_NE(at, std::string::npos) << from;
         return std::string(text).replace(at, from.size(), to);
     };
-    const std::string moving = R"("motions": { "lift": { "moves": "top", "from": -0.75, "to": 0, "period": 8 } }, "blueprints": {)";
-    std::string withLift = replaced(R"("blueprints": {)", moving + R"( "lift": { "motion": "lift", "faces": "brick" },)");
-    const auto put = [&](const std::string& from, const std::string& to) { withLift.replace(withLift.find(from), from.size(), to); };
+    const std::string moving =
+        R"("motions": { "lift": { "moves": "top", "from": -0.75, "to": 0, "period": 8 } }, "blueprints": {)";
+    std::string withLift = replaced(R"("blueprints": {)",
+                                    moving + R"( "lift": { "motion": "lift", "faces": "brick" },)");
+    const auto put = [&](const std::string& from, const std::string& to) {
+        withLift.replace(withLift.find(from), from.size(), to);
+    };
     put(R"("legend": {)", R"("legend": { "l": "lift",)");
     put(R"("#.#^#")", R"("l.#^#")");
     EXPECT_EQ(load(withLift).warnings.size(), 1u) << "only the exit";

@@ -26,19 +26,27 @@ TEST(Lifts, TakePeopleUpAndLetThemOff) {
     for (const Ride& ride : kRides) {
         SCOPED_TRACE(ride.scene);
         Session session(shippedWorld(ride.scene));
-        ASSERT_TRUE(session.setEye({.map = 0, .x = toCoordinate(ride.x), .y = toCoordinate(ride.y), .z = toCoordinate(ride.feet) + kCrouchedEye}));
+        ASSERT_TRUE(session.setEye({.map = 0,
+                                    .x = toCoordinate(ride.x),
+                                    .y = toCoordinate(ride.y),
+                                    .z = toCoordinate(ride.feet) + kCrouchedEye}));
         session.setFlying(false);
         session.setHeading(ride.heading);
         const Mover* lift = nullptr;
         for (const Mover& mover : session.world().movers) {
-            if (mover.west <= ride.x && ride.x <= mover.east + 1 && mover.north <= ride.y && ride.y <= mover.south + 1) lift = &mover;
+            if (mover.west <= ride.x && ride.x <= mover.east + 1 && mover.north <= ride.y &&
+                ride.y <= mover.south + 1)
+                lift = &mover;
         }
         ASSERT_NE(lift, nullptr);
-        const int period = session.world().motions[static_cast<std::size_t>(lift->motion)].periodSteps;
+        const int period =
+            session.world().motions[static_cast<std::size_t>(lift->motion)].periodSteps;
         for (int step = 0; step < period / 2; ++step) session.step({});
         EXPECT_TRUE(session.player().onGround);
         EXPECT_NEAR(session.player().z.value(), ride.top, 1e-4);
-        for (int step = 0; step < static_cast<int>(ride.steps / kWalkingPace.move * kStepsPerSecond) + 20; ++step) session.step({.forward = 1.0});
+        for (int step = 0;
+             step < static_cast<int>(ride.steps / kWalkingPace.move * kStepsPerSecond) + 20; ++step)
+            session.step({.forward = 1.0});
         // It goes down again without them.
         for (int step = 0; step < period / 2; ++step) session.step({});
         EXPECT_NEAR(session.player().z.value(), ride.top, 0.3);

@@ -1,4 +1,5 @@
-// How the objects of the shipped scenes stand: feet on the floor or on a block, and not inside one. Birds are in the air.
+// How the objects of the shipped scenes stand: feet on the floor or on a block, and not inside one.
+// Birds are in the air.
 #include "scenes/shipped.h"
 
 #include "world/collision.h"
@@ -51,8 +52,10 @@ TEST(Objects, StandOnFirmGround) {
                 const std::string& name = world.sprites[object.sprite].name;
                 const bool flies = kInTheAir.count(name) == 1;
                 const Footing footing = footingOf(world, map, object);
-                EXPECT_NE(footing.firm, flies) << scene << ": " << name << " at " << object.x.value() << ", " << object.y.value();
-                EXPECT_FALSE(footing.buried) << scene << ": " << name << " at " << object.x.value() << ", " << object.y.value();
+                EXPECT_NE(footing.firm, flies) << scene << ": " << name << " at "
+                                               << object.x.value() << ", " << object.y.value();
+                EXPECT_FALSE(footing.buried) << scene << ": " << name << " at " << object.x.value()
+                                             << ", " << object.y.value();
                 ++(flies ? flying : standing);
             }
         }
@@ -69,7 +72,8 @@ TEST(Objects, ThoseThatMoveGetAbout) {
         World world = shippedWorld(scene);
         const std::vector<ObjectMotion>& motions = world.movingObjects.motions;
         const auto objectOf = [&](const ObjectMotion& motion) -> const Object& {
-            return world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
+            return world.maps[static_cast<std::size_t>(motion.map)]
+                .objects[static_cast<std::size_t>(motion.object)];
         };
         std::vector<Object> begun;
         for (const ObjectMotion& motion : motions) begun.push_back(objectOf(motion));
@@ -78,12 +82,14 @@ TEST(Objects, ThoseThatMoveGetAbout) {
             stepObjects(world);
             for (std::size_t i = 0; i < motions.size(); ++i) {
                 const Object& object = objectOf(motions[i]);
-                farthest[i] = std::max({farthest[i], std::abs((object.x - begun[i].x).raw), std::abs((object.y - begun[i].y).raw)});
+                farthest[i] = std::max({farthest[i], std::abs((object.x - begun[i].x).raw),
+                                        std::abs((object.y - begun[i].y).raw)});
                 ASSERT_EQ(motions[i].onGround, motions[i].kind != ObjectMotion::Kind::circle);
             }
         }
         for (std::size_t i = 0; i < motions.size(); ++i) {
-            EXPECT_GT(farthest[i], tileEdge(1).raw) << scene << ": " << begun[i].x.value() << ", " << begun[i].y.value();
+            EXPECT_GT(farthest[i], tileEdge(1).raw)
+                << scene << ": " << begun[i].x.value() << ", " << begun[i].y.value();
             ++(motions[i].kind == ObjectMotion::Kind::circle ? flying : walking);
         }
     }

@@ -26,7 +26,8 @@ std::vector<std::string> shippedScenes() {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(assetsFolder() / "scenes")) {
         // The index lists the scenes for the page's menu.
-        if (entry.path().extension() == ".json" && entry.path().stem() != "index") names.push_back(entry.path().stem().string());
+        if (entry.path().extension() == ".json" && entry.path().stem() != "index")
+            names.push_back(entry.path().stem().string());
     }
     std::sort(names.begin(), names.end());
     return names;

@@ -1,4 +1,5 @@
-// Every texture and sprite that is drawn is seen somewhere, and no scene names one that it does not show.
+// Every texture and sprite that is drawn is seen somewhere, and no scene names one that it does not
+// show.
 #include "scenes/shipped.h"
 
 #include <gtest/gtest.h>
@@ -17,28 +18,34 @@ using Names = std::set<std::string>;
 // The test card: its letters show how faces are turned, and belong in no scene.
 const Names kNotForScenes = {"lettering"};
 
-// The folders that hold textures for faces, floors and ceilings, and sprites for objects, and about how many are in each.
+// The folders that hold textures for faces, floors and ceilings, and sprites for objects, and about
+// how many are in each.
 struct Folder {
     const char* name;
     int atLeast;
 };
-constexpr Folder kFolders[] = {{"textures", 17}, {"see-through", 11}, {"sheets", 8}, {"sprites", 14}};
+constexpr Folder kFolders[] = {
+    {"textures", 17}, {"see-through", 11}, {"sheets", 8}, {"sprites", 14}};
 
 // The files of a folder that a scene names.
 Names filesNamed(const std::string& text, const std::string& folder) {
     const std::regex file("\\.\\./" + folder + "/([a-z0-9-]+)\\.png");
     Names names;
-    for (auto at = std::sregex_iterator(text.begin(), text.end(), file); at != std::sregex_iterator(); ++at) names.insert((*at)[1]);
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), file);
+         at != std::sregex_iterator(); ++at)
+        names.insert((*at)[1]);
     return names;
 }
 
-// The textures of a world, by the names that its scene gives them, that stand on a face, a floor or a ceiling of its maps.
+// The textures of a world, by the names that its scene gives them, that stand on a face, a floor or
+// a ceiling of its maps.
 Names texturesShown(const World& world) {
     std::set<TextureId> shown;
     for (const Map& map : world.maps) {
         for (const BlueprintId cell : map.cells) {
             if (cell == kEmptyCell) continue;
-            for (const FaceBlueprint& face : world.blueprints[cell].faces) shown.insert(face.texture);
+            for (const FaceBlueprint& face : world.blueprints[cell].faces)
+                shown.insert(face.texture);
         }
         shown.insert(map.floor.texture);
         shown.insert(map.floor.tiles.begin(), map.floor.tiles.end());
@@ -52,18 +59,22 @@ Names texturesShown(const World& world) {
 
 bool isVisible(const Texture& texture) {
     const std::vector<Pixel>& pixels = texture.levels[0].texels;
-    return std::any_of(pixels.begin(), pixels.end(), [](Pixel pixel) { return toColour(pixel).a != 0; });
+    return std::any_of(pixels.begin(), pixels.end(),
+                       [](Pixel pixel) { return toColour(pixel).a != 0; });
 }
 
 TEST(Textures, EveryOneIsNamedByAScene) {
     for (const Folder& folder : kFolders) {
         Names named;
-        for (const std::string& scene : shippedScenes()) named.merge(filesNamed(sceneText(scene), folder.name));
+        for (const std::string& scene : shippedScenes())
+            named.merge(filesNamed(sceneText(scene), folder.name));
         int count = 0;
-        for (const auto& entry : std::filesystem::directory_iterator(assetsFolder() / folder.name)) {
+        for (const auto& entry :
+             std::filesystem::directory_iterator(assetsFolder() / folder.name)) {
             if (entry.path().extension() != ".png") continue;
             const std::string name = entry.path().stem().string();
-            EXPECT_EQ(named.count(name), kNotForScenes.count(name) == 0 ? 1u : 0u) << folder.name << ": " << name;
+            EXPECT_EQ(named.count(name), kNotForScenes.count(name) == 0 ? 1u : 0u)
+                << folder.name << ": " << name;
             ++count;
         }
         EXPECT_GE(count, folder.atLeast) << folder.name;
@@ -74,7 +85,8 @@ TEST(Textures, EveryOneOfASceneIsShownInIt) {
     for (const std::string& scene : shippedScenes()) {
         const World world = shippedWorld(scene);
         const Names shown = texturesShown(world);
-        for (const Texture& texture : world.textures) EXPECT_TRUE(shown.count(texture.name) == 1) << scene << ": " << texture.name;
+        for (const Texture& texture : world.textures)
+            EXPECT_TRUE(shown.count(texture.name) == 1) << scene << ": " << texture.name;
     }
 }
 
@@ -86,7 +98,8 @@ TEST(Sprites, EveryOneOfASceneStandsInIt) {
             for (const Object& object : map.objects) standing.insert(object.sprite);
         }
         for (std::size_t i = 0; i < world.sprites.size(); ++i) {
-            EXPECT_TRUE(standing.count(static_cast<SpriteId>(i)) == 1) << scene << ": " << world.sprites[i].name;
+            EXPECT_TRUE(standing.count(static_cast<SpriteId>(i)) == 1)
+                << scene << ": " << world.sprites[i].name;
         }
     }
 }
@@ -97,10 +110,12 @@ TEST(Blueprints, EveryOneOfASceneStandsInIt) {
         // By the name: what moves, opens or leads elsewhere has got instances.
         std::set<std::string> standing;
         for (const Map& map : world.maps) {
-            for (const BlueprintId id : std::set<BlueprintId>(map.cells.begin(), map.cells.end())) standing.insert(world.blueprints[id].name);
+            for (const BlueprintId id : std::set<BlueprintId>(map.cells.begin(), map.cells.end()))
+                standing.insert(world.blueprints[id].name);
         }
         for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
-            EXPECT_TRUE(standing.count(world.blueprints[i].name) == 1) << scene << ": " << world.blueprints[i].name;
+            EXPECT_TRUE(standing.count(world.blueprints[i].name) == 1)
+                << scene << ": " << world.blueprints[i].name;
         }
     }
 }
@@ -111,7 +126,9 @@ TEST(Blueprints, NoneIsInvisible) {
         const World world = shippedWorld(scene);
         for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
             const auto& faces = world.blueprints[i].faces;
-            EXPECT_TRUE(std::any_of(faces.begin(), faces.end(), [&](const FaceBlueprint& face) { return isVisible(world.textures[face.texture]); }))
+            EXPECT_TRUE(std::any_of(
+                faces.begin(), faces.end(),
+                [&](const FaceBlueprint& face) { return isVisible(world.textures[face.texture]); }))
                 << scene << ": " << world.blueprints[i].name;
         }
     }

@@ -1,7 +1,9 @@
-// No pit without a way out: from wherever a player can get to, the start can be reached again, on foot and by jumping.
+// No pit without a way out: from wherever a player can get to, the start can be reached again, on
+// foot and by jumping.
 //
-// The world is looked at as a graph of places: one for each tile and each height in it at which a player can stand. From a place one gets to those of the
-// four tiles beside it that are no higher than a jump, if there is room for the head above the higher of the two.
+// The world is looked at as a graph of places: one for each tile and each height in it at which a
+// player can stand. From a place one gets to those of the four tiles beside it that are no higher
+// than a jump, if there is room for the head above the higher of the two.
 #include "scenes/shipped.h"
 
 #include "world/player.h"
@@ -41,9 +43,11 @@ std::vector<Gap> gapsOf(const World& world, const Map& map, int x, int y) {
         if (block.gate >= 0) continue;  // it opens
         solid.push_back({tileEdge(level) + block.bottom, tileEdge(level) + block.top});
     }
-    const bool covered = !map.ceiling.tiles.empty() && map.ceiling.tiles[map.tileIndex(x, y)] != kNoTexture;
+    const bool covered =
+        !map.ceiling.tiles.empty() && map.ceiling.tiles[map.tileIndex(x, y)] != kNoTexture;
     if (covered) solid.push_back({map.ceiling.height, map.ceiling.height});
-    std::sort(solid.begin(), solid.end(), [](const Gap& a, const Gap& b) { return a.ground.raw < b.ground.raw; });
+    std::sort(solid.begin(), solid.end(),
+              [](const Gap& a, const Gap& b) { return a.ground.raw < b.ground.raw; });
 
     std::vector<Gap> gaps;
     Coordinate ground = {};
@@ -56,7 +60,8 @@ std::vector<Gap> gapsOf(const World& world, const Map& map, int x, int y) {
 }
 
 bool leadsTo(const Gap& from, const Gap& to) {
-    return to.ground - from.ground <= kJump && std::max(from.ground, to.ground) + kStandingHeight <= std::min(from.above, to.above);
+    return to.ground - from.ground <= kJump &&
+           std::max(from.ground, to.ground) + kStandingHeight <= std::min(from.above, to.above);
 }
 
 using Steps = std::vector<std::vector<std::size_t>>;  // from each spot to others
@@ -96,7 +101,9 @@ std::vector<Spot> trapsOf(const World& world) {
     std::size_t start = spots.size();
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const Spot& from = spots[i];
-        if (from.x == world.start.x.tile() && from.y == world.start.y.tile() && from.gap.ground == world.start.z) start = i;
+        if (from.x == world.start.x.tile() && from.y == world.start.y.tile() &&
+            from.gap.ground == world.start.z)
+            start = i;
         constexpr std::pair<int, int> kBeside[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
         for (const auto& [dx, dy] : kBeside) {
             if (!map.contains(from.x + dx, from.y + dy)) continue;
@@ -126,7 +133,8 @@ std::vector<Spot> trapsOf(const World& world) {
 TEST(Traps, ThereIsAWayBackFromEverywhere) {
     for (const std::string& scene : shippedScenes()) {
         for (const Spot& spot : trapsOf(shippedWorld(scene))) {
-            ADD_FAILURE() << scene << ": no way out of tile " << spot.x << ", " << spot.y << " at height " << spot.gap.ground.value();
+            ADD_FAILURE() << scene << ": no way out of tile " << spot.x << ", " << spot.y
+                          << " at height " << spot.gap.ground.value();
         }
     }
 }

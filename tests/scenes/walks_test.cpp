@@ -114,7 +114,9 @@ double distanceTo(const Session& session, const Leg& leg) {
 }
 
 void faceTowards(Session& session, const Leg& leg) {
-    const double degrees = std::atan2(leg.y - session.player().y.value(), leg.x - session.player().x.value()) * (180.0 / 3.14159265358979);
+    const double degrees =
+        std::atan2(leg.y - session.player().y.value(), leg.x - session.player().x.value()) *
+        (180.0 / 3.14159265358979);
     session.setHeading(wrapDegrees(degrees));
 }
 
@@ -129,14 +131,20 @@ bool walkTo(Session& session, const Leg& leg) {
         if (waited == 0) nearest = distanceTo(session, leg);
         if (waited > kPatience) return false;
     }
-    for (int i = 0; i < kStepsPerSecond && (i < kStepsPerSecond / 6 || !session.player().onGround); ++i) session.step({});
+    for (int i = 0; i < kStepsPerSecond && (i < kStepsPerSecond / 6 || !session.player().onGround);
+         ++i)
+        session.step({});
     return true;
 }
 
 // Puts the player down; false if there is no room.
 bool putAt(Session& session, const Place& place) {
     const Coordinate eye = toCoordinate(place.z) + kCrouchedEye;
-    if (!session.setEye({.map = session.player().map, .x = toCoordinate(place.x), .y = toCoordinate(place.y), .z = eye})) return false;
+    if (!session.setEye({.map = session.player().map,
+                         .x = toCoordinate(place.x),
+                         .y = toCoordinate(place.y),
+                         .z = eye}))
+        return false;
     session.setFlying(false);
     return !session.player().flying && !session.player().crouched;
 }
@@ -153,8 +161,9 @@ TEST(Walks, EveryWayCanBeWalked) {
         for (const Leg& leg : walk.legs) {
             const bool arrived = walkTo(session, leg);
             const Player& player = session.player();
-            ASSERT_TRUE(arrived) << "stuck at " << player.x.value() << ", " << player.y.value() << ", feet at " << player.z.value() << ", on the way to "
-                                 << leg.x << ", " << leg.y;
+            ASSERT_TRUE(arrived) << "stuck at " << player.x.value() << ", " << player.y.value()
+                                 << ", feet at " << player.z.value() << ", on the way to " << leg.x
+                                 << ", " << leg.y;
             ASSERT_NEAR(player.z.value(), leg.feet, 0.01) << "at " << leg.x << ", " << leg.y;
         }
     }
@@ -162,7 +171,9 @@ TEST(Walks, EveryWayCanBeWalked) {
 
 TEST(Walks, EverySceneHasOne) {
     for (const std::string& scene : shippedScenes()) {
-        EXPECT_TRUE(std::any_of(kWalks.begin(), kWalks.end(), [&](const Walk& walk) { return walk.scene == scene; })) << scene;
+        EXPECT_TRUE(std::any_of(kWalks.begin(), kWalks.end(), [&](const Walk& walk) {
+            return walk.scene == scene;
+        })) << scene;
     }
 }
 

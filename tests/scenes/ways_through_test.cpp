@@ -1,4 +1,5 @@
-// Portals in the shipped scenes, gone through on foot: each leads where it should, and the picture does not jump on the way.
+// Portals in the shipped scenes, gone through on foot: each leads where it should, and the picture
+// does not jump on the way.
 #include "scenes/shipped.h"
 
 #include "base/angle.h"
@@ -21,7 +22,8 @@ constexpr int kWidth = 320;
 constexpr int kHeight = 180;
 constexpr int kPatience = 10 * kStepsPerSecond;
 
-// Units: blocks and degrees. Who stands at a place of one map and goes in a direction comes out in another one, and goes on there in a direction.
+// Units: blocks and degrees. Who stands at a place of one map and goes in a direction comes out in
+// another one, and goes on there in a direction.
 struct Way {
     const char* scene;
     const char* what;
@@ -64,7 +66,8 @@ using Pixels = std::vector<Pixel>;
 
 Pixels drawn(Session& session) {
     Pixels pixels(static_cast<std::size_t>(kWidth) * kHeight);
-    EXPECT_TRUE(session.draw({.pixels = pixels.data(), .width = kWidth, .height = kHeight, .pitch = kWidth}));
+    EXPECT_TRUE(session.draw(
+        {.pixels = pixels.data(), .width = kWidth, .height = kHeight, .pitch = kWidth}));
     return pixels;
 }
 
@@ -81,10 +84,13 @@ double difference(const Pixels& a, const Pixels& b) {
 
 bool putAt(Session& session, const Way& way) {
     const std::vector<Map>& maps = session.world().maps;
-    const auto map = std::find_if(maps.begin(), maps.end(), [&](const Map& each) { return each.name == way.from; });
+    const auto map = std::find_if(maps.begin(), maps.end(),
+                                  [&](const Map& each) { return each.name == way.from; });
     if (map == maps.end()) return false;
     const Coordinate eye = toCoordinate(way.feet) + kStandingEye;
-    if (!session.setEye({static_cast<int>(map - maps.begin()), toCoordinate(way.x), toCoordinate(way.y), eye, way.heading, 0.0})) return false;
+    if (!session.setEye({static_cast<int>(map - maps.begin()), toCoordinate(way.x),
+                         toCoordinate(way.y), eye, way.heading, 0.0}))
+        return false;
     session.setFlying(false);
     return !session.player().flying && !session.player().crouched;
 }
@@ -121,7 +127,8 @@ TEST(WaysThrough, LeadWhereTheyShouldWithoutAJump) {
             jump = difference(before, now);
             if (!isThrough()) usual = std::max(usual, jump);
         }
-        ASSERT_TRUE(isThrough()) << "stopped at " << session.player().x.value() << ", " << session.player().y.value();
+        ASSERT_TRUE(isThrough()) << "stopped at " << session.player().x.value() << ", "
+                                 << session.player().y.value();
         EXPECT_EQ(session.player().leaps, leaps + 1);
         EXPECT_GE(session.state().speed, speedBefore - 0.01);
         EXPECT_EQ(mapName(session), way.to);
@@ -135,7 +142,8 @@ TEST(WaysThrough, LeadWhereTheyShouldWithoutAJump) {
             usual = std::max(usual, difference(before, now));
         }
         EXPECT_LE(jump, 1.25 * usual + 0.25) << "the picture jumps";
-        for (int i = 0; i < 2 * kStepsPerSecond && !session.player().onGround; ++i) session.step({});
+        for (int i = 0; i < 2 * kStepsPerSecond && !session.player().onGround; ++i)
+            session.step({});
         EXPECT_NEAR(session.player().z.value(), way.exitFeet, 0.26);
         EXPECT_EQ(session.player().leaps, leaps + 1);
     }

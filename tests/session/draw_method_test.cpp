@@ -19,7 +19,9 @@ World yard() {
     World world;
     Image image(8, 8);
     for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 8; ++x) image.at(x, y) = toPixel({static_cast<std::uint8_t>(100 + 15 * x), static_cast<std::uint8_t>(60 + 20 * y), 90, 255});
+        for (int x = 0; x < 8; ++x)
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(100 + 15 * x),
+                                      static_cast<std::uint8_t>(60 + 20 * y), 90, 255});
     }
     world.textures.push_back(makeTexture("squares", image));
     CellBlueprint block;
@@ -28,7 +30,8 @@ World yard() {
     Map map = makeMap("yard", 12, 9, 2, 0);
     for (int x = 0; x < 12; ++x) {
         for (int y = 0; y < 9; ++y) {
-            if (x == 0 || y == 0 || x == 11 || y == 8 || (x == 7 && y == 4)) map.setCell(x, y, 0, 1);
+            if (x == 0 || y == 0 || x == 11 || y == 8 || (x == 7 && y == 4))
+                map.setCell(x, y, 0, 1);
         }
     }
     map.setCell(7, 4, 1, 1);
@@ -36,7 +39,12 @@ World yard() {
     map.ceiling.tiles.assign(12 * 9, kNoTexture);
     map.ceiling.tiles[map.tileIndex(7, 4)] = 0;
     world.maps.push_back(std::move(map));
-    world.start = {.map = 0, .x = toCoordinate(2.5), .y = toCoordinate(3.7), .z = {}, .headingDegrees = 10.0, .look = 0.0};
+    world.start = {.map = 0,
+                   .x = toCoordinate(2.5),
+                   .y = toCoordinate(3.7),
+                   .z = {},
+                   .headingDegrees = 10.0,
+                   .look = 0.0};
     return world;
 }
 
@@ -55,7 +63,8 @@ TEST(DrawMethod, ClassicDrawsWithItsOptions) {
 
     EXPECT_EQ(session.setOption("method", "classic"), "");
     Image expected(96, 60);
-    ASSERT_TRUE(drawClassic(session.world(), session.eye(), session.options().render, {.projection = ClassicProjection::equalAngles, .pixelSize = 6},
+    ASSERT_TRUE(drawClassic(session.world(), session.eye(), session.options().render,
+                            {.projection = ClassicProjection::equalAngles, .pixelSize = 6},
                             {expected.pixels.data(), 96, 60, 96}));
     EXPECT_EQ(drawn(session), expected.pixels);
     EXPECT_NE(expected.pixels, exact);
@@ -70,9 +79,15 @@ TEST(DrawMethod, EveryClassicOptionReachesThePicture) {
         if (name.substr(0, 8) != "classic.") continue;
         Session session(yard());
         session.setOption("method", "classic");
-        if (name == "classic.step" || name == "classic.reach") session.setOption("classic.march", "on");
+        if (name == "classic.step" || name == "classic.reach")
+            session.setOption("classic.march", "on");
         if (name == "classic.march") session.setOption("classic.step", "0.3");
-        session.setEye({.map = 0, .x = toCoordinate(2.5), .y = toCoordinate(3.7), .z = toCoordinate(0.6), .headingDegrees = 10.0, .look = 0.1});
+        session.setEye({.map = 0,
+                        .x = toCoordinate(2.5),
+                        .y = toCoordinate(3.7),
+                        .z = toCoordinate(0.6),
+                        .headingDegrees = 10.0,
+                        .look = 0.1});
         const std::vector<Pixel> before = drawn(session);
         std::string value = "3";
         if (option.kind == OptionKind::onOff) value = "on";

@@ -15,8 +15,9 @@ Image plain() {
     return image;
 }
 
-// Seen from (1.5, 1.5) to the east: a portal tile at (3, 1) that leads to the northern edge of (2, 0) in the cellar, turned by 90 degrees and two levels up.
-// There stand a post three tiles on, which goes south, and a lamp before it; both floors reflect.
+// Seen from (1.5, 1.5) to the east: a portal tile at (3, 1) that leads to the northern edge of (2,
+// 0) in the cellar, turned by 90 degrees and two levels up. There stand a post three tiles on,
+// which goes south, and a lamp before it; both floors reflect.
 World portalWorld() {
     World world;
     world.textures.push_back(makeTexture("plain", plain()));
@@ -29,10 +30,20 @@ World portalWorld() {
     world.maps.push_back(makeMap("hall", 6, 3, 1, 0));
     world.maps.push_back(makeMap("cellar", 5, 9, 4, 0));
     world.maps[1].setCell(2, 3, 2, 1);
-    world.maps[1].objects.push_back(
-        {.x = toCoordinate(2.5), .y = toCoordinate(1.5), .z = toCoordinate(2.25), .width = toCoordinate(0.5), .height = toCoordinate(0.25)});
+    world.maps[1].objects.push_back({.x = toCoordinate(2.5),
+                                     .y = toCoordinate(1.5),
+                                     .z = toCoordinate(2.25),
+                                     .width = toCoordinate(0.5),
+                                     .height = toCoordinate(0.25)});
     world.maps[0].floor.mirror = 128;
-    world.portals.push_back({.fromMap = 0, .fromX = 3, .fromY = 1, .toMap = 1, .toX = 2, .toY = 0, .turn = 1, .levels = 2});
+    world.portals.push_back({.fromMap = 0,
+                             .fromX = 3,
+                             .fromY = 1,
+                             .toMap = 1,
+                             .toX = 2,
+                             .toY = 0,
+                             .turn = 1,
+                             .levels = 2});
     world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
     world.maps[0].tilePortals[world.maps[0].tileIndex(3, 1)] = 0;
     markPortals(world);
@@ -44,10 +55,12 @@ World portalWorld() {
 rapidjson::Document hitsOf(int column, const char* mirrors = "1") {
     Session session(portalWorld());
     EXPECT_EQ(session.setOption("mirrors", mirrors), "");
-    EXPECT_TRUE(session.setEye({.map = 0, .x = toCoordinate(1.5), .y = toCoordinate(1.5), .z = toCoordinate(0.5)}));
+    EXPECT_TRUE(session.setEye(
+        {.map = 0, .x = toCoordinate(1.5), .y = toCoordinate(1.5), .z = toCoordinate(0.5)}));
     rapidjson::Document json;
     const std::string text = hitsJson(session, "scene", 101, 80, column);
-    EXPECT_FALSE(json.Parse<rapidjson::kParseFullPrecisionFlag>(text.c_str()).HasParseError()) << text;
+    EXPECT_FALSE(json.Parse<rapidjson::kParseFullPrecisionFlag>(text.c_str()).HasParseError())
+        << text;
     return json;
 }
 
@@ -66,7 +79,8 @@ TEST(HitsJson, TellsThePortalsThatRowsWentThrough) {
     EXPECT_EQ(portal["levels"].GetInt(), 2);
     EXPECT_NEAR(portal["depth"].GetDouble(), 1.5, 1e-12);
     EXPECT_EQ(portal["first"].GetInt(), 0);
-    EXPECT_EQ(portal["last"].GetInt(), json["planes"][0]["first"].GetInt() - 1) << "the floor before it did not";
+    EXPECT_EQ(portal["last"].GetInt(), json["planes"][0]["first"].GetInt() - 1)
+        << "the floor before it did not";
     EXPECT_EQ(json["planes"][0]["map"], "hall");
     const auto& beyond = json["planes"][json["planes"].Size() - 1];
     EXPECT_EQ(beyond["map"], "cellar");
@@ -115,7 +129,8 @@ TEST(HitsJson, TellsMirrors) {
     EXPECT_EQ(mirror["strength"].GetInt(), 128);
     EXPECT_EQ(mirror["first"].GetInt(), json["planes"][0]["first"].GetInt());
     EXPECT_EQ(mirror["last"].GetInt(), 79);
-    EXPECT_EQ(hitsOf(50, "0.5")["mirrors"][0]["strength"].GetInt(), 64) << "as strong as the option makes it";
+    EXPECT_EQ(hitsOf(50, "0.5")["mirrors"][0]["strength"].GetInt(), 64)
+        << "as strong as the option makes it";
     EXPECT_EQ(hitsOf(50, "0")["mirrors"].Size(), 0u);
 }
 

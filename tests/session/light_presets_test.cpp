@@ -9,7 +9,8 @@ namespace slicecast {
 namespace {
 
 std::vector<Map> twoMaps() {
-    std::vector<Map> maps = {makeMap("first", 4, 4, 1, kNoTexture), makeMap("second", 5, 5, 1, kNoTexture)};
+    std::vector<Map> maps = {makeMap("first", 4, 4, 1, kNoTexture),
+                             makeMap("second", 5, 5, 1, kNoTexture)};
     maps[0].light.intensity = 0.75;
     maps[0].haze = {1, 2, 3, 255};
     maps[1].fog = {.on = true, .start = 3.0, .end = 9.0};
@@ -42,7 +43,8 @@ TEST(LightPresets, GetDarkerFromDayToNight) {
     for (const LightPreset preset : {LightPreset::day, LightPreset::dusk, LightPreset::night}) {
         lights.apply({.preset = preset}, maps);
         const Light& light = maps[0].light;
-        const double at10 = std::min(std::max(light.intensity * light.multiplier / 10.0, light.darkest), light.brightest);
+        const double at10 = std::min(
+            std::max(light.intensity * light.multiplier / 10.0, light.darkest), light.brightest);
         EXPECT_LT(at10, before);
         before = at10;
     }
@@ -52,7 +54,8 @@ TEST(LightPresets, GiveBackEachMapsOwn) {
     std::vector<Map> maps = twoMaps();
     const Pixel* panorama = maps[1].sky.panorama.pixels.data();
     MapLights lights(maps);
-    for (const LightPreset preset : {LightPreset::dusk, LightPreset::fog, LightPreset::map, LightPreset::map, LightPreset::day, LightPreset::map}) {
+    for (const LightPreset preset : {LightPreset::dusk, LightPreset::fog, LightPreset::map,
+                                     LightPreset::map, LightPreset::day, LightPreset::map}) {
         lights.apply({.preset = preset}, maps);
     }
     EXPECT_EQ(maps[0].light.intensity, 0.75);

@@ -1,4 +1,5 @@
-// Moving blocks and gates in a game: what is drawn of them between steps, the keys, and that a game can be played again.
+// Moving blocks and gates in a game: what is drawn of them between steps, the keys, and that a game
+// can be played again.
 #include "session/recording.h"
 #include "session/session.h"
 
@@ -14,13 +15,16 @@ namespace {
 
 constexpr int kPeriod = 480;
 
-// A platform of 5 x 5 tiles that goes up and down, with the player in its middle, and a gate beside it in the east.
+// A platform of 5 x 5 tiles that goes up and down, with the player in its middle, and a gate beside
+// it in the east.
 World works() {
     World world;
     world.title = "Works";
     Image image(8, 8);
     for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 8; ++x) image.at(x, y) = toPixel({static_cast<std::uint8_t>(90 + 16 * x), static_cast<std::uint8_t>(60 + 20 * y), 110, 255});
+        for (int x = 0; x < 8; ++x)
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(90 + 16 * x),
+                                      static_cast<std::uint8_t>(60 + 20 * y), 110, 255});
     }
     world.textures.push_back(makeTexture("squares", image));
     CellBlueprint plate;
@@ -29,7 +33,11 @@ World works() {
     plate.motion = 0;
     for (FaceBlueprint& face : plate.faces) face.texture = 0;
     world.blueprints.push_back(plate);
-    world.motions.push_back({.name = "lift", .edges = MovingEdges::both, .from = {}, .to = toCoordinate(1.5), .periodSteps = kPeriod});
+    world.motions.push_back({.name = "lift",
+                             .edges = MovingEdges::both,
+                             .from = {},
+                             .to = toCoordinate(1.5),
+                             .periodSteps = kPeriod});
     CellBlueprint gate;
     gate.name = "gate";
     gate.gate = 0;
@@ -42,7 +50,12 @@ World works() {
     }
     map.setCell(6, 4, 0, 2);
     world.maps.push_back(std::move(map));
-    world.start = {.map = 0, .x = toCoordinate(3.5), .y = toCoordinate(4.5), .z = toCoordinate(0.25), .headingDegrees = 0.0, .look = -1.0};
+    world.start = {.map = 0,
+                   .x = toCoordinate(3.5),
+                   .y = toCoordinate(4.5),
+                   .z = toCoordinate(0.25),
+                   .headingDegrees = 0.0,
+                   .look = -1.0};
     EXPECT_TRUE(makeMovers(world).empty());
     EXPECT_TRUE(makeGates(world).empty());
     makeGateFrames(world);
@@ -55,14 +68,16 @@ std::vector<Pixel> drawn(Session& session, double fraction) {
     return image.pixels;
 }
 
-// Who looks at the platform under their feet sees the same all the way, to the byte, whenever the picture is drawn.
+// Who looks at the platform under their feet sees the same all the way, to the byte, whenever the
+// picture is drawn.
 TEST(SessionThatMoves, ShowsARiderThePlatformAtRest) {
     Session session(works());
     const std::vector<Pixel> before = drawn(session, 1.0);
     for (int step = 0; step < kPeriod; ++step) {
         session.step({});
         ASSERT_TRUE(session.player().onGround);
-        for (const double fraction : {0.0, 0.3, 0.71, 1.0}) ASSERT_EQ(drawn(session, fraction), before) << step << " " << fraction;
+        for (const double fraction : {0.0, 0.3, 0.71, 1.0})
+            ASSERT_EQ(drawn(session, fraction), before) << step << " " << fraction;
     }
 }
 
@@ -129,7 +144,11 @@ TEST(SessionThatMoves, CanBePlayedAgain) {
     Session first(works());
     first.record(&recorder);
     for (int step = 0; step < 400; ++step) {
-        first.step({.forward = step < 100 ? 0.5 : 1.0, .turnDegrees = step % 7 == 0 ? 3.0 : 0.0, .use = step == 50, .open = step == 120, .close = step == 200});
+        first.step({.forward = step < 100 ? 0.5 : 1.0,
+                    .turnDegrees = step % 7 == 0 ? 3.0 : 0.0,
+                    .use = step == 50,
+                    .open = step == 120,
+                    .close = step == 200});
         if (step == 300) first.reset();
     }
     Session second(works());

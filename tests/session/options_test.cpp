@@ -19,7 +19,8 @@ TEST(Options, TheTableHoldsTheDefaults) {
         EXPECT_EQ(setOption(options, info.name, info.standard), "") << info.name;
         EXPECT_EQ(optionValue(options, info.name), info.standard);
     }
-    for (const char* name : {"fov", "detail", "textures", "light", "fog", "minimap", "intensity", "multiplier", "mirrors", "lightPreset", "speed"})
+    for (const char* name : {"fov", "detail", "textures", "light", "fog", "minimap", "intensity",
+                             "multiplier", "mirrors", "lightPreset", "speed"})
         EXPECT_EQ(names.count(name), 1u) << name;
 }
 
@@ -32,7 +33,8 @@ TEST(Options, TakeTheEndsOfTheirRangeAndNothingBeyond) {
             EXPECT_EQ(optionValue(options, info.name), other);
             continue;
         }
-        if (info.kind == OptionKind::choice || info.kind == OptionKind::ownOrColour) continue;  // see ChoicesTakeTheirWords, ColoursAreSixDigits
+        if (info.kind == OptionKind::choice || info.kind == OptionKind::ownOrColour)
+            continue;  // see ChoicesTakeTheirWords, ColoursAreSixDigits
         for (const double end : {info.least, info.greatest}) {
             EXPECT_EQ(setOption(options, info.name, std::to_string(end)), "") << info.name;
             EXPECT_EQ(std::stod(optionValue(options, info.name)), end) << info.name;
@@ -69,20 +71,24 @@ TEST(Options, ChoicesTakeTheirWords) {
     EXPECT_EQ(options.method, DrawMethod::classic);
     EXPECT_EQ(setOption(options, "method", "exact"), "");
     EXPECT_EQ(options.method, DrawMethod::exact);
-    const std::pair<const char*, ClassicProjection> projections[] = {{"equalAngles", ClassicProjection::equalAngles},
-                                                                     {"equalAnglesCorrected", ClassicProjection::equalAnglesCorrected},
-                                                                     {"plane", ClassicProjection::plane}};
+    const std::pair<const char*, ClassicProjection> projections[] = {
+        {"equalAngles", ClassicProjection::equalAngles},
+        {"equalAnglesCorrected", ClassicProjection::equalAnglesCorrected},
+        {"plane", ClassicProjection::plane}};
     for (const auto& [word, projection] : projections) {
         EXPECT_EQ(setOption(options, "classic.projection", word), "");
         EXPECT_EQ(options.classic.projection, projection) << word;
         EXPECT_EQ(optionValue(options, "classic.projection"), word);
     }
-    for (const char* value : {"", " ", "equal", "equalAngles ", "plane equalAngles", "Plane", "0"}) {
+    for (const char* value :
+         {"", " ", "equal", "equalAngles ", "plane equalAngles", "Plane", "0"}) {
         EXPECT_EQ(setOption(options, "classic.projection", value),
-                  "option classic.projection: found \"" + std::string(value) + "\", expected \"plane\", \"equalAngles\" or \"equalAnglesCorrected\"");
+                  "option classic.projection: found \"" + std::string(value) +
+                      "\", expected \"plane\", \"equalAngles\" or \"equalAnglesCorrected\"");
         EXPECT_EQ(options.classic.projection, ClassicProjection::plane);
     }
-    EXPECT_EQ(setOption(options, "method", "fast"), "option method: found \"fast\", expected \"exact\" or \"classic\"");
+    EXPECT_EQ(setOption(options, "method", "fast"),
+              "option method: found \"fast\", expected \"exact\" or \"classic\"");
 }
 
 TEST(Options, ChoicesGoRound) {
@@ -99,9 +105,11 @@ TEST(Options, ColoursAreSixDigits) {
     EXPECT_EQ(setOption(options, "hazeColour", "#0a80FF"), "");
     EXPECT_EQ(options.hazeColour, (Colour{10, 128, 255, 255}));
     EXPECT_EQ(optionValue(options, "hazeColour"), "#0a80ff");
-    for (const char* value : {"", "#", "#0a80f", "#0a80ff0", "0a80ff", "#0a80fg", "# a80ff", "white"}) {
+    for (const char* value :
+         {"", "#", "#0a80f", "#0a80ff0", "0a80ff", "#0a80fg", "# a80ff", "white"}) {
         EXPECT_EQ(setOption(options, "hazeColour", value),
-                  "option hazeColour: found \"" + std::string(value) + "\", expected \"map\" (each map's own) or a colour as \"#a0b4c8\"");
+                  "option hazeColour: found \"" + std::string(value) +
+                      "\", expected \"map\" (each map's own) or a colour as \"#a0b4c8\"");
     }
     EXPECT_EQ(options.hazeColour, (Colour{10, 128, 255, 255}));
     EXPECT_EQ(setOption(options, "hazeColour", "map"), "");
@@ -110,22 +118,31 @@ TEST(Options, ColoursAreSixDigits) {
 
 TEST(Options, SayWhatWasFoundAndWhatWasExpected) {
     SessionOptions options;
-    EXPECT_EQ(setOption(options, "fov", "wide"), "option fov: found \"wide\", expected a number from 10 to 150");
-    EXPECT_EQ(setOption(options, "fog", "yes"), "option fog: found \"yes\", expected \"on\" or \"off\"");
-    EXPECT_EQ(setOption(options, "minimapLevel", "1.5"), "option minimapLevel: found \"1.5\", expected a whole number from -1 to 31");
-    EXPECT_EQ(setOption(options, "intensity", "own"), "option intensity: found \"own\", expected \"map\" (each map's own) or a number from 0 to 100");
+    EXPECT_EQ(setOption(options, "fov", "wide"),
+              "option fov: found \"wide\", expected a number from 10 to 150");
+    EXPECT_EQ(setOption(options, "fog", "yes"),
+              "option fog: found \"yes\", expected \"on\" or \"off\"");
+    EXPECT_EQ(setOption(options, "minimapLevel", "1.5"),
+              "option minimapLevel: found \"1.5\", expected a whole number from -1 to 31");
+    EXPECT_EQ(setOption(options, "intensity", "own"),
+              "option intensity: found \"own\", expected \"map\" (each map's own) or a number from "
+              "0 to 100");
     const std::string message = setOption(options, "fvo", "60");
-    EXPECT_EQ(message.rfind("found the option \"fvo\", expected one of fov, detail, ", 0), 0u) << message;
-    for (const OptionInfo& info : knownOptions()) EXPECT_NE(message.find(info.name), std::string::npos) << info.name;
+    EXPECT_EQ(message.rfind("found the option \"fvo\", expected one of fov, detail, ", 0), 0u)
+        << message;
+    for (const OptionInfo& info : knownOptions())
+        EXPECT_NE(message.find(info.name), std::string::npos) << info.name;
     EXPECT_EQ(optionValue(options, "fvo"), "");
 }
 
 TEST(Options, RefuseWhatIsNoPlainNumber) {
     SessionOptions options;
-    for (const char* value : {"", " ", " 60", "60 ", "0x3c", "nan", "inf", "infinity", "1e400", "60,5", "60deg", "+-60", "--60", ".", "e5", "1e"}) {
+    for (const char* value : {"", " ", " 60", "60 ", "0x3c", "nan", "inf", "infinity", "1e400",
+                              "60,5", "60deg", "+-60", "--60", ".", "e5", "1e"}) {
         EXPECT_NE(setOption(options, "fov", value), "") << value;
     }
-    for (const char* value : {"", "On", "OFF", "true", "1", "on "}) EXPECT_NE(setOption(options, "light", value), "") << value;
+    for (const char* value : {"", "On", "OFF", "true", "1", "on "})
+        EXPECT_NE(setOption(options, "light", value), "") << value;
     EXPECT_EQ(options.render.fovDegrees, 60.0);
     EXPECT_TRUE(options.render.light);
 }

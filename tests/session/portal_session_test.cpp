@@ -15,8 +15,20 @@ World corridor() {
     Map& map = world.maps[0];
     map.tilePortals.assign(map.occupied.size(), kNoPortal);
     map.tilePortals[3] = 0;
-    world.portals.push_back({.fromMap = 0, .fromX = 3, .fromY = 0, .toMap = 0, .toX = 20, .toY = 0, .turn = 2, .levels = 0});
-    world.start = {.map = 0, .x = toCoordinate(1.5), .y = toCoordinate(0.5), .z = {}, .headingDegrees = 0.0, .look = 0.0};
+    world.portals.push_back({.fromMap = 0,
+                             .fromX = 3,
+                             .fromY = 0,
+                             .toMap = 0,
+                             .toX = 20,
+                             .toY = 0,
+                             .turn = 2,
+                             .levels = 0});
+    world.start = {.map = 0,
+                   .x = toCoordinate(1.5),
+                   .y = toCoordinate(0.5),
+                   .z = {},
+                   .headingDegrees = 0.0,
+                   .look = 0.0};
     return world;
 }
 
@@ -45,7 +57,8 @@ TEST(PortalSession, NothingIsDrawnBetweenTheTwoSidesWithinOneMapEither) {
     EXPECT_LT(session.player().x.value(), 19.0);
 }
 
-// Two players at the same place are in different states while one of them still reaches back through a portal.
+// Two players at the same place are in different states while one of them still reaches back
+// through a portal.
 TEST(PortalSession, TheStateIsAnotherBetweenTheTwoSides) {
     Session walker(corridor());
     while (walker.player().leaps == 0) walker.step({.forward = 1.0});

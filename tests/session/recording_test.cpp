@@ -61,7 +61,9 @@ std::vector<std::uint64_t> playAnything(Session& session, Recorder& recorder, in
         if (i == 150) session.levelLook();
         if (i == 200) session.setOption("speed", "2.5");
         if (i == 210) session.setOption("fov", "75");
-        if (i == 260) session.setEye({0, toCoordinate(3.3), toCoordinate(4.4), toCoordinate(1.1), 271.3, -0.123456789});
+        if (i == 260)
+            session.setEye(
+                {0, toCoordinate(3.3), toCoordinate(4.4), toCoordinate(1.1), 271.3, -0.123456789});
         if (i == 300) session.setFlying(false);
         if (i == 350) recorder.mark("half-way", session);
         if (i == 400) session.reset();
@@ -153,8 +155,10 @@ TEST(Recording, HoldsTheOptionsThatBearOnSteps) {
         Session set(makeField());
         // A value other than the standard: a number, or a word that a refusal names.
         std::string refusal = set.setOption(name, "?");
-        std::vector<std::string> values = {"3", "0.5", "70", std::to_string(static_cast<int>(info.greatest))};
-        for (std::size_t quote = refusal.find('"'); quote != std::string::npos; quote = refusal.find('"', quote + 1)) {
+        std::vector<std::string> values = {"3", "0.5", "70",
+                                           std::to_string(static_cast<int>(info.greatest))};
+        for (std::size_t quote = refusal.find('"'); quote != std::string::npos;
+             quote = refusal.find('"', quote + 1)) {
             values.push_back(refusal.substr(quote + 1, refusal.find('"', quote + 1) - quote - 1));
         }
         for (const std::string& value : values) {
@@ -171,8 +175,15 @@ TEST(Recording, HoldsTheOptionsThatBearOnSteps) {
 
 TEST(Recording, InputsAreKeptOnAGridAndGoOnFromIt) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const RecordedInput kept = toRecorded({.forward = 7.0, .strafe = nan, .turn = -0.5, .look = 0.001, .turnDegrees = 1.0, .lookHeights = -0.25, .slow = true});
-    const RecordedInput expected = {.forward = 256, .turn = -128, .turnDegrees = 1024, .lookHeights = -16384, .slow = true};
+    const RecordedInput kept = toRecorded({.forward = 7.0,
+                                           .strafe = nan,
+                                           .turn = -0.5,
+                                           .look = 0.001,
+                                           .turnDegrees = 1.0,
+                                           .lookHeights = -0.25,
+                                           .slow = true});
+    const RecordedInput expected = {
+        .forward = 256, .turn = -128, .turnDegrees = 1024, .lookHeights = -16384, .slow = true};
     EXPECT_EQ(kept, expected);
     Random random(3);
     for (int i = 0; i < 1000; ++i) {
@@ -189,10 +200,12 @@ TEST(Recording, SameInputsAreOneLine) {
     for (int i = 0; i < 30; ++i) session.step({.forward = 1.0, .jump = true});
     session.setFlying(true);
     const std::string text = writeRecording(recorder.finish(session));
-    EXPECT_EQ(text.substr(0, text.rfind(' ')), "slicecast recording 1\nscene field\nset speed 1\n90 forward 256\n30 forward 256 jump\nfly on\nend 120");
+    EXPECT_EQ(text.substr(0, text.rfind(' ')),
+              "slicecast recording 1\nscene field\nset speed 1\n90 forward 256\n30 forward 256 "
+              "jump\nfly on\nend 120");
 }
 
-// ------------------------------------------------------------------------------------------------------ faulty texts
+// ---- faulty texts
 
 const std::string kHead = "slicecast recording 1\nscene field\n";
 const std::string kTail = "end 5 0123456789abcdef\n";
@@ -206,47 +219,83 @@ std::string faultsOf(const std::string& text) {
 }
 
 TEST(Recording, AGoodTextHasNoFaults) {
-    EXPECT_EQ(faultsOf(kHead + "# a comment\n\n  5   forward 256 turn -12  look-heights 655 jump fast slow \nfly off\r\n" + kTail), "");
+    EXPECT_EQ(faultsOf(kHead +
+                       "# a comment\n\n  5   forward 256 turn -12  look-heights 655 jump fast slow "
+                       "\nfly off\r\n" +
+                       kTail),
+              "");
     EXPECT_EQ(faultsOf("\xef\xbb\xbf" + kHead + "5\n" + kTail), "");
 }
 
 TEST(Recording, FaultsAreNamedWithTheirPlaces) {
-    const std::string words = "forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast, slow, use, open or close";
+    const std::string words =
+        "forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast, slow, use, open "
+        "or close";
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"", "f:1:1: found the end of the file, expected \"slicecast recording 1\"\n"},
-        {"{\"title\": 1}", "f:1:1: found \"{\\\"title\\\":\", expected \"slicecast recording 1\"\n"},
-        {"slicecast recording 2\nscene field\n", "f:1:1: found \"slicecast\", expected \"slicecast recording 1\"\n"},
-        {"slicecast recording 1\n", "f:2:1: found the end of the file, expected \"scene\" and its name\n"},
-        {"slicecast recording 1\n5\n" + kTail, "f:2:1: found \"5\", expected \"scene\" and its name\nf:3:5: found \"5\", expected 0, the sum of all steps\n"},
+        {"{\"title\": 1}",
+         "f:1:1: found \"{\\\"title\\\":\", expected \"slicecast recording 1\"\n"},
+        {"slicecast recording 2\nscene field\n",
+         "f:1:1: found \"slicecast\", expected \"slicecast recording 1\"\n"},
+        {"slicecast recording 1\n",
+         "f:2:1: found the end of the file, expected \"scene\" and its name\n"},
+        {"slicecast recording 1\n5\n" + kTail,
+         "f:2:1: found \"5\", expected \"scene\" and its name\nf:3:5: found \"5\", expected 0, the "
+         "sum of all steps\n"},
         {"slicecast recording 1\nscene ../x\n5\n" + kTail,
-         "f:2:7: found \"../x\", expected the scene's name, of at most 60 letters, digits, '-', '_' and '.'\n"},
-        {kHead + "5\n", "f:4:1: found the end of the file, expected \"end\", which says that the recording is whole\n"},
+         "f:2:7: found \"../x\", expected the scene's name, of at most 60 letters, digits, '-', "
+         "'_' and '.'\n"},
+        {kHead + "5\n",
+         "f:4:1: found the end of the file, expected \"end\", which says that the recording is "
+         "whole\n"},
         {kHead + "4\n" + kTail, "f:4:5: found \"5\", expected 4, the sum of all steps\n"},
-        {kHead + "5\n" + kTail + "1\n", "f:5:1: found \"1\", expected nothing behind the end of the recording\n"},
-        {kHead + "5\nend 5\n", "f:4:6: found the end of the line, expected where the eye is, 16 digits from 0 to f\n"},
-        {kHead + "5\nend 5 0123456789ABCDEF\n", "f:4:7: found \"0123456789ABCDEF\", expected where the eye is, 16 digits from 0 to f\n"},
-        {kHead + "0\n" + kTail, "f:3:1: found \"0\", expected a number of steps, a whole number from 1 to 4320000\n"},
-        {kHead + "5x\n" + kTail, "f:3:1: found \"5x\", expected a number of steps, a whole number from 1 to 4320000\n"},
-        {kHead + "4320000\n1\nend 5 0123456789abcdef\n", "f:4:2: found the end of the line, expected at most 4320000 steps in all\n"},
+        {kHead + "5\n" + kTail + "1\n",
+         "f:5:1: found \"1\", expected nothing behind the end of the recording\n"},
+        {kHead + "5\nend 5\n",
+         "f:4:6: found the end of the line, expected where the eye is, 16 digits from 0 to f\n"},
+        {kHead + "5\nend 5 0123456789ABCDEF\n",
+         "f:4:7: found \"0123456789ABCDEF\", expected where the eye is, 16 digits from 0 to f\n"},
+        {kHead + "0\n" + kTail,
+         "f:3:1: found \"0\", expected a number of steps, a whole number from 1 to 4320000\n"},
+        {kHead + "5x\n" + kTail,
+         "f:3:1: found \"5x\", expected a number of steps, a whole number from 1 to 4320000\n"},
+        {kHead + "4320000\n1\nend 5 0123456789abcdef\n",
+         "f:4:2: found the end of the line, expected at most 4320000 steps in all\n"},
         {kHead + "99999999999999999999\n" + kTail,
-         "f:3:1: found \"99999999999999999999\", expected a number of steps, a whole number from 1 to 4320000\n"},
-        {kHead + "5 forward 257\n" + kTail, "f:3:11: found \"257\", expected how much, a whole number from -256 to 256\n"},
-        {kHead + "5 forward 0.5\n" + kTail, "f:3:11: found \"0.5\", expected how much, a whole number from -256 to 256\n"},
-        {kHead + "5 forward\n" + kTail, "f:3:10: found the end of the line, expected how much, a whole number from -256 to 256\n"},
+         "f:3:1: found \"99999999999999999999\", expected a number of steps, a whole number from 1 "
+         "to 4320000\n"},
+        {kHead + "5 forward 257\n" + kTail,
+         "f:3:11: found \"257\", expected how much, a whole number from -256 to 256\n"},
+        {kHead + "5 forward 0.5\n" + kTail,
+         "f:3:11: found \"0.5\", expected how much, a whole number from -256 to 256\n"},
+        {kHead + "5 forward\n" + kTail,
+         "f:3:10: found the end of the line, expected how much, a whole number from -256 to 256\n"},
         {kHead + "5 forwards 1\n" + kTail, "f:3:3: found \"forwards\", expected " + words + "\n"},
         {kHead + "5 jump jump\n" + kTail, "f:3:8: found \"jump\", expected each word once\n"},
-        {kHead + "walk\n5\n" + kTail, "f:3:1: found \"walk\", expected a number of steps, fly, level, heading, eye, reset, set, mark or end\n"},
+        {kHead + "walk\n5\n" + kTail,
+         "f:3:1: found \"walk\", expected a number of steps, fly, level, heading, eye, reset, set, "
+         "mark or end\n"},
         {kHead + "fly up\n5\n" + kTail, "f:3:5: found \"up\", expected on or off\n"},
         {kHead + "fly on off\n5\n" + kTail, "f:3:8: found \"off\", expected the end of the line\n"},
-        {kHead + "heading 400000\n5\n" + kTail, "f:3:9: found \"400000\", expected the heading, a whole number from 0 to 368640\n"},
-        {kHead + "eye 0 1 1 0 0 0\n5\n" + kTail, "f:3:11: found \"0\", expected z, a whole number from 1 to 2147418112\n"},
-        {kHead + "set fov 70\n5\n" + kTail, "f:3:5: found \"fov\", expected an option that bears on steps: speed\n"},
-        {kHead + "set speed 99\n5\n" + kTail, "f:3:11: found \"99\", expected a value of the option speed\n"},
-        {kHead + "mark\n5\n" + kTail, "f:3:5: found the end of the line, expected the mark's name, of at most 60 letters, digits, '-', '_' and '.'\n"},
-        {kHead + "mark x y\n5\n" + kTail, "f:3:8: found \"y\", expected where the eye is, 16 digits from 0 to f\n"},
-        {kHead + "5 \xff\n" + kTail, "f:3:3: found a byte that is not UTF-8, expected a recording, which is UTF-8 text\n"},
+        {kHead + "heading 400000\n5\n" + kTail,
+         "f:3:9: found \"400000\", expected the heading, a whole number from 0 to 368640\n"},
+        {kHead + "eye 0 1 1 0 0 0\n5\n" + kTail,
+         "f:3:11: found \"0\", expected z, a whole number from 1 to 2147418112\n"},
+        {kHead + "set fov 70\n5\n" + kTail,
+         "f:3:5: found \"fov\", expected an option that bears on steps: speed\n"},
+        {kHead + "set speed 99\n5\n" + kTail,
+         "f:3:11: found \"99\", expected a value of the option speed\n"},
+        {kHead + "mark\n5\n" + kTail,
+         "f:3:5: found the end of the line, expected the mark's name, of at most 60 letters, "
+         "digits, '-', '_' and '.'\n"},
+        {kHead + "mark x y\n5\n" + kTail,
+         "f:3:8: found \"y\", expected where the eye is, 16 digits from 0 to f\n"},
+        {kHead + "5 \xff\n" + kTail,
+         "f:3:3: found a byte that is not UTF-8, expected a recording, which is UTF-8 text\n"},
         // Several: each line's first
-        {kHead + "5 a b\nfly\n" + kTail, "f:3:3: found \"a\", expected " + words + "\nf:4:4: found the end of the line, expected on or off\n"},
+        {kHead + "5 a b\nfly\n" + kTail,
+         "f:3:3: found \"a\", expected " + words +
+             "\nf:4:4: found the end of the line, expected on or off\n"},
     };
     for (const auto& [text, faults] : cases) EXPECT_EQ(faultsOf(text), faults) << text;
 }

@@ -19,8 +19,18 @@ World livelyYards() {
     std::fill(image.pixels.begin(), image.pixels.end(), toPixel({120, 110, 100, 255}));
     world.textures.push_back(makeTexture("grey", image));
     world.maps.push_back(makeMap("yard", 12, 9, 2, 0));
-    world.start = {.map = 0, .x = toCoordinate(2.5), .y = toCoordinate(4.5), .z = {}, .headingDegrees = 0.0, .look = 0.0};
-    world.motions.push_back({.name = "lift", .edges = MovingEdges::top, .from = {}, .to = toCoordinate(0.5), .periodSteps = 480, .phaseSteps = 0});
+    world.start = {.map = 0,
+                   .x = toCoordinate(2.5),
+                   .y = toCoordinate(4.5),
+                   .z = {},
+                   .headingDegrees = 0.0,
+                   .look = 0.0};
+    world.motions.push_back({.name = "lift",
+                             .edges = MovingEdges::top,
+                             .from = {},
+                             .to = toCoordinate(0.5),
+                             .periodSteps = 480,
+                             .phaseSteps = 0});
     CellBlueprint lift;
     lift.top = toCoordinate(0.5);
     for (FaceBlueprint& face : lift.faces) face.texture = 0;
@@ -59,7 +69,8 @@ TEST(SessionObjects, MoveRideAndBeginAnew) {
             EXPECT_NEAR(objects[0].x.value(), 5.0, 0.01);
         }
         highest = std::max(highest, objects[1].z);
-        const CellBlueprint& lift = session.world().blueprints[session.world().maps[0].cell(9, 6, 0)];
+        const CellBlueprint& lift =
+            session.world().blueprints[session.world().maps[0].cell(9, 6, 0)];
         ASSERT_EQ(objects[1].z, lift.top) << "after " << i << " steps";
     }
     EXPECT_EQ(highest, toCoordinate(1.0));

@@ -20,7 +20,9 @@ World yards() {
     world.title = "Yards";
     Image image(8, 8);
     for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 8; ++x) image.at(x, y) = toPixel({static_cast<std::uint8_t>(90 + 16 * x), static_cast<std::uint8_t>(60 + 20 * y), 110, 255});
+        for (int x = 0; x < 8; ++x)
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(90 + 16 * x),
+                                      static_cast<std::uint8_t>(60 + 20 * y), 110, 255});
     }
     world.textures.push_back(makeTexture("squares", image));
     for (const double top : {1.0, 0.5}) {
@@ -41,7 +43,12 @@ World yards() {
         world.maps.push_back(std::move(map));
     }
     world.maps[1].light.intensity = 0.75;
-    world.start = {.map = 0, .x = toCoordinate(2.5), .y = toCoordinate(4.5), .z = {}, .headingDegrees = 0.0, .look = 0.0};
+    world.start = {.map = 0,
+                   .x = toCoordinate(2.5),
+                   .y = toCoordinate(4.5),
+                   .z = {},
+                   .headingDegrees = 0.0,
+                   .look = 0.0};
     return world;
 }
 
@@ -118,7 +125,8 @@ TEST(Session, TurnsTheShortWayRoundBetweenSteps) {
         Session session(yards());
         session.setHeading(turn > 0 ? 350.0 : 10.0);
         session.step({.turnDegrees = turn});
-        EXPECT_NEAR(std::cos(session.eye(0.5).headingDegrees * 3.14159265358979 / 180.0), 1.0, 1e-9);
+        EXPECT_NEAR(std::cos(session.eye(0.5).headingDegrees * 3.14159265358979 / 180.0), 1.0,
+                    1e-9);
     }
 }
 
@@ -127,11 +135,17 @@ TEST(Session, DoesNotGlideAcrossALeap) {
     const auto still = [&session] {
         const Eye a = session.eye(0.25);
         const Eye b = session.eye(1.0);
-        return a.x == b.x && a.y == b.y && a.z == b.z && a.headingDegrees == b.headingDegrees && a.look == b.look;
+        return a.x == b.x && a.y == b.y && a.z == b.z && a.headingDegrees == b.headingDegrees &&
+               a.look == b.look;
     };
     session.step({.forward = 1.0, .turnDegrees = 30.0, .lookHeights = 0.3});
     EXPECT_FALSE(still());
-    ASSERT_TRUE(session.setEye({.map = 1, .x = toCoordinate(5.25), .y = toCoordinate(2.5), .z = toCoordinate(0.75), .headingDegrees = 77.0, .look = 0.25}));
+    ASSERT_TRUE(session.setEye({.map = 1,
+                                .x = toCoordinate(5.25),
+                                .y = toCoordinate(2.5),
+                                .z = toCoordinate(0.75),
+                                .headingDegrees = 77.0,
+                                .look = 0.25}));
     EXPECT_TRUE(still());
     session.step({.forward = 1.0, .turnDegrees = 30.0, .lookHeights = 0.3});
     session.reset();
@@ -146,7 +160,12 @@ TEST(Session, DoesNotGlideAcrossALeap) {
 
 TEST(Session, PutsTheEyeAnywhereThatItCanSeeFrom) {
     Session session(yards());
-    const Eye inWall = {.map = 1, .x = toCoordinate(0.123), .y = toCoordinate(4.5), .z = toCoordinate(0.01), .headingDegrees = 12.5, .look = -kMaxLook};
+    const Eye inWall = {.map = 1,
+                        .x = toCoordinate(0.123),
+                        .y = toCoordinate(4.5),
+                        .z = toCoordinate(0.01),
+                        .headingDegrees = 12.5,
+                        .look = -kMaxLook};
     ASSERT_TRUE(session.setEye(inWall));
     const Eye eye = session.eye();
     EXPECT_EQ(eye.map, 1);
@@ -158,7 +177,9 @@ TEST(Session, PutsTheEyeAnywhereThatItCanSeeFrom) {
     EXPECT_EQ(session.state().map, "second");
     drawn(session);
 
-    const auto refused = [&](Eye other) { return !session.setEye(other) && session.eye().x == inWall.x && session.eye().map == 1; };
+    const auto refused = [&](Eye other) {
+        return !session.setEye(other) && session.eye().x == inWall.x && session.eye().map == 1;
+    };
     Eye other = inWall;
     other.x = toCoordinate(3.0);
     other.map = 2;
@@ -394,7 +415,8 @@ TEST(Session, OverlaysAreDrawnWhenAsked) {
         int left = 0;
         int right = 0;
         for (int y = 0; y < 400; ++y) {
-            for (int x = 0; x < 640; ++x) (x < 320 ? left : right) += with.at(x, y) != plain.at(x, y);
+            for (int x = 0; x < 640; ++x)
+                (x < 320 ? left : right) += with.at(x, y) != plain.at(x, y);
         }
         return std::pair{left, right};
     };

@@ -1,4 +1,5 @@
-// Steps take no memory once the first has been made, with whatever moves, opens and leads elsewhere.
+// Steps take no memory once the first has been made, with whatever moves, opens and leads
+// elsewhere.
 #include "../count_allocations.h"
 #include "session/session.h"
 
@@ -18,17 +19,20 @@ TEST(Allocations, ThereAreNoneAfterTheFirstStep) {
     plate.top = toCoordinate(0.25);
     plate.motion = 0;
     world.blueprints.push_back(plate);
-    world.motions.push_back({.name = "lift", .edges = MovingEdges::both, .to = toCoordinate(2.0), .periodSteps = 400});
+    world.motions.push_back(
+        {.name = "lift", .edges = MovingEdges::both, .to = toCoordinate(2.0), .periodSteps = 400});
     CellBlueprint gate;
     gate.name = "gate";
     gate.gate = 0;
     world.blueprints.push_back(gate);
-    world.gateKinds.push_back({.steps = 20, .opensOnApproach = true, .approach = toCoordinate(1.0), .holdSteps = 10});
+    world.gateKinds.push_back(
+        {.steps = 20, .opensOnApproach = true, .approach = toCoordinate(1.0), .holdSteps = 10});
     Map map = makeMap("yard", 12, 12, 3, 0);
     map.setCell(2, 2, 0, 1);
     map.setCell(4, 2, 0, 2);
     world.maps.push_back(std::move(map));
-    world.start = {.map = 0, .x = toCoordinate(2.5), .y = toCoordinate(2.5), .z = toCoordinate(0.25)};
+    world.start = {
+        .map = 0, .x = toCoordinate(2.5), .y = toCoordinate(2.5), .z = toCoordinate(0.25)};
     ASSERT_TRUE(makeMovers(world).empty());
     ASSERT_TRUE(makeGates(world).empty());
     // Objects of all kinds that walk, fly, ride, and go to and fro between two maps
@@ -36,8 +40,16 @@ TEST(Allocations, ThereAreNoneAfterTheFirstStep) {
     for (Map& other : world.maps) other.tilePortals.assign(other.occupied.size(), kNoPortal);
     for (int x = 0; x < 12; ++x) {
         for (const int from : {0, 1}) {
-            world.maps[static_cast<std::size_t>(from)].tilePortals[static_cast<std::size_t>(12 * 8 + x)] = static_cast<PortalId>(world.portals.size());
-            world.portals.push_back({.fromMap = from, .fromX = x, .fromY = 8, .toMap = 1 - from, .toX = 8, .toY = x, .turn = 1 + 2 * from});
+            world.maps[static_cast<std::size_t>(from)]
+                .tilePortals[static_cast<std::size_t>(12 * 8 + x)] =
+                static_cast<PortalId>(world.portals.size());
+            world.portals.push_back({.fromMap = from,
+                                     .fromX = x,
+                                     .fromY = 8,
+                                     .toMap = 1 - from,
+                                     .toX = 8,
+                                     .toY = x,
+                                     .turn = 1 + 2 * from});
         }
     }
     for (int i = 0; i < 30; ++i) {

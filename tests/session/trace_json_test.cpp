@@ -1,7 +1,8 @@
-// What a trace tells is what the picture shows: its texels are those of the picture, its depths those of the definition, and no row is missing.
+// What a trace tells is what the picture shows: its texels are those of the picture, its depths
+// those of the definition, and no row is missing.
+#include "session/trace_json.h"
 #include "base/angle.h"
 #include "session/hits_json.h"
-#include "session/trace_json.h"
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
@@ -26,8 +27,12 @@ Image numbered(int size, int blue, int alpha = 255) {
     Image image(size, size);
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
-            const auto share = [size](int i) { return static_cast<std::uint8_t>(i * 255 / (size - 1)); };
-            image.pixels[static_cast<std::size_t>(y * size + x)] = toPixel({share(x), share(y), static_cast<std::uint8_t>(blue), static_cast<std::uint8_t>(alpha)});
+            const auto share = [size](int i) {
+                return static_cast<std::uint8_t>(i * 255 / (size - 1));
+            };
+            image.pixels[static_cast<std::size_t>(y * size + x)] =
+                toPixel({share(x), share(y), static_cast<std::uint8_t>(blue),
+                         static_cast<std::uint8_t>(alpha)});
         }
     }
     return image;
@@ -68,13 +73,24 @@ World hall() {
     for (int y = 5; y < 11; ++y) {
         for (int x = 0; x < 14; ++x) map.ceiling.tiles[map.tileIndex(x, y)] = 0;
     }
-    map.objects.push_back({.x = toCoordinate(5.5), .y = toCoordinate(4.25), .z = toCoordinate(0.25), .width = toCoordinate(0.5), .height = toCoordinate(0.5)});
+    map.objects.push_back({.x = toCoordinate(5.5),
+                           .y = toCoordinate(4.25),
+                           .z = toCoordinate(0.25),
+                           .width = toCoordinate(0.5),
+                           .height = toCoordinate(0.5)});
     map.floor.mirror = 255;
     map.fog = {.on = true, .start = 2.0, .end = 12.0};
     world.maps.push_back(std::move(map));
     world.maps.push_back(makeMap("garden", 9, 9, 2, 2));
     world.maps[1].setCell(4, 3, 0, 1);
-    world.portals.push_back({.fromMap = 0, .fromX = 6, .fromY = 1, .toMap = 1, .toX = 4, .toY = 7, .turn = 3, .levels = 0});
+    world.portals.push_back({.fromMap = 0,
+                             .fromX = 6,
+                             .fromY = 1,
+                             .toMap = 1,
+                             .toX = 4,
+                             .toY = 7,
+                             .turn = 3,
+                             .levels = 0});
     world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
     world.maps[0].tilePortals[world.maps[0].tileIndex(6, 1)] = 0;
     markPortals(world);
@@ -88,16 +104,26 @@ class TraceJsonTest : public testing::Test {
 protected:
     TraceJsonTest() : session(hall()) {
         set("mirrors", "0");
-        EXPECT_TRUE(session.setEye({.map = 0, .x = toCoordinate(2.3), .y = toCoordinate(5.2), .z = toCoordinate(0.6), .headingDegrees = 5.0, .look = 0.05}));
+        EXPECT_TRUE(session.setEye({.map = 0,
+                                    .x = toCoordinate(2.3),
+                                    .y = toCoordinate(5.2),
+                                    .z = toCoordinate(0.6),
+                                    .headingDegrees = 5.0,
+                                    .look = 0.05}));
     }
-    void set(const char* option, const char* value) { EXPECT_EQ(session.setOption(option, value), ""); }
+    void set(const char* option, const char* value) {
+        EXPECT_EQ(session.setOption(option, value), "");
+    }
 
     rapidjson::Document parsed(const std::string& text) {
         rapidjson::Document json;
-        EXPECT_FALSE(json.Parse<rapidjson::kParseFullPrecisionFlag>(text.c_str()).HasParseError()) << text;
+        EXPECT_FALSE(json.Parse<rapidjson::kParseFullPrecisionFlag>(text.c_str()).HasParseError())
+            << text;
         return json;
     }
-    rapidjson::Document trace(int column) { return parsed(traceJson(session, "scene", kWidth, kHeight, column)); }
+    rapidjson::Document trace(int column) {
+        return parsed(traceJson(session, "scene", kWidth, kHeight, column));
+    }
 
     std::vector<Pixel> picture() {
         std::vector<Pixel> pixels(static_cast<std::size_t>(kWidth * kHeight));
@@ -114,14 +140,16 @@ protected:
             if (sprite.name != name) continue;
             const SpriteLevel& level = sprite.frames[0][detail];
             EXPECT_EQ(texel["size"][0].GetInt(), level.width);
-            return toColour(level.texels.at(texel["u"].GetUint() * static_cast<unsigned>(level.height) + texel["v"].GetUint()));
+            return toColour(level.texels.at(
+                texel["u"].GetUint() * static_cast<unsigned>(level.height) + texel["v"].GetUint()));
         }
         for (const Texture& texture : world.textures) {
             if (texture.name != name) continue;
             const TextureLevel& level = texture.levels.at(detail);
             EXPECT_EQ(texel["size"][0].GetInt(), level.size);
             EXPECT_EQ(texel["size"][1].GetInt(), level.size);
-            return toColour(level.texels.at((texel["u"].GetUint() << level.bits) + texel["v"].GetUint()));
+            return toColour(
+                level.texels.at((texel["u"].GetUint() << level.bits) + texel["v"].GetUint()));
         }
         ADD_FAILURE() << name;
         return {};
@@ -135,7 +163,8 @@ std::vector<bool> bareRows(const Json& trace) {
     std::vector<bool> bare(kHeight, true);
     for (const Json& run : trace["runs"].GetArray()) {
         if (!run["layer"].GetBool()) continue;
-        for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row) bare[static_cast<std::size_t>(row)] = false;
+        for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row)
+            bare[static_cast<std::size_t>(row)] = false;
     }
     return bare;
 }
@@ -162,10 +191,14 @@ TEST_F(TraceJsonTest, TheTexelsAreThoseOfThePicture) {
                         const int fog = texel["fog"].GetInt();
                         return (hazeChannel * fog + lit * (255 - fog) + 127) / 255;
                     };
-                    const Colour is = toColour(pixels[static_cast<std::size_t>(row * kWidth + column)]);
-                    ASSERT_EQ(shown(own.r, haze.r), is.r) << "column " << column << ", row " << row << ", " << run["what"].GetString();
-                    ASSERT_EQ(shown(own.g, haze.g), is.g) << "column " << column << ", row " << row << ", " << run["what"].GetString();
-                    ASSERT_EQ(shown(own.b, haze.b), is.b) << "column " << column << ", row " << row << ", " << run["what"].GetString();
+                    const Colour is =
+                        toColour(pixels[static_cast<std::size_t>(row * kWidth + column)]);
+                    ASSERT_EQ(shown(own.r, haze.r), is.r) << "column " << column << ", row " << row
+                                                          << ", " << run["what"].GetString();
+                    ASSERT_EQ(shown(own.g, haze.g), is.g) << "column " << column << ", row " << row
+                                                          << ", " << run["what"].GetString();
+                    ASSERT_EQ(shown(own.b, haze.b), is.b) << "column " << column << ", row " << row
+                                                          << ", " << run["what"].GetString();
                     if (!isLit) {
                         EXPECT_EQ(texel["light"].GetInt(), 256);
                         EXPECT_EQ(texel["fog"].GetInt(), 0);
@@ -176,7 +209,8 @@ TEST_F(TraceJsonTest, TheTexelsAreThoseOfThePicture) {
                 }
             }
         }
-        for (const char* what : {"side", "roof", "underside", "floor", "ceiling"}) EXPECT_GT(compared[what], 10) << what;
+        for (const char* what : {"side", "roof", "underside", "floor", "ceiling"})
+            EXPECT_GT(compared[what], 10) << what;
         EXPECT_EQ(finest, 0);
         EXPECT_GT(coarsest, 1);
     }
@@ -192,10 +226,13 @@ TEST_F(TraceJsonTest, LightFogAndDetailFollowTheDepth) {
             if (run["map"] != "hall") continue;
             for (const Json& texel : run["texels"].GetArray()) {
                 const double depth = texel["depth"].GetDouble();
-                const double falloff = std::clamp(light.intensity * light.multiplier / depth, light.darkest, light.brightest);
+                const double falloff = std::clamp(light.intensity * light.multiplier / depth,
+                                                  light.darkest, light.brightest);
                 EXPECT_NEAR(texel["light"].GetInt(), std::floor(256.0 * falloff + 0.5), 1.0);
-                EXPECT_NEAR(texel["fog"].GetInt(), 255.0 * std::clamp((depth - 2.0) / 10.0, 0.0, 1.0), 0.51);
-                // Each level halves the texels: the shown one has at most one of them for each pixel, unless it is the finest.
+                EXPECT_NEAR(texel["fog"].GetInt(),
+                            255.0 * std::clamp((depth - 2.0) / 10.0, 0.0, 1.0), 0.51);
+                // Each level halves the texels: the shown one has at most one of them for each
+                // pixel, unless it is the finest.
                 const double perPixel = depth * texel["size"][1].GetDouble() / d;
                 EXPECT_LE(perPixel, 1.0 + 1e-9);
                 EXPECT_GT(2.0 * perPixel, texel["detail"].GetInt() > 0 ? 1.0 - 1e-9 : 0.0);
@@ -221,13 +258,16 @@ TEST_F(TraceJsonTest, TheWalkGoesByItsOwnNumbers) {
             EXPECT_EQ(walk[i]["tile"][0], tiles[i][0]);
             EXPECT_EQ(walk[i]["tile"][1], tiles[i][1]);
             EXPECT_EQ(walk[i]["depth"].GetDouble(), tiles[i][2].GetDouble());
-            if (i == 0 || walk[i]["portals"] != walk[i - 1]["portals"] || walk[i]["map"] != "hall") continue;
+            if (i == 0 || walk[i]["portals"] != walk[i - 1]["portals"] || walk[i]["map"] != "hall")
+                continue;
             const int axis = walk[i]["axis"] == "x" ? 0 : 1;
             const double ray = json["ray"][axis].GetDouble();
             const int tile = walk[i]["tile"][axis].GetInt();
-            EXPECT_DOUBLE_EQ(walk[i]["distance"].GetDouble(), ray > 0.0 ? tile - eye[axis] : eye[axis] - (tile + 1));
+            EXPECT_DOUBLE_EQ(walk[i]["distance"].GetDouble(),
+                             ray > 0.0 ? tile - eye[axis] : eye[axis] - (tile + 1));
             EXPECT_NEAR(walk[i]["speed"].GetDouble(), d * std::fabs(ray), 1e-9);
-            EXPECT_EQ(walk[i]["along"].GetDouble(), walk[i]["distance"].GetDouble() / walk[i]["speed"].GetDouble());
+            EXPECT_EQ(walk[i]["along"].GetDouble(),
+                      walk[i]["distance"].GetDouble() / walk[i]["speed"].GetDouble());
             EXPECT_EQ(walk[i]["depth"].GetDouble(), walk[i]["along"].GetDouble() * d);
             const Json& next = walk[i - 1]["next"];
             EXPECT_EQ(walk[i]["along"].GetDouble(), next[axis].GetDouble());
@@ -238,7 +278,8 @@ TEST_F(TraceJsonTest, TheWalkGoesByItsOwnNumbers) {
 
 // The wall at x = 12 is 9.7 units away in every column: no fish eye.
 TEST_F(TraceJsonTest, DepthsAndRowsFollowTheDefinition) {
-    ASSERT_TRUE(session.setEye({.map = 0, .x = toCoordinate(2.3), .y = toCoordinate(2.6), .z = toCoordinate(0.6)}));
+    ASSERT_TRUE(session.setEye(
+        {.map = 0, .x = toCoordinate(2.3), .y = toCoordinate(2.6), .z = toCoordinate(0.6)}));
     const double depth = 12.0 - toCoordinate(2.3).value();
     int walls = 0;
     for (const int column : {0, 30, 59, 90}) {
@@ -247,22 +288,30 @@ TEST_F(TraceJsonTest, DepthsAndRowsFollowTheDefinition) {
         EXPECT_EQ(json["column"].GetInt(), column);
         EXPECT_EQ(json["horizonRow"].GetDouble(), kHeight / 2.0);
         for (const Json& run : json["runs"].GetArray()) {
-            if (run["what"] != "side" || run["face"] != "west" || run["map"] != "hall" || json["hits"][run["hit"].GetUint()]["tile"][0].GetInt() != 12) continue;
+            if (run["what"] != "side" || run["face"] != "west" || run["map"] != "hall" ||
+                json["hits"][run["hit"].GetUint()]["tile"][0].GetInt() != 12)
+                continue;
             const Json& hit = json["hits"][run["hit"].GetUint()];
             EXPECT_EQ(hit["blueprint"], "wall");
             EXPECT_EQ(run["texture"], "stone");
             EXPECT_NEAR(run["texels"][0]["depth"].GetDouble(), depth, 1e-9);
-            const double sideways = (column + 0.5 - kWidth / 2.0) / json["projectionDistance"].GetDouble();
-            EXPECT_NEAR(hit["rawDepth"].GetDouble(), depth * std::sqrt(1.0 + sideways * sideways), 1e-9);
+            const double sideways =
+                (column + 0.5 - kWidth / 2.0) / json["projectionDistance"].GetDouble();
+            EXPECT_NEAR(hit["rawDepth"].GetDouble(), depth * std::sqrt(1.0 + sideways * sideways),
+                        1e-9);
             const double rows = json["projectionDistance"].GetDouble() / depth;
-            EXPECT_NEAR(hit["topFrontRow"].GetDouble(), kHeight / 2.0 - (1.0 - toCoordinate(0.6).value()) * rows, 1e-9);
-            EXPECT_NEAR(hit["bottomFrontRow"].GetDouble(), kHeight / 2.0 + toCoordinate(0.6).value() * rows, 1e-9);
-            // Which texel, by the definition: along y on a western side, from the top of the level downwards.
+            EXPECT_NEAR(hit["topFrontRow"].GetDouble(),
+                        kHeight / 2.0 - (1.0 - toCoordinate(0.6).value()) * rows, 1e-9);
+            EXPECT_NEAR(hit["bottomFrontRow"].GetDouble(),
+                        kHeight / 2.0 + toCoordinate(0.6).value() * rows, 1e-9);
+            // Which texel, by the definition: along y on a western side, from the top of the level
+            // downwards.
             const double y = hit["point"][1].GetDouble();
             const int size = run["texels"][0]["size"][0].GetInt();
             EXPECT_EQ(run["texels"][0]["u"].GetInt(), static_cast<int>((y - std::floor(y)) * size));
             for (const Json& texel : run["texels"].GetArray()) {
-                const double height = toCoordinate(0.6).value() + (kHeight / 2.0 - (texel["row"].GetInt() + 0.5)) / rows;
+                const double height = toCoordinate(0.6).value() +
+                                      (kHeight / 2.0 - (texel["row"].GetInt() + 0.5)) / rows;
                 EXPECT_EQ(texel["v"].GetInt(), static_cast<int>((1.0 - height) * size));
             }
             ++walls;
@@ -279,12 +328,18 @@ TEST_F(TraceJsonTest, OpaqueRunsHoldEveryRowOnce) {
         for (const Json& run : json["runs"].GetArray()) {
             throughPortal |= run["portals"].GetInt() > 0;
             if (run["layer"].GetBool()) continue;
-            for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row) ++times.at(static_cast<std::size_t>(row));
+            for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row)
+                ++times.at(static_cast<std::size_t>(row));
         }
         ASSERT_EQ(times, std::vector<int>(kHeight, 1)) << "column " << column;
     }
-    ASSERT_TRUE(session.setEye({.map = 0, .x = toCoordinate(2.3), .y = toCoordinate(3.4), .z = toCoordinate(0.6), .headingDegrees = -20.0}));
-    for (int column = 0; column < kWidth; ++column) throughPortal |= trace(column)["portals"].Size() > 0;
+    ASSERT_TRUE(session.setEye({.map = 0,
+                                .x = toCoordinate(2.3),
+                                .y = toCoordinate(3.4),
+                                .z = toCoordinate(0.6),
+                                .headingDegrees = -20.0}));
+    for (int column = 0; column < kWidth; ++column)
+        throughPortal |= trace(column)["portals"].Size() > 0;
     EXPECT_TRUE(throughPortal);
 }
 
@@ -318,7 +373,8 @@ TEST_F(TraceJsonTest, AnObjectsTexelsAreThoseOfThePicture) {
             if (run["what"] != "object") continue;
             for (const Json& texel : run["texels"].GetArray()) {
                 const Colour own = texelOf(run, texel);
-                const Colour is = toColour(pixels[texel["row"].GetUint() * kWidth + static_cast<unsigned>(column)]);
+                const Colour is = toColour(
+                    pixels[texel["row"].GetUint() * kWidth + static_cast<unsigned>(column)]);
                 EXPECT_EQ(own.r, is.r) << column;
                 EXPECT_EQ(own.g, is.g) << column;
                 ++compared;
@@ -333,7 +389,12 @@ TEST_F(TraceJsonTest, TheReflectionsTexelsAreThoseOfThePicture) {
     set("mirrors", "1");
     set("light", "off");
     set("fog", "off");
-    ASSERT_TRUE(session.setEye({.map = 0, .x = toCoordinate(2.3), .y = toCoordinate(5.2), .z = toCoordinate(0.6), .headingDegrees = 5.0, .look = -0.3}));
+    ASSERT_TRUE(session.setEye({.map = 0,
+                                .x = toCoordinate(2.3),
+                                .y = toCoordinate(5.2),
+                                .z = toCoordinate(0.6),
+                                .headingDegrees = 5.0,
+                                .look = -0.3}));
     const std::vector<Pixel> pixels = picture();
     std::map<std::string, int> compared;
     for (int column = 0; column < kWidth; ++column) {
@@ -341,7 +402,8 @@ TEST_F(TraceJsonTest, TheReflectionsTexelsAreThoseOfThePicture) {
         std::vector<int> mirrored(kHeight, 0);
         for (const Json& mirror : json["mirrors"].GetArray()) {
             EXPECT_EQ(mirror["strength"].GetInt(), 255);
-            for (int row = mirror["first"].GetInt(); row <= mirror["last"].GetInt(); ++row) ++mirrored[static_cast<std::size_t>(row)];
+            for (int row = mirror["first"].GetInt(); row <= mirror["last"].GetInt(); ++row)
+                ++mirrored[static_cast<std::size_t>(row)];
         }
         ASSERT_FALSE(json["reflection"].IsNull());
         const Json& reflection = json["reflection"];
@@ -350,14 +412,19 @@ TEST_F(TraceJsonTest, TheReflectionsTexelsAreThoseOfThePicture) {
         std::vector<int> filled(kHeight, 0);
         for (const Json& run : reflection["runs"].GetArray()) {
             if (run["layer"].GetBool()) continue;
-            for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row) ++filled.at(static_cast<std::size_t>(row));
+            for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row)
+                ++filled.at(static_cast<std::size_t>(row));
             for (const Json& texel : run["texels"].GetArray()) {
                 const int row = texel["row"].GetInt();
-                if (!bare[static_cast<std::size_t>(row)] || !bareBefore[static_cast<std::size_t>(row)]) continue;
+                if (!bare[static_cast<std::size_t>(row)] ||
+                    !bareBefore[static_cast<std::size_t>(row)])
+                    continue;
                 const Colour own = texelOf(run, texel);
                 const Colour is = toColour(pixels[static_cast<std::size_t>(row * kWidth + column)]);
-                ASSERT_EQ(own.r, is.r) << "column " << column << ", row " << row << ", " << run["what"].GetString();
-                ASSERT_EQ(own.g, is.g) << "column " << column << ", row " << row << ", " << run["what"].GetString();
+                ASSERT_EQ(own.r, is.r)
+                    << "column " << column << ", row " << row << ", " << run["what"].GetString();
+                ASSERT_EQ(own.g, is.g)
+                    << "column " << column << ", row " << row << ", " << run["what"].GetString();
                 ++compared[run["what"].GetString()];
             }
         }
@@ -401,7 +468,8 @@ TEST_F(TraceJsonTest, APicturesTraceIsTheSumOfItsColumns) {
             }
             if (run["texels"].Size() > 0) textured += count;
             if (run["hit"].IsNull() && run["object"].IsNull()) continue;
-            for (const Json& texel : run["texels"].GetArray()) nearest = std::min(nearest, texel["depth"].GetDouble());
+            for (const Json& texel : run["texels"].GetArray())
+                nearest = std::min(nearest, texel["depth"].GetDouble());
         }
         if (nearest < 1e9) {
             EXPECT_EQ(columns["nearest"][at].GetDouble(), nearest);
@@ -412,7 +480,8 @@ TEST_F(TraceJsonTest, APicturesTraceIsTheSumOfItsColumns) {
         layers += laid;
         int sum = 0;
         for (const auto& kind : columns["rows"].GetObject()) {
-            EXPECT_EQ(kind.value[at].GetInt(), rows[kind.name.GetString()]) << kind.name.GetString();
+            EXPECT_EQ(kind.value[at].GetInt(), rows[kind.name.GetString()])
+                << kind.name.GetString();
             sum += kind.value[at].GetInt();
         }
         EXPECT_EQ(sum, kHeight);

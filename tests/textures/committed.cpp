@@ -40,7 +40,8 @@ std::set<std::string> namesIn(const fs::path& folder) {
 Image decodedFile(const fs::path& path) {
     constexpr int kLargest = 2048;
     std::ifstream file(path, std::ios::binary);
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file),
+                                  std::istreambuf_iterator<char>()};
     const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
     DecodedImage decoded = decodePng({first, bytes.size()}, kLargest, kLargest);
     EXPECT_EQ(decoded.fault, "") << path;
@@ -49,7 +50,8 @@ Image decodedFile(const fs::path& path) {
 
 const Entry& entryNamed(const std::string& name) {
     const auto& all = catalogue();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Entry& entry) { return entry.name == name; });
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Entry& entry) { return entry.name == name; });
     EXPECT_NE(found, all.end()) << name;
     return found != all.end() ? *found : all.front();
 }
@@ -58,7 +60,9 @@ const Image& committed(const Entry& entry) {
     static std::map<std::string, Image> images;
     const fs::path file = fs::path(folderOf(entry.use)) / (entry.name + ".png");
     const auto found = images.find(file.string());
-    return found != images.end() ? found->second : images.emplace(file.string(), decodedFile(assetsFolder() / file)).first->second;
+    return found != images.end()
+               ? found->second
+               : images.emplace(file.string(), decodedFile(assetsFolder() / file)).first->second;
 }
 
 Image frameOf(const Entry& entry, int frame) {
@@ -113,7 +117,8 @@ double difference(const Image& a, const Image& b) {
 }
 
 double coverage(const Image& image) {
-    const auto covered = std::count_if(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a > 0; });
+    const auto covered = std::count_if(image.pixels.begin(), image.pixels.end(),
+                                       [](Pixel pixel) { return toColour(pixel).a > 0; });
     return static_cast<double>(covered) / static_cast<double>(image.pixels.size());
 }
 

@@ -1,4 +1,5 @@
-// The committed pictures, their frames, and how strongly two rows, columns or frames of them differ.
+// The committed pictures, their frames, and how strongly two rows, columns or frames of them
+// differ.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +24,8 @@ const Image& committed(const Entry& entry);
 // One of the pictures that stand side by side in it.
 Image frameOf(const Entry& entry, int frame);
 
-// Mean absolute differences of a channel, colours weighted by their alpha, and of alpha where there is any.
+// Mean absolute differences of a channel, colours weighted by their alpha, and of alpha where there
+// is any.
 double columnStep(const Image& image, int x1, int x2);
 double rowStep(const Image& image, int y1, int y2);
 double strongestColumnStep(const Image& image);

@@ -15,7 +15,8 @@ namespace {
 std::vector<double> stepsOf(const Entry& entry) {
     std::vector<double> steps;
     for (int frame = 0; frame < entry.frames; ++frame) {
-        steps.push_back(difference(frameOf(entry, frame), frameOf(entry, (frame + 1) % entry.frames)));
+        steps.push_back(
+            difference(frameOf(entry, frame), frameOf(entry, (frame + 1) % entry.frames)));
     }
     return steps;
 }
@@ -45,7 +46,9 @@ TEST(Frames, NoFrameStandsStillAndNoneLeaps) {
         ++moving;
         const std::vector<double> steps = stepsOf(entry);
         EXPECT_GT(*std::min_element(steps.begin(), steps.end()), 0.5) << entry.name;
-        EXPECT_LT(*std::max_element(steps.begin(), steps.end()), 4.0 * *std::min_element(steps.begin(), steps.end())) << entry.name;
+        EXPECT_LT(*std::max_element(steps.begin(), steps.end()),
+                  4.0 * *std::min_element(steps.begin(), steps.end()))
+            << entry.name;
     }
     EXPECT_GE(moving, 9);
 }
@@ -55,7 +58,8 @@ TEST(Frames, GatesOpenStepByStep) {
         const Entry& entry = entryNamed(name);
         ASSERT_EQ(entry.frames, 8);
         for (int frame = 0; frame + 1 < entry.frames; ++frame) {
-            EXPECT_GT(coverage(frameOf(entry, frame)), coverage(frameOf(entry, frame + 1))) << name << " frame " << frame;
+            EXPECT_GT(coverage(frameOf(entry, frame)), coverage(frameOf(entry, frame + 1)))
+                << name << " frame " << frame;
         }
         EXPECT_GT(coverage(frameOf(entry, 0)), 0.5) << name;
         EXPECT_LT(coverage(frameOf(entry, entry.frames - 1)), 0.35) << name;

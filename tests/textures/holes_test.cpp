@@ -1,4 +1,5 @@
-// Alpha: opaque pictures have no holes, see-through ones have them, and what lies under a hole is like what lies beside it.
+// Alpha: opaque pictures have no holes, see-through ones have them, and what lies under a hole is
+// like what lies beside it.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,8 @@ Alphas alphasOf(const Image& image) {
     Alphas alphas;
     for (const Pixel pixel : image.pixels) {
         const int alpha = toColour(pixel).a;
-        (alpha == 0 ? alphas.holes : (alpha == 255 ? alphas.opaque : alphas.between)) += 1.0 / static_cast<double>(image.pixels.size());
+        (alpha == 0 ? alphas.holes : (alpha == 255 ? alphas.opaque : alphas.between)) +=
+            1.0 / static_cast<double>(image.pixels.size());
         alphas.least = std::min(alphas.least, alpha);
         alphas.most = std::max(alphas.most, alpha);
     }
@@ -72,7 +74,8 @@ TEST(Holes, ClearWaterIsHalfSeenThrough) {
 
 TEST(Holes, GlassLetsMoreThroughThanItKeeps) {
     const Image& image = committed(entryNamed("glass-pane"));
-    const auto clear = std::count_if(image.pixels.begin(), image.pixels.end(), [](Pixel pixel) { return toColour(pixel).a < 128; });
+    const auto clear = std::count_if(image.pixels.begin(), image.pixels.end(),
+                                     [](Pixel pixel) { return toColour(pixel).a < 128; });
     EXPECT_GT(static_cast<double>(clear) / static_cast<double>(image.pixels.size()), 0.7);
 }
 
@@ -108,8 +111,10 @@ TEST(Holes, TheColourOfAHoleIsAmongThoseBesideIt) {
                 ++holes;
                 const std::array<int, 3> channels = {own.r, own.g, own.b};
                 for (std::size_t channel = 0; channel < 3; ++channel) {
-                    ASSERT_GE(channels[channel], low[channel]) << entry.name << " at " << x << ", " << y;
-                    ASSERT_LE(channels[channel], high[channel]) << entry.name << " at " << x << ", " << y;
+                    ASSERT_GE(channels[channel], low[channel])
+                        << entry.name << " at " << x << ", " << y;
+                    ASSERT_LE(channels[channel], high[channel])
+                        << entry.name << " at " << x << ", " << y;
                 }
             }
         }
@@ -128,11 +133,14 @@ TEST(Holes, SpritesEndSoftlyAndInsideTheirPicture) {
             const Image image = frameOf(entry, frame);
             const auto alphaAt = [&](int x, int y) { return toColour(image.at(x, y)).a; };
             for (int x = 0; x < image.width; ++x) {
-                EXPECT_LT(alphaAt(x, 0), 255) << entry.name << " frame " << frame << " is cut off above, column " << x;
+                EXPECT_LT(alphaAt(x, 0), 255)
+                    << entry.name << " frame " << frame << " is cut off above, column " << x;
             }
             for (int y = 0; y < image.height; ++y) {
-                EXPECT_LT(alphaAt(0, y), 255) << entry.name << " frame " << frame << " is cut off at the left, row " << y;
-                EXPECT_LT(alphaAt(image.width - 1, y), 255) << entry.name << " frame " << frame << " is cut off at the right, row " << y;
+                EXPECT_LT(alphaAt(0, y), 255)
+                    << entry.name << " frame " << frame << " is cut off at the left, row " << y;
+                EXPECT_LT(alphaAt(image.width - 1, y), 255)
+                    << entry.name << " frame " << frame << " is cut off at the right, row " << y;
             }
         }
     }

@@ -1,4 +1,5 @@
-// The pictures as files: drawn anew they are the same, they repeat without a seam, and floors, walls and roofs differ in value.
+// The pictures as files: drawn anew they are the same, they repeat without a seam, and floors,
+// walls and roofs differ in value.
 
 #include <gtest/gtest.h>
 
@@ -32,9 +33,12 @@ double meanGrey(const Image& image) {
 }
 
 TEST(Textures, TheProgramDrawsTheCommittedFiles) {
-    const fs::path drawn = fs::temp_directory_path() / ("slicecast-textures-" + std::to_string(std::hash<std::string>{}(SLICECAST_TEXTURES_PROGRAM)));
+    const fs::path drawn = fs::temp_directory_path() /
+                           ("slicecast-textures-" +
+                            std::to_string(std::hash<std::string>{}(SLICECAST_TEXTURES_PROGRAM)));
     fs::remove_all(drawn);
-    const std::string command = std::string("\"") + SLICECAST_TEXTURES_PROGRAM + "\" \"" + drawn.string() + "\"";
+    const std::string command =
+        std::string("\"") + SLICECAST_TEXTURES_PROGRAM + "\" \"" + drawn.string() + "\"";
     ASSERT_EQ(std::system(command.c_str()), 0);
     for (const std::string& folder : kFolders) {
         EXPECT_EQ(namesIn(drawn / folder), namesIn(assetsFolder() / folder));
@@ -42,7 +46,8 @@ TEST(Textures, TheProgramDrawsTheCommittedFiles) {
     for (const Entry& entry : catalogue()) {
         const Image image = decodedFile(drawn / folderOf(entry.use) / (entry.name + ".png"));
         EXPECT_EQ(image.width, committed(entry).width) << entry.name;
-        EXPECT_TRUE(image.pixels == committed(entry).pixels) << entry.name << ": draw the assets anew";
+        EXPECT_TRUE(image.pixels == committed(entry).pixels)
+            << entry.name << ": draw the assets anew";
     }
     fs::remove_all(drawn);
 }
@@ -81,7 +86,9 @@ TEST(Textures, TheyRepeatSidewaysWithoutASeam) {
     for (const Entry& entry : catalogue()) {
         for (int frame = 0; entry.repeatsSideways && frame < entry.frames; ++frame) {
             const Image image = frameOf(entry, frame);
-            EXPECT_LE(columnStep(image, image.width - 1, 0), kSeamTolerance * strongestColumnStep(image)) << entry.name << " frame " << frame;
+            EXPECT_LE(columnStep(image, image.width - 1, 0),
+                      kSeamTolerance * strongestColumnStep(image))
+                << entry.name << " frame " << frame;
         }
     }
 }
@@ -93,12 +100,14 @@ TEST(Textures, TheyRepeatUpwardsWithoutASeam) {
         }
         for (int frame = 0; frame < entry.frames; ++frame) {
             const Image image = frameOf(entry, frame);
-            EXPECT_LE(rowStep(image, image.height - 1, 0), kSeamTolerance * strongestRowStep(image)) << entry.name << " frame " << frame;
+            EXPECT_LE(rowStep(image, image.height - 1, 0), kSeamTolerance * strongestRowStep(image))
+                << entry.name << " frame " << frame;
         }
     }
 }
 
-// Where most of a picture is holes, its strongest step is no measure of a seam: the steps close by are.
+// Where most of a picture is holes, its strongest step is no measure of a seam: the steps close by
+// are.
 TEST(Textures, ThoseWithHolesCrossTheirBordersAsTheyRunBesideThem) {
     constexpr int kNear = 5;
     constexpr double kTolerance = 1.5;
@@ -108,14 +117,20 @@ TEST(Textures, ThoseWithHolesCrossTheirBordersAsTheyRunBesideThem) {
             double beside = 0.0;
             double above = 0.0;
             for (int near = 0; near < kNear; ++near) {
-                beside = std::max({beside, columnStep(image, near, near + 1), columnStep(image, image.width - 2 - near, image.width - 1 - near)});
-                above = std::max({above, rowStep(image, near, near + 1), rowStep(image, image.height - 2 - near, image.height - 1 - near)});
+                beside =
+                    std::max({beside, columnStep(image, near, near + 1),
+                              columnStep(image, image.width - 2 - near, image.width - 1 - near)});
+                above =
+                    std::max({above, rowStep(image, near, near + 1),
+                              rowStep(image, image.height - 2 - near, image.height - 1 - near)});
             }
             if (entry.repeatsSideways) {
-                EXPECT_LE(columnStep(image, image.width - 1, 0), kTolerance * beside + 0.5) << entry.name << " frame " << frame;
+                EXPECT_LE(columnStep(image, image.width - 1, 0), kTolerance * beside + 0.5)
+                    << entry.name << " frame " << frame;
             }
             if (entry.repeatsUpwards) {
-                EXPECT_LE(rowStep(image, image.height - 1, 0), kTolerance * above + 0.5) << entry.name << " frame " << frame;
+                EXPECT_LE(rowStep(image, image.height - 1, 0), kTolerance * above + 0.5)
+                    << entry.name << " frame " << frame;
             }
         }
     }
@@ -134,7 +149,8 @@ TEST(Textures, WhatIsPaintedOnAWallContinuesIt) {
         for (int y = 0; y < kSide; ++y) {
             for (int x = 0; x < kBorder; ++x) {
                 ASSERT_EQ(image.at(x, y), wall.at(x, y)) << entry.name << " at " << x << ", " << y;
-                ASSERT_EQ(image.at(kSide - 1 - x, y), wall.at(kSide - 1 - x, y)) << entry.name << " at " << kSide - 1 - x << ", " << y;
+                ASSERT_EQ(image.at(kSide - 1 - x, y), wall.at(kSide - 1 - x, y))
+                    << entry.name << " at " << kSide - 1 - x << ", " << y;
             }
         }
     }
@@ -142,7 +158,8 @@ TEST(Textures, WhatIsPaintedOnAWallContinuesIt) {
 }
 
 TEST(Textures, HazeColoursMatchTheFootOfTheSkies) {
-    const std::map<std::string, Colour> hazes = {{"sky-day", kHazeDay}, {"sky-dusk", kHazeDusk}, {"sky-night", kHazeNight}};
+    const std::map<std::string, Colour> hazes = {
+        {"sky-day", kHazeDay}, {"sky-dusk", kHazeDusk}, {"sky-night", kHazeNight}};
     for (const auto& [name, haze] : hazes) {
         const Image& image = committed(entryNamed(name));
         for (int x = 0; x < image.width; ++x) {
@@ -151,10 +168,12 @@ TEST(Textures, HazeColoursMatchTheFootOfTheSkies) {
     }
 }
 
-// Space must read without light: roofs and ceilings are dark, and walls of houses lighter than what covers them.
+// Space must read without light: roofs and ceilings are dark, and walls of houses lighter than what
+// covers them.
 TEST(Textures, RoofsAndCeilingsAreDarkerThanTheWallsUnderThem) {
     double darkestHouse = 255.0;
-    for (const char* wall : {"brick", "stone-blocks", "sandstone", "plaster-white", "plaster-warm", "timber-frame", "planks-wall"}) {
+    for (const char* wall : {"brick", "stone-blocks", "sandstone", "plaster-white", "plaster-warm",
+                             "timber-frame", "planks-wall"}) {
         darkestHouse = std::min(darkestHouse, meanGrey(committed(entryNamed(wall))));
     }
     for (const Entry& entry : catalogue()) {

@@ -1,4 +1,5 @@
-// What tools/play and tools/setup refuse, and how they say it. Nothing here gets as far as building.
+// What tools/play and tools/setup refuse, and how they say it. Nothing here gets as far as
+// building.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -42,13 +43,28 @@ test('where it cannot install, tools/setup stops with the whole list of what is 
   // A system with a shell and nothing else.
   const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-bare-'));
   t.after(() => rmSync(folder, { recursive: true }));
-  for (const name of ['bash', 'env', 'sed', 'grep', 'tr', 'uname', 'id', 'basename', 'dirname', 'cat', 'readlink']) {
-    const from = process.env.PATH.split(path.delimiter).map((place) => path.join(place, name)).find(existsSync);
+  for (const name of [
+    'bash',
+    'env',
+    'sed',
+    'grep',
+    'tr',
+    'uname',
+    'id',
+    'basename',
+    'dirname',
+    'cat',
+    'readlink',
+  ]) {
+    const from = process.env.PATH.split(path.delimiter)
+      .map((place) => path.join(place, name))
+      .find(existsSync);
     symlinkSync(from, path.join(folder, name));
   }
   const { status, stderr } = run('setup', [], { PATH: folder, HOME: folder });
   assert.equal(status, 1);
-  for (const name of ['cmake', 'ninja', 'emscripten', 'clang', 'npm', 'chromium']) assert.match(stderr, new RegExp(`apt-get install .*${name}`));
+  for (const name of ['cmake', 'ninja', 'emscripten', 'clang', 'npm', 'chromium'])
+    assert.match(stderr, new RegExp(`apt-get install .*${name}`));
   assert.match(stderr, /brew install .*emscripten/);
   assert.match(stderr, /dnf install .*gcc-c\+\+/);
   assert.match(stderr, /pacman -S .*ninja/);

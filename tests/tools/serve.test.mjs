@@ -1,4 +1,5 @@
-// The server behind tools/play: what it hands out, what it keeps to itself, and when it tells the page that a scene was saved.
+// The server behind tools/play: what it hands out, what it keeps to itself, and when it tells the
+// page that a scene was saved.
 
 import assert from 'node:assert/strict';
 import { mkdir, mkdtemp, rename, rm, symlink, writeFile } from 'node:fs/promises';
@@ -12,16 +13,26 @@ let root, server, origin;
 
 before(async () => {
   root = await mkdtemp(path.join(tmpdir(), 'slicecast-serve-'));
-  for (const folder of ['page/engine', 'mine/scenes', 'mine/textures']) await mkdir(path.join(root, folder), { recursive: true });
+  for (const folder of ['page/engine', 'mine/scenes', 'mine/textures'])
+    await mkdir(path.join(root, folder), { recursive: true });
   await writeFile(path.join(root, 'page/index.html'), '<title>page</title>');
   await writeFile(path.join(root, 'page/engine/x.wasm'), 'wasm');
-  await writeFile(path.join(root, 'mine/scenes/my scene.json'), '{ "wall": "brick.png", "roof": "../textures/named.png" }');
+  await writeFile(
+    path.join(root, 'mine/scenes/my scene.json'),
+    '{ "wall": "brick.png", "roof": "../textures/named.png" }',
+  );
   await writeFile(path.join(root, 'mine/scenes/brick.png'), 'brick');
   await writeFile(path.join(root, 'mine/scenes/private.txt'), 'secret');
   await writeFile(path.join(root, 'mine/textures/named.png'), 'named');
   await writeFile(path.join(root, 'mine/textures/other.png'), 'secret');
-  await symlink(path.join(root, 'mine/textures/other.png'), path.join(root, 'mine/scenes/link.png'));
-  server = await startServer({ folder: path.join(root, 'page'), scene: path.join(root, 'mine/scenes/my scene.json') });
+  await symlink(
+    path.join(root, 'mine/textures/other.png'),
+    path.join(root, 'mine/scenes/link.png'),
+  );
+  server = await startServer({
+    folder: path.join(root, 'page'),
+    scene: path.join(root, 'mine/scenes/my scene.json'),
+  });
   origin = new URL(server.address).origin;
 });
 
@@ -38,7 +49,9 @@ function get(rawPath) {
       .get({ hostname, port, path: rawPath }, (response) => {
         let body = '';
         response.on('data', (chunk) => (body += chunk));
-        response.on('end', () => resolve({ status: response.statusCode, type: response.headers['content-type'], body }));
+        response.on('end', () =>
+          resolve({ status: response.statusCode, type: response.headers['content-type'], body }),
+        );
       })
       .on('error', reject);
   });
@@ -111,9 +124,18 @@ test('a saved scene is told once, however the editor saves it', async () => {
 });
 
 test('a picture of the scene counts, other files do not', async () => {
-  assert.equal(await countEvents(() => writeFile(path.join(root, 'mine/scenes/brick.png'), 'brick 2')), 1);
-  assert.equal(await countEvents(() => writeFile(path.join(root, 'mine/textures/named.png'), 'named 2')), 1);
-  assert.equal(await countEvents(() => writeFile(path.join(root, 'mine/scenes/private.txt'), 'changed')), 0);
+  assert.equal(
+    await countEvents(() => writeFile(path.join(root, 'mine/scenes/brick.png'), 'brick 2')),
+    1,
+  );
+  assert.equal(
+    await countEvents(() => writeFile(path.join(root, 'mine/textures/named.png'), 'named 2')),
+    1,
+  );
+  assert.equal(
+    await countEvents(() => writeFile(path.join(root, 'mine/scenes/private.txt'), 'changed')),
+    0,
+  );
 });
 
 test('the next free port is taken, unless one was asked for', async () => {
@@ -121,7 +143,9 @@ test('the next free port is taken, unless one was asked for', async () => {
   const taken = Number(new URL(origin).port);
   assert.ok(Number(new URL(second.address).port) > taken);
   second.close();
-  await assert.rejects(startServer({ folder: path.join(root, 'page'), port: taken }), { code: 'EADDRINUSE' });
+  await assert.rejects(startServer({ folder: path.join(root, 'page'), port: taken }), {
+    code: 'EADDRINUSE',
+  });
 });
 
 test('without a scene there are no events', async () => {

@@ -33,7 +33,8 @@ TEST(Tours, AreTheGuidesOwn) {
         tour.give(guide);
         EXPECT_EQ(guide.trouble(), "");
         // Not EXPECT_EQ, which would print both.
-        EXPECT_TRUE(writeRecording(guide.finish()) == tourText(tour.scene)) << "the guide goes another way than assets/tours says" << kMakeAnew;
+        EXPECT_TRUE(writeRecording(guide.finish()) == tourText(tour.scene))
+            << "the guide goes another way than assets/tours says" << kMakeAnew;
     }
 }
 
@@ -41,7 +42,8 @@ TEST(Tours, EveryFileIsOneOfThem) {
     std::set<std::string> names;
     for (const Tour& tour : allTours()) names.insert(tour.scene);
     std::set<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(assetsFolder() / "tours")) files.insert(entry.path().stem().string());
+    for (const auto& entry : std::filesystem::directory_iterator(assetsFolder() / "tours"))
+        files.insert(entry.path().stem().string());
     EXPECT_EQ(files, names);
     EXPECT_GE(names.size(), 5u);
 }
@@ -58,15 +60,16 @@ TEST(Tours, LeadWhereTheyLed) {
         EXPECT_EQ(replay.stepsDone(), recording.steps);
         EXPECT_EQ(session.steps(), recording.steps);
         EXPECT_GE(replay.marks().size(), 5u);
-        for (const PassedMark& mark : replay.marks()) EXPECT_TRUE(mark.isSame) << mark.name << kMakeAnew;
+        for (const PassedMark& mark : replay.marks())
+            EXPECT_TRUE(mark.isSame) << mark.name << kMakeAnew;
         EXPECT_TRUE(replay.isSame()) << kMakeAnew;
     }
 }
 
 // What a tour is for: all ways of moving are in it.
 TEST(Tours, TogetherTheyDoEverything) {
-    bool walks = false, runs = false, strafes = false, jumps = false, crouches = false, turns = false, looks = false, flies = false, climbs = false,
-         rides = false, opens = false;
+    bool walks = false, runs = false, strafes = false, jumps = false, crouches = false,
+         turns = false, looks = false, flies = false, climbs = false, rides = false, opens = false;
     for (const Tour& tour : allTours()) {
         Session session(shippedWorld(tour.scene));
         Replay replay(shippedTour(tour.scene));
@@ -82,7 +85,8 @@ TEST(Tours, TogetherTheyDoEverything) {
             flies = flies || player.flying;
             for (const Mover& mover : session.world().movers) {
                 const Coordinate rise = mover.offset - mover.previousOffset;
-                rides = rides || (rise > Coordinate{0} && player.onGround && player.z - feetBefore == rise);
+                rides = rides ||
+                        (rise > Coordinate{0} && player.onGround && player.z - feetBefore == rise);
             }
             feetBefore = player.z;
             climbs = climbs || (player.onGround && player.z.value() > start.value() + 4.0);

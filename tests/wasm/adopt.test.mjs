@@ -10,7 +10,8 @@ import { flavours } from './load.mjs';
 
 const kSize = [160, 100];
 
-// One that draws into a canvas has its scene in the program's session; none of these begins to draw.
+// One that draws into a canvas has its scene in the program's session; none of these begins to
+// draw.
 async function createEngine(flavour) {
   return Engine.create({ files: await readEngine(flavour), canvas: {} });
 }
@@ -21,7 +22,14 @@ function walk(engine) {
     engine.step({ forward: 1, turn: 0.3, use: steps === 60 }, steps);
     return Buffer.from(engine.drawPixels(...kSize)).toString('base64');
   });
-  return { seen, state: engine.state, options: engine.options, world: engine.world, warnings: engine.warnings, view: engine.view };
+  return {
+    seen,
+    state: engine.state,
+    options: engine.options,
+    world: engine.world,
+    warnings: engine.warnings,
+    view: engine.view,
+  };
 }
 
 for (const flavour of flavours) {

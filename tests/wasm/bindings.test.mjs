@@ -8,27 +8,40 @@ import { test } from 'node:test';
 import { flavours, loadModule, root, Session } from './load.mjs';
 
 const header = readFileSync(join(root, 'src/wasm/bindings.h'), 'utf8');
-const declared = [...header.matchAll(/^[a-zA-Z].*[ *](slicecast_\w+)\(/gm)].map((match) => match[1]).sort();
+const declared = [...header.matchAll(/^[a-zA-Z].*[ *](slicecast_\w+)\(/gm)]
+  .map((match) => match[1])
+  .sort();
 
 for (const flavour of flavours) {
   test(`the ${flavour} module exports what the header declares, and nothing else`, async () => {
     const module = await loadModule(flavour);
     // Names without the underscore are the program's own, for its listeners in the page.
-    const exported = Object.keys(module).filter((name) => /slicecast_/.test(name)).map((name) => name.replace(/^_/, '')).sort();
+    const exported = Object.keys(module)
+      .filter((name) => /slicecast_/.test(name))
+      .map((name) => name.replace(/^_/, ''))
+      .sort();
     assert.ok(declared.length > 20);
     assert.deepEqual(exported, declared);
-    for (const name of ['UTF8ToString', '_malloc', '_free']) assert.equal(typeof module[name], 'function', name);
+    for (const name of ['UTF8ToString', '_malloc', '_free'])
+      assert.equal(typeof module[name], 'function', name);
     assert.ok(module.HEAPU8 instanceof Uint8Array);
   });
 }
 
 test('every function of the header has a comment of its own', () => {
-  for (const name of declared) assert.match(header, new RegExp(`// [^\\n]*\\n(?:[^\\n/][^\\n]*\\n)?[^\\n/]*\\b${name}\\(`), name);
+  for (const name of declared)
+    assert.match(
+      header,
+      new RegExp(`// [^\\n]*\\n(?:[^\\n/][^\\n]*\\n)?[^\\n/]*\\b${name}\\(`),
+      name,
+    );
 });
 
 test('the version is that of the build', async () => {
   const module = await loadModule('simd');
-  const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(/project\(Slicecast VERSION ([0-9.]+)/)[1];
+  const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(
+    /project\(Slicecast VERSION ([0-9.]+)/,
+  )[1];
   assert.equal(module.UTF8ToString(module._slicecast_version()), version);
 });
 

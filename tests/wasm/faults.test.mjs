@@ -1,4 +1,5 @@
-// What is wrong with a scene or an option is said in the same words as by the native programs, and what was running goes on.
+// What is wrong with a scene or an option is said in the same words as by the native programs, and
+// what was running goes on.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -18,8 +19,16 @@ test('every broken scene has the same faults natively and in WebAssembly', async
   for (const name of scenes) {
     const scene = join(folder, name);
     const faults = session.load(scene);
-    const native = spawnSync(join(root, 'build/native/tests/slicecast-replay'), [scene, '1', '1', '/dev/null'], { input: '', encoding: 'utf8' });
-    assert.deepEqual(faults.map(({ message }) => message), native.stderr.trimEnd().split('\n'), name);
+    const native = spawnSync(
+      join(root, 'build/native/tests/slicecast-replay'),
+      [scene, '1', '1', '/dev/null'],
+      { input: '', encoding: 'utf8' },
+    );
+    assert.deepEqual(
+      faults.map(({ message }) => message),
+      native.stderr.trimEnd().split('\n'),
+      name,
+    );
     assert.equal(native.status, 1, name);
     assert.equal(session.draw(8, 8), null, name);
   }
@@ -29,8 +38,13 @@ test('warnings are the same natively and in WebAssembly, and the scene plays', a
   const session = new Session(await loadModule('simd'));
   const scene = join(root, 'tests/scene/warnings.json');
   assert.deepEqual(session.load(scene), []);
-  const native = spawnSync(join(root, 'build/native/bin/slicecast-check'), [scene], { encoding: 'utf8' });
-  assert.deepEqual(session.warnings.map(({ message }) => `warning: ${message}`), native.stderr.trimEnd().split('\n'));
+  const native = spawnSync(join(root, 'build/native/bin/slicecast-check'), [scene], {
+    encoding: 'utf8',
+  });
+  assert.deepEqual(
+    session.warnings.map(({ message }) => `warning: ${message}`),
+    native.stderr.trimEnd().split('\n'),
+  );
   assert.notEqual(session.draw(8, 8), null);
 });
 
@@ -39,7 +53,10 @@ test('a fault names file, place, what was found and what was expected', async ()
   const { files, faults } = session.parse('{\n  "title": 7\n}', 'odd "name".json');
   assert.deepEqual(files, []);
   const fault = faults.find(({ pointer }) => pointer === '/title');
-  assert.deepEqual({ file: fault.file, line: fault.line, column: fault.column }, { file: 'odd "name".json', line: 2, column: 12 });
+  assert.deepEqual(
+    { file: fault.file, line: fault.line, column: fault.column },
+    { file: 'odd "name".json', line: 2, column: 12 },
+  );
   assert.match(fault.found, /7/);
   assert.ok(fault.expected.length > 0);
   assert.ok(fault.message.startsWith('odd "name".json:2:12'));
@@ -67,7 +84,11 @@ test('a game goes on while the next scene is at fault', async () => {
   const { fingerprint } = session.state();
   assert.ok(session.loadText('{"title": ', 'half.json', readTexture).length > 0);
   assert.ok(session.start().length > 0, 'a start after a wrong text says what is wrong again');
-  assert.ok(session.loadText(roomScene(), 'room.json', () => { throw new Error('not there'); }).length > 0);
+  assert.ok(
+    session.loadText(roomScene(), 'room.json', () => {
+      throw new Error('not there');
+    }).length > 0,
+  );
   assert.equal(session.state().fingerprint, fingerprint);
   assert.deepEqual(session.loadText(roomScene(), 'room.json', readTexture), []);
   assert.equal(session.world().title, 'A room');
@@ -112,6 +133,13 @@ test('options act, are listed, wait for a game and outlive it', async () => {
 test('pictures of impossible sizes are refused', async () => {
   const session = new Session(await loadModule('simd'));
   session.load(shippedScenes[0]);
-  for (const [width, height] of [[0, 10], [10, 0], [-1, 10], [8193, 1], [1, 8193]]) assert.equal(session.draw(width, height), null, `${width}x${height}`);
+  for (const [width, height] of [
+    [0, 10],
+    [10, 0],
+    [-1, 10],
+    [8193, 1],
+    [1, 8193],
+  ])
+    assert.equal(session.draw(width, height), null, `${width}x${height}`);
   assert.equal(session.draw(1, 1).length, 4);
 });

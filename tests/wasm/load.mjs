@@ -1,4 +1,5 @@
-// Loads the WebAssembly that the page ships into Node, and gives its functions the types of JavaScript.
+// Loads the WebAssembly that the page ships into Node, and gives its functions the types of
+// JavaScript.
 //
 //     const module = await loadModule('simd');
 //     const session = new Session(module);
@@ -18,7 +19,9 @@ export const shippedScenes = readdirSync(join(root, 'assets/scenes'))
   .filter((name) => name.endsWith('.json') && name !== 'index.json')
   .map((name) => join(root, 'assets/scenes', name));
 
-export const shippedTours = readdirSync(join(root, 'assets/tours')).map((name) => join(root, 'assets/tours', name));
+export const shippedTours = readdirSync(join(root, 'assets/tours')).map((name) =>
+  join(root, 'assets/tours', name),
+);
 
 // A new instance, with memory of its own.
 export async function loadModule(flavour) {
@@ -38,7 +41,9 @@ export class Session {
 
   // Reads a scene file from disk.
   load(path) {
-    return this.loadText(readFileSync(path), path, (name) => readFileSync(join(dirname(path), name)));
+    return this.loadText(readFileSync(path), path, (name) =>
+      readFileSync(join(dirname(path), name)),
+    );
   }
 
   // `readFile` gives the bytes of a file that the scene names, or throws.
@@ -60,11 +65,14 @@ export class Session {
   parse(text, name) {
     const bytes = Buffer.from(text);
     return this.withMemory([bytes, cString(name)], (textAt, nameAt) =>
-      this.json(this.module._slicecast_parse(this.address, textAt, bytes.length, nameAt)));
+      this.json(this.module._slicecast_parse(this.address, textAt, bytes.length, nameAt)),
+    );
   }
 
   supply(name, bytes) {
-    this.withMemory([cString(name), bytes], (nameAt, at) => this.module._slicecast_supply(this.address, nameAt, at, bytes.length));
+    this.withMemory([cString(name), bytes], (nameAt, at) =>
+      this.module._slicecast_supply(this.address, nameAt, at, bytes.length),
+    );
   }
 
   start() {
@@ -95,11 +103,14 @@ export class Session {
 
   setOption(name, value) {
     return this.withMemory([cString(name), cString(value)], (nameAt, valueAt) =>
-      this.module.UTF8ToString(this.module._slicecast_setOption(this.address, nameAt, valueAt)));
+      this.module.UTF8ToString(this.module._slicecast_setOption(this.address, nameAt, valueAt)),
+    );
   }
 
   option(name) {
-    return this.withMemory([cString(name)], (nameAt) => this.module.UTF8ToString(this.module._slicecast_option(this.address, nameAt)));
+    return this.withMemory([cString(name)], (nameAt) =>
+      this.module.UTF8ToString(this.module._slicecast_option(this.address, nameAt)),
+    );
   }
 
   options() {
@@ -123,7 +134,9 @@ export class Session {
   }
 
   record(sceneName) {
-    this.withMemory([cString(sceneName)], (nameAt) => this.module._slicecast_record(this.address, nameAt));
+    this.withMemory([cString(sceneName)], (nameAt) =>
+      this.module._slicecast_record(this.address, nameAt),
+    );
   }
 
   takeRecording() {
@@ -133,7 +146,8 @@ export class Session {
   readRecording(text, name) {
     const bytes = Buffer.from(text);
     return this.withMemory([bytes, cString(name)], (textAt, nameAt) =>
-      this.json(this.module._slicecast_readRecording(this.address, textAt, bytes.length, nameAt)));
+      this.json(this.module._slicecast_readRecording(this.address, textAt, bytes.length, nameAt)),
+    );
   }
 
   replay() {
@@ -173,7 +187,8 @@ function cString(text) {
 // A small room: walls around an open middle, one texture, which `textureBytes` gives.
 export function roomScene({ width = 8, depth = 6, texture = 'brick.png', ...more } = {}) {
   const rows = Array.from({ length: depth }, (_, y) =>
-    y === 0 || y === depth - 1 ? '#'.repeat(width) : `#${'.'.repeat(width - 2)}#`);
+    y === 0 || y === depth - 1 ? '#'.repeat(width) : `#${'.'.repeat(width - 2)}#`,
+  );
   return JSON.stringify({
     title: 'A room',
     textures: { brick: texture },

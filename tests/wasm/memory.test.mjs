@@ -1,4 +1,5 @@
-// Memory grows when a picture needs it, is given back when a session ends, and belongs to one module alone.
+// Memory grows when a picture needs it, is given back when a session ends, and belongs to one
+// module alone.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -13,9 +14,14 @@ test('growing memory leaves the session and its pictures as they were', async ()
   const small = session.draw(160, 100);
   const bufferBefore = session.module.HEAPU8.buffer;
   const large = session.draw(4096, 4096);
-  assert.notEqual(session.module.HEAPU8.buffer, bufferBefore, 'a picture of 64 MB needs more memory');
+  assert.notEqual(
+    session.module.HEAPU8.buffer,
+    bufferBefore,
+    'a picture of 64 MB needs more memory',
+  );
   assert.equal(large.length, 4096 * 4096 * 4);
-  for (let at = 3; at < large.length; at += 4) if (large[at] !== 255) assert.fail(`alpha of byte ${at}`);
+  for (let at = 3; at < large.length; at += 4)
+    if (large[at] !== 255) assert.fail(`alpha of byte ${at}`);
   assert.ok(session.draw(160, 100).equals(small));
 });
 

@@ -1,4 +1,5 @@
-// What inspectors ask of the engine: the hits of a column, the overlays by their options, the maps of a scene.
+// What inspectors ask of the engine: the hits of a column, the overlays by their options, the maps
+// of a scene.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -25,7 +26,9 @@ function renderNatively(theArguments) {
 }
 
 function nativeHits(column) {
-  return JSON.parse(renderNatively([scene, '--size', `${kWidth}x${kHeight}`, '--hits', `${column}`]));
+  return JSON.parse(
+    renderNatively([scene, '--size', `${kWidth}x${kHeight}`, '--hits', `${column}`]),
+  );
 }
 
 for (const flavour of flavours) {
@@ -50,13 +53,19 @@ for (const flavour of flavours) {
     const session = await open(flavour, path);
     const { maps } = session.world();
     for (const [map, eye, key, count] of [
-      ['gallery', [2.5, 1.4, 0.5, 90, 0], 'portals', 2], ['hall', [2.5, 1.5, 0.625, 140, -0.2], 'mirrors', 2], ['hall', [2.5, 1.5, 0.625, 140, -0.2], 'objects', 3],
+      ['gallery', [2.5, 1.4, 0.5, 90, 0], 'portals', 2],
+      ['hall', [2.5, 1.5, 0.625, 140, -0.2], 'mirrors', 2],
+      ['hall', [2.5, 1.5, 0.625, 140, -0.2], 'objects', 3],
     ]) {
       const [x, y, z, heading, look] = eye;
-      assert.ok(session.setEye({ map: maps.findIndex(({ name }) => name === map), x, y, z, heading, look }));
+      assert.ok(
+        session.setEye({ map: maps.findIndex(({ name }) => name === map), x, y, z, heading, look }),
+      );
       const view = ['--map', map, '--eye', eye.join(','), '--size', `${kWidth}x${kHeight}`];
       const { scene: title, ...hits } = session.hits(kWidth, kHeight, 320);
-      const { scene: file, ...native } = JSON.parse(renderNatively([path, ...view, '--hits', '320']));
+      const { scene: file, ...native } = JSON.parse(
+        renderNatively([path, ...view, '--hits', '320']),
+      );
       assert.equal(file, path);
       assert.equal(title, session.world().title);
       assert.deepEqual(hits, native);
@@ -75,10 +84,19 @@ test('every overlay is switched on by its option, and is the same in both flavou
   const sessions = await Promise.all(flavours.map((flavour) => open(flavour)));
   const plain = sessions[0].draw(kWidth, kHeight);
   for (const [name, on] of [
-    ['minimap', {}], ['minimapRays', { minimap: 'on' }], ['minimapTurns', { minimap: 'on' }], ['minimapLevel', { minimap: 'on' }], ['playerPanel', {}],
-    ['processPanel', {}], ['inspector', {}], ['grid', {}], ['slow', {}],
+    ['minimap', {}],
+    ['minimapRays', { minimap: 'on' }],
+    ['minimapTurns', { minimap: 'on' }],
+    ['minimapLevel', { minimap: 'on' }],
+    ['playerPanel', {}],
+    ['processPanel', {}],
+    ['inspector', {}],
+    ['grid', {}],
+    ['slow', {}],
   ]) {
-    for (const session of sessions) for (const [also, value] of Object.entries(on)) assert.equal(session.setOption(also, value), '');
+    for (const session of sessions)
+      for (const [also, value] of Object.entries(on))
+        assert.equal(session.setOption(also, value), '');
     const before = sessions[0].draw(kWidth, kHeight);
     const pictures = sessions.map((session) => {
       assert.equal(session.setOption(name, name === 'minimapLevel' ? '3' : 'on'), '');
@@ -86,7 +104,9 @@ test('every overlay is switched on by its option, and is the same in both flavou
     });
     assert.ok(!pictures[0].equals(before), name);
     assert.ok(pictures[0].equals(pictures[1]), name);
-    for (const session of sessions) for (const each of [name, ...Object.keys(on)]) session.setOption(each, each === 'minimapLevel' ? '-1' : 'off');
+    for (const session of sessions)
+      for (const each of [name, ...Object.keys(on)])
+        session.setOption(each, each === 'minimapLevel' ? '-1' : 'off');
     assert.ok(sessions[0].draw(kWidth, kHeight).equals(plain), `${name} leaves nothing behind`);
   }
 });

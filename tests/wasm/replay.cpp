@@ -3,9 +3,10 @@
 //     slicecast-replay SCENE WIDTH HEIGHT PICTURES < INPUTS
 //     slicecast-replay SCENE WIDTH HEIGHT PICTURES RECORDING
 //
-// Each line of the inputs is a number of steps and what is asked for during them, in the order of slicecast_step (src/wasm/bindings.h). After each line the
-// state's fingerprint is printed, and the picture (R, G, B, A, no padding) is added to the file PICTURES.
-// Of a recording the same after each of its marks and at its end.
+// Each line of the inputs is a number of steps and what is asked for during them, in the order of
+// slicecast_step (src/wasm/bindings.h). After each line the state's fingerprint is printed, and the
+// picture (R, G, B, A, no padding) is added to the file PICTURES. Of a recording the same after
+// each of its marks and at its end.
 
 #include "base/image.h"
 #include "headless/replay_file.h"
@@ -35,7 +36,8 @@ int main(int argc, char** argv) {
     };
     if (argc == 6) {
         ReadRecording read = readRecordingFile(argv[5]);
-        for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+        for (const Fault& fault : read.faults)
+            std::fprintf(stderr, "%s\n", describe(fault).c_str());
         if (!read.recording) return 1;
         Replay replay(std::move(*read.recording));
         std::size_t passed = 0;
@@ -49,8 +51,9 @@ int main(int argc, char** argv) {
     int steps = 0;
     int buttons = 0;
     Input input;
-    while (std::scanf("%d %lf %lf %lf %lf %lf %lf %lf %d", &steps, &input.forward, &input.strafe, &input.turn, &input.look, &input.fly, &input.turnDegrees,
-                      &input.lookHeights, &buttons) == 9) {
+    while (std::scanf("%d %lf %lf %lf %lf %lf %lf %lf %d", &steps, &input.forward, &input.strafe,
+                      &input.turn, &input.look, &input.fly, &input.turnDegrees, &input.lookHeights,
+                      &buttons) == 9) {
         input.jump = (buttons & 1) != 0;
         input.fast = (buttons & 2) != 0;
         input.slow = (buttons & 4) != 0;

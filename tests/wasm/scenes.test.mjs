@@ -1,4 +1,5 @@
-// The shipped scenes, played by recorded inputs: the WebAssembly with SIMD, the one without, and the native program agree in every state and every byte.
+// The shipped scenes, played by recorded inputs: the WebAssembly with SIMD, the one without, and
+// the native program agree in every state and every byte.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -37,11 +38,21 @@ function playNatively(scene) {
   try {
     const pictures = join(folder, 'pictures');
     const input = recording.map((line) => line.join(' ')).join('\n');
-    const result = spawnSync(join(root, 'build/native/tests/slicecast-replay'), [scene, kWidth, kHeight, pictures].map(String), { input, encoding: 'utf8' });
+    const result = spawnSync(
+      join(root, 'build/native/tests/slicecast-replay'),
+      [scene, kWidth, kHeight, pictures].map(String),
+      { input, encoding: 'utf8' },
+    );
     assert.equal(result.status, 0, result.stderr ?? String(result.error));
     const bytes = readFileSync(pictures);
     const size = kWidth * kHeight * 4;
-    return result.stdout.trim().split('\n').map((fingerprint, i) => ({ fingerprint, picture: bytes.subarray(i * size, (i + 1) * size) }));
+    return result.stdout
+      .trim()
+      .split('\n')
+      .map((fingerprint, i) => ({
+        fingerprint,
+        picture: bytes.subarray(i * size, (i + 1) * size),
+      }));
   } finally {
     rmSync(folder, { recursive: true });
   }
@@ -64,7 +75,10 @@ for (const scene of shippedScenes) {
       const native = playNatively(scene);
       const ours = await play(flavour, scene);
       assert.equal(native.length, recording.length);
-      assert.ok(new Set(native.map(({ fingerprint }) => fingerprint)).size === recording.length, 'every stretch of the recording moves');
+      assert.ok(
+        new Set(native.map(({ fingerprint }) => fingerprint)).size === recording.length,
+        'every stretch of the recording moves',
+      );
       for (let i = 0; i < recording.length; ++i) {
         assert.equal(ours[i].fingerprint, native[i].fingerprint, `state ${i}`);
         assert.ok(ours[i].picture.equals(native[i].picture), `picture ${i}`);
@@ -92,10 +106,21 @@ test('the state says where the player is, and an eye can be put elsewhere', asyn
   assert.equal(session.state().steps, 0);
   assert.ok(session.setEye({ x: 2.25, y: 3.5, z: 1.125, heading: 271.3, look: -0.4 }));
   const { map, x, y, z, heading, look, flying } = session.state();
-  assert.deepEqual({ map, x, y, z, heading, look, flying }, { map: 0, x: 2.25, y: 3.5, z: 1.125, heading: 271.3, look: -0.4, flying: true });
+  assert.deepEqual(
+    { map, x, y, z, heading, look, flying },
+    { map: 0, x: 2.25, y: 3.5, z: 1.125, heading: 271.3, look: -0.4, flying: true },
+  );
   assert.equal(session.setEye({ x: 1, y: 1, z: 0 }), false, 'not at the floor');
-  assert.equal(session.setEye({ map: maps.length, x: 1, y: 1, z: 1 }), false, 'not in a map that is not there');
-  assert.equal(session.setEye({ x: NaN, y: 1, z: 1, heading: NaN }), false, 'not with a heading that is no number');
+  assert.equal(
+    session.setEye({ map: maps.length, x: 1, y: 1, z: 1 }),
+    false,
+    'not in a map that is not there',
+  );
+  assert.equal(
+    session.setEye({ x: NaN, y: 1, z: 1, heading: NaN }),
+    false,
+    'not with a heading that is no number',
+  );
   assert.equal(session.state().x, 2.25);
   session.module._slicecast_reset(session.address);
   assert.equal(session.state().flying, false);

@@ -1,5 +1,6 @@
-// The recorded tours, played through the functions of the page's module: at every mark the WebAssembly with SIMD, the one without, and the native program
-// agree in the state and in every byte of the picture.
+// The recorded tours, played through the functions of the page's module: at every mark the
+// WebAssembly with SIMD, the one without, and the native program agree in the state and in every
+// byte of the picture.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -19,11 +20,21 @@ function playNatively(scene, tour) {
   const folder = mkdtempSync(join(tmpdir(), 'slicecast-'));
   try {
     const pictures = join(folder, 'pictures');
-    const result = spawnSync(join(root, 'build/native/tests/slicecast-replay'), [sceneOf(scene), kWidth, kHeight, pictures, tour].map(String), { encoding: 'utf8' });
+    const result = spawnSync(
+      join(root, 'build/native/tests/slicecast-replay'),
+      [sceneOf(scene), kWidth, kHeight, pictures, tour].map(String),
+      { encoding: 'utf8' },
+    );
     assert.equal(result.status, 0, result.stderr ?? String(result.error));
     const bytes = readFileSync(pictures);
     const size = kWidth * kHeight * 4;
-    return result.stdout.trim().split('\n').map((fingerprint, i) => ({ fingerprint, picture: bytes.subarray(i * size, (i + 1) * size) }));
+    return result.stdout
+      .trim()
+      .split('\n')
+      .map((fingerprint, i) => ({
+        fingerprint,
+        picture: bytes.subarray(i * size, (i + 1) * size),
+      }));
   } finally {
     rmSync(folder, { recursive: true });
   }
@@ -46,7 +57,10 @@ for (const tour of shippedTours) {
         assert.equal(session.replayStep(step - done), step - done);
         done = step;
         assert.equal(session.state().fingerprint, native[i].fingerprint, `the state at ${name}`);
-        assert.ok(session.draw(kWidth, kHeight).equals(native[i].picture), `the picture at ${name}`);
+        assert.ok(
+          session.draw(kWidth, kHeight).equals(native[i].picture),
+          `the picture at ${name}`,
+        );
       });
       assert.equal(session.replayStep(1), 0);
       assert.deepEqual(session.replayState(), { steps, stepsDone: steps, isSame: true });
@@ -67,7 +81,10 @@ test('what is recorded can be read and played again', async () => {
   session.step([0, 0.3, 0, 0, 1, 0, 0, 0], 70);
   const { fingerprint } = session.state();
   const text = session.takeRecording();
-  assert.match(text, /^slicecast recording 1\nscene first-walk\nset speed 1\n50 forward 256 turn-degrees 126 jump\nfly on\n70 strafe 77 fly 256\nend 120 [0-9a-f]{16}\n$/);
+  assert.match(
+    text,
+    /^slicecast recording 1\nscene first-walk\nset speed 1\n50 forward 256 turn-degrees 126 jump\nfly on\n70 strafe 77 fly 256\nend 120 [0-9a-f]{16}\n$/,
+  );
   assert.equal(session.takeRecording(), '', 'it has ended');
 
   const again = new Session(await loadModule('scalar'));
@@ -83,11 +100,17 @@ test('what is recorded can be read and played again', async () => {
 test('a faulty recording is not half loaded', async () => {
   const session = new Session(await loadModule('simd'));
   session.load(sceneOf('first-walk'));
-  const { scene, faults } = session.readRecording('slicecast recording 1\nscene first-walk\n12 forwards 1\n', 'mine.txt');
+  const { scene, faults } = session.readRecording(
+    'slicecast recording 1\nscene first-walk\n12 forwards 1\n',
+    'mine.txt',
+  );
   assert.equal(scene, undefined);
-  assert.deepEqual(faults.map(({ file, line, column, found }) => [file, line, column, found]), [
-    ['mine.txt', 3, 4, '"forwards"'],
-    ['mine.txt', 4, 1, 'the end of the file'],
-  ]);
+  assert.deepEqual(
+    faults.map(({ file, line, column, found }) => [file, line, column, found]),
+    [
+      ['mine.txt', 3, 4, '"forwards"'],
+      ['mine.txt', 4, 1, 'the end of the file'],
+    ],
+  );
   assert.equal(session.replay(), false);
 });

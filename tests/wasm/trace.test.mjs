@@ -1,4 +1,5 @@
-// Traces as JavaScript gets them: of every shipped scene, the picture's texels and the arithmetic of the walk.
+// Traces as JavaScript gets them: of every shipped scene, the picture's texels and the arithmetic
+// of the walk.
 
 import assert from 'node:assert/strict';
 import { basename } from 'node:path';
@@ -11,14 +12,20 @@ const kHeight = 60;
 
 test('in a room the numbers are those of a ruler', async () => {
   const session = new Session(await loadModule('simd'));
-  assert.deepEqual(session.loadText(roomScene(), 'room.json', () => textureBytes), []);
+  assert.deepEqual(
+    session.loadText(roomScene(), 'room.json', () => textureBytes),
+    [],
+  );
   assert.ok(session.setEye({ x: 2.5, y: 3.25, z: 0.5 }));
   for (const column of [0, 31, 63, 95]) {
     const trace = session.trace(kWidth, kHeight, column);
     const d = kWidth / 2 / Math.tan(Math.PI / 6);
     const sideways = (column + 0.5 - kWidth / 2) / d;
     assert.ok(Math.abs(trace.projectionDistance - d) < 1e-9);
-    assert.deepEqual([trace.scene, trace.size, trace.column, trace.eye.x, trace.ray[0]], ['A room', [kWidth, kHeight], column, 2.5, 1]);
+    assert.deepEqual(
+      [trace.scene, trace.size, trace.column, trace.eye.x, trace.ray[0]],
+      ['A room', [kWidth, kHeight], column, 2.5, 1],
+    );
     assert.ok(Math.abs(trace.ray[1] - sideways) < 1e-12);
 
     // The walk
@@ -41,11 +48,15 @@ test('in a room the numbers are those of a ruler', async () => {
     const side = trace.runs.find(({ what }) => what === 'side');
     if (side.face !== 'west') continue;
     const [upper, lower] = side.texels;
-    assert.deepEqual([side.texture, side.layer, upper.row, lower.row, trace.hits[side.hit].tile[0]], ['brick', false, side.first, side.last, 7]);
+    assert.deepEqual(
+      [side.texture, side.layer, upper.row, lower.row, trace.hits[side.hit].tile[0]],
+      ['brick', false, side.first, side.last, 7],
+    );
     assert.ok(Math.abs(upper.depth - 4.5) < 1e-9);
     const y = 3.25 + 4.5 * sideways;
     assert.equal(upper.u, Math.floor((y - Math.floor(y)) * upper.size[0]));
-    for (const { row, v, size } of side.texels) assert.equal(v, Math.floor((0.5 - ((kHeight / 2 - (row + 0.5)) * 4.5) / d) * size[1]));
+    for (const { row, v, size } of side.texels)
+      assert.equal(v, Math.floor((0.5 - ((kHeight / 2 - (row + 0.5)) * 4.5) / d) * size[1]));
   }
 });
 
@@ -58,14 +69,33 @@ test('a picture in one trace: every row of every column has its kind', async () 
       assert.deepEqual(size, [kWidth, kHeight]);
       assert.equal(times, null);
       for (let column = 0; column < kWidth; ++column) {
-        assert.equal(Object.values(columns.rows).reduce((sum, rows) => sum + rows[column], 0), kHeight, `${basename(scene)}, column ${column}`);
+        assert.equal(
+          Object.values(columns.rows).reduce((sum, rows) => sum + rows[column], 0),
+          kHeight,
+          `${basename(scene)}, column ${column}`,
+        );
       }
       assert.ok(totals.rowsFilled >= kWidth * kHeight && totals.tilesWalked >= kWidth);
-      assert.ok(textures.length > 0 && textures.every(({ name, kind, texels }) => name !== '' && ['texture', 'sprite'].includes(kind) && texels.some((number) => number > 0)));
+      assert.ok(
+        textures.length > 0 &&
+          textures.every(
+            ({ name, kind, texels }) =>
+              name !== '' &&
+              ['texture', 'sprite'].includes(kind) &&
+              texels.some((number) => number > 0),
+          ),
+      );
       const column = session.trace(kWidth, kHeight, 40);
-      const depths = column.runs.filter(({ hit, object }) => hit !== null || object !== null).flatMap(({ texels }) => texels.map(({ depth }) => depth));
+      const depths = column.runs
+        .filter(({ hit, object }) => hit !== null || object !== null)
+        .flatMap(({ texels }) => texels.map(({ depth }) => depth));
       assert.equal(columns.nearest[40], depths.length === 0 ? null : Math.min(...depths));
-      assert.deepEqual(Object.fromEntries(Object.keys(session.hits(kWidth, kHeight, 40)).map((key) => [key, column[key]])), session.hits(kWidth, kHeight, 40));
+      assert.deepEqual(
+        Object.fromEntries(
+          Object.keys(session.hits(kWidth, kHeight, 40)).map((key) => [key, column[key]]),
+        ),
+        session.hits(kWidth, kHeight, 40),
+      );
     }
   }
 });

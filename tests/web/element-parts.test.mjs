@@ -1,4 +1,5 @@
-// The parts of <ray-caster> that need no browser: rows of characters, what is seen in words, faults with codes, and what elements share.
+// The parts of <ray-caster> that need no browser: rows of characters, what is seen in words, faults
+// with codes, and what elements share.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -27,7 +28,9 @@ const kEverything = `
 async function play(text, options) {
   const session = new Session(await loadModule('simd'));
   const scene = sceneOfRows(text, options);
-  const faults = session.loadText(JSON.stringify(scene), 'rows', (name) => readFileSync(join(root, 'assets/scenes', name)));
+  const faults = session.loadText(JSON.stringify(scene), 'rows', (name) =>
+    readFileSync(join(root, 'assets/scenes', name)),
+  );
   return { session, scene, faults };
 }
 
@@ -55,7 +58,10 @@ test('every character of the legend is a scene that the engine takes without a w
   assert.deepEqual(faults, []);
   assert.deepEqual(session.warnings, []);
   assert.equal(session.world().title, 'All of it');
-  assert.deepEqual([session.world().maps[0].width, session.world().maps[0].depth, session.world().maps[0].levels], [12, 7, 2]);
+  assert.deepEqual(
+    [session.world().maps[0].width, session.world().maps[0].depth, session.world().maps[0].levels],
+    [12, 7, 2],
+  );
   assert.equal(session.world().gates, 2);
 });
 
@@ -67,21 +73,37 @@ test('rows: indentation, empty rows around and short rows', async () => {
   assert.deepEqual(sceneOfRows('  ##\n  #v').maps[0].levels, [['##', '#.']]);
 });
 
-for (const [character, heading] of [['>', 0], ['v', 90], ['<', 180], ['^', 270]]) {
-  test(`${character} looks to ${heading} degrees`, () => assert.equal(sceneOfRows(`.${character}`).start.heading, heading));
+for (const [character, heading] of [
+  ['>', 0],
+  ['v', 90],
+  ['<', 180],
+  ['^', 270],
+]) {
+  test(`${character} looks to ${heading} degrees`, () =>
+    assert.equal(sceneOfRows(`.${character}`).start.heading, heading));
 }
 
 test('heights: a letter is one block, its other one two, a digit so many tenths', async () => {
   const { session } = await play('>..5.b.B', {});
   const slice = session.hits(100, 100, 50);
-  assert.deepEqual(slice.hits.map(({ blueprint, bottom, top }) => [blueprint, bottom, top]), [
-    ['step 5', 0, 0.5], ['brick wall', 0, 1], ['brick wall', 0, 1], ['brick wall', 1, 2],
-  ]);
+  assert.deepEqual(
+    slice.hits.map(({ blueprint, bottom, top }) => [blueprint, bottom, top]),
+    [
+      ['step 5', 0, 0.5],
+      ['brick wall', 0, 1],
+      ['brick wall', 0, 1],
+      ['brick wall', 1, 2],
+    ],
+  );
 });
 
 test('only what stands in the rows is fetched', () => {
   const { textures, sprites } = sceneOfRows('#>#');
-  assert.deepEqual(Object.keys(textures).sort(), ['flagstones', 'grass-meadow', 'stone-blocks-worn']);
+  assert.deepEqual(Object.keys(textures).sort(), [
+    'flagstones',
+    'grass-meadow',
+    'stone-blocks-worn',
+  ]);
   assert.deepEqual(sprites, {});
 });
 
@@ -93,9 +115,15 @@ test('a door turns its leaves to where one comes from', () => {
 test('rows with faults: all of them, each with its row and column', () => {
   const { code, faults } = faultsOf('\n  ##?#\n  #>.Z\n  #^\t#\n');
   assert.equal(code, 'scene');
-  assert.deepEqual(faults.map(({ place, found }) => [place, found]), [
-    ['rows:1:3', '"?"'], ['rows:2:4', '"Z"'], ['rows:3:3', '"\\t"'], ['rows:3:2', 'another start, ^'],
-  ]);
+  assert.deepEqual(
+    faults.map(({ place, found }) => [place, found]),
+    [
+      ['rows:1:3', '"?"'],
+      ['rows:2:4', '"Z"'],
+      ['rows:3:3', '"\\t"'],
+      ['rows:3:2', 'another start, ^'],
+    ],
+  );
   assert.match(faults[0].expected, /^one of .*# b.* or a blank$/);
   assert.match(faults[0].message, /^rows:1:3: found "\?", expected one of/);
 });
@@ -107,15 +135,23 @@ test('rows without a start, and no rows at all', () => {
 
 test('what is seen, in words', async () => {
   const { session } = await play('#######\n#>...b#\n#######', { title: 'A corridor' });
-  assert.equal(describeView(engineOf(session), 320, 200),
-    'A corridor. Facing east. Ahead: brick wall at 3.5 units. To the left: stone wall at 1.3 units. To the right: stone wall at 1.3 units.');
+  assert.equal(
+    describeView(engineOf(session), 320, 200),
+    'A corridor. Facing east. Ahead: brick wall at 3.5 units. To the left: stone wall at 1.3 units. To the right: stone wall at 1.3 units.',
+  );
   session.setEye({ x: 1.5, y: 1.5, z: 0.5, heading: -46, look: 0.3 });
-  assert.match(describeView(engineOf(session), 320, 200), /^A corridor\. Facing north-east and up\. Ahead: /);
+  assert.match(
+    describeView(engineOf(session), 320, 200),
+    /^A corridor\. Facing north-east and up\. Ahead: /,
+  );
 });
 
 test('in words: objects, what hides behind a step, nothing, and portals', async () => {
   const { session } = await play('>.2.t...B', {});
-  assert.match(describeView(engineOf(session), 320, 200), /Ahead: step 2 at 1\.5 units, then birch at 4 units, then brick wall at 7\.5 units\. To the left: nothing near\./);
+  assert.match(
+    describeView(engineOf(session), 320, 200),
+    /Ahead: step 2 at 1\.5 units, then birch at 4 units, then brick wall at 7\.5 units\. To the left: nothing near\./,
+  );
   const wayhouse = new Session(await loadModule('simd'));
   wayhouse.load(join(root, 'assets/scenes/wayhouse.json'));
   const told = new Set();
@@ -137,12 +173,26 @@ test('where there is no document the element can be imported, and does nothing',
 });
 
 test('every code says what it means and what to do', () => {
-  assert.deepEqual(Object.keys(errorCodes),
-    ['fetch', 'cors', 'mime', 'csp', 'no-webassembly', 'engine', 'scene', 'address', 'tour', 'option', 'not-ready']);
+  assert.deepEqual(Object.keys(errorCodes), [
+    'fetch',
+    'cors',
+    'mime',
+    'csp',
+    'no-webassembly',
+    'engine',
+    'scene',
+    'address',
+    'tour',
+    'option',
+    'not-ready',
+  ]);
   for (const [code, { title, means, remedy }] of Object.entries(errorCodes)) {
     for (const text of [means, remedy]) assert.match(text, /^[A-Za-z].*\.$/, code);
     const told = explain(faultOf(code, 'This happened'));
-    assert.deepEqual([told.code, told.title, told.message], [code, title, `This happened. ${remedy}`]);
+    assert.deepEqual(
+      [told.code, told.title, told.message],
+      [code, title, `This happened. ${remedy}`],
+    );
   }
 });
 
@@ -152,8 +202,16 @@ test('whatever is thrown has a code', (t) => {
     [new TypeError('x is not a function'), 'engine', /x is not a function/],
     ['a text', 'engine', /a text/],
     [new WebAssembly.RuntimeError('unreachable'), 'engine', /unreachable/],
-    [new RangeError('WebAssembly.Memory(): could not allocate memory'), 'engine', /not enough memory/],
-    [Object.assign(new Error('the server does not answer'), { code: 'cors' }), 'cors', /Access-Control-Allow-Origin/],
+    [
+      new RangeError('WebAssembly.Memory(): could not allocate memory'),
+      'engine',
+      /not enough memory/,
+    ],
+    [
+      Object.assign(new Error('the server does not answer'), { code: 'cors' }),
+      'cors',
+      /Access-Control-Allow-Origin/,
+    ],
     [Object.assign(new Error('strange'), { code: 'toString' }), 'engine', /strange/],
     [sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }]), 'scene', /Mend/],
   ];
@@ -162,8 +220,14 @@ test('whatever is thrown has a code', (t) => {
     assert.equal(told.code, code);
     assert.match(told.message, message);
   }
-  assert.throws(() => parseView('1,2'), (error) => explain(error).code === 'address');
-  assert.equal(explain(sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }])).faults[0].place, 'a.json:3:4');
+  assert.throws(
+    () => parseView('1,2'),
+    (error) => explain(error).code === 'address',
+  );
+  assert.equal(
+    explain(sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }])).faults[0].place,
+    'a.json:3:4',
+  );
 });
 
 let server;
@@ -186,7 +250,10 @@ after(() => server.close());
 test('a file is asked for once while anybody holds the cache, and anew afterwards', async () => {
   const release = holdCache();
   const heard = [];
-  const [one, other] = await Promise.all([fetchOnce(`${address}/slow`, (loaded) => heard.push(loaded)), fetchOnce(`${address}/slow`)]);
+  const [one, other] = await Promise.all([
+    fetchOnce(`${address}/slow`, (loaded) => heard.push(loaded)),
+    fetchOnce(`${address}/slow`),
+  ]);
   assert.equal(new TextDecoder().decode(one), 'slow');
   assert.equal(one, other);
   await fetchOnce(`${address}/slow`, (loaded, total) => heard.push(`${loaded} of ${total}`));
@@ -206,7 +273,10 @@ test('without a holder nothing is kept; a failure is forgotten', async () => {
   await fetchOnce(`${address}/slow`);
   assert.equal(asked.length, 2);
   const release = holdCache();
-  await assert.rejects(fetchOnce(`${address}/late`), { code: 'fetch', message: 'the server answers 404 Not Found' });
+  await assert.rejects(fetchOnce(`${address}/late`), {
+    code: 'fetch',
+    message: 'the server answers 404 Not Found',
+  });
   answers['/late'] = 'here';
   assert.equal((await fetchOnce(`${address}/late`)).length, 4);
   release();
@@ -214,7 +284,10 @@ test('without a holder nothing is kept; a failure is forgotten', async () => {
 
 test('a fetch that fails says why', async () => {
   await assert.rejects(fetchBytes(`${address}/page`), { code: 'mime' });
-  await assert.rejects(fetchBytes('http://127.0.0.1:9/'), { code: 'fetch', message: 'the server does not answer' });
+  await assert.rejects(fetchBytes('http://127.0.0.1:9/'), {
+    code: 'fetch',
+    message: 'the server does not answer',
+  });
 });
 
 test('a view is read again as it was written, also in a map with commas in its name', () => {

@@ -1,4 +1,5 @@
-// Where the element looks for the shipped scenes and the engine: web/home.js in pages of every kind.
+// Where the element looks for the shipped scenes and the engine: web/home.js in pages of every
+// kind.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -8,24 +9,53 @@ import { reachable } from '../../web/home.js';
 const kPage = 'https://example.org/app/index.html';
 
 for (const [what, script, page, expected] of [
-  ['the script has an address', 'https://cdn.example/slicecast/ray-caster.js', kPage, 'https://cdn.example/slicecast/'],
+  [
+    'the script has an address',
+    'https://cdn.example/slicecast/ray-caster.js',
+    kPage,
+    'https://cdn.example/slicecast/',
+  ],
   ['the script has none', undefined, kPage, 'https://example.org/app/'],
-  ['the script has that of where it was built', 'file:///home/somebody/app/ray-caster.js', kPage, 'https://example.org/app/'],
-  ['page and script are files', 'file:///app/assets/ray-caster.js', 'file:///app/index.html', 'file:///app/assets/'],
+  [
+    'the script has that of where it was built',
+    'file:///home/somebody/app/ray-caster.js',
+    kPage,
+    'https://example.org/app/',
+  ],
+  [
+    'page and script are files',
+    'file:///app/assets/ray-caster.js',
+    'file:///app/index.html',
+    'file:///app/assets/',
+  ],
   ['the script is a blob', 'blob:https://example.org/1-2-3', kPage, 'https://example.org/app/'],
-  ['an app has a scheme of its own', 'capacitor://localhost/assets/ray-caster.js', 'capacitor://localhost/', 'capacitor://localhost/assets/'],
+  [
+    'an app has a scheme of its own',
+    'capacitor://localhost/assets/ray-caster.js',
+    'capacitor://localhost/',
+    'capacitor://localhost/assets/',
+  ],
 ]) {
-  test(`home where ${what}`, () => assert.equal(reachable(() => new URL('./', script), './', page, page).href, expected));
+  test(`home where ${what}`, () =>
+    assert.equal(reachable(() => new URL('./', script), './', page, page).href, expected));
 }
 
 test('an engine in an address of its own is taken as it is', () => {
-  assert.equal(reachable(() => new URL('data:application/wasm;base64,AGFzbQ=='), 'engine/x.wasm', kPage, kPage).protocol, 'data:');
+  assert.equal(
+    reachable(() => new URL('data:application/wasm;base64,AGFzbQ=='), 'engine/x.wasm', kPage, kPage)
+      .protocol,
+    'data:',
+  );
 });
 
 let imports = 0;
 
 async function homeIn(page, content) {
-  globalThis.document = { baseURI: page, querySelector: (selector) => (selector === 'meta[name=slicecast-home]' && content !== undefined ? { content } : null) };
+  globalThis.document = {
+    baseURI: page,
+    querySelector: (selector) =>
+      selector === 'meta[name=slicecast-home]' && content !== undefined ? { content } : null,
+  };
   try {
     return (await import(`../../web/home.js?${++imports}`)).kHome.href;
   } finally {

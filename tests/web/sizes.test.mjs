@@ -1,4 +1,5 @@
-// What a page loads until an element in it shows its first picture: the program and the element's script, as a server sends them.
+// What a page loads until an element in it shows its first picture: the program and the element's
+// script, as a server sends them.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -16,6 +17,8 @@ const sizeOf = (name) => gzipSync(readFileSync(join(root, 'build/web', name)), {
 test('the first picture takes few bytes', (t) => {
   const sizes = kLoaded.map(sizeOf);
   const sum = sizes.reduce((total, size) => total + size, 0);
-  t.diagnostic(`gzip -9: ${sum} bytes: ${kLoaded.map((name, index) => `${name} ${sizes[index]}`).join(', ')}; later ${kLater.map((name) => `${name} ${sizeOf(name)}`).join(', ')}`);
+  t.diagnostic(
+    `gzip -9: ${sum} bytes: ${kLoaded.map((name, index) => `${name} ${sizes[index]}`).join(', ')}; later ${kLater.map((name) => `${name} ${sizeOf(name)}`).join(', ')}`,
+  );
   assert.ok(sum <= kLimit, `${sum} bytes, at most ${kLimit}`);
 });

@@ -88,7 +88,8 @@ TEST(Collision, TheCeilingHasNoThickness) {
     EXPECT_EQ(sweepZ(world, 0, above, tileEdge(-2)), 0.8_u - 1.5_u);
     EXPECT_FALSE(isFree(world, 0, boxAt(0.5_u, 0.5_u, 0.5_u))) << "right through it";
     EXPECT_TRUE(isFree(world, 0, boxAt(1.5_u, 0.5_u, 0.5_u))) << "through the hole";
-    EXPECT_EQ(sweepX(world, 0, boxAt(1.5_u, 0.5_u, 0.5_u), tileEdge(-1)), 1.0_u - 1.5_u + 0.2_u) << "against its edge";
+    EXPECT_EQ(sweepX(world, 0, boxAt(1.5_u, 0.5_u, 0.5_u), tileEdge(-1)), 1.0_u - 1.5_u + 0.2_u)
+        << "against its edge";
     EXPECT_TRUE(isSupported(world, 0, boxAt(0.5_u, 0.5_u, 0.8_u)));
 }
 
@@ -101,15 +102,19 @@ TEST(Collision, LeastRiseGoesOntoWhatIsInTheWay) {
     EXPECT_EQ(leastRise(world, 0, boxAt(1.5_u, 0.5_u, 0.0_u), 0.5_u), 0.3_u);
     EXPECT_EQ(leastRise(world, 0, boxAt(2.0_u, 0.5_u, 0.0_u), 0.5_u), 0.4_u) << "the higher of two";
     EXPECT_EQ(leastRise(world, 0, boxAt(2.0_u, 0.5_u, 0.0_u), 0.4_u - kTiny), std::nullopt);
-    EXPECT_EQ(leastRise(world, 0, boxAt(1.5_u, 0.5_u, 0.6_u), 0.45_u), std::nullopt) << "another block above the gap";
-    EXPECT_EQ(leastRise(world, 0, boxAt(1.5_u, 0.5_u, 0.6_u), 0.5_u), 1.1_u - 0.6_u) << "and over that one too";
-    EXPECT_EQ(leastRise(world, 0, boxAt(0.1_u, 0.5_u, 0.0_u), 0.5_u), std::nullopt) << "beyond the grid";
+    EXPECT_EQ(leastRise(world, 0, boxAt(1.5_u, 0.5_u, 0.6_u), 0.45_u), std::nullopt)
+        << "another block above the gap";
+    EXPECT_EQ(leastRise(world, 0, boxAt(1.5_u, 0.5_u, 0.6_u), 0.5_u), 1.1_u - 0.6_u)
+        << "and over that one too";
+    EXPECT_EQ(leastRise(world, 0, boxAt(0.1_u, 0.5_u, 0.0_u), 0.5_u), std::nullopt)
+        << "beyond the grid";
 }
 
 TEST(Collision, AFastSlideFollowsItsSlant) {
     World world = emptyWorld(12, 12, 1);
     putBlock(world, 4, 4, 0.0_u, 1.0_u);
-    // On the diagonal towards the block's corner region, far past it in one move: it must not go around.
+    // On the diagonal towards the block's corner region, far past it in one move: it must not go
+    // around.
     const Slide slid = slide(world, 0, boxAt(2.0_u, 2.0_u, 0.0_u), 8.0_u, 8.0_u, {});
     EXPECT_TRUE(isFree(world, 0, slid.box));
     EXPECT_TRUE(slid.stoppedX || slid.stoppedY);
@@ -117,7 +122,8 @@ TEST(Collision, AFastSlideFollowsItsSlant) {
     EXPECT_TRUE(beside || slid.box.west >= tileEdge(5) || slid.box.north >= tileEdge(5));
     // A wall without a gap holds at any speed.
     for (int y = 0; y < 12; ++y) putBlock(world, 6, y, 0.0_u, 1.0_u);
-    EXPECT_EQ(slide(world, 0, boxAt(2.0_u, 8.0_u, 0.0_u), 1000.0_u, 0.0_u, {}).box.east, tileEdge(6));
+    EXPECT_EQ(slide(world, 0, boxAt(2.0_u, 8.0_u, 0.0_u), 1000.0_u, 0.0_u, {}).box.east,
+              tileEdge(6));
 }
 
 TEST(Collision, SlidesOverStepsOnlyWithRoomOnTheWay) {
@@ -165,7 +171,9 @@ TEST(Collision, RandomSweepsAreTight) {
             const Coordinate distance = {random.between(-3 * 65536, 3 * 65536)};
             for (const auto axis : {&Offset::x, &Offset::y, &Offset::z}) {
                 using Sweep = Coordinate(const World&, int, const Box&, Coordinate);
-                Sweep* const sweep = axis == &Offset::x ? sweepX : axis == &Offset::y ? sweepY : static_cast<Sweep*>(sweepZ);
+                Sweep* const sweep = axis == &Offset::x   ? sweepX
+                                     : axis == &Offset::y ? sweepY
+                                                          : static_cast<Sweep*>(sweepZ);
                 Offset way;
                 way.*axis = sweep(world, 0, box, distance);
                 EXPECT_FALSE(reachesIntoSomething(world, moved(box, way))) << "seed " << seed;

@@ -87,7 +87,8 @@ TEST(Gates, LetNobodyThroughButOpen) {
     EXPECT_GT(who.x(), 5.2);
 }
 
-// The eye at each of these distances from the nearest point of the gate, which is two high and one wide.
+// The eye at each of these distances from the nearest point of the gate, which is two high and one
+// wide.
 TEST(Gates, HearWhoIsWithinARoundReach) {
     GateKind kind;
     kind.reach = 2.0_u;
@@ -100,8 +101,15 @@ TEST(Gates, HearWhoIsWithinARoundReach) {
         for (double y = 0.25; y < 9.0; y += 0.5) {
             for (double z = 0.25; z < 6.0; z += 0.5) {
                 World tried = world;
-                stepWorld(tried, {}, {.wish = Wish::open, .map = 0, .x = toCoordinate(x), .y = toCoordinate(y), .z = toCoordinate(z)});
-                const auto beyond = [](double v, double low, double high) { return std::max({low - v, v - high, 0.0}); };
+                stepWorld(tried, {},
+                          {.wish = Wish::open,
+                           .map = 0,
+                           .x = toCoordinate(x),
+                           .y = toCoordinate(y),
+                           .z = toCoordinate(z)});
+                const auto beyond = [](double v, double low, double high) {
+                    return std::max({low - v, v - high, 0.0});
+                };
                 const double dx = beyond(x, 4.0, 5.0);
                 const double dy = beyond(y, 4.0, 5.0);
                 const double dz = beyond(z, 0.0, 2.0);
@@ -202,7 +210,9 @@ TEST(Gates, ShowTheFrameOfTheirProgress) {
     for (int frame = 0; frame < 4; ++frame) {
         for (int y = 0; y < 8; ++y) {
             for (int x = 0; x < 8; ++x)
-                sheet.at(8 * frame + x, y) = toPixel({static_cast<std::uint8_t>(50 * frame), 1, 2, static_cast<std::uint8_t>(frame == 3 ? 0 : 255)});
+                sheet.at(8 * frame + x, y) =
+                    toPixel({static_cast<std::uint8_t>(50 * frame), 1, 2,
+                             static_cast<std::uint8_t>(frame == 3 ? 0 : 255)});
         }
     }
     Image plain(8, 8);
@@ -211,7 +221,8 @@ TEST(Gates, ShowTheFrameOfTheirProgress) {
     world.textures.push_back(makeTexture("sheet", sheet, 4));
     const BlueprintId id = addGate(world, {});
     for (FaceBlueprint& face : world.blueprints[id].faces) face.texture = 0;
-    for (const Face face : {Face::north, Face::south}) world.blueprints[id].faces[static_cast<std::size_t>(face)].texture = 1;
+    for (const Face face : {Face::north, Face::south})
+        world.blueprints[id].faces[static_cast<std::size_t>(face)].texture = 1;
     world.maps[0].setCell(1, 1, 0, id);
     EXPECT_TRUE(makeGates(world).empty());
     makeGateFrames(world);

@@ -9,11 +9,18 @@ namespace {
 // Up 2 units in 4 seconds and down again.
 constexpr int kPeriod = 8 * kSecond;
 Motion lift(MotionShape shape = MotionShape::smooth) {
-    return {.name = "lift", .edges = MovingEdges::both, .from = {}, .to = 2.0_u, .periodSteps = kPeriod, .phaseSteps = 0, .shape = shape};
+    return {.name = "lift",
+            .edges = MovingEdges::both,
+            .from = {},
+            .to = 2.0_u,
+            .periodSteps = kPeriod,
+            .phaseSteps = 0,
+            .shape = shape};
 }
 
 // A platform of half a block's height in the middle of a room, which moves in this way.
-World platform(const Motion& motion, Coordinate bottom = {}, Coordinate top = 0.5_u, int levels = 4) {
+World platform(const Motion& motion, Coordinate bottom = {}, Coordinate top = 0.5_u,
+               int levels = 4) {
     World world = emptyWorld(5, 5, levels);
     world.maps[0].setCell(2, 2, 0, addMoving(world, bottom, top, motion));
     EXPECT_TRUE(makeMovers(world).empty());
@@ -24,7 +31,8 @@ void stepWorldAlone(World& world, int steps = 1) {
     for (int i = 0; i < steps; ++i) stepWorld(world, {}, {});
 }
 
-// Of the blocks of a column, which touch each other: lowest and highest point. Both 0 where there is none.
+// Of the blocks of a column, which touch each other: lowest and highest point. Both 0 where there
+// is none.
 std::pair<Coordinate, Coordinate> extentAt(const World& world, int x, int y) {
     const Map& map = world.maps[0];
     Coordinate low;
@@ -47,7 +55,8 @@ std::pair<Coordinate, Coordinate> extentAt(const World& world, int x, int y) {
 }
 
 TEST(Motion, GoesToAndFroWithinItsPeriod) {
-    for (const MotionShape shape : {MotionShape::smooth, MotionShape::even, MotionShape::stopAndGo}) {
+    for (const MotionShape shape :
+         {MotionShape::smooth, MotionShape::even, MotionShape::stopAndGo}) {
         Motion motion = lift(shape);
         motion.from = toCoordinate(-0.25);
         EXPECT_EQ(offsetAt(motion, 0), motion.from);
@@ -72,9 +81,12 @@ TEST(Motion, GoesToAndFroWithinItsPeriod) {
 TEST(Motion, HasTheShapeThatItSays) {
     EXPECT_EQ(offsetAt(lift(MotionShape::even), kPeriod / 8), 0.5_u);
     EXPECT_EQ(offsetAt(lift(MotionShape::smooth), kPeriod / 4), 1.0_u);
-    EXPECT_EQ(offsetAt(lift(MotionShape::smooth), kPeriod / 8), toCoordinate(2.0 * (3.0 / 16.0 - 2.0 / 64.0)));
-    for (const int rest : {0, kPeriod / 8, kPeriod * 7 / 8}) EXPECT_EQ(offsetAt(lift(MotionShape::stopAndGo), rest), Coordinate{0}) << rest;
-    for (const int rest : {kPeriod * 3 / 8, kPeriod / 2, kPeriod * 5 / 8}) EXPECT_EQ(offsetAt(lift(MotionShape::stopAndGo), rest), 2.0_u) << rest;
+    EXPECT_EQ(offsetAt(lift(MotionShape::smooth), kPeriod / 8),
+              toCoordinate(2.0 * (3.0 / 16.0 - 2.0 / 64.0)));
+    for (const int rest : {0, kPeriod / 8, kPeriod * 7 / 8})
+        EXPECT_EQ(offsetAt(lift(MotionShape::stopAndGo), rest), Coordinate{0}) << rest;
+    for (const int rest : {kPeriod * 3 / 8, kPeriod / 2, kPeriod * 5 / 8})
+        EXPECT_EQ(offsetAt(lift(MotionShape::stopAndGo), rest), 2.0_u) << rest;
     EXPECT_EQ(offsetAt(lift(MotionShape::stopAndGo), kPeriod / 4), 1.0_u);
 }
 
@@ -147,48 +159,62 @@ TEST(Movers, MoveInEveryMap) {
 TEST(Movers, AreRefusedWhereTheyCannotMove) {
     const auto faultOf = [](World world) {
         const std::vector<PlacingFault> faults = makeMovers(world);
-        return faults.size() == 1 ? faults[0].found + " at " + std::to_string(faults[0].x) + " " + std::to_string(faults[0].y) + " " +
+        return faults.size() == 1 ? faults[0].found + " at " + std::to_string(faults[0].x) + " " +
+                                        std::to_string(faults[0].y) + " " +
                                         std::to_string(faults[0].level) + ": " + faults[0].expected
                                   : std::to_string(faults.size()) + " faults";
     };
     World low = emptyWorld(5, 5, 2);
     low.maps[0].setCell(2, 3, 0, addMoving(low, {}, 0.5_u, lift()));
-    EXPECT_EQ(faultOf(low), "the moving block \"moving 0\" that moves from height 0 to 2.5 at 2 3 0: a motion that stays between 0 and the map's 2 levels");
+    EXPECT_EQ(faultOf(low),
+              "the moving block \"moving 0\" that moves from height 0 to 2.5 at 2 3 0: a motion "
+              "that stays between 0 and the map's 2 levels");
     World deep = emptyWorld(5, 5, 4);
     Motion down = lift();
     down.from = toCoordinate(-0.25);
     deep.maps[0].setCell(2, 3, 0, addMoving(deep, {}, 0.5_u, down));
     EXPECT_EQ(faultOf(deep),
-              "the moving block \"moving 0\" that moves from height -0.25 to 2.5 at 2 3 0: a motion that stays between 0 and the map's 4 levels");
+              "the moving block \"moving 0\" that moves from height -0.25 to 2.5 at 2 3 0: a "
+              "motion that stays between 0 and the map's 4 levels");
     World into = emptyWorld(5, 5, 4);
     into.maps[0].setCell(2, 3, 0, addMoving(into, {}, 0.5_u, lift()));
     into.blueprints.push_back({});
     into.blueprints.back().name = "wall";
     into.maps[0].setCell(2, 3, 2, 2);
-    EXPECT_EQ(faultOf(into), "the moving block \"moving 0\" that runs into \"wall\" on level 2 at 2 3 0: empty cells wherever it moves");
+    EXPECT_EQ(faultOf(into),
+              "the moving block \"moving 0\" that runs into \"wall\" on level 2 at 2 3 0: empty "
+              "cells wherever it moves");
     World two = emptyWorld(5, 5, 5);
     const BlueprintId id = addMoving(two, {}, 0.5_u, lift());
     two.maps[0].setCell(2, 3, 0, id);
     two.maps[0].setCell(2, 3, 2, id);
-    EXPECT_EQ(faultOf(two), "the moving block \"moving 0\" that runs into \"moving 0\" on level 2 at 2 3 0: empty cells wherever it moves");
+    EXPECT_EQ(faultOf(two),
+              "the moving block \"moving 0\" that runs into \"moving 0\" on level 2 at 2 3 0: "
+              "empty cells wherever it moves");
     two.maps[0].setCell(2, 3, 2, kEmptyCell);
     Motion upside = lift();
     upside.from = toCoordinate(-2.0);
     upside.to = {};
     two.maps[0].setCell(2, 3, 4, addMoving(two, {}, 0.5_u, upside));
-    EXPECT_EQ(faultOf(two), "the moving block \"moving 1\" that runs into \"moving 0\" on level 2 at 2 3 4: moving blocks that do not reach each other");
+    EXPECT_EQ(faultOf(two),
+              "the moving block \"moving 1\" that runs into \"moving 0\" on level 2 at 2 3 4: "
+              "moving blocks that do not reach each other");
     World gap = emptyWorld(5, 5, 5);
     const BlueprintId half = addMoving(gap, {}, 0.5_u, lift());
     gap.maps[0].setCell(2, 3, 0, half);
     gap.maps[0].setCell(2, 3, 1, half);
-    EXPECT_EQ(faultOf(gap), "the moving block \"moving 0\" stacked without touching at 2 3 0: a bottom of 0 and a top of 1 where a moving block is stacked");
+    EXPECT_EQ(faultOf(gap),
+              "the moving block \"moving 0\" stacked without touching at 2 3 0: a bottom of 0 and "
+              "a top of 1 where a moving block is stacked");
     World never = emptyWorld(5, 5, 5);
     Motion hidden = lift();
     hidden.edges = MovingEdges::top;
     hidden.from = toCoordinate(-1.0);
     hidden.to = toCoordinate(-0.5);
     never.maps[0].setCell(2, 3, 0, addMoving(never, {}, 0.5_u, hidden));
-    EXPECT_EQ(faultOf(never), "the moving block \"moving 0\" whose top never gets above its bottom at 2 3 0: a motion with which the block is to be seen");
+    EXPECT_EQ(faultOf(never),
+              "the moving block \"moving 0\" whose top never gets above its bottom at 2 3 0: a "
+              "motion with which the block is to be seen");
 }
 
 TEST(Movers, AreNoMoreThanThereIsRoomForTheirBlueprints) {
@@ -204,10 +230,11 @@ TEST(Movers, AreNoMoreThanThereIsRoomForTheirBlueprints) {
     EXPECT_LE(world.blueprints.size(), static_cast<std::size_t>(kMaxBlueprints));
 }
 
-// ------------------------------------------------------------------------------------------------------------- riders
+// ---- riders
 
 TEST(Riders, GoUpAndDownExactlyAsWhatTheyStandOn) {
-    for (const MotionShape shape : {MotionShape::smooth, MotionShape::even, MotionShape::stopAndGo}) {
+    for (const MotionShape shape :
+         {MotionShape::smooth, MotionShape::even, MotionShape::stopAndGo}) {
         for (const MovingEdges edges : {MovingEdges::both, MovingEdges::top}) {
             Motion motion = lift(shape);
             motion.edges = edges;
@@ -273,7 +300,7 @@ TEST(Riders, StayOnWhatStandsStillBesideIt) {
     EXPECT_EQ(rider.z(), 0.5);
 }
 
-// ------------------------------------------------------------------------------------------------------------ waiting
+// ---- waiting
 
 // Steps until the mover has waited for a second; gives the offset that it waits at.
 Coordinate offsetWhereItWaits(World& world, Player& player) {
@@ -282,7 +309,8 @@ Coordinate offsetWhereItWaits(World& world, Player& player) {
         const Coordinate before = world.movers[0].offset;
         const int clock = world.movers[0].clock;
         stepBoth(world, player);
-        waited = world.movers[0].offset == before && world.movers[0].clock == clock ? waited + 1 : 0;
+        waited =
+            world.movers[0].offset == before && world.movers[0].clock == clock ? waited + 1 : 0;
         EXPECT_FALSE(reachesIntoSolid(world, 0, bodyBox(player)));
     }
     EXPECT_EQ(waited, kSecond);
@@ -344,7 +372,7 @@ TEST(Movers, DoNotWaitForWhoIsInsideThemAnyway) {
     EXPECT_EQ(player.z, 0.0_u);
 }
 
-// -------------------------------------------------------------------------------------------------------------- both
+// ---- both
 
 TEST(Movers, BeginAnewWithTheWorld) {
     World world = platform(lift());
@@ -367,7 +395,8 @@ TEST(Movers, AreShownBetweenSteps) {
     showMovers(world, 0.0);
     EXPECT_EQ(extentAt(world, 2, 2).first, before);
     showMovers(world, 0.5);
-    EXPECT_NEAR(extentAt(world, 2, 2).first.value(), (before.value() + now.value()) / 2.0, 1.0 / 65536.0);
+    EXPECT_NEAR(extentAt(world, 2, 2).first.value(), (before.value() + now.value()) / 2.0,
+                1.0 / 65536.0);
     showMovers(world, 1.0);
     EXPECT_EQ(extentAt(world, 2, 2).first, now);
 }

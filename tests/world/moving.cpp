@@ -39,11 +39,18 @@ bool reachesIntoSolid(const World& world, int mapIndex, const Box& box) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     for (int x = 0; x < map.width; ++x) {
         for (int y = 0; y < map.depth; ++y) {
-            if (box.east <= tileEdge(x) || box.west >= tileEdge(x + 1) || box.south <= tileEdge(y) || box.north >= tileEdge(y + 1)) continue;
+            if (box.east <= tileEdge(x) || box.west >= tileEdge(x + 1) ||
+                box.south <= tileEdge(y) || box.north >= tileEdge(y + 1))
+                continue;
             for (int level = 0; level < map.levels; ++level) {
-                const CellBlueprint& block = world.blueprints[map.cells[map.cellIndex(x, y, level)]];
-                if (map.cells[map.cellIndex(x, y, level)] == kEmptyCell || block.passable || block.top <= block.bottom) continue;
-                if (box.bottom < tileEdge(level) + block.top && box.top > tileEdge(level) + block.bottom) return true;
+                const CellBlueprint& block =
+                    world.blueprints[map.cells[map.cellIndex(x, y, level)]];
+                if (map.cells[map.cellIndex(x, y, level)] == kEmptyCell || block.passable ||
+                    block.top <= block.bottom)
+                    continue;
+                if (box.bottom < tileEdge(level) + block.top &&
+                    box.top > tileEdge(level) + block.bottom)
+                    return true;
             }
         }
     }

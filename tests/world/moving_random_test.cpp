@@ -1,4 +1,5 @@
-// Random players in random worlds whose blocks move and whose gates open and close: whoever was free stays free, and it all happens the same way twice.
+// Random players in random worlds whose blocks move and whose gates open and close: whoever was
+// free stays free, and it all happens the same way twice.
 #include "moving.h"
 #include "portal_worlds.h"
 
@@ -31,7 +32,8 @@ Motion randomMotion(Random& random, Coordinate bottom, Coordinate top, int level
     if (random.oneIn(2)) std::swap(motion.from, motion.to);
     const double distance = std::abs((motion.to - motion.from).value());
     const double speed = random.oneIn(4) ? kFastestMotion : random.between(0.3, kFastestMotion);
-    const double period = std::max(kShortestPeriod, fastestSpeed(motion.shape, distance, 1.0) / speed);
+    const double period =
+        std::max(kShortestPeriod, fastestSpeed(motion.shape, distance, 1.0) / speed);
     motion.periodSteps = static_cast<int>(period * kSecond) + 1;
     motion.phaseSteps = random.below(motion.periodSteps);
     return motion;
@@ -69,7 +71,8 @@ void putPortals(World& world, Random& random) {
             for (int level = 0; level < map.levels; ++level) {
                 if (!map.isOccupied(x, y, level)) continue;
                 for (int face = 0; face < kFaces; ++face) {
-                    if (random.oneIn(faceDensity)) putFacePortal(world, exit(x, y), level, static_cast<Face>(face));
+                    if (random.oneIn(faceDensity))
+                        putFacePortal(world, exit(x, y), level, static_cast<Face>(face));
                 }
             }
         }
@@ -85,8 +88,11 @@ World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
     for (int thing = 0; thing < things; ++thing) {
         const int level = random.below(map.levels);
         const int stacked = random.oneIn(3) && level + 1 < map.levels ? 2 : 1;
-        const Coordinate bottom = stacked == 1 && random.oneIn(2) ? Coordinate{random.below(60000)} : Coordinate{0};
-        const Coordinate top = stacked == 1 && random.oneIn(2) ? Coordinate{random.between(bottom.raw + 1000, 65536)} : tileEdge(1);
+        const Coordinate bottom =
+            stacked == 1 && random.oneIn(2) ? Coordinate{random.below(60000)} : Coordinate{0};
+        const Coordinate top = stacked == 1 && random.oneIn(2)
+                                   ? Coordinate{random.between(bottom.raw + 1000, 65536)}
+                                   : tileEdge(1);
         const bool isGate = random.oneIn(3);
         BlueprintId id = kEmptyCell;
         if (isGate) {
@@ -94,7 +100,9 @@ World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
             world.blueprints[id].bottom = bottom;
             world.blueprints[id].top = top;
         } else {
-            id = addMoving(world, bottom, top, randomMotion(random, bottom, stacked == 2 ? tileEdge(2) : top, level, map.levels));
+            id = addMoving(
+                world, bottom, top,
+                randomMotion(random, bottom, stacked == 2 ? tileEdge(2) : top, level, map.levels));
         }
         const int x0 = random.below(map.width);
         const int y0 = random.below(map.depth);
@@ -129,7 +137,8 @@ PlayerInput randomInput(Random& random) {
 
 bool isInside(const World& world, const Player& player) {
     const Coordinate eye = eyeHeight(player);
-    return reachesIntoSolid(world, 0, bodyBox(player)) || reachesIntoSolid(world, 0, {player.x, player.x, player.y, player.y, eye, eye});
+    return reachesIntoSolid(world, 0, bodyBox(player)) ||
+           reachesIntoSolid(world, 0, {player.x, player.x, player.y, player.y, eye, eye});
 }
 
 TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
@@ -161,13 +170,16 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
                 stepWorld(world, {&body, 1}, ask);
                 player.z = player.z + body.lift;
                 ASSERT_EQ(bodyBox(player), body.box);
-                ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player)) && !isFree(world, 0, bodyBox(player)))
+                ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player)) &&
+                             !isFree(world, 0, bodyBox(player)))
                     << "world " << seed << ", player " << i << ", step " << step << " of the world";
-                ASSERT_FALSE(reachesIntoSolid(world, 0, bodyBox(player))) << "world " << seed << ", player " << i << ", step " << step << " of the world";
+                ASSERT_FALSE(reachesIntoSolid(world, 0, bodyBox(player)))
+                    << "world " << seed << ", player " << i << ", step " << step << " of the world";
                 const bool rode = body.lift != Coordinate{0};
                 rodeThere += rode && player.onGround && isSupported(world, 0, bodyBox(player));
                 stepPlayer(world, player, input);
-                ASSERT_FALSE(isInside(world, player)) << "world " << seed << ", player " << i << ", step " << step;
+                ASSERT_FALSE(isInside(world, player))
+                    << "world " << seed << ", player " << i << ", step " << step;
 
                 ++steps;
                 lifted += body.lift > Coordinate{0};
@@ -177,7 +189,8 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
                 for (const Gate& gate : world.gates) {
                     const int whole = world.gateKinds[static_cast<std::size_t>(gate.kind)].steps;
                     gatesMoved += gate.progress != clocks[k];
-                    gatesHeld += gate.progress == clocks[k] && gate.progress == whole && !gate.wantsOpen;
+                    gatesHeld +=
+                        gate.progress == clocks[k] && gate.progress == whole && !gate.wantsOpen;
                     ++k;
                 }
                 inOpenGate += reachesIntoSomething(world, bodyBox(player));
@@ -186,7 +199,8 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
     }
     // All of it came up.
     EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer * 8 / 10);
-    for (const std::int64_t kind : {lifted, lowered, rodeThere, waits, gatesMoved, inOpenGate}) EXPECT_GT(kind, steps / 400);
+    for (const std::int64_t kind : {lifted, lowered, rodeThere, waits, gatesMoved, inOpenGate})
+        EXPECT_GT(kind, steps / 400);
     EXPECT_GT(gatesHeld, steps / 4000);
 }
 
@@ -202,7 +216,8 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
         Random random(static_cast<std::uint64_t>(seed) << 20);
         for (int i = 0; i < kPlayersPerWorld; ++i) {
             Player player;
-            if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player))) continue;
+            if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player)))
+                continue;
             PlayerInput input = randomInput(random);
             for (int step = 0; step < kStepsPerPlayer; ++step) {
                 if (random.oneIn(40)) input = randomInput(random);
@@ -214,11 +229,13 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
                 Body body = bodyOf(travellerOf(player), player.onGround);
                 stepWorld(world, {&body, 1}, ask);
                 player.z = player.z + body.lift;
-                ASSERT_TRUE(isFree(world, travellerOf(player))) << "world " << seed << ", player " << i << ", step " << step << " of the world";
+                ASSERT_TRUE(isFree(world, travellerOf(player)))
+                    << "world " << seed << ", player " << i << ", step " << step << " of the world";
                 for (const Mover& mover : world.movers) moving += mover.clock;
                 const int leapsBefore = player.leaps;
                 stepPlayer(world, player, input);
-                ASSERT_TRUE(isFree(world, travellerOf(player))) << "world " << seed << ", player " << i << ", step " << step;
+                ASSERT_TRUE(isFree(world, travellerOf(player)))
+                    << "world " << seed << ", player " << i << ", step " << step;
                 ++steps;
                 lifted += body.lift != Coordinate{0};
                 waits += moving == 0 && !world.movers.empty();
@@ -234,7 +251,9 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
 
 std::uint64_t hashOfManySteps() {
     std::uint64_t hash = 0;
-    const auto add = [&hash](std::int64_t number) { hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x100000001b3u + (hash >> 29); };
+    const auto add = [&hash](std::int64_t number) {
+        hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x100000001b3u + (hash >> 29);
+    };
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         World world = randomMovingWorld(seed);
         Random random(seed << 20);
@@ -243,7 +262,8 @@ std::uint64_t hashOfManySteps() {
         PlayerInput input;
         for (int step = 0; step < 400; ++step) {
             if (step % 15 == 0) input = randomInput(random);
-            stepBoth(world, player, input, asks(player, step % 50 == 0 ? GateAsk::Wish::change : GateAsk::Wish::nothing));
+            stepBoth(world, player, input,
+                     asks(player, step % 50 == 0 ? GateAsk::Wish::change : GateAsk::Wish::nothing));
         }
         for (const Coordinate coordinate : {player.x, player.y, player.z}) add(coordinate.raw);
         for (const CellBlueprint& block : world.blueprints) {

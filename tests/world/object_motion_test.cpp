@@ -1,4 +1,5 @@
-// Objects that move by themselves: how each kind goes its way, that none is ever inside anything, and that it all happens the same way twice.
+// Objects that move by themselves: how each kind goes its way, that none is ever inside anything,
+// and that it all happens the same way twice.
 #include "walking.h"
 
 #include "base/hash.h"
@@ -14,7 +15,8 @@
 namespace slicecast {
 namespace {
 
-// Adds an object, 0.3 wide and 0.8 high, and how it moves. The world's map must be complete before it is started.
+// Adds an object, 0.3 wide and 0.8 high, and how it moves. The world's map must be complete before
+// it is started.
 void addMoving(World& world, double x, double y, double z, ObjectMotion motion) {
     std::vector<Object>& objects = world.maps[static_cast<std::size_t>(motion.map)].objects;
     motion.object = static_cast<int>(objects.size());
@@ -54,7 +56,8 @@ ObjectMotion circler(double heading, double radius, double speed = 1.0) {
 
 const Object& objectOf(const World& world, std::size_t motion = 0) {
     const ObjectMotion& moving = world.movingObjects.motions[motion];
-    return world.maps[static_cast<std::size_t>(moving.map)].objects[static_cast<std::size_t>(moving.object)];
+    return world.maps[static_cast<std::size_t>(moving.map)]
+        .objects[static_cast<std::size_t>(moving.object)];
 }
 
 void stepFor(World& world, double seconds) {
@@ -73,7 +76,8 @@ TEST(ObjectMotion, BodiesAreAsWideAsTheirPicturesWithinLimits) {
     object.y = 3.0_u;
     object.z = 1.0_u;
     object.height = 0.5_u;
-    for (const auto& [width, body] : {std::pair{0.3_u, 0.3_u}, {2.0_u, kWidestBody}, {0.01_u, kNarrowestBody}}) {
+    for (const auto& [width, body] :
+         {std::pair{0.3_u, 0.3_u}, {2.0_u, kWidestBody}, {0.01_u, kNarrowestBody}}) {
         object.width = width;
         const Box box = objectBody(object);
         EXPECT_NEAR((box.east - box.west).raw, body.raw, 1);
@@ -121,7 +125,8 @@ TEST(ObjectMotion, PacingTurnsAtABlockAndKeepsToItsLine) {
         stepObjects(world);
         const Object& object = objectOf(world);
         farthest = std::max(farthest, object.x.value());
-        ASSERT_NEAR(object.y.value(), 4.5 + (object.x.value() - 2.0) * slope, 0.01) << "after " << i << " steps";
+        ASSERT_NEAR(object.y.value(), 4.5 + (object.x.value() - 2.0) * slope, 0.01)
+            << "after " << i << " steps";
         ASSERT_TRUE(isFree(world, 0, objectBody(object)));
     }
     EXPECT_NEAR(farthest, 6.0 - 0.15, 0.01);
@@ -139,7 +144,8 @@ TEST(ObjectMotion, WalkersTakeStepsAndTurnAtLedges) {
     for (int i = 0; i < 20 * kStepsPerSecond; ++i) {
         stepObjects(world);
         const Object& object = objectOf(world);
-        ASSERT_TRUE(isSupported(world, 0, objectBody(object))) << "at " << object.x.value() << ", height " << object.z.value();
+        ASSERT_TRUE(isSupported(world, 0, objectBody(object)))
+            << "at " << object.x.value() << ", height " << object.z.value();
         wasUp = wasUp || object.z == 1.25_u;
         farthest = std::max(farthest, object.x.value());
     }
@@ -191,7 +197,9 @@ TEST(ObjectMotion, WanderersStayWithinTheirReach) {
     double heading = 45.0;
     double farthest = 0.0;
     double farthestOther = 0.0;
-    const auto distance = [](const Object& object) { return std::max(std::abs(object.x.value() - 15.0), std::abs(object.y.value() - 15.0)); };
+    const auto distance = [](const Object& object) {
+        return std::max(std::abs(object.x.value() - 15.0), std::abs(object.y.value() - 15.0));
+    };
     for (int i = 0; i < 200 * kStepsPerSecond; ++i) {
         stepObjects(world);
         farthest = std::max(farthest, distance(objectOf(world)));
@@ -259,7 +267,9 @@ World crowd(std::uint64_t seed, int size) {
         motion.kind = static_cast<ObjectMotion::Kind>(random.below(3));
         motion.speed = random.between(0.1, 6.0);
         motion.headingDegrees = random.between(0.0, 360.0);
-        motion.reach = toCoordinate(motion.kind == ObjectMotion::Kind::wander && random.oneIn(2) ? 0.0 : random.between(0.3, 4.0));
+        motion.reach = toCoordinate(motion.kind == ObjectMotion::Kind::wander && random.oneIn(2)
+                                        ? 0.0
+                                        : random.between(0.3, 4.0));
         motion.random = Random(random.next());
         const double z = random.between(0.0, 3.0);
         const double y = random.between(0.0, static_cast<double>(map.depth));
@@ -286,7 +296,8 @@ TEST(RandomObjects, NoneIsEverInsideABlockAndAllHappensTheSameWayTwice) {
         World world = crowd(static_cast<std::uint64_t>(seed), 12);
         const std::vector<Object>& objects = world.maps[0].objects;
         std::vector<bool> wasFree;
-        for (const Object& object : objects) wasFree.push_back(!reachesIntoSomething(world, objectBody(object)));
+        for (const Object& object : objects)
+            wasFree.push_back(!reachesIntoSomething(world, objectBody(object)));
         const std::uint64_t atStart = hashOf(world);
         for (int step = 0; step < 400; ++step) {
             const std::vector<Object> before = objects;
@@ -297,7 +308,8 @@ TEST(RandomObjects, NoneIsEverInsideABlockAndAllHappensTheSameWayTwice) {
                 moved += objects[i].x != before[i].x || objects[i].y != before[i].y;
                 higher += objects[i].z > before[i].z;
                 lower += objects[i].z < before[i].z;
-                ASSERT_FALSE(reachesIntoSomething(world, objectBody(objects[i]))) << "seed " << seed << ", step " << step << ", object " << i;
+                ASSERT_FALSE(reachesIntoSomething(world, objectBody(objects[i])))
+                    << "seed " << seed << ", step " << step << ", object " << i;
             }
         }
         const std::uint64_t once = hashOf(world);

@@ -1,4 +1,5 @@
-// Moving objects among portals: they go through like anybody else, from one map's list to the other's.
+// Moving objects among portals: they go through like anybody else, from one map's list to the
+// other's.
 #include "portal_worlds.h"
 
 #include "base/hash.h"
@@ -20,7 +21,8 @@ constexpr int kSeeds = 60;
 constexpr int kSeeds = 600;
 #endif
 
-// Objects of one map, each with the number of its motion as its sprite, and one that stands still between any two.
+// Objects of one map, each with the number of its motion as its sprite, and one that stands still
+// between any two.
 void addCrowd(World& world, Random& random, int size, bool straight) {
     Map& map = world.maps[0];
     for (int i = 0; i < size; ++i) {
@@ -39,7 +41,8 @@ void addCrowd(World& world, Random& random, int size, bool straight) {
         motion.object = static_cast<int>(map.objects.size());
         motion.speed = random.between(0.2, 6.0);
         motion.headingDegrees = random.below(3600) / 10.0;
-        motion.reach = toCoordinate(motion.kind == ObjectMotion::Kind::wander ? 0.0 : random.between(0.5, 5.0));
+        motion.reach = toCoordinate(
+            motion.kind == ObjectMotion::Kind::wander ? 0.0 : random.between(0.5, 5.0));
         motion.random = Random(random.next());
         map.objects.push_back(object);
         world.movingObjects.motions.push_back(motion);
@@ -47,12 +50,16 @@ void addCrowd(World& world, Random& random, int size, bool straight) {
 }
 
 const Object& objectOf(const World& world, const ObjectMotion& motion) {
-    return world.maps[static_cast<std::size_t>(motion.map)].objects[static_cast<std::size_t>(motion.object)];
+    return world.maps[static_cast<std::size_t>(motion.map)]
+        .objects[static_cast<std::size_t>(motion.object)];
 }
 
 bool isFreeNow(const World& world, const ObjectMotion& motion) {
     const Object& object = objectOf(world, motion);
-    return isFree(world, Traveller{.map = motion.map, .box = objectBody(object), .eye = {object.x, object.y, object.z + motion.eye}, .behind = motion.behind});
+    return isFree(world, Traveller{.map = motion.map,
+                                   .box = objectBody(object),
+                                   .eye = {object.x, object.y, object.z + motion.eye},
+                                   .behind = motion.behind});
 }
 
 // The world with portals of tiles that lead to a copy and back.
@@ -70,7 +77,8 @@ World withPortals(const World& plain, int turn, int levels, Random& random, Port
     return world;
 }
 
-// Every motion has its own object still, and what stands still stands in the order in which it stood.
+// Every motion has its own object still, and what stands still stands in the order in which it
+// stood.
 void checkLists(const World& world) {
     std::set<std::pair<int, int>> moving;
     for (std::size_t i = 0; i < world.movingObjects.motions.size(); ++i) {
@@ -91,12 +99,14 @@ void checkLists(const World& world) {
 }
 
 // Steps both worlds; after each, everything is in the same place but for the copy's.
-void expectSameWays(World& plain, World& world, const Portal& toCopy, int tolerance, int& leaps, int seed) {
+void expectSameWays(World& plain, World& world, const Portal& toCopy, int tolerance, int& leaps,
+                    int seed) {
     std::vector<ObjectMotion>& expected = plain.movingObjects.motions;
     std::vector<ObjectMotion>& motions = world.movingObjects.motions;
     // What was not free goes other ways.
     std::vector<bool> counts;
-    for (std::size_t i = 0; i < motions.size(); ++i) counts.push_back(isFreeNow(world, motions[i]) && isFreeNow(plain, expected[i]));
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        counts.push_back(isFreeNow(world, motions[i]) && isFreeNow(plain, expected[i]));
     for (int step = 0; step < 500; ++step) {
         std::vector<int> before;
         for (const ObjectMotion& motion : motions) before.push_back(motion.map);
@@ -113,10 +123,13 @@ void expectSameWays(World& plain, World& world, const Portal& toCopy, int tolera
                 place = carried(reversed(toCopy), place);
                 heading = carriedHeading(reversed(toCopy), heading);
             }
-            ASSERT_LE(std::abs(place.x.raw - other.x.raw), tolerance) << "seed " << seed << ", step " << step << ", object " << i;
-            ASSERT_LE(std::abs(place.y.raw - other.y.raw), tolerance) << "seed " << seed << ", step " << step << ", object " << i;
+            ASSERT_LE(std::abs(place.x.raw - other.x.raw), tolerance)
+                << "seed " << seed << ", step " << step << ", object " << i;
+            ASSERT_LE(std::abs(place.y.raw - other.y.raw), tolerance)
+                << "seed " << seed << ", step " << step << ", object " << i;
             ASSERT_EQ(place.z, other.z) << "seed " << seed << ", step " << step << ", object " << i;
-            ASSERT_NEAR(heading, expected[i].headingDegrees, 0.001) << "seed " << seed << ", step " << step << ", object " << i;
+            ASSERT_NEAR(heading, expected[i].headingDegrees, 0.001)
+                << "seed " << seed << ", step " << step << ", object " << i;
         }
     }
     checkLists(world);
@@ -129,7 +142,8 @@ TEST(ObjectPortals, ThatLeadToACopyChangeNoWay) {
         World plain = randomWorld(static_cast<std::uint64_t>(seed));
         addCrowd(plain, random, 10, false);
         Portal toCopy;
-        World world = withPortals(plain, 0, plain.maps[0].levels < 30 ? random.below(3) : 0, random, toCopy);
+        World world =
+            withPortals(plain, 0, plain.maps[0].levels < 30 ? random.below(3) : 0, random, toCopy);
         startObjects(plain);
         startObjects(world);
         expectSameWays(plain, world, toCopy, 0, leaps, seed);
@@ -149,7 +163,8 @@ TEST(ObjectPortals, TurnWaysWithThem) {
             object.x = toCoordinate(random.between(6.0, 10.0));
             object.y = toCoordinate(random.between(5.5, 6.5));
         }
-        for (ObjectMotion& motion : plain.movingObjects.motions) motion.reach = std::min(motion.reach, 4.5_u);
+        for (ObjectMotion& motion : plain.movingObjects.motions)
+            motion.reach = std::min(motion.reach, 4.5_u);
         Portal toCopy;
         World world = withPortals(plain, 1 + seed % 3, random.below(3), random, toCopy);
         startObjects(plain);
@@ -169,8 +184,10 @@ TEST(ObjectPortals, NobodyIsInsideAnythingOnEitherSideAndAllGoesBackToTheBeginni
         World other = randomWorld(static_cast<std::uint64_t>(seed) + 5000);
         // The other map's blueprints are numbered anew.
         const auto shift = static_cast<BlueprintId>(world.blueprints.size());
-        for (BlueprintId& id : other.maps[0].cells) id = id == kEmptyCell ? id : static_cast<BlueprintId>(id + shift);
-        world.blueprints.insert(world.blueprints.end(), other.blueprints.begin(), other.blueprints.end());
+        for (BlueprintId& id : other.maps[0].cells)
+            id = id == kEmptyCell ? id : static_cast<BlueprintId>(id + shift);
+        world.blueprints.insert(world.blueprints.end(), other.blueprints.begin(),
+                                other.blueprints.end());
         world.maps.push_back(other.maps[0]);
         for (int i = 0; i < 12; ++i) {
             Portal portal;
@@ -196,18 +213,21 @@ TEST(ObjectPortals, NobodyIsInsideAnythingOnEitherSideAndAllGoesBackToTheBeginni
         addCrowd(world, random, 12, false);
         startObjects(world);
         std::vector<bool> wasFree;
-        for (const ObjectMotion& motion : world.movingObjects.motions) wasFree.push_back(isFreeNow(world, motion));
+        for (const ObjectMotion& motion : world.movingObjects.motions)
+            wasFree.push_back(isFreeNow(world, motion));
         Hash atStart;
         addMovingObjects(atStart, world);
         for (int step = 0; step < 400; ++step) {
             std::vector<int> before;
-            for (const ObjectMotion& motion : world.movingObjects.motions) before.push_back(motion.map);
+            for (const ObjectMotion& motion : world.movingObjects.motions)
+                before.push_back(motion.map);
             stepObjects(world);
             for (std::size_t i = 0; i < before.size(); ++i) {
                 if (!wasFree[i]) continue;
                 ++free;
                 leaps += world.movingObjects.motions[i].map != before[i];
-                ASSERT_TRUE(isFreeNow(world, world.movingObjects.motions[i])) << "seed " << seed << ", step " << step << ", object " << i;
+                ASSERT_TRUE(isFreeNow(world, world.movingObjects.motions[i]))
+                    << "seed " << seed << ", step " << step << ", object " << i;
             }
         }
         checkLists(world);

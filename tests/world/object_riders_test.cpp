@@ -1,4 +1,5 @@
-// Moving objects among moving blocks: they ride on them, are never inside one, and it all happens the same way twice.
+// Moving objects among moving blocks: they ride on them, are never inside one, and it all happens
+// the same way twice.
 #include "moving.h"
 
 #include "base/hash.h"
@@ -26,7 +27,8 @@ World livelyWorld(std::uint64_t seed) {
     for (int i = 0; i < 4; ++i) {
         Motion motion;
         motion.edges = static_cast<MovingEdges>(random.below(3));
-        motion.to = toCoordinate(motion.edges == MovingEdges::bottom ? 0.4 : random.between(0.3, map.levels - 0.5));
+        motion.to = toCoordinate(
+            motion.edges == MovingEdges::bottom ? 0.4 : random.between(0.3, map.levels - 0.5));
         motion.periodSteps = random.between(2, 8) * kSecond * map.levels;
         motion.shape = static_cast<MotionShape>(random.below(3));
         const BlueprintId id = addMoving(world, {}, 0.5_u, motion);
@@ -34,7 +36,8 @@ World livelyWorld(std::uint64_t seed) {
         const int y0 = random.below(map.depth);
         for (int y = y0; y < std::min(map.depth, y0 + 2); ++y) {
             for (int x = x0; x < std::min(map.width, x0 + 2); ++x) {
-                for (int level = 0; level < map.levels; ++level) map.setCell(x, y, level, kEmptyCell);
+                for (int level = 0; level < map.levels; ++level)
+                    map.setCell(x, y, level, kEmptyCell);
                 map.setCell(x, y, 0, id);
             }
         }
@@ -72,7 +75,9 @@ struct Crowd {
         for (const Body& body : bodies) lifted += body.lift.raw != 0;
         stepObjects(world);
     }
-    bool isInside(std::size_t i) const { return reachesIntoSolid(world, 0, objectBody(world.maps[0].objects[i])); }
+    bool isInside(std::size_t i) const {
+        return reachesIntoSolid(world, 0, objectBody(world.maps[0].objects[i]));
+    }
     std::uint64_t fingerprint() const {
         Hash hash;
         addTo(hash, world);
@@ -91,14 +96,16 @@ TEST(RandomRiders, AreNeverInsideABlockThatMoves) {
         ++worlds;
         startObjects(crowd.world);
         std::vector<bool> wasFree;
-        for (const Object& object : crowd.world.maps[0].objects) wasFree.push_back(isFree(crowd.world, 0, objectBody(object)));
+        for (const Object& object : crowd.world.maps[0].objects)
+            wasFree.push_back(isFree(crowd.world, 0, objectBody(object)));
         const std::uint64_t atStart = crowd.fingerprint();
         for (int step = 0; step < kSteps; ++step) {
             crowd.step();
             for (std::size_t i = 0; i < wasFree.size(); ++i) {
                 if (!wasFree[i]) continue;
                 ++free;
-                ASSERT_FALSE(crowd.isInside(i)) << "seed " << seed << ", step " << step << ", object " << i;
+                ASSERT_FALSE(crowd.isInside(i))
+                    << "seed " << seed << ", step " << step << ", object " << i;
             }
         }
         lifted += crowd.lifted;

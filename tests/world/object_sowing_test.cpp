@@ -40,10 +40,13 @@ TEST(Sowing, AreAsManyAsTheDensitySays) {
         World world = emptyWorld(200, 100, 3);
         world.start.map = -1;
         const std::vector<Object> objects = sown(world, trees(density));
-        EXPECT_NEAR(static_cast<double>(objects.size()), 20000.0 * density, 4.0 * std::sqrt(20000.0 * density * (1.0 - density)));
+        EXPECT_NEAR(static_cast<double>(objects.size()), 20000.0 * density,
+                    4.0 * std::sqrt(20000.0 * density * (1.0 - density)));
         EXPECT_EQ(tilesOf(objects).size(), objects.size());
         if (density < 0.5) continue;
-        const auto [low, high] = std::minmax_element(objects.begin(), objects.end(), [](const Object& a, const Object& b) { return a.height < b.height; });
+        const auto [low, high] = std::minmax_element(
+            objects.begin(), objects.end(),
+            [](const Object& a, const Object& b) { return a.height < b.height; });
         EXPECT_NEAR(low->height.value(), 1.2, 0.001);
         EXPECT_NEAR(high->height.value(), 2.4, 0.001);
     }
@@ -59,7 +62,10 @@ TEST(Sowing, LeavesWhatWasSownElsewhereWhereItIs) {
     for (const Object& object : few) {
         if (object.x.tile() == 3 && object.y.tile() == 3) continue;
         EXPECT_TRUE(std::any_of(many.begin(), many.end(),
-                                [&](const Object& other) { return other.x == object.x && other.y == object.y && other.height == object.height; }))
+                                [&](const Object& other) {
+                                    return other.x == object.x && other.y == object.y &&
+                                           other.height == object.height;
+                                }))
             << object.x.value() << ", " << object.y.value();
     }
     World other = emptyWorld(20, 20, 3);
@@ -74,7 +80,8 @@ TEST(Sowing, NeedsRoomUpToTheTopOfTheObject) {
     putBlock(world, 1, 0, 0.0_u, 0.25_u);
     putBlock(world, 2, 0, 1.0_u, 2.0_u);
     putBlock(world, 3, 0, 2.5_u, 3.0_u);
-    EXPECT_EQ(tilesOf(sown(world, trees(1.0))), (std::set<std::pair<int, int>>{{0, 0}, {3, 0}, {4, 0}, {5, 0}}));
+    EXPECT_EQ(tilesOf(sown(world, trees(1.0))),
+              (std::set<std::pair<int, int>>{{0, 0}, {3, 0}, {4, 0}, {5, 0}}));
 
     World roofed = emptyWorld(2, 1, 1);
     roofed.start.map = -1;
@@ -96,7 +103,8 @@ TEST(Sowing, StaysOnTheGroundThatIsAskedFor) {
     const auto heights = [&](const Sowing& sowing) {
         map.objects.clear();
         std::set<std::pair<int, double>> found;
-        for (const Object& object : sown(world, sowing)) found.emplace(object.x.tile(), object.z.value());
+        for (const Object& object : sown(world, sowing))
+            found.emplace(object.x.tile(), object.z.value());
         return found;
     };
     using Found = std::set<std::pair<int, double>>;
@@ -183,7 +191,8 @@ TEST(Sowing, GivesEachItsOwnWay) {
     EXPECT_GT(headings.size(), motions.size() / 2);
     startObjects(world);
     for (int step = 0; step < 600; ++step) stepObjects(world);
-    for (const Object& object : world.maps[0].objects) EXPECT_TRUE(isFree(world, 0, objectBody(object)));
+    for (const Object& object : world.maps[0].objects)
+        EXPECT_TRUE(isFree(world, 0, objectBody(object)));
 
     // Birds only where there is room for their whole circle.
     World walled = emptyWorld(20, 20, 3);
@@ -193,7 +202,8 @@ TEST(Sowing, GivesEachItsOwnWay) {
     sowing.density = 1.0;
     sown(walled, sowing);
     EXPECT_GT(walled.maps[0].objects.size(), 100u);
-    for (const Object& object : walled.maps[0].objects) EXPECT_GT(std::abs(object.y.value() - 10.5), 2.5);
+    for (const Object& object : walled.maps[0].objects)
+        EXPECT_GT(std::abs(object.y.value() - 10.5), 2.5);
 }
 
 TEST(Sowing, StopsAtTheMostThatAMapMayHave) {
@@ -214,7 +224,8 @@ TEST(Sowing, IsTheSameOnEveryMachine) {
     Sowing sowing = trees(0.5);
     for (BlueprintId id = 1; id < world.blueprints.size(); ++id) sowing.on.push_back(id);
     for (const Object& object : sown(world, sowing)) {
-        for (const Coordinate coordinate : {object.x, object.y, object.z, object.height}) hash.add(std::int64_t{coordinate.raw});
+        for (const Coordinate coordinate : {object.x, object.y, object.z, object.height})
+            hash.add(std::int64_t{coordinate.raw});
     }
     EXPECT_GT(world.maps[0].objects.size(), 30u);
     EXPECT_EQ(hash.value(), 13978013692874116546u);

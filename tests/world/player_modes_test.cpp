@@ -10,7 +10,7 @@
 namespace slicecast {
 namespace {
 
-// ------------------------------------------------------------------------------------------------- flying, changing modes
+// ---- flying, changing modes
 
 TEST(Player, FliesOverTheTopLevelUpToTheGreatestHeight) {
     Walker walker(emptyWorld(3, 3, 1), 1.5, 1.5, 0.0);
@@ -82,7 +82,7 @@ TEST(Player, LevelLookBringsAFlyerDownToStandingHeight) {
     EXPECT_EQ(eyeHeight(walker.player), 1.5_u + kStandingEye);
 }
 
-// --------------------------------------------------------------------------------------------------- speeds and inputs
+// ---- speeds and inputs
 
 double distanceInSecondSecond(PlayerInput input, bool flying) {
     Walker walker(emptyWorld(200, 200, 1), 100.5, 100.5, 0.0, 33.0);
@@ -100,11 +100,17 @@ TEST(Player, MovesAtTheSpeedsOfItsMode) {
         EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0}, flying), pace.move, 0.002);
         EXPECT_NEAR(distanceInSecondSecond({.forward = -0.5}, flying), pace.move / 2.0, 0.002);
         EXPECT_NEAR(distanceInSecondSecond({.strafe = 1.0}, flying), pace.move, 0.002);
-        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .strafe = -1.0}, flying), pace.move, 0.002) << "no faster aslant";
-        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .fast = true}, flying), pace.move * pace.fast, 0.002);
-        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .slow = true}, flying), pace.move * pace.slow, 0.002);
-        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .fast = true, .slow = true}, flying), pace.move * pace.slow, 0.002);
-        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .speed = 2.0}, flying), pace.move * 2.0, 0.002);
+        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .strafe = -1.0}, flying), pace.move,
+                    0.002)
+            << "no faster aslant";
+        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .fast = true}, flying),
+                    pace.move * pace.fast, 0.002);
+        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .slow = true}, flying),
+                    pace.move * pace.slow, 0.002);
+        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .fast = true, .slow = true}, flying),
+                    pace.move * pace.slow, 0.002);
+        EXPECT_NEAR(distanceInSecondSecond({.forward = 1.0, .speed = 2.0}, flying), pace.move * 2.0,
+                    0.002);
     }
 }
 
@@ -125,7 +131,8 @@ TEST(Player, TurnsLooksAndFacesHeadings) {
     Walker walker(emptyWorld(3, 3, 1), 1.5, 1.5, 0.0, 350.0);
     walker.step({.turn = 1.0}, kSecond);
     const double first = walker.player.headingDegrees;
-    EXPECT_LT(first, 350.0 + kWalkingPace.turn - 360.0) << "it takes a moment to turn at full speed";
+    EXPECT_LT(first, 350.0 + kWalkingPace.turn - 360.0)
+        << "it takes a moment to turn at full speed";
     walker.step({.turn = 1.0}, kSecond);
     EXPECT_NEAR(walker.player.headingDegrees, first + kWalkingPace.turn, 1e-9);
     walker.step({.turnDegrees = -400.0});
@@ -152,13 +159,25 @@ TEST(Player, NumbersThatAreNoneCountAsNothing) {
     const double infinity = std::numeric_limits<double>::infinity();
     Walker walker(emptyWorld(9, 9, 1), 4.5, 4.5, 0.0);
     const Player before = walker.player;
-    walker.step({.forward = nan, .strafe = nan, .turn = nan, .look = nan, .fly = nan, .turnDegrees = nan, .lookHeights = nan, .speed = nan});
+    walker.step({.forward = nan,
+                 .strafe = nan,
+                 .turn = nan,
+                 .look = nan,
+                 .fly = nan,
+                 .turnDegrees = nan,
+                 .lookHeights = nan,
+                 .speed = nan});
     EXPECT_EQ(walker.player.x, before.x);
     EXPECT_EQ(walker.player.headingDegrees, before.headingDegrees);
     EXPECT_EQ(walker.player.look, before.look);
-    walker.step(
-        {.forward = infinity, .strafe = -infinity, .turn = infinity, .look = -infinity, .turnDegrees = infinity, .lookHeights = infinity, .speed = infinity},
-        kSecond);
+    walker.step({.forward = infinity,
+                 .strafe = -infinity,
+                 .turn = infinity,
+                 .look = -infinity,
+                 .turnDegrees = infinity,
+                 .lookHeights = infinity,
+                 .speed = infinity},
+                kSecond);
     EXPECT_TRUE(isFree(walker.world, 0, bodyBox(walker.player)));
     EXPECT_TRUE(std::isfinite(walker.player.headingDegrees));
     EXPECT_LE(std::abs(walker.player.look), kLookLimit);

@@ -1,4 +1,5 @@
-// Random players in random worlds: nobody is ever inside anything, nobody is ever stuck, and it all happens the same way twice.
+// Random players in random worlds: nobody is ever inside anything, nobody is ever stuck, and it all
+// happens the same way twice.
 #include "walking.h"
 
 #include <gtest/gtest.h>
@@ -15,11 +16,16 @@ constexpr int kWorlds = 5000;
 #endif
 constexpr int kPlayersPerWorld = 4;
 constexpr int kStepsPerPlayer = 500;
-static_assert(kWorlds < 5000 || std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer >= 10'000'000);
+static_assert(kWorlds < 5000 ||
+              std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer >= 10'000'000);
 
 // Wishes that last for a while, as a player's do, now and then all at once.
 PlayerInput randomInput(Random& random) {
-    const auto axis = [&random] { return random.oneIn(3) ? 0.0 : random.oneIn(2) ? (random.oneIn(2) ? 1.0 : -1.0) : random.between(-1.5, 1.5); };
+    const auto axis = [&random] {
+        return random.oneIn(3)   ? 0.0
+               : random.oneIn(2) ? (random.oneIn(2) ? 1.0 : -1.0)
+                                 : random.between(-1.5, 1.5);
+    };
     PlayerInput input;
     input.forward = random.oneIn(2) ? 1.0 : axis();
     input.strafe = axis();
@@ -74,13 +80,17 @@ TEST(RandomPlayers, NobodyIsEverInsideABlock) {
                 if (random.oneIn(20)) input = randomInput(random);
                 if (random.oneIn(60)) {
                     doSomethingElse(world, player, random);
-                    ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player))) << "world " << seed << ", player " << i << ", before step " << step;
-                    ASSERT_FALSE(eyeIsInside(world, player)) << "world " << seed << ", player " << i << ", before step " << step;
+                    ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player)))
+                        << "world " << seed << ", player " << i << ", before step " << step;
+                    ASSERT_FALSE(eyeIsInside(world, player))
+                        << "world " << seed << ", player " << i << ", before step " << step;
                 }
                 const Player before = player;
                 stepPlayer(world, player, input);
-                ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player))) << "world " << seed << ", player " << i << ", step " << step;
-                ASSERT_FALSE(eyeIsInside(world, player)) << "world " << seed << ", player " << i << ", step " << step;
+                ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player)))
+                    << "world " << seed << ", player " << i << ", step " << step;
+                ASSERT_FALSE(eyeIsInside(world, player))
+                    << "world " << seed << ", player " << i << ", step " << step;
                 ++steps;
                 walked += player.onGround;
                 crouched += player.crouched;
@@ -128,7 +138,9 @@ TEST(RandomPlayers, NobodyIsEverStuck) {
 
 std::uint64_t hashOfManySteps() {
     std::uint64_t hash = 0;
-    const auto add = [&hash](std::uint64_t number) { hash = (hash ^ number) * 0x100000001b3u + (hash >> 29); };
+    const auto add = [&hash](std::uint64_t number) {
+        hash = (hash ^ number) * 0x100000001b3u + (hash >> 29);
+    };
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const World world = randomWorld(seed);
         Random random(seed << 20);
@@ -140,15 +152,18 @@ std::uint64_t hashOfManySteps() {
             if (step % 75 == 0) doSomethingElse(world, player, random);
             stepPlayer(world, player, input);
         }
-        for (const Coordinate coordinate : {player.x, player.y, player.z, player.eyeLag}) add(static_cast<std::uint64_t>(coordinate.raw));
-        for (const double number : {player.velocityX, player.velocityY, player.velocityZ, player.headingDegrees, player.look, player.eyeLagRate}) {
+        for (const Coordinate coordinate : {player.x, player.y, player.z, player.eyeLag})
+            add(static_cast<std::uint64_t>(coordinate.raw));
+        for (const double number : {player.velocityX, player.velocityY, player.velocityZ,
+                                    player.headingDegrees, player.look, player.eyeLagRate}) {
             add(std::bit_cast<std::uint64_t>(number));
         }
     }
     return hash;
 }
 
-// The same from every compiler and at every level of optimisation. A change of the motion itself changes this number.
+// The same from every compiler and at every level of optimisation. A change of the motion itself
+// changes this number.
 TEST(RandomPlayers, TheSameInputsGiveTheSameStatesEverywhere) {
     EXPECT_EQ(hashOfManySteps(), hashOfManySteps());
     EXPECT_EQ(hashOfManySteps(), 0xd7423e0e02aa9b54u);

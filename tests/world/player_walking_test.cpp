@@ -22,7 +22,7 @@ World room(int width, int depth, int levels) {
     return world;
 }
 
-// ------------------------------------------------------------------------------------------------------------- walls
+// ---- walls
 
 TEST(Player, StopsExactlyItsHalfWidthFromAWall) {
     for (const bool flying : {false, true}) {
@@ -33,7 +33,8 @@ TEST(Player, StopsExactlyItsHalfWidthFromAWall) {
                 setHeading(walker.player, heading);
                 walker.step({.forward = 1.0, .fast = fast}, 3 * kSecond);
                 const Coordinate place = heading % 180 == 0 ? walker.player.x : walker.player.y;
-                EXPECT_EQ(place, heading < 180 ? 6.0_u - kBodyHalfWidth : 1.0_u + kBodyHalfWidth) << heading << (flying ? " flying" : " walking");
+                EXPECT_EQ(place, heading < 180 ? 6.0_u - kBodyHalfWidth : 1.0_u + kBodyHalfWidth)
+                    << heading << (flying ? " flying" : " walking");
             }
         }
     }
@@ -41,7 +42,9 @@ TEST(Player, StopsExactlyItsHalfWidthFromAWall) {
 
 TEST(Player, SlidesAlongAWallWithoutCatchingAtItsSeams) {
     World world = room(40, 5, 2);
-    for (int x = 0; x < 40; x += 3) putBlock(world, x, 3, 0.0_u, 1.0_u - kTiny);  // every third block of the wall is another one
+    for (int x = 0; x < 40; x += 3)
+        putBlock(world, x, 3, 0.0_u,
+                 1.0_u - kTiny);  // every third block of the wall is another one
     for (int x = 1; x < 40; x += 3) putBlock(world, x, 3, 0.0_u, 0.75_u);
     for (int x = 2; x < 40; x += 3) putBlock(world, x, 3, 0.51_u, 0.75_u);
     for (int x = 0; x < 40; ++x) putBlock(world, x, 3, 1.0_u, 2.0_u);
@@ -74,7 +77,8 @@ TEST(Player, WalksThroughACorridorOfOneTileAndRoundItsCorners) {
     World world = emptyWorld(8, 7, 1);
     for (int y = 0; y < 7; ++y) {
         for (int x = 0; x < 8; ++x) {
-            const bool open = (y == 1 && x >= 1 && x <= 6) || (x == 6 && y >= 1 && y <= 5) || (y == 5 && x >= 1 && x <= 6);
+            const bool open = (y == 1 && x >= 1 && x <= 6) || (x == 6 && y >= 1 && y <= 5) ||
+                              (y == 5 && x >= 1 && x <= 6);
             if (!open) putBlock(world, x, y, 0.0_u, 1.0_u);
         }
     }
@@ -104,7 +108,7 @@ TEST(Player, TheEdgeOfTheGridIsAWallAtAnyHeight) {
     }
 }
 
-// ------------------------------------------------------------------------------------------------------------- steps
+// ---- steps
 
 double heightAfterWalkingAt(Coordinate step) {
     World world = emptyWorld(6, 1, 2);
@@ -144,7 +148,9 @@ TEST(Player, ClimbsStairsToTheNextLevelsAndComesBackDownOnThem) {
     for (int x = 2; x < 10; ++x) {
         for (int level = 0; level < 2; ++level) {
             const int quarters = std::min(std::max(x - 1 - 4 * level, 0), 4);
-            if (quarters > 0) putBlock(world, x, 0, tileEdge(level), tileEdge(level) + Coordinate{quarters * 16384});
+            if (quarters > 0)
+                putBlock(world, x, 0, tileEdge(level),
+                         tileEdge(level) + Coordinate{quarters * 16384});
         }
     }
     for (int x = 10; x < 14; ++x) {
@@ -174,7 +180,7 @@ TEST(Player, AStepNeedsRoomAboveIt) {
     EXPECT_EQ(walker.z(), 0.5);
 }
 
-// ------------------------------------------------------------------------------------------------ low places, jumping
+// ---- low places, jumping
 
 TEST(Player, WalksUnderALowPlaceOnlyCrouchedAndStandsUpBehindIt) {
     Walker walker(lowPassage(0.7_u), 0.5, 0.5, 0.0);
@@ -284,7 +290,7 @@ TEST(Player, TheHeadStopsAtWhatIsAboveIt) {
     EXPECT_EQ(walker.z(), 0.0);
 }
 
-// ----------------------------------------------------------------------------------------------- heights, bridges, falls
+// ---- heights, bridges, falls
 
 TEST(Player, FallsExactlyOntoTops) {
     for (const Coordinate top : {0.25_u, 0.5_u, 0.3_u, kTiny, 1.0_u, 1.0_u - kTiny}) {
@@ -301,19 +307,24 @@ TEST(Player, FallsExactlyOntoTops) {
 
 TEST(Player, FallsOffALedgeAtTheRateOfGravity) {
     World world = emptyWorld(8, 1, 20);
-    for (int level = 0; level < 18; ++level) putBlock(world, 0, 0, tileEdge(level), tileEdge(level + 1));
+    for (int level = 0; level < 18; ++level)
+        putBlock(world, 0, 0, tileEdge(level), tileEdge(level + 1));
     Walker walker(std::move(world), 0.5, 0.5, 18.0);
     while (walker.player.onGround && walker.x() < 4.0) walker.step(kAhead);
-    EXPECT_GE(walker.player.x, 1.0_u + kBodyHalfWidth) << "no part of the body is left above the edge";
+    EXPECT_GE(walker.player.x, 1.0_u + kBodyHalfWidth)
+        << "no part of the body is left above the edge";
     const int fallen = kSecond - 1;
     walker.step(kNothing, fallen);
-    EXPECT_NEAR(18.0 - walker.z(), 0.5 * kGravity * (1.0 + fallen) * (1.0 + fallen) * kStepSeconds * kStepSeconds, 0.01);
+    EXPECT_NEAR(18.0 - walker.z(),
+                0.5 * kGravity * (1.0 + fallen) * (1.0 + fallen) * kStepSeconds * kStepSeconds,
+                0.01);
     walker.step(kNothing, 5 * kSecond);
     EXPECT_EQ(walker.z(), 0.0);
 }
 
 TEST(Player, ABridgeIsWalkedOverAndUnder) {
-    // A wall of two levels with a gap below: row 1 is a bridge at 1.0 to 1.25 across the tunnel in column 3.
+    // A wall of two levels with a gap below: row 1 is a bridge at 1.0 to 1.25 across the tunnel in
+    // column 3.
     World world = emptyWorld(7, 3, 3);
     for (int x = 0; x < 7; ++x) {
         if (x != 3) putBlock(world, x, 1, 0.0_u, 1.0_u);

@@ -1,4 +1,5 @@
-// A portal to a copy of the place that it stands in changes nothing: who goes through walks the same way as without it, in the copy.
+// A portal to a copy of the place that it stands in changes nothing: who goes through walks the
+// same way as without it, in the copy.
 #include "portal_worlds.h"
 
 #include <gtest/gtest.h>
@@ -63,19 +64,22 @@ bool slidesAlongSomething(const Player& player) {
     return player.velocityX == 0.0 || player.velocityY == 0.0;
 }
 
-// What a turn may change. Who ends a step exactly on a border may be put 1/65536 inside the tile. And steps go by x and then by y, in the copy too: where a
-// quarter turn changes which comes first, one who slides around the end of a wall may do so a part of a step earlier or later.
+// What a turn may change. Who ends a step exactly on a border may be put 1/65536 inside the tile.
+// And steps go by x and then by y, in the copy too: where a quarter turn changes which comes first,
+// one who slides around the end of a wall may do so a part of a step earlier or later.
 bool mayPart(const Portal& toCopy, const Player& before, const Player& a, const Player& b) {
     const int x = std::abs(a.x.raw - b.x.raw);
     const int y = std::abs(a.y.raw - b.y.raw);
     const bool isOnBorder = a.x.fraction() == 0.0 || a.y.fraction() == 0.0;
     if (toCopy.turn != 0 && isOnBorder && a.z == b.z && std::max(x, y) <= 1) return true;
-    const bool isAtCorner = slidesAlongSomething(before) || slidesAlongSomething(a) || slidesAlongSomething(b);
+    const bool isAtCorner =
+        slidesAlongSomething(before) || slidesAlongSomething(a) || slidesAlongSomething(b);
     return toCopy.turn % 2 != 0 && isAtCorner && std::max(x, y) < 65536 / 8;
 }
 
 // Two players with the same inputs, one of them with portals. False if their ways part.
-bool walkBoth(const World& plain, const World& portals, const Portal& toCopy, const Player& start, Random& random, int steps, Counts& counts) {
+bool walkBoth(const World& plain, const World& portals, const Portal& toCopy, const Player& start,
+              Random& random, int steps, Counts& counts) {
     Player without = start;
     Player with = start;
     PlayerInput input = randomInput(random);
@@ -145,11 +149,13 @@ TEST(PortalIdentity, TurnedToo) {
         Random random(static_cast<std::uint64_t>(seed) * 104729);
         const World plain = randomWorld(static_cast<std::uint64_t>(seed));
         Portal toCopy;
-        const World world = withTilePortals(plain, 1 + seed % 3, liftOf(plain, random), random, toCopy);
+        const World world =
+            withTilePortals(plain, 1 + seed % 3, liftOf(plain, random), random, toCopy);
         Player player;
         if (!placeRandomly(plain, random, player)) continue;
         player.headingDegrees = gridDegrees(random, 180.0) + 180.0;
-        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 600, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 600, counts))
+            << "seed " << seed << ", turn " << toCopy.turn;
     }
     for (const int turn : {1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 2) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 100);
@@ -164,8 +170,8 @@ struct Barrier {
 };
 
 // Blocks that fill a passage and lead into the copy; in the copy others lead back.
-World withBarriers(const World& plain, int turn, int levels, const std::vector<Barrier>& here, const std::vector<Barrier>& there, Face face, Face opposite,
-                   Portal& toCopy) {
+World withBarriers(const World& plain, int turn, int levels, const std::vector<Barrier>& here,
+                   const std::vector<Barrier>& there, Face face, Face opposite, Portal& toCopy) {
     World world = plain;
     toCopy = appendCopy(world, 0, turn, levels);
     CellBlueprint whole;
@@ -173,12 +179,14 @@ World withBarriers(const World& plain, int turn, int levels, const std::vector<B
     const auto id = static_cast<BlueprintId>(world.blueprints.size() - 1);
     for (const Barrier& barrier : here) {
         world.maps[0].setCell(barrier.x, barrier.y, barrier.level, id);
-        for (const Face side : {face, opposite}) putFacePortal(world, portalAt(toCopy, barrier.x, barrier.y), barrier.level, side);
+        for (const Face side : {face, opposite})
+            putFacePortal(world, portalAt(toCopy, barrier.x, barrier.y), barrier.level, side);
     }
     for (const Barrier& barrier : there) {
         const Portal portal = reversed(portalAt(toCopy, barrier.x, barrier.y));
         world.maps[1].setCell(portal.fromX, portal.fromY, barrier.level + levels, id);
-        for (const Face side : {face, opposite}) putFacePortal(world, portal, barrier.level + levels, turned(side, turn));
+        for (const Face side : {face, opposite})
+            putFacePortal(world, portal, barrier.level + levels, turned(side, turn));
     }
     return world;
 }
@@ -194,9 +202,11 @@ TEST(PortalIdentity, FacesInACorridorThatLeadToACopyChangeNoWay) {
             putBlock(plain, x, 1, 1.0_u, 2.0_u);
         }
         Portal toCopy;
-        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{6, 1, 0}}, {{3, 1, 0}}, Face::west, Face::east, toCopy);
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{6, 1, 0}},
+                                         {{3, 1, 0}}, Face::west, Face::east, toCopy);
         const Walker walker(plain, 4.5, 1.5, 0.0, gridDegrees(random, 180.0) + 180.0);
-        EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts))
+            << "seed " << seed << ", turn " << toCopy.turn;
     }
     for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 8) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 500);
@@ -210,15 +220,18 @@ TEST(PortalIdentity, TopsAndBottomsInAShaftThatLeadToACopyChangeNoWay) {
         World plain = emptyWorld(3, 3, 6);
         for (int tile = 0; tile < 9; ++tile) {
             for (int level = 0; level < 4; ++level) {
-                if (tile != 4) putBlock(plain, tile % 3, tile / 3, tileEdge(level), tileEdge(level + 1));
+                if (tile != 4)
+                    putBlock(plain, tile % 3, tile / 3, tileEdge(level), tileEdge(level + 1));
             }
         }
         Portal toCopy;
-        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, 2}}, {{1, 1, 1}}, Face::top, Face::bottom, toCopy);
+        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, 2}},
+                                         {{1, 1, 1}}, Face::top, Face::bottom, toCopy);
         const Walker walker(plain, 1.5, 1.5, 3.3, gridDegrees(random, 180.0) + 180.0);
         Player player = walker.player;
         if (random.oneIn(2)) setFlying(plain, player, true);
-        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts))
+            << "seed " << seed << ", turn " << toCopy.turn;
     }
     for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 20) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 500);
@@ -233,15 +246,18 @@ TEST(PortalIdentity, WideGatesThatLeadToACopyChangeNoWay) {
         World plain = emptyWorld(10, 4, 3);
         for (int x = 0; x < 10; ++x) {
             for (int level = 0; level < 3; ++level) {
-                for (const int y : {0, 3}) putBlock(plain, x, y, tileEdge(level), tileEdge(level + 1));
+                for (const int y : {0, 3})
+                    putBlock(plain, x, y, tileEdge(level), tileEdge(level + 1));
             }
             for (const int y : {1, 2}) putBlock(plain, x, y, 2.0_u, 3.0_u);
         }
         Portal toCopy;
-        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{6, 1, 0}, {6, 2, 0}, {6, 1, 1}, {6, 2, 1}},
-                                         {{3, 1, 0}, {3, 2, 0}, {3, 1, 1}, {3, 2, 1}}, Face::west, Face::east, toCopy);
+        const World world = withBarriers(
+            plain, seed % 4, random.between(0, 2), {{6, 1, 0}, {6, 2, 0}, {6, 1, 1}, {6, 2, 1}},
+            {{3, 1, 0}, {3, 2, 0}, {3, 1, 1}, {3, 2, 1}}, Face::west, Face::east, toCopy);
         const Walker walker(plain, 4.5, 2.0, 0.0, gridDegrees(random, 180.0) + 180.0);
-        EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts))
+            << "seed " << seed << ", turn " << toCopy.turn;
     }
     for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 8) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 500);
@@ -256,17 +272,21 @@ TEST(PortalIdentity, WideWellsThatLeadToACopyChangeNoWay) {
         for (int y = 0; y < 4; ++y) {
             for (int x = 0; x < 4; ++x) {
                 if (x >= 1 && x <= 2 && y >= 1 && y <= 2) continue;
-                for (int level = 0; level < 4; ++level) putBlock(plain, x, y, tileEdge(level), tileEdge(level + 1));
+                for (int level = 0; level < 4; ++level)
+                    putBlock(plain, x, y, tileEdge(level), tileEdge(level + 1));
             }
         }
         Portal toCopy;
         const int level = 2;
-        const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, level}, {2, 1, level}, {1, 2, level}, {2, 2, level}},
-                                         {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 1}}, Face::top, Face::bottom, toCopy);
+        const World world = withBarriers(
+            plain, seed % 4, random.between(0, 2),
+            {{1, 1, level}, {2, 1, level}, {1, 2, level}, {2, 2, level}},
+            {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 1}}, Face::top, Face::bottom, toCopy);
         const Walker walker(plain, 2.0, 2.0, 3.3, gridDegrees(random, 180.0) + 180.0);
         Player player = walker.player;
         if (random.oneIn(2)) setFlying(plain, player, true);
-        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts)) << "seed " << seed << ", turn " << toCopy.turn;
+        EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts))
+            << "seed " << seed << ", turn " << toCopy.turn;
     }
     for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 20) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 500);

@@ -1,4 +1,5 @@
-// Random players in random worlds full of portals: nobody is ever inside anything on either side of one, and nobody is ever stuck.
+// Random players in random worlds full of portals: nobody is ever inside anything on either side of
+// one, and nobody is ever stuck.
 #include "portal_worlds.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,8 @@ World randomPortalWorld(std::uint64_t seed) {
         for (BlueprintId& id : map.cells) {
             if (id != kEmptyCell) id = static_cast<BlueprintId>(id + first);
         }
-        world.blueprints.insert(world.blueprints.end(), other.blueprints.begin() + 1, other.blueprints.end());
+        world.blueprints.insert(world.blueprints.end(), other.blueprints.begin() + 1,
+                                other.blueprints.end());
         world.maps.push_back(map);
     }
     const int tileDensity = random.between(2, 20);
@@ -39,9 +41,12 @@ World randomPortalWorld(std::uint64_t seed) {
     const bool together = random.oneIn(2);  // many portals side by side lead on side by side
     for (int m = 0; m < maps; ++m) {
         const auto exit = [&](int x, int y) {
-            if (together && !world.portals.empty() && world.portals.back().fromMap == m && !random.oneIn(4)) {
+            if (together && !world.portals.empty() && world.portals.back().fromMap == m &&
+                !random.oneIn(4)) {
                 const Portal portal = portalAt(world.portals.back(), x, y);
-                if (world.maps[static_cast<std::size_t>(portal.toMap)].contains(portal.toX, portal.toY)) return portal;
+                if (world.maps[static_cast<std::size_t>(portal.toMap)].contains(portal.toX,
+                                                                                portal.toY))
+                    return portal;
             }
             const int to = random.below(maps);
             const Map& map = world.maps[static_cast<std::size_t>(to)];
@@ -61,7 +66,8 @@ World randomPortalWorld(std::uint64_t seed) {
                 for (int level = 0; level < map.levels; ++level) {
                     if (!map.isOccupied(x, y, level)) continue;
                     for (int face = 0; face < kFaces; ++face) {
-                        if (random.oneIn(faceDensity)) putFacePortal(world, exit(x, y), level, static_cast<Face>(face));
+                        if (random.oneIn(faceDensity))
+                            putFacePortal(world, exit(x, y), level, static_cast<Face>(face));
                     }
                 }
             }
@@ -86,7 +92,8 @@ Cube carriedCube(const Portal& portal, const Cube& cube) {
     int x = 2 * cube.x + 1 - (2 * portal.fromX + 1) * 65536;
     int y = 2 * cube.y + 1 - (2 * portal.fromY + 1) * 65536;
     turnArrow(portal.turn, x, y);
-    return {((2 * portal.toX + 1) * 65536 + x - 1) / 2, ((2 * portal.toY + 1) * 65536 + y - 1) / 2, cube.z + portal.levels * 65536};
+    return {((2 * portal.toX + 1) * 65536 + x - 1) / 2, ((2 * portal.toY + 1) * 65536 + y - 1) / 2,
+            cube.z + portal.levels * 65536};
 }
 
 const CellBlueprint* blockAt(const World& world, int map, const Cube& cube) {
@@ -101,11 +108,13 @@ const CellBlueprint* blockAt(const World& world, int map, const Cube& cube) {
 
 bool isSolidIn(const World& world, int map, const Cube& cube) {
     const GridTile tile = tileOf(cube);
-    if (!world.maps[static_cast<std::size_t>(map)].contains(tile.x, tile.y) || cube.z < 0) return true;
+    if (!world.maps[static_cast<std::size_t>(map)].contains(tile.x, tile.y) || cube.z < 0)
+        return true;
     return blockAt(world, map, cube) != nullptr;
 }
 
-// The portal through which an eye in one tile sees a cube of its own tile: that of the first block on the way up or down.
+// The portal through which an eye in one tile sees a cube of its own tile: that of the first block
+// on the way up or down.
 const Portal* portalAboveOrBelow(const World& world, const Traveller& body, int height) {
     const Map& map = world.maps[static_cast<std::size_t>(body.map)];
     const Cube eye = {body.eye.x.raw, body.eye.y.raw, body.eye.z.raw};
@@ -130,14 +139,17 @@ const Portal* portalAboveOrBelow(const World& world, const Traveller& body, int 
     return nullptr;
 }
 
-// The portal of a side at a height, through which an eye sees at its own height; null if other blocks or portals lie between these heights.
+// The portal of a side at a height, through which an eye sees at its own height; null if other
+// blocks or portals lie between these heights.
 const Portal* portalOfSide(const World& world, const Traveller& body, const Cube& cube, Face side) {
     const Portal* seen = nullptr;
     int z = body.eye.z.raw;
     for (;;) {
         const CellBlueprint* block = blockAt(world, body.map, {cube.x, cube.y, z});
         const PortalId portal = block == nullptr ? kNoPortal : block->face(side).portal;
-        if (portal == kNoPortal || (seen != nullptr && !leadOnTogether(*seen, world.portals[portal]))) return nullptr;
+        if (portal == kNoPortal ||
+            (seen != nullptr && !leadOnTogether(*seen, world.portals[portal])))
+            return nullptr;
         seen = &world.portals[portal];
         const int bottom = (z >> 16 << 16) + block->bottom.raw;
         const int top = (z >> 16 << 16) + block->top.raw;
@@ -149,7 +161,9 @@ const Portal* portalOfSide(const World& world, const Traveller& body, const Cube
 // As traveller.h has it, for one cube of the body.
 bool isSolidFor(const World& world, const Traveller& body, const Cube& cube) {
     const GridTile tile = tileOf(cube);
-    const auto through = [&](const Portal& portal) { return isSolidIn(world, portal.toMap, carriedCube(portal, cube)); };
+    const auto through = [&](const Portal& portal) {
+        return isSolidIn(world, portal.toMap, carriedCube(portal, cube));
+    };
 
     const Threshold& behind = body.behind;
     const bool isBehind = behind.isOn && (behind.side == Face::west    ? tile.x < behind.back.fromX
@@ -157,7 +171,7 @@ bool isSolidFor(const World& world, const Traveller& body, const Cube& cube) {
                                           : behind.side == Face::north ? tile.y < behind.back.fromY
                                           : behind.side == Face::south ? tile.y > behind.back.fromY
                                           : behind.side == Face::top   ? cube.z >= behind.height.raw
-                                                                       : cube.z < behind.height.raw);
+                                                                     : cube.z < behind.height.raw);
     if (isBehind) return through(behind.back);
 
     const Map& map = world.maps[static_cast<std::size_t>(body.map)];
@@ -173,14 +187,19 @@ bool isSolidFor(const World& world, const Traveller& body, const Cube& cube) {
     // Through sides; around a corner only together with a side right in front of the eye
     const Face sideX = tile.x > eyeTile.x ? Face::west : Face::east;
     const Face sideY = tile.y > eyeTile.y ? Face::north : Face::south;
-    const auto atEyeHeight = [&](GridTile at, Face side) { return portalOfSide(world, body, {at.x << 16, at.y << 16, eye.z}, side); };
+    const auto atEyeHeight = [&](GridTile at, Face side) {
+        return portalOfSide(world, body, {at.x << 16, at.y << 16, eye.z}, side);
+    };
     const Portal* beside = nullptr;
     bool isSideSeen = false;
     if (tile.x != eyeTile.x && tile.y != eyeTile.y) {
-        for (const auto& [between, side] : {std::pair{GridTile{tile.x, eyeTile.y}, sideX}, std::pair{GridTile{eyeTile.x, tile.y}, sideY}}) {
+        for (const auto& [between, side] : {std::pair{GridTile{tile.x, eyeTile.y}, sideX},
+                                            std::pair{GridTile{eyeTile.x, tile.y}, sideY}}) {
             const Portal* inFront = atEyeHeight(between, side);
             const Portal* own = atEyeHeight(tile, side);
-            if (isSideSeen || inFront == nullptr || own == nullptr || !leadOnTogether(*inFront, *own)) continue;
+            if (isSideSeen || inFront == nullptr || own == nullptr ||
+                !leadOnTogether(*inFront, *own))
+                continue;
             isSideSeen = true;
             beside = portalOfSide(world, body, cube, side);
         }
@@ -199,18 +218,25 @@ bool isSolidFor(const World& world, const Traveller& body, const Cube& cube) {
         int plane = eye.z;
         while (blockAt(world, body.map, {eye.x, eye.y, plane}) == nullptr) {
             const int base = plane >> 16 << 16;
-            const CellBlueprint& block = world.blueprints[map.cell(eyeTile.x, eyeTile.y, plane >> 16)];
+            const CellBlueprint& block =
+                world.blueprints[map.cell(eyeTile.x, eyeTile.y, plane >> 16)];
             const bool isBlock = map.isOccupied(eyeTile.x, eyeTile.y, plane >> 16);
             if (down) {
-                plane = isBlock && plane >= base + block.top.raw ? base + block.top.raw - 1 : base - 1;
+                plane =
+                    isBlock && plane >= base + block.top.raw ? base + block.top.raw - 1 : base - 1;
             } else {
-                plane = isBlock && plane < base + block.bottom.raw ? base + block.bottom.raw : base + 65536;
+                plane = isBlock && plane < base + block.bottom.raw ? base + block.bottom.raw
+                                                                   : base + 65536;
             }
         }
         const CellBlueprint* other = blockAt(world, body.map, {cube.x, cube.y, plane});
-        const PortalId portal = other == nullptr ? kNoPortal : other->face(down ? Face::top : Face::bottom).portal;
-        const bool isEdge = other != nullptr && (down ? plane + 1 - (plane >> 16 << 16) == other->top.raw : plane - (plane >> 16 << 16) == other->bottom.raw);
-        if (isEdge && portal != kNoPortal && leadOnTogether(*own, world.portals[portal])) return through(world.portals[portal]);
+        const PortalId portal =
+            other == nullptr ? kNoPortal : other->face(down ? Face::top : Face::bottom).portal;
+        const bool isEdge =
+            other != nullptr && (down ? plane + 1 - (plane >> 16 << 16) == other->top.raw
+                                      : plane - (plane >> 16 << 16) == other->bottom.raw);
+        if (isEdge && portal != kNoPortal && leadOnTogether(*own, world.portals[portal]))
+            return through(world.portals[portal]);
     }
     return isSolidIn(world, body.map, cube);
 }
@@ -220,10 +246,14 @@ bool isInsideSomething(const World& world, const Player& player, Random& random)
     const Traveller body = travellerOf(player);
     const auto places = [](Coordinate low, Coordinate high) {
         const int border = tileEdge(Coordinate{high.raw - 1}.tile()).raw;
-        return std::array<int, 4>{low.raw, high.raw - 1, std::max(low.raw, border), std::max(low.raw, border - 1)};
+        return std::array<int, 4>{low.raw, high.raw - 1, std::max(low.raw, border),
+                                  std::max(low.raw, border - 1)};
     };
-    std::array<int, 8> heights = {body.box.bottom.raw, body.box.top.raw - 1, std::max(body.box.bottom.raw, tileEdge(body.box.top.tile()).raw - 1)};
-    for (std::size_t i = 3; i < heights.size(); ++i) heights[i] = random.between(body.box.bottom.raw, body.box.top.raw - 1);
+    std::array<int, 8> heights = {
+        body.box.bottom.raw, body.box.top.raw - 1,
+        std::max(body.box.bottom.raw, tileEdge(body.box.top.tile()).raw - 1)};
+    for (std::size_t i = 3; i < heights.size(); ++i)
+        heights[i] = random.between(body.box.bottom.raw, body.box.top.raw - 1);
     for (const int x : places(body.box.west, body.box.east)) {
         for (const int y : places(body.box.north, body.box.south)) {
             for (const int z : heights) {
@@ -256,7 +286,9 @@ bool isALeap(const World& world, const Player& before, const Player& after) {
     return std::any_of(world.portals.begin(), world.portals.end(), [&](const Portal& portal) {
         if (portal.fromMap != before.map || portal.toMap != after.map) return false;
         const Position there = carried(portal, from);
-        const auto near = [](Coordinate a, Coordinate b) { return std::abs((a - b).value()) < 0.75; };
+        const auto near = [](Coordinate a, Coordinate b) {
+            return std::abs((a - b).value()) < 0.75;
+        };
         return near(there.x, to.x) && near(there.y, to.y) && near(there.z, to.z);
     });
 }
@@ -270,7 +302,8 @@ TEST(RandomPortals, NobodyIsEverInsideABlockOnEitherSide) {
         Random random(static_cast<std::uint64_t>(seed) << 20);
         for (int i = 0; i < kPlayersPerWorld; ++i) {
             Player player;
-            if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player))) continue;
+            if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player)))
+                continue;
             ASSERT_FALSE(isInsideSomething(world, player, random));
             PlayerInput input = randomInput(random);
             for (int step = 0; step < kStepsPerPlayer; ++step) {
@@ -279,10 +312,13 @@ TEST(RandomPortals, NobodyIsEverInsideABlockOnEitherSide) {
                 if (random.oneIn(200)) levelLook(world, player);
                 const Player before = player;
                 stepPlayer(world, player, input);
-                ASSERT_TRUE(isFree(world, travellerOf(player))) << "world " << seed << ", player " << i << ", step " << step;
-                ASSERT_FALSE(isInsideSomething(world, player, random)) << "world " << seed << ", player " << i << ", step " << step;
+                ASSERT_TRUE(isFree(world, travellerOf(player)))
+                    << "world " << seed << ", player " << i << ", step " << step;
+                ASSERT_FALSE(isInsideSomething(world, player, random))
+                    << "world " << seed << ", player " << i << ", step " << step;
                 if (player.leaps == before.leaps + 1) {
-                    ASSERT_TRUE(isALeap(world, before, player)) << "world " << seed << ", player " << i << ", step " << step;
+                    ASSERT_TRUE(isALeap(world, before, player))
+                        << "world " << seed << ", player " << i << ", step " << step;
                 }
                 ++steps;
                 leaps += player.leaps - before.leaps;
@@ -323,7 +359,9 @@ TEST(RandomPortals, NobodyIsEverStuck) {
 
 std::uint64_t hashOfManySteps() {
     std::uint64_t hash = 0;
-    const auto add = [&hash](std::uint64_t number) { hash = (hash ^ number) * 0x100000001b3u + (hash >> 29); };
+    const auto add = [&hash](std::uint64_t number) {
+        hash = (hash ^ number) * 0x100000001b3u + (hash >> 29);
+    };
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const World world = randomPortalWorld(seed);
         Random random(seed << 20);
@@ -335,15 +373,19 @@ std::uint64_t hashOfManySteps() {
             if (step % 75 == 0) setFlying(world, player, !player.flying);
             stepPlayer(world, player, input);
         }
-        for (const Coordinate coordinate : {player.x, player.y, player.z, player.eyeLag}) add(static_cast<std::uint64_t>(coordinate.raw));
-        for (const double number : {player.velocityX, player.velocityY, player.velocityZ, player.headingDegrees}) add(std::bit_cast<std::uint64_t>(number));
+        for (const Coordinate coordinate : {player.x, player.y, player.z, player.eyeLag})
+            add(static_cast<std::uint64_t>(coordinate.raw));
+        for (const double number :
+             {player.velocityX, player.velocityY, player.velocityZ, player.headingDegrees})
+            add(std::bit_cast<std::uint64_t>(number));
         add(static_cast<std::uint64_t>(player.map));
         add(static_cast<std::uint64_t>(player.leaps));
     }
     return hash;
 }
 
-// The same from every compiler and at every level of optimisation. A change of the motion itself changes this number.
+// The same from every compiler and at every level of optimisation. A change of the motion itself
+// changes this number.
 TEST(RandomPortals, TheSameInputsGiveTheSameStatesEverywhere) {
     EXPECT_EQ(hashOfManySteps(), hashOfManySteps());
     EXPECT_EQ(hashOfManySteps(), 0x74fd417e0a9e2f80u);

@@ -37,10 +37,17 @@ Portal appendCopy(World& world, int mapIndex, int turn, int levels) {
     // Where the corner (0, 0) of the map comes to lie.
     const int x0 = turn == 1 ? map.depth - 1 : turn == 2 ? map.width - 1 : 0;
     const int y0 = turn == 2 ? map.depth - 1 : turn == 3 ? map.width - 1 : 0;
-    const Portal portal = {
-        .fromMap = mapIndex, .fromX = 0, .fromY = 0, .toMap = static_cast<int>(world.maps.size()), .toX = x0, .toY = y0, .turn = turn, .levels = levels};
+    const Portal portal = {.fromMap = mapIndex,
+                           .fromX = 0,
+                           .fromY = 0,
+                           .toMap = static_cast<int>(world.maps.size()),
+                           .toX = x0,
+                           .toY = y0,
+                           .turn = turn,
+                           .levels = levels};
 
-    Map copy = makeMap("copy", turn % 2 == 0 ? map.width : map.depth, turn % 2 == 0 ? map.depth : map.width, map.levels + levels, kNoTexture);
+    Map copy = makeMap("copy", turn % 2 == 0 ? map.width : map.depth,
+                       turn % 2 == 0 ? map.depth : map.width, map.levels + levels, kNoTexture);
     CellBlueprint whole;
     whole.name = "ground";
     world.blueprints.push_back(whole);
@@ -50,11 +57,15 @@ Portal appendCopy(World& world, int mapIndex, int turn, int levels) {
     for (int y = 0; y < map.depth; ++y) {
         for (int x = 0; x < map.width; ++x) {
             const GridTile tile = carried(portal, GridTile{x, y});
-            for (int level = 0; level < levels; ++level) copy.setCell(tile.x, tile.y, level, ground);
+            for (int level = 0; level < levels; ++level)
+                copy.setCell(tile.x, tile.y, level, ground);
             for (int level = 0; level < map.levels; ++level) {
-                if (const BlueprintId id = map.cell(x, y, level)) copy.setCell(tile.x, tile.y, level + levels, id);
+                if (const BlueprintId id = map.cell(x, y, level))
+                    copy.setCell(tile.x, tile.y, level + levels, id);
             }
-            if (!map.ceiling.tiles.empty()) copy.ceiling.tiles[copy.tileIndex(tile.x, tile.y)] = map.ceiling.tiles[map.tileIndex(x, y)];
+            if (!map.ceiling.tiles.empty())
+                copy.ceiling.tiles[copy.tileIndex(tile.x, tile.y)] =
+                    map.ceiling.tiles[map.tileIndex(x, y)];
         }
     }
     world.maps.push_back(std::move(copy));

@@ -13,8 +13,8 @@ void putTilePortal(World& world, const Portal& portal);
 // Gives a face of the block in the portal's tile a portal; the block gets a blueprint of its own.
 void putFacePortal(World& world, const Portal& portal, int level, Face face);
 
-// Appends a map like that one, but turned clockwise and on a ground of whole blocks, `levels` high. Gives the portal from tile (0, 0) to its place in the copy;
-// `portalAt` moves it to other tiles.
+// Appends a map like that one, but turned clockwise and on a ground of whole blocks, `levels` high.
+// Gives the portal from tile (0, 0) to its place in the copy; `portalAt` moves it to other tiles.
 Portal appendCopy(World& world, int map, int turn, int levels);
 Portal portalAt(const Portal& portal, int x, int y);
 

@@ -16,10 +16,13 @@ TEST(Sprite, LevelsAreMadeWhileBothSidesAreEven) {
 
 TEST(Sprite, FramesStandSideBySide) {
     Image sheet(9, 4);
-    for (int frame = 0; frame < 3; ++frame) sheet.at(3 * frame + 1, 2) = toPixel({static_cast<std::uint8_t>(frame + 1), 0, 0, 255});
+    for (int frame = 0; frame < 3; ++frame)
+        sheet.at(3 * frame + 1, 2) = toPixel({static_cast<std::uint8_t>(frame + 1), 0, 0, 255});
     const Sprite sprite = makeSprite("s", sheet, 3, 2.0);
     ASSERT_EQ(sprite.frames.size(), 3u);
-    const auto red = [&](double seconds) { return toColour(sprite.levelsAt(seconds)[0].texels[1 * 4 + 2]).r; };
+    const auto red = [&](double seconds) {
+        return toColour(sprite.levelsAt(seconds)[0].texels[1 * 4 + 2]).r;
+    };
     EXPECT_EQ(red(0.0), 1);
     EXPECT_EQ(red(0.5), 2);
     EXPECT_EQ(red(1.49), 3);

@@ -21,7 +21,8 @@ TEST(Texture, TexelsAreStoredColumnAfterColumn) {
     EXPECT_EQ(texture.levels[0].texels[5 * 8 + 2], image.at(5, 2));
 }
 
-// Four texels become one, by hand: opaque ones are averaged with halves rounded down after the half that is added first.
+// Four texels become one, by hand: opaque ones are averaged with halves rounded down after the half
+// that is added first.
 TEST(Texture, OpaqueTexelsAreAveraged) {
     Image image(8, 8);
     for (Pixel& pixel : image.pixels) pixel = toPixel({0, 0, 0, 255});
@@ -30,7 +31,8 @@ TEST(Texture, OpaqueTexelsAreAveraged) {
     image.at(0, 1) = toPixel({30, 255, 0, 255});
     image.at(1, 1) = toPixel({41, 255, 1, 255});
     const Colour mean = toColour(makeTexture("t", image).levels[1].texels[0]);
-    EXPECT_EQ(mean, (Colour{25, 255, 1, 255}));  // (101 * 255 + 510) / 1020 = 25.75; (2 * 255 + 510) / 1020 = 1
+    EXPECT_EQ(mean, (Colour{25, 255, 1,
+                            255}));  // (101 * 255 + 510) / 1020 = 25.75; (2 * 255 + 510) / 1020 = 1
 }
 
 TEST(Texture, HolesDoNotDarkenTheirNeighbours) {
@@ -44,11 +46,13 @@ TEST(Texture, HolesDoNotDarkenTheirNeighbours) {
 
 TEST(Texture, ASheetsFramesFollowOneAnotherForEver) {
     Image sheet(24, 8);
-    for (int frame = 0; frame < 3; ++frame) sheet.at(8 * frame + 2, 5) = toPixel({static_cast<std::uint8_t>(frame + 1), 0, 0, 255});
+    for (int frame = 0; frame < 3; ++frame)
+        sheet.at(8 * frame + 2, 5) = toPixel({static_cast<std::uint8_t>(frame + 1), 0, 0, 255});
     const Texture texture = makeTexture("t", sheet, 3, 4.0);
     EXPECT_EQ(texture.size(), 8);
     EXPECT_EQ(texture.frames(), 3);
-    for (int frame = 0; frame < 3; ++frame) EXPECT_EQ(toColour(texture.levelsOf(frame)[0].texels[2 * 8 + 5]).r, frame + 1);
+    for (int frame = 0; frame < 3; ++frame)
+        EXPECT_EQ(toColour(texture.levelsOf(frame)[0].texels[2 * 8 + 5]).r, frame + 1);
     EXPECT_EQ(texture.frameAt(0.0), 0);
     EXPECT_EQ(texture.frameAt(0.2499), 0);
     EXPECT_EQ(texture.frameAt(0.25), 1);

@@ -17,7 +17,8 @@ void putBlock(World& world, int x, int y, Coordinate bottom, Coordinate top) {
     block.top = top - tileEdge(level);
     BlueprintId id = 0;
     for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
-        if (world.blueprints[i].bottom == block.bottom && world.blueprints[i].top == block.top) id = static_cast<BlueprintId>(i);
+        if (world.blueprints[i].bottom == block.bottom && world.blueprints[i].top == block.top)
+            id = static_cast<BlueprintId>(i);
     }
     if (id == kEmptyCell) {
         id = static_cast<BlueprintId>(world.blueprints.size());
@@ -62,13 +63,15 @@ World randomWorld(std::uint64_t seed) {
             for (int level = 0; level < levels; ++level) {
                 if (random.unit() >= density) continue;
                 const auto [bottom, top] = shape();
-                putBlock(world, x, y, tileEdge(level) + Coordinate{bottom}, tileEdge(level) + Coordinate{top});
+                putBlock(world, x, y, tileEdge(level) + Coordinate{bottom},
+                         tileEdge(level) + Coordinate{top});
             }
         }
     }
     if (random.oneIn(3)) {
         putCeiling(world, Coordinate{random.between(1, levels * 65536 + 65536)});
-        for (TextureId& tile : world.maps[0].ceiling.tiles) tile = random.oneIn(3) ? kNoTexture : TextureId{0};
+        for (TextureId& tile : world.maps[0].ceiling.tiles)
+            tile = random.oneIn(3) ? kNoTexture : TextureId{0};
     }
     return world;
 }
@@ -94,22 +97,34 @@ bool reachesIntoSomething(const World& world, const Box& box) {
     if (box.east > tileEdge(map.width) || box.south > tileEdge(map.depth)) return true;
     for (int y = box.north.tile(); y <= box.south.tile() && y < map.depth; ++y) {
         for (int x = box.west.tile(); x <= box.east.tile() && x < map.width; ++x) {
-            if (!(box.west < tileEdge(x + 1) && box.east > tileEdge(x) && box.north < tileEdge(y + 1) && box.south > tileEdge(y))) continue;
+            if (!(box.west < tileEdge(x + 1) && box.east > tileEdge(x) &&
+                  box.north < tileEdge(y + 1) && box.south > tileEdge(y)))
+                continue;
             for (int level = 0; level < map.levels; ++level) {
                 const BlueprintId id = map.cell(x, y, level);
                 if (id == kEmptyCell) continue;
                 const CellBlueprint& block = world.blueprints[id];
-                if (box.bottom < tileEdge(level) + block.top && box.top > tileEdge(level) + block.bottom) return true;
+                if (box.bottom < tileEdge(level) + block.top &&
+                    box.top > tileEdge(level) + block.bottom)
+                    return true;
             }
-            const bool ceiling = !map.ceiling.tiles.empty() && map.ceiling.tiles[map.tileIndex(x, y)] != kNoTexture;
-            if (ceiling && box.bottom < map.ceiling.height && box.top > map.ceiling.height) return true;
+            const bool ceiling =
+                !map.ceiling.tiles.empty() && map.ceiling.tiles[map.tileIndex(x, y)] != kNoTexture;
+            if (ceiling && box.bottom < map.ceiling.height && box.top > map.ceiling.height)
+                return true;
         }
     }
     return false;
 }
 
-Walker::Walker(World where, double x, double y, double feet, double headingDegrees) : world(std::move(where)) {
-    world.start = {.map = 0, .x = toCoordinate(x), .y = toCoordinate(y), .z = toCoordinate(feet), .headingDegrees = headingDegrees, .look = 0.0};
+Walker::Walker(World where, double x, double y, double feet, double headingDegrees)
+    : world(std::move(where)) {
+    world.start = {.map = 0,
+                   .x = toCoordinate(x),
+                   .y = toCoordinate(y),
+                   .z = toCoordinate(feet),
+                   .headingDegrees = headingDegrees,
+                   .look = 0.0};
     player = playerAtStart(world);
 }
 

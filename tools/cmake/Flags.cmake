@@ -18,7 +18,8 @@ target_compile_features(slicecast_flags INTERFACE cxx_std_20)
 target_compile_options(slicecast_flags INTERFACE
   ${SLICECAST_OPTIMISE}
   -Wall -Wextra -Wpedantic -Wshadow -Werror
-  # Pictures and states have the same bytes from every compiler: no fused multiply-add. errno of sqrt is never read.
+  # Pictures and states have the same bytes from every compiler: no fused multiply-add. errno of
+  # sqrt is never read.
   -ffp-contract=off -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # g++ 12 at -O3 takes "text" + std::string for a copy onto itself (its bug 105651).
@@ -27,7 +28,8 @@ endif()
 if(SLICECAST_MARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
   target_compile_options(slicecast_flags INTERFACE -march=${SLICECAST_MARCH})
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # g++ 12 fuses a multiplication with an alternating addition and subtraction (vfmaddsub) although -ffp-contract=off forbids it.
+    # g++ 12 fuses a multiplication with an alternating addition and subtraction (vfmaddsub)
+    # although -ffp-contract=off forbids it.
     target_compile_options(slicecast_flags INTERFACE -mno-fma)
   endif()
 endif()
@@ -35,7 +37,8 @@ if(NOT SLICECAST_ASSERTS)
   target_compile_definitions(slicecast_flags INTERFACE NDEBUG)
 endif()
 if(SLICECAST_SANITIZE)
-  # float-cast-overflow and float-divide-by-zero are not part of "undefined"; clang alone sees the first.
+  # float-cast-overflow and float-divide-by-zero are not part of "undefined"; clang alone sees the
+  # first.
   set(sanitizers -fsanitize=address,undefined,float-cast-overflow,float-divide-by-zero)
   target_compile_options(slicecast_flags INTERFACE ${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1
     -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tools/cmake/sanitizer-ignore.txt)
@@ -44,7 +47,8 @@ if(SLICECAST_SANITIZE)
   target_compile_definitions(slicecast_flags INTERFACE SLICECAST_SANITIZED=1)
 endif()
 if(EMSCRIPTEN)
-  # What a page loads is kept small: optimised as a whole when it is linked, and with a small allocator. One thread needs no guards about its statics.
+  # What a page loads is kept small: optimised as a whole when it is linked, and with a small
+  # allocator. One thread needs no guards about its statics.
   target_compile_options(slicecast_flags INTERFACE -flto -fno-exceptions -fno-rtti -fno-threadsafe-statics)
   target_link_options(slicecast_flags INTERFACE ${SLICECAST_OPTIMISE} -flto -sMALLOC=emmalloc)
   if(SLICECAST_WASM_SIMD)
@@ -53,7 +57,8 @@ if(EMSCRIPTEN)
   endif()
 endif()
 
-# What the product's own sources keep to besides: no number loses bits silently. Tests compare and index all day long and are spared it.
+# What the product's own sources keep to besides: no number loses bits silently. Tests compare and
+# index all day long and are spared it.
 add_library(slicecast_strict INTERFACE)
 target_compile_options(slicecast_strict INTERFACE -Wconversion -Wno-sign-conversion)
 

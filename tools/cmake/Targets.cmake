@@ -1,7 +1,8 @@
 # How the project's folders become targets. A new file in a folder needs no change here or there.
 
-# slicecastPart(NAME USES PART... WITH THIRD_PARTY...): src/NAME/*.cpp, and those in its folders, as the library slicecast_NAME. USES names the
-# parts to its right that it includes, WITH the libraries that only its own sources see.
+# slicecastPart(NAME USES PART... WITH THIRD_PARTY...): src/NAME/*.cpp, and those in its folders, as
+# the library slicecast_NAME. USES names the parts to its right that it includes, WITH the libraries
+# that only its own sources see.
 function(slicecastPart name)
   cmake_parse_arguments(part "" "" "USES;WITH" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -17,8 +18,8 @@ function(slicecastPart name)
   endif()
 endfunction()
 
-# slicecastProgram(NAME SOURCES FILE... WITH LIBRARY...): a program for the command line. In a WebAssembly build it becomes NAME.js, which Node
-# runs and which reads the machine's own files.
+# slicecastProgram(NAME SOURCES FILE... WITH LIBRARY...): a program for the command line. In a
+# WebAssembly build it becomes NAME.js, which Node runs and which reads the machine's own files.
 function(slicecastProgram name)
   cmake_parse_arguments(program "" "" "SOURCES;WITH" ${ARGN})
   add_executable(${name} ${program_SOURCES})
@@ -31,7 +32,8 @@ function(slicecastProgram name)
   endif()
 endfunction()
 
-# slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. A long one in several shards keeps several cores busy.
+# slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. A long one
+# in several shards keeps several cores busy.
 function(slicecastTest name)
   cmake_parse_arguments(test "" "SHARDS" "SOURCES;WITH" ${ARGN})
   find_package(GTest REQUIRED)
@@ -56,6 +58,6 @@ function(slicecastTest name)
   endforeach()
 endfunction()
 
-# The stack of a WebAssembly program in bytes: Emscripten's own default has changed from 5 MB to 64 KB over the years. This is the older of its
-# two names, which all versions know.
+# The stack of a WebAssembly program in bytes: Emscripten's own default has changed from 5 MB to 64
+# KB over the years. This is the older of its two names, which all versions know.
 set(slicecastStack -sTOTAL_STACK=1048576)

@@ -11,6 +11,7 @@ endif()
 include("${SLICECAST_EMSCRIPTEN_ROOT}/cmake/Modules/Platform/Emscripten.cmake")
 
 if(SLICECAST_EMSCRIPTEN_OF_DEBIAN)
-  # Debian's optimiser loads `acorn` from Debian's folder of Node modules, which a Node from elsewhere does not search.
+  # Debian's optimiser loads `acorn` from Debian's folder of Node modules, which a Node from
+  # elsewhere does not search.
   set(CMAKE_CXX_LINKER_LAUNCHER "${CMAKE_COMMAND};-E;env;NODE_PATH=/usr/share/nodejs")
 endif()

@@ -1,4 +1,5 @@
-// The snippets of the documentation. Those under `live` stand in the page twice: to be read, and at work.
+// The snippets of the documentation. Those under `live` stand in the page twice: to be read, and at
+// work.
 
 export const opening = `<ray-caster scene="castle" tour="tours/castle.txt" controls
             label="A castle on a rock above the water, at sunset">

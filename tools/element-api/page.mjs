@@ -24,36 +24,110 @@ export function documentation({ errorCodes, version, options, scenes }) {
     jsx: snippet(snippets.jsx),
     iframe: snippet(snippets.iframe),
     examples: snippets.live.map(example).join('\n'),
-    attributes: rows('attribute', ['Attribute', 'Takes', 'Default', 'What it does'], table.attributes.map((row) =>
-      [row.name, type(row), standard(row.default), text(row.description)])),
-    properties: rows('property', ['Property', 'Type', 'What it tells'], table.properties.map((row) => [row.name, type(row), text(row.description)])),
+    attributes: rows(
+      'attribute',
+      ['Attribute', 'Takes', 'Default', 'What it does'],
+      table.attributes.map((row) => [
+        row.name,
+        type(row),
+        standard(row.default),
+        text(row.description),
+      ]),
+    ),
+    properties: rows(
+      'property',
+      ['Property', 'Type', 'What it tells'],
+      table.properties.map((row) => [row.name, type(row), text(row.description)]),
+    ),
     methods: rows('method', ['Method', 'Gives', 'What it does'], table.methods.map(method)),
-    events: rows('event', ['Event', 'Detail', 'What has happened'], table.events.map((row) => [row.name, typeText(row.detail), text(row.description)])),
+    events: rows(
+      'event',
+      ['Event', 'Detail', 'What has happened'],
+      table.events.map((row) => [row.name, typeText(row.detail), text(row.description)]),
+    ),
     slots: table.slots.map(({ description }) => `<p>${text(description)}</p>`).join('\n'),
     inline: `<article class="example">\n${snippets.inline}\n${snippet(snippets.inline)}\n</article>`,
-    shipped: rows('shipped', ['Scene', 'Tour', 'What it is'], scenes.map(({ file, about, tour }) =>
-      [file.replace(/\.json$/, ''), tour ? 'yes' : '', text(about)])),
-    rows: rows('rows', ['Characters', 'What stands there'], table.rows.map((row) => [
-      { id: null, html: row.characters.split(' ').map((character) => code(character)).join(' ') }, text(row.description),
-    ])),
-    cssParts: rows('part', ['Part', 'What it is'], table.cssParts.map((row) => [row.name, text(row.description)])),
-    cssProperties: rows('css', ['Custom property', 'Default', 'What it colours'], table.cssProperties.map((row) =>
-      [row.name, colour(row.default), text(row.description)])),
-    options: rows('option', ['Option', 'Takes', 'Default', 'What it does'], options.map((row) =>
-      [row.name, takes(row), standard(row.standard), sentence(row.description)])),
-    errors: rows('error', ['Code', 'What has happened', 'What to do'], Object.entries(errorCodes).map(([code, { title, means, remedy }]) =>
-      [code, `<strong>${text(title)}.</strong> ${text(means)}`, text(remedy)])),
+    shipped: rows(
+      'shipped',
+      ['Scene', 'Tour', 'What it is'],
+      scenes.map(({ file, about, tour }) => [
+        file.replace(/\.json$/, ''),
+        tour ? 'yes' : '',
+        text(about),
+      ]),
+    ),
+    rows: rows(
+      'rows',
+      ['Characters', 'What stands there'],
+      table.rows.map((row) => [
+        {
+          id: null,
+          html: row.characters
+            .split(' ')
+            .map((character) => code(character))
+            .join(' '),
+        },
+        text(row.description),
+      ]),
+    ),
+    cssParts: rows(
+      'part',
+      ['Part', 'What it is'],
+      table.cssParts.map((row) => [row.name, text(row.description)]),
+    ),
+    cssProperties: rows(
+      'css',
+      ['Custom property', 'Default', 'What it colours'],
+      table.cssProperties.map((row) => [row.name, colour(row.default), text(row.description)]),
+    ),
+    options: rows(
+      'option',
+      ['Option', 'Takes', 'Default', 'What it does'],
+      options.map((row) => [
+        row.name,
+        takes(row),
+        standard(row.standard),
+        sentence(row.description),
+      ]),
+    ),
+    errors: rows(
+      'error',
+      ['Code', 'What has happened', 'What to do'],
+      Object.entries(errorCodes).map(([code, { title, means, remedy }]) => [
+        code,
+        `<strong>${text(title)}.</strong> ${text(means)}`,
+        text(remedy),
+      ]),
+    ),
     shapes: table.types.map(shape).join('\n'),
-    exports: rows('export', ['Name', 'Type', 'What it is'], table.exports.map((row) => [row.name, typeText(row.type), text(row.description)])),
+    exports: rows(
+      'export',
+      ['Name', 'Type', 'What it is'],
+      table.exports.map((row) => [row.name, typeText(row.type), text(row.description)]),
+    ),
     nodeExample: snippet(snippets.node),
-    nodeFunctions: rows('node', ['Function', 'Gives', 'What it does'], table.node.functions.map(method)),
-    nodeScene: rows('scene', ['Member', 'Gives', 'What it does'], [
-      ...table.node.properties.map((row) => [row.name, typeText(row.type), text(row.description)]),
-      ...table.node.methods.map(method),
-    ]) + table.node.types.map(shape).join('\n'),
+    nodeFunctions: rows(
+      'node',
+      ['Function', 'Gives', 'What it does'],
+      table.node.functions.map(method),
+    ),
+    nodeScene:
+      rows(
+        'scene',
+        ['Member', 'Gives', 'What it does'],
+        [
+          ...table.node.properties.map((row) => [
+            row.name,
+            typeText(row.type),
+            text(row.description),
+          ]),
+          ...table.node.methods.map(method),
+        ],
+      ) + table.node.types.map(shape).join('\n'),
   };
   return template.replace(/\{\{(\w+)\}\}/g, (_, name) => {
-    if (!(name in gaps)) throw new Error(`tools/element-api/page.html names a gap that nothing fills: ${name}`);
+    if (!(name in gaps))
+      throw new Error(`tools/element-api/page.html names a gap that nothing fills: ${name}`);
     return gaps[name];
   });
 }
@@ -61,7 +135,10 @@ export function documentation({ errorCodes, version, options, scenes }) {
 // ---- Cells
 
 function text(plain) {
-  return String(plain).replace(/[&<>"]/g, (character) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[character]);
+  return String(plain).replace(
+    /[&<>"]/g,
+    (character) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[character],
+  );
 }
 
 function sentence(plain) {
@@ -73,15 +150,20 @@ function code(plain, attributes = '') {
 }
 
 function type(row) {
-  return row.values === undefined ? typeText(row.type) : row.values.map((value) => code(value)).join(' ');
+  return row.values === undefined
+    ? typeText(row.type)
+    : row.values.map((value) => code(value)).join(' ');
 }
 
 function typeText(plain) {
-  return code(plain, ' class="type"').replace(/\b[A-Z]\w+\b/g, (name) => (known.has(name) ? `<a href="#shape-${name}">${name}</a>` : name));
+  return code(plain, ' class="type"').replace(/\b[A-Z]\w+\b/g, (name) =>
+    known.has(name) ? `<a href="#shape-${name}">${name}</a>` : name,
+  );
 }
 
 function standard(value) {
-  if (value === '' || value === null || value === undefined || value === false) return '<span class="none">none</span>';
+  if (value === '' || value === null || value === undefined || value === false)
+    return '<span class="none">none</span>';
   return code(value);
 }
 
@@ -103,12 +185,23 @@ function takes({ kind, least, greatest, choices }) {
 }
 
 function method({ name, parameters, returns, needsScene, description }) {
-  const list = parameters.map((row) => `${row.name}${row.default === undefined ? (row.optional ? '?' : '') : ` = ${JSON.stringify(row.default)}`}`).join(', ');
+  const list = parameters
+    .map(
+      (row) =>
+        `${row.name}${row.default === undefined ? (row.optional ? '?' : '') : ` = ${JSON.stringify(row.default)}`}`,
+    )
+    .join(', ');
   const told = parameters.filter((row) => row.description);
   return [
-    { id: name, html: `${code(`${name}(${list})`)}${needsScene ? ' <span class="mark" title="needs a scene">needs a scene</span>' : ''}` },
+    {
+      id: name,
+      html: `${code(`${name}(${list})`)}${needsScene ? ' <span class="mark" title="needs a scene">needs a scene</span>' : ''}`,
+    },
     typeText(returns.type) + (returns.description ? `<br>${text(returns.description)}` : ''),
-    text(description) + (told.length === 0 ? '' : `<dl>${told.map((row) => `<dt>${code(row.name)} ${typeText(row.type)}</dt><dd>${text(row.description)}</dd>`).join('')}</dl>`),
+    text(description) +
+      (told.length === 0
+        ? ''
+        : `<dl>${told.map((row) => `<dt>${code(row.name)} ${typeText(row.type)}</dt><dd>${text(row.description)}</dd>`).join('')}</dl>`),
   ];
 }
 
@@ -118,7 +211,9 @@ function method({ name, parameters, returns, needsScene, description }) {
 function rows(kind, titles, all) {
   const body = all.map(([head, ...cells]) => {
     const { id, html } = typeof head === 'string' ? { id: head, html: code(head) } : head;
-    const others = cells.map((cell, index) => `<td data-label="${text(titles[index + 1])}">${cell}</td>`).join('');
+    const others = cells
+      .map((cell, index) => `<td data-label="${text(titles[index + 1])}">${cell}</td>`)
+      .join('');
     return `<tr${id === null ? '' : ` id="${kind}-${text(id)}"`}><th scope="row">${html}</th>${others}</tr>`;
   });
   const heads = titles.map((title) => `<th scope="col">${text(title)}</th>`).join('');
@@ -126,9 +221,10 @@ function rows(kind, titles, all) {
 }
 
 function shape({ name, type: alias, extends: base, fields, description }) {
-  const lines = fields === undefined
-    ? `<p>${typeText(alias)}</p>`
-    : `<dl>${fields.map((field) => `<dt>${code(field.name + (field.optional ? '?' : ''))} ${typeText(field.type)}</dt><dd>${text(field.description)}</dd>`).join('')}</dl>`;
+  const lines =
+    fields === undefined
+      ? `<p>${typeText(alias)}</p>`
+      : `<dl>${fields.map((field) => `<dt>${code(field.name + (field.optional ? '?' : ''))} ${typeText(field.type)}</dt><dd>${text(field.description)}</dd>`).join('')}</dl>`;
   return `<details class="shape" id="shape-${name}"><summary>${code(name)} ${text(description)}</summary>${base ? `<p>All of ${typeText(base)}, and:</p>` : ''}${lines}</details>`;
 }
 

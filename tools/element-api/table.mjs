@@ -2,4 +2,6 @@
 
 import { readFileSync } from 'node:fs';
 
-export const table = JSON.parse(readFileSync(new URL('../../web/element/api.json', import.meta.url), 'utf8'));
+export const table = JSON.parse(
+  readFileSync(new URL('../../web/element/api.json', import.meta.url), 'utf8'),
+);

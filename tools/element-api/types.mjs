@@ -1,29 +1,55 @@
-// The table as declarations of TypeScript: shapes that know neither page nor Node, the element's module, and that for Node.
+// The table as declarations of TypeScript: shapes that know neither page nor Node, the element's
+// module, and that for Node.
 //
 //     const files = declarations(table);      // {'shapes.d.ts': text, 'ray-caster.d.ts': text, 'node/index.d.ts': text}
 
 export function declarations(table) {
-  const shapes = [...table.types, { name: 'ErrorCode', type: table.errorCodes.map((code) => `'${code}'`).join(' | '), description: 'What can go wrong.' }];
+  const shapes = [
+    ...table.types,
+    {
+      name: 'ErrorCode',
+      type: table.errorCodes.map((code) => `'${code}'`).join(' | '),
+      description: 'What can go wrong.',
+    },
+  ];
   return {
     'shapes.d.ts': `// What <ray-caster> and slicecast/node hand out and take.\n\n${shapes.map(shape).join('\n')}`,
-    'ray-caster.d.ts': element(table, shapes.map(({ name }) => name)),
-    'node/index.d.ts': node(table.node, shapes.map(({ name }) => name)),
+    'ray-caster.d.ts': element(
+      table,
+      shapes.map(({ name }) => name),
+    ),
+    'node/index.d.ts': node(
+      table.node,
+      shapes.map(({ name }) => name),
+    ),
   };
 }
 
 function shape({ name, type, extends: base, fields, description }) {
   if (fields === undefined) return `${comment(description)}export type ${name} = ${type};\n`;
-  return `${comment(description)}export interface ${name}${base ? ` extends ${base}` : ''} {\n${fields.map((field) => indented(
-    `${comment(field.description)}${field.name}${field.optional ? '?' : ''}: ${field.type};`)).join('\n')}\n}\n`;
+  return `${comment(description)}export interface ${name}${base ? ` extends ${base}` : ''} {\n${fields
+    .map((field) =>
+      indented(
+        `${comment(field.description)}${field.name}${field.optional ? '?' : ''}: ${field.type};`,
+      ),
+    )
+    .join('\n')}\n}\n`;
 }
 
 function element(table, names) {
   const members = [
-    ...table.attributes.map(({ name, type, description }) => `${comment(description)}${name}: ${type};`),
-    ...table.properties.map(({ name, type, readonly, description }) => `${comment(description)}${readonly ? 'readonly ' : ''}${name}: ${type};`),
+    ...table.attributes.map(
+      ({ name, type, description }) => `${comment(description)}${name}: ${type};`,
+    ),
+    ...table.properties.map(
+      ({ name, type, readonly, description }) =>
+        `${comment(description)}${readonly ? 'readonly ' : ''}${name}: ${type};`,
+    ),
     ...table.methods.map(method),
   ];
-  const events = table.events.map(({ name, detail, description }) => `${comment(description)}${name}: CustomEvent<${detail}>;`);
+  const events = table.events.map(
+    ({ name, detail, description }) => `${comment(description)}${name}: CustomEvent<${detail}>;`,
+  );
   const own = table.events.map(({ name }) => `'${name}'`).join(' | ');
   const { className } = table;
   return `${importOf(names, './shapes.js', members.join(' ') + events.join(' ') + table.exports.map(({ type }) => type).join(' '))}
@@ -44,7 +70,10 @@ export interface ${className}Attributes {
 ${table.attributes.map(({ name, type, default: standard }) => `  ${name}?: ${type}${standard === null ? ' | boolean' : ''};`).join('\n')}
 }
 
-${table.exports.filter(({ kind }) => kind === 'constant').map(({ name, type, description }) => `${comment(description)}export const ${name}: ${type};\n`).join('\n')}
+${table.exports
+  .filter(({ kind }) => kind === 'constant')
+  .map(({ name, type, description }) => `${comment(description)}export const ${name}: ${type};\n`)
+  .join('\n')}
 declare global {
   interface HTMLElementTagNameMap {
     '${table.tag}': ${className};
@@ -54,16 +83,29 @@ declare global {
 }
 
 function listener(name, className) {
-  const options = name === 'addEventListener' ? 'boolean | AddEventListenerOptions' : 'boolean | EventListenerOptions';
+  const options =
+    name === 'addEventListener'
+      ? 'boolean | AddEventListenerOptions'
+      : 'boolean | EventListenerOptions';
   return `  ${name}<K extends keyof ${className}EventMap>(type: K, listener: (this: ${className}, event: ${className}EventMap[K]) => unknown, options?: ${options}): void;
   ${name}(type: string, listener: EventListenerOrEventListenerObject, options?: ${options}): void;`;
 }
 
 function node(api, names) {
-  const members = [...api.properties.map(({ name, type, description }) => `${comment(description)}readonly ${name}: ${type};`), ...api.methods.map(method)];
+  const members = [
+    ...api.properties.map(
+      ({ name, type, description }) => `${comment(description)}readonly ${name}: ${type};`,
+    ),
+    ...api.methods.map(method),
+  ];
   const types = api.types.map(shape);
-  const functions = api.functions.map((one) => `${comment(one.description)}export function ${one.name}(${parameters(one.parameters)}): ${one.returns.type};\n`);
-  const ofError = api.error.properties.map(({ name, type, description }) => `${comment(description)}readonly ${name}: ${type};`);
+  const functions = api.functions.map(
+    (one) =>
+      `${comment(one.description)}export function ${one.name}(${parameters(one.parameters)}): ${one.returns.type};\n`,
+  );
+  const ofError = api.error.properties.map(
+    ({ name, type, description }) => `${comment(description)}readonly ${name}: ${type};`,
+  );
   return `${importOf(names, '../shapes.js', [...members, ...types, ...functions, ...ofError].join(' '))}
 export * from '../shapes.js';
 
@@ -81,12 +123,20 @@ ${ofError.map(indented).join('\n')}
 }
 
 function method({ name, parameters: all, returns, overloads, description }) {
-  if (overloads === undefined) return `${comment(description)}${name}(${parameters(all)}): ${returns.type};`;
-  return overloads.map((one) => `${comment(description)}${name}(${parameters(one.parameters)}): ${one.returns};`).join('\n');
+  if (overloads === undefined)
+    return `${comment(description)}${name}(${parameters(all)}): ${returns.type};`;
+  return overloads
+    .map((one) => `${comment(description)}${name}(${parameters(one.parameters)}): ${one.returns};`)
+    .join('\n');
 }
 
 function parameters(all) {
-  return all.map(({ name, type, optional, default: standard }) => `${name}${optional || standard !== undefined ? '?' : ''}: ${type}`).join(', ');
+  return all
+    .map(
+      ({ name, type, optional, default: standard }) =>
+        `${name}${optional || standard !== undefined ? '?' : ''}: ${type}`,
+    )
+    .join(', ');
 }
 
 // Only what the text uses, so that a strict compiler finds nothing idle.

@@ -68,7 +68,8 @@ void drawArch(Surface& surface) {
         Texel& texel = surface.at(x, y);
         texel.ramp = &kStoneRamp;
         texel.height = std::clamp((inside - 0.4) * 0.9, 0.0, 2.2) + 1.5;
-        texel.tone = inside < 0.8 ? 1.6 : 4.4 + 0.8 * (randomAt(stone, 1, kSeed + 11U) - 0.5) + 0.9 * blotch;
+        texel.tone =
+            inside < 0.8 ? 1.6 : 4.4 + 0.8 * (randomAt(stone, 1, kSeed + 11U) - 0.5) + 0.9 * blotch;
     });
 }
 
@@ -82,7 +83,13 @@ Picture paintArchway() {
     });
     drawArch(surface);
     return holesFilled(litOver(wall, ashlarLighting(), surface,
-                               {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 5, .shadowSlope = 0.7, .shadowDepth = 1.0, .hollowDepth = 0.06}),
+                               {.gain = 0.5,
+                                .lightest = 0.9,
+                                .darkest = 1.3,
+                                .shadowReach = 5,
+                                .shadowSlope = 0.7,
+                                .shadowDepth = 1.0,
+                                .hollowDepth = 0.06}),
                        Border::Repeats);
 }
 

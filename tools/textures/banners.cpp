@@ -23,8 +23,14 @@ Picture paintBannerOf(const Cloth& cloth) {
     constexpr int kTop = 16;
     constexpr int kBottom = 118;
     constexpr double kMiddle = 63.5;
-    static constexpr std::array<std::array<double, 2>, 8> kRays = {
-        {{1.0, 0.0}, {0.7071, 0.7071}, {0.0, 1.0}, {-0.7071, 0.7071}, {-1.0, 0.0}, {-0.7071, -0.7071}, {0.0, -1.0}, {0.7071, -0.7071}}};
+    static constexpr std::array<std::array<double, 2>, 8> kRays = {{{1.0, 0.0},
+                                                                    {0.7071, 0.7071},
+                                                                    {0.0, 1.0},
+                                                                    {-0.7071, 0.7071},
+                                                                    {-1.0, 0.0},
+                                                                    {-0.7071, -0.7071},
+                                                                    {0.0, -1.0},
+                                                                    {0.7071, -0.7071}}};
     const Surface wall = ashlarSurface();
     Surface surface = wall;
     everyTexelIn(kLeft, kTop, kRight, kBottom, [&](int x, int y) {
@@ -75,14 +81,26 @@ Picture paintBannerOf(const Cloth& cloth) {
         const int across = std::min(y - 12, 16 - y);
         surface.at(x, y) = {.height = 5.0 + 0.8 * across, .tone = 2.6, .ramp = &kBrassRamp};
     });
-    drawStud(surface, {.x = 23.0, .y = 14.5, .radius = 4.0, .height = 4.0, .tone = 3.0, .ramp = &kBrassRamp});
-    drawStud(surface, {.x = 105.0, .y = 14.5, .radius = 4.0, .height = 4.0, .tone = 3.0, .ramp = &kBrassRamp});
+    drawStud(
+        surface,
+        {.x = 23.0, .y = 14.5, .radius = 4.0, .height = 4.0, .tone = 3.0, .ramp = &kBrassRamp});
+    drawStud(
+        surface,
+        {.x = 105.0, .y = 14.5, .radius = 4.0, .height = 4.0, .tone = 3.0, .ramp = &kBrassRamp});
     for (int loop = 0; loop < 5; ++loop) {
         const int left = kLeft + 2 + loop * 15;
-        everyTexelIn(left, 11, left + 5, 18, [&](int x, int y) { surface.at(x, y) = {.height = 6.0, .tone = cloth.tone, .ramp = cloth.field}; });
+        everyTexelIn(left, 11, left + 5, 18, [&](int x, int y) {
+            surface.at(x, y) = {.height = 6.0, .tone = cloth.tone, .ramp = cloth.field};
+        });
     }
     return litOver(wall, ashlarLighting(), surface,
-                   {.gain = 0.45, .lightest = 0.8, .darkest = 1.0, .shadowReach = 5, .shadowSlope = 0.8, .shadowDepth = 1.0, .hollowDepth = 0.04});
+                   {.gain = 0.45,
+                    .lightest = 0.8,
+                    .darkest = 1.0,
+                    .shadowReach = 5,
+                    .shadowSlope = 0.8,
+                    .shadowDepth = 1.0,
+                    .hollowDepth = 0.04});
 }
 
 }  // namespace

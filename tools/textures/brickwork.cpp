@@ -19,7 +19,8 @@ const Pieces& bricks() {
             std::vector<Course> courses;
             for (int course = 0; course < kSide / kBrickHeight; ++course) {
                 const int offset = course % 2 == 0 ? 0 : kBrickWidth / 2;
-                courses.push_back({kBrickHeight, offset, std::vector<int>(kSide / kBrickWidth, kBrickWidth)});
+                courses.push_back(
+                    {kBrickHeight, offset, std::vector<int>(kSide / kBrickWidth, kBrickWidth)});
             }
             return coursed(courses);
         }(),
@@ -43,7 +44,12 @@ bool isBrick(const Surface& surface, int x, int y) {
 }  // namespace
 
 Lighting brickLighting() {
-    return {.gain = 0.55, .lightest = 0.8, .darkest = 1.4, .shadowReach = 2, .shadowSlope = 0.5, .shadowDepth = 1.2};
+    return {.gain = 0.55,
+            .lightest = 0.8,
+            .darkest = 1.4,
+            .shadowReach = 2,
+            .shadowSlope = 0.5,
+            .shadowDepth = 1.2};
 }
 
 Surface brickSurface() {
@@ -79,7 +85,8 @@ Picture paintBrickWeathered() {
         const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kSeed + 20U);
         const double inside = bricks().edgeAt(x, y);
         // Faces burst by frost
-        if (isBrick(surface, x, y) && hashOf(piece, 9, kSeed) % 4U == 0U && rough > 0.44 && inside > 2.0) {
+        if (isBrick(surface, x, y) && hashOf(piece, 9, kSeed) % 4U == 0U && rough > 0.44 &&
+            inside > 2.0) {
             texel.height = 0.5 + 0.6 * valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 21U);
             texel.tone += 0.6;
             return;
@@ -93,7 +100,9 @@ Picture paintBrickWeathered() {
             texel.tone -= 0.8;
         }
         // Lime bloom running down from the joints
-        const double bloom = valueNoise(x / 4.0, y / 32.0, 32, 4, kSeed + 22U) * smoothStep(0.45, 0.75, valueNoise(x / 32.0, y / 32.0, 4, 4, kSeed + 23U));
+        const double bloom =
+            valueNoise(x / 4.0, y / 32.0, 32, 4, kSeed + 22U) *
+            smoothStep(0.45, 0.75, valueNoise(x / 32.0, y / 32.0, 4, 4, kSeed + 23U));
         if (isBrick(surface, x, y) && bloom > 0.5) {
             texel.ramp = &kStoneRamp;
             texel.tone = 3.2 + 1.2 * (rough - 0.5);

@@ -1,5 +1,5 @@
-// Brick walls: eight courses of four bricks, running bond. All variants lay the same bricks, so that they can stand
-// side by side and on top of each other without a break.
+// Brick walls: eight courses of four bricks, running bond. All variants lay the same bricks, so
+// that they can stand side by side and on top of each other without a break.
 #pragma once
 
 #include "surface.h"

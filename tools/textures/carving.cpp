@@ -18,10 +18,17 @@ constexpr std::uint32_t kSeed = 2200;
 // Mouldings, a meander, and a row of rosettes, cut in pale stone.
 Picture paintFrieze() {
     constexpr int kStep = 4;
-    static constexpr std::array<std::string_view, 8> kMeander = {"################", "................", "#######.#######.", "#.....#.#.....#.",
-                                                                 "#.###.#.#.###.#.", "#.#...#.#.#...#.", "#.#####.#.#####.", "................"};
-    static constexpr std::array<std::array<double, 2>, 8> kPetals = {
-        {{1.0, 0.0}, {0.7071, 0.7071}, {0.0, 1.0}, {-0.7071, 0.7071}, {-1.0, 0.0}, {-0.7071, -0.7071}, {0.0, -1.0}, {0.7071, -0.7071}}};
+    static constexpr std::array<std::string_view, 8> kMeander = {
+        "################", "................", "#######.#######.", "#.....#.#.....#.",
+        "#.###.#.#.###.#.", "#.#...#.#.#...#.", "#.#####.#.#####.", "................"};
+    static constexpr std::array<std::array<double, 2>, 8> kPetals = {{{1.0, 0.0},
+                                                                      {0.7071, 0.7071},
+                                                                      {0.0, 1.0},
+                                                                      {-0.7071, 0.7071},
+                                                                      {-1.0, 0.0},
+                                                                      {-0.7071, -0.7071},
+                                                                      {0.0, -1.0},
+                                                                      {0.7071, -0.7071}}};
     Surface surface;
     everyTexel([&](int x, int y) {
         const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 30U) - 0.5;
@@ -33,7 +40,8 @@ Picture paintFrieze() {
         } else if (y < 14) {
             texel.height = 5.5 - 0.5 * (y - 8);
         } else if (y >= 18 && y < 50) {
-            const bool raised = kMeander[static_cast<std::size_t>((y - 18) / kStep)][static_cast<std::size_t>(x / kStep % 16)] == '#';
+            const bool raised = kMeander[static_cast<std::size_t>((y - 18) / kStep)]
+                                        [static_cast<std::size_t>(x / kStep % 16)] == '#';
             texel.height = raised ? 2.0 : 0.0;
             texel.tone -= raised ? 0.0 : 0.7;
         } else if (y >= 50 && y < 56) {
@@ -50,20 +58,30 @@ Picture paintFrieze() {
     });
     for (const double middleX : {32.0, 96.0}) {
         constexpr double kMiddleY = 82.0;
-        everyTexelIn(static_cast<int>(middleX) - 25, 57, static_cast<int>(middleX) + 26, 108, [&](int x, int y) {
-            const double dx = x + 0.5 - middleX;
-            const double dy = y + 0.5 - kMiddleY;
-            const double ring = std::abs(std::sqrt(dx * dx + dy * dy) - 22.5);
-            if (ring < 2.4) {
-                surface.at(x, y).height = 2.5 - ring * 0.6;
-                surface.at(x, y).tone += 0.4;
-            }
-        });
+        everyTexelIn(static_cast<int>(middleX) - 25, 57, static_cast<int>(middleX) + 26, 108,
+                     [&](int x, int y) {
+                         const double dx = x + 0.5 - middleX;
+                         const double dy = y + 0.5 - kMiddleY;
+                         const double ring = std::abs(std::sqrt(dx * dx + dy * dy) - 22.5);
+                         if (ring < 2.4) {
+                             surface.at(x, y).height = 2.5 - ring * 0.6;
+                             surface.at(x, y).tone += 0.4;
+                         }
+                     });
         for (const auto& petal : kPetals) {
-            drawStud(surface,
-                     {.x = middleX + 12.0 * petal[0], .y = kMiddleY + 12.0 * petal[1], .radius = 5.2, .height = 4.0, .tone = 4.4, .ramp = &kStoneRamp});
+            drawStud(surface, {.x = middleX + 12.0 * petal[0],
+                               .y = kMiddleY + 12.0 * petal[1],
+                               .radius = 5.2,
+                               .height = 4.0,
+                               .tone = 4.4,
+                               .ramp = &kStoneRamp});
         }
-        drawStud(surface, {.x = middleX, .y = kMiddleY, .radius = 5.5, .height = 5.0, .tone = 4.6, .ramp = &kStoneRamp});
+        drawStud(surface, {.x = middleX,
+                           .y = kMiddleY,
+                           .radius = 5.5,
+                           .height = 5.0,
+                           .tone = 4.6,
+                           .ramp = &kStoneRamp});
         // Between the rosettes a standing leaf
         for (int leaf = 0; leaf < 3; ++leaf) {
             const double lean = 7.0 * (leaf - 1);
@@ -77,7 +95,13 @@ Picture paintFrieze() {
             }
         }
     }
-    return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.4, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 0.9, .hollowDepth = 0.1});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 0.9,
+                         .darkest = 1.4,
+                         .shadowReach = 4,
+                         .shadowSlope = 0.7,
+                         .shadowDepth = 0.9,
+                         .hollowDepth = 0.1});
 }
 
 }  // namespace slicecast::textures

@@ -42,7 +42,10 @@ void addPuffs(std::vector<Puff>& puffs, const Puff& puff, int depth, Random& ran
     for (int number = 0; number < count; ++number) {
         const Puff way = outward(random);
         const double reach = 0.8 * puff.radius;
-        addPuffs(puffs, {puff.x + reach * way.x, puff.y + reach * way.y, puff.z + reach * way.z, puff.radius * random.between(0.34, 0.56)}, depth - 1, random);
+        addPuffs(puffs,
+                 {puff.x + reach * way.x, puff.y + reach * way.y, puff.z + reach * way.z,
+                  puff.radius * random.between(0.34, 0.56)},
+                 depth - 1, random);
     }
 }
 
@@ -57,7 +60,10 @@ std::vector<Puff> puffsOf(const Cloud& cloud) {
         const double dome = 1.0 - fromSummit * fromSummit;
         const double radius = cloud.height * (0.11 + 0.30 * dome * random.between(0.5, 1.1));
         const double rise = cloud.height * 0.5 * dome * random.between(0.15, 1.1);
-        addPuffs(puffs, {place * 0.5 * cloud.width, rise, cloud.height * random.between(-0.4, 0.4), radius}, 2, random);
+        addPuffs(
+            puffs,
+            {place * 0.5 * cloud.width, rise, cloud.height * random.between(-0.4, 0.4), radius}, 2,
+            random);
     }
     return puffs;
 }
@@ -74,8 +80,10 @@ void drawCloud(Picture& sky, const Cloud& cloud) {
 
     // Which puff is nearest to the viewer, and how it faces the light
     for (const Puff& puff : puffsOf(cloud)) {
-        const int left = static_cast<int>(std::floor((cloud.across + puff.x - puff.radius) / texelAcross));
-        const int right = static_cast<int>(std::floor((cloud.across + puff.x + puff.radius) / texelAcross)) + 1;
+        const int left =
+            static_cast<int>(std::floor((cloud.across + puff.x - puff.radius) / texelAcross));
+        const int right =
+            static_cast<int>(std::floor((cloud.across + puff.x + puff.radius) / texelAcross)) + 1;
         for (int y = 0; y < kSkyHeight; ++y) {
             const double dy = (upOf(y) - cloud.base - puff.y) / puff.radius;
             if (dy * dy >= 1.0) {
@@ -88,7 +96,8 @@ void drawCloud(Picture& sky, const Cloud& cloud) {
                     continue;
                 }
                 const double depth = std::sqrt(rest);
-                Sample& sample = samples[static_cast<std::size_t>(y) * kSkyWidth + static_cast<std::size_t>(wrap(x, kSkyWidth))];
+                Sample& sample = samples[static_cast<std::size_t>(y) * kSkyWidth +
+                                         static_cast<std::size_t>(wrap(x, kSkyWidth))];
                 if (puff.z + puff.radius * depth > sample.z) {
                     sample.z = puff.z + puff.radius * depth;
                     sample.light = -0.5 * dx + 0.72 * dy + 0.3 * depth;
@@ -101,8 +110,11 @@ void drawCloud(Picture& sky, const Cloud& cloud) {
     for (int y = 0; y < kSkyHeight; ++y) {
         const double rise = (upOf(y) - cloud.base) / cloud.height;
         for (int x = 0; x < kSkyWidth; ++x) {
-            const Sample& sample = samples[static_cast<std::size_t>(y) * kSkyWidth + static_cast<std::size_t>(x)];
-            const double ragged = 0.10 * (fractalNoise(x / 16.0, y / 8.0, kSkyWidth / 16, kSkyHeight / 8, 3, cloud.seed) - 0.5);
+            const Sample& sample =
+                samples[static_cast<std::size_t>(y) * kSkyWidth + static_cast<std::size_t>(x)];
+            const double ragged = 0.10 * (fractalNoise(x / 16.0, y / 8.0, kSkyWidth / 16,
+                                                       kSkyHeight / 8, 3, cloud.seed) -
+                                          0.5);
             if (sample.z < -1.0e8 || rise + ragged < 0.0) {
                 continue;
             }

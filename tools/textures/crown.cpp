@@ -15,9 +15,11 @@ void drawLeafage(Surface& surface, const std::vector<Clump>& clumps, const Leafa
     for (const Clump& clump : clumps) {
         base += 2.0;  // the next clump stands before this one
         if (leafage.filled) {
-            drawBall(surface, {clump.x, clump.y}, 0.9 * clump.radius, 0.82 * clump.radius, {.ramp = leafage.ramp, .tone = 0.8, .height = base, .bulge = 0.0});
+            drawBall(surface, {clump.x, clump.y}, 0.9 * clump.radius, 0.82 * clump.radius,
+                     {.ramp = leafage.ramp, .tone = 0.8, .height = base, .bulge = 0.0});
         }
-        const int count = static_cast<int>(leafage.density * 9.0 * clump.radius * clump.radius / (leafage.length * leafage.length));
+        const int count = static_cast<int>(leafage.density * 9.0 * clump.radius * clump.radius /
+                                           (leafage.length * leafage.length));
         for (int layer = 0; layer < kLayers; ++layer) {
             for (int number = 0; number < count; ++number) {
                 // Evenly over the disc, by trying again outside it
@@ -42,7 +44,8 @@ void drawLeafage(Surface& surface, const std::vector<Clump>& clumps, const Leafa
                                    .length = length,
                                    .width = leafage.width * length,
                                    .height = base + 1.2 * (layer + 1),
-                                   .tone = leafage.tone + leafage.contrast * light + 0.45 * (layer - 2) + own,
+                                   .tone = leafage.tone + leafage.contrast * light +
+                                           0.45 * (layer - 2) + own,
                                    .ramp = leafage.ramp,
                                    .cutOff = true});
             }

@@ -22,7 +22,9 @@ struct Mixture {
     }
 
     Colour colour(std::uint8_t alpha) const {
-        const auto mean = [this](int sum) { return static_cast<std::uint8_t>((sum + weight / 2) / weight); };
+        const auto mean = [this](int sum) {
+            return static_cast<std::uint8_t>((sum + weight / 2) / weight);
+        };
         return {mean(r), mean(g), mean(b), alpha};
     }
 };
@@ -40,13 +42,16 @@ Picture holesFilled(Picture picture, Border border) {
         whole.add(colour, colour.a > 0 ? 1 : 0);
     }
     std::vector<char> known(picture.pixels.size());
-    std::transform(picture.pixels.begin(), picture.pixels.end(), known.begin(), [](const Colour& colour) { return colour.a > 0 ? 1 : 0; });
+    std::transform(picture.pixels.begin(), picture.pixels.end(), known.begin(),
+                   [](const Colour& colour) { return colour.a > 0 ? 1 : 0; });
     for (int round = 0; round <= kRounds; ++round) {
         const Picture before = picture;
         const std::vector<char> knownBefore = known;
         for (int y = 0; y < picture.height; ++y) {
             for (int x = 0; x < picture.width; ++x) {
-                const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+                const auto index =
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                    static_cast<std::size_t>(x);
                 if (knownBefore[index] != 0) {
                     continue;
                 }
@@ -55,8 +60,11 @@ Picture holesFilled(Picture picture, Border border) {
                     for (int dx = -1; dx <= 1; ++dx) {
                         const int fromX = wrap(x + dx, picture.width);
                         const int fromY = wrap(y + dy, picture.height);
-                        const auto from = static_cast<std::size_t>(fromY) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(fromX);
-                        if (knownBefore[from] != 0 && (border == Border::Repeats || lies(picture, x + dx, y + dy))) {
+                        const auto from = static_cast<std::size_t>(fromY) *
+                                              static_cast<std::size_t>(picture.width) +
+                                          static_cast<std::size_t>(fromX);
+                        if (knownBefore[from] != 0 &&
+                            (border == Border::Repeats || lies(picture, x + dx, y + dy))) {
                             near.add(before.at(fromX, fromY), 1);
                         }
                     }
@@ -87,7 +95,8 @@ Picture edgesSoftened(const Picture& picture) {
                         continue;
                     }
                     const Colour& colour = picture.at(x + dx, fromY);
-                    const int share = kShares[static_cast<std::size_t>(dx + 1)] * kShares[static_cast<std::size_t>(dy + 1)];
+                    const int share = kShares[static_cast<std::size_t>(dx + 1)] *
+                                      kShares[static_cast<std::size_t>(dy + 1)];
                     near.add(colour, colour.a > 0 ? share : 0);
                     alphas += share * colour.a;
                 }
@@ -107,7 +116,8 @@ Picture edgesSoftened(const Picture& picture) {
 
 Picture paintNothing() {
     Picture picture(kSide, kSide);
-    std::fill(picture.pixels.begin(), picture.pixels.end(), Colour{kSlate3.r, kSlate3.g, kSlate3.b, 0});
+    std::fill(picture.pixels.begin(), picture.pixels.end(),
+              Colour{kSlate3.r, kSlate3.g, kSlate3.b, 0});
     return picture;
 }
 

@@ -31,18 +31,26 @@ Picture paintBark() {
         Texel& texel = surface.at(x, y);
         texel.ramp = &kTimberRamp;
         texel.height = inside <= 0.0 ? 0.0 : std::min(1.0 + 0.8 * inside, 4.5) + 1.6 * scale;
-        texel.tone = inside <= 0.0 ? 0.3 : 2.3 + 0.8 * (randomAt(piece, 1, kSeed + 45U) - 0.5) + 1.0 * fibre + 0.6 * scale;
+        texel.tone = inside <= 0.0 ? 0.3
+                                   : 2.3 + 0.8 * (randomAt(piece, 1, kSeed + 45U) - 0.5) +
+                                         1.0 * fibre + 0.6 * scale;
         if (inside > 0.6 && moss > 0.68) {
             texel.ramp = &kMossRamp;
             texel.tone += 0.5;
         }
     });
-    return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 0.7});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 0.9,
+                         .darkest = 1.2,
+                         .shadowReach = 3,
+                         .shadowSlope = 0.7,
+                         .shadowDepth = 0.7});
 }
 
 Picture paintHedge() {
     Surface surface;
-    everyTexel([&](int x, int y) { surface.at(x, y) = {.height = 0.0, .tone = 0.8, .ramp = &kMossRamp}; });
+    everyTexel(
+        [&](int x, int y) { surface.at(x, y) = {.height = 0.0, .tone = 0.8, .ramp = &kMossRamp}; });
     // From the dark inside to the sunlit outside; leaves of one spray share their light
     Random random(kSeed);
     constexpr int kLayers = 4;
@@ -65,7 +73,13 @@ Picture paintHedge() {
                                .tone = 1.7 + 0.7 * layer + 0.9 * (spray - 0.5)});
         }
     }
-    return lit(surface, {.gain = 0.1, .lightest = 0.3, .darkest = 0.3, .shadowReach = 2, .shadowSlope = 0.7, .shadowDepth = 0.6, .hollowDepth = 0.05});
+    return lit(surface, {.gain = 0.1,
+                         .lightest = 0.3,
+                         .darkest = 0.3,
+                         .shadowReach = 2,
+                         .shadowSlope = 0.7,
+                         .shadowDepth = 0.6,
+                         .hollowDepth = 0.05});
 }
 
 // The outermost leaves of a hedge or a tree, with the sky between them.
@@ -92,7 +106,13 @@ Picture paintLeaves() {
                                .tone = 2.2 + 0.8 * layer + 1.4 * (spray - 0.5)});
         }
     }
-    const Lighting lighting = {.gain = 0.1, .lightest = 0.3, .darkest = 0.3, .shadowReach = 2, .shadowSlope = 0.7, .shadowDepth = 0.6, .hollowDepth = 0.05};
+    const Lighting lighting = {.gain = 0.1,
+                               .lightest = 0.3,
+                               .darkest = 0.3,
+                               .shadowReach = 2,
+                               .shadowSlope = 0.7,
+                               .shadowDepth = 0.6,
+                               .hollowDepth = 0.05};
     return holesFilled(lit(surface, lighting), Border::Repeats);
 }
 
@@ -119,14 +139,22 @@ Picture paintIvy() {
                             .tone = 1.9 + 0.65 * layer + 1.6 * (cover - 0.5)};
             Leaf lobe = leaf;
             lobe.length = 0.7 * length;
-            lobe.direction = {0.6 * direction.x - 0.8 * direction.y, 0.8 * direction.x + 0.6 * direction.y};
+            lobe.direction = {0.6 * direction.x - 0.8 * direction.y,
+                              0.8 * direction.x + 0.6 * direction.y};
             drawLeaf(surface, lobe);
-            lobe.direction = {0.6 * direction.x + 0.8 * direction.y, -0.8 * direction.x + 0.6 * direction.y};
+            lobe.direction = {0.6 * direction.x + 0.8 * direction.y,
+                              -0.8 * direction.x + 0.6 * direction.y};
             drawLeaf(surface, lobe);
             drawLeaf(surface, leaf);
         }
     }
-    return lit(surface, {.gain = 0.3, .lightest = 0.6, .darkest = 0.9, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 0.9, .hollowDepth = 0.06});
+    return lit(surface, {.gain = 0.3,
+                         .lightest = 0.6,
+                         .darkest = 0.9,
+                         .shadowReach = 4,
+                         .shadowSlope = 0.7,
+                         .shadowDepth = 0.9,
+                         .hollowDepth = 0.06});
 }
 
 }  // namespace slicecast::textures

@@ -33,14 +33,17 @@ Place placeOn(const Stream& stream, double age) {
 }  // namespace
 
 Picture paintFountain() {
-    constexpr Stream kStreams[] = {{-50.0, 66.0}, {50.0, 66.0}, {-33.0, 88.0}, {33.0, 88.0}, {-15.0, 100.0}, {15.0, 100.0}, {-3.0, 108.0}};
-    constexpr int kDrops = 9;  // along one stream at a time; each moves on to the place of the next in a loop
+    constexpr Stream kStreams[] = {{-50.0, 66.0},  {50.0, 66.0},  {-33.0, 88.0}, {33.0, 88.0},
+                                   {-15.0, 100.0}, {15.0, 100.0}, {-3.0, 108.0}};
+    constexpr int kDrops =
+        9;  // along one stream at a time; each moves on to the place of the next in a loop
     std::vector<Picture> frames;
     for (int frame = 0; frame < kFountainFrames; ++frame) {
         const double time = static_cast<double>(frame) / kFountainFrames;
         Surface surface = Surface::empty(kWidth, kHeight);
         // Where it falls into the pool: foam and rings
-        drawBall(surface, {kMiddle, kPool + 1.0}, 57.0, 6.5, {.ramp = &kSeaRamp, .tone = 3.2, .bulge = 0.0, .alpha = 150});
+        drawBall(surface, {kMiddle, kPool + 1.0}, 57.0, 6.5,
+                 {.ramp = &kSeaRamp, .tone = 3.2, .bulge = 0.0, .alpha = 150});
         for (int ring = 0; ring < 3; ++ring) {
             const double spread = (ring + time) / 3.0;
             everyTexelOn(surface, 0.0, kPool - 8.0, kWidth, kHeight, [&](int x, int y) {
@@ -58,9 +61,14 @@ Picture paintFountain() {
             const double off = std::abs(x + 0.5 - kMiddle) / 44.0;
             const double up = (kNozzle - y) / 104.0;
             if (off < 1.0 && up < 1.0 - off * off) {
-                const double fall = valueNoise(x / 2.0, (y - time * 64.0) / 8.0, 64, 8, kSeed) * (1.0 - 0.5 * off);
+                const double fall =
+                    valueNoise(x / 2.0, (y - time * 64.0) / 8.0, 64, 8, kSeed) * (1.0 - 0.5 * off);
                 if (fall > 0.55) {
-                    surface.at(x, y) = {.height = 0.0, .tone = 4.6, .ramp = &kSeaRamp, .alpha = static_cast<std::uint8_t>(46.0 + 120.0 * (fall - 0.55))};
+                    surface.at(x, y) = {
+                        .height = 0.0,
+                        .tone = 4.6,
+                        .ramp = &kSeaRamp,
+                        .alpha = static_cast<std::uint8_t>(46.0 + 120.0 * (fall - 0.55))};
                 }
             }
         });
@@ -72,28 +80,47 @@ Picture paintFountain() {
                 const double next = static_cast<double>(part + 1) / kParts;
                 const double radius = 2.2 - 0.5 * age;
                 drawLimb(surface, placeOn(stream, age), radius, placeOn(stream, next), radius,
-                         {.ramp = &kSeaRamp, .tone = 4.3 - 0.6 * age, .height = 1.0, .bulge = 0.4, .alpha = static_cast<std::uint8_t>(190.0 - 60.0 * age)});
+                         {.ramp = &kSeaRamp,
+                          .tone = 4.3 - 0.6 * age,
+                          .height = 1.0,
+                          .bulge = 0.4,
+                          .alpha = static_cast<std::uint8_t>(190.0 - 60.0 * age)});
             }
             for (int drop = 0; drop < kDrops; ++drop) {
                 const double age = (drop + time) / kDrops;
                 const double wide = 1.3 + 0.8 * age;
                 const double later = std::min(1.0, age + 0.06 - 0.02 * age);
                 drawLimb(surface, placeOn(stream, age), wide, placeOn(stream, later), wide * 0.8,
-                         {.ramp = &kSeaRamp, .tone = 5.5 - 0.6 * age, .height = 2.0, .bulge = 0.5, .alpha = 215});
+                         {.ramp = &kSeaRamp,
+                          .tone = 5.5 - 0.6 * age,
+                          .height = 2.0,
+                          .bulge = 0.5,
+                          .alpha = 215});
                 // Drops torn off to either side
-                const double aside = 5.0 * age * (randomAt(drop % 3, static_cast<int>(stream.reach), kSeed + 1U) - 0.5) * 2.0;
+                const double aside =
+                    5.0 * age *
+                    (randomAt(drop % 3, static_cast<int>(stream.reach), kSeed + 1U) - 0.5) * 2.0;
                 const Place place = placeOn(stream, std::min(1.0, age + 0.02));
                 if (age > 0.4) {
-                    drawBall(surface, {place.x + aside, place.y - 2.0}, 1.3, 1.5, {.ramp = &kSeaRamp, .tone = 5.4, .height = 3.0, .bulge = 0.4, .alpha = 210});
+                    drawBall(surface, {place.x + aside, place.y - 2.0}, 1.3, 1.5,
+                             {.ramp = &kSeaRamp,
+                              .tone = 5.4,
+                              .height = 3.0,
+                              .bulge = 0.4,
+                              .alpha = 210});
                 }
             }
         }
         for (const Stream& stream : kStreams) {
-            const double splash = wave(time + randomAt(static_cast<int>(stream.reach), 2, kSeed + 2U));
-            drawBall(surface, {kMiddle + stream.reach, kPool}, 5.5 + 0.8 * splash, 2.6 + 0.5 * splash,
+            const double splash =
+                wave(time + randomAt(static_cast<int>(stream.reach), 2, kSeed + 2U));
+            drawBall(surface, {kMiddle + stream.reach, kPool}, 5.5 + 0.8 * splash,
+                     2.6 + 0.5 * splash,
                      {.ramp = &kSeaRamp, .tone = 5.6, .height = 2.0, .bulge = 0.5, .alpha = 215});
         }
-        frames.push_back(spriteOf(surface, {.gain = 0.25, .lightest = 0.6, .darkest = 0.6, .shadowReach = 0, .hollowDepth = 0.0}));
+        frames.push_back(spriteOf(
+            surface,
+            {.gain = 0.25, .lightest = 0.6, .darkest = 0.6, .shadowReach = 0, .hollowDepth = 0.0}));
     }
     return inARow(frames);
 }

@@ -26,11 +26,22 @@ Texel clearGlass(int localX, int localY, double own) {
     const bool narrow = slant > 48 && slant < 52;
     const double tone = broad || narrow ? 5.2 : 3.6 + 0.4 * own;
     const int alpha = broad ? 120 : (narrow ? 96 : 56);
-    return {.height = -1.0, .tone = tone, .ramp = &kSeaRamp, .alpha = static_cast<std::uint8_t>(alpha)};
+    return {
+        .height = -1.0, .tone = tone, .ramp = &kSeaRamp, .alpha = static_cast<std::uint8_t>(alpha)};
 }
 
 // What a stained window shows, as numbers of its pieces of glass.
-enum Glass { kNoGlass = 0, kSun = 1, kRay = 2, kRing = 20, kBorder = 60, kField = 200, kStem = 600, kLeafGlass = 610, kBlossom = 620 };
+enum Glass {
+    kNoGlass = 0,
+    kSun = 1,
+    kRay = 2,
+    kRing = 20,
+    kBorder = 60,
+    kField = 200,
+    kStem = 600,
+    kLeafGlass = 610,
+    kBlossom = 620
+};
 
 constexpr double kMiddle = 64.0;
 
@@ -129,7 +140,10 @@ Texel stainedTexel(int piece, double cloud) {
         ramp = piece % 3 == 0 ? &kBrassRamp : &kSeaRamp;
         alpha = 130;
     }
-    return {.height = -2.0, .tone = tone + 0.8 * own + 0.9 * cloud, .ramp = ramp, .alpha = static_cast<std::uint8_t>(alpha + static_cast<int>(24.0 * own))};
+    return {.height = -2.0,
+            .tone = tone + 0.8 * own + 0.9 * cloud,
+            .ramp = ramp,
+            .alpha = static_cast<std::uint8_t>(alpha + static_cast<int>(24.0 * own))};
 }
 
 }  // namespace
@@ -143,7 +157,9 @@ Picture paintGlassPane() {
         const int lead = std::min(std::min(localX, localY), 4);
         if (lead < 4) {
             const int across = std::min(localX, localY) == localX ? localX : localY;
-            surface.at(x, y) = {.height = across == 1 || across == 2 ? 1.5 : 0.6, .tone = across == 1 || across == 2 ? 3.2 : 2.0, .ramp = &kSlateRamp};
+            surface.at(x, y) = {.height = across == 1 || across == 2 ? 1.5 : 0.6,
+                                .tone = across == 1 || across == 2 ? 3.2 : 2.0,
+                                .ramp = &kSlateRamp};
             return;
         }
         const int pane = (x + 2) / 64 % 2 + 2 * ((y + 2) / 64 % 2);
@@ -156,7 +172,12 @@ Picture paintGlassPane() {
     });
     for (const int y : {0, 64}) {
         for (const int x : {0, 64}) {
-            drawStud(surface, {.x = x + 0.0, .y = y + 0.0, .radius = 3.4, .height = 1.5, .tone = 3.2, .ramp = &kSlateRamp});
+            drawStud(surface, {.x = x + 0.0,
+                               .y = y + 0.0,
+                               .radius = 3.4,
+                               .height = 1.5,
+                               .tone = 3.2,
+                               .ramp = &kSlateRamp});
         }
     }
     return lit(surface, kLeadLight);
@@ -173,7 +194,9 @@ Picture paintStainedGlass() {
         if (inside < 0.0) {
             // The frame of dressed stone, with a groove
             const double round = std::min({-inside, inside + 9.0, 3.0});
-            surface.at(x, y) = {.height = 1.0 + round, .tone = -inside > 3.5 && -inside < 5.0 ? 3.2 : 4.5, .ramp = &kStoneRamp};
+            surface.at(x, y) = {.height = 1.0 + round,
+                                .tone = -inside > 3.5 && -inside < 5.0 ? 3.2 : 4.5,
+                                .ramp = &kStoneRamp};
             return;
         }
         const int piece = glassAt(x, y);
@@ -182,43 +205,67 @@ Picture paintStainedGlass() {
             lead = lead || glassAt(x + near % 2, y + near / 2) != piece;
         }
         const double cloud = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 11U) - 0.5;
-        surface.at(x, y) = lead ? Texel{.height = -2.0, .tone = 0.8, .ramp = &kSlateRamp} : stainedTexel(piece, cloud);
+        surface.at(x, y) = lead ? Texel{.height = -2.0, .tone = 0.8, .ramp = &kSlateRamp}
+                                : stainedTexel(piece, cloud);
     });
-    return litOver(wall, ashlarLighting(), surface, {.gain = 0.5, .lightest = 0.8, .darkest = 1.2, .shadowReach = 4, .shadowSlope = 0.8, .shadowDepth = 0.6});
+    return litOver(wall, ashlarLighting(), surface,
+                   {.gain = 0.5,
+                    .lightest = 0.8,
+                    .darkest = 1.2,
+                    .shadowReach = 4,
+                    .shadowSlope = 0.8,
+                    .shadowDepth = 0.6});
 }
 
 // A shop's front: an awning, a large window with goods on the sill, panelling below.
 Picture paintShopWindow() {
     constexpr int kSill = 92;
     Surface surface;
-    everyTexel([&](int x, int y) { surface.at(x, y) = {.height = 0.0, .tone = 2.4 + 0.8 * woodGrain(y, x, kSeed + 30U), .ramp = &kOakRamp}; });
+    everyTexel([&](int x, int y) {
+        surface.at(x, y) = {
+            .height = 0.0, .tone = 2.4 + 0.8 * woodGrain(y, x, kSeed + 30U), .ramp = &kOakRamp};
+    });
     // Glass from post to post, parted by thin bars
     everyTexelIn(10, 20, 118, kSill, [&](int x, int y) {
         const int localX = (x - 10) % 36;
         const int localY = (y - 20) % 36;
         if (localX == 35 || localX == 34 || localY == 35 || localY == 34) {
-            surface.at(x, y) = {.height = 0.5, .tone = localX == 34 || localY == 34 ? 3.2 : 2.0, .ramp = &kOakRamp};
+            surface.at(x, y) = {
+                .height = 0.5, .tone = localX == 34 || localY == 34 ? 3.2 : 2.0, .ramp = &kOakRamp};
         } else {
-            surface.at(x, y) = clearGlass(localX, localY, randomAt((x - 10) / 36, (y - 20) / 36, kSeed + 31U));
+            surface.at(x, y) =
+                clearGlass(localX, localY, randomAt((x - 10) / 36, (y - 20) / 36, kSeed + 31U));
             surface.at(x, y).height = -3.0;
         }
     });
     // Goods behind the glass: loaves in a basket, a jug, apples, a cheese
-    drawBall(surface, {24.0, 85.0}, 8.0, 4.5, {.ramp = &kSandRamp, .tone = 2.2, .height = -3.0, .bulge = 0.6});
-    drawBall(surface, {35.0, 85.0}, 8.0, 4.5, {.ramp = &kSandRamp, .tone = 1.8, .height = -3.0, .bulge = 0.6});
-    drawBall(surface, {29.0, 79.5}, 8.5, 4.5, {.ramp = &kSandRamp, .tone = 2.5, .height = -2.0, .bulge = 0.6});
+    drawBall(surface, {24.0, 85.0}, 8.0, 4.5,
+             {.ramp = &kSandRamp, .tone = 2.2, .height = -3.0, .bulge = 0.6});
+    drawBall(surface, {35.0, 85.0}, 8.0, 4.5,
+             {.ramp = &kSandRamp, .tone = 1.8, .height = -3.0, .bulge = 0.6});
+    drawBall(surface, {29.0, 79.5}, 8.5, 4.5,
+             {.ramp = &kSandRamp, .tone = 2.5, .height = -2.0, .bulge = 0.6});
     for (const int x : {24, 29, 34}) {
         surface.at(x, 78).tone = 0.8;
         surface.at(x - 1, 79).tone = 0.8;
     }
-    drawBall(surface, {63.0, 81.0}, 8.0, 9.0, {.ramp = &kSeaRamp, .tone = 2.4, .height = -3.0, .bulge = 0.7});
-    drawBox(surface, 60, 66, 67, 75, {.ramp = &kSeaRamp, .tone = 2.4, .height = -3.0, .bulge = 0.7});
-    drawBox(surface, 58, 64, 69, 67, {.ramp = &kSeaRamp, .tone = 3.4, .height = -2.5, .bulge = 0.4});
-    everyTexelIn(56, 79, 71, 82, [&](int x, int y) { surface.at(x, y).tone = y == 80 ? 4.8 : 3.6; });
+    drawBall(surface, {63.0, 81.0}, 8.0, 9.0,
+             {.ramp = &kSeaRamp, .tone = 2.4, .height = -3.0, .bulge = 0.7});
+    drawBox(surface, 60, 66, 67, 75,
+            {.ramp = &kSeaRamp, .tone = 2.4, .height = -3.0, .bulge = 0.7});
+    drawBox(surface, 58, 64, 69, 67,
+            {.ramp = &kSeaRamp, .tone = 3.4, .height = -2.5, .bulge = 0.4});
+    everyTexelIn(56, 79, 71, 82,
+                 [&](int x, int y) { surface.at(x, y).tone = y == 80 ? 4.8 : 3.6; });
     int number = 0;
-    for (const Place apple : {Place{86.0, 86.0}, Place{94.0, 86.0}, Place{102.0, 86.0}, Place{90.0, 80.0}, Place{98.0, 80.0}, Place{94.0, 74.5}}) {
+    for (const Place apple : {Place{86.0, 86.0}, Place{94.0, 86.0}, Place{102.0, 86.0},
+                              Place{90.0, 80.0}, Place{98.0, 80.0}, Place{94.0, 74.5}}) {
         const bool red = number % 3 != 1;
-        drawBall(surface, apple, 4.4, 4.2, {.ramp = red ? &kCrimsonRamp : &kMossRamp, .tone = red ? 3.8 : 4.6, .height = -3.0 + number / 3, .bulge = 0.6});
+        drawBall(surface, apple, 4.4, 4.2,
+                 {.ramp = red ? &kCrimsonRamp : &kMossRamp,
+                  .tone = red ? 3.8 : 4.6,
+                  .height = -3.0 + number / 3,
+                  .bulge = 0.6});
         ++number;
     }
     // Posts at the sides, half of each in this tile; sill; panels
@@ -226,14 +273,36 @@ Picture paintShopWindow() {
         const int off = std::min(x, kSide - 1 - x);
         if (off < 9 && y >= 14) {
             surface.at(x, y).height = 3.0 - (off > 6 ? 0.8 * (off - 6) : 0.0);
-            surface.at(x, y).tone = 2.9 + 0.8 * woodGrain(y, x, kSeed + 32U) - (off == 3 ? 0.8 : 0.0);
+            surface.at(x, y).tone =
+                2.9 + 0.8 * woodGrain(y, x, kSeed + 32U) - (off == 3 ? 0.8 : 0.0);
         }
     });
-    drawSlab(surface, {.left = 0, .top = kSill, .right = 128, .bottom = kSill + 6, .height = 5.0, .bevel = 2.0, .tone = 3.6, .ramp = &kOakRamp});
+    drawSlab(surface, {.left = 0,
+                       .top = kSill,
+                       .right = 128,
+                       .bottom = kSill + 6,
+                       .height = 5.0,
+                       .bevel = 2.0,
+                       .tone = 3.6,
+                       .ramp = &kOakRamp});
     for (int panel = 0; panel < 3; ++panel) {
         const int left = 12 + 36 * panel;
-        drawSlab(surface, {.left = left, .top = 102, .right = left + 32, .bottom = 124, .height = -1.2, .bevel = 1.0, .tone = 1.7, .ramp = &kSeaRamp});
-        drawSlab(surface, {.left = left + 3, .top = 105, .right = left + 29, .bottom = 121, .height = 0.8, .bevel = 2.0, .tone = 2.1, .ramp = &kSeaRamp});
+        drawSlab(surface, {.left = left,
+                           .top = 102,
+                           .right = left + 32,
+                           .bottom = 124,
+                           .height = -1.2,
+                           .bevel = 1.0,
+                           .tone = 1.7,
+                           .ramp = &kSeaRamp});
+        drawSlab(surface, {.left = left + 3,
+                           .top = 105,
+                           .right = left + 29,
+                           .bottom = 121,
+                           .height = 0.8,
+                           .bevel = 2.0,
+                           .tone = 2.1,
+                           .ramp = &kSeaRamp});
     }
     // The awning, striped, with a scalloped hem
     everyTexelIn(0, 0, kSide, 27, [&](int x, int y) {
@@ -243,11 +312,18 @@ Picture paintShopWindow() {
         if (y < hem) {
             const bool red = x / 16 % 2 == 0;
             const double fold = y < 19 ? -0.03 * y : -0.9;
-            surface.at(x, y) = {
-                .height = 7.0 + 0.12 * y, .tone = (red ? 3.4 : 6.2) + fold - (local == 15 ? 0.6 : 0.0), .ramp = red ? &kCrimsonRamp : &kStoneRamp};
+            surface.at(x, y) = {.height = 7.0 + 0.12 * y,
+                                .tone = (red ? 3.4 : 6.2) + fold - (local == 15 ? 0.6 : 0.0),
+                                .ramp = red ? &kCrimsonRamp : &kStoneRamp};
         }
     });
-    return lit(surface, {.gain = 0.45, .lightest = 0.8, .darkest = 1.3, .shadowReach = 5, .shadowSlope = 0.8, .shadowDepth = 1.0, .hollowDepth = 0.05});
+    return lit(surface, {.gain = 0.45,
+                         .lightest = 0.8,
+                         .darkest = 1.3,
+                         .shadowReach = 5,
+                         .shadowSlope = 0.8,
+                         .shadowDepth = 1.0,
+                         .hollowDepth = 0.05});
 }
 
 }  // namespace slicecast::textures

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint32_t kSeed = 800;
 
-// Tufts of grass seen from above: three or five blades that spread from a foot, dark at the foot, light at the tips.
+// Tufts of grass seen from above: three or five blades that spread from a foot, dark at the foot,
+// light at the tips.
 void drawTufts(Surface& surface, int count, double tone, std::uint32_t seed) {
     Random random(seed);
     for (int tuft = 0; tuft < count; ++tuft) {
@@ -43,7 +44,8 @@ Surface grassSurface() {
     everyTexel([&](int x, int y) {
         const double meadow = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 1U) - 0.5;
         const double blade = valueNoise(x / 2.0, y / 4.0, 64, 32, kSeed + 2U);
-        surface.at(x, y) = {.height = 0.0, .tone = 3.1 + 1.3 * meadow + 0.9 * (blade - 0.5), .ramp = &kMossRamp};
+        surface.at(x, y) = {
+            .height = 0.0, .tone = 3.1 + 1.3 * meadow + 0.9 * (blade - 0.5), .ramp = &kMossRamp};
     });
     drawTufts(surface, 420, 3.4, kSeed + 3U);
     return surface;
@@ -69,10 +71,15 @@ Surface earthSurface() {
         const double tone = random.between(1.3, 2.5);
         const Ramp* ramp = random.fraction() < 0.6 ? &kStoneRamp : &kEarthRamp;
         // Two rounds that overlap make a longish stone
-        drawStud(surface, {.x = x, .y = y, .radius = radius, .height = 0.5 * radius, .tone = tone, .ramp = ramp});
         drawStud(
             surface,
-            {.x = x + 0.9 * radius, .y = y + random.between(-0.3, 0.3) * radius, .radius = 0.8 * radius, .height = 0.5 * radius, .tone = tone, .ramp = ramp});
+            {.x = x, .y = y, .radius = radius, .height = 0.5 * radius, .tone = tone, .ramp = ramp});
+        drawStud(surface, {.x = x + 0.9 * radius,
+                           .y = y + random.between(-0.3, 0.3) * radius,
+                           .radius = 0.8 * radius,
+                           .height = 0.5 * radius,
+                           .tone = tone,
+                           .ramp = ramp});
     }
     for (int root = 0; root < 7; ++root) {
         drawCrack(surface, {.x = random.below(kSide),
@@ -85,9 +92,20 @@ Surface earthSurface() {
     return surface;
 }
 
-constexpr Lighting kEarthLight = {.gain = 0.5, .lightest = 0.9, .darkest = 1.1, .shadowReach = 2, .shadowSlope = 0.6, .shadowDepth = 0.8};
+constexpr Lighting kEarthLight = {.gain = 0.5,
+                                  .lightest = 0.9,
+                                  .darkest = 1.1,
+                                  .shadowReach = 2,
+                                  .shadowSlope = 0.6,
+                                  .shadowDepth = 0.8};
 
-constexpr Lighting kFlat = {.gain = 0.0, .lightest = 0.0, .darkest = 0.0, .shadowReach = 0, .shadowSlope = 1.0, .shadowDepth = 0.0, .hollowDepth = 0.0};
+constexpr Lighting kFlat = {.gain = 0.0,
+                            .lightest = 0.0,
+                            .darkest = 0.0,
+                            .shadowReach = 0,
+                            .shadowSlope = 1.0,
+                            .shadowDepth = 0.0,
+                            .hollowDepth = 0.0};
 
 }  // namespace
 
@@ -124,7 +142,8 @@ Picture paintGrassMeadow() {
 }
 
 Picture paintMoss() {
-    static const Pieces cushions(nearest(spreadPoints(70, 1.0, kSeed + 20U), 1.0), 2.5, kSeed + 21U);
+    static const Pieces cushions(nearest(spreadPoints(70, 1.0, kSeed + 20U), 1.0), 2.5,
+                                 kSeed + 21U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const int piece = cushions.pieceAt(x, y);
@@ -133,10 +152,18 @@ Picture paintMoss() {
         const double broad = fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kSeed + 23U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kMossRamp;
-        texel.height = 4.0 * (1.0 - 1.0 / (1.0 + 0.35 * inside)) * (0.7 + 0.6 * randomAt(piece, 1, kSeed + 24U)) + 1.0 * fuzz;
-        texel.tone = 2.3 + 0.22 * std::min(inside, 5.0) + 0.8 * broad + 0.6 * (randomAt(piece, 2, kSeed + 24U) - 0.5);
+        texel.height = 4.0 * (1.0 - 1.0 / (1.0 + 0.35 * inside)) *
+                           (0.7 + 0.6 * randomAt(piece, 1, kSeed + 24U)) +
+                       1.0 * fuzz;
+        texel.tone = 2.3 + 0.22 * std::min(inside, 5.0) + 0.8 * broad +
+                     0.6 * (randomAt(piece, 2, kSeed + 24U) - 0.5);
     });
-    return lit(surface, {.gain = 0.75, .lightest = 1.0, .darkest = 1.0, .shadowReach = 2, .shadowSlope = 0.8, .shadowDepth = 0.4});
+    return lit(surface, {.gain = 0.75,
+                         .lightest = 1.0,
+                         .darkest = 1.0,
+                         .shadowReach = 2,
+                         .shadowSlope = 0.8,
+                         .shadowDepth = 0.4});
 }
 
 Picture paintPath() {
@@ -155,9 +182,19 @@ Picture paintPath() {
         const double y = random.between(0.0, kSide);
         const double radius = 1.0 + 2.2 * random.fraction() * random.fraction();
         const Ramp* ramp = random.fraction() < 0.6 ? &kStoneRamp : &kFlintRamp;
-        drawStud(surface, {.x = x, .y = y, .radius = radius, .height = 0.9 * radius, .tone = random.between(2.6, 3.8), .ramp = ramp});
+        drawStud(surface, {.x = x,
+                           .y = y,
+                           .radius = radius,
+                           .height = 0.9 * radius,
+                           .tone = random.between(2.6, 3.8),
+                           .ramp = ramp});
     }
-    return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.0, .shadowReach = 2, .shadowSlope = 0.6, .shadowDepth = 0.8});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 0.9,
+                         .darkest = 1.0,
+                         .shadowReach = 2,
+                         .shadowSlope = 0.6,
+                         .shadowDepth = 0.8});
 }
 
 Picture paintSand() {
@@ -167,7 +204,9 @@ Picture paintSand() {
         const double wander = 9.0 * (fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kSeed + 40U) - 0.5);
         const double phase = (y + wander + x / 8.0) / 16.0;
         const double part = phase - std::floor(phase);
-        const double strength = 0.35 + 0.65 * smoothStep(0.3, 0.7, fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 41U));
+        const double strength =
+            0.35 +
+            0.65 * smoothStep(0.3, 0.7, fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 41U));
         const double ripple = part < 0.65 ? part / 0.65 : (1.0 - part) / 0.35;
         const double dune = fractalNoise(x / 64.0, y / 64.0, 2, 2, 2, kSeed + 42U) - 0.5;
         Texel& texel = surface.at(x, y);
@@ -177,11 +216,18 @@ Picture paintSand() {
         texel.tone += hashOf(x, y, kSeed + 43U) % 90U == 0U ? 0.5 : 0.0;
         texel.tone -= hashOf(x, y, kSeed + 44U) % 140U == 0U ? 0.6 : 0.0;
     });
-    return lit(surface, {.gain = 1.5, .lightest = 0.7, .darkest = 0.8, .shadowReach = 0, .shadowSlope = 1.0, .shadowDepth = 0.0, .hollowDepth = 0.0});
+    return lit(surface, {.gain = 1.5,
+                         .lightest = 0.7,
+                         .darkest = 0.8,
+                         .shadowReach = 0,
+                         .shadowSlope = 1.0,
+                         .shadowDepth = 0.0,
+                         .hollowDepth = 0.0});
 }
 
 Picture paintCobbles() {
-    static const Pieces stones(nearest(spreadPoints(52, 1.15, kSeed + 50U), 1.15), 1.0, kSeed + 51U);
+    static const Pieces stones(nearest(spreadPoints(52, 1.15, kSeed + 50U), 1.15), 1.0,
+                               kSeed + 51U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const int piece = stones.pieceAt(x, y);
@@ -194,34 +240,53 @@ Picture paintCobbles() {
         }
         const bool warm = hashOf(piece, 1, kSeed + 53U) % 5U < 2U;
         texel.ramp = warm ? &kStoneRamp : &kFlintRamp;
-        texel.tone = (warm ? 2.1 : 3.1) + 0.8 * (randomAt(piece, 2, kSeed + 53U) - 0.5) + 0.8 * rough;
+        texel.tone =
+            (warm ? 2.1 : 3.1) + 0.8 * (randomAt(piece, 2, kSeed + 53U) - 0.5) + 0.8 * rough;
         texel.height = 4.5 * (1.0 - 1.0 / (1.0 + 0.4 * inside)) + 0.8 * rough;
     });
-    return lit(surface, {.gain = 0.65, .lightest = 0.9, .darkest = 1.2, .shadowReach = 2, .shadowSlope = 0.8, .shadowDepth = 0.6});
+    return lit(surface, {.gain = 0.65,
+                         .lightest = 0.9,
+                         .darkest = 1.2,
+                         .shadowReach = 2,
+                         .shadowSlope = 0.8,
+                         .shadowDepth = 0.6});
 }
 
 Picture paintFlagstones() {
-    static const Pieces flags(lettered({"AABBBCCC", "AABBBCCC", "DDDEECCC", "DDDEEFFG", "HHIEEFFG", "HHIJJJKG", "LLIJJJKM", "LLIJJJKM"}), 1.0, kSeed + 60U);
+    static const Pieces flags(lettered({"AABBBCCC", "AABBBCCC", "DDDEECCC", "DDDEEFFG", "HHIEEFFG",
+                                        "HHIJJJKG", "LLIJJJKM", "LLIJJJKM"}),
+                              1.0, kSeed + 60U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const int piece = flags.pieceAt(x, y);
-        const double chipped = 1.6 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 61U) - 0.6);
+        const double chipped =
+            1.6 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 61U) - 0.6);
         const double inside = flags.edgeAt(x, y) - 1.0 - chipped;
         const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 62U) - 0.5;
         Texel& texel = surface.at(x, y);
         if (inside <= 0.0) {
             const bool grown = valueNoise(x / 16.0, y / 16.0, 8, 8, kSeed + 63U) > 0.66;
-            texel = {.height = 0.0, .tone = grown ? 2.2 + rough : 0.6, .ramp = grown ? &kMossRamp : &kStoneRamp};
+            texel = {.height = 0.0,
+                     .tone = grown ? 2.2 + rough : 0.6,
+                     .ramp = grown ? &kMossRamp : &kStoneRamp};
             return;
         }
         const bool cool = piece == 'B' || piece == 'H' || piece == 'F' || piece == 'K';
         texel.ramp = cool ? &kFlintRamp : &kStoneRamp;
-        texel.tone = (cool ? 3.5 : 2.8) + 0.8 * (randomAt(piece, 1, kSeed + 64U) - 0.5) + 1.1 * rough;
+        texel.tone =
+            (cool ? 3.5 : 2.8) + 0.8 * (randomAt(piece, 1, kSeed + 64U) - 0.5) + 1.1 * rough;
         texel.height = std::min(inside * 0.8, 1.8) + 1.2 * rough;
     });
-    drawCrack(surface, {.x = 100, .y = 4, .length = 40, .depth = 1.0, .darkening = 0.9, .seed = 21});
-    drawCrack(surface, {.x = 66, .y = 84, .length = 44, .depth = 1.0, .darkening = 0.9, .seed = 22});
-    return lit(surface, {.gain = 0.5, .lightest = 0.7, .darkest = 1.0, .shadowReach = 2, .shadowSlope = 0.6, .shadowDepth = 0.6});
+    drawCrack(surface,
+              {.x = 100, .y = 4, .length = 40, .depth = 1.0, .darkening = 0.9, .seed = 21});
+    drawCrack(surface,
+              {.x = 66, .y = 84, .length = 44, .depth = 1.0, .darkening = 0.9, .seed = 22});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 0.7,
+                         .darkest = 1.0,
+                         .shadowReach = 2,
+                         .shadowSlope = 0.6,
+                         .shadowDepth = 0.6});
 }
 
 // Calm water: long swells, and a net of light that comes and goes.
@@ -255,10 +320,13 @@ Picture paintTurf() {
             const auto seed = kSeed + 90U + static_cast<std::uint32_t>(layer);
             const double tuft = valueNoise(x / 8.0, 0.0, 16, 1, seed);
             const double blade = randomAt(x, layer, kSeed + 95U);
-            const int length = static_cast<int>((34.0 - 9.0 * layer) * (0.15 + 0.85 * tuft) * (0.5 + 0.5 * blade));
+            const int length =
+                static_cast<int>((34.0 - 9.0 * layer) * (0.15 + 0.85 * tuft) * (0.5 + 0.5 * blade));
             for (int y = 0; y < length; ++y) {
                 const double share = static_cast<double>(y) / length;
-                surface.at(x, y) = {.height = 2.5 + layer, .tone = 3.0 + 0.7 * layer + 0.9 * (blade - 0.5) - 1.0 * share, .ramp = &kMossRamp};
+                surface.at(x, y) = {.height = 2.5 + layer,
+                                    .tone = 3.0 + 0.7 * layer + 0.9 * (blade - 0.5) - 1.0 * share,
+                                    .ramp = &kMossRamp};
             }
         }
     }

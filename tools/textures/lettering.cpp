@@ -22,7 +22,8 @@ void drawLetter(Picture& picture, char letter, const Place& place) {
     const GlyphRows& rows = glyphOf(letter);
     for (int y = 0; y < kGlyphHeight * place.zoom; ++y) {
         for (int x = 0; x < kGlyphWidth * place.zoom; ++x) {
-            if (rows[static_cast<std::size_t>(y / place.zoom)][static_cast<std::size_t>(x / place.zoom)] == '#') {
+            if (rows[static_cast<std::size_t>(y / place.zoom)]
+                    [static_cast<std::size_t>(x / place.zoom)] == '#') {
                 picture.at(place.left + x, place.top + y) = place.colour;
             }
         }
@@ -41,7 +42,10 @@ Picture paintLettering() {
             const int nearest = std::min({x, y, right, bottom});
             Colour colour = (x / 8 + y / 8) % 2 == 0 ? kCream : kStone6;
             if (nearest < kBand) {
-                colour = nearest == y ? kSea1 : nearest == bottom ? kClay2 : nearest == right ? kBrass1 : kMoss2;
+                colour = nearest == y        ? kSea1
+                         : nearest == bottom ? kClay2
+                         : nearest == right  ? kBrass1
+                                             : kMoss2;
             }
             picture.at(x, y) = colour;
         }

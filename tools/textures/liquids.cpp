@@ -34,18 +34,25 @@ Picture waterFrame(double time, bool clear) {
     static const Pieces net(nearest(spreadPoints(26, 1.7, kSeed + 70U), 1.7), 5.0, kSeed + 71U);
     Surface surface;
     everyTexel([&](int x, int y) {
-        const double swayX = 9.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 74U) - 0.5);
-        const double swayY = 7.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 75U) - 0.5);
-        const double swell = loopFractal((x + 1.5 * swayY) / 32.0, (y + 1.5 * swayX) / 16.0, 4, 8, time, 4, 3, kSeed + 72U) - 0.5;
-        const double bright = 3.2 * (loopFractal(x / 16.0, y / 16.0, 8, 8, time, 4, 2, kSeed + 73U) - 0.42);
+        const double swayX =
+            9.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 74U) - 0.5);
+        const double swayY =
+            7.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 75U) - 0.5);
+        const double swell = loopFractal((x + 1.5 * swayY) / 32.0, (y + 1.5 * swayX) / 16.0, 4, 8,
+                                         time, 4, 3, kSeed + 72U) -
+                             0.5;
+        const double bright =
+            3.2 * (loopFractal(x / 16.0, y / 16.0, 8, 8, time, 4, 2, kSeed + 73U) - 0.42);
         const double inside = net.edgeAt(x + rounded(swayX), y + rounded(swayY));
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSeaRamp;
         texel.tone = 1.9 + 1.1 * swell;
-        const int crest = (inside < bright + 1.2 ? 1 : 0) + (inside < bright ? 1 : 0) + (inside < bright - 0.8 ? 1 : 0);
+        const int crest = (inside < bright + 1.2 ? 1 : 0) + (inside < bright ? 1 : 0) +
+                          (inside < bright - 0.8 ? 1 : 0);
         texel.tone += crest == 0 ? 0.0 : 0.5 + 0.65 * (crest - 1);
         if (clear) {
-            texel.alpha = static_cast<std::uint8_t>(std::clamp(164 + rounded(20.0 * swell) + 12 * crest, 160, 200));
+            texel.alpha = static_cast<std::uint8_t>(
+                std::clamp(164 + rounded(20.0 * swell) + 12 * crest, 160, 200));
         }
     });
     return lit(surface, kFlat);
@@ -59,15 +66,19 @@ Picture paintLava() {
     return framesOf([](double time) {
         Surface surface;
         everyTexel([&](int x, int y) {
-            const double driftX = 10.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 3U) - 0.5);
-            const double driftY = 10.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 4U) - 0.5);
+            const double driftX =
+                10.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 3U) - 0.5);
+            const double driftY =
+                10.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 4U) - 0.5);
             const int fromX = x + rounded(driftX);
             const int fromY = y + rounded(driftY);
             const double inside = plates.edgeAt(fromX, fromY);
             const double heat = loopFractal(x / 32.0, y / 32.0, 4, 4, time, 4, 2, kSeed + 5U);
             const double width = 1.2 + 6.0 * smoothStep(0.35, 0.75, heat);
-            const double grain = fractalNoise(fromX / 8.0, fromY / 8.0, 16, 16, 3, kSeed + 6U) - 0.5;
-            const double churn = loopFractal(x / 8.0, y / 8.0, 16, 16, time, 4, 2, kSeed + 7U) - 0.5;
+            const double grain =
+                fractalNoise(fromX / 8.0, fromY / 8.0, 16, 16, 3, kSeed + 6U) - 0.5;
+            const double churn =
+                loopFractal(x / 8.0, y / 8.0, 16, 16, time, 4, 2, kSeed + 7U) - 0.5;
             Texel& texel = surface.at(x, y);
             texel.ramp = &kFireRamp;
             if (inside < width) {
@@ -80,7 +91,9 @@ Picture paintLava() {
             texel.tone = 1.0 + 2.1 * rim * (0.5 + heat) + 1.5 * grain + 0.5 * (heat - 0.5);
             texel.height = std::min(3.0, 0.8 * (inside - width)) + 2.5 * grain;
         });
-        return lit(surface, {.gain = 0.35, .lightest = 0.6, .darkest = 0.7, .shadowReach = 0, .hollowDepth = 0.0});
+        return lit(
+            surface,
+            {.gain = 0.35, .lightest = 0.6, .darkest = 0.7, .shadowReach = 0, .hollowDepth = 0.0});
     });
 }
 
@@ -99,10 +112,14 @@ Picture paintWaterfall() {
         const double slow = time * kSide;
         const double fast = 2.0 * time * kSide;
         everyTexel([&](int x, int y) {
-            const double bend = 5.0 * (valueNoise(x / 16.0, (y - slow) / 32.0, 8, 4, kSeed + 20U) - 0.5);
-            const double strand = valueNoise((x + bend) / 4.0, (y - slow) / 64.0, 32, 2, kSeed + 21U);
-            const double thread = valueNoise((x + 0.5 * bend) / 2.0, (y - fast) / 32.0, 64, 4, kSeed + 22U);
-            const double gush = fractalNoise(x / 16.0, (y - slow) / 32.0, 8, 4, 2, kSeed + 23U) - 0.5;
+            const double bend =
+                5.0 * (valueNoise(x / 16.0, (y - slow) / 32.0, 8, 4, kSeed + 20U) - 0.5);
+            const double strand =
+                valueNoise((x + bend) / 4.0, (y - slow) / 64.0, 32, 2, kSeed + 21U);
+            const double thread =
+                valueNoise((x + 0.5 * bend) / 2.0, (y - fast) / 32.0, 64, 4, kSeed + 22U);
+            const double gush =
+                fractalNoise(x / 16.0, (y - slow) / 32.0, 8, 4, 2, kSeed + 23U) - 0.5;
             Texel& texel = surface.at(x, y);
             texel.ramp = &kSeaRamp;
             texel.tone = 2.5 + 1.7 * (strand - 0.5) + 1.3 * gush;
@@ -110,7 +127,8 @@ Picture paintWaterfall() {
             texel.tone += thread > 0.82 ? 0.7 : 0.0;
             texel.tone -= thread < 0.20 ? 0.5 : 0.0;
             // Foam where strands tear
-            const double foam = fractalNoise((x + bend) / 4.0, (y - fast) / 32.0, 32, 4, 2, kSeed + 24U);
+            const double foam =
+                fractalNoise((x + bend) / 4.0, (y - fast) / 32.0, 32, 4, 2, kSeed + 24U);
             texel.tone += foam > 0.72 ? 1.3 : 0.0;
         });
         return lit(surface, kFlat);

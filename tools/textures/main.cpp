@@ -1,4 +1,5 @@
-// slicecast-textures: draws all textures, skies, sheets and sprites of the project into the folder of assets, always the same to the byte.
+// slicecast-textures: draws all textures, skies, sheets and sprites of the project into the folder
+// of assets, always the same to the byte.
 
 #include <CLI/CLI.hpp>
 
@@ -42,10 +43,13 @@ bool write(const std::string& path, const slicecast::textures::Picture& picture)
     for (const slicecast::Colour& colour : picture.pixels) {
         pixels.push_back(slicecast::toPixel(colour));
     }
-    std::vector<std::uint8_t> bytes = slicecast::textures::encodePalettePng(pixels, picture.width, picture.height);
-    if (bytes.empty()) bytes = slicecast::encodePng(pixels.data(), picture.width, picture.height, picture.width);
+    std::vector<std::uint8_t> bytes =
+        slicecast::textures::encodePalettePng(pixels, picture.width, picture.height);
+    if (bytes.empty())
+        bytes = slicecast::encodePng(pixels.data(), picture.width, picture.height, picture.width);
     std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    file.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
     if (!file.flush()) {
         std::fprintf(stderr, "slicecast-textures: cannot write %s\n", path.c_str());
         return false;
@@ -61,9 +65,14 @@ int main(int argc, char** argv) {
     std::string sheet;
     std::vector<std::string> only;
     bool list = false;
-    app.add_option("FOLDER", folder, "the folder of assets: files go to textures, see-through, sheets and sprites in it; made if missing");
-    app.add_option("--only", only, "draw only these names, separated by commas")->delimiter(',')->check(checkName);
-    app.add_option("--sheet", sheet, "also write a contact sheet to this PNG file, to judge them by");
+    app.add_option("FOLDER", folder,
+                   "the folder of assets: files go to textures, see-through, sheets and sprites in "
+                   "it; made if missing");
+    app.add_option("--only", only, "draw only these names, separated by commas")
+        ->delimiter(',')
+        ->check(checkName);
+    app.add_option("--sheet", sheet,
+                   "also write a contact sheet to this PNG file, to judge them by");
     app.add_flag("--list", list, "list every name with its use, and draw nothing");
     CLI11_PARSE(app, argc, argv);
 

@@ -32,18 +32,19 @@ void drawStud(Surface& surface, const Stud& stud) {
     const int reach = static_cast<int>(std::floor(stud.radius)) + 1;
     const int middleX = static_cast<int>(std::floor(stud.x));
     const int middleY = static_cast<int>(std::floor(stud.y));
-    everyTexelIn(middleX - reach, middleY - reach, middleX + reach + 1, middleY + reach + 1, [&](int x, int y) {
-        const double dx = x + 0.5 - stud.x;
-        const double dy = y + 0.5 - stud.y;
-        const double rest = stud.radius * stud.radius - dx * dx - dy * dy;
-        if (rest >= 0.0) {
-            Texel& texel = surface.at(x, y);
-            texel.height += stud.height * std::sqrt(rest) / stud.radius;
-            texel.tone = stud.tone;
-            texel.ramp = stud.ramp;
-            texel.alpha = 255;
-        }
-    });
+    everyTexelIn(middleX - reach, middleY - reach, middleX + reach + 1, middleY + reach + 1,
+                 [&](int x, int y) {
+                     const double dx = x + 0.5 - stud.x;
+                     const double dy = y + 0.5 - stud.y;
+                     const double rest = stud.radius * stud.radius - dx * dx - dy * dy;
+                     if (rest >= 0.0) {
+                         Texel& texel = surface.at(x, y);
+                         texel.height += stud.height * std::sqrt(rest) / stud.radius;
+                         texel.tone = stud.tone;
+                         texel.ramp = stud.ramp;
+                         texel.alpha = 255;
+                     }
+                 });
 }
 
 void drawPits(Surface& surface, int rarity, double depth, std::uint32_t seed) {
@@ -62,7 +63,8 @@ void drawPits(Surface& surface, int rarity, double depth, std::uint32_t seed) {
 
 void drawSlab(Surface& surface, const Slab& slab) {
     everyTexelIn(slab.left, slab.top, slab.right, slab.bottom, [&](int x, int y) {
-        const int inside = std::min({x - slab.left, slab.right - 1 - x, y - slab.top, slab.bottom - 1 - y});
+        const int inside =
+            std::min({x - slab.left, slab.right - 1 - x, y - slab.top, slab.bottom - 1 - y});
         Texel& texel = surface.at(x, y);
         texel.height = slab.height * std::min(1.0, (inside + 1.0) / slab.bevel);
         texel.tone = slab.tone;

@@ -7,7 +7,8 @@
 
 namespace slicecast::textures {
 
-// A crack that starts at (x, y) and wanders; each step goes down or up by `fall` (1 or -1), now and then sideways.
+// A crack that starts at (x, y) and wanders; each step goes down or up by `fall` (1 or -1), now and
+// then sideways.
 struct Crack {
     int x;
     int y;

@@ -14,7 +14,12 @@ constexpr std::uint32_t kSeed = 1400;
 constexpr int kPlate = 64;
 constexpr int kRivetInset = 7;
 
-constexpr Lighting kIronLight = {.gain = 0.55, .lightest = 1.4, .darkest = 1.4, .shadowReach = 2, .shadowSlope = 0.5, .shadowDepth = 0.9};
+constexpr Lighting kIronLight = {.gain = 0.55,
+                                 .lightest = 1.4,
+                                 .darkest = 1.4,
+                                 .shadowReach = 2,
+                                 .shadowSlope = 0.5,
+                                 .shadowDepth = 0.9};
 
 Surface plateSurface() {
     Surface surface;
@@ -23,14 +28,16 @@ Surface plateSurface() {
         const int localX = x % kPlate;
         const int localY = y % kPlate;
         const int inside = std::min({localX, kPlate - 1 - localX, localY, kPlate - 1 - localY});
-        const double brushed = valueNoise(x / 16.0, y / 1.0, 8, 128, kSeed + static_cast<std::uint32_t>(plate)) - 0.5;
+        const double brushed =
+            valueNoise(x / 16.0, y / 1.0, 8, 128, kSeed + static_cast<std::uint32_t>(plate)) - 0.5;
         const double cloud = fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kSeed + 9U) - 0.5;
         // A sheen falls across each plate from the upper left
         const double sheen = 0.7 - 1.4 * smoothStep(10.0, 110.0, localX + localY * 1.2);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSlateRamp;
         texel.height = std::min(1.6, inside * 0.8);
-        texel.tone = 3.8 + 0.6 * sheen + 0.5 * brushed + 0.7 * cloud + 0.4 * (randomAt(plate, 1, kSeed) - 0.5);
+        texel.tone = 3.8 + 0.6 * sheen + 0.5 * brushed + 0.7 * cloud +
+                     0.4 * (randomAt(plate, 1, kSeed) - 0.5);
         if (inside == 0) {
             texel.tone = 1.0;
         }
@@ -60,7 +67,10 @@ void everyRivet(Draw draw) {
 }
 
 void drawRivets(Surface& surface) {
-    everyRivet([&](double x, double y) { drawStud(surface, {.x = x, .y = y, .radius = 2.4, .height = 2.6, .tone = 3.7, .ramp = &kSlateRamp}); });
+    everyRivet([&](double x, double y) {
+        drawStud(surface,
+                 {.x = x, .y = y, .radius = 2.4, .height = 2.6, .tone = 3.7, .ramp = &kSlateRamp});
+    });
 }
 
 }  // namespace
@@ -77,11 +87,14 @@ Picture paintMetalRusty() {
     // Rust spreads from the seams and runs down from the rivets
     std::vector<double> rust(static_cast<std::size_t>(kSide) * kSide, 0.0);
     const auto rustAt = [&](int x, int y) -> double& {
-        return rust[static_cast<std::size_t>(wrap(y, kSide)) * kSide + static_cast<std::size_t>(wrap(x, kSide))];
+        return rust[static_cast<std::size_t>(wrap(y, kSide)) * kSide +
+                    static_cast<std::size_t>(wrap(x, kSide))];
     };
     everyTexel([&](int x, int y) {
-        const int inside = std::min({x % kPlate, kPlate - 1 - x % kPlate, y % kPlate, kPlate - 1 - y % kPlate});
-        rustAt(x, y) = 1.5 * (fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 20U) - 0.5) + std::max(0.0, 0.32 - 0.05 * inside);
+        const int inside =
+            std::min({x % kPlate, kPlate - 1 - x % kPlate, y % kPlate, kPlate - 1 - y % kPlate});
+        rustAt(x, y) = 1.5 * (fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 20U) - 0.5) +
+                       std::max(0.0, 0.32 - 0.05 * inside);
     });
     everyRivet([&](double atX, double atY) {
         const int x = static_cast<int>(atX);
@@ -106,7 +119,8 @@ Picture paintMetalRusty() {
         }
         const double tone = texel.tone;
         texel.ramp = &kRustRamp;
-        texel.tone = tone - 1.0 + 1.4 * crust + (amount < 0.26 ? -0.8 : 0.0) + (amount > 0.55 ? -0.5 : 0.0);
+        texel.tone =
+            tone - 1.0 + 1.4 * crust + (amount < 0.26 ? -0.8 : 0.0) + (amount > 0.55 ? -0.5 : 0.0);
         texel.height += 1.0 * crust;
     });
     return lit(surface, kIronLight);
@@ -126,7 +140,8 @@ Picture paintMetalTread() {
         const double across = (rising ? dx + dy : dx - dy) * 0.7071;
         const double bar = 1.0 - (along * along) / 52.0 - (across * across) / 5.5;
         const double cloud = fractalNoise(x / 32.0, y / 32.0, 4, 4, 3, kSeed + 40U) - 0.5;
-        const double scratch = valueNoise((x + y) / 2.0, (x - y + kSide) / 64.0, 128, 4, kSeed + 41U);
+        const double scratch =
+            valueNoise((x + y) / 2.0, (x - y + kSide) / 64.0, 128, 4, kSeed + 41U);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSlateRamp;
         texel.height = bar > 0.0 ? 3.2 * std::min(1.0, bar * 2.2) : 0.0;

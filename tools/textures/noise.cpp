@@ -43,7 +43,8 @@ double valueNoise(double x, double y, int cellsX, int cellsY, std::uint32_t seed
     const int right = wrapped(left + 1, cellsX);
     const int bottom = wrapped(top + 1, cellsY);
     const double upper = randomAt(left, top, seed) * (1.0 - u) + randomAt(right, top, seed) * u;
-    const double lower = randomAt(left, bottom, seed) * (1.0 - u) + randomAt(right, bottom, seed) * u;
+    const double lower =
+        randomAt(left, bottom, seed) * (1.0 - u) + randomAt(right, bottom, seed) * u;
     return upper * (1.0 - v) + lower * v;
 }
 

@@ -1,5 +1,5 @@
-// Doors and windows painted on a wall. Around the opening lies the same wall as in the texture that they go with, so
-// their borders continue it.
+// Doors and windows painted on a wall. Around the opening lies the same wall as in the texture that
+// they go with, so their borders continue it.
 #pragma once
 
 #include "surface.h"

@@ -44,7 +44,8 @@ double fromBar(double x, double y) {
         const double radius = std::sqrt(dx * dx + dy * dy);
         double nearest = std::abs(radius - 15.0);
         if (radius > 15.0) {
-            constexpr std::array<std::array<double, 2>, 3> kSpokes = {{{0.0, 1.0}, {0.7071, 0.7071}, {-0.7071, 0.7071}}};
+            constexpr std::array<std::array<double, 2>, 3> kSpokes = {
+                {{0.0, 1.0}, {0.7071, 0.7071}, {-0.7071, 0.7071}}};
             for (const auto& spoke : kSpokes) {
                 nearest = std::min(nearest, std::abs(dx * spoke[1] - dy * spoke[0]));
             }
@@ -55,31 +56,39 @@ double fromBar(double x, double y) {
     return std::min({std::abs(dx), std::abs(std::abs(dx) - 19.0) + 0.6, std::min(row, 36.0 - row)});
 }
 
-// The lake as a painter saw it at noon: sky, far mountains, a wooded cape, water, a sail, flowers on the sill.
+// The lake as a painter saw it at noon: sky, far mountains, a wooded cape, water, a sail, flowers
+// on the sill.
 Texel paintedView(double x, double y) {
     constexpr double kHorizon = 158.0;
     Texel texel = {.height = -1.0};
     const double brush = valueNoise(x / 5.0, y / 2.5, 64, 128, kSeed) - 0.5;
     if (y < kHorizon) {
-        const double cloud = fractalNoise(x / 30.0, y / 13.0, 8, 32, 3, kSeed + 1U) - 0.0035 * std::abs(y - 92.0);
+        const double cloud =
+            fractalNoise(x / 30.0, y / 13.0, 8, 32, 3, kSeed + 1U) - 0.0035 * std::abs(y - 92.0);
         texel.ramp = &kSeaRamp;
         texel.tone = 2.5 + 2.0 * y / kHorizon + 0.35 * brush;
         if (cloud > 0.5) {
             texel.tone = std::min(6.0, 4.7 + 7.0 * (cloud - 0.5) + 0.4 * brush);
         }
-        const double peaks = kHorizon - 30.0 * valueNoise(x / 21.0, 0.5, 16, 2, kSeed + 2U) - 9.0 * valueNoise(x / 6.0, 0.5, 64, 2, kSeed + 3U) - 4.0;
+        const double peaks = kHorizon - 30.0 * valueNoise(x / 21.0, 0.5, 16, 2, kSeed + 2U) -
+                             9.0 * valueNoise(x / 6.0, 0.5, 64, 2, kSeed + 3U) - 4.0;
         if (y > peaks) {
             texel.ramp = &kSlateRamp;
-            texel.tone = y < peaks + 5.0 && peaks < kHorizon - 27.0 ? 6.4 : 4.3 + 0.03 * (y - peaks) + 1.2 * brush;
+            texel.tone = y < peaks + 5.0 && peaks < kHorizon - 27.0
+                             ? 6.4
+                             : 4.3 + 0.03 * (y - peaks) + 1.2 * brush;
         }
-        const double cape = kHorizon - 15.0 * smoothStep(70.0, 98.0, x) - 5.0 * valueNoise(x / 4.0, 0.5, 64, 2, kSeed + 4U) * smoothStep(66.0, 84.0, x);
+        const double cape =
+            kHorizon - 15.0 * smoothStep(70.0, 98.0, x) -
+            5.0 * valueNoise(x / 4.0, 0.5, 64, 2, kSeed + 4U) * smoothStep(66.0, 84.0, x);
         if (x > 66.0 && y > cape) {
             texel.ramp = &kMossRamp;
             texel.tone = 2.6 + 1.2 * brush + (y < cape + 3.0 ? 0.9 : 0.0);
         }
     } else {
         const double near = (y - kHorizon) / (kSill - kHorizon);
-        const double ripple = valueNoise(x / (5.0 + 12.0 * near), (y - kHorizon) / (1.2 + 2.6 * near), 64, 128, kSeed + 5U);
+        const double ripple = valueNoise(x / (5.0 + 12.0 * near),
+                                         (y - kHorizon) / (1.2 + 2.6 * near), 64, 128, kSeed + 5U);
         texel.ramp = &kSeaRamp;
         texel.tone = 3.5 - 1.5 * near + (ripple > 0.66 ? 0.9 : (ripple < 0.25 ? -0.5 : 0.0));
         if (x > 72.0 && near < 0.3 && ripple < 0.7) {
@@ -106,10 +115,13 @@ Texel paintedView(double x, double y) {
     const double bed = kSill - 9.0 - 7.0 * valueNoise(x / 6.0, 1.5, 64, 4, kSeed + 6U);
     if (y > bed) {
         const double leaf = valueNoise(x / 2.0, y / 2.0, 64, 128, kSeed + 7U);
-        const double flower = randomAt(static_cast<int>(x) / 3, static_cast<int>(y) / 3, kSeed + 8U);
+        const double flower =
+            randomAt(static_cast<int>(x) / 3, static_cast<int>(y) / 3, kSeed + 8U);
         texel = {.height = 0.0, .tone = 1.8 + 2.8 * leaf, .ramp = &kMossRamp};
         if (flower > 0.8) {
-            texel = {.height = 0.6, .tone = 3.8 + 1.4 * leaf, .ramp = flower > 0.93 ? &kBrassRamp : &kCrimsonRamp};
+            texel = {.height = 0.6,
+                     .tone = 3.8 + 1.4 * leaf,
+                     .ramp = flower > 0.93 ? &kBrassRamp : &kCrimsonRamp};
         }
     }
     return texel;
@@ -120,7 +132,10 @@ Texel clearGlass(double x, double y) {
     const double slant = std::fmod(x + y + 20.0, 92.0);
     const bool broad = slant > 40.0 && slant < 54.0;
     const bool narrow = slant > 58.0 && slant < 62.0;
-    return {.height = -1.0, .tone = broad || narrow ? 5.2 : 4.0, .ramp = &kSeaRamp, .alpha = static_cast<std::uint8_t>(broad ? 74 : (narrow ? 60 : 26))};
+    return {.height = -1.0,
+            .tone = broad || narrow ? 5.2 : 4.0,
+            .ramp = &kSeaRamp,
+            .alpha = static_cast<std::uint8_t>(broad ? 74 : (narrow ? 60 : 26))};
 }
 
 // The whole of it, so that no light breaks where foot and head meet.
@@ -133,7 +148,8 @@ Picture paintWindow(Panes panes) {
         const double x = column + 0.5;
         const double y = row + 0.5;
         const double inside = insideOpening(x, y);
-        const bool sill = y >= kSill && y < kSill + 12.0 && std::abs(x - kMiddle) < kHalf + kSurround + 4.0;
+        const bool sill =
+            y >= kSill && y < kSill + 12.0 && std::abs(x - kMiddle) < kHalf + kSurround + 4.0;
         Texel& texel = surface.at(column, row);
         if (sill) {
             texel = {.height = 4.0, .tone = 4.6 - 0.06 * (y - kSill), .ramp = &kSandRamp};
@@ -142,7 +158,9 @@ Picture paintWindow(Panes panes) {
             if (panes == Panes::None) {
                 texel = {.height = -2.0, .alpha = 0};
             } else if (inside < 3.0 || bar < kBar) {
-                texel = {.height = 1.0, .tone = inside < 3.0 ? 3.1 : 3.3 - 0.5 * bar, .ramp = &kBrassRamp};
+                texel = {.height = 1.0,
+                         .tone = inside < 3.0 ? 3.1 : 3.3 - 0.5 * bar,
+                         .ramp = &kBrassRamp};
             } else {
                 texel = panes == Panes::Glass ? clearGlass(x, y) : paintedView(x, y);
                 // The surround's shadow: a painter paints it, too
@@ -159,20 +177,28 @@ Picture paintWindow(Panes panes) {
                 const double dx = x - kMiddle;
                 const double dy = kSpring - y;
                 joint = 99.0;
-                constexpr std::array<std::array<double, 2>, 5> kJoints = {{{0.9239, 0.3827}, {0.5, 0.866}, {-0.5, 0.866}, {-0.9239, 0.3827}, {1.0, 0.0}}};
+                constexpr std::array<std::array<double, 2>, 5> kJoints = {
+                    {{0.9239, 0.3827}, {0.5, 0.866}, {-0.5, 0.866}, {-0.9239, 0.3827}, {1.0, 0.0}}};
                 for (const auto& direction : kJoints) {
                     joint = std::min(joint, std::abs(dx * direction[1] - dy * direction[0]));
                 }
             }
-            texel = {.height = 2.0 + std::min(1.5, edge), .tone = joint < 0.8 ? 2.0 : 3.7 + 1.1 * grain, .ramp = &kSandRamp};
+            texel = {.height = 2.0 + std::min(1.5, edge),
+                     .tone = joint < 0.8 ? 2.0 : 3.7 + 1.1 * grain,
+                     .ramp = &kSandRamp};
             if (y < kSpring && std::abs(x - kMiddle) < 6.5) {
                 texel = {.height = 5.0, .tone = 3.1 + grain, .ramp = &kBrassRamp};
             }
         }
     });
-    const Picture picture =
-        litOver(wall, plasterLighting(), surface,
-                {.gain = 0.4, .lightest = 0.8, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.8, .shadowDepth = 0.7, .hollowDepth = 0.0});
+    const Picture picture = litOver(wall, plasterLighting(), surface,
+                                    {.gain = 0.4,
+                                     .lightest = 0.8,
+                                     .darkest = 1.2,
+                                     .shadowReach = 3,
+                                     .shadowSlope = 0.8,
+                                     .shadowDepth = 0.7,
+                                     .hollowDepth = 0.0});
     return panes == Panes::Painted ? picture : holesFilled(picture, Border::Repeats);
 }
 

@@ -1,10 +1,12 @@
 // The one palette of the project: 48 colours, and the ramps made from them.
 //
-// Everything painted in the world (textures, skies) takes its colours from here. Shadows lean towards violet and
-// blue, lights towards warm yellow, so that materials of different hue still stand in the same air.
+// Everything painted in the world (textures, skies) takes its colours from here. Shadows lean
+// towards violet and blue, lights towards warm yellow, so that materials of different hue still
+// stand in the same air.
 //
-// A ramp lists palette colours from dark to light. A *tone* is a place on it in steps: tone 2 is the third colour,
-// tone 2.5 the blend half-way to the fourth. Tones are rounded to half steps, which keeps painted areas clean.
+// A ramp lists palette colours from dark to light. A *tone* is a place on it in steps: tone 2 is
+// the third colour, tone 2.5 the blend half-way to the fourth. Tones are rounded to half steps,
+// which keeps painted areas clean.
 #pragma once
 
 #include <array>
@@ -15,12 +17,15 @@
 namespace slicecast::textures {
 
 constexpr Colour fromHex(unsigned hex) {
-    return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>((hex >> 8) & 255U), static_cast<std::uint8_t>(hex & 255U)};
+    return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>((hex >> 8) & 255U),
+            static_cast<std::uint8_t>(hex & 255U)};
 }
 
 // The blend of two colours; `share` of 256 goes to the second.
 constexpr Colour blend(Colour first, Colour second, int share) {
-    const auto mix = [share](int from, int to) { return static_cast<std::uint8_t>((from * (256 - share) + to * share + 128) / 256); };
+    const auto mix = [share](int from, int to) {
+        return static_cast<std::uint8_t>((from * (256 - share) + to * share + 128) / 256);
+    };
     return {mix(first.r, second.r), mix(first.g, second.g), mix(first.b, second.b)};
 }
 
@@ -94,38 +99,51 @@ inline constexpr Colour kCoral = fromHex(0xe3835f);
 
 // All of them, for the palette strip and for the tests.
 inline constexpr std::array<Colour, 48> kPalette = {
-    kInk,   kNight, kSlate0, kSlate1, kSlate2, kSlate3, kSlate4,  kSlate5,  kStone0,  kStone1,  kStone2,  kStone3,  kStone4, kStone5, kStone6, kCream,
-    kClay0, kClay1, kClay2,  kClay3,  kClay4,  kClay5,  kTimber0, kTimber1, kTimber2, kTimber3, kTimber4, kTimber5, kMoss0,  kMoss1,  kMoss2,  kMoss3,
-    kMoss4, kMoss5, kSand0,  kSand1,  kSand2,  kBrass0, kBrass1,  kBrass2,  kSea0,    kSea1,    kSea2,    kSea3,    kSea4,   kViolet, kPlum,   kCoral};
+    kInk,    kNight,  kSlate0,  kSlate1,  kSlate2,  kSlate3,  kSlate4,  kSlate5,  kStone0, kStone1,
+    kStone2, kStone3, kStone4,  kStone5,  kStone6,  kCream,   kClay0,   kClay1,   kClay2,  kClay3,
+    kClay4,  kClay5,  kTimber0, kTimber1, kTimber2, kTimber3, kTimber4, kTimber5, kMoss0,  kMoss1,
+    kMoss2,  kMoss3,  kMoss4,   kMoss5,   kSand0,   kSand1,   kSand2,   kBrass0,  kBrass1, kBrass2,
+    kSea0,   kSea1,   kSea2,    kSea3,    kSea4,    kViolet,  kPlum,    kCoral};
 
 struct Ramp {
     std::array<Colour, 8> colours;  // dark to light; only the first `count` are used
     int count;
 };
 
-inline constexpr Ramp kSlateRamp{{kInk, kSlate0, kSlate1, kSlate2, kSlate3, kSlate4, kSlate5, kCream}, 8};
-inline constexpr Ramp kStoneRamp{{kStone0, kStone1, kStone2, kStone3, kStone4, kStone5, kStone6, kCream}, 8};
+inline constexpr Ramp kSlateRamp{
+    {kInk, kSlate0, kSlate1, kSlate2, kSlate3, kSlate4, kSlate5, kCream}, 8};
+inline constexpr Ramp kStoneRamp{
+    {kStone0, kStone1, kStone2, kStone3, kStone4, kStone5, kStone6, kCream}, 8};
 inline constexpr Ramp kClayRamp{{kClay0, kClay1, kClay2, kClay3, kClay4, kClay5, kSand2}, 7};
 inline constexpr Ramp kBurntRamp{{kInk, kClay0, kClay1, kClay2, kClay3, kClay4}, 6};
-inline constexpr Ramp kTimberRamp{{kTimber0, kTimber1, kTimber2, kTimber3, kTimber4, kTimber5, kSand1}, 7};
-inline constexpr Ramp kOakRamp{{kInk, kTimber0, kTimber1, kTimber2, kTimber3, kTimber4, kTimber5}, 7};
+inline constexpr Ramp kTimberRamp{
+    {kTimber0, kTimber1, kTimber2, kTimber3, kTimber4, kTimber5, kSand1}, 7};
+inline constexpr Ramp kOakRamp{{kInk, kTimber0, kTimber1, kTimber2, kTimber3, kTimber4, kTimber5},
+                               7};
 inline constexpr Ramp kMossRamp{{kInk, kMoss0, kMoss1, kMoss2, kMoss3, kMoss4, kMoss5}, 7};
 inline constexpr Ramp kSandRamp{{kTimber3, kTimber4, kTimber5, kSand0, kSand1, kSand2, kCream}, 7};
 inline constexpr Ramp kBrassRamp{{kTimber0, kTimber1, kBrass0, kBrass1, kBrass2, kSand2}, 6};
 inline constexpr Ramp kSeaRamp{{kNight, kSea0, kSea1, kSea2, kSea3, kSea4, kCream}, 7};
 inline constexpr Ramp kRustRamp{{kTimber0, kTimber1, kTimber2, kBrass0, kClay3, kClay4}, 6};
 inline constexpr Ramp kEarthRamp{
-    {kTimber0, kTimber1, blend(kTimber2, kStone1, 128), blend(kTimber3, kStone2, 128), blend(kTimber4, kStone3, 144), blend(kTimber5, kStone4, 144), kStone5},
+    {kTimber0, kTimber1, blend(kTimber2, kStone1, 128), blend(kTimber3, kStone2, 128),
+     blend(kTimber4, kStone3, 144), blend(kTimber5, kStone4, 144), kStone5},
     7};
-inline constexpr Ramp kFlintRamp{{kInk, blend(kSlate0, kStone0, 128), blend(kSlate1, kStone1, 128), blend(kSlate2, kStone2, 128), blend(kSlate3, kStone3, 128),
-                                  blend(kSlate4, kStone4, 128), kStone5, kStone6},
-                                 8};
+inline constexpr Ramp kFlintRamp{
+    {kInk, blend(kSlate0, kStone0, 128), blend(kSlate1, kStone1, 128), blend(kSlate2, kStone2, 128),
+     blend(kSlate3, kStone3, 128), blend(kSlate4, kStone4, 128), kStone5, kStone6},
+    8};
 inline constexpr Ramp kRockRamp{{kInk, kNight, kSlate0, kSlate1, kSlate2, kStone3, kStone4}, 7};
 inline constexpr Ramp kLichenRamp{{kStone1, kMoss2, kStone2, kMoss3, kStone3, kMoss4, kStone4}, 7};
 inline constexpr Ramp kFireRamp{{kInk, kClay0, kClay1, kClay2, kClay3, kCoral, kBrass2, kCream}, 8};
-inline constexpr Ramp kPineRamp{{kInk, kMoss0, blend(kMoss0, kMoss1, 160), kMoss1, blend(kMoss1, kMoss2, 128), kMoss2, blend(kMoss2, kSlate3, 110)}, 7};
-inline constexpr Ramp kBlossomRamp{{kClay1, kPlum, blend(kPlum, kCoral, 128), blend(kPlum, kCream, 130), blend(kPlum, kCream, 200), kCream}, 6};
-inline constexpr Ramp kSkinRamp{{kClay1, kClay2, kClay3, kClay4, kClay5, blend(kClay5, kSand2, 128), kSand2}, 7};
+inline constexpr Ramp kPineRamp{{kInk, kMoss0, blend(kMoss0, kMoss1, 160), kMoss1,
+                                 blend(kMoss1, kMoss2, 128), kMoss2, blend(kMoss2, kSlate3, 110)},
+                                7};
+inline constexpr Ramp kBlossomRamp{{kClay1, kPlum, blend(kPlum, kCoral, 128),
+                                    blend(kPlum, kCream, 130), blend(kPlum, kCream, 200), kCream},
+                                   6};
+inline constexpr Ramp kSkinRamp{
+    {kClay1, kClay2, kClay3, kClay4, kClay5, blend(kClay5, kSand2, 128), kSand2}, 7};
 inline constexpr Ramp kCrimsonRamp{{kInk, kClay0, kClay1, kClay2, kClay3, kCoral}, 6};
 
 // The colour at a tone of a ramp, rounded to half steps and held inside the ramp.

@@ -14,7 +14,8 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::size_t kMostColours = 256;
 
 void addNumber(Bytes& bytes, std::uint32_t number) {
-    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
+    for (int shift = 24; shift >= 0; shift -= 8)
+        bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
 // Length, name, data, and the checksum of name and data.
@@ -33,7 +34,8 @@ void addChunk(Bytes& bytes, std::string_view name, const Bytes& data) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encodePalettePng(const std::vector<Pixel>& pixels, int width, int height) {
+std::vector<std::uint8_t> encodePalettePng(const std::vector<Pixel>& pixels, int width,
+                                           int height) {
     // As numbers the see-through colours come first, and only they are given an alpha.
     std::vector<Pixel> colours = pixels;
     std::sort(colours.begin(), colours.end());
@@ -54,7 +56,8 @@ std::vector<std::uint8_t> encodePalettePng(const std::vector<Pixel>& pixels, int
     Bytes rows;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (i % static_cast<std::size_t>(width) == 0) rows.push_back(0);  // no filter
-        rows.push_back(static_cast<std::uint8_t>(std::lower_bound(colours.begin(), colours.end(), pixels[i]) - colours.begin()));
+        rows.push_back(static_cast<std::uint8_t>(
+            std::lower_bound(colours.begin(), colours.end(), pixels[i]) - colours.begin()));
     }
 
     Bytes bytes = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};

@@ -1,4 +1,5 @@
-// PNG files with a palette: a picture of few colours has a byte a pixel in them. The project's are little more than half as large so.
+// PNG files with a palette: a picture of few colours has a byte a pixel in them. The project's are
+// little more than half as large so.
 #pragma once
 
 #include "base/image.h"

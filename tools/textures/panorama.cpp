@@ -13,8 +13,11 @@ double ridgeHeight(const Ridge& ridge, double column) {
     const double place = column * ridge.peaks / kSkyWidth;
     const double round = fractalNoise(place, 0.0, ridge.peaks, 1, 5, ridge.seed);
     const double bent = valueNoise(place, 0.0, ridge.peaks, 1, ridge.seed + 50U);
-    const double pointed = 0.72 * (1.0 - std::abs(2.0 * bent - 1.0)) + 0.28 * fractalNoise(place * 4.0, 0.0, ridge.peaks * 4, 1, 3, ridge.seed + 60U);
-    const double broad = 0.55 + 0.45 * valueNoise(place / 4.0, 0.0, std::max(1, ridge.peaks / 4), 1, ridge.seed + 70U);
+    const double pointed =
+        0.72 * (1.0 - std::abs(2.0 * bent - 1.0)) +
+        0.28 * fractalNoise(place * 4.0, 0.0, ridge.peaks * 4, 1, 3, ridge.seed + 60U);
+    const double broad = 0.55 + 0.45 * valueNoise(place / 4.0, 0.0, std::max(1, ridge.peaks / 4), 1,
+                                                  ridge.seed + 70U);
     const double height = round * (1.0 - ridge.sharpness) + pointed * broad * ridge.sharpness;
     return ridge.low + (ridge.high - ridge.low) * height;
 }
@@ -37,8 +40,10 @@ void drawRidge(Picture& sky, const Ridge& ridge) {
             // Spurs run down from the peaks to the right; their left sides take the light
             const double below = (top - up) * kSkyHeight;
             const double from = x - 0.9 * below;
-            const double wobble = 14.0 * fractalNoise(x / 32.0, y / 16.0, kSkyWidth / 32, kSkyHeight / 16, 3, ridge.seed + 80U);
-            const bool inLight = ridgeHeight(ridge, from + wobble - 3.0) > ridgeHeight(ridge, from + wobble - 11.0);
+            const double wobble = 14.0 * fractalNoise(x / 32.0, y / 16.0, kSkyWidth / 32,
+                                                      kSkyHeight / 16, 3, ridge.seed + 80U);
+            const bool inLight =
+                ridgeHeight(ridge, from + wobble - 3.0) > ridgeHeight(ridge, from + wobble - 11.0);
             Colour colour = inLight ? ridge.lit : ridge.shaded;
             if (up + 0.004 * (wobble - 7.0) > ridge.snowLine) {
                 colour = inLight ? ridge.snow : blend(ridge.snow, ridge.shaded, 128);

@@ -1,4 +1,5 @@
-// What the skies share: a panorama in units in which shapes look right, and the hills along its foot.
+// What the skies share: a panorama in units in which shapes look right, and the hills along its
+// foot.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,8 @@
 
 namespace slicecast::textures {
 
-inline constexpr double kAround = 6.283185307179586;  // width of a panorama in the units of `up`: radians, slopes near the horizon
+inline constexpr double kAround = 6.283185307179586;  // width of a panorama in the units of `up`:
+                                                      // radians, slopes near the horizon
 
 // Middle of column x, 0 to kAround, and of row y, 0 at the horizon to 1.
 inline double acrossOf(int x) {

@@ -1,4 +1,5 @@
-// A picture in memory. Places outside it wrap around, so that drawing over an edge comes in again on the other side.
+// A picture in memory. Places outside it wrap around, so that drawing over an edge comes in again
+// on the other side.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,8 @@ constexpr int wrap(int value, int period) {
 }
 
 struct Picture {
-    Picture(int w, int h) : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+    Picture(int w, int h)
+        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 
     Colour& at(int x, int y) { return pixels[indexOf(x, y)]; }
     const Colour& at(int x, int y) const { return pixels[indexOf(x, y)]; }
@@ -27,7 +29,8 @@ struct Picture {
 
 private:
     std::size_t indexOf(int x, int y) const {
-        return static_cast<std::size_t>(wrap(y, height)) * static_cast<std::size_t>(width) + static_cast<std::size_t>(wrap(x, width));
+        return static_cast<std::size_t>(wrap(y, height)) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(wrap(x, width));
     }
 };
 

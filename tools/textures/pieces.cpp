@@ -52,7 +52,8 @@ double wrappedDifference(double from, double to) {
 }
 
 Pieces::Pieces(const std::function<int(int, int)>& pieceOf, double unevenness, std::uint32_t seed)
-    : pieces_(static_cast<std::size_t>(kSide) * kSide), edges_(static_cast<std::size_t>(kSide) * kSide) {
+    : pieces_(static_cast<std::size_t>(kSide) * kSide),
+      edges_(static_cast<std::size_t>(kSide) * kSide) {
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
             const double bendX = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, seed) - 0.5;
@@ -100,7 +101,8 @@ std::function<int(int, int)> coursed(std::vector<Course> courses) {
 std::function<int(int, int)> lettered(std::vector<std::string> rows) {
     return [rows = std::move(rows)](int x, int y) {
         const int size = kSide / static_cast<int>(rows.size());
-        return static_cast<int>(rows[static_cast<std::size_t>(y / size)][static_cast<std::size_t>(x / size)]);
+        return static_cast<int>(
+            rows[static_cast<std::size_t>(y / size)][static_cast<std::size_t>(x / size)]);
     };
 }
 
@@ -119,7 +121,9 @@ std::vector<Point> spreadPoints(int count, double flatness, std::uint32_t seed) 
 }
 
 std::function<int(int, int)> nearest(std::vector<Point> points, double flatness) {
-    return [points = std::move(points), flatness](int x, int y) { return nearestPoint(points, flatness, x, y); };
+    return [points = std::move(points), flatness](int x, int y) {
+        return nearestPoint(points, flatness, x, y);
+    };
 }
 
 }  // namespace slicecast::textures

@@ -1,5 +1,6 @@
-// A texture cut into pieces: bricks, stones, tiles, leaves of a floor. For every texel the piece that it belongs to
-// and its distance to the nearest other piece, from which joints, bevels and domes are shaped.
+// A texture cut into pieces: bricks, stones, tiles, leaves of a floor. For every texel the piece
+// that it belongs to and its distance to the nearest other piece, from which joints, bevels and
+// domes are shaped.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +23,17 @@ public:
     double edgeAt(int x, int y) const { return edges_[indexOf(x, y)]; }  // texels, at least 0.5
 
 private:
-    static std::size_t indexOf(int x, int y) { return static_cast<std::size_t>(wrap(y, kSide)) * kSide + static_cast<std::size_t>(wrap(x, kSide)); }
+    static std::size_t indexOf(int x, int y) {
+        return static_cast<std::size_t>(wrap(y, kSide)) * kSide +
+               static_cast<std::size_t>(wrap(x, kSide));
+    }
 
     std::vector<int> pieces_;
     std::vector<double> edges_;
 };
 
-// One row of blocks, `height` texels tall; the first block starts at `offset`; widths add up to kSide.
+// One row of blocks, `height` texels tall; the first block starts at `offset`; widths add up to
+// kSide.
 struct Course {
     int height;
     int offset;
@@ -46,7 +51,8 @@ struct Point {
     double y;
 };
 
-// Points spread evenly and irregularly over the texture. `flatness` above 1 makes their regions wider than tall.
+// Points spread evenly and irregularly over the texture. `flatness` above 1 makes their regions
+// wider than tall.
 std::vector<Point> spreadPoints(int count, double flatness, std::uint32_t seed);
 
 // Each texel belongs to the nearest point.

@@ -22,14 +22,15 @@ void drawTrowelling(Surface& surface, int strokes, std::uint32_t seed) {
         const double squash = random.between(1.3, 2.2);
         const double lift = random.between(-0.16, 0.16);
         const int reach = static_cast<int>(radius);
-        everyTexelIn(middleX - reach, middleY - reach, middleX + reach, middleY + reach, [&](int x, int y) {
-            const double dx = x - middleX;
-            const double dy = (y - middleY) * squash;
-            if (dx * dx + dy * dy < radius * radius) {
-                surface.at(x, y).height += 0.7;
-                surface.at(x, y).tone += lift;
-            }
-        });
+        everyTexelIn(middleX - reach, middleY - reach, middleX + reach, middleY + reach,
+                     [&](int x, int y) {
+                         const double dx = x - middleX;
+                         const double dy = (y - middleY) * squash;
+                         if (dx * dx + dy * dy < radius * radius) {
+                             surface.at(x, y).height += 0.7;
+                             surface.at(x, y).tone += lift;
+                         }
+                     });
     }
 }
 
@@ -45,15 +46,23 @@ Surface plasterSurface(const Ramp& ramp, double tone, std::uint32_t seed) {
 
 Surface warmSurface() {
     Surface surface = plasterSurface(kSandRamp, 3.9, kSeed + 20U);
-    drawCrack(surface, {.x = 40, .y = 100, .length = 30, .depth = 0.6, .darkening = 1.0, .seed = 11});
-    drawCrack(surface, {.x = 104, .y = 48, .length = 16, .depth = 0.6, .darkening = 0.9, .seed = 15});
+    drawCrack(surface,
+              {.x = 40, .y = 100, .length = 30, .depth = 0.6, .darkening = 1.0, .seed = 11});
+    drawCrack(surface,
+              {.x = 104, .y = 48, .length = 16, .depth = 0.6, .darkening = 0.9, .seed = 15});
     return surface;
 }
 
 }  // namespace
 
 Lighting plasterLighting() {
-    return {.gain = 0.5, .lightest = 0.4, .darkest = 0.5, .shadowReach = 0, .shadowSlope = 1.0, .shadowDepth = 0.0, .hollowDepth = 0.0};
+    return {.gain = 0.5,
+            .lightest = 0.4,
+            .darkest = 0.5,
+            .shadowReach = 0,
+            .shadowSlope = 1.0,
+            .shadowDepth = 0.0,
+            .hollowDepth = 0.0};
 }
 
 Surface whitewashSurface() {
@@ -73,7 +82,8 @@ Picture paintPlasterWarm() {
     return lit(warmSurface(), plasterLighting());
 }
 
-// Plaster that has fallen off in places and shows the bricks. Its border stays whole, to stand among sound plaster.
+// Plaster that has fallen off in places and shows the bricks. Its border stays whole, to stand
+// among sound plaster.
 Picture paintPlasterBroken() {
     constexpr double kLayer = 3.2;  // thickness of the plaster
     const Surface plaster = warmSurface();
@@ -81,7 +91,8 @@ Picture paintPlasterBroken() {
     Surface surface = plaster;
     everyTexel([&](int x, int y) {
         const double fromBorder = std::min({x, kSide - 1 - x, y, kSide - 1 - y});
-        const double loose = fractalNoise(x / 32.0, y / 32.0, 4, 4, 4, kSeed + 144U) - 0.5 * (1.0 - smoothStep(4.0, 30.0, fromBorder));
+        const double loose = fractalNoise(x / 32.0, y / 32.0, 4, 4, 4, kSeed + 144U) -
+                             0.5 * (1.0 - smoothStep(4.0, 30.0, fromBorder));
         Texel& texel = surface.at(x, y);
         if (loose > 0.52) {
             texel = bricks.at(x, y);
@@ -91,7 +102,13 @@ Picture paintPlasterBroken() {
         }
     });
     return litOver(plaster, plasterLighting(), surface,
-                   {.gain = 0.5, .lightest = 0.5, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 1.0, .hollowDepth = 0.05});
+                   {.gain = 0.5,
+                    .lightest = 0.5,
+                    .darkest = 1.2,
+                    .shadowReach = 3,
+                    .shadowSlope = 0.7,
+                    .shadowDepth = 1.0,
+                    .hollowDepth = 0.05});
 }
 
 }  // namespace slicecast::textures

@@ -15,8 +15,18 @@ namespace {
 
 constexpr std::uint32_t kSeed = 2400;
 
-constexpr Lighting kIronLight = {.gain = 0.7, .lightest = 1.5, .darkest = 1.5, .shadowReach = 3, .shadowSlope = 0.6, .shadowDepth = 0.9};
-constexpr Lighting kRopeLight = {.gain = 0.5, .lightest = 1.0, .darkest = 1.4, .shadowReach = 3, .shadowSlope = 0.6, .shadowDepth = 0.8};
+constexpr Lighting kIronLight = {.gain = 0.7,
+                                 .lightest = 1.5,
+                                 .darkest = 1.5,
+                                 .shadowReach = 3,
+                                 .shadowSlope = 0.6,
+                                 .shadowDepth = 0.9};
+constexpr Lighting kRopeLight = {.gain = 0.5,
+                                 .lightest = 1.0,
+                                 .darkest = 1.4,
+                                 .shadowReach = 3,
+                                 .shadowSlope = 0.6,
+                                 .shadowDepth = 0.8};
 
 double rust(int x, int y) {
     return fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kSeed + 1U);
@@ -55,10 +65,17 @@ Picture paintIronBars() {
         everyTexelIn(0, top, kSide, top + 9, [&](int x, int y) {
             const double off = std::abs(x % kSpacing + 0.5 - kSpacing / 2.0);
             const int inside = std::min(y - top, top + 8 - y);
-            surface.at(x, y) = iron(x, y, std::min(1.0, 0.6 + inside) * 2.5 + (off < 6.0 ? 2.4 : 0.0), off < 6.0 ? 3.0 : 2.5);
+            surface.at(x, y) =
+                iron(x, y, std::min(1.0, 0.6 + inside) * 2.5 + (off < 6.0 ? 2.4 : 0.0),
+                     off < 6.0 ? 3.0 : 2.5);
         });
         for (int x = kSpacing / 2; x < kSide; x += kSpacing) {
-            drawStud(surface, {.x = x + 0.0, .y = top + 4.5, .radius = 2.2, .height = 2.0, .tone = 3.6, .ramp = &kSlateRamp});
+            drawStud(surface, {.x = x + 0.0,
+                               .y = top + 4.5,
+                               .radius = 2.2,
+                               .height = 2.0,
+                               .tone = 3.6,
+                               .ramp = &kSlateRamp});
         }
     }
     return holesFilled(lit(surface, kIronLight), Border::Repeats);
@@ -84,7 +101,8 @@ Picture paintGrate() {
     return holesFilled(lit(surface, kIronLight), Border::Repeats);
 }
 
-// A picket fence as high as half a block: it stands in the lower half, so that a block of half height shows it whole.
+// A picket fence as high as half a block: it stands in the lower half, so that a block of half
+// height shows it whole.
 Picture paintFence() {
     constexpr int kSpacing = 16;
     constexpr int kWidth = 12;
@@ -92,9 +110,10 @@ Picture paintFence() {
     for (const int top : {82, 108}) {
         everyTexelIn(0, top, kSide, top + 8, [&](int x, int y) {
             const int inside = std::min(y - top, top + 7 - y);
-            surface.at(x, y) = {.height = std::min(1.5, 0.8 + 0.7 * inside),
-                                .tone = 2.3 + 0.8 * woodGrain(x, y, kSeed + 10U + static_cast<std::uint32_t>(top)),
-                                .ramp = &kTimberRamp};
+            surface.at(x, y) = {
+                .height = std::min(1.5, 0.8 + 0.7 * inside),
+                .tone = 2.3 + 0.8 * woodGrain(x, y, kSeed + 10U + static_cast<std::uint32_t>(top)),
+                .ramp = &kTimberRamp};
         });
     }
     for (int picket = 0; picket < kSide / kSpacing; ++picket) {
@@ -109,9 +128,11 @@ Picture paintFence() {
             }
             const double inside = kWidth / 2.0 - off;
             // Splashed and mossy at the foot
-            const double damp = smoothStep(108.0, 128.0, y + 10.0 * (randomAt(x, y / 3, kSeed + 12U) - 0.5));
-            surface.at(x, y) = {
-                .height = 3.0 + std::min(1.6, 0.8 * inside), .tone = 4.1 + own + 1.0 * woodGrain(y, x, seed) - 1.0 * damp, .ramp = &kTimberRamp};
+            const double damp =
+                smoothStep(108.0, 128.0, y + 10.0 * (randomAt(x, y / 3, kSeed + 12U) - 0.5));
+            surface.at(x, y) = {.height = 3.0 + std::min(1.6, 0.8 * inside),
+                                .tone = 4.1 + own + 1.0 * woodGrain(y, x, seed) - 1.0 * damp,
+                                .ramp = &kTimberRamp};
             if (damp > 0.75 && randomAt(x, y, kSeed + 13U) < 0.5) {
                 surface.at(x, y).ramp = &kMossRamp;
                 surface.at(x, y).tone = 2.6;
@@ -124,7 +145,12 @@ Picture paintFence() {
             }
         }
     }
-    return holesFilled(lit(surface, {.gain = 0.45, .lightest = 0.9, .darkest = 1.4, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 1.1}),
+    return holesFilled(lit(surface, {.gain = 0.45,
+                                     .lightest = 0.9,
+                                     .darkest = 1.4,
+                                     .shadowReach = 4,
+                                     .shadowSlope = 0.7,
+                                     .shadowDepth = 1.1}),
                        Border::Repeats);
 }
 
@@ -138,7 +164,8 @@ Picture paintNet() {
         const double sag = 1.2 * wave((x + y) / 32.0) + 0.8 * wave((x - y) / 64.0);
         for (const bool rising : {false, true}) {
             const int line = rising ? x + y : x - y;
-            const double off = (wrap(line, kMesh) + 0.5 - kMesh / 2.0 + (rising ? sag : -sag)) * 0.7071;
+            const double off =
+                (wrap(line, kMesh) + 0.5 - kMesh / 2.0 + (rising ? sag : -sag)) * 0.7071;
             const double rope = roundBar(off, kRadius);
             if (rope < 0.0) {
                 continue;
@@ -147,13 +174,22 @@ Picture paintNet() {
             const int twist = wrap(along + static_cast<int>(std::floor(off * 2.0)), 8);
             const double lift = rising ? 1.5 : 0.0;
             surface.at(x, y) = {
-                .height = lift + rope, .tone = twist < 3 ? 1.9 : 3.2 + 0.5 * (randomAt(along / 16, line / kMesh, kSeed + 31U) - 0.5), .ramp = &kSandRamp};
+                .height = lift + rope,
+                .tone = twist < 3
+                            ? 1.9
+                            : 3.2 + 0.5 * (randomAt(along / 16, line / kMesh, kSeed + 31U) - 0.5),
+                .ramp = &kSandRamp};
         }
     });
     for (int row = 0; row < 8; ++row) {
         for (int column = 0; column < 4; ++column) {
             const double x = column * kMesh + (row % 2 == 0 ? 16.0 : 0.0);
-            drawStud(surface, {.x = x, .y = row * 16.0, .radius = 5.4, .height = 4.0, .tone = 1.9, .ramp = &kSandRamp});
+            drawStud(surface, {.x = x,
+                               .y = row * 16.0,
+                               .radius = 5.4,
+                               .height = 4.0,
+                               .tone = 1.9,
+                               .ramp = &kSandRamp});
             for (int turn = -3; turn <= 3; ++turn) {
                 surface.at(static_cast<int>(x) + turn, row * 16 - turn / 2).tone = 1.4;
             }
@@ -162,7 +198,8 @@ Picture paintNet() {
     return holesFilled(lit(surface, kRopeLight), Border::Repeats);
 }
 
-// Two ropes sagging between posts; the posts stand on the borders of the tile, half of each in this one. Half a block high.
+// Two ropes sagging between posts; the posts stand on the borders of the tile, half of each in this
+// one. Half a block high.
 Picture paintRopeRailing() {
     Surface surface = Surface::empty();
     for (const int hung : {72, 98}) {
@@ -174,7 +211,8 @@ Picture paintRopeRailing() {
                 const double rope = roundBar(y + 0.5 - middle, 3.0);
                 if (rope >= 0.0) {
                     const int twist = wrap(x + 2 * (y - top), 8);
-                    surface.at(x, y) = {.height = rope, .tone = twist < 3 ? 2.0 : 3.5, .ramp = &kSandRamp};
+                    surface.at(x, y) = {
+                        .height = rope, .tone = twist < 3 ? 2.0 : 3.5, .ramp = &kSandRamp};
                 }
             }
         }
@@ -187,13 +225,17 @@ Picture paintRopeRailing() {
             return;
         }
         surface.at(x, y) = {
-            .height = 3.0 + 0.7 * roundBar(off, kHalf), .tone = 3.0 + 0.9 * woodGrain(y, x + 64, kSeed + 40U) - (fromTop < 2 ? -0.8 : 0.0), .ramp = &kOakRamp};
+            .height = 3.0 + 0.7 * roundBar(off, kHalf),
+            .tone = 3.0 + 0.9 * woodGrain(y, x + 64, kSeed + 40U) - (fromTop < 2 ? -0.8 : 0.0),
+            .ramp = &kOakRamp};
     });
     // Where the ropes are wound around the post
     for (const int top : {69, 95}) {
         everyTexelIn(-kHalf - 1, top, kHalf + 1, top + 9, [&](int x, int y) {
             const int turn = (y - top) % 3;
-            surface.at(x, y) = {.height = 4.5 + 0.7 * std::max(0.0, roundBar(x + 0.5, kHalf + 1.0)) - (turn == 2 ? 1.0 : 0.0),
+            surface.at(x, y) = {.height = 4.5 +
+                                          0.7 * std::max(0.0, roundBar(x + 0.5, kHalf + 1.0)) -
+                                          (turn == 2 ? 1.0 : 0.0),
                                 .tone = turn == 2 ? 1.5 : 3.3,
                                 .ramp = &kSandRamp};
         });

@@ -34,7 +34,9 @@ Picture paintRoofClay() {
         place.course = wrap(course, kSide / kStep);
         place.column = along / kWidth;
         place.across = (along % kWidth + 0.5 - kWidth / 2.0) / (kWidth / 2.0);
-        const double lowerEdge = (course + 1) * kStep + kRound * std::sqrt(std::max(0.0, 1.0 - place.across * place.across)) - kRound * 0.6;
+        const double lowerEdge =
+            (course + 1) * kStep +
+            kRound * std::sqrt(std::max(0.0, 1.0 - place.across * place.across)) - kRound * 0.6;
         place.above = lowerEdge - (y + 0.5);
         place.down = y + 0.5 - course * kStep;
         return place;
@@ -59,7 +61,13 @@ Picture paintRoofClay() {
             texel.tone -= 0.9;
         }
     });
-    return lit(surface, {.gain = 0.5, .lightest = 0.7, .darkest = 1.2, .shadowReach = 5, .shadowSlope = 0.45, .shadowDepth = 1.2, .hollowDepth = 0.2});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 0.7,
+                         .darkest = 1.2,
+                         .shadowReach = 5,
+                         .shadowSlope = 0.45,
+                         .shadowDepth = 1.2,
+                         .hollowDepth = 0.2});
 }
 
 Picture paintRoofSlate() {
@@ -77,21 +85,30 @@ Picture paintRoofSlate() {
     everyTexel([&](int x, int y) {
         const int down = y % kStep;
         const int piece = slates.pieceAt(x, y);
-        const bool seam = slates.pieceAt(x + 1, y) != piece && slates.pieceAt(x + 1, y) / 16 == piece / 16;
-        const bool chipped = down == kStep - 1 && valueNoise(x / 3.2, y / 16.0, 40, 8, kSeed + 21U) > 0.62;
+        const bool seam =
+            slates.pieceAt(x + 1, y) != piece && slates.pieceAt(x + 1, y) / 16 == piece / 16;
+        const bool chipped =
+            down == kStep - 1 && valueNoise(x / 3.2, y / 16.0, 40, 8, kSeed + 21U) > 0.62;
         const double grain = valueNoise(x / 2.0, y / 16.0, 64, 8, kSeed + 22U) - 0.5;
         const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 23U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSlateRamp;
         texel.height = 1.0 + 0.2 * down + 0.8 * randomAt(piece, 3, kSeed + 24U);
-        texel.tone = 2.5 + 1.1 * (randomAt(piece, 1, kSeed + 24U) - 0.5) + 0.6 * grain + 0.6 * blotch;
+        texel.tone =
+            2.5 + 1.1 * (randomAt(piece, 1, kSeed + 24U) - 0.5) + 0.6 * grain + 0.6 * blotch;
         texel.tone += down >= kStep - 2 ? 0.5 : 0.0;
         if (seam || chipped) {
             texel.tone = 0.8;
             texel.height = 0.6;
         }
     });
-    return lit(surface, {.gain = 0.35, .lightest = 0.4, .darkest = 0.9, .shadowReach = 4, .shadowSlope = 0.6, .shadowDepth = 1.2, .hollowDepth = 0.1});
+    return lit(surface, {.gain = 0.35,
+                         .lightest = 0.4,
+                         .darkest = 0.9,
+                         .shadowReach = 4,
+                         .shadowSlope = 0.6,
+                         .shadowDepth = 1.2,
+                         .hollowDepth = 0.1});
 }
 
 // Straw in four thick layers with ragged lower ends.
@@ -99,8 +116,10 @@ Picture paintRoofThatch() {
     constexpr int kStep = 32;
     Surface surface;
     everyTexel([&](int x, int y) {
-        const double ragged = 7.0 * valueNoise(x / 4.0, 0.0, 32, 1, kSeed + 40U + static_cast<std::uint32_t>(wrap(y + 4, kSide) / kStep)) +
-                              3.0 * valueNoise(x / 2.0, 1.0, 64, 2, kSeed + 41U);
+        const double ragged =
+            7.0 * valueNoise(x / 4.0, 0.0, 32, 1,
+                             kSeed + 40U + static_cast<std::uint32_t>(wrap(y + 4, kSide) / kStep)) +
+            3.0 * valueNoise(x / 2.0, 1.0, 64, 2, kSeed + 41U);
         const double down = wrap(y - static_cast<int>(ragged), kSide) % kStep;
         const double straw = valueNoise(x / 1.0, y / 16.0, 128, 8, kSeed + 42U);
         const double bundle = valueNoise(x / 8.0, y / 32.0, 16, 4, kSeed + 43U) - 0.5;
@@ -110,7 +129,13 @@ Picture paintRoofThatch() {
         texel.tone = 2.2 + 0.03 * down + 1.5 * (straw - 0.5) + 0.8 * bundle;
         texel.tone += down > kStep - 4 ? 0.6 : 0.0;
     });
-    return lit(surface, {.gain = 0.3, .lightest = 0.4, .darkest = 0.8, .shadowReach = 6, .shadowSlope = 0.6, .shadowDepth = 1.1, .hollowDepth = 0.1});
+    return lit(surface, {.gain = 0.3,
+                         .lightest = 0.4,
+                         .darkest = 0.8,
+                         .shadowReach = 6,
+                         .shadowSlope = 0.6,
+                         .shadowDepth = 1.1,
+                         .hollowDepth = 0.1});
 }
 
 }  // namespace slicecast::textures

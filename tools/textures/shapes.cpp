@@ -11,7 +11,10 @@ namespace slicecast::textures {
 namespace {
 
 void lay(Surface& surface, int x, int y, const Paint& paint, double rise) {
-    surface.at(x, y) = {.height = paint.height + paint.bulge * rise, .tone = paint.tone, .ramp = paint.ramp, .alpha = paint.alpha};
+    surface.at(x, y) = {.height = paint.height + paint.bulge * rise,
+                        .tone = paint.tone,
+                        .ramp = paint.ramp,
+                        .alpha = paint.alpha};
 }
 
 }  // namespace
@@ -30,33 +33,38 @@ void addGrain(Surface& surface, const Ramp* ramp, double strength, std::uint32_t
 }
 
 void drawBall(Surface& surface, Place middle, double radiusX, double radiusY, const Paint& paint) {
-    everyTexelOn(surface, middle.x - radiusX - 1.0, middle.y - radiusY - 1.0, middle.x + radiusX + 2.0, middle.y + radiusY + 2.0, [&](int x, int y) {
-        const double dx = (x + 0.5 - middle.x) / radiusX;
-        const double dy = (y + 0.5 - middle.y) / radiusY;
-        const double rest = 1.0 - dx * dx - dy * dy;
-        if (rest >= 0.0) {
-            lay(surface, x, y, paint, std::min(radiusX, radiusY) * std::sqrt(rest));
-        }
-    });
+    everyTexelOn(surface, middle.x - radiusX - 1.0, middle.y - radiusY - 1.0,
+                 middle.x + radiusX + 2.0, middle.y + radiusY + 2.0, [&](int x, int y) {
+                     const double dx = (x + 0.5 - middle.x) / radiusX;
+                     const double dy = (y + 0.5 - middle.y) / radiusY;
+                     const double rest = 1.0 - dx * dx - dy * dy;
+                     if (rest >= 0.0) {
+                         lay(surface, x, y, paint, std::min(radiusX, radiusY) * std::sqrt(rest));
+                     }
+                 });
 }
 
-void drawLimb(Surface& surface, Place from, double fromRadius, Place to, double toRadius, const Paint& paint) {
+void drawLimb(Surface& surface, Place from, double fromRadius, Place to, double toRadius,
+              const Paint& paint) {
     const double reach = std::max(fromRadius, toRadius) + 1.0;
     const double lengthX = to.x - from.x;
     const double lengthY = to.y - from.y;
     const double square = std::max(1.0e-6, lengthX * lengthX + lengthY * lengthY);
     const double left = std::min(from.x, to.x) - reach;
     const double top = std::min(from.y, to.y) - reach;
-    everyTexelOn(surface, left, top, std::max(from.x, to.x) + reach + 1.0, std::max(from.y, to.y) + reach + 1.0, [&](int x, int y) {
-        const double along = std::clamp(((x + 0.5 - from.x) * lengthX + (y + 0.5 - from.y) * lengthY) / square, 0.0, 1.0);
-        const double dx = x + 0.5 - from.x - along * lengthX;
-        const double dy = y + 0.5 - from.y - along * lengthY;
-        const double radius = fromRadius + along * (toRadius - fromRadius);
-        const double rest = radius * radius - dx * dx - dy * dy;
-        if (rest >= 0.0) {
-            lay(surface, x, y, paint, std::sqrt(rest));
-        }
-    });
+    everyTexelOn(surface, left, top, std::max(from.x, to.x) + reach + 1.0,
+                 std::max(from.y, to.y) + reach + 1.0, [&](int x, int y) {
+                     const double along = std::clamp(
+                         ((x + 0.5 - from.x) * lengthX + (y + 0.5 - from.y) * lengthY) / square,
+                         0.0, 1.0);
+                     const double dx = x + 0.5 - from.x - along * lengthX;
+                     const double dy = y + 0.5 - from.y - along * lengthY;
+                     const double radius = fromRadius + along * (toRadius - fromRadius);
+                     const double rest = radius * radius - dx * dx - dy * dy;
+                     if (rest >= 0.0) {
+                         lay(surface, x, y, paint, std::sqrt(rest));
+                     }
+                 });
 }
 
 void drawOutline(Surface& surface, const std::vector<Place>& corners, const Paint& paint) {
@@ -78,7 +86,8 @@ void drawOutline(Surface& surface, const std::vector<Place>& corners, const Pain
         for (std::size_t index = 0; index < corners.size(); ++index) {
             const Place& a = corners[index];
             const Place& b = corners[(index + 1) % corners.size()];
-            if ((a.y <= middleY) != (b.y <= middleY) && middleX < a.x + (middleY - a.y) / (b.y - a.y) * (b.x - a.x)) {
+            if ((a.y <= middleY) != (b.y <= middleY) &&
+                middleX < a.x + (middleY - a.y) / (b.y - a.y) * (b.x - a.x)) {
                 inside = !inside;
             }
         }

@@ -9,7 +9,8 @@ namespace {
 constexpr int kMargin = 8;
 constexpr int kTiled = 3 * kSide;
 
-void copyTiled(Picture& sheet, const Picture& texture, int left, int top, int width, int height, int zoom) {
+void copyTiled(Picture& sheet, const Picture& texture, int left, int top, int width, int height,
+               int zoom) {
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             sheet.at(left + x, top + y) = texture.at(x / zoom, y / zoom);
@@ -17,7 +18,8 @@ void copyTiled(Picture& sheet, const Picture& texture, int left, int top, int wi
     }
 }
 
-// A part of a sky as a screen shows it: columns and rows are drawn `columnSize` and `rowSize` hundredths of a pixel wide and tall.
+// A part of a sky as a screen shows it: columns and rows are drawn `columnSize` and `rowSize`
+// hundredths of a pixel wide and tall.
 struct SkyView {
     int fromColumn;
     int fromRow;
@@ -25,10 +27,12 @@ struct SkyView {
     int rowSize;
 };
 
-void copySky(Picture& sheet, const Picture& sky, const SkyView& view, int left, int top, int width, int height) {
+void copySky(Picture& sheet, const Picture& sky, const SkyView& view, int left, int top, int width,
+             int height) {
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            sheet.at(left + x, top + y) = sky.at(view.fromColumn + x * 100 / view.columnSize, view.fromRow + y * 100 / view.rowSize);
+            sheet.at(left + x, top + y) = sky.at(view.fromColumn + x * 100 / view.columnSize,
+                                                 view.fromRow + y * 100 / view.rowSize);
         }
     }
 }
@@ -42,12 +46,15 @@ Picture reduced(const Picture& texture, int factor) {
             int g = area / 2;
             int b = area / 2;
             for (int inner = 0; inner < area; ++inner) {
-                const Colour& colour = texture.at(x * factor + inner % factor, y * factor + inner / factor);
+                const Colour& colour =
+                    texture.at(x * factor + inner % factor, y * factor + inner / factor);
                 r += colour.r;
                 g += colour.g;
                 b += colour.b;
             }
-            small.at(x, y) = {static_cast<std::uint8_t>(r / area), static_cast<std::uint8_t>(g / area), static_cast<std::uint8_t>(b / area)};
+            small.at(x, y) = {static_cast<std::uint8_t>(r / area),
+                              static_cast<std::uint8_t>(g / area),
+                              static_cast<std::uint8_t>(b / area)};
         }
     }
     return small;
@@ -77,10 +84,12 @@ Colour groundAt(Ground ground, int x, int y) {
     return ground == Ground::Dark ? kNight : kSea4;
 }
 
-void copyOver(Picture& sheet, const Picture& picture, int fromColumn, Ground ground, int left, int top, int width, int height, int zoom) {
+void copyOver(Picture& sheet, const Picture& picture, int fromColumn, Ground ground, int left,
+              int top, int width, int height, int zoom) {
     for (int y = 0; y < zoom * height; ++y) {
         for (int x = 0; x < zoom * width; ++x) {
-            sheet.at(left + x, top + y) = over(picture.at(fromColumn + x / zoom, y / zoom), groundAt(ground, x, y));
+            sheet.at(left + x, top + y) =
+                over(picture.at(fromColumn + x / zoom, y / zoom), groundAt(ground, x, y));
         }
     }
 }
@@ -92,7 +101,8 @@ Picture groundsSheet(const Entry& entry) {
     // What is shown once for each ground: a texture and its copies, or one frame
     const int width = tiled && entry.repeatsSideways ? 2 * frameWidth : frameWidth;
     const int height = tiled && entry.repeatsUpwards ? 2 * picture.height : picture.height;
-    const int zoom = std::clamp(kSheetWidth / 3 / width, 1, entry.frames > 1 ? (height > 64 ? 2 : 3) : 4);
+    const int zoom =
+        std::clamp(kSheetWidth / 3 / width, 1, entry.frames > 1 ? (height > 64 ? 2 : 3) : 4);
     const int perLine = kSheetWidth / (zoom * width + kMargin);
     const int grounds = entry.alpha == Alpha::Opaque ? 1 : 3;
     const int pieces = entry.frames * grounds;
@@ -102,7 +112,8 @@ Picture groundsSheet(const Entry& entry) {
         const auto ground = static_cast<Ground>(piece / entry.frames);
         const int left = piece % perLine * (zoom * width + kMargin);
         const int top = piece / perLine * (zoom * height + kMargin);
-        copyOver(sheet, picture, piece % entry.frames * frameWidth, ground, left, top, width, height, zoom);
+        copyOver(sheet, picture, piece % entry.frames * frameWidth, ground, left, top, width,
+                 height, zoom);
     }
     return sheet;
 }
@@ -160,13 +171,21 @@ Picture tilesSheet(const std::vector<Entry>& entries) {
             copyTiled(sheet, texture, second, top, kTiled, kTiled, 4);
             copyTiled(sheet, grey(texture), third, top, kSide, kSide, 1);
             copyTiled(sheet, reduced(texture, 4), third, top + kSide + kMargin, kSide, 96, 1);
-            copyTiled(sheet, reduced(texture, 8), third, top + kSide + 96 + 2 * kMargin, kSide, 64, 1);
-            copyTiled(sheet, reduced(texture, 8), third, top + kSide + 160 + 3 * kMargin, kSide, 64, 4);
+            copyTiled(sheet, reduced(texture, 8), third, top + kSide + 96 + 2 * kMargin, kSide, 64,
+                      1);
+            copyTiled(sheet, reduced(texture, 8), third, top + kSide + 160 + 3 * kMargin, kSide, 64,
+                      4);
         } else {
             // The whole sky in its true proportions, and what a view of 60 degrees sees of it
-            copySky(sheet, texture, {.fromColumn = 0, .fromRow = 0, .columnSize = 88, .rowSize = 56}, left, top, cellWidth - 2 * kMargin, 143);
-            copySky(sheet, texture, {.fromColumn = 500, .fromRow = 256 - 88, .columnSize = 420, .rowSize = 267}, left, top + 150, 448, 234);
-            copySky(sheet, texture, {.fromColumn = 700, .fromRow = 50, .columnSize = 420, .rowSize = 267}, left + 456, top + 150, 448, 234);
+            copySky(sheet, texture,
+                    {.fromColumn = 0, .fromRow = 0, .columnSize = 88, .rowSize = 56}, left, top,
+                    cellWidth - 2 * kMargin, 143);
+            copySky(sheet, texture,
+                    {.fromColumn = 500, .fromRow = 256 - 88, .columnSize = 420, .rowSize = 267},
+                    left, top + 150, 448, 234);
+            copySky(sheet, texture,
+                    {.fromColumn = 700, .fromRow = 50, .columnSize = 420, .rowSize = 267},
+                    left + 456, top + 150, 448, 234);
         }
         ++index;
     }

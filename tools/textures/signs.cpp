@@ -25,13 +25,29 @@ Picture paintSign(std::string_view word) {
     const Surface wall = ashlarSurface();
     Surface surface = wall;
     for (const int hook : {26, 102}) {
-        everyTexelIn(hook - 2, 26, hook + 2, kTop + 5, [&](int x, int y) { surface.at(x, y) = {.height = 3.0, .tone = 2.2, .ramp = &kSlateRamp}; });
-        drawStud(surface, {.x = static_cast<double>(hook), .y = 26.0, .radius = 4.0, .height = 3.0, .tone = 2.6, .ramp = &kSlateRamp});
+        everyTexelIn(hook - 2, 26, hook + 2, kTop + 5, [&](int x, int y) {
+            surface.at(x, y) = {.height = 3.0, .tone = 2.2, .ramp = &kSlateRamp};
+        });
+        drawStud(surface, {.x = static_cast<double>(hook),
+                           .y = 26.0,
+                           .radius = 4.0,
+                           .height = 3.0,
+                           .tone = 2.6,
+                           .ramp = &kSlateRamp});
     }
-    drawSlab(surface, {.left = kLeft, .top = kTop, .right = kRight, .bottom = kBottom, .height = 5.0, .bevel = 2.0, .tone = 1.8, .ramp = &kOakRamp});
+    drawSlab(surface, {.left = kLeft,
+                       .top = kTop,
+                       .right = kRight,
+                       .bottom = kBottom,
+                       .height = 5.0,
+                       .bevel = 2.0,
+                       .tone = 1.8,
+                       .ramp = &kOakRamp});
     everyTexelIn(kLeft + 4, kTop + 4, kRight - 4, kBottom - 4, [&](int x, int y) {
         const int inside = std::min({x - kLeft - 4, kRight - 5 - x, y - kTop - 4, kBottom - 5 - y});
-        surface.at(x, y) = {.height = inside == 0 ? 3.4 : 4.2, .tone = 2.1 + 0.7 * woodGrain(x, y, kSeed), .ramp = &kOakRamp};
+        surface.at(x, y) = {.height = inside == 0 ? 3.4 : 4.2,
+                            .tone = 2.1 + 0.7 * woodGrain(x, y, kSeed),
+                            .ramp = &kOakRamp};
     });
     const int letters = static_cast<int>(word.size());
     int left = (kSide - (letters * (kGlyphWidth + 1) - 1) * kZoom) / 2;
@@ -39,15 +55,23 @@ Picture paintSign(std::string_view word) {
         const GlyphRows& rows = glyphOf(letter);
         const int top = (kTop + kBottom - kGlyphHeight * kZoom) / 2;
         const int first = left;
-        everyTexelIn(first, top, first + kGlyphWidth * kZoom, top + kGlyphHeight * kZoom, [&](int x, int y) {
-            if (rows[static_cast<std::size_t>((y - top) / kZoom)][static_cast<std::size_t>((x - first) / kZoom)] == '#') {
-                surface.at(x, y) = {.height = 4.8, .tone = 4.4, .ramp = &kBrassRamp};
-            }
-        });
+        everyTexelIn(first, top, first + kGlyphWidth * kZoom, top + kGlyphHeight * kZoom,
+                     [&](int x, int y) {
+                         if (rows[static_cast<std::size_t>((y - top) / kZoom)]
+                                 [static_cast<std::size_t>((x - first) / kZoom)] == '#') {
+                             surface.at(x, y) = {.height = 4.8, .tone = 4.4, .ramp = &kBrassRamp};
+                         }
+                     });
         left += (kGlyphWidth + 1) * kZoom;
     }
     return litOver(wall, ashlarLighting(), surface,
-                   {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 5, .shadowSlope = 0.7, .shadowDepth = 1.0, .hollowDepth = 0.06});
+                   {.gain = 0.5,
+                    .lightest = 0.9,
+                    .darkest = 1.3,
+                    .shadowReach = 5,
+                    .shadowSlope = 0.7,
+                    .shadowDepth = 1.0,
+                    .hollowDepth = 0.06});
 }
 
 }  // namespace
@@ -88,7 +112,8 @@ Picture paintSignShore() {
     return paintSign("SHORE");
 }
 
-// Pale stone with rings that pass through one another, one above the other without an end, between two mouldings.
+// Pale stone with rings that pass through one another, one above the other without an end, between
+// two mouldings.
 Picture paintCarvedJamb() {
     constexpr double kMiddle = 63.5;
     constexpr double kApart = 32.0;  // the rings' middles
@@ -129,10 +154,18 @@ Picture paintCarvedJamb() {
         const double up = (y % static_cast<int>(kApart)) + 0.5 - middle;
         const double across = x - kMiddle;
         if (across * across + up * up < 20.0) {
-            texel = {.height = 3.2 - 0.1 * (across * across + up * up), .tone = 3.4, .ramp = &kBrassRamp};
+            texel = {.height = 3.2 - 0.1 * (across * across + up * up),
+                     .tone = 3.4,
+                     .ramp = &kBrassRamp};
         }
     });
-    return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.4, .shadowReach = 4, .shadowSlope = 0.7, .shadowDepth = 0.9, .hollowDepth = 0.08});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 0.9,
+                         .darkest = 1.4,
+                         .shadowReach = 4,
+                         .shadowSlope = 0.7,
+                         .shadowDepth = 0.9,
+                         .hollowDepth = 0.08});
 }
 
 }  // namespace slicecast::textures

@@ -1,4 +1,5 @@
-// What tells a traveller where a way leads: boards with a word, and carved jambs that mark a way out of the ordinary.
+// What tells a traveller where a way leads: boards with a word, and carved jambs that mark a way
+// out of the ordinary.
 #pragma once
 
 #include "surface.h"

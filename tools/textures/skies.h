@@ -1,10 +1,12 @@
-// Panoramas, 1024 x 256, that wrap sideways. Row 0 is the steepest line of sight, the last row the horizon; rows are
-// even steps of slope (height over distance), and a panorama is meant to be shown over slopes 0 to 1.
+// Panoramas, 1024 x 256, that wrap sideways. Row 0 is the steepest line of sight, the last row the
+// horizon; rows are even steps of slope (height over distance), and a panorama is meant to be shown
+// over slopes 0 to 1.
 //
-// One texel is then 2 pi / 1024 wide and 1 / 256 tall: 1.57 times as wide as tall. Shapes are drawn in units in
-// which they look right: `across` and `up` of equal length.
+// One texel is then 2 pi / 1024 wide and 1 / 256 tall: 1.57 times as wide as tall. Shapes are drawn
+// in units in which they look right: `across` and `up` of equal length.
 //
-// The lowest row of each has one colour. As the haze colour of a map it lets the far floor melt into the hills.
+// The lowest row of each has one colour. As the haze colour of a map it lets the far floor melt
+// into the hills.
 #pragma once
 
 #include "picture.h"

@@ -12,7 +12,9 @@ namespace {
 constexpr std::uint32_t kSeed = 3000;
 
 constexpr Ramp kAir{{kHazeDay, kSea4, kSea3, blend(kSea2, kSea3, 96), blend(kSea1, kSea2, 128)}, 5};
-constexpr Ramp kCumulus{{blend(kSea2, kSlate3, 128), blend(kSea2, kSlate4, 170), blend(kSea3, kSlate5, 128), blend(kSea4, kCream, 110), kCream}, 5};
+constexpr Ramp kCumulus{{blend(kSea2, kSlate3, 128), blend(kSea2, kSlate4, 170),
+                         blend(kSea3, kSlate5, 128), blend(kSea4, kCream, 110), kCream},
+                        5};
 
 // A row of clouds around the sky, evenly placed but for some chance.
 struct CloudRow {
@@ -51,9 +53,12 @@ Picture paintSkyDay() {
         }
     }
     // From the farthest and lowest to the nearest
-    drawRow(sky, {.count = 15, .base = 0.085, .width = 0.34, .height = 0.055, .hazeShare = 130}, kSeed);
-    drawRow(sky, {.count = 9, .base = 0.17, .width = 0.62, .height = 0.13, .hazeShare = 70}, kSeed + 100U);
-    drawRow(sky, {.count = 5, .base = 0.40, .width = 0.95, .height = 0.27, .hazeShare = 16}, kSeed + 200U);
+    drawRow(sky, {.count = 15, .base = 0.085, .width = 0.34, .height = 0.055, .hazeShare = 130},
+            kSeed);
+    drawRow(sky, {.count = 9, .base = 0.17, .width = 0.62, .height = 0.13, .hazeShare = 70},
+            kSeed + 100U);
+    drawRow(sky, {.count = 5, .base = 0.40, .width = 0.95, .height = 0.27, .hazeShare = 16},
+            kSeed + 200U);
     drawRidge(sky, {.low = 0.02,
                     .high = 0.165,
                     .peaks = 26,

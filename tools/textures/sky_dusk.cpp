@@ -12,8 +12,9 @@ constexpr std::uint32_t kSeed = 3200;
 constexpr double kSunAcross = kAround / 2.0;  // in the west
 constexpr double kSunUp = 0.125;
 
-constexpr Ramp kAir{
-    {blend(kNight, kSea0, 128), blend(kSea0, kViolet, 128), kViolet, kPlum, blend(kPlum, kCoral, 150), kCoral, kSand0, blend(kBrass2, kSand2, 128)}, 8};
+constexpr Ramp kAir{{blend(kNight, kSea0, 128), blend(kSea0, kViolet, 128), kViolet, kPlum,
+                     blend(kPlum, kCoral, 150), kCoral, kSand0, blend(kBrass2, kSand2, 128)},
+                    8};
 
 // How near to the sun, 0 to 1; glows are wider than tall.
 double nearSun(double across, double up, double reach) {
@@ -23,7 +24,8 @@ double nearSun(double across, double up, double reach) {
 }
 
 double airTone(double across, double up) {
-    return 4.9 - 5.4 * up / (up + 0.45) + 2.2 * nearSun(across, up, 0.9) * (1.0 - 0.5 * up) - 0.5 * (1.0 - nearSun(across, up, 2.2));
+    return 4.9 - 5.4 * up / (up + 0.45) + 2.2 * nearSun(across, up, 0.9) * (1.0 - 0.5 * up) -
+           0.5 * (1.0 - nearSun(across, up, 2.2));
 }
 
 // Long flat clouds as a ceiling that recedes: rows near the horizon lie closer together.
@@ -34,16 +36,20 @@ void drawStreaks(Picture& sky) {
         for (int x = 0; x < kSkyWidth; ++x) {
             const double across = acrossOf(x);
             const double bend = 0.8 * valueNoise(x / 42.666666666666664, depth, 24, 64, kSeed + 1U);
-            const double mass = fractalNoise(x / 42.666666666666664, depth + bend, 24, 64, 4, kSeed + 2U);
+            const double mass =
+                fractalNoise(x / 42.666666666666664, depth + bend, 24, 64, 4, kSeed + 2U);
             const double edge = mass - (0.54 + 0.09 * up);
             if (edge < 0.0 || up < 0.04) {
                 continue;
             }
             const double glow = nearSun(across, up, 1.1);
             // The rims towards the sun burn, the bodies are dark
-            const double rim = fractalNoise(x / 42.666666666666664, depth + bend + 0.16, 24, 64, 4, kSeed + 2U) - (0.54 + 0.09 * up);
+            const double rim =
+                fractalNoise(x / 42.666666666666664, depth + bend + 0.16, 24, 64, 4, kSeed + 2U) -
+                (0.54 + 0.09 * up);
             const bool burning = rim < 0.02;
-            const double tone = burning ? airTone(across, up) + 0.8 + 1.4 * glow : airTone(across, up) - 0.9 + 0.5 * glow;
+            const double tone = burning ? airTone(across, up) + 0.8 + 1.4 * glow
+                                        : airTone(across, up) - 0.9 + 0.5 * glow;
             sky.at(x, y) = burning ? colourAt(kAir, tone) : softColourAt(kAir, tone);
         }
     }

@@ -14,15 +14,20 @@ constexpr double kMoonAcross = 0.70 * kAround;
 constexpr double kMoonUp = 0.42;
 constexpr double kMoonRadius = 0.062;
 
-constexpr Ramp kAir{{kHazeNight, blend(kSea0, kSlate0, 100), blend(kSea0, kNight, 110), kNight, blend(kNight, kInk, 128)}, 5};
+constexpr Ramp kAir{{kHazeNight, blend(kSea0, kSlate0, 100), blend(kSea0, kNight, 110), kNight,
+                     blend(kNight, kInk, 128)},
+                    5};
 
-// How deep in the milky way, 0 to 1: a band that climbs and falls once around the sky, parted by a dark lane.
+// How deep in the milky way, 0 to 1: a band that climbs and falls once around the sky, parted by a
+// dark lane.
 double milkyWay(int x, int y) {
     const double middle = 0.52 + 0.42 * wave(static_cast<double>(x) / kSkyWidth + 0.05);
     const double off = (upOf(y) - middle) / 0.20;
-    const double cloud = fractalNoise(x / 32.0, y / 16.0, kSkyWidth / 32, kSkyHeight / 16, 4, kSeed + 1U);
+    const double cloud =
+        fractalNoise(x / 32.0, y / 16.0, kSkyWidth / 32, kSkyHeight / 16, 4, kSeed + 1U);
     const double lane = std::abs(off + 1.2 * (cloud - 0.5));
-    return std::max(0.0, 1.0 - off * off) * smoothStep(0.32, 0.7, cloud) * (0.45 + 0.55 * smoothStep(0.02, 0.25, lane));
+    return std::max(0.0, 1.0 - off * off) * smoothStep(0.32, 0.7, cloud) *
+           (0.45 + 0.55 * smoothStep(0.02, 0.25, lane));
 }
 
 void drawStars(Picture& sky) {
@@ -58,8 +63,12 @@ void drawMoon(Picture& sky) {
     struct Sea {
         double x, y, radius;
     };
-    static constexpr std::array<Sea, 6> kSeas = {
-        {{-0.3, 0.35, 0.34}, {0.25, 0.30, 0.26}, {-0.45, -0.1, 0.24}, {0.38, -0.12, 0.2}, {-0.1, -0.5, 0.16}, {0.12, 0.62, 0.14}}};
+    static constexpr std::array<Sea, 6> kSeas = {{{-0.3, 0.35, 0.34},
+                                                  {0.25, 0.30, 0.26},
+                                                  {-0.45, -0.1, 0.24},
+                                                  {0.38, -0.12, 0.2},
+                                                  {-0.1, -0.5, 0.16},
+                                                  {0.12, 0.62, 0.14}}};
     for (int y = 0; y < kSkyHeight; ++y) {
         for (int x = 0; x < kSkyWidth; ++x) {
             const double dx = aroundFrom(kMoonAcross, acrossOf(x)) / kMoonRadius;
@@ -67,7 +76,12 @@ void drawMoon(Picture& sky) {
             const double distance = std::sqrt(dx * dx + dy * dy);
             if (distance > 1.0) {
                 // Rings of light around it
-                const double glow = distance < 1.4 ? 0.30 : (distance < 2.1 ? 0.19 : (distance < 3.2 ? 0.11 : (distance < 5.0 ? 0.05 : 0.0)));
+                const double glow =
+                    distance < 1.4
+                        ? 0.30
+                        : (distance < 2.1
+                               ? 0.19
+                               : (distance < 3.2 ? 0.11 : (distance < 5.0 ? 0.05 : 0.0)));
                 sky.at(x, y) = blend(sky.at(x, y), kSea2, static_cast<int>(glow * 256.0));
                 continue;
             }
@@ -97,7 +111,8 @@ Picture paintSkyNight() {
             const Colour air = softColourAt(kAir, 5.0 * up / (up + 0.32));
             const double way = milkyWay(x, y);
             const Colour veil = way > 0.55 ? blend(kSea1, kSlate4, 110) : blend(kViolet, kSea1, 96);
-            const int share = way > 0.55 ? 70 : (way > 0.35 ? 92 : (way > 0.18 ? 56 : (way > 0.06 ? 26 : 0)));
+            const int share =
+                way > 0.55 ? 70 : (way > 0.35 ? 92 : (way > 0.18 ? 56 : (way > 0.06 ? 26 : 0)));
             sky.at(x, y) = blend(air, veil, share);
         }
     }

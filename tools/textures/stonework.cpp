@@ -15,7 +15,11 @@ namespace {
 constexpr std::uint32_t kSeed = 200;
 
 const Pieces& ashlar() {
-    static const Pieces pieces(coursed({{32, 10, {44, 36, 48}}, {32, 34, {56, 40, 32}}, {32, 4, {38, 50, 40}}, {32, 26, {48, 34, 46}}}), 0.0, kSeed);
+    static const Pieces pieces(coursed({{32, 10, {44, 36, 48}},
+                                        {32, 34, {56, 40, 32}},
+                                        {32, 4, {38, 50, 40}},
+                                        {32, 26, {48, 34, 46}}}),
+                               0.0, kSeed);
     return pieces;
 }
 
@@ -26,7 +30,12 @@ double variationOf(int piece) {
 }  // namespace
 
 Lighting ashlarLighting() {
-    return {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 3, .shadowSlope = 0.6, .shadowDepth = 0.9};
+    return {.gain = 0.5,
+            .lightest = 0.9,
+            .darkest = 1.3,
+            .shadowReach = 3,
+            .shadowSlope = 0.6,
+            .shadowDepth = 0.9};
 }
 
 Surface ashlarSurface() {
@@ -34,7 +43,8 @@ Surface ashlarSurface() {
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const int piece = ashlar().pieceAt(x, y);
-        const double ragged = 1.2 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 1U) - 0.55);
+        const double ragged =
+            1.2 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 1U) - 0.55);
         const double inside = ashlar().edgeAt(x, y) - 0.6 - ragged;
         const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 2U) - 0.5;
         texel.height = std::clamp(inside * 0.8, 0.0, 2.4);
@@ -84,14 +94,16 @@ Picture paintStoneBlocksWorn() {
         }
     });
     drawCrack(surface, {.x = 60, .y = 34, .length = 48, .depth = 1.6, .darkening = 1.2, .seed = 3});
-    drawCrack(surface, {.x = 104, .y = 98, .length = 40, .depth = 1.6, .darkening = 1.2, .seed = 14});
+    drawCrack(surface,
+              {.x = 104, .y = 98, .length = 40, .depth = 1.6, .darkening = 1.2, .seed = 14});
     drawCrack(surface, {.x = 18, .y = 70, .length = 22, .depth = 1.6, .darkening = 1.0, .seed = 8});
     return lit(surface, ashlarLighting());
 }
 
 // Two courses of rough-faced blocks in slate, for towers and cellars.
 Picture paintStoneBlocksDark() {
-    static const Pieces pieces(coursed({{64, 0, {64, 64}}, {32, 32, {64, 64}}, {32, 0, {48, 40, 40}}}), 1.0, kSeed + 20U);
+    static const Pieces pieces(
+        coursed({{64, 0, {64, 64}}, {32, 32, {64, 64}}, {32, 0, {48, 40, 40}}}), 1.0, kSeed + 20U);
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
@@ -99,16 +111,25 @@ Picture paintStoneBlocksDark() {
         const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 21U);
         const double variation = randomAt(pieces.pieceAt(x, y), 5, kSeed) - 0.5;
         texel.ramp = &kSlateRamp;
-        texel.height = inside <= 0.0 ? 0.0 : std::min(1.0 + inside * 0.6, 3.0) + (inside > 3.0 ? 5.0 * (rough - 0.5) : 0.0);
+        texel.height = inside <= 0.0 ? 0.0
+                                     : std::min(1.0 + inside * 0.6, 3.0) +
+                                           (inside > 3.0 ? 5.0 * (rough - 0.5) : 0.0);
         texel.tone = inside <= 0.0 ? 1.2 : 3.4 + 0.9 * variation + 0.9 * (rough - 0.5);
     });
-    return lit(surface, {.gain = 0.6, .lightest = 1.0, .darkest = 1.2, .shadowReach = 3, .shadowSlope = 0.6, .shadowDepth = 0.8});
+    return lit(surface, {.gain = 0.6,
+                         .lightest = 1.0,
+                         .darkest = 1.2,
+                         .shadowReach = 3,
+                         .shadowSlope = 0.6,
+                         .shadowDepth = 0.8});
 }
 
 Picture paintStoneRubble() {
     const double flatness = 1.35;
-    static const Pieces pieces(nearest(spreadPoints(30, flatness, kSeed + 30U), flatness), 1.5, kSeed + 31U);
-    static const std::array<const Ramp*, 4> ramps = {&kStoneRamp, &kStoneRamp, &kEarthRamp, &kFlintRamp};
+    static const Pieces pieces(nearest(spreadPoints(30, flatness, kSeed + 30U), flatness), 1.5,
+                               kSeed + 31U);
+    static const std::array<const Ramp*, 4> ramps = {&kStoneRamp, &kStoneRamp, &kEarthRamp,
+                                                     &kFlintRamp};
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
@@ -123,14 +144,24 @@ Picture paintStoneRubble() {
         }
         const auto kind = hashOf(piece, 4, kSeed) % ramps.size();
         texel.ramp = ramps[kind];
-        texel.tone = (kind == 2 ? 4.2 : kind == 3 ? 4.6 : 3.6) + 1.1 * (randomAt(piece, 6, kSeed) - 0.5) + 1.2 * rough;
+        texel.tone = (kind == 2   ? 4.2
+                      : kind == 3 ? 4.6
+                                  : 3.6) +
+                     1.1 * (randomAt(piece, 6, kSeed) - 0.5) + 1.2 * rough;
         texel.height = std::min(inside, 3.0) * 0.9 + 0.15 * inside + 1.2 * rough;
     });
-    return lit(surface, {.gain = 0.5, .lightest = 0.9, .darkest = 1.3, .shadowReach = 3, .shadowSlope = 0.7, .shadowDepth = 0.8});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 0.9,
+                         .darkest = 1.3,
+                         .shadowReach = 3,
+                         .shadowSlope = 0.7,
+                         .shadowDepth = 0.8});
 }
 
 Picture paintSandstone() {
-    static const Pieces pieces(coursed({{32, 0, {64, 64}}, {32, 40, {48, 80}}, {32, 16, {64, 64}}, {32, 0, {72, 56}}}), 0.0, kSeed + 40U);
+    static const Pieces pieces(
+        coursed({{32, 0, {64, 64}}, {32, 40, {48, 80}}, {32, 16, {64, 64}}, {32, 0, {72, 56}}}),
+        0.0, kSeed + 40U);
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
@@ -138,7 +169,8 @@ Picture paintSandstone() {
         const double inside = pieces.edgeAt(x, y) - 0.6;
         // Beds of the stone: long, nearly level bands, different in every block
         const double bend = 3.0 * valueNoise(x / 16.0, y / 32.0, 8, 4, kSeed + 41U);
-        const double bed = valueNoise(x / 32.0, (y + bend) / 4.0, 4, 32, kSeed + 42U + static_cast<std::uint32_t>(piece));
+        const double bed = valueNoise(x / 32.0, (y + bend) / 4.0, 4, 32,
+                                      kSeed + 42U + static_cast<std::uint32_t>(piece));
         const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 43U) - 0.5;
         texel.ramp = &kSandRamp;
         texel.height = std::clamp(inside * 0.8, 0.0, 2.2) - (bed < 0.2 ? 0.6 : 0.0);
@@ -166,12 +198,19 @@ Picture paintRock() {
         // Each facet is a plane; its lean decides how much light it takes
         const double leanX = randomAt(piece, 2, kSeed + 54U) - 0.5;
         const double leanY = randomAt(piece, 4, kSeed + 54U) - 0.6;
-        const double plane = leanX * wrappedDifference(middle.x, x) + leanY * wrappedDifference(middle.y, y);
+        const double plane =
+            leanX * wrappedDifference(middle.x, x) + leanY * wrappedDifference(middle.y, y);
         texel.ramp = &kRockRamp;
         texel.tone = 3.1 + 1.2 * (leanX + leanY) + 0.9 * rough + 0.03 * plane;
-        texel.height = 3.0 * randomAt(piece, 3, kSeed + 54U) + 0.25 * plane + std::min(pieces.edgeAt(x, y), 2.5) * 0.7 + 3.0 * rough;
+        texel.height = 3.0 * randomAt(piece, 3, kSeed + 54U) + 0.25 * plane +
+                       std::min(pieces.edgeAt(x, y), 2.5) * 0.7 + 3.0 * rough;
     });
-    return lit(surface, {.gain = 0.5, .lightest = 1.3, .darkest = 1.3, .shadowReach = 5, .shadowSlope = 0.6, .shadowDepth = 0.9});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 1.3,
+                         .darkest = 1.3,
+                         .shadowReach = 5,
+                         .shadowSlope = 0.6,
+                         .shadowDepth = 0.9});
 }
 
 }  // namespace slicecast::textures

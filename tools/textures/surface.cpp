@@ -47,7 +47,8 @@ Picture lit(const Surface& surface, const Lighting& lighting) {
     everyTexelIn(0, 0, surface.width, surface.height, [&](int x, int y) {
         const Texel& texel = surface.at(x, y);
         double tone = texel.tone;
-        tone += std::clamp(lighting.gain * slopeToLight(surface, x, y), -lighting.darkest, lighting.lightest);
+        tone += std::clamp(lighting.gain * slopeToLight(surface, x, y), -lighting.darkest,
+                           lighting.lightest);
         tone -= inShadow(surface, x, y, lighting) ? lighting.shadowDepth : 0.0;
         tone -= lighting.hollowDepth * hollow(surface, x, y);
         picture.at(x, y) = colourAt(*texel.ramp, tone);
@@ -56,7 +57,8 @@ Picture lit(const Surface& surface, const Lighting& lighting) {
     return picture;
 }
 
-Picture litOver(const Surface& wall, const Lighting& wallLighting, const Surface& surface, const Lighting& lighting) {
+Picture litOver(const Surface& wall, const Lighting& wallLighting, const Surface& surface,
+                const Lighting& lighting) {
     const Picture bare = lit(wall, wallLighting);
     Picture picture = lit(surface, lighting);
     const auto changedNear = [&](int x, int y) {

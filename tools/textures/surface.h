@@ -1,10 +1,12 @@
 // A material before it is lit: for each texel a height, a ramp of colours and a tone on it.
 //
-// Painters set heights and tones; `lit` then paints every surface with the same light from the upper left, so that
-// all materials agree: slopes that face the light gain tone, others lose it, what stands out throws a short shadow,
-// and hollows are darker. Heights are in texels, tones in steps of the ramp.
+// Painters set heights and tones; `lit` then paints every surface with the same light from the
+// upper left, so that all materials agree: slopes that face the light gain tone, others lose it,
+// what stands out throws a short shadow, and hollows are darker. Heights are in texels, tones in
+// steps of the ramp.
 //
-// A surface is a block texture unless its size is given. Texels may be see-through: alpha 0 is a hole, 255 is opaque.
+// A surface is a block texture unless its size is given. Texels may be see-through: alpha 0 is a
+// hole, 255 is opaque.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +27,8 @@ struct Texel {
 
 class Surface {
 public:
-    explicit Surface(int w = kSide, int h = kSide) : width(w), height(h), texels_(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+    explicit Surface(int w = kSide, int h = kSide)
+        : width(w), height(h), texels_(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 
     // One in which nothing has been drawn yet: all of it a hole.
     static Surface empty(int w = kSide, int h = kSide);
@@ -38,7 +41,8 @@ public:
 
 private:
     std::size_t indexOf(int x, int y) const {
-        return static_cast<std::size_t>(wrap(y, height)) * static_cast<std::size_t>(width) + static_cast<std::size_t>(wrap(x, width));
+        return static_cast<std::size_t>(wrap(y, height)) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(wrap(x, width));
     }
 
     std::vector<Texel> texels_;
@@ -56,9 +60,11 @@ struct Lighting {
 
 Picture lit(const Surface& surface, const Lighting& lighting = {});
 
-// Something put on a wall: lit as `lighting` says where the surface differs from the bare wall and close by, and exactly like the
-// bare wall elsewhere, so that it stands in a row with bare walls without a seam.
-Picture litOver(const Surface& wall, const Lighting& wallLighting, const Surface& surface, const Lighting& lighting);
+// Something put on a wall: lit as `lighting` says where the surface differs from the bare wall and
+// close by, and exactly like the bare wall elsewhere, so that it stands in a row with bare walls
+// without a seam.
+Picture litOver(const Surface& wall, const Lighting& wallLighting, const Surface& surface,
+                const Lighting& lighting);
 
 // Calls paint(x, y) for every texel of a block texture.
 template <typename Paint>
@@ -70,7 +76,8 @@ void everyTexel(Paint paint) {
     }
 }
 
-// The same for the texels of a rectangle; right and bottom are outside it. It may reach over the edges.
+// The same for the texels of a rectangle; right and bottom are outside it. It may reach over the
+// edges.
 template <typename Paint>
 void everyTexelIn(int left, int top, int right, int bottom, Paint paint) {
     for (int y = top; y < bottom; ++y) {

@@ -28,7 +28,8 @@ Picture paintMarbleChecker() {
         const auto seed = kSeed + 5U * static_cast<std::uint32_t>(tile);
         // Veins: where two noises cross a level, each tile cut from another place of the block
         const double cloud = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, seed) - 0.5;
-        const double bent = fractalNoise((x + y) / 32.0 + 0.5 * cloud, (y - x + kSide) / 16.0 + 2.5 * cloud, 8, 16, 2, seed + 1U);
+        const double bent = fractalNoise((x + y) / 32.0 + 0.5 * cloud,
+                                         (y - x + kSide) / 16.0 + 2.5 * cloud, 8, 16, 2, seed + 1U);
         const bool vein = std::abs(bent - 0.5) < 0.022;
         const double gloss = localX + localY < 24 ? 0.25 : 0.0;
         Texel& texel = surface.at(x, y);
@@ -74,7 +75,12 @@ Picture paintTerracotta() {
         texel.height = std::min(1.4, inside * 0.8);
         texel.tone = 2.9 + 0.9 * (randomAt(tile, 2, kSeed + 101U) - 0.5) + 0.9 * blotch;
     });
-    return lit(surface, {.gain = 0.6, .lightest = 0.7, .darkest = 0.9, .shadowReach = 1, .shadowSlope = 0.6, .shadowDepth = 0.4});
+    return lit(surface, {.gain = 0.6,
+                         .lightest = 0.7,
+                         .darkest = 0.9,
+                         .shadowReach = 1,
+                         .shadowSlope = 0.6,
+                         .shadowDepth = 0.4});
 }
 
 // Small cubes of stone: a braided border about a star, one field to the block.
@@ -85,7 +91,8 @@ Picture paintMosaic() {
     everyTexel([&](int x, int y) {
         const int column = x / kCube;
         const int row = y / kCube;
-        const int fromX = std::abs(2 * column - (kCubes - 1)) / 2;  // 0 at the middle, 15 at the border
+        const int fromX =
+            std::abs(2 * column - (kCubes - 1)) / 2;  // 0 at the middle, 15 at the border
         const int fromY = std::abs(2 * row - (kCubes - 1)) / 2;
         const int ring = std::max(fromX, fromY);
         const int sum = fromX + fromY;
@@ -127,7 +134,8 @@ Picture paintMosaic() {
 // Sunk panels between crossing ribs, a gilded rosette in each.
 Picture paintCeilingCoffers() {
     constexpr int kCoffer = 64;
-    static constexpr std::array<double, 4> kSteps = {9.0, 14.0, 19.0, 64.0};  // from the rib's middle inwards
+    static constexpr std::array<double, 4> kSteps = {9.0, 14.0, 19.0,
+                                                     64.0};  // from the rib's middle inwards
     Surface surface;
     everyTexel([&](int x, int y) {
         const int localX = x % kCoffer;
@@ -141,28 +149,51 @@ Picture paintCeilingCoffers() {
         Texel& texel = surface.at(x, y);
         texel.ramp = step == 3 ? &kClayRamp : &kOakRamp;
         texel.height = 7.0 - 2.2 * step;
-        texel.tone = step == 3 ? 0.9 + 0.5 * grain
-                               : 3.1 - 0.35 * step +
-                                     0.8 * woodGrain(std::abs(localX - 31.5) > std::abs(localY - 31.5) ? y : x,
-                                                     std::abs(localX - 31.5) > std::abs(localY - 31.5) ? x : y, kSeed + 301U);
+        texel.tone =
+            step == 3
+                ? 0.9 + 0.5 * grain
+                : 3.1 - 0.35 * step +
+                      0.8 * woodGrain(std::abs(localX - 31.5) > std::abs(localY - 31.5) ? y : x,
+                                      std::abs(localX - 31.5) > std::abs(localY - 31.5) ? x : y,
+                                      kSeed + 301U);
         if (inside == 9 || inside == 8) {
             texel.ramp = &kBrassRamp;
             texel.tone = 2.4;
         }
     });
     // Rosettes: eight petals on a disc
-    static constexpr std::array<Point, 8> kDirections = {
-        {{1.0, 0.0}, {0.7071, 0.7071}, {0.0, 1.0}, {-0.7071, 0.7071}, {-1.0, 0.0}, {-0.7071, -0.7071}, {0.0, -1.0}, {0.7071, -0.7071}}};
+    static constexpr std::array<Point, 8> kDirections = {{{1.0, 0.0},
+                                                          {0.7071, 0.7071},
+                                                          {0.0, 1.0},
+                                                          {-0.7071, 0.7071},
+                                                          {-1.0, 0.0},
+                                                          {-0.7071, -0.7071},
+                                                          {0.0, -1.0},
+                                                          {0.7071, -0.7071}}};
     for (const int middleY : {32, 96}) {
         for (const int middleX : {32, 96}) {
             for (const Point& direction : kDirections) {
-                drawStud(surface,
-                         {.x = middleX + 6.2 * direction.x, .y = middleY + 6.2 * direction.y, .radius = 2.7, .height = 2.4, .tone = 2.7, .ramp = &kBrassRamp});
+                drawStud(surface, {.x = middleX + 6.2 * direction.x,
+                                   .y = middleY + 6.2 * direction.y,
+                                   .radius = 2.7,
+                                   .height = 2.4,
+                                   .tone = 2.7,
+                                   .ramp = &kBrassRamp});
             }
-            drawStud(surface, {.x = middleX + 0.0, .y = middleY + 0.0, .radius = 3.4, .height = 3.4, .tone = 2.9, .ramp = &kBrassRamp});
+            drawStud(surface, {.x = middleX + 0.0,
+                               .y = middleY + 0.0,
+                               .radius = 3.4,
+                               .height = 3.4,
+                               .tone = 2.9,
+                               .ramp = &kBrassRamp});
         }
     }
-    return lit(surface, {.gain = 0.4, .lightest = 0.9, .darkest = 1.2, .shadowReach = 5, .shadowSlope = 0.7, .shadowDepth = 0.9});
+    return lit(surface, {.gain = 0.4,
+                         .lightest = 0.9,
+                         .darkest = 1.2,
+                         .shadowReach = 5,
+                         .shadowSlope = 0.7,
+                         .shadowDepth = 0.9});
 }
 
 }  // namespace slicecast::textures

@@ -14,7 +14,13 @@ namespace {
 
 constexpr std::uint32_t kSeed = 3400;
 
-constexpr Lighting kLeafLight = {.gain = 0.12, .lightest = 0.5, .darkest = 0.6, .shadowReach = 3, .shadowSlope = 0.8, .shadowDepth = 0.5, .hollowDepth = 0.04};
+constexpr Lighting kLeafLight = {.gain = 0.12,
+                                 .lightest = 0.5,
+                                 .darkest = 0.6,
+                                 .shadowReach = 3,
+                                 .shadowSlope = 0.8,
+                                 .shadowDepth = 0.5,
+                                 .hollowDepth = 0.04};
 
 // Grass at the foot hides where a trunk meets the ground.
 void drawTuft(Surface& surface, double from, double to, int blades, std::uint32_t seed) {
@@ -23,8 +29,9 @@ void drawTuft(Surface& surface, double from, double to, int blades, std::uint32_
         const double x = random.between(from, to);
         const double lean = random.between(-3.0, 3.0);
         const double height = random.between(4.0, 9.0);
-        drawLimb(surface, {x, surface.height + 0.0}, 1.2, {x + lean, surface.height - height}, 0.6,
-                 {.ramp = &kMossRamp, .tone = random.between(2.2, 4.0), .height = 14.0, .bulge = 0.3});
+        drawLimb(
+            surface, {x, surface.height + 0.0}, 1.2, {x + lean, surface.height - height}, 0.6,
+            {.ramp = &kMossRamp, .tone = random.between(2.2, 4.0), .height = 14.0, .bulge = 0.3});
     }
 }
 
@@ -44,7 +51,8 @@ Picture paintOak() {
     drawLimb(surface, {132.0, 154.0}, 3.5, {172.0, 142.0}, 2.5, wood);
     addGrain(surface, &kOakRamp, 1.2, kSeed);
     // A hollow where a bough broke off
-    drawBall(surface, {103.0, 203.0}, 4.0, 6.0, {.ramp = &kOakRamp, .tone = 0.6, .height = 8.0, .bulge = -0.5});
+    drawBall(surface, {103.0, 203.0}, 4.0, 6.0,
+             {.ramp = &kOakRamp, .tone = 0.6, .height = 8.0, .bulge = -0.5});
     drawLeafage(surface,
                 {{108.0, 52.0, 44.0},
                  {66.0, 66.0, 36.0},
@@ -70,9 +78,12 @@ Picture paintPine() {
     constexpr double kMiddle = kWidth / 2.0;
     constexpr int kTiers = 10;
     Surface surface = Surface::empty(kWidth, 252);
-    drawLimb(surface, {kMiddle, 251.0}, 7.0, {kMiddle, 40.0}, 3.0, {.ramp = &kOakRamp, .tone = 2.6});
-    drawLimb(surface, {kMiddle - 3.0, 244.0}, 5.0, {kMiddle - 12.0, 252.0}, 3.0, {.ramp = &kOakRamp, .tone = 2.5});
-    drawLimb(surface, {kMiddle + 3.0, 244.0}, 5.0, {kMiddle + 13.0, 252.0}, 3.0, {.ramp = &kOakRamp, .tone = 2.5});
+    drawLimb(surface, {kMiddle, 251.0}, 7.0, {kMiddle, 40.0}, 3.0,
+             {.ramp = &kOakRamp, .tone = 2.6});
+    drawLimb(surface, {kMiddle - 3.0, 244.0}, 5.0, {kMiddle - 12.0, 252.0}, 3.0,
+             {.ramp = &kOakRamp, .tone = 2.5});
+    drawLimb(surface, {kMiddle + 3.0, 244.0}, 5.0, {kMiddle + 13.0, 252.0}, 3.0,
+             {.ramp = &kOakRamp, .tone = 2.5});
     addGrain(surface, &kOakRamp, 1.1, kSeed + 10U);
     Random random(kSeed + 11U);
     for (int tier = 0; tier < kTiers; ++tier) {
@@ -83,7 +94,11 @@ Picture paintPine() {
         const double base = 3.0 * tier + 4.0;
         // The dark inside
         const double dark = (tier == 0 ? 0.3 : 0.5) * half;
-        drawOutline(surface, {{kMiddle, top + 6.0}, {kMiddle + dark, top + depth * 0.72}, {kMiddle, top + depth * 0.66}, {kMiddle - dark, top + depth * 0.72}},
+        drawOutline(surface,
+                    {{kMiddle, top + 6.0},
+                     {kMiddle + dark, top + depth * 0.72},
+                     {kMiddle, top + depth * 0.66},
+                     {kMiddle - dark, top + depth * 0.72}},
                     {.ramp = &kPineRamp, .tone = 0.9, .height = base});
         // Boughs from the trunk outwards, needles along each
         const int boughs = 13 + static_cast<int>(half / 5.0);
@@ -108,13 +123,15 @@ Picture paintPine() {
                                    .length = random.between(9.0, 13.0) * (1.0 - 0.4 * share),
                                    .width = 1.7,
                                    .height = base + 2.0 + 1.5 * along,
-                                   .tone = 2.0 + 1.5 * light + 2.8 * along * along + 0.9 * share * share + random.between(-0.4, 0.5),
+                                   .tone = 2.0 + 1.5 * light + 2.8 * along * along +
+                                           0.9 * share * share + random.between(-0.4, 0.5),
                                    .ramp = &kPineRamp,
                                    .cutOff = true});
             }
         }
     }
-    drawLimb(surface, {kMiddle, 14.0}, 1.6, {kMiddle, 2.0}, 0.8, {.ramp = &kPineRamp, .tone = 4.0, .height = 40.0});
+    drawLimb(surface, {kMiddle, 14.0}, 1.6, {kMiddle, 2.0}, 0.8,
+             {.ramp = &kPineRamp, .tone = 4.0, .height = 40.0});
     drawTuft(surface, 48.0, 92.0, 18, kSeed + 12U);
     return spriteOf(surface, kLeafLight);
 }
@@ -140,14 +157,15 @@ Picture paintBirch() {
         const int y = 245 - static_cast<int>(190.0 * share);
         const int x = 63 + random.below(14);
         const int length = 2 + random.below(share < 0.35 ? 7 : 4);
-        everyTexelOn(surface, x, y, x + length, y + (random.fraction() < 0.3 ? 2 : 1), [&](int scarX, int scarY) {
-            Texel& texel = surface.at(scarX, scarY);
-            if (texel.alpha > 0) {
-                texel.ramp = &kSlateRamp;
-                texel.tone = 1.4;
-                texel.height -= 0.5;
-            }
-        });
+        everyTexelOn(surface, x, y, x + length, y + (random.fraction() < 0.3 ? 2 : 1),
+                     [&](int scarX, int scarY) {
+                         Texel& texel = surface.at(scarX, scarY);
+                         if (texel.alpha > 0) {
+                             texel.ramp = &kSlateRamp;
+                             texel.tone = 1.4;
+                             texel.height -= 0.5;
+                         }
+                     });
     }
     // Airy leaves in hanging sprays
     drawLeafage(surface,
@@ -160,7 +178,14 @@ Picture paintBirch() {
                  {70.0, 102.0, 26.0},
                  {46.0, 132.0, 21.0},
                  {98.0, 128.0, 22.0}},
-                {.tone = 3.7, .contrast = 1.1, .length = 5.4, .width = 0.36, .density = 0.36, .filled = false, .hanging = true, .seed = kSeed + 21U});
+                {.tone = 3.7,
+                 .contrast = 1.1,
+                 .length = 5.4,
+                 .width = 0.36,
+                 .density = 0.36,
+                 .filled = false,
+                 .hanging = true,
+                 .seed = kSeed + 21U});
     drawTuft(surface, 52.0, 92.0, 20, kSeed + 22U);
     return spriteOf(surface, kLeafLight);
 }
@@ -183,7 +208,13 @@ Picture paintBush() {
 
 Picture paintFlowerBush() {
     Surface surface = Surface::empty(120, 84);
-    drawLeafage(surface, {{60.0, 36.0, 28.0}, {34.0, 50.0, 25.0}, {86.0, 50.0, 25.0}, {60.0, 58.0, 25.0}, {26.0, 66.0, 17.0}, {94.0, 66.0, 17.0}},
+    drawLeafage(surface,
+                {{60.0, 36.0, 28.0},
+                 {34.0, 50.0, 25.0},
+                 {86.0, 50.0, 25.0},
+                 {60.0, 58.0, 25.0},
+                 {26.0, 66.0, 17.0},
+                 {94.0, 66.0, 17.0}},
                 {.tone = 2.4, .contrast = 1.1, .length = 7.5, .width = 0.3, .seed = kSeed + 40U});
     // Blossoms of five petals, in drifts, lighter above
     Random random(kSeed + 41U);
@@ -193,14 +224,18 @@ Picture paintFlowerBush() {
         const double own = random.between(-0.5, 0.5);
         const int at = static_cast<int>(x);
         const int row = static_cast<int>(y);
-        const bool inside = surface.at(at, row).alpha > 0 && surface.at(wrap(at + 4, 120), row).alpha > 0 && surface.at(wrap(at - 4, 120), row).alpha > 0;
+        const bool inside = surface.at(at, row).alpha > 0 &&
+                            surface.at(wrap(at + 4, 120), row).alpha > 0 &&
+                            surface.at(wrap(at - 4, 120), row).alpha > 0;
         if (!inside || valueNoise(x / 14.0, y / 14.0, 8, 8, kSeed + 42U) < 0.47) {
             continue;
         }
         const double tone = 3.9 - y / 45.0 + own;
-        constexpr Place kPetals[] = {{0.0, -2.2}, {2.1, -0.7}, {1.3, 1.8}, {-1.3, 1.8}, {-2.1, -0.7}};
+        constexpr Place kPetals[] = {
+            {0.0, -2.2}, {2.1, -0.7}, {1.3, 1.8}, {-1.3, 1.8}, {-2.1, -0.7}};
         for (const Place& petal : kPetals) {
-            drawBall(surface, {x + petal.x, y + petal.y}, 1.5, 1.5, {.ramp = &kBlossomRamp, .tone = tone, .height = 16.0, .bulge = 0.6});
+            drawBall(surface, {x + petal.x, y + petal.y}, 1.5, 1.5,
+                     {.ramp = &kBlossomRamp, .tone = tone, .height = 16.0, .bulge = 0.6});
         }
         drawBall(surface, {x, y}, 0.9, 0.9, {.ramp = &kBrassRamp, .tone = 3.8, .height = 17.0});
     }

@@ -51,23 +51,32 @@ struct Beam {
 
 void drawBeam(Surface& surface, const Beam& beam) {
     everyTexelIn(beam.left, beam.top, beam.right, beam.bottom, [&](int x, int y) {
-        const int across = beam.upright ? std::min(x - beam.left, beam.right - 1 - x) : std::min(y - beam.top, beam.bottom - 1 - y);
+        const int across = beam.upright ? std::min(x - beam.left, beam.right - 1 - x)
+                                        : std::min(y - beam.top, beam.bottom - 1 - y);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kOakRamp;
         texel.height = beam.height * std::min(1.0, (across + 1.0) / 2.0);
-        texel.tone = 2.9 + 0.9 * (beam.upright ? woodGrain(y, x, beam.seed) : woodGrain(x, y, beam.seed));
+        texel.tone =
+            2.9 + 0.9 * (beam.upright ? woodGrain(y, x, beam.seed) : woodGrain(x, y, beam.seed));
     });
 }
 
 // Wooden pegs where beams meet.
 void drawPeg(Surface& surface, int x, int y) {
-    drawStud(surface, {.x = x + 0.0, .y = y + 0.0, .radius = 1.8, .height = 1.2, .tone = 3.6, .ramp = &kOakRamp});
+    drawStud(
+        surface,
+        {.x = x + 0.0, .y = y + 0.0, .radius = 1.8, .height = 1.2, .tone = 3.6, .ramp = &kOakRamp});
 }
 
 }  // namespace
 
 Lighting timberLighting() {
-    return {.gain = 0.4, .lightest = 0.8, .darkest = 1.4, .shadowReach = 4, .shadowSlope = 0.8, .shadowDepth = 1.1};
+    return {.gain = 0.4,
+            .lightest = 0.8,
+            .darkest = 1.4,
+            .shadowReach = 4,
+            .shadowSlope = 0.8,
+            .shadowDepth = 1.1};
 }
 
 Picture paintPlanksFloor() {
@@ -87,7 +96,8 @@ Picture paintPlanksFloor() {
         Texel& texel = surface.at(x, y);
         const int board = y / kBoard;
         const int fromJoint = wrap(x - kJoints[static_cast<std::size_t>(board)], kSide);
-        const double gap = std::min({boards.edgeAt(x, y), fromJoint + 0.5, kSide - fromJoint - 0.5});
+        const double gap =
+            std::min({boards.edgeAt(x, y), fromJoint + 0.5, kSide - fromJoint - 0.5});
         const auto seed = kSeed + 10U * static_cast<std::uint32_t>(board);
         texel.ramp = &kTimberRamp;
         texel.height = std::clamp(gap * 0.7 - 0.35, 0.0, 1.0);
@@ -107,7 +117,12 @@ Picture paintPlanksFloor() {
     drawKnot(surface, 14, 39, false);
     drawKnot(surface, 92, 71, false);
     drawKnot(surface, 40, 120, false);
-    return lit(surface, {.gain = 0.5, .lightest = 0.6, .darkest = 1.0, .shadowReach = 1, .shadowSlope = 0.6, .shadowDepth = 0.4});
+    return lit(surface, {.gain = 0.5,
+                         .lightest = 0.6,
+                         .darkest = 1.0,
+                         .shadowReach = 1,
+                         .shadowSlope = 0.6,
+                         .shadowDepth = 0.4});
 }
 
 Picture paintPlanksWall() {
@@ -130,7 +145,9 @@ Picture paintPlanksWall() {
         }
     });
     for (int board = 0; board < 6; ++board) {
-        const int middle = (kEdges[static_cast<std::size_t>(board)] + kEdges[static_cast<std::size_t>(board) + 1]) / 2;
+        const int middle = (kEdges[static_cast<std::size_t>(board)] +
+                            kEdges[static_cast<std::size_t>(board) + 1]) /
+                           2;
         for (const int y : {12, 76}) {
             drawNail(surface, middle - 5, y);
             drawNail(surface, middle + 4, y);
@@ -141,14 +158,31 @@ Picture paintPlanksWall() {
     drawKnot(surface, 96, 28, true);
     drawKnot(surface, 10, 92, true);
     drawKnot(surface, 117, 60, true);
-    return lit(surface, {.gain = 0.45, .lightest = 0.7, .darkest = 1.2, .shadowReach = 2, .shadowSlope = 0.7, .shadowDepth = 0.7});
+    return lit(surface, {.gain = 0.45,
+                         .lightest = 0.7,
+                         .darkest = 1.2,
+                         .shadowReach = 2,
+                         .shadowSlope = 0.7,
+                         .shadowDepth = 0.7});
 }
 
 Surface timberFrameSurface() {
     Surface surface = whitewashSurface();
     // Posts and rails straddle the borders, so that neighbours share them
-    drawBeam(surface, {.left = 0, .top = -8, .right = kSide, .bottom = 8, .upright = false, .height = 3.0, .seed = kSeed + 200U});
-    drawBeam(surface, {.left = -9, .top = 8, .right = 9, .bottom = kSide - 8, .upright = true, .height = 3.0, .seed = kSeed + 210U});
+    drawBeam(surface, {.left = 0,
+                       .top = -8,
+                       .right = kSide,
+                       .bottom = 8,
+                       .upright = false,
+                       .height = 3.0,
+                       .seed = kSeed + 200U});
+    drawBeam(surface, {.left = -9,
+                       .top = 8,
+                       .right = 9,
+                       .bottom = kSide - 8,
+                       .upright = true,
+                       .height = 3.0,
+                       .seed = kSeed + 210U});
     drawPeg(surface, -4, 3);
     drawPeg(surface, 5, -3);
     return surface;
@@ -156,7 +190,13 @@ Surface timberFrameSurface() {
 
 Picture paintTimberFrame() {
     Surface surface = timberFrameSurface();
-    drawBeam(surface, {.left = 57, .top = 8, .right = 71, .bottom = kSide - 8, .upright = true, .height = 3.0, .seed = kSeed + 220U});
+    drawBeam(surface, {.left = 57,
+                       .top = 8,
+                       .right = 71,
+                       .bottom = kSide - 8,
+                       .upright = true,
+                       .height = 3.0,
+                       .seed = kSeed + 220U});
     drawPeg(surface, 61, 3);
     drawPeg(surface, 67, -3);
     return lit(surface, timberLighting());
@@ -187,7 +227,8 @@ Picture paintCeilingBeams() {
         Texel& texel = surface.at(x, y);
         texel.ramp = &kOakRamp;
         texel.height = std::min(1.0, inside * 0.6);
-        texel.tone = 2.5 + 0.6 * (randomAt(board, 3, kSeed) - 0.5) + 0.7 * woodGrain(y, x, kSeed + 300U + static_cast<std::uint32_t>(board));
+        texel.tone = 2.5 + 0.6 * (randomAt(board, 3, kSeed) - 0.5) +
+                     0.7 * woodGrain(y, x, kSeed + 300U + static_cast<std::uint32_t>(board));
         texel.tone = x % kBoard == kBoard - 1 ? 0.5 : texel.tone;
     });
     for (const int top : {18, 82}) {
@@ -199,9 +240,15 @@ Picture paintCeilingBeams() {
                            .height = 9.0,
                            .seed = kSeed + 320U + static_cast<std::uint32_t>(top)});
         everyTexelIn(0, top, kSide, top + 28, [&](int x, int y) { surface.at(x, y).tone += 0.7; });
-        everyTexelIn(0, top + 28, kSide, top + 33, [&](int x, int y) { surface.at(x, y).tone -= 0.6; });
+        everyTexelIn(0, top + 28, kSide, top + 33,
+                     [&](int x, int y) { surface.at(x, y).tone -= 0.6; });
     }
-    return lit(surface, {.gain = 0.35, .lightest = 0.9, .darkest = 1.3, .shadowReach = 8, .shadowSlope = 0.9, .shadowDepth = 1.0});
+    return lit(surface, {.gain = 0.35,
+                         .lightest = 0.9,
+                         .darkest = 1.3,
+                         .shadowReach = 8,
+                         .shadowSlope = 0.9,
+                         .shadowDepth = 1.0});
 }
 
 Picture paintCrate() {
@@ -214,7 +261,8 @@ Picture paintCrate() {
         Texel& texel = surface.at(x, y);
         texel.ramp = &kTimberRamp;
         texel.height = std::min(1.0, inside * 0.7);
-        texel.tone = 2.7 + 0.8 * (randomAt(board, 4, kSeed) - 0.5) + woodGrain(y, x, kSeed + 400U + static_cast<std::uint32_t>(board));
+        texel.tone = 2.7 + 0.8 * (randomAt(board, 4, kSeed) - 0.5) +
+                     woodGrain(y, x, kSeed + 400U + static_cast<std::uint32_t>(board));
         texel.tone = inside == 0 ? texel.tone - 1.5 : texel.tone;
     });
     // The brace, then the frame around
@@ -238,23 +286,39 @@ Picture paintCrate() {
         const int inner = rail ? kFrame - 1 - end : kFrame - 1 - side;
         Texel& texel = surface.at(x, y);
         texel.height = 4.5 * std::min({1.0, (outer + 1.0) / 2.5, (inner + 1.0) / 2.5});
-        texel.tone = frameTone(rail ? woodGrain(x, y, kSeed + 430U) : woodGrain(y, x, kSeed + 440U));
+        texel.tone =
+            frameTone(rail ? woodGrain(x, y, kSeed + 430U) : woodGrain(y, x, kSeed + 440U));
         if (!rail && (y == kFrame || y == kSide - 1 - kFrame)) {
             texel.tone -= 1.4;
         }
     });
     for (const int x : {9, kSide - 9}) {
         for (const int y : {9, kSide - 9}) {
-            drawStud(surface, {.x = x + 0.0, .y = y + 0.0, .radius = 2.6, .height = 2.0, .tone = 2.6, .ramp = &kSlateRamp});
+            drawStud(surface, {.x = x + 0.0,
+                               .y = y + 0.0,
+                               .radius = 2.6,
+                               .height = 2.0,
+                               .tone = 2.6,
+                               .ramp = &kSlateRamp});
         }
     }
     for (const int middle : {9, kSide - 9}) {
         for (int board = 1; board < 7; ++board) {
             const int along = board * 16 + 8;
-            drawStud(surface, {.x = along + 0.0, .y = middle + 0.0, .radius = 1.6, .height = 1.2, .tone = 2.2, .ramp = &kSlateRamp});
+            drawStud(surface, {.x = along + 0.0,
+                               .y = middle + 0.0,
+                               .radius = 1.6,
+                               .height = 1.2,
+                               .tone = 2.2,
+                               .ramp = &kSlateRamp});
         }
     }
-    return lit(surface, {.gain = 0.4, .lightest = 0.9, .darkest = 1.4, .shadowReach = 4, .shadowSlope = 0.8, .shadowDepth = 1.0});
+    return lit(surface, {.gain = 0.4,
+                         .lightest = 0.9,
+                         .darkest = 1.4,
+                         .shadowReach = 4,
+                         .shadowSlope = 0.8,
+                         .shadowDepth = 1.0});
 }
 
 }  // namespace slicecast::textures

@@ -70,9 +70,12 @@ void Guide::waitForLift(Spot spot, bool isUp) {
     const int x = toCoordinate(spot.x).tile();
     const int y = toCoordinate(spot.y).tile();
     for (const Mover& mover : world.movers) {
-        if (mover.map != session_.player().map || x < mover.west || x > mover.east || y < mover.north || y > mover.south) continue;
+        if (mover.map != session_.player().map || x < mover.west || x > mover.east ||
+            y < mover.north || y > mover.south)
+            continue;
         const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
-        const Coordinate wanted = isUp ? std::max(motion.from, motion.to) : std::min(motion.from, motion.to);
+        const Coordinate wanted =
+            isUp ? std::max(motion.from, motion.to) : std::min(motion.from, motion.to);
         for (int i = 0; i < motion.periodSteps && mover.offset != wanted; ++i) step({});
         if (mover.offset != wanted) trouble_ = "the lift does not come";
         return;
@@ -141,7 +144,9 @@ double Guide::distanceTo(Spot spot) const {
 }
 
 double Guide::turnTowards(Spot spot) const {
-    return shortWay(bearing(spot.x - session_.player().x.value(), spot.y - session_.player().y.value()) - session_.player().headingDegrees);
+    return shortWay(
+        bearing(spot.x - session_.player().x.value(), spot.y - session_.player().y.value()) -
+        session_.player().headingDegrees);
 }
 
 // A step to there, ahead only where that leads there.
@@ -181,12 +186,15 @@ void Guide::goTo(Spot spot, Input pace) {
         if (waited == 0) nearest = distanceTo(spot);
         if (waited > kPatience) {
             const Player& player = session_.player();
-            trouble_ = "stuck at " + std::to_string(player.x.value()) + ", " + std::to_string(player.y.value()) + ", feet at " +
-                       std::to_string(player.z.value()) + ", on the way to " + std::to_string(spot.x) + ", " + std::to_string(spot.y);
+            trouble_ = "stuck at " + std::to_string(player.x.value()) + ", " +
+                       std::to_string(player.y.value()) + ", feet at " +
+                       std::to_string(player.z.value()) + ", on the way to " +
+                       std::to_string(spot.x) + ", " + std::to_string(spot.y);
         }
     }
     step({.fly = pace.fly}, 20);
-    for (int i = 0; i < 120 && !session_.player().onGround && !session_.player().flying; ++i) step({.fly = pace.fly});
+    for (int i = 0; i < 120 && !session_.player().onGround && !session_.player().flying; ++i)
+        step({.fly = pace.fly});
 }
 
 }  // namespace slicecast

@@ -1,12 +1,14 @@
-// Somebody who knows the way: plays a session as a person would, by turning, walking and jumping, and records it. Everything goes through the session's
-// input, so a tour can only go where a player can.
+// Somebody who knows the way: plays a session as a person would, by turning, walking and jumping,
+// and records it. Everything goes through the session's input, so a tour can only go where a player
+// can.
 //
 //     Guide guide(world, "castle");
 //     guide.walk({{44.5, 20}, {43, 18.9}});
 //     guide.mark("in-the-gate");
 //     Recording tour = guide.finish();
 //
-// Lengths are units, angles degrees, looks screen heights, times steps of 1/120 s. Who gets stuck says so once, and does nothing any more.
+// Lengths are units, angles degrees, looks screen heights, times steps of 1/120 s. Who gets stuck
+// says so once, and does nothing any more.
 #pragma once
 
 #include "session/recording.h"

@@ -22,8 +22,10 @@ int main(int argc, char** argv) {
     const std::filesystem::path assets = argv[1];
     int status = 0;
     for (const Tour& tour : allTours()) {
-        SceneFromFile scene = readScene((assets / "scenes" / (std::string(tour.scene) + ".json")).string());
-        for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+        SceneFromFile scene =
+            readScene((assets / "scenes" / (std::string(tour.scene) + ".json")).string());
+        for (const Fault& fault : scene.faults)
+            std::fprintf(stderr, "%s\n", describe(fault).c_str());
         if (!scene.world) return 1;
         Guide guide(std::move(*scene.world), tour.scene);
         tour.give(guide);
@@ -31,7 +33,8 @@ int main(int argc, char** argv) {
         if (trouble.empty()) {
             const std::string text = writeRecording(guide.finish());
             const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-            trouble = writeWholeFile((assets / "tours" / (std::string(tour.scene) + ".txt")).string(), bytes);
+            trouble = writeWholeFile(
+                (assets / "tours" / (std::string(tour.scene) + ".txt")).string(), bytes);
         }
         if (trouble.empty()) continue;
         std::fprintf(stderr, "slicecast-tours: %s: %s\n", tour.scene, trouble.c_str());

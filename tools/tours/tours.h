@@ -1,4 +1,5 @@
-// The tours through the shipped scenes: who gives them, and where they lead. They are kept in assets/tours, each under its scene's name.
+// The tours through the shipped scenes: who gives them, and where they lead. They are kept in
+// assets/tours, each under its scene's name.
 #pragma once
 
 #include "tours/guide.h"

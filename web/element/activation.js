@@ -1,5 +1,6 @@
-// Who steers a <ray-caster>: nobody, until a click, a tap or Enter on its cover gives the picture the keys; Escape, another focus or the leave button
-// takes them back. Tab is never kept, and what the picture does not use goes on to the page.
+// Who steers a <ray-caster>: nobody, until a click, a tap or Enter on its cover gives the picture
+// the keys; Escape, another focus or the leave button takes them back. Tab is never kept, and what
+// the picture does not use goes on to the page.
 //
 //     const activation = new Activation(tree, {canBegin() {...}, changed(isHeld) {...}, engine() {...}});
 //     activation.begin();          // as a click on the cover does, which has the focus
@@ -13,9 +14,38 @@ import { touchLayer } from './touch.js';
 
 // The keys of `keys="move"`: moving, looking, gates, flying, and the cursor's steering.
 const kMoveKeys = new Set([
-  'KeyW', 'KeyA', 'KeyS', 'KeyD', 'KeyQ', 'KeyE', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Space', 'PageUp', 'PageDown', 'KeyC', 'ShiftLeft',
-  'ShiftRight', 'ControlLeft', 'ControlRight', 'KeyX', 'Period', 'Comma', 'KeyR', 'KeyV', 'KeyN', 'Numpad1', 'Numpad2', 'Numpad3', 'Numpad4', 'Numpad6',
-  'Numpad7', 'Numpad8', 'Numpad9',
+  'KeyW',
+  'KeyA',
+  'KeyS',
+  'KeyD',
+  'KeyQ',
+  'KeyE',
+  'ArrowLeft',
+  'ArrowRight',
+  'ArrowUp',
+  'ArrowDown',
+  'Space',
+  'PageUp',
+  'PageDown',
+  'KeyC',
+  'ShiftLeft',
+  'ShiftRight',
+  'ControlLeft',
+  'ControlRight',
+  'KeyX',
+  'Period',
+  'Comma',
+  'KeyR',
+  'KeyV',
+  'KeyN',
+  'Numpad1',
+  'Numpad2',
+  'Numpad3',
+  'Numpad4',
+  'Numpad6',
+  'Numpad7',
+  'Numpad8',
+  'Numpad9',
 ]);
 
 export class Activation {
@@ -57,7 +87,8 @@ export class Activation {
 
   // The scene is there: who pressed the cover before, and is still there, begins now.
   resume() {
-    if (this.#wish !== null && this.tree.root.activeElement === this.tree.cover) this.begin(this.#wish);
+    if (this.#wish !== null && this.tree.root.activeElement === this.tree.cover)
+      this.begin(this.#wish);
     this.#forget();
   }
 
@@ -85,8 +116,10 @@ export class Activation {
     const target = this.#target;
     const other = target === stage ? canvas : stage;
     if (target !== null) target.tabIndex = this.isHeld ? 0 : -1;
-    // The focus goes on before its place is none any more; else it is lost, and with it the picture.
-    if (this.isHeld && this.tree.root.activeElement === other) target.focus({ preventScroll: true });
+    // The focus goes on before its place is none any more; else it is lost, and with it the
+    // picture.
+    if (this.isHeld && this.tree.root.activeElement === other)
+      target.focus({ preventScroll: true });
     other?.removeAttribute('tabindex');
     canvas?.setAttribute('role', this.isHeld ? 'application' : 'img');
   }
@@ -114,7 +147,8 @@ export class Activation {
       this.#gamepads?.stop();
       this.#gamepads = null;
       this.#showThumbs(false);
-      if (canvas !== null && root.pointerLockElement === canvas) canvas.ownerDocument.exitPointerLock();
+      if (canvas !== null && root.pointerLockElement === canvas)
+        canvas.ownerDocument.exitPointerLock();
     }
     leave.hidden = !isHeld || this.#layer?.isConnected !== true;
     this.actions.changed(isHeld);
@@ -132,7 +166,9 @@ export class Activation {
 
   // Whether the engine hears of a key; the page has the others.
   takesKey(code) {
-    return this.keys === 'all' ? !kPlayPageKeys.includes(code.replace(/^Key/, '')) : kMoveKeys.has(code);
+    return this.keys === 'all'
+      ? !kPlayPageKeys.includes(code.replace(/^Key/, ''))
+      : kMoveKeys.has(code);
   }
 
   // ---- Thumbs
@@ -166,7 +202,11 @@ export class Activation {
   set holdsPointer(holds) {
     this.#pointerHeld.abort();
     this.#pointerHeld = new AbortController();
-    if (holds) this.tree.box.addEventListener('wheel', (event) => event.preventDefault(), { passive: false, signal: this.#pointerHeld.signal });
+    if (holds)
+      this.tree.box.addEventListener('wheel', (event) => event.preventDefault(), {
+        passive: false,
+        signal: this.#pointerHeld.signal,
+      });
   }
 
   // What the engine says of flying.

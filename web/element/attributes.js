@@ -12,7 +12,18 @@ const kLargestSide = 4096; // pixels, as the engine's
 
 // Name -> what the property says without the attribute.
 const kStandard = {
-  scene: '', view: '', size: 'auto', controls: null, options: '', overlay: '', autoplay: false, tour: '', poster: '', loading: 'lazy', keys: 'all', label: '',
+  scene: '',
+  view: '',
+  size: 'auto',
+  controls: null,
+  options: '',
+  overlay: '',
+  autoplay: false,
+  tour: '',
+  poster: '',
+  loading: 'lazy',
+  keys: 'all',
+  label: '',
   engine: 'auto',
 };
 
@@ -33,7 +44,8 @@ export function readAttributes(element) {
   };
 }
 
-// Each attribute as a property of the same name. One that was set before the element was defined is taken over by takeEarlyProperties.
+// Each attribute as a property of the same name. One that was set before the element was defined is
+// taken over by takeEarlyProperties.
 export function reflectAttributes(prototype) {
   for (const name of kAttributes) {
     const standard = kStandard[name];
@@ -41,7 +53,7 @@ export function reflectAttributes(prototype) {
       configurable: true,
       enumerable: true,
       get() {
-        return standard === false ? this.hasAttribute(name) : this.getAttribute(name) ?? standard;
+        return standard === false ? this.hasAttribute(name) : (this.getAttribute(name) ?? standard);
       },
       set(value) {
         if (value === null || value === undefined || value === false) this.removeAttribute(name);
@@ -64,7 +76,8 @@ function readSize(text) {
   if (text === 'auto') return text;
   const [, width, height] = /^\s*(\d{1,5})\s*x\s*(\d{1,5})\s*$/.exec(text) ?? [];
   const isSide = (side) => Number(side) >= 1 && Number(side) <= kLargestSide;
-  if (!isSide(width) || !isSide(height)) throw misread('size', text, `auto, or WIDTHxHEIGHT in pixels of at most ${kLargestSide}`);
+  if (!isSide(width) || !isSide(height))
+    throw misread('size', text, `auto, or WIDTHxHEIGHT in pixels of at most ${kLargestSide}`);
   return `${Number(width)}x${Number(height)}`;
 }
 
@@ -84,5 +97,10 @@ function readControls(text) {
 }
 
 function misread(name, found, expected) {
-  return new Trouble('An attribute cannot be read', `${name}: found "${found}", expected ${expected}`, [], 'address');
+  return new Trouble(
+    'An attribute cannot be read',
+    `${name}: found "${found}", expected ${expected}`,
+    [],
+    'address',
+  );
 }

@@ -22,7 +22,8 @@ export function barActions(host, show) {
 
 export function toggleFullScreen(host, show) {
   if (host.matches(':fullscreen')) host.ownerDocument.exitFullscreen();
-  else host.requestFullscreen?.().catch(() => show.showStatus('This page does not allow full screen'));
+  else
+    host.requestFullscreen?.().catch(() => show.showStatus('This page does not allow full screen'));
 }
 
 // Those of the attribute, or the map.
@@ -34,7 +35,11 @@ function toggleOverlays(host, show) {
 }
 
 async function save(host, show) {
-  const name = host.world.title.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'picture';
+  const name =
+    host.world.title
+      .toLowerCase()
+      .replace(/[^\p{L}\p{N}]+/gu, '-')
+      .replace(/^-|-$/g, '') || 'picture';
   try {
     saveFile(`${name}.png`, await host.snapshot());
     show.showStatus(`Saved as ${name}.png`);
@@ -43,17 +48,23 @@ async function save(host, show) {
   }
 }
 
-// The element as the page wrote it, with the view and the options of now, and the script where it is a file of its own.
+// The element as the page wrote it, with the view and the options of now, and the script where it
+// is a file of its own.
 async function share(host, show) {
   const tag = host.cloneNode(true);
   for (const name of ['id', 'tour']) tag.removeAttribute(name); // it would stand there twice; a tour has views of its own
-  const { view, options, overlay } = sharedParameters({ reference: '', view: host.currentView, options: host.optionList });
+  const { view, options, overlay } = sharedParameters({
+    reference: '',
+    view: host.currentView,
+    options: host.optionList,
+  });
   for (const [name, value] of Object.entries({ view, options, overlay })) {
     if (value === null) tag.removeAttribute(name);
     else tag.setAttribute(name, value);
   }
   if (show.source.address !== null) tag.setAttribute('scene', show.source.address.href);
-  if (host.poster !== '') tag.setAttribute('poster', new URL(host.poster, host.ownerDocument.baseURI).href);
+  if (host.poster !== '')
+    tag.setAttribute('poster', new URL(host.poster, host.ownerDocument.baseURI).href);
   const address = ownScript();
   const script = address === null ? '' : `<script type="module" src="${address}"></` + 'script>\n';
   try {
@@ -64,7 +75,8 @@ async function share(host, show) {
   }
 }
 
-// The address of the element's script; null where it is part of another one, or knows only where it was on the machine that has built it.
+// The address of the element's script; null where it is part of another one, or knows only where it
+// was on the machine that has built it.
 function ownScript() {
   const here = import.meta.url;
   if (!/\/ray-caster-steering\.js(\?|$)/.test(here)) return null;

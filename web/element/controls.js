@@ -7,7 +7,14 @@
 import { icon } from './icons.js';
 import { node } from './nodes.js';
 
-const kNames = { play: 'Play', reset: 'Back to the start', overlay: 'Map and panels', save: 'Save the picture', share: 'Copy the tag', fullscreen: 'Full screen' };
+const kNames = {
+  play: 'Play',
+  reset: 'Back to the start',
+  overlay: 'Map and panels',
+  save: 'Save the picture',
+  share: 'Copy the tag',
+  fullscreen: 'Full screen',
+};
 const kAfterSpace = 'overlay'; // from here on, buttons stand at the right
 
 export class Controls {
@@ -22,27 +29,46 @@ export class Controls {
   }
 
   show(names) {
-    const wanted = (names ?? []).filter((name) => name !== 'fullscreen' || this.bar.ownerDocument.fullscreenEnabled);
+    const wanted = (names ?? []).filter(
+      (name) => name !== 'fullscreen' || this.bar.ownerDocument.fullscreenEnabled,
+    );
     this.bar.hidden = wanted.length === 0;
     if (wanted.join() === [...this.#buttons.keys()].join()) return;
     this.#buttons = new Map(wanted.map((name) => [name, this.#make(name)]));
-    const at = wanted.findIndex((name) => Object.keys(kNames).indexOf(name) >= Object.keys(kNames).indexOf(kAfterSpace));
+    const at = wanted.findIndex(
+      (name) => Object.keys(kNames).indexOf(name) >= Object.keys(kNames).indexOf(kAfterSpace),
+    );
     const buttons = [...this.#buttons.values()];
-    this.bar.replaceChildren(...buttons.slice(0, at < 0 ? buttons.length : at), node('span', { class: 'space' }), ...(at < 0 ? [] : buttons.slice(at)));
+    this.bar.replaceChildren(
+      ...buttons.slice(0, at < 0 ? buttons.length : at),
+      node('span', { class: 'space' }),
+      ...(at < 0 ? [] : buttons.slice(at)),
+    );
     this.state(this.#state);
   }
 
   state(state) {
     this.#state = state;
     const { isReady = false, isPlaying = false, hasOverlay = false, isFullscreen = false } = state;
-    for (const [name, button] of this.#buttons) button.disabled = !isReady && name !== 'play' && name !== 'fullscreen';
+    for (const [name, button] of this.#buttons)
+      button.disabled = !isReady && name !== 'play' && name !== 'fullscreen';
     this.#set('play', isPlaying ? 'Pause' : 'Play', isPlaying ? 'pause' : 'play');
     this.#set('fullscreen', isFullscreen ? 'Leave full screen' : kNames.fullscreen, 'fullscreen');
     this.#buttons.get('overlay')?.setAttribute('aria-pressed', String(hasOverlay));
   }
 
   #make(name) {
-    const button = node('button', { type: 'button', part: 'button', 'data-name': name, 'aria-label': kNames[name], title: kNames[name] }, icon(name));
+    const button = node(
+      'button',
+      {
+        type: 'button',
+        part: 'button',
+        'data-name': name,
+        'aria-label': kNames[name],
+        title: kNames[name],
+      },
+      icon(name),
+    );
     button.addEventListener('click', () => this.actions[name]());
     return button;
   }

@@ -1,4 +1,5 @@
-// What a <ray-caster> shows around its picture: names, the poster, progress, the line of status, what is wrong.
+// What a <ray-caster> shows around its picture: names, the poster, progress, the line of status,
+// what is wrong.
 //
 //     const face = new Face(tree, internals);
 //     face.attributes({poster, label}, hasPicture);
@@ -60,7 +61,8 @@ export class Face {
   status(text, { stays = false } = {}) {
     clearTimeout(this.#statusTimer);
     this.#tree.status.textContent = text;
-    if (text !== '' && !stays) this.#statusTimer = setTimeout(() => this.status(''), kStatusMilliseconds);
+    if (text !== '' && !stays)
+      this.#statusTimer = setTimeout(() => this.status(''), kStatusMilliseconds);
   }
 
   trouble(detail, retry) {

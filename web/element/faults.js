@@ -9,52 +9,61 @@ import { Trouble, asTrouble, placeOf } from '../trouble.js';
 
 // `means` says what has happened, `remedy` what to do about it.
 export const errorCodes = /* @__PURE__ */ Object.freeze({
-  'fetch': {
+  fetch: {
     title: 'A file could not be fetched',
-    means: 'The server of the engine or the scene does not answer, or it answers with an error such as 404.',
+    means:
+      'The server of the engine or the scene does not answer, or it answers with an error such as 404.',
     remedy: 'Check the address, and that the file is on that server.',
   },
-  'cors': {
+  cors: {
     title: 'Another host does not share its file',
-    means: 'A file lies on another origin, whose server does not let this page read it. A sandboxed iframe counts as another origin everywhere.',
-    remedy: 'Let its server send the header Access-Control-Allow-Origin, or put the file on this page\'s own host.',
+    means:
+      'A file lies on another origin, whose server does not let this page read it. A sandboxed iframe counts as another origin everywhere.',
+    remedy:
+      "Let its server send the header Access-Control-Allow-Origin, or put the file on this page's own host.",
   },
-  'mime': {
+  mime: {
     title: 'A server sends something else',
-    means: 'An address is answered by a web page, or a script comes with a type that browsers refuse.',
-    remedy: 'Check the address; if it is right, let the server send .js as text/javascript and .wasm and .json as they are.',
+    means:
+      'An address is answered by a web page, or a script comes with a type that browsers refuse.',
+    remedy:
+      'Check the address; if it is right, let the server send .js as text/javascript and .wasm and .json as they are.',
   },
-  'csp': {
-    title: 'This page\'s rules forbid it',
-    means: 'The page\'s Content-Security-Policy keeps the engine from being fetched or from running.',
-    remedy: 'Allow it: script-src \'self\' \'wasm-unsafe-eval\', and in connect-src the hosts of the engine and the scene.',
+  csp: {
+    title: "This page's rules forbid it",
+    means:
+      "The page's Content-Security-Policy keeps the engine from being fetched or from running.",
+    remedy:
+      "Allow it: script-src 'self' 'wasm-unsafe-eval', and in connect-src the hosts of the engine and the scene.",
   },
   'no-webassembly': {
     title: 'This browser has no WebAssembly',
-    means: 'The browser cannot run WebAssembly, or it is switched off, as in some strict security modes.',
+    means:
+      'The browser cannot run WebAssembly, or it is switched off, as in some strict security modes.',
     remedy: 'Use a current browser, or allow WebAssembly for this site.',
   },
-  'engine': {
+  engine: {
     title: 'The engine has stopped',
     means: 'The engine does not start, has run out of memory, or has met an error of its own.',
     remedy: 'Load the page again; if it comes back, close other tabs or show fewer scenes at once.',
   },
-  'scene': {
+  scene: {
     title: 'The scene has faults',
     means: 'The scene was read but cannot be shown; each of its faults is listed with its place.',
     remedy: 'Mend each place that is listed.',
   },
-  'address': {
+  address: {
     title: 'An attribute cannot be read',
-    means: 'The value of an attribute, or of a part of the page\'s address, is not written as it must be.',
+    means:
+      "The value of an attribute, or of a part of the page's address, is not written as it must be.",
     remedy: 'Write it as the message says.',
   },
-  'tour': {
+  tour: {
     title: 'The tour cannot be played',
     means: 'The recording cannot be fetched or read, or it belongs to another scene.',
     remedy: 'Check the address in tour, and record it anew if the scene has changed.',
   },
-  'option': {
+  option: {
     title: 'There is no such option or value',
     means: 'The engine knows no option of that name, or does not take that value.',
     remedy: 'optionList names all options and their values.',
@@ -77,7 +86,8 @@ export function sceneFault(name, faults) {
   return new Trouble(`${count} in ${name}`, 'It was read, but cannot be shown.', faults, 'scene');
 }
 
-// What a page shows and the event `error` carries. Each fault has, besides what the engine says of it, `place`: "castle.json:12:5".
+// What a page shows and the event `error` carries. Each fault has, besides what the engine says of
+// it, `place`: "castle.json:12:5".
 export function explain(error) {
   const { code, title, message, faults } = asTrouble(codedError(error));
   return {
@@ -94,7 +104,12 @@ function codedError(error) {
   if (isOutOfMemory) return faultOf('engine', `There is not enough memory: ${error.message}`);
   // Of a script with a copy of Trouble of its own, too.
   if (error instanceof Error && Object.hasOwn(errorCodes, error.code)) {
-    return new Trouble(error.title ?? errorCodes[error.code].title, error.message, error.faults, error.code);
+    return new Trouble(
+      error.title ?? errorCodes[error.code].title,
+      error.message,
+      error.faults,
+      error.code,
+    );
   }
   return error;
 }

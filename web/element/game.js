@@ -1,4 +1,5 @@
-// The engine behind one <ray-caster>: fetches it, loads scenes into it, and holds its options as the attributes want them.
+// The engine behind one <ray-caster>: fetches it, loads scenes into it, and holds its options as
+// the attributes want them.
 //
 //     const game = new Game({showCanvas(canvas) {...}, hear(event, value) {...}, takesKey(code) {...}});
 //     if (await game.load({key, kind, source, tour, onProgress})) game.engine.begin();      // the key stands for all that is asked
@@ -26,8 +27,9 @@ export class Game {
     this.actions = actions;
   }
 
-  // True if the scene can be played now, false if another one was asked for meanwhile. Until then the scene before stays, with its picture. Throws a Trouble.
-  // `source` may be null with a tour, which names its scene.
+  // True if the scene can be played now, false if another one was asked for meanwhile. Until then
+  // the scene before stays, with its picture. Throws a Trouble. `source` may be null with a tour,
+  // which names its scene.
   async load({ key, kind, source, tour, onProgress }) {
     const turn = ++this.#turn;
     const isStale = () => turn !== this.#turn;
@@ -36,7 +38,8 @@ export class Game {
     onProgress(0, 0);
     // Another element may play the same already.
     const findTwin = () => [...players].find(([, played]) => played === key)?.[0];
-    const begun = source === null || findTwin() !== undefined ? source : beginReading(source, isStale);
+    const begun =
+      source === null || findTwin() !== undefined ? source : beginReading(source, isStale);
     const [files, recording] = await Promise.all([
       sharedEngineFiles(kind, (loaded, total) => {
         if (begin === 0 || isStale()) return;
@@ -55,18 +58,28 @@ export class Game {
       const scene = recording === null ? null : checkTour(engine, recording);
       const found = begun ?? namedScene(scene);
       if (scene !== null && found.address !== null && sceneName(found.name) !== sceneName(scene)) {
-        throw faultOf('tour', `${recording.name} was recorded in the scene ${sceneName(scene)}, and this one is ${sceneName(found.name)}.`);
+        throw faultOf(
+          'tour',
+          `${recording.name} was recorded in the scene ${sceneName(scene)}, and this one is ${sceneName(found.name)}.`,
+        );
       }
       wasPlayer = players.delete(engine); // while another scene comes into its memory
-      const faults = isAdopted ? [] : await engine.loadScene(found, {
-        isWanted: () => !isStale(),
-        onProgress: (share, bytes) => isStale() || onProgress(begin + share * (1 - begin), engineBytes + bytes),
-      });
+      const faults = isAdopted
+        ? []
+        : await engine.loadScene(found, {
+            isWanted: () => !isStale(),
+            onProgress: (share, bytes) =>
+              isStale() || onProgress(begin + share * (1 - begin), engineBytes + bytes),
+          });
       if (faults === null || isStale()) {
         if (isNew) engine.stop();
         return false;
       }
-      if (faults.length > 0) throw sceneFault(found.name, faults.map((fault) => withReason(fault, found.failures)));
+      if (faults.length > 0)
+        throw sceneFault(
+          found.name,
+          faults.map((fault) => withReason(fault, found.failures)),
+        );
       if (isAdopted) onProgress(1, engineBytes);
       this.source = found;
       this.#tour = recording;
@@ -85,7 +98,12 @@ export class Game {
   async #create(files, isStale) {
     const canvas = document.createElement('canvas');
     const { hear, takesKey } = this.actions;
-    const engine = await Engine.create({ files, canvas, takesKey, onEvent: (event, value) => this.engine === engine && hear(event, value) });
+    const engine = await Engine.create({
+      files,
+      canvas,
+      takesKey,
+      onEvent: (event, value) => this.engine === engine && hear(event, value),
+    });
     if (!isStale()) return engine;
     engine.stop();
     return null;
@@ -100,7 +118,8 @@ export class Game {
     this.actions.showCanvas(engine.canvas);
   }
 
-  // Sets these options and puts those back that were set before and are no longer named. Throws a Trouble.
+  // Sets these options and puts those back that were set before and are no longer named. Throws a
+  // Trouble.
   setOptions(pairs) {
     const wanted = new Map(pairs);
     for (const [name, value] of this.#before) {
@@ -147,14 +166,19 @@ export class Game {
   }
 }
 
-// The text comes beside the engine, and so do the pictures that it seems to name; what is wrong with it is told when it is read.
+// The text comes beside the engine, and so do the pictures that it seems to name; what is wrong
+// with it is told when it is read.
 function beginReading(source, isStale) {
   const text = source.readText();
-  text.then(async (bytes) => {
-    if (isStale()) return;
-    const names = new TextDecoder().decode(bytes).matchAll(/"([^"\\]+\.png)"/gi);
-    await Promise.all(Array.from(new Set(Array.from(names, ([, file]) => file)), (file) => source.readFile(file)));
-  }).catch(() => {});
+  text
+    .then(async (bytes) => {
+      if (isStale()) return;
+      const names = new TextDecoder().decode(bytes).matchAll(/"([^"\\]+\.png)"/gi);
+      await Promise.all(
+        Array.from(new Set(Array.from(names, ([, file]) => file)), (file) => source.readFile(file)),
+      );
+    })
+    .catch(() => {});
   return { ...source, readText: () => text };
 }
 
@@ -163,6 +187,7 @@ const sceneName = (file) => file.replace(/\.json$/i, '');
 // The name of its scene.
 function checkTour(engine, { name, bytes }) {
   const { scene, faults } = engine.readRecording(bytes, name);
-  if (faults.length > 0) throw faultOf('tour', `${name} is no recording that can be played.`, faults);
+  if (faults.length > 0)
+    throw faultOf('tour', `${name} is no recording that can be played.`, faults);
   return scene;
 }

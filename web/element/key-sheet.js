@@ -1,4 +1,5 @@
-// The keys, as a sheet over the picture: H opens it while somebody plays; H, Escape and its button close it.
+// The keys, as a sheet over the picture: H opens it while somebody plays; H, Escape and its button
+// close it.
 //
 //     const sheet = new KeySheet(section, {behind: [stage], closed() {...}});      // what lies behind cannot be reached while it is open
 //     sheet.open(engine.keys);
@@ -25,14 +26,28 @@ export class KeySheet {
 
   // [{keys, does}], as the engine lists them.
   open(keys) {
-    const here = [...keys.filter((line) => !kPlayPageKeys.includes(line.keys) && line.keys !== kLeaving.keys), kLeaving];
+    const here = [
+      ...keys.filter((line) => !kPlayPageKeys.includes(line.keys) && line.keys !== kLeaving.keys),
+      kLeaving,
+    ];
     const close = node('button', { class: 'again', part: 'button', type: 'button' }, 'Close');
     close.addEventListener('click', () => this.close());
     this.section.replaceChildren(
       node('h2', { id: 'keys-title' }, 'Keys'),
       close,
-      node('dl', {}, ...here.map(({ keys: names, does }) =>
-        node('div', {}, node('dt', {}, ...splitKeys(names).map((name) => node('kbd', {}, name))), node('dd', {}, does)))));
+      node(
+        'dl',
+        {},
+        ...here.map(({ keys: names, does }) =>
+          node(
+            'div',
+            {},
+            node('dt', {}, ...splitKeys(names).map((name) => node('kbd', {}, name))),
+            node('dd', {}, does),
+          ),
+        ),
+      ),
+    );
     this.section.hidden = false;
     this.focus({ preventScroll: true });
     for (const place of this.behind) place.inert = true;

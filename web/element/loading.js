@@ -1,5 +1,6 @@
-// From the attributes of a <ray-caster> to a scene that can be played: reads them when they change, loads what they name, and applies the rest to what is
-// there. Until the next scene has come, the one before stays, standing still.
+// From the attributes of a <ray-caster> to a scene that can be played: reads them when they change,
+// loads what they name, and applies the rest to what is there. Until the next scene has come, the
+// one before stays, standing still.
 //
 //     const loading = new Loading(element, game, {show(wanted), changed(), progress(share, bytes), loaded(), done(isNew), failed(error)});
 //     loading.update();       // soon
@@ -101,10 +102,17 @@ export class Loading {
       }
       const scene = findScene(host);
       const tour = host.tour === '' ? null : tourAddress(host);
-      if (scene === null && tour === null) throw new Trouble('There is no scene', 'scene: found nothing, expected an address, or a scene inside the element', [], 'address');
+      if (scene === null && tour === null)
+        throw new Trouble(
+          'There is no scene',
+          'scene: found nothing, expected an address, or a scene inside the element',
+          [],
+          'address',
+        );
       const key = [scene?.key, tour?.href, wanted.engine].join('\n');
       if (key === this.#failed) return;
-      if (key !== this.#asked) this.#load(key, { key, kind: wanted.engine, source: scene?.source() ?? null, tour });
+      if (key !== this.#asked)
+        this.#load(key, { key, kind: wanted.engine, source: scene?.source() ?? null, tour });
       else if (key === this.#loaded) this.#settle();
     } catch (error) {
       this.#failed = null;
@@ -165,7 +173,12 @@ export class Loading {
     if (text === this.#view) return;
     // A tour begins where it was recorded.
     if (view !== null && !this.#game.hasTour && !this.#game.engine.look(view)) {
-      throw new Trouble('There is no such view', `view: found "${text}", expected an eye above the floor of one of the scene's maps`, [], 'address');
+      throw new Trouble(
+        'There is no such view',
+        `view: found "${text}", expected an eye above the floor of one of the scene's maps`,
+        [],
+        'address',
+      );
     }
     this.#view = text;
   }

@@ -1,11 +1,13 @@
-// Says what is wrong, in the element: the error's title and text, the scene's faults with their places, and a button to try again.
+// Says what is wrong, in the element: the error's title and text, the scene's faults with their
+// places, and a button to try again.
 //
 //     showMessage(section, detail, retry);      // a detail of faults.js's explain
 //     hideMessage(section);
 
 import { node } from './nodes.js';
 
-// With these nothing can ever be shown here: what the page wrote for that case, stands in for the picture.
+// With these nothing can ever be shown here: what the page wrote for that case, stands in for the
+// picture.
 const kHopeless = ['no-webassembly', 'csp'];
 
 export function showMessage(section, { code, title, message, faults }, retry) {
@@ -31,11 +33,18 @@ export function hideMessage(section) {
 }
 
 function faultItem({ place, pointer, row, character, found, expected }) {
-  const inside = [pointer, row >= 0 ? `row ${row}` : '', character >= 0 ? `character ${character}` : ''].filter((part) => part !== '' && part !== undefined);
-  return node('li', {},
+  const inside = [
+    pointer,
+    row >= 0 ? `row ${row}` : '',
+    character >= 0 ? `character ${character}` : '',
+  ].filter((part) => part !== '' && part !== undefined);
+  return node(
+    'li',
+    {},
     node('span', { class: 'place' }, place),
     ...(inside.length > 0 ? [' ', node('span', { class: 'inside' }, inside.join(', '))] : []),
     node('br'),
     node('span', { class: 'found' }, `Found ${found}`),
-    `; expected ${expected}`);
+    `; expected ${expected}`,
+  );
 }

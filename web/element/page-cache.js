@@ -1,5 +1,5 @@
-// What all elements of a page share: the engine is fetched and compiled once, each file that scenes name is fetched once, and a scene that one of them plays is
-// loaded once.
+// What all elements of a page share: the engine is fetched and compiled once, each file that scenes
+// name is fetched once, and a scene that one of them plays is loaded once.
 //
 //     const release = holdCache();                                    // while an element is in the page
 //     const files = await sharedEngineFiles('auto', onBytes);         // for Engine.create({files, canvas})
@@ -8,7 +8,8 @@
 //     release();
 //     forgetFiles();                                                  // before another try
 //
-// What has failed is forgotten, so that another try asks again. Files are kept while anybody holds the cache; the compiled engine stays with the page.
+// What has failed is forgotten, so that another try asks again. Files are kept while anybody holds
+// the cache; the compiled engine stays with the page.
 
 import { browserHasWebAssembly, chooseBuild, fetchEngine } from '../engine-files.js';
 import { askAnew, fetchBytes } from '../fetch-bytes.js';
@@ -17,7 +18,8 @@ const engines = new Map();
 const files = new Map();
 let holders = 0;
 
-// The engines that play, with all that was asked of each: build, scene and tour. Who stops one takes it out.
+// The engines that play, with all that was asked of each: build, scene and tour. Who stops one
+// takes it out.
 export const players = new Map();
 
 // What fetchEngine gives, once per page and build.
@@ -35,7 +37,8 @@ export function fetchOnce(address, onBytes = () => {}) {
   return bytes;
 }
 
-// Whoever tries again after a fault wants the files as they are now, and no scene that was made of them before.
+// Whoever tries again after a fault wants the files as they are now, and no scene that was made of
+// them before.
 export function forgetFiles() {
   askAnew();
   files.clear();

@@ -1,4 +1,5 @@
-// Whether the browser has read all of an element's children: where the element is defined early, it comes to life before they are there.
+// Whether the browser has read all of an element's children: where the element is defined early, it
+// comes to life before they are there.
 //
 //     if (!hasParsed(element)) whenParsed(element, again, {signal});
 

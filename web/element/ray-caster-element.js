@@ -109,7 +109,8 @@ export class RayCaster extends Base {
 
   get(name) {
     const option = this.#engine('get').options.find((one) => one.name === name);
-    if (option === undefined) throw faultOf('option', `get: found "${name}", expected the name of an option.`);
+    if (option === undefined)
+      throw faultOf('option', `get: found "${name}", expected the name of an option.`);
     return option.value;
   }
 
@@ -120,7 +121,12 @@ export class RayCaster extends Base {
   async snapshot({ width, height, type = 'image/png', ...others } = {}) {
     const engine = this.#engine('snapshot');
     const { picture } = this;
-    return snapshotOf(engine, { width: width ?? picture.width, height: height ?? picture.height, type, ...others });
+    return snapshotOf(engine, {
+      width: width ?? picture.width,
+      height: height ?? picture.height,
+      type,
+      ...others,
+    });
   }
 
   hits(column) {
@@ -131,7 +137,9 @@ export class RayCaster extends Base {
   trace(column) {
     const engine = this.#engine('trace');
     const { width, height } = this.picture;
-    return column === undefined ? engine.traceFrame(width, height) : engine.trace(width, height, checkColumn('trace', column));
+    return column === undefined
+      ? engine.traceFrame(width, height)
+      : engine.trace(width, height, checkColumn('trace', column));
   }
 
   whenReady() {
@@ -139,13 +147,15 @@ export class RayCaster extends Base {
   }
 
   #engine(method) {
-    if (this.#show.ready === null) throw faultOf('not-ready', `${method}() was called before there was a scene`);
+    if (this.#show.ready === null)
+      throw faultOf('not-ready', `${method}() was called before there was a scene`);
     return this.#show.engine;
   }
 }
 
 function checkColumn(method, column) {
-  if (!Number.isInteger(column)) throw new RangeError(`${method}: found column ${column}, expected a whole number.`);
+  if (!Number.isInteger(column))
+    throw new RangeError(`${method}: found column ${column}, expected a whole number.`);
   return column;
 }
 

@@ -1,4 +1,5 @@
-// A scene out of plain rows of characters, as one types them into a page: the north edge first, one character for each tile.
+// A scene out of plain rows of characters, as one types them into a page: the north edge first, one
+// character for each tile.
 //
 //     const scene = sceneOfRows('#####\n#>..#\n#####', {title: 'A room'});
 //
@@ -17,7 +18,8 @@
 //     | t T * i         | a birch, an oak, a bush in flower, a street lamp                                           |
 //     | > v < ^         | the start, looking east, south, west or north; exactly one                                 |
 //
-// Objects and the start stand on the floor of a tile beside them. Indentation that all rows share is left out, and so are empty rows before and after.
+// Objects and the start stand on the floor of a tile beside them. Indentation that all rows share
+// is left out, and so are empty rows before and after.
 
 import { sceneFault } from './faults.js';
 
@@ -52,10 +54,18 @@ const kDoor = '+'; // in the levels: one that is seen from north and south
 const kDoorAcross = '|'; // in the levels only: one that is seen from east and west
 
 const kLegend = new Set([
-  ...Object.keys(kFloors), ...Object.keys(kWalls), ...Object.keys(kLowOfHigh), ...kSteps, kBridge, kDoor, ...Object.keys(kObjects), ...Object.keys(kHeadings),
+  ...Object.keys(kFloors),
+  ...Object.keys(kWalls),
+  ...Object.keys(kLowOfHigh),
+  ...kSteps,
+  kBridge,
+  kDoor,
+  ...Object.keys(kObjects),
+  ...Object.keys(kHeadings),
 ]);
 
-// An object as a scene file holds it, for the folder of the shipped scenes; `name` stands in messages.
+// An object as a scene file holds it, for the folder of the shipped scenes; `name` stands in
+// messages.
 export function sceneOfRows(text, { title = 'A map', name = 'rows' } = {}) {
   const rows = rowsOf(text);
   const tiles = rows.flatMap((row, y) => row.map((character, x) => ({ character, x, y })));
@@ -66,8 +76,11 @@ export function sceneOfRows(text, { title = 'A map', name = 'rows' } = {}) {
   const levels = levelsOf(rows);
   const letters = [...new Set(levels.flat().join(''))].filter((letter) => letter !== '.');
   const legend = Object.fromEntries(letters.map((letter) => [letter, blueprintName(letter)]));
-  const blueprints = Object.fromEntries(Object.entries(legend).map(([letter, blueprint]) => [blueprint, blueprintOf(letter)]));
-  const objects = tiles.filter(({ character }) => character in kObjects)
+  const blueprints = Object.fromEntries(
+    Object.entries(legend).map(([letter, blueprint]) => [blueprint, blueprintOf(letter)]),
+  );
+  const objects = tiles
+    .filter(({ character }) => character in kObjects)
     .map(({ character, x, y }) => ({ ...kObjects[character], x: x + 0.5, y: y + 0.5 }));
   const floor = floorOf(rows);
   return {
@@ -76,28 +89,35 @@ export function sceneOfRows(text, { title = 'A map', name = 'rows' } = {}) {
     sprites: Object.fromEntries(objects.map(({ sprite }) => [sprite, `../sprites/${sprite}.png`])),
     blueprints,
     legend,
-    maps: [{
-      name: 'map',
-      levels,
-      floor,
-      objects,
-      sky: { panorama: '../textures/sky-day.png' },
-      light: { multiplier: 8, darkest: 0.45 },
-      fog: { start: 14, end: 70 },
-      haze: '#d4e0d9',
-    }],
+    maps: [
+      {
+        name: 'map',
+        levels,
+        floor,
+        objects,
+        sky: { panorama: '../textures/sky-day.png' },
+        light: { multiplier: 8, darkest: 0.45 },
+        fog: { start: 14, end: 70 },
+        haze: '#d4e0d9',
+      },
+    ],
     start: { x: start.x + 0.5, y: start.y + 0.5, heading: kHeadings[start.character] },
   };
 }
 
 // Rows of single characters, all of one length.
 function rowsOf(text) {
-  const lines = text.replaceAll('\r', '').split('\n').map((line) => line.trimEnd());
+  const lines = text
+    .replaceAll('\r', '')
+    .split('\n')
+    .map((line) => line.trimEnd());
   const isEmpty = (line) => line === '';
   const first = lines.findIndex((line) => !isEmpty(line));
   if (first < 0) return [];
   const kept = lines.slice(first, lines.findLastIndex((line) => !isEmpty(line)) + 1);
-  const indentation = Math.min(...kept.filter((line) => !isEmpty(line)).map((line) => /^[ \t]*/.exec(line)[0].length));
+  const indentation = Math.min(
+    ...kept.filter((line) => !isEmpty(line)).map((line) => /^[ \t]*/.exec(line)[0].length),
+  );
   const rows = kept.map((line) => [...line.slice(indentation)]);
   const width = Math.max(...rows.map((row) => row.length));
   return rows.map((row) => [...row, ...new Array(width - row.length).fill(' ')]);
@@ -105,26 +125,48 @@ function rowsOf(text) {
 
 function faultsOf(tiles, fault) {
   const expected = `one of ${[...kLegend].filter((character) => character !== ' ').join(' ')} or a blank`;
-  const unknown = tiles.filter(({ character }) => !kLegend.has(character)).map((tile) => fault(tile, JSON.stringify(tile.character), expected));
+  const unknown = tiles
+    .filter(({ character }) => !kLegend.has(character))
+    .map((tile) => fault(tile, JSON.stringify(tile.character), expected));
   const starts = tiles.filter(({ character }) => character in kHeadings);
   const isStart = 'one start, < > ^ or v';
-  if (starts.length === 0) return [...unknown, fault(null, tiles.length === 0 ? 'no rows' : 'no start', isStart)];
-  return [...unknown, ...starts.slice(1).map((tile) => fault(tile, `another start, ${tile.character}`, isStart))];
+  if (starts.length === 0)
+    return [...unknown, fault(null, tiles.length === 0 ? 'no rows' : 'no start', isStart)];
+  return [
+    ...unknown,
+    ...starts.slice(1).map((tile) => fault(tile, `another start, ${tile.character}`, isStart)),
+  ];
 }
 
-// As the engine tells faults. Line and column are those of the rows as they are shown, without what is left out; 0 where there is no place.
+// As the engine tells faults. Line and column are those of the rows as they are shown, without what
+// is left out; 0 where there is no place.
 function faultAt(name, tile, found, expected) {
   const [line, column] = tile === null ? [0, 0] : [tile.y + 1, tile.x + 1];
   const message = `${tile === null ? name : `${name}:${line}:${column}`}: found ${found}, expected ${expected}`;
-  return { file: name, pointer: '', line, column, row: -1, character: -1, found, expected, message };
+  return {
+    file: name,
+    pointer: '',
+    line,
+    column,
+    row: -1,
+    character: -1,
+    found,
+    expected,
+    message,
+  };
 }
 
 function levelsOf(rows) {
-  const ground = rows.map((row, y) => row.map((character, x) => {
-    if (character === kDoor) return isWall(rows[y][x - 1]) || isWall(rows[y][x + 1]) ? kDoor : kDoorAcross;
-    const letter = kLowOfHigh[character] ?? character;
-    return letter in kWalls || kSteps.includes(letter) || letter === kBridge ? letter : '.';
-  }).join(''));
+  const ground = rows.map((row, y) =>
+    row
+      .map((character, x) => {
+        if (character === kDoor)
+          return isWall(rows[y][x - 1]) || isWall(rows[y][x + 1]) ? kDoor : kDoorAcross;
+        const letter = kLowOfHigh[character] ?? character;
+        return letter in kWalls || kSteps.includes(letter) || letter === kBridge ? letter : '.';
+      })
+      .join(''),
+  );
   const above = rows.map((row) => row.map((character) => kLowOfHigh[character] ?? '.').join(''));
   return above.some((row) => /[^.]/.test(row)) ? [ground, above] : [ground];
 }
@@ -142,33 +184,67 @@ function blueprintName(letter) {
 
 function blueprintOf(letter) {
   if (letter in kWalls) return { faces: faces(kWalls[letter].sides, kWalls[letter].top) };
-  if (letter === kBridge) return { bottom: 0.8, faces: { ...faces('planks-floor', 'planks-floor'), bottom: { texture: 'planks-floor', light: 0.7 } } };
-  if (letter === kDoor) return { gate: { approach: 1.6, hold: 1.5 }, faces: { all: 'nothing', north: 'double-door', south: 'double-door' } };
-  if (letter === kDoorAcross) return { gate: { approach: 1.6, hold: 1.5 }, faces: { all: 'nothing', east: 'double-door', west: 'double-door' } };
+  if (letter === kBridge)
+    return {
+      bottom: 0.8,
+      faces: {
+        ...faces('planks-floor', 'planks-floor'),
+        bottom: { texture: 'planks-floor', light: 0.7 },
+      },
+    };
+  if (letter === kDoor)
+    return {
+      gate: { approach: 1.6, hold: 1.5 },
+      faces: { all: 'nothing', north: 'double-door', south: 'double-door' },
+    };
+  if (letter === kDoorAcross)
+    return {
+      gate: { approach: 1.6, hold: 1.5 },
+      faces: { all: 'nothing', east: 'double-door', west: 'double-door' },
+    };
   return { top: Number(letter) / 10, faces: faces('stone-blocks', 'flagstones') };
 }
 
 // The sides are lit from the south-west, so that corners show.
 function faces(sides, top) {
-  return { all: sides, north: { texture: sides, light: 0.76 }, east: { texture: sides, light: 0.86 }, west: { texture: sides, light: 0.94 }, top };
+  return {
+    all: sides,
+    north: { texture: sides, light: 0.76 },
+    east: { texture: sides, light: 0.86 },
+    west: { texture: sides, light: 0.94 },
+    top,
+  };
 }
 
 // Under what stands on a tile the floor goes on from beside it.
 function floorOf(rows) {
   const isFloor = (character) => character in kFloors;
-  const tiles = rows.map((row) => row.map((character, x) => {
-    const beside = [character, row[x - 1] ?? '', row[x + 1] ?? ''].find(isFloor) ?? '.';
-    return beside === '.' ? kPavedLetter : beside;
-  }).join(''));
+  const tiles = rows.map((row) =>
+    row
+      .map((character, x) => {
+        const beside = [character, row[x - 1] ?? '', row[x + 1] ?? ''].find(isFloor) ?? '.';
+        return beside === '.' ? kPavedLetter : beside;
+      })
+      .join(''),
+  );
   const letters = { [kPavedLetter]: kFloors['.'], ',': kFloors[','], '~': kFloors['~'] };
-  const used = Object.entries(letters).filter(([letter]) => tiles.some((row) => row.includes(letter)));
+  const used = Object.entries(letters).filter(([letter]) =>
+    tiles.some((row) => row.includes(letter)),
+  );
   return { texture: kFloors[' '], legend: Object.fromEntries(used), tiles };
 }
 
-const kElsewhere = { 'double-door': { file: '../sheets/double-door.png', frames: 8 }, nothing: '../see-through/nothing.png' };
+const kElsewhere = {
+  'double-door': { file: '../sheets/double-door.png', frames: 8 },
+  nothing: '../see-through/nothing.png',
+};
 
 function texturesOf(blueprints, floor) {
-  const ofBlocks = Object.values(blueprints).flatMap((blueprint) => Object.values(blueprint.faces).map((face) => face.texture ?? face));
+  const ofBlocks = Object.values(blueprints).flatMap((blueprint) =>
+    Object.values(blueprint.faces).map((face) => face.texture ?? face),
+  );
   const names = [floor.texture, ...Object.values(floor.legend), ...ofBlocks];
-  return Object.fromEntries([...new Set(names)].map((name) => [name, kElsewhere[name] ?? `../textures/${name}.png`]));
+  return Object.fromEntries(
+    [...new Set(names)].map((name) => [name, kElsewhere[name] ?? `../textures/${name}.png`]),
+  );
 }

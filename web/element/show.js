@@ -1,6 +1,7 @@
-// What a <ray-caster> does behind its attributes and methods: it comes to life in the page, loads what the attributes say, and runs the engine while the
-// world is asked to play (autoplay, play()) or held (steering.js), and can be seen. The pieces: tree.js and face.js (what is seen), game.js (the engine),
-// loading.js (from the attributes to the engine).
+// What a <ray-caster> does behind its attributes and methods: it comes to life in the page, loads
+// what the attributes say, and runs the engine while the world is asked to play (autoplay, play())
+// or held (steering.js), and can be seen. The pieces: tree.js and face.js (what is seen), game.js
+// (the engine), loading.js (from the attributes to the engine).
 //
 //     const show = new Show(element, internals);       // with a shadow root
 //     show.connect();   show.update();   show.disconnect();
@@ -59,7 +60,8 @@ export class Show {
     });
     this.#viewStatus = new ViewStatus(this.#tree, () => this.engine);
     this.#listenToPresses(this.#tree);
-    for (const type of kNear) this.#tree.box.addEventListener(type, () => this.#steered().catch(() => {}), { once: true });
+    for (const type of kNear)
+      this.#tree.box.addEventListener(type, () => this.#steered().catch(() => {}), { once: true });
     host.addEventListener('fullscreenchange', () => this.showState());
   }
 
@@ -80,7 +82,9 @@ export class Show {
   }
 
   get picture() {
-    return this.ready === null ? { width: 0, height: 0 } : { width: this.#stage.width, height: this.#stage.height };
+    return this.ready === null
+      ? { width: 0, height: 0 }
+      : { width: this.#stage.width, height: this.#stage.height };
   }
 
   // ---- Life
@@ -91,7 +95,12 @@ export class Show {
     const { signal } = this.#life;
     const until = (act) => signal.addEventListener('abort', act);
     until(holdCache());
-    until(watchVisibility(this.#host, { near: () => this.#loading.now(), seen: (isSeen) => this.#see(isSeen) }));
+    until(
+      watchVisibility(this.#host, {
+        near: () => this.#loading.now(),
+        seen: (isSeen) => this.#see(isSeen),
+      }),
+    );
     this.#loading = new Loading(this.#host, this.#game, {
       show: (wanted) => this.#show(wanted),
       changed: () => this.#clearError(),
@@ -107,9 +116,15 @@ export class Show {
     const children = new MutationObserver(() => this.update());
     children.observe(this.#host, { childList: true, characterData: true, subtree: true });
     until(() => children.disconnect());
-    this.#stage = new Stage(this.#tree.stage, this.#tree.frame, (width, height) => this.engine?.resize(width, height));
+    this.#stage = new Stage(this.#tree.stage, this.#tree.frame, (width, height) =>
+      this.engine?.resize(width, height),
+    );
     until(() => this.#stage.stop());
-    window.addEventListener('error', ({ error }) => isEngineFailure(error) && this.#findDead(error), { signal });
+    window.addEventListener(
+      'error',
+      ({ error }) => isEngineFailure(error) && this.#findDead(error),
+      { signal },
+    );
     // Asked before it was in the page
     if (this.#isAskedToPlay || this.#waiting !== null) this.#loading.now();
     if (this.#host.autoplay) this.autoplay();
@@ -179,7 +194,8 @@ export class Show {
       this.#steering?.resume();
     }
     if (this.#noSteering !== null) this.#fail(this.#noSteering);
-    else if (this.#loading.wanted.controls !== null) this.#steered().catch((error) => this.#failWithoutSteering(error));
+    else if (this.#loading.wanted.controls !== null)
+      this.#steered().catch((error) => this.#failWithoutSteering(error));
   }
 
   #failWithoutSteering(error) {
@@ -204,7 +220,8 @@ export class Show {
     this.error = explain(error);
     this.#waiting?.reject(asError(this.error));
     this.#waiting = null;
-    // What is wrong already is not told again: the page may write about it into the element, which then looks whether it is still wrong.
+    // What is wrong already is not told again: the page may write about it into the element, which
+    // then looks whether it is still wrong.
     if (JSON.stringify(this.error) === JSON.stringify(before)) return;
     this.#letGo();
     this.#steering?.stop();
@@ -235,7 +252,11 @@ export class Show {
     const { engine } = this;
     const before = this.#pictures;
     if (this.#stands || document.hidden) return;
-    setTimeout(() => this.engine === engine && this.#pictures === before && !this.#stands && this.#fail(error), kDeadMilliseconds);
+    setTimeout(
+      () =>
+        this.engine === engine && this.#pictures === before && !this.#stands && this.#fail(error),
+      kDeadMilliseconds,
+    );
   }
 
   // ---- Playing
@@ -272,7 +293,8 @@ export class Show {
   // As a click on the picture.
   hold() {
     const { root, box, cover } = this.#tree;
-    // Safari gives pressed buttons no focus; it is what remembers the wish while anything is still to come.
+    // Safari gives pressed buttons no focus; it is what remembers the wish while anything is still
+    // to come.
     if (root.activeElement !== cover) cover.focus({ preventScroll: true });
     this.#loading?.now();
     if (this.#steering !== null) {
@@ -281,24 +303,35 @@ export class Show {
     }
     this.#wantsHold = true;
     box.classList.add('waiting');
-    this.#steered().then((steering) => {
-      if (!this.#wantsHold) return; // taken back, or begun by the press before
-      this.#letGo();
-      if (root.activeElement === cover) steering.begin({ byTouch: this.#isTouched });
-    }, (error) => {
-      this.#letGo();
-      if (this.#life !== null) this.#fail(error);
-    });
+    this.#steered().then(
+      (steering) => {
+        if (!this.#wantsHold) return; // taken back, or begun by the press before
+        this.#letGo();
+        if (root.activeElement === cover) steering.begin({ byTouch: this.#isTouched });
+      },
+      (error) => {
+        this.#letGo();
+        if (this.#life !== null) this.#fail(error);
+      },
+    );
   }
 
   // The last press was a finger's: then there are thumbs.
   #listenToPresses({ box, cover }) {
-    box.addEventListener('pointerdown', ({ pointerType }) => {
-      this.#isTouched = pointerType === 'touch';
-    }, { capture: true });
-    box.addEventListener('keydown', () => {
-      this.#isTouched = false;
-    }, { capture: true });
+    box.addEventListener(
+      'pointerdown',
+      ({ pointerType }) => {
+        this.#isTouched = pointerType === 'touch';
+      },
+      { capture: true },
+    );
+    box.addEventListener(
+      'keydown',
+      () => {
+        this.#isTouched = false;
+      },
+      { capture: true },
+    );
     cover.addEventListener('click', () => this.hold());
   }
 
@@ -325,7 +358,16 @@ export class Show {
   // The state, and the engine, as they must be now.
   run() {
     const isReady = this.ready !== null;
-    const state = this.error !== null ? 'error' : this.#loading?.isLoading ? 'loading' : !isReady ? 'idle' : this.paused ? 'paused' : 'playing';
+    const state =
+      this.error !== null
+        ? 'error'
+        : this.#loading?.isLoading
+          ? 'loading'
+          : !isReady
+            ? 'idle'
+            : this.paused
+              ? 'paused'
+              : 'playing';
     this.#stands = state !== 'playing' || !this.#isSeen;
     if (this.engine !== null) this.engine.paused = this.#stands;
     if (state === this.state) return;
@@ -338,7 +380,12 @@ export class Show {
     const isReady = this.canPlay;
     const hasOverlay = isReady && kOverlays.some((name) => this.engine.option(name) === 'on');
     this.#face.state(this.state);
-    this.#steering?.state({ isReady, isPlaying: this.state === 'playing', hasOverlay, isFullscreen: this.#host.matches(':fullscreen') });
+    this.#steering?.state({
+      isReady,
+      isPlaying: this.state === 'playing',
+      hasOverlay,
+      isFullscreen: this.#host.matches(':fullscreen'),
+    });
   }
 
   showStatus(text, how) {
@@ -358,7 +405,7 @@ export class Show {
 
   focus(options) {
     const { message, cover } = this.#tree;
-    (this.error !== null ? message : this.#steering ?? cover).focus(options);
+    (this.error !== null ? message : (this.#steering ?? cover)).focus(options);
   }
 
   whenReady() {

@@ -5,10 +5,13 @@
 const kLargestSide = 4096; // pixels, as the engine's
 
 export async function snapshotOf(engine, { width, height, type, ...others }) {
-  for (const name of Object.keys(others)) throw new RangeError(`snapshot: found ${name}, expected some of width, height, type.`);
+  for (const name of Object.keys(others))
+    throw new RangeError(`snapshot: found ${name}, expected some of width, height, type.`);
   for (const [name, side] of Object.entries({ width, height })) {
     if (!Number.isInteger(side) || side < 1 || side > kLargestSide) {
-      throw new RangeError(`snapshot: found ${name} ${side}, expected a whole number from 1 to ${kLargestSide}.`);
+      throw new RangeError(
+        `snapshot: found ${name} ${side}, expected a whole number from 1 to ${kLargestSide}.`,
+      );
     }
   }
   const canvas = document.createElement('canvas');
@@ -16,7 +19,11 @@ export async function snapshotOf(engine, { width, height, type, ...others }) {
   canvas.height = height;
   canvas.getContext('2d', { alpha: false }).putImageData(engine.drawOnce(width, height), 0, 0);
   const blob = await new Promise((resolve) => canvas.toBlob(resolve, type));
-  if (blob === null) throw new Error(`snapshot: this browser cannot make a picture of ${width} x ${height} pixels.`);
-  if (blob.type !== type) throw new Error(`snapshot: found type ${type}, expected a type of image that this browser writes, as image/png.`);
+  if (blob === null)
+    throw new Error(`snapshot: this browser cannot make a picture of ${width} x ${height} pixels.`);
+  if (blob.type !== type)
+    throw new Error(
+      `snapshot: found type ${type}, expected a type of image that this browser writes, as image/png.`,
+    );
   return blob;
 }

@@ -1,4 +1,5 @@
-// Which scene a <ray-caster> shows: an address, or what its children hold. A source is as scene-source.js describes it; its files are fetched once per page.
+// Which scene a <ray-caster> shows: an address, or what its children hold. A source is as
+// scene-source.js describes it; its files are fetched once per page.
 //
 //     const scene = findScene(element);             // {key, source()}, null without one; throws a Trouble
 //     const source = namedScene('castle');          // one of those that lie beside the script
@@ -25,7 +26,11 @@ export function findScene(element) {
     return { key: address.href, source: () => sceneFrom(address) };
   }
   const inline = element.querySelector(kInline);
-  if (inline !== null) return { key: `json ${inline.textContent}`, source: () => sceneOf('inline scene', async () => inline.textContent) };
+  if (inline !== null)
+    return {
+      key: `json ${inline.textContent}`,
+      source: () => sceneOf('inline scene', async () => inline.textContent),
+    };
   const rows = element.querySelector(kRows);
   if (rows === null) return null;
   const title = element.label || undefined;
@@ -47,7 +52,12 @@ export function tourAddress(element) {
 // {name, bytes} of a recording. Throws a Trouble.
 export async function readTour(address) {
   const bytes = await fetchFile(address).catch((error) => {
-    throw new Trouble('The tour could not be loaded', `${address.href}: ${error.message}.`, [], 'tour');
+    throw new Trouble(
+      'The tour could not be loaded',
+      `${address.href}: ${error.message}.`,
+      [],
+      'tour',
+    );
   });
   return { name: nameOf(address), bytes };
 }
@@ -57,7 +67,12 @@ function addressOf(text, named, element, attribute) {
   try {
     return new URL(text, element.ownerDocument.baseURI);
   } catch {
-    throw new Trouble('An attribute cannot be read', `${attribute}: found "${text}", expected an address or the name of a shipped ${attribute}`, [], 'address');
+    throw new Trouble(
+      'An attribute cannot be read',
+      `${attribute}: found "${text}", expected an address or the name of a shipped ${attribute}`,
+      [],
+      'address',
+    );
   }
 }
 
@@ -65,26 +80,42 @@ function sceneFrom(address) {
   return {
     name: nameOf(address),
     address,
-    readText: () => fetchFile(address).catch((error) => {
-      throw new Trouble('The scene could not be loaded', `${address.href}: ${error.message}.`, [], error.code);
-    }),
+    readText: () =>
+      fetchFile(address).catch((error) => {
+        throw new Trouble(
+          'The scene could not be loaded',
+          `${address.href}: ${error.message}.`,
+          [],
+          error.code,
+        );
+      }),
     ...filesBeside(isFile(address) ? address : kScenes),
   };
 }
 
 function sceneOf(name, read) {
-  return { name, address: null, readText: async () => new TextEncoder().encode(await read()), ...filesBeside(kScenes) };
+  return {
+    name,
+    address: null,
+    readText: async () => new TextEncoder().encode(await read()),
+    ...filesBeside(kScenes),
+  };
 }
 
 function filesBeside(address) {
   return filesBy((file, onBytes) => fetchFile(new URL(file, finalAddress(address)), onBytes));
 }
 
-// A page in place of a shipped file: the folders of the package are not where the element looks for them.
+// A page in place of a shipped file: the folders of the package are not where the element looks for
+// them.
 function fetchFile(address, onBytes) {
   return fetchOnce(address, onBytes).catch((error) => {
-    const isShipped = address.href.startsWith(kHome.href) && kShipped.test(address.href.slice(kHome.href.length));
+    const isShipped =
+      address.href.startsWith(kHome.href) && kShipped.test(address.href.slice(kHome.href.length));
     if (error.code !== 'mime' || !isShipped) throw error;
-    throw coded('mime', `${error.message}; the package's scenes, pictures and tours must be served in ${kHome.href}`);
+    throw coded(
+      'mime',
+      `${error.message}; the package's scenes, pictures and tours must be served in ${kHome.href}`,
+    );
   });
 }

@@ -1,5 +1,5 @@
-// Everything by which somebody steers a <ray-caster>: its bar, keys, thumbs, gamepads. It comes after the first picture, when somebody comes near or the
-// bar is wanted (show.js).
+// Everything by which somebody steers a <ray-caster>: its bar, keys, thumbs, gamepads. It comes
+// after the first picture, when somebody comes near or the bar is wanted (show.js).
 //
 //     const steering = new Steering(host, show, tree, styles);
 //     steering.attributes({controls, keys});      steering.state(state);
@@ -13,7 +13,11 @@ import { KeySheet } from './key-sheet.js';
 import { node } from './nodes.js';
 import { kSheet } from './steering-styles.js';
 
-const kHints = { held: 'Escape leaves', keys: 'Escape leaves, H shows the keys', cursor: 'The mouse’s place steers; Escape ends it' };
+const kHints = {
+  held: 'Escape leaves',
+  keys: 'Escape leaves, H shows the keys',
+  cursor: 'The mouse’s place steers; Escape ends it',
+};
 
 export class Steering {
   #host;
@@ -28,13 +32,37 @@ export class Steering {
     this.#show = show;
     this.#tree = tree;
     styles.add(kSheet);
-    tree.leave = node('button', { class: 'leave', part: 'button', type: 'button', 'aria-label': 'Leave the picture', hidden: '' }, icon('leave'));
-    const bar = node('div', { class: 'controls', part: 'controls', role: 'group', 'aria-label': 'Controls', hidden: '' });
-    const keys = node('section', { class: 'sheet keys', role: 'dialog', 'aria-labelledby': 'keys-title', hidden: '' });
+    tree.leave = node(
+      'button',
+      {
+        class: 'leave',
+        part: 'button',
+        type: 'button',
+        'aria-label': 'Leave the picture',
+        hidden: '',
+      },
+      icon('leave'),
+    );
+    const bar = node('div', {
+      class: 'controls',
+      part: 'controls',
+      role: 'group',
+      'aria-label': 'Controls',
+      hidden: '',
+    });
+    const keys = node('section', {
+      class: 'sheet keys',
+      role: 'dialog',
+      'aria-labelledby': 'keys-title',
+      hidden: '',
+    });
     tree.cover.after(tree.leave, bar);
     tree.message.before(keys);
     this.#controls = new Controls(bar, barActions(host, show));
-    this.#keySheet = new KeySheet(keys, { behind: [tree.stage, tree.cover, bar], closed: () => this.focus() });
+    this.#keySheet = new KeySheet(keys, {
+      behind: [tree.stage, tree.cover, bar],
+      closed: () => this.focus(),
+    });
     this.#activation = new Activation(tree, {
       engine: () => show.engine,
       canBegin: () => show.canPlay,
@@ -108,7 +136,13 @@ export class Steering {
 
   #held(isHeld) {
     if (isHeld) this.#keySheet.hide();
-    this.#show.showStatus(!isHeld || this.#tree.box.classList.contains('touched') ? '' : this.#activation.keys === 'all' ? kHints.keys : kHints.held);
+    this.#show.showStatus(
+      !isHeld || this.#tree.box.classList.contains('touched')
+        ? ''
+        : this.#activation.keys === 'all'
+          ? kHints.keys
+          : kHints.held,
+    );
     this.#show.run();
   }
 }

@@ -1,12 +1,14 @@
-// How a <ray-caster> looks: sheets for all of a document, adopted, so that no page has to allow inline styles.
+// How a <ray-caster> looks: sheets for all of a document, adopted, so that no page has to allow
+// inline styles.
 //
 //     const styles = new Styles(shadowRoot);
 //     styles.size = '640x400';         // of the picture, or 'auto'
 //     styles.add(sheet);               // the text of another one
 //     styles.adopt();                  // in another document
 //
-// Things that can be pressed are blocks: square, lit from above, on a darker edge. A page colours them with --ray-caster-accent, --ray-caster-ink (behind
-// the picture and on the accent), --ray-caster-panel and --ray-caster-text.
+// Things that can be pressed are blocks: square, lit from above, on a darker edge. A page colours
+// them with --ray-caster-accent, --ray-caster-ink (behind the picture and on the accent),
+// --ray-caster-panel and --ray-caster-text.
 
 const kSheet = `
 :host {
@@ -174,7 +176,10 @@ export class Styles {
     const made = sheets.get(ownerDocument);
     for (const text of this.#texts) if (!made.has(text)) made.set(text, make(text));
     const [width, height] = this.#size.split('x');
-    const own = this.#size === 'auto' ? [] : [make(`:host { aspect-ratio: ${width} / ${height}; } .shape { width: ${width}px; }`)];
+    const own =
+      this.#size === 'auto'
+        ? []
+        : [make(`:host { aspect-ratio: ${width} / ${height}; } .shape { width: ${width}px; }`)];
     this.#root.adoptedStyleSheets = [...this.#texts.map((text) => made.get(text)), ...own];
   }
 }

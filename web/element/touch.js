@@ -6,12 +6,34 @@
 import { icon } from './icons.js';
 import { node } from './nodes.js';
 
-const kButtons = [['use', 'Gate'], ['fly', 'Fly'], ['crouch', 'Crouch'], ['jump', 'Jump']];
+const kButtons = [
+  ['use', 'Gate'],
+  ['fly', 'Fly'],
+  ['crouch', 'Crouch'],
+  ['jump', 'Jump'],
+];
 
 export function touchLayer() {
-  return node('div', { class: 'touch', 'aria-hidden': 'true' },
-    node('div', { class: 'zone', 'data-thumb': 'walk' }, node('div', { class: 'stick', 'data-thumb': 'stick' }, node('div', { class: 'knob' }))),
+  return node(
+    'div',
+    { class: 'touch', 'aria-hidden': 'true' },
+    node(
+      'div',
+      { class: 'zone', 'data-thumb': 'walk' },
+      node('div', { class: 'stick', 'data-thumb': 'stick' }, node('div', { class: 'knob' })),
+    ),
     node('div', { class: 'zone', 'data-thumb': 'look' }),
-    node('div', { class: 'buttons' }, ...kButtons.map(([name, text]) =>
-      node('div', { class: 'thumb-button', 'data-thumb': name }, icon(name), node('span', {}, text)))));
+    node(
+      'div',
+      { class: 'buttons' },
+      ...kButtons.map(([name, text]) =>
+        node(
+          'div',
+          { class: 'thumb-button', 'data-thumb': name },
+          icon(name),
+          node('span', {}, text),
+        ),
+      ),
+    ),
+  );
 }

@@ -1,5 +1,5 @@
-// Keeps the text of what is seen, for who hears the page: anew when the player has come to rest. It is spoken while the focus is in the element, and can
-// always be read.
+// Keeps the text of what is seen, for who hears the page: anew when the player has come to rest. It
+// is spoken while the focus is in the element, and can always be read.
 //
 //     const text = new ViewStatus(tree, () => engine);
 //     text.moved();      text.stop();

@@ -1,9 +1,23 @@
-// What is seen, in words, for those who hear the page: the place, the heading, and what stands ahead, to the left and to the right.
+// What is seen, in words, for those who hear the page: the place, the heading, and what stands
+// ahead, to the left and to the right.
 //
 //     status.textContent = describeView(engine, canvas.width, canvas.height);     // when the player has come to rest: it walks three slices
 
-const kDirections = ['east', 'south-east', 'south', 'south-west', 'west', 'north-west', 'north', 'north-east'];
-const kWays = [['Ahead', 1 / 2], ['To the left', 1 / 6], ['To the right', 5 / 6]];
+const kDirections = [
+  'east',
+  'south-east',
+  'south',
+  'south-west',
+  'west',
+  'north-west',
+  'north',
+  'north-east',
+];
+const kWays = [
+  ['Ahead', 1 / 2],
+  ['To the left', 1 / 6],
+  ['To the right', 5 / 6],
+];
 const kThingsNamed = 3; // of one slice, the nearest first
 const kLeastShare = 1 / 50; // of the picture's height; what fills less is not worth a word
 
@@ -29,14 +43,30 @@ function lookOf(look) {
 function describeSlice({ hits, objects, portals }, height) {
   const least = height * kLeastShare;
   const things = [
-    ...hits.map(({ blueprint, depth, filled }) => ({ name: blueprint, depth, rows: filled.reduce((sum, { first, last }) => sum + last - first + 1, 0) })),
-    ...objects.map(({ sprite, depth, first, last }) => ({ name: sprite, depth, rows: last - first + 1 })),
-    ...portals.map(({ to, depth, first, last }) => ({ name: `a way to ${to.map}`, depth, rows: last - first + 1 })),
+    ...hits.map(({ blueprint, depth, filled }) => ({
+      name: blueprint,
+      depth,
+      rows: filled.reduce((sum, { first, last }) => sum + last - first + 1, 0),
+    })),
+    ...objects.map(({ sprite, depth, first, last }) => ({
+      name: sprite,
+      depth,
+      rows: last - first + 1,
+    })),
+    ...portals.map(({ to, depth, first, last }) => ({
+      name: `a way to ${to.map}`,
+      depth,
+      rows: last - first + 1,
+    })),
   ].filter(({ rows }) => rows >= least);
   const nearest = things.sort((one, other) => one.depth - other.depth);
   // Of many blocks of one kind in a row the nearest stands for all.
-  const named = nearest.filter(({ name }, index) => nearest.findIndex((other) => other.name === name) === index).slice(0, kThingsNamed);
-  return named.length === 0 ? 'nothing near' : named.map(({ name, depth }) => `${name} at ${distanceOf(depth)}`).join(', then ');
+  const named = nearest
+    .filter(({ name }, index) => nearest.findIndex((other) => other.name === name) === index)
+    .slice(0, kThingsNamed);
+  return named.length === 0
+    ? 'nothing near'
+    : named.map(({ name, depth }) => `${name} at ${distanceOf(depth)}`).join(', then ');
 }
 
 function distanceOf(depth) {

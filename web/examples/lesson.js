@@ -38,7 +38,8 @@ export function dot(x, y, radius, attributes = '') {
 export function markColumn(svg, { width, height }, column) {
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
   svg.setAttribute('preserveAspectRatio', 'none');
-  svg.innerHTML = box(column - 2, 0, 5, height, 'class="mark-edge"') + box(column, 0, 1, height, 'class="mark"');
+  svg.innerHTML =
+    box(column - 2, 0, 5, height, 'class="mark-edge"') + box(column, 0, 1, height, 'class="mark"');
 }
 
 // A slider and what is written beside its name.
@@ -67,7 +68,8 @@ export function slider(id, write, onChange) {
       input.max = String(greatest);
       show();
     },
-    // Over a picture of that many columns; the slider stays where it is when the picture gets another size.
+    // Over a picture of that many columns; the slider stays where it is when the picture gets
+    // another size.
     spread(columns) {
       const share = Number(input.value) / Number(input.max);
       if (columns - 1 === Number(input.max)) return;
@@ -78,7 +80,8 @@ export function slider(id, write, onChange) {
   };
 }
 
-// Draws when the scene is there and after every new picture. What it draws belongs to pictures that exist, so nothing is drawn before the first.
+// Draws when the scene is there and after every new picture. What it draws belongs to pictures that
+// exist, so nothing is drawn before the first.
 export function follow(caster, draw) {
   caster.addEventListener('framechange', () => draw());
   caster.whenReady().then(draw, () => {}); // the element itself says what is wrong
@@ -86,6 +89,15 @@ export function follow(caster, draw) {
 
 // The name that the words of the lessons have for a direction.
 export function compass(heading) {
-  const names = ['east', 'south-east', 'south', 'south-west', 'west', 'north-west', 'north', 'north-east'];
+  const names = [
+    'east',
+    'south-east',
+    'south',
+    'south-west',
+    'west',
+    'north-west',
+    'north',
+    'north-east',
+  ];
   return names[Math.round((((heading % 360) + 360) % 360) / 45) % 8];
 }

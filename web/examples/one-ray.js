@@ -1,4 +1,5 @@
-// The first lesson: one ray's walk as a plan, as two rulers and as a table, all from what the engine says about one slice.
+// The first lesson: one ray's walk as a plan, as two rulers and as a table, all from what the
+// engine says about one slice.
 
 import { compass, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
 import { crossingInto, plan, planBox } from './plan.js';
@@ -12,12 +13,24 @@ find('plan').setAttribute('viewBox', planBox(rows));
 
 let follows = true; // the walk is shown to its end, however long it is
 
-const heading = slider('heading', (value) => `${fixed(value, 0)}°, ${compass(value)}`, (value) => caster.look({ heading: value }));
-const column = slider('column', (value) => `${value} of ${caster.picture.width || 480}`, () => draw());
-const shown = slider('shown', (value) => (value === 1 ? 'only the first tile' : `${value} tiles`), (value) => {
-  follows = value >= caster.trace(column.value).walk.length;
-  draw();
-});
+const heading = slider(
+  'heading',
+  (value) => `${fixed(value, 0)}°, ${compass(value)}`,
+  (value) => caster.look({ heading: value }),
+);
+const column = slider(
+  'column',
+  (value) => `${value} of ${caster.picture.width || 480}`,
+  () => draw(),
+);
+const shown = slider(
+  'shown',
+  (value) => (value === 1 ? 'only the first tile' : `${value} tiles`),
+  (value) => {
+    follows = value >= caster.trace(column.value).walk.length;
+    draw();
+  },
+);
 
 follow(caster, draw);
 
@@ -46,7 +59,10 @@ function draw() {
 }
 
 function sentence({ walk, hits }) {
-  const block = hits[0] === undefined ? 'leaves the map' : `meets a ${hits[0].blueprint} at depth ${fixed(hits[0].depth)}`;
+  const block =
+    hits[0] === undefined
+      ? 'leaves the map'
+      : `meets a ${hits[0].blueprint} at depth ${fixed(hits[0].depth)}`;
   return `Now it comes through ${walk.length} tiles and ${block}.`;
 }
 
@@ -67,17 +83,40 @@ function rulers(slice, tiles) {
     const { alongX, depth } = crossingInto(slice, index);
     const x = place(depth);
     const state = index < tiles ? '' : ' opacity="0.25"';
-    parts.push(line(x, middle, x, alongX ? middle - tall : middle + tall, `class="${alongX ? 'across-mark' : 'along-mark'}"${state}`));
+    parts.push(
+      line(
+        x,
+        middle,
+        x,
+        alongX ? middle - tall : middle + tall,
+        `class="${alongX ? 'across-mark' : 'along-mark'}"${state}`,
+      ),
+    );
     parts.push(dot(x, middle, 4, `class="${alongX ? 'across-fill' : 'along-fill'}"${state}`));
     if (x - place(before) > 36 || index === 1) {
-      parts.push(text(x, alongX ? middle - tall - 8 : middle + tall + 20, fixed(depth), `class="soft" font-size="14" text-anchor="middle"${state}`));
+      parts.push(
+        text(
+          x,
+          alongX ? middle - tall - 8 : middle + tall + 20,
+          fixed(depth),
+          `class="soft" font-size="14" text-anchor="middle"${state}`,
+        ),
+      );
       before = depth;
     }
   }
   for (let index = 0; index + 1 < slice.walk.length; ++index) {
     const [from, to] = [place(slice.walk[index].depth), place(slice.walk[index + 1].depth)];
     const state = index < tiles ? '' : ' opacity="0.25"';
-    if (to - from > 22) parts.push(text((from + to) / 2, middle - 8, String(index + 1), `class="tile-number" font-size="15" text-anchor="middle"${state}`));
+    if (to - from > 22)
+      parts.push(
+        text(
+          (from + to) / 2,
+          middle - 8,
+          String(index + 1),
+          `class="tile-number" font-size="15" text-anchor="middle"${state}`,
+        ),
+      );
   }
   parts.push(dot(left, middle, 7, 'class="eye"'));
   return parts.join('');
@@ -90,12 +129,14 @@ function table(slice, tiles) {
     const eye = alongX ? slice.eye.x : slice.eye.y;
     const ray = alongX ? slice.ray[0] : slice.ray[1];
     const quotient = (distance / speed) * slice.projectionDistance;
-    body.push(`<tr${index === tiles - 1 ? ' class="now"' : ''}>`
-      + `<td class="number">${index + 1}</td>`
-      + `<td class="${alongX ? 'across' : 'along'}">${alongX ? 'x' : 'y'} = ${border}</td>`
-      + `<td>(${border} − ${fixed(eye, 3)}) ÷ ${ray < 0 ? `(${fixed(ray, 4)})` : fixed(ray, 4)}</td>`
-      + `<td class="number">${fixed(quotient, 6)}</td>`
-      + `<td class="number">${quotient === depth ? '= ' : ''}${fixed(depth, 6)}</td></tr>`);
+    body.push(
+      `<tr${index === tiles - 1 ? ' class="now"' : ''}>` +
+        `<td class="number">${index + 1}</td>` +
+        `<td class="${alongX ? 'across' : 'along'}">${alongX ? 'x' : 'y'} = ${border}</td>` +
+        `<td>(${border} − ${fixed(eye, 3)}) ÷ ${ray < 0 ? `(${fixed(ray, 4)})` : fixed(ray, 4)}</td>` +
+        `<td class="number">${fixed(quotient, 6)}</td>` +
+        `<td class="number">${quotient === depth ? '= ' : ''}${fixed(depth, 6)}</td></tr>`,
+    );
   }
   return body.join('');
 }
@@ -103,7 +144,8 @@ function table(slice, tiles) {
 // How far a thousand additions of the gap between two borders of constant x lead astray, in units.
 function drift({ eye, ray }) {
   const gap = 1 / Math.abs(ray[0]);
-  const first = (ray[0] > 0 ? Math.floor(eye.x) + 1 - eye.x : eye.x - Math.floor(eye.x)) / Math.abs(ray[0]);
+  const first =
+    (ray[0] > 0 ? Math.floor(eye.x) + 1 - eye.x : eye.x - Math.floor(eye.x)) / Math.abs(ray[0]);
   let sum = first;
   for (let i = 0; i < 1000; ++i) sum += gap;
   const error = Math.abs(sum - (1000 + first * Math.abs(ray[0])) / Math.abs(ray[0]));

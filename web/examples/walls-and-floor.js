@@ -1,4 +1,5 @@
-// The second lesson: a wall's height from its depth, distance and depth side by side, the fish eye beside flat glass, and one row of the floor.
+// The second lesson: a wall's height from its depth, distance and depth side by side, the fish eye
+// beside flat glass, and one row of the floor.
 
 import { box, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
 
@@ -18,7 +19,11 @@ function firstHit(caster, column) {
 
 // ---- Near is large
 
-const depth = slider('depth', (value) => `${fixed(value)} units`, (value) => near.look({ y: kWallEdge + value, heading: kFacing }));
+const depth = slider(
+  'depth',
+  (value) => `${fixed(value)} units`,
+  (value) => near.look({ y: kWallEdge + value, heading: kFacing }),
+);
 
 const kSide = { eyeX: 44, glassX: 104, unit: 54, floorY: 262, height: 150, right: 528 }; // of the drawing
 
@@ -29,7 +34,8 @@ function drawNear() {
   const rows = hit.bottomFrontRow - hit.topFrontRow;
   const tall = hit.top - hit.bottom;
   depth.value = hit.depth;
-  find('height-sum').textContent = `= ${fixed(slice.projectionDistance, 1)} · ${fixed(tall, 0)} ÷ ${fixed(hit.depth)} = ${fixed(rows, 1)}`;
+  find('height-sum').textContent =
+    `= ${fixed(slice.projectionDistance, 1)} · ${fixed(tall, 0)} ÷ ${fixed(hit.depth)} = ${fixed(rows, 1)}`;
   find('near-mark').setAttribute('viewBox', `0 0 ${width} ${height}`);
   find('near-mark').innerHTML = bracket(width / 2, hit.topFrontRow, hit.bottomFrontRow);
   find('side').innerHTML = side(slice, hit, rows);
@@ -50,7 +56,8 @@ function side({ eye }, hit, rows) {
     box(wallX, up(hit.top), right - wallX, height * (hit.top - hit.bottom), 'class="bricks"'),
     line(glassX, 30, glassX, floorY, 'class="glass"'),
   ];
-  for (const z of [hit.top, hit.bottom]) parts.push(line(eyeX, up(eye.z), wallX, up(z), 'class="sight"'));
+  for (const z of [hit.top, hit.bottom])
+    parts.push(line(eyeX, up(eye.z), wallX, up(z), 'class="sight"'));
   parts.push(
     line(glassX, through(hit.top), glassX, through(hit.bottom), 'class="on-glass"'),
     dot(eyeX, up(eye.z), 8, 'class="eye"'),
@@ -58,32 +65,62 @@ function side({ eye }, hit, rows) {
     line(eyeX, floorY + 24, wallX, floorY + 24, 'class="measure"'),
     line(eyeX, floorY + 17, eyeX, floorY + 31, 'class="measure"'),
     line(wallX, floorY + 17, wallX, floorY + 31, 'class="measure"'),
-    text((eyeX + wallX) / 2, floorY + 50, `t = ${fixed(hit.depth)}`, 'font-size="16" text-anchor="middle"'),
+    text(
+      (eyeX + wallX) / 2,
+      floorY + 50,
+      `t = ${fixed(hit.depth)}`,
+      'font-size="16" text-anchor="middle"',
+    ),
   );
-  if (wallX < right - 62) parts.push(text(wallX + 12, up((hit.top + hit.bottom) / 2) + 5, `h = ${fixed(hit.top - hit.bottom, 0)}`, 'class="on-bricks" font-size="16"'));
+  if (wallX < right - 62)
+    parts.push(
+      text(
+        wallX + 12,
+        up((hit.top + hit.bottom) / 2) + 5,
+        `h = ${fixed(hit.top - hit.bottom, 0)}`,
+        'class="on-bricks" font-size="16"',
+      ),
+    );
   return parts.join('');
 }
 
 // ---- Distance and depth
 
 const slice = slider('slice', (value) => `${value} of ${flat.picture.width || 480}`, drawFlat);
-const turn = slider('turn', (value) => (value === 0 ? 'facing the wall' : `${fixed(Math.abs(value), 0)}° to the ${value < 0 ? 'left' : 'right'}`), (value) => flat.look({ heading: kFacing + value }));
-const fov = slider('fov', (value) => `${value}°`, (value) => {
-  for (const caster of [flat, old]) caster.set('fov', value);
-});
+const turn = slider(
+  'turn',
+  (value) =>
+    value === 0
+      ? 'facing the wall'
+      : `${fixed(Math.abs(value), 0)}° to the ${value < 0 ? 'left' : 'right'}`,
+  (value) => flat.look({ heading: kFacing + value }),
+);
+const fov = slider(
+  'fov',
+  (value) => `${value}°`,
+  (value) => {
+    for (const caster of [flat, old]) caster.set('fov', value);
+  },
+);
 
 function drawFlat() {
   const { width, height } = flat.picture;
   slice.spread(width);
   turn.value = Math.round(((flat.currentView.heading - kFacing + 540) % 360) - 180);
   const { slice: traced, hit } = firstHit(flat, slice.value);
-  const edges = [0, width - 1].map((column) => ({ column, ...firstHit(flat, column) })).filter((edge) => edge.hit?.face === 'south');
+  const edges = [0, width - 1]
+    .map((column) => ({ column, ...firstHit(flat, column) }))
+    .filter((edge) => edge.hit?.face === 'south');
   drawLengths(traced, hit, edges);
 
-  const straight = edges.length === 2 ? `M${edges[0].column + 0.5} ${edges[0].hit.topFrontRow}L${edges[1].column + 0.5} ${edges[1].hit.topFrontRow}` : '';
+  const straight =
+    edges.length === 2
+      ? `M${edges[0].column + 0.5} ${edges[0].hit.topFrontRow}L${edges[1].column + 0.5} ${edges[1].hit.topFrontRow}`
+      : '';
   for (const name of ['flat', 'old']) {
     markColumn(find(`${name}-mark`), { width, height }, slice.value);
-    find(`${name}-mark`).innerHTML += `<path d="${straight}" class="mark-line edge"/><path d="${straight}" class="mark-line"/>`;
+    find(`${name}-mark`).innerHTML +=
+      `<path d="${straight}" class="mark-line edge"/><path d="${straight}" class="mark-line"/>`;
   }
 }
 
@@ -100,11 +137,16 @@ function drawLengths(traced, hit, edges) {
   const [hitX, hitY] = place(slope, hit.depth);
   const parts = [];
   if (edges.length === 2) {
-    const [[fromX, fromY], [toX, toY]] = edges.map(({ slice: edge, hit: { depth: t } }) => place(slopeOf(edge, edge.column), t));
+    const [[fromX, fromY], [toX, toY]] = edges.map(({ slice: edge, hit: { depth: t } }) =>
+      place(slopeOf(edge, edge.column), t),
+    );
     const wider = (toX - fromX) * 0.5;
     const lean = (toY - fromY) * 0.5;
     parts.push(line(fromX - wider, fromY - lean, toX + wider, toY + lean, 'class="wall-line"'));
-    parts.push(line(x, y, fromX, fromY, 'class="view-side"'), line(x, y, toX, toY, 'class="view-side"'));
+    parts.push(
+      line(x, y, fromX, fromY, 'class="view-side"'),
+      line(x, y, toX, toY, 'class="view-side"'),
+    );
   }
   parts.push(
     line(x, y, hitX, hitY, 'class="sight thick"'),
@@ -112,8 +154,18 @@ function drawLengths(traced, hit, edges) {
     line(x, hitY, hitX, hitY, 'class="across-line"'),
     dot(hitX, hitY, 6, 'class="ray-fill"'),
     dot(x, y, 9, 'class="eye"'),
-    text(x + (slope < 0 ? 10 : -10), (y + hitY) / 2 + 24, `depth ${fixed(hit.depth)}`, `class="across-text halo" font-size="16" text-anchor="${slope < 0 ? 'start' : 'end'}"`),
-    text((x + hitX) / 2 + (slope < 0 ? -14 : 14), (y + hitY) / 2 + 14, `distance ${fixed(distance)}`, `class="ray-text halo" font-size="16" text-anchor="${slope < 0 ? 'end' : 'start'}"`),
+    text(
+      x + (slope < 0 ? 10 : -10),
+      (y + hitY) / 2 + 24,
+      `depth ${fixed(hit.depth)}`,
+      `class="across-text halo" font-size="16" text-anchor="${slope < 0 ? 'start' : 'end'}"`,
+    ),
+    text(
+      (x + hitX) / 2 + (slope < 0 ? -14 : 14),
+      (y + hitY) / 2 + 14,
+      `distance ${fixed(distance)}`,
+      `class="ray-text halo" font-size="16" text-anchor="${slope < 0 ? 'end' : 'start'}"`,
+    ),
   );
   find('lengths').innerHTML = parts.join('');
   find('length-depth').textContent = fixed(hit.depth, 3);
@@ -128,7 +180,11 @@ function slopeOf({ size: [width], projectionDistance }, column) {
 
 // ---- The fish eye: the right picture goes where the left one goes
 
-const kTitles = { equalAngles: 'The old way: distance, equal angles', equalAnglesCorrected: 'The old cure: distance × cosine', plane: 'The old renderer, with the depth' };
+const kTitles = {
+  equalAngles: 'The old way: distance, equal angles',
+  equalAnglesCorrected: 'The old cure: distance × cosine',
+  plane: 'The old renderer, with the depth',
+};
 
 function showProjection() {
   const { value } = document.querySelector('[name="projection"]:checked');
@@ -139,7 +195,13 @@ function showProjection() {
 function bringAlong() {
   const { x, y, z, heading, look } = flat.currentView;
   const there = old.currentView;
-  if (there !== null && [x - there.x, y - there.y, z - there.z, heading - there.heading, look - there.look].some((apart) => apart !== 0)) old.look({ x, y, z, heading, look });
+  if (
+    there !== null &&
+    [x - there.x, y - there.y, z - there.z, heading - there.heading, look - there.look].some(
+      (apart) => apart !== 0,
+    )
+  )
+    old.look({ x, y, z, heading, look });
 }
 
 // ---- The floor
@@ -154,13 +216,16 @@ function drawFloor() {
   const traced = floor.trace(Math.floor(width / 2));
   const below = row.value + 0.5 - traced.horizonRow;
   const t = (traced.projectionDistance * traced.eye.z) / below;
-  find('floor-sum').textContent = below > 0
-    ? `= ${fixed(traced.projectionDistance, 1)} · ${fixed(traced.eye.z)} ÷ ${fixed(below, 1)} = ${fixed(t)}`
-    : 'and this row is above the horizon: it never comes to the floor';
+  find('floor-sum').textContent =
+    below > 0
+      ? `= ${fixed(traced.projectionDistance, 1)} · ${fixed(traced.eye.z)} ÷ ${fixed(below, 1)} = ${fixed(t)}`
+      : 'and this row is above the horizon: it never comes to the floor';
   const mark = find('floor-mark');
   mark.setAttribute('viewBox', `0 0 ${width} ${height}`);
   mark.setAttribute('preserveAspectRatio', 'none');
-  mark.innerHTML = box(0, row.value - 2, width, 5, 'class="mark-edge"') + box(0, row.value, width, 1, 'class="mark"');
+  mark.innerHTML =
+    box(0, row.value - 2, width, 5, 'class="mark-edge"') +
+    box(0, row.value, width, 1, 'class="mark"');
   find('floor-plan').innerHTML = floorPlan(traced, width, below > 0 ? t : null);
 }
 
@@ -169,8 +234,8 @@ function floorPlan({ eye, fov: degrees, projectionDistance }, width, t) {
   const { x, y, unit, reach, tick } = kFloor;
   const slope = Math.tan((degrees * Math.PI) / 360);
   const parts = [
-    '<pattern id="checks" width="1" height="1" patternUnits="userSpaceOnUse"><rect width="1" height="1" class="check-light"/>'
-      + '<rect width="0.5" height="0.5" class="check-dark"/><rect x="0.5" y="0.5" width="0.5" height="0.5" class="check-dark"/></pattern>',
+    '<pattern id="checks" width="1" height="1" patternUnits="userSpaceOnUse"><rect width="1" height="1" class="check-light"/>' +
+      '<rect width="0.5" height="0.5" class="check-dark"/><rect x="0.5" y="0.5" width="0.5" height="0.5" class="check-dark"/></pattern>',
     `<g transform="translate(${x} ${y}) scale(${unit}) rotate(${-90 - eye.heading}) translate(${-eye.x} ${-eye.y})">`,
     box(eye.x - 20, kWallEdge, 40, 30, 'fill="url(#checks)"'),
     box(eye.x - 20, kWallEdge - 1, 40, 1, 'class="bricks"'),
@@ -187,7 +252,10 @@ function floorPlan({ eye, fov: degrees, projectionDistance }, width, t) {
       parts.push(line(tickX, rowY - 6, tickX, rowY + 6, 'class="tick"'));
     }
     const labelX = Math.min(x + half + 10, 440);
-    parts.push(box(labelX - 4, Math.max(2, rowY - 15), 84, 26, 'class="label-back"'), text(labelX, Math.max(20, rowY + 5), `t = ${fixed(t)}`, 'font-size="16"'));
+    parts.push(
+      box(labelX - 4, Math.max(2, rowY - 15), 84, 26, 'class="label-back"'),
+      text(labelX, Math.max(20, rowY + 5), `t = ${fixed(t)}`, 'font-size="16"'),
+    );
   }
   parts.push(dot(x, y, 9, 'class="eye"'));
   return parts.join('');
@@ -202,5 +270,6 @@ follow(flat, () => {
   bringAlong();
   drawFlat();
 });
-for (const choice of document.querySelectorAll('[name="projection"]')) choice.addEventListener('input', showProjection);
+for (const choice of document.querySelectorAll('[name="projection"]'))
+  choice.addEventListener('input', showProjection);
 showProjection();

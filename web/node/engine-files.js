@@ -12,7 +12,8 @@ const read = new Map();
 
 // What could not be read is forgotten, so that another try reads again.
 export async function readEngine(kind) {
-  if (!kKinds.includes(kind)) throw new TypeError(`engine: found ${String(kind)}, expected ${kKinds.join(', ')}`);
+  if (!kKinds.includes(kind))
+    throw new TypeError(`engine: found ${String(kind)}, expected ${kKinds.join(', ')}`);
   const build = chooseBuild(kind);
   if (!read.has(build)) read.set(build, readBuild(build));
   try {
@@ -24,8 +25,13 @@ export async function readEngine(kind) {
 }
 
 async function readBuild(kind) {
-  const { bytes } = await readAt(new URL(`engine/slicecast-${kind}.wasm`, kPackage)).catch(({ message }) => {
-    throw coded('fetch', `${message}. The engine lies in the package slicecast, which a bundled program must leave external`);
-  });
+  const { bytes } = await readAt(new URL(`engine/slicecast-${kind}.wasm`, kPackage)).catch(
+    ({ message }) => {
+      throw coded(
+        'fetch',
+        `${message}. The engine lies in the package slicecast, which a bundled program must leave external`,
+      );
+    },
+  );
   return { kind, program: await WebAssembly.compile(bytes) };
 }

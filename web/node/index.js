@@ -17,18 +17,27 @@ import { openScene } from './scene-files.js';
 const kSize = { width: 640, height: 400 };
 const kLargestSide = 8192; // pixels, as the engine's
 
-// What keeps a scene from being loaded: `code` and `faults` as in the element's event `error`, all of them in the message too.
+// What keeps a scene from being loaded: `code` and `faults` as in the element's event `error`, all
+// of them in the message too.
 export class SceneError extends Error {
   name = 'SceneError';
 
   constructor(code, message, faults = []) {
-    super([message, ...faults.map((fault) => `  ${fault.place}: found ${fault.found}, expected ${fault.expected}`)].join('\n'));
+    super(
+      [
+        message,
+        ...faults.map(
+          (fault) => `  ${fault.place}: found ${fault.found}, expected ${fault.expected}`,
+        ),
+      ].join('\n'),
+    );
     this.code = code;
     this.faults = faults;
   }
 }
 
-// `engine` is 'auto', 'simd' or 'scalar'; `base` the folder, or a file in it, from which an object names its files, that of the shipped scenes if it is left out.
+// `engine` is 'auto', 'simd' or 'scalar'; `base` the folder, or a file in it, from which an object
+// names its files, that of the shipped scenes if it is left out.
 export async function load(scene, options = {}) {
   const { engine: kind = 'auto', base } = readOptions(options);
   let engine = null;
@@ -38,11 +47,17 @@ export async function load(scene, options = {}) {
     const faults = await engine.loadScene(source);
     if (faults.length === 0) return new Scene(engine);
     const count = faults.length === 1 ? 'a fault' : `${faults.length} faults`;
-    throw new SceneError('scene', `${source.name} has ${count}:`, faults.map((fault) => withPlace(withReason(fault, source.failures))));
+    throw new SceneError(
+      'scene',
+      `${source.name} has ${count}:`,
+      faults.map((fault) => withPlace(withReason(fault, source.failures))),
+    );
   } catch (error) {
     engine?.stop();
     // What was not given as it must be is the caller's own error.
-    throw error instanceof SceneError || error instanceof TypeError ? error : new SceneError(error.code ?? 'engine', error.message);
+    throw error instanceof SceneError || error instanceof TypeError
+      ? error
+      : new SceneError(error.code ?? 'engine', error.message);
   }
 }
 
@@ -86,7 +101,11 @@ class Scene {
 
   get(name) {
     const value = this.#running.option(name);
-    if (value === '') throw new SceneError('option', `option: found "${name}", expected one of ${this.optionList.map((option) => option.name).join(', ')}`);
+    if (value === '')
+      throw new SceneError(
+        'option',
+        `option: found "${name}", expected one of ${this.optionList.map((option) => option.name).join(', ')}`,
+      );
     return value;
   }
 
@@ -108,7 +127,9 @@ class Scene {
 
   trace(column = undefined, size = kSize) {
     const engine = this.#running;
-    return column === undefined ? engine.traceFrame(...sidesOf(size)) : engine.trace(...sidesOf(size), column);
+    return column === undefined
+      ? engine.traceFrame(...sidesOf(size))
+      : engine.trace(...sidesOf(size), column);
   }
 
   picture(size = kSize) {
@@ -131,17 +152,24 @@ class Scene {
 }
 
 function readOptions(options) {
-  if (typeof options !== 'object' || options === null) throw new TypeError(`options: found ${String(options)}, expected an object with some of engine, base`);
+  if (typeof options !== 'object' || options === null)
+    throw new TypeError(
+      `options: found ${String(options)}, expected an object with some of engine, base`,
+    );
   const { engine, base, ...others } = options;
-  for (const name of Object.keys(others)) throw new TypeError(`options: found ${name}, expected some of engine, base`);
+  for (const name of Object.keys(others))
+    throw new TypeError(`options: found ${name}, expected some of engine, base`);
   return { engine, base };
 }
 
 function sidesOf(size) {
   const { width, height } = size ?? {};
   const sides = [width, height];
-  if (sides.every((side) => Number.isInteger(side) && side >= 1 && side <= kLargestSide)) return sides;
-  throw new RangeError(`size: found ${size === null ? null : `${width} x ${height}`}, expected a width and a height of 1 to ${kLargestSide} whole pixels`);
+  if (sides.every((side) => Number.isInteger(side) && side >= 1 && side <= kLargestSide))
+    return sides;
+  throw new RangeError(
+    `size: found ${size === null ? null : `${width} x ${height}`}, expected a width and a height of 1 to ${kLargestSide} whole pixels`,
+  );
 }
 
 function orSceneError(code, act) {

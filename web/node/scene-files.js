@@ -12,7 +12,8 @@ import { inspect } from 'node:util';
 import { coded } from '../fetch-bytes.js';
 import { filesBy, isFile, nameOf } from '../source-parts.js';
 
-// A program bundled as a script of the old kind has no address: then nothing is found here, and whoever asks is told so.
+// A program bundled as a script of the old kind has no address: then nothing is found here, and
+// whoever asks is told so.
 export const kPackage = new URL('../', import.meta.url ?? 'file:///');
 
 const kShipped = new URL('scenes/', kPackage);
@@ -22,7 +23,11 @@ export function openScene(scene, base = kShipped) {
   const folder = folderOf(base);
   if (typeof scene === 'object' && scene !== null && !(scene instanceof URL)) {
     const text = textOf(scene);
-    return { name: 'scene', readText: async () => text, ...filesBy((file) => bytesAt(new URL(file, folder))) };
+    return {
+      name: 'scene',
+      readText: async () => text,
+      ...filesBy((file) => bytesAt(new URL(file, folder))),
+    };
   }
   const isName = typeof scene === 'string' && /^[\w-]+$/.test(scene);
   const address = isName ? new URL(`${scene}.json`, kShipped) : addressOf('scene', scene);
@@ -40,13 +45,20 @@ export function openScene(scene, base = kShipped) {
   };
 }
 
-// {bytes, from}: whence they came in the end, which is elsewhere where a server sends one on. Throws an Error with the code 'fetch'.
+// {bytes, from}: whence they came in the end, which is elsewhere where a server sends one on.
+// Throws an Error with the code 'fetch'.
 export async function readAt(address) {
   try {
-    return await inTurn(() => (address.protocol === 'file:' ? readFile(address).then((bytes) => ({ bytes, from: address })) : fetchAt(address)));
+    return await inTurn(() =>
+      address.protocol === 'file:'
+        ? readFile(address).then((bytes) => ({ bytes, from: address }))
+        : fetchAt(address),
+    );
   } catch (error) {
     // Of a file's error the first part says what it is, the rest repeats the path.
-    const [reason] = (error.cause?.message || error.cause?.code || error.message).split(/, \w+(?: '|$)/);
+    const [reason] = (error.cause?.message || error.cause?.code || error.message).split(
+      /, \w+(?: '|$)/,
+    );
     throw coded('fetch', `${isFile(address) ? address.href : nameOf(address)}: ${reason}`);
   }
 }
@@ -57,7 +69,8 @@ async function bytesAt(address) {
 
 async function fetchAt(address) {
   const answer = await fetch(address);
-  if (!answer.ok) throw new Error(`the server answers ${answer.status} ${answer.statusText}`.trim());
+  if (!answer.ok)
+    throw new Error(`the server answers ${answer.status} ${answer.statusText}`.trim());
   return { bytes: new Uint8Array(await answer.arrayBuffer()), from: new URL(answer.url) };
 }
 
@@ -93,7 +106,8 @@ function addressOf(what, reference) {
 function folderOf(base) {
   const address = addressOf('base', base);
   if (!isFile(address)) throw misread('base', base);
-  if (address.protocol !== 'file:' || !isFolder(address) || address.pathname.endsWith('/')) return address;
+  if (address.protocol !== 'file:' || !isFolder(address) || address.pathname.endsWith('/'))
+    return address;
   const folder = new URL(address);
   folder.pathname += '/';
   return folder;
@@ -109,8 +123,13 @@ function isFolder(address) {
 }
 
 function misread(what, found) {
-  const expected = what === 'base' ? 'the path or address of a folder or a file in it' : 'a path, an address, the name of a shipped scene or an object';
-  return new TypeError(`${what}: found ${typeof found === 'string' ? `"${found}"` : inspect(found, { depth: 0 })}, expected ${expected}`);
+  const expected =
+    what === 'base'
+      ? 'the path or address of a folder or a file in it'
+      : 'a path, an address, the name of a shipped scene or an object';
+  return new TypeError(
+    `${what}: found ${typeof found === 'string' ? `"${found}"` : inspect(found, { depth: 0 })}, expected ${expected}`,
+  );
 }
 
 function textOf(scene) {
@@ -124,5 +143,8 @@ function textOf(scene) {
 async function noSuchName(name) {
   const list = JSON.parse(new TextDecoder().decode(await bytesAt(new URL('index.json', kShipped))));
   const names = list.map(({ file }) => file.replace(/\.json$/, '')).join(', ');
-  return coded('fetch', `scene: found "${name}", expected the name of a shipped scene (${names}), or a path, which ./${name} would be`);
+  return coded(
+    'fetch',
+    `scene: found "${name}", expected the name of a shipped scene (${names}), or a path, which ./${name} would be`,
+  );
 }

@@ -1,4 +1,5 @@
-// Colours: of a surface in a row, and of what lies behind all surfaces, the floor and the sky. Nearest texels of the whole image, never of a smaller one.
+// Colours: of a surface in a row, and of what lies behind all surfaces, the floor and the sky.
+// Nearest texels of the whole image, never of a smaller one.
 #pragma once
 
 #include "base/colour.h"
@@ -17,7 +18,8 @@ class Colouring {
 public:
     Colouring(const World& world, const Map& map, const View& view, const RenderOptions& options);
 
-    // In the row whose middle is at y. A surface's colour keeps its texel's alpha, the background is opaque.
+    // In the row whose middle is at y. A surface's colour keeps its texel's alpha, the background
+    // is opaque.
     Pixel ofSurface(const Surface& surface, const ColumnRay& ray, double y) const;
     Pixel ofBackground(const ColumnRay& ray, double y) const;
 

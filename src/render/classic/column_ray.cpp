@@ -25,7 +25,8 @@ double SineTable::cosine(double degrees) const {
     return cosDegrees(std::floor(wrapDegrees(degrees) * steps / 360.0) * 360.0 / steps);
 }
 
-View::View(const Eye& eye, int levels, const RenderOptions& options, const ClassicOptions& classic, int pictureWidth, int pictureHeight)
+View::View(const Eye& eye, int levels, const RenderOptions& options, const ClassicOptions& classic,
+           int pictureWidth, int pictureHeight)
     : width(pictureWidth),
       distance((pictureWidth / 2.0) / tanDegrees(options.fovDegrees / 2.0)),
       horizon(pictureHeight / 2.0 + eye.look * pictureHeight),
@@ -59,7 +60,8 @@ ColumnRay View::rayAt(double x) const {
     ray.azimuthDegrees = headingDegrees + angle;
     ray.x = table.cosine(ray.azimuthDegrees);
     ray.y = table.sine(ray.azimuthDegrees);
-    if (projection == ClassicProjection::equalAnglesCorrected) ray.depthPerAlong = table.cosine(std::fabs(angle));
+    if (projection == ClassicProjection::equalAnglesCorrected)
+        ray.depthPerAlong = table.cosine(std::fabs(angle));
     return ray;
 }
 
@@ -67,7 +69,8 @@ double View::rowOf(double height, double depth) const {
     const double rise = height - eyeZ;
     if (rise == 0.0) return horizon;
     if (depth > 0.0) return horizon - rise * distance / depth;
-    return rise > 0.0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+    return rise > 0.0 ? -std::numeric_limits<double>::infinity()
+                      : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace slicecast::classic

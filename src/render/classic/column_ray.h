@@ -1,7 +1,8 @@
 // How one column of the picture looks into the world, by each of the old projections.
 //
 //     equal angles                 plane
-//     \  |  |  /                   \   |   /         a column's ground line from above; both kinds meet at the picture's edges and its middle
+//     \  |  |  /                   \   |   /         a column's ground line from above; both kinds
+//     meet at the picture's edges and its middle
 //      \ | | /                      \  |  /
 //       \|/                          \ | /
 #pragma once
@@ -12,7 +13,8 @@
 
 namespace slicecast::classic {
 
-// Sine and cosine as programs had them from a table with a number of steps over the full turn: the entry at or before the angle. 0 steps stand for no table.
+// Sine and cosine as programs had them from a table with a number of steps over the full turn: the
+// entry at or before the angle. 0 steps stand for no table.
 struct SineTable {
     int steps = 0;
 
@@ -29,7 +31,8 @@ struct ColumnRay {
     double azimuthDegrees = 0.0;  // where the sky is looked at
 };
 
-// The picture's geometry. Places on it are in pixels from its upper left, real numbers: a pixel's centre is at + 0.5.
+// The picture's geometry. Places on it are in pixels from its upper left, real numbers: a pixel's
+// centre is at + 0.5.
 struct View {
     double width = 0.0;
     double distance = 1.0;  // to the projection plane, pixels
@@ -39,18 +42,22 @@ struct View {
     double eyeX = 0.0;
     double eyeY = 0.0;
     double eyeZ = 0.0;
-    int storey = 0;  // heights count from this level's base: the eye's level where there is one level only, else 0
+    int storey = 0;  // heights count from this level's base: the eye's level where there is one
+                     // level only, else 0
     ClassicProjection projection = ClassicProjection::plane;
     SineTable table;
 
-    View(const Eye& eye, int levels, const RenderOptions& options, const ClassicOptions& classic, int pictureWidth, int pictureHeight);
+    View(const Eye& eye, int levels, const RenderOptions& options, const ClassicOptions& classic,
+         int pictureWidth, int pictureHeight);
 
     ColumnRay rayAt(double x) const;
     double upwardSlopeAt(double y) const { return (horizon - y) / distance; }
     // Where a height appears at a depth; infinitely high or low at depth 0.
     double rowOf(double height, double depth) const;
     // The depth of a level plane in a row that is not the horizon's.
-    double depthOfPlane(double height, double y) const { return (height - eyeZ) * distance / (horizon - y); }
+    double depthOfPlane(double height, double y) const {
+        return (height - eyeZ) * distance / (horizon - y);
+    }
 };
 
 }  // namespace slicecast::classic

@@ -17,25 +17,30 @@ using namespace classic;
 
 // Written so that NaN is refused too.
 bool canSee(const World& world, const Eye& eye, const RenderOptions& options) {
-    return isAboveFloor(eye) && eye.map >= 0 && eye.map < static_cast<int>(world.maps.size()) && options.fovDegrees >= kMinFovDegrees &&
-           options.fovDegrees <= kMaxFovDegrees && eye.look >= -kMaxLook && eye.look <= kMaxLook && eye.headingDegrees - eye.headingDegrees == 0.0;
+    return isAboveFloor(eye) && eye.map >= 0 && eye.map < static_cast<int>(world.maps.size()) &&
+           options.fovDegrees >= kMinFovDegrees && options.fovDegrees <= kMaxFovDegrees &&
+           eye.look >= -kMaxLook && eye.look <= kMaxLook &&
+           eye.headingDegrees - eye.headingDegrees == 0.0;
 }
 
 bool canDrawInto(const Picture& picture) {
-    return picture.pixels != nullptr && picture.width > 0 && picture.height > 0 && picture.width <= kMaxPictureSide && picture.height <= kMaxPictureSide &&
+    return picture.pixels != nullptr && picture.width > 0 && picture.height > 0 &&
+           picture.width <= kMaxPictureSide && picture.height <= kMaxPictureSide &&
            picture.pitch >= picture.width;
 }
 
 bool areInRange(const ClassicOptions& classic) {
-    return classic.stepSize >= kLeastMarchStep && classic.stepSize <= kGreatestMarchStep && classic.reach >= kLeastMarchReach &&
-           classic.reach <= kGreatestMarchReach && classic.sineSteps >= 0 && classic.sineSteps <= kMostSineSteps && classic.pixelSize >= 1 &&
-           classic.pixelSize <= kMostPixelSize;
+    return classic.stepSize >= kLeastMarchStep && classic.stepSize <= kGreatestMarchStep &&
+           classic.reach >= kLeastMarchReach && classic.reach <= kGreatestMarchReach &&
+           classic.sineSteps >= 0 && classic.sineSteps <= kMostSineSteps &&
+           classic.pixelSize >= 1 && classic.pixelSize <= kMostPixelSize;
 }
 
 // One column of the picture, `pixelSize` pixels wide.
 class Column {
 public:
-    Column(const World& world, const View& view, const RenderOptions& options, const ClassicOptions& classicOptions, const Map& map, const RowGrid& rows,
+    Column(const World& world, const View& view, const RenderOptions& options,
+           const ClassicOptions& classicOptions, const Map& map, const RowGrid& rows,
            ClassicReport& report)
         : world_(world),
           map_(map),
@@ -48,7 +53,8 @@ public:
 
     const std::vector<Pixel>& draw(double x) {
         ray_ = view_.rayAt(x);
-        report_.samples += options_.march ? marchTiles(map_, view_, ray_, options_, spans_) : walkTiles(map_, view_, ray_, spans_);
+        report_.samples += options_.march ? marchTiles(map_, view_, ray_, options_, spans_)
+                                          : walkTiles(map_, view_, ray_, spans_);
         gatherSurfaces(world_, map_, view_, options_, ray_, rows_, spans_, surfaces_);
         if (options_.paintersOrder) {
             paintFarToNear();
@@ -59,7 +65,8 @@ public:
     }
 
 private:
-    // Every row shows the surface with the least depth there, laid over the next one where it is see-through.
+    // Every row shows the surface with the least depth there, laid over the next one where it is
+    // see-through.
     void paintNearest() {
         for (int row = 0; row < rows_.rows; ++row) {
             const double y = rows_.middle(row);
@@ -67,22 +74,26 @@ private:
             Place at;
             do {
                 at = nextBehind(at, row);
-                layers_.push_back(at.surface != nullptr ? colouring_.ofSurface(*at.surface, ray_, y) : colouring_.ofBackground(ray_, y));
+                layers_.push_back(at.surface != nullptr ? colouring_.ofSurface(*at.surface, ray_, y)
+                                                        : colouring_.ofBackground(ray_, y));
             } while (at.surface != nullptr && toColour(layers_.back()).a < 255);
             Pixel colour = layers_.back();
-            for (std::size_t i = layers_.size() - 1; i-- > 0;) colour = laidOver(layers_[i], colour);
+            for (std::size_t i = layers_.size() - 1; i-- > 0;)
+                colour = laidOver(layers_[i], colour);
             paint(row, colour);
         }
     }
 
-    // Where a ray meets a surface; nothing is before the first one. At equal depth the order is that of Passing, then that of the gathering.
+    // Where a ray meets a surface; nothing is before the first one. At equal depth the order is
+    // that of Passing, then that of the gathering.
     struct Place {
         const Surface* surface = nullptr;
         double depth = 0.0;
 
         bool isBefore(const Place& other) const {
             if (depth != other.depth) return depth < other.depth;
-            if (surface->passing != other.surface->passing) return surface->passing < other.surface->passing;
+            if (surface->passing != other.surface->passing)
+                return surface->passing < other.surface->passing;
             return surface < other.surface;
         }
     };
@@ -98,9 +109,11 @@ private:
         return next;
     }
 
-    // Everything is painted, whole blocks by the distances of their middles; who comes later wins. No depths are compared.
+    // Everything is painted, whole blocks by the distances of their middles; who comes later wins.
+    // No depths are compared.
     void paintFarToNear() {
-        for (int row = 0; row < rows_.rows; ++row) paint(row, colouring_.ofBackground(ray_, rows_.middle(row)));
+        for (int row = 0; row < rows_.rows; ++row)
+            paint(row, colouring_.ofBackground(ray_, rows_.middle(row)));
         order_.resize(surfaces_.size());
         std::iota(order_.begin(), order_.end(), std::size_t{0});
         mergeSort(order_, [this](std::size_t a, std::size_t b) {
@@ -111,7 +124,8 @@ private:
         for (const std::size_t index : order_) {
             const Surface& surface = surfaces_[index];
             for (int row = surface.firstRow; row < surface.lastRow; ++row) {
-                paint(row, laidOver(colouring_.ofSurface(surface, ray_, rows_.middle(row)), colours_[static_cast<std::size_t>(row)]));
+                paint(row, laidOver(colouring_.ofSurface(surface, ray_, rows_.middle(row)),
+                                    colours_[static_cast<std::size_t>(row)]));
             }
         }
     }
@@ -138,8 +152,8 @@ private:
 
 }  // namespace
 
-bool drawClassic(const World& world, const Eye& eye, const RenderOptions& options, const ClassicOptions& classic, const Picture& picture,
-                 ClassicReport* report) {
+bool drawClassic(const World& world, const Eye& eye, const RenderOptions& options,
+                 const ClassicOptions& classic, const Picture& picture, ClassicReport* report) {
     if (!canSee(world, eye, options) || !canDrawInto(picture) || !areInRange(classic)) return false;
     ClassicReport counted;
     const int size = classic.pixelSize;
@@ -150,7 +164,9 @@ bool drawClassic(const World& world, const Eye& eye, const RenderOptions& option
     for (int left = 0; left < picture.width; left += size) {
         const std::vector<Pixel>& colours = column.draw(left + size / 2.0);
         const int right = std::min(left + size, picture.width);
-        for (int y = 0; y < picture.height; ++y) std::fill(picture.row(y) + left, picture.row(y) + right, colours[static_cast<std::size_t>(y / size)]);
+        for (int y = 0; y < picture.height; ++y)
+            std::fill(picture.row(y) + left, picture.row(y) + right,
+                      colours[static_cast<std::size_t>(y / size)]);
     }
     if (report != nullptr) *report = counted;
     return true;

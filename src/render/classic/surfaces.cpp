@@ -18,9 +18,15 @@ struct Block {
 // One column's collecting.
 class Gathering {
 public:
-    Gathering(const World& world, const Map& map, const View& view, const ClassicOptions& classic, const ColumnRay& ray, const RowGrid& rows,
-              std::vector<Surface>& surfaces)
-        : world_(world), map_(map), view_(view), classic_(classic), ray_(ray), rows_(rows), surfaces_(surfaces) {}
+    Gathering(const World& world, const Map& map, const View& view, const ClassicOptions& classic,
+              const ColumnRay& ray, const RowGrid& rows, std::vector<Surface>& surfaces)
+        : world_(world),
+          map_(map),
+          view_(view),
+          classic_(classic),
+          ray_(ray),
+          rows_(rows),
+          surfaces_(surfaces) {}
 
     void addTile(const TileSpan& span) {
         addCeiling(span);
@@ -40,7 +46,12 @@ private:
     Block blockAt(const TileSpan& span, int level) const {
         const CellBlueprint* blueprint = blueprintAt(span.x, span.y, level);
         if (classic_.oneLevel) return {blueprint, level, 0.0, 1.0, 1.0, 0.0};
-        Block block = {blueprint, level, level + blueprint->bottom.value(), level + blueprint->top.value(), level + 1.0, static_cast<double>(level)};
+        Block block = {blueprint,
+                       level,
+                       level + blueprint->bottom.value(),
+                       level + blueprint->top.value(),
+                       level + 1.0,
+                       static_cast<double>(level)};
         if (classic_.stretched) {
             block.textureTop = block.top;
             block.textureBottom = block.bottom;
@@ -61,18 +72,25 @@ private:
 
     void addBlock(const TileSpan& span, const Block& block) {
         const double distance = distanceOf(span, (block.bottom + block.top) / 2.0);
-        const bool eyeInside = span.enter <= 0.0 && block.bottom <= view_.eyeZ && view_.eyeZ < block.top;
+        const bool eyeInside =
+            span.enter <= 0.0 && block.bottom <= view_.eyeZ && view_.eyeZ < block.top;
         const bool hasPlanes = !classic_.oneLevel;
         const bool leavesTop = view_.eyeZ < block.top;  // a ray that meets it rises
         const bool leavesBottom = view_.eyeZ >= block.bottom;
         if ((eyeInside && hasPlanes) || block.blueprint->seeThrough) {
-            if (span.leave > 0.0) addSide(span, block, span.left, Passing::left, span.leave, distance);
-            if (hasPlanes && leavesTop) addPlane(span, block, Face::top, Passing::left, block.top, distance);
-            if (hasPlanes && leavesBottom) addPlane(span, block, Face::bottom, Passing::left, block.bottom, distance);
+            if (span.leave > 0.0)
+                addSide(span, block, span.left, Passing::left, span.leave, distance);
+            if (hasPlanes && leavesTop)
+                addPlane(span, block, Face::top, Passing::left, block.top, distance);
+            if (hasPlanes && leavesBottom)
+                addPlane(span, block, Face::bottom, Passing::left, block.bottom, distance);
         }
-        if (hasPlanes && !leavesTop) addPlane(span, block, Face::top, Passing::entered, block.top, distance);
-        if (hasPlanes && !leavesBottom) addPlane(span, block, Face::bottom, Passing::entered, block.bottom, distance);
-        if (span.enter > 0.0) addSide(span, block, span.entered, Passing::entered, span.enter, distance);
+        if (hasPlanes && !leavesTop)
+            addPlane(span, block, Face::top, Passing::entered, block.top, distance);
+        if (hasPlanes && !leavesBottom)
+            addPlane(span, block, Face::bottom, Passing::entered, block.bottom, distance);
+        if (span.enter > 0.0)
+            addSide(span, block, span.entered, Passing::entered, span.enter, distance);
     }
 
     // Two see-through blocks that touch here have no faces between them.
@@ -81,14 +99,17 @@ private:
         if (!blueprint.seeThrough || !blueprint.join) return false;
         if (face == Face::top || face == Face::bottom) {
             const bool spansLevel = blueprint.bottom.raw == 0 && blueprint.top == tileEdge(1);
-            return spansLevel && blueprintAt(span.x, span.y, block.level + (face == Face::top ? 1 : -1)) == &blueprint;
+            return spansLevel &&
+                   blueprintAt(span.x, span.y, block.level + (face == Face::top ? 1 : -1)) ==
+                       &blueprint;
         }
         const int x = span.x + (face == Face::east ? 1 : face == Face::west ? -1 : 0);
         const int y = span.y + (face == Face::south ? 1 : face == Face::north ? -1 : 0);
         return blueprintAt(x, y, block.level) == &blueprint;
     }
 
-    void addSide(const TileSpan& span, const Block& block, Face face, Passing passing, double along, double distance) {
+    void addSide(const TileSpan& span, const Block& block, Face face, Passing passing, double along,
+                 double distance) {
         if (isJoined(span, block, face)) return;
         Surface side = surfaceOf(span, block.blueprint->face(face), face, passing, distance);
         const double depth = along * ray_.depthPerAlong;
@@ -100,9 +121,11 @@ private:
         add(side);
     }
 
-    void addPlane(const TileSpan& span, const Block& block, Face face, Passing passing, double height, double distance) {
+    void addPlane(const TileSpan& span, const Block& block, Face face, Passing passing,
+                  double height, double distance) {
         if (isJoined(span, block, face)) return;
-        addLevel(span, surfaceOf(span, block.blueprint->face(face), face, passing, distance), height);
+        addLevel(span, surfaceOf(span, block.blueprint->face(face), face, passing, distance),
+                 height);
     }
 
     void addLevel(const TileSpan& span, Surface plane, double height) {
@@ -120,10 +143,14 @@ private:
         if (texture == kNoTexture) return;
         const double height = map_.ceiling.height.value() - view_.storey;
         if (height <= 0.0) return;
-        addLevel(span, surfaceOf(span, {texture, map_.ceiling.light, map_.ceiling.glow}, Face::bottom, Passing::ceiling, distanceOf(span, height)), height);
+        addLevel(span,
+                 surfaceOf(span, {texture, map_.ceiling.light, map_.ceiling.glow}, Face::bottom,
+                           Passing::ceiling, distanceOf(span, height)),
+                 height);
     }
 
-    Surface surfaceOf(const TileSpan& span, const FaceBlueprint& look, Face face, Passing passing, double distance) const {
+    Surface surfaceOf(const TileSpan& span, const FaceBlueprint& look, Face face, Passing passing,
+                      double distance) const {
         Surface surface;
         surface.texture = look.texture;
         surface.light = look.light;
@@ -163,7 +190,8 @@ int RowGrid::firstBelow(double y) const {
     return row > 0.0 ? (row < rows ? static_cast<int>(row) : rows) : 0;
 }
 
-void gatherSurfaces(const World& world, const Map& map, const View& view, const ClassicOptions& classic, const ColumnRay& ray, const RowGrid& rows,
+void gatherSurfaces(const World& world, const Map& map, const View& view,
+                    const ClassicOptions& classic, const ColumnRay& ray, const RowGrid& rows,
                     const std::vector<TileSpan>& spans, std::vector<Surface>& surfaces) {
     surfaces.clear();
     Gathering gathering(world, map, view, classic, ray, rows, surfaces);

@@ -1,5 +1,6 @@
-// What a column could see of the blocks and ceilings on the tiles that it passes, whether or not something nearer hides it. Faces that a ray leaves a block
-// through are seen only where the eye is inside it, or the block is see-through.
+// What a column could see of the blocks and ceilings on the tiles that it passes, whether or not
+// something nearer hides it. Faces that a ray leaves a block through are seen only where the eye is
+// inside it, or the block is see-through.
 #pragma once
 
 #include "render/classic/classic_options.h"
@@ -12,7 +13,8 @@
 
 namespace slicecast::classic {
 
-// The picture's rows: of `pixelSize` pixels each, row r's middle being r * pixelSize + pixelSize / 2.
+// The picture's rows: of `pixelSize` pixels each, row r's middle being r * pixelSize + pixelSize
+// / 2.
 struct RowGrid {
     int pixelSize = 1;
     int rows = 0;
@@ -40,14 +42,19 @@ struct Surface {
     double height = 0.0;      // level planes: units
     double textureTop = 0.0;  // sides: heights at which the texture begins and ends
     double textureBottom = 0.0;
-    double thingDistance = 0.0;  // of the middle of the block or ceiling tile from the eye, squared: what painter's order goes by
+    double thingDistance = 0.0;  // of the middle of the block or ceiling tile from the eye,
+                                 // squared: what painter's order goes by
 
     bool isSide() const { return face != Face::top && face != Face::bottom; }
-    double depthAt(const View& view, const ColumnRay& ray, double y) const { return isSide() ? along * ray.depthPerAlong : view.depthOfPlane(height, y); }
+    double depthAt(const View& view, const ColumnRay& ray, double y) const {
+        return isSide() ? along * ray.depthPerAlong : view.depthOfPlane(height, y);
+    }
 };
 
-// Replaces `surfaces` by what there is on these tiles: near tiles first, and of one block the faces that are left before those that are entered.
-void gatherSurfaces(const World& world, const Map& map, const View& view, const ClassicOptions& classic, const ColumnRay& ray, const RowGrid& rows,
+// Replaces `surfaces` by what there is on these tiles: near tiles first, and of one block the faces
+// that are left before those that are entered.
+void gatherSurfaces(const World& world, const Map& map, const View& view,
+                    const ClassicOptions& classic, const ColumnRay& ray, const RowGrid& rows,
                     const std::vector<TileSpan>& spans, std::vector<Surface>& surfaces);
 
 }  // namespace slicecast::classic

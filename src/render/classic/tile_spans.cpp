@@ -16,7 +16,9 @@ struct Borders {
         step = direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0;
         distance = step > 0 ? tile + 1 - eye : eye - tile;
     }
-    double along() const { return step == 0 ? std::numeric_limits<double>::infinity() : distance / std::fabs(speed); }
+    double along() const {
+        return step == 0 ? std::numeric_limits<double>::infinity() : distance / std::fabs(speed);
+    }
 };
 
 int tileOf(double position) {
@@ -30,13 +32,15 @@ bool isPast(int tile, int end, double direction) {
 
 // The side of its tile that a point is nearest to.
 Face nearestSide(double fromMiddleX, double fromMiddleY) {
-    if (std::fabs(fromMiddleX) > std::fabs(fromMiddleY)) return fromMiddleX < 0.0 ? Face::west : Face::east;
+    if (std::fabs(fromMiddleX) > std::fabs(fromMiddleY))
+        return fromMiddleX < 0.0 ? Face::west : Face::east;
     return fromMiddleY < 0.0 ? Face::north : Face::south;
 }
 
 }  // namespace
 
-std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray, std::vector<TileSpan>& spans) {
+std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray,
+                       std::vector<TileSpan>& spans) {
     spans.clear();
     TileSpan span;
     span.x = tileOf(view.eyeX);
@@ -51,11 +55,13 @@ std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray, s
         const bool alongX = x.along() < y.along() || (x.along() == y.along() && x.step > 0);
         Borders& next = alongX ? x : y;
         span.leave = next.along();
-        span.left = alongX ? (next.step > 0 ? Face::east : Face::west) : (next.step > 0 ? Face::south : Face::north);
+        span.left = alongX ? (next.step > 0 ? Face::east : Face::west)
+                           : (next.step > 0 ? Face::south : Face::north);
         if (map.contains(span.x, span.y)) spans.push_back(span);
 
         span.enter = span.leave;
-        span.entered = alongX ? (next.step > 0 ? Face::west : Face::east) : (next.step > 0 ? Face::north : Face::south);
+        span.entered = alongX ? (next.step > 0 ? Face::west : Face::east)
+                              : (next.step > 0 ? Face::north : Face::south);
         span.first = false;
         (alongX ? span.x : span.y) += next.step;
         next.distance += 1.0;
@@ -63,7 +69,8 @@ std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray, s
     return samples;
 }
 
-std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray, const ClassicOptions& classic, std::vector<TileSpan>& spans) {
+std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray,
+                        const ClassicOptions& classic, std::vector<TileSpan>& spans) {
     spans.clear();
     TileSpan span;
     span.x = tileOf(view.eyeX);
@@ -84,7 +91,9 @@ std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray, 
         if (map.contains(span.x, span.y)) spans.push_back(span);
         if (isPast(tileX, map.width, ray.x) || isPast(tileY, map.depth, ray.y)) return samples;
 
-        span = {tileX, tileY, along, along, false, nearestSide(x - tileX - 0.5, y - tileY - 0.5), Face::north};
+        span = {tileX,      tileY, along,
+                along,      false, nearestSide(x - tileX - 0.5, y - tileY - 0.5),
+                Face::north};
     }
     span.leave = static_cast<double>(strides) * classic.stepSize / ray.length;
     if (map.contains(span.x, span.y)) spans.push_back(span);

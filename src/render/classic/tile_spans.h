@@ -1,7 +1,9 @@
-// Which tiles of the grid a column's ground line passes: by the exact walk from border to border, or by the march that looks every so often where it is.
+// Which tiles of the grid a column's ground line passes: by the exact walk from border to border,
+// or by the march that looks every so often where it is.
 //
-//     +-----+-----+          the march steps from the eye e in equal strides. It finds the wall # up to a stride behind its border, never finds
-//     |     | #.  |          a corner that lies between two strides, and tells the face by the quadrant of the tile in which it came to stand
+//     +-----+-----+          the march steps from the eye e in equal strides. It finds the wall #
+//     up to a stride behind its border, never finds |     | #.  |          a corner that lies
+//     between two strides, and tells the face by the quadrant of the tile in which it came to stand
 //     |     .     |
 //     | e . |     |
 //     +-----+-----+
@@ -26,8 +28,11 @@ struct TileSpan {
     Face left = Face::north;     // and goes out through
 };
 
-// Replace `spans` by the tiles of the grid in the order in which they are passed, and give the number of places that were looked at.
-std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray, std::vector<TileSpan>& spans);
-std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray, const ClassicOptions& classic, std::vector<TileSpan>& spans);
+// Replace `spans` by the tiles of the grid in the order in which they are passed, and give the
+// number of places that were looked at.
+std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray,
+                       std::vector<TileSpan>& spans);
+std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray,
+                        const ClassicOptions& classic, std::vector<TileSpan>& spans);
 
 }  // namespace slicecast::classic

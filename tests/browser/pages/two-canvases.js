@@ -11,16 +11,18 @@ shadow.append(second);
 const canvases = [document.getElementById('first'), second];
 
 const files = await fetchEngine();
-window.engines = await Promise.all(canvases.map(async (canvas, index) => {
-  const engine = await Engine.create({
-    files,
-    canvas,
-    onEvent(event) {
-      if (event === 'ready') engine.isReady = true;
-    },
-  });
-  engine.resize(160 + 40 * index, 100);
-  await engine.loadScene(sceneAt(['room', 'other'][index]));
-  engine.begin();
-  return engine;
-}));
+window.engines = await Promise.all(
+  canvases.map(async (canvas, index) => {
+    const engine = await Engine.create({
+      files,
+      canvas,
+      onEvent(event) {
+        if (event === 'ready') engine.isReady = true;
+      },
+    });
+    engine.resize(160 + 40 * index, 100);
+    await engine.loadScene(sceneAt(['room', 'other'][index]));
+    engine.begin();
+    return engine;
+  }),
+);
