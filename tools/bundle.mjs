@@ -1,10 +1,12 @@
-// Makes the scripts that a page waits for few and small. The element's script and all that it
-// imports become one file, so that a page waits for one answer, not for thirty, one layer after the
-// other; what it needs only later are files of their own.
+// Makes the scripts that a page waits for few and small. Each of them and all that it imports become
+// one file, so that a page waits for one answer, not for thirty, one layer after the other; what the
+// element needs only later are files of their own.
 //
 //     node tools/bundle.mjs FOLDER        FOLDER/ray-caster.js and the others become those files
+//
+// The modules that only stand in those files go; what Node imports stays as it is.
 
-import { readFile, writeFile } from 'node:fs/promises';
+import { readFile, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
 import { build, transform } from 'esbuild';
@@ -12,9 +14,9 @@ import { build, transform } from 'esbuild';
 const [folder] = process.argv.slice(2);
 if (folder === undefined)
   throw new Error('tools/bundle.mjs: found no folder, expected one that holds ray-caster.js');
-const kScripts = ['ray-caster.js', 'ray-caster-steering.js', 'ray-caster-rows.js'].map((name) =>
-  path.resolve(folder, name),
-);
+const kElement = ['ray-caster.js', 'ray-caster-steering.js', 'ray-caster-rows.js'];
+const kPages = ['embed.js', 'play/main.js'];
+const inFolder = (name) => path.resolve(folder, name);
 const kSmall = { target: 'es2022', minify: true, legalComments: 'none', logLevel: 'warning' };
 
 // The sheets stand in the modules as text, `const kSheet = ...`.
@@ -29,28 +31,65 @@ const smallSheets = {
     }),
 };
 
-const bundles = await Promise.all(
-  kScripts.map((script) =>
-    build({
-      ...kSmall,
-      entryPoints: [script],
-      outfile: script,
-      write: false,
-      bundle: true,
-      format: 'esm',
-      external: kScripts,
-      plugins: [smallSheets],
+// An address relative to a module becomes relative to the script that the module is in now.
+const addressesFrom = (script) => ({
+  name: 'addresses',
+  setup: ({ onLoad }) =>
+    onLoad({ filter: /[\\/](home|engine-files)\.js$/ }, async ({ path: file }) => {
+      const text = await readFile(file, 'utf8');
+      const moved = (address) => {
+        const to = path
+          .relative(path.dirname(script), path.resolve(path.dirname(file), address))
+          .split(path.sep)
+          .join('/');
+        const whole = to === '' || to.startsWith('.') ? to : `./${to}`;
+        return address.endsWith('/') ? `${whole || '.'}/` : whole;
+      };
+      return {
+        contents: text.replaceAll(
+          /(?<=new URL\(')(\.[^']*)(?=', (?:import\.meta\.url|here)\))/g,
+          moved,
+        ),
+      };
     }),
-  ),
-);
-for (const {
-  outputFiles: [{ path: script, text }],
-} of bundles) {
+});
+
+const bundle = async (script, external) => {
+  const {
+    metafile: { inputs },
+    outputFiles: [{ text }],
+  } = await build({
+    ...kSmall,
+    entryPoints: [script],
+    outfile: script,
+    write: false,
+    bundle: true,
+    metafile: true,
+    format: 'esm',
+    external: external.filter((other) => other !== script),
+    plugins: [smallSheets, addressesFrom(script)],
+  });
+  return { script, text, modules: Object.keys(inputs).map((name) => path.resolve(name)) };
+};
+
+const scripts = kElement.map(inFolder);
+const bundles = await Promise.all([
+  ...scripts.map((script) => bundle(script, scripts)),
+  ...kPages.map((name) => bundle(inFolder(name), scripts)),
+]);
+for (const { script, text } of bundles) {
   // An address that is known only while the page runs is nothing for other bundlers to follow; the
   // comment that tells them so has been taken off.
   const followed = text.replaceAll(/\bimport\((?!")/g, 'import(/* @vite-ignore */ ');
   await writeFile(
     script,
-    `// Of <ray-caster>, in one file, made of the modules of web/element and those beside this one.\n${followed}`,
+    `// Of Slicecast's page, in one file, made of the modules of its folder web.\n${followed}`,
   );
+}
+
+const kept = new Set(bundles.map(({ script }) => script));
+const bundled = new Set(bundles.flatMap(({ modules }) => modules));
+for (const module of bundled) {
+  const isOnlyThere = ['element', 'play'].includes(path.relative(folder, path.dirname(module)));
+  if (isOnlyThere && !kept.has(module)) await rm(module);
 }

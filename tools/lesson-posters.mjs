@@ -13,7 +13,7 @@ const kSize = { width: 480, height: 300 };
 
 const root = path.resolve(fileURLToPath(import.meta.url), '../..');
 const { load } = await import(new URL('../build/web/node/index.js', import.meta.url));
-const { parseOptions } = await import(new URL('../web/address.js', import.meta.url));
+const { parseOptions } = await import(new URL('../web/engine/address.js', import.meta.url));
 
 // The elements of a page: {attributes, inline}. The lessons are our own, and spelled as this
 // expects it.

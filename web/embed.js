@@ -6,9 +6,9 @@
 // as the element's attributes of these names; autoplay (without a value). What the element finds
 // wrong it says itself.
 
-import { writeQuery } from './address.js';
-import { sceneAddress } from './scene-source.js';
-import { Trouble, asTrouble } from './trouble.js';
+import { writeQuery } from './engine/address.js';
+import { sceneAddress } from './play/scene-source.js';
+import { Trouble, asTrouble } from './engine/trouble.js';
 import './ray-caster.js';
 
 const kParameters = [

@@ -11,7 +11,7 @@
 
 // ---- what only JavaScript can
 
-// web/engine-module.js has them all.
+// web/engine/engine-module.js has them all.
 #define SLICECAST_PAGE(name) __attribute__((import_module("page"), import_name(name)))
 
 extern "C" {

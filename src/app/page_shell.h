@@ -1,5 +1,5 @@
-// The program in a page: a canvas is its screen, its keys and its mouse (web/engine-canvas.js).
-// Several modules in one page do not see each other.
+// The program in a page: a canvas is its screen, its keys and its mouse
+// (web/engine/engine-canvas.js). Several modules in one page do not see each other.
 //
 // SDL brings the surface. The canvas itself, its keys and its mouse are used directly: SDL takes
 // every key of the page away, Tab and the browser's own combinations included, never lets a click

@@ -11,8 +11,8 @@
 
 namespace slicecast {
 
-// What happens in the program, each with a yes or no. web/engine-module.js names them in this
-// order.
+// What happens in the program, each with a yes or no. web/engine/engine-module.js names them in
+// this order.
 enum class News {
     ready,       // the first picture is on the screen
     pause,       // play stands still, or goes on

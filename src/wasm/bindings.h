@@ -3,7 +3,7 @@
 // `slicecast_NAME` is `module._slicecast_NAME` in JavaScript.
 //
 //     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});   //
-//     web/engine-module.js; without a canvas under Node
+//     web/engine/engine-module.js; without a canvas under Node
 //
 //     const session = module._slicecast_programSession();                                     // or
 //     module._slicecast_create() without the program {files, faults} =

@@ -2,6 +2,7 @@
 // left of it.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { launch, openPage } from './browser.mjs';
 import { roomScene } from './room.mjs';
@@ -12,6 +13,7 @@ before(async () => {
 });
 after(() => browser.close());
 
+const kSceneAt = readFileSync(new URL('pages/scene-at.js', import.meta.url));
 const kPage =
   '<!doctype html><html lang="en"><title>An engine</title><link rel="icon" href="favicon.svg"><body></body></html>';
 
@@ -74,7 +76,9 @@ function watch() {
   // An engine in a room, and everything that it tells.
   window.startEngine = async ({ paused = true, scene = 'room' } = {}) => {
     const [{ fetchEngine }, { Engine }, { sceneAt }] = await Promise.all(
-      ['./engine-files.js', './engine.js', './scene-source.js'].map((name) => import(name)),
+      ['./engine/engine-files.js', './engine/engine.js', './scene-at.js'].map(
+        (name) => import(name),
+      ),
     );
     window.files ??= await fetchEngine();
     const canvas = document.body.appendChild(document.createElement('canvas'));
@@ -99,7 +103,9 @@ function watch() {
 async function openEngine(t, options) {
   const { page } = await openPage(t, browser, {
     query: 'engine.html',
-    server: { files: { 'engine.html': kPage, 'scenes/double.json': doubleRoom() } },
+    server: {
+      files: { 'engine.html': kPage, 'scene-at.js': kSceneAt, 'scenes/double.json': doubleRoom() },
+    },
     prepare: (newPage) => newPage.addInitScript(watch),
   });
   await page.evaluate(async (wanted) => {
@@ -231,7 +237,7 @@ test('a step is exactly 1/120 s, and the view, the picture and the news say what
 test('the engine has a clock that goes on for as long as a page is open', async (t) => {
   const { page } = await openPage(t, browser, {
     query: 'engine.html',
-    server: { files: { 'engine.html': kPage } },
+    server: { files: { 'engine.html': kPage, 'scene-at.js': kSceneAt } },
     prepare: async (newPage) => {
       await newPage.addInitScript(watch);
       await newPage.addInitScript(() => {

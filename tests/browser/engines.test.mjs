@@ -47,7 +47,7 @@ test('the browser gets the engine with SIMD; without SIMD the other one, with th
 
 test('two canvases on one page draw their own pictures and get their own keys', async (t) => {
   const files = {};
-  for (const name of ['two-canvases.html', 'two-canvases.js'])
+  for (const name of ['two-canvases.html', 'two-canvases.js', 'scene-at.js'])
     files[name] = await readFile(new URL(name, kPages));
   const { page, server } = await openPage(t, browser, {
     query: 'two-canvases.html',

@@ -352,7 +352,7 @@ test('start times: the first picture, an engine more, and an element more', asyn
     first.push(await until(page, () => window.firstPicture));
   }
   const [engines, elements] = await page.evaluate(async (count) => {
-    const { Engine } = await import('./engine.js');
+    const { Engine } = await import('./engine/engine.js');
     const { findScene } = await import('./element/source.js');
     const { holdCache, sharedEngineFiles } = await import('./element/page-cache.js');
     // The modules beside the element's script keep a cache of their own: the first round fills it,

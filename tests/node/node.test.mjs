@@ -10,7 +10,7 @@ import { test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 
-import { Engine } from '../../build/web/engine.js';
+import { Engine } from '../../build/web/engine/engine.js';
 import { load, SceneError } from '../../build/web/node/index.js';
 import { flavours, loadModule, roomScene, root, Session } from '../wasm/load.mjs';
 
@@ -284,7 +284,7 @@ test('without its files beside it the program says why, and tries again when it 
   const page = path.join(root, 'build/web');
   await cp(page, folder, {
     recursive: true,
-    filter: (file) => file === page || /\.js(on)?$/.test(file) || file.endsWith(`${path.sep}node`),
+    filter: (file) => file === page || /\.js(on)?$/.test(file) || /[\\/](node|engine)$/.test(file),
   });
   const moved = await import(pathToFileURL(path.join(folder, 'node/index.js')));
   await assert.rejects(moved.load('castle'), {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Engine } from '../../build/web/engine.js';
+import { Engine } from '../../build/web/engine/engine.js';
 import { readEngine } from '../../build/web/node/engine-files.js';
 import { openScene } from '../../build/web/node/scene-files.js';
 import { flavours } from './load.mjs';

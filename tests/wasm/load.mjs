@@ -9,7 +9,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { createModule } from '../../build/web/engine-module.js';
+import { createModule } from '../../build/web/engine/engine-module.js';
 import { readEngine } from '../../build/web/node/engine-files.js';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');

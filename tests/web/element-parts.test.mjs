@@ -10,8 +10,8 @@ import { errorCodes, explain, faultOf, sceneFault } from '../../web/element/faul
 import { fetchOnce, holdCache } from '../../web/element/page-cache.js';
 import { sceneOfRows } from '../../web/element/rows.js';
 import { describeView } from '../../web/element/view-text.js';
-import { fetchBytes } from '../../web/fetch-bytes.js';
-import { formatView, parseView } from '../../web/address.js';
+import { fetchBytes } from '../../web/engine/fetch-bytes.js';
+import { formatView, parseView } from '../../web/engine/address.js';
 import { Session, loadModule, root } from '../wasm/load.mjs';
 
 const kEverything = `

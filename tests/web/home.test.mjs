@@ -1,10 +1,10 @@
-// Where the element looks for the shipped scenes and the engine: web/home.js in pages of every
+// Where the element looks for the shipped scenes and the engine: web/engine/home.js in pages of every
 // kind.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { reachable } from '../../web/home.js';
+import { reachable } from '../../web/engine/home.js';
 
 const kPage = 'https://example.org/app/index.html';
 
@@ -57,7 +57,7 @@ async function homeIn(page, content) {
       selector === 'meta[name=slicecast-home]' && content !== undefined ? { content } : null,
   };
   try {
-    return (await import(`../../web/home.js?${++imports}`)).kHome.href;
+    return (await import(`../../web/engine/home.js?${++imports}`)).kHome.href;
   } finally {
     delete globalThis.document;
   }

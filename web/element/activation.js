@@ -7,8 +7,8 @@
 //     activation.end();            // the cover gets the focus if the picture had it, and with {focus: true} in any case
 //     activation.setKeys('move');
 
-import { Gamepads } from '../gamepads.js';
-import { Thumbs } from '../thumbs.js';
+import { Gamepads } from './gamepads.js';
+import { Thumbs } from './thumbs.js';
 import { kPlayPageKeys } from './key-sheet.js';
 import { touchLayer } from './touch.js';
 

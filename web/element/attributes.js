@@ -3,8 +3,8 @@
 //     const wanted = readAttributes(element);       // throws a Trouble with the code 'address' that names the attribute at fault
 //     reflectAttributes(RayCaster.prototype);
 
-import { parseOptions, parseOverlay, parseView } from '../address.js';
-import { Trouble } from '../trouble.js';
+import { parseOptions, parseOverlay, parseView } from '../engine/address.js';
+import { Trouble } from '../engine/trouble.js';
 
 export const kButtons = ['play', 'reset', 'overlay', 'save', 'share', 'fullscreen'];
 

@@ -2,10 +2,10 @@
 //
 //     const controls = new Controls(bar, barActions(element, show));
 
-import { kOverlays } from '../address.js';
-import { isReachable } from '../home.js';
-import { saveFile } from '../save-file.js';
-import { sharedParameters } from '../share-links.js';
+import { kOverlays } from '../engine/address.js';
+import { isReachable } from '../engine/home.js';
+import { saveFile } from './save-file.js';
+import { sharedParameters } from './share-links.js';
 
 const kUsualOverlay = ['minimap'];
 

@@ -5,7 +5,7 @@
 //
 // A code never changes its meaning; titles and messages may.
 
-import { Trouble, asTrouble, placeOf } from '../trouble.js';
+import { Trouble, asTrouble, placeOf } from '../engine/trouble.js';
 
 // `means` says what has happened, `remedy` what to do about it.
 export const errorCodes = /* @__PURE__ */ Object.freeze({

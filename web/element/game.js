@@ -6,11 +6,11 @@
 //     game.setOptions([['fov', '75']]);
 //     game.stop();
 
-import { Engine } from '../engine.js';
+import { Engine } from '../engine/engine.js';
 import { faultOf, sceneFault } from './faults.js';
 import { players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
-import { withReason } from '../source-parts.js';
+import { withReason } from '../engine/source-parts.js';
 
 const kEngineShare = 0.5; // of the progress, as long as the engine is not there
 

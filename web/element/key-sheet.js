@@ -4,7 +4,7 @@
 //     const sheet = new KeySheet(section, {behind: [stage], closed() {...}});      // what lies behind cannot be reached while it is open
 //     sheet.open(engine.keys);
 
-import { splitKeys } from '../key-help.js';
+import { splitKeys } from './key-names.js';
 import { node } from './nodes.js';
 
 export const kPlayPageKeys = ['T', 'I', 'F9']; // hits as text, frame rate, recording: an element has no place for them, and leaves them to the page

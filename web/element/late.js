@@ -1,7 +1,7 @@
 // The parts of <ray-caster> that come later than its script, each once for the page; what could not
 // come is asked for again. They throw a Trouble where they cannot come.
 
-import { importScript } from '../import-script.js';
+import { importScript } from '../engine/import-script.js';
 
 function once(load) {
   let coming = null;

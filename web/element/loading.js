@@ -8,7 +8,7 @@
 //     loading.again();        // what has failed is tried once more; else only another scene is
 //     loading.stop();
 
-import { Trouble } from '../trouble.js';
+import { Trouble } from '../engine/trouble.js';
 import { readAttributes } from './attributes.js';
 import { hasParsed, whenParsed } from './parsing.js';
 import { findScene, tourAddress } from './source.js';

@@ -11,8 +11,9 @@
 // What has failed is forgotten, so that another try asks again. Files are kept while anybody holds
 // the cache; the compiled engine stays with the page.
 
-import { browserHasWebAssembly, chooseBuild, fetchEngine } from '../engine-files.js';
-import { askAnew, fetchBytes } from '../fetch-bytes.js';
+import { browserHasWebAssembly, chooseBuild } from '../engine/builds.js';
+import { fetchEngine } from '../engine/engine-files.js';
+import { askAnew, fetchBytes } from '../engine/fetch-bytes.js';
 
 const engines = new Map();
 const files = new Map();

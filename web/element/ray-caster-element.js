@@ -1,6 +1,6 @@
 // The class of <ray-caster>: what a page can ask of it. What it does is in show.js.
 
-import { readView } from '../address.js';
+import { readView } from '../engine/address.js';
 import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
 import { faultOf } from './faults.js';
 import { Show } from './show.js';

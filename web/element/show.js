@@ -7,9 +7,9 @@
 //     show.connect();   show.update();   show.disconnect();
 //     show.play();      show.pause();
 
-import { kOverlays } from '../address.js';
-import { Stage } from '../stage.js';
-import { isEngineFailure } from '../trouble.js';
+import { kOverlays } from '../engine/address.js';
+import { Stage } from './stage.js';
+import { isEngineFailure } from '../engine/trouble.js';
 import { asError, frameDetail, withResolvers } from './details.js';
 import { Face } from './face.js';
 import { explain } from './faults.js';

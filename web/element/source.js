@@ -1,16 +1,16 @@
 // Which scene a <ray-caster> shows: an address, or what its children hold. A source is as
-// scene-source.js describes it; its files are fetched once per page.
+// source-parts.js describes it; its files are fetched once per page.
 //
 //     const scene = findScene(element);             // {key, source()}, null without one; throws a Trouble
 //     const source = namedScene('castle');          // one of those that lie beside the script
 //     source.failures                               // file -> why it could not be read
 
-import { coded, finalAddress } from '../fetch-bytes.js';
-import { kHome } from '../home.js';
+import { finalAddress } from '../engine/fetch-bytes.js';
+import { kHome } from '../engine/home.js';
 import { bringRows } from './late.js';
 import { fetchOnce } from './page-cache.js';
-import { filesBy, isFile, nameOf } from '../source-parts.js';
-import { Trouble } from '../trouble.js';
+import { filesBy, isFile, nameOf } from '../engine/source-parts.js';
+import { Trouble, coded } from '../engine/trouble.js';
 
 const kScenes = new URL('scenes/', kHome); // what an inline scene names is looked for there
 

@@ -2,8 +2,8 @@
 //
 //     const engine = await Engine.create({ files: await readEngine('auto') });
 
-import { chooseBuild } from '../engine-files.js';
-import { coded } from '../fetch-bytes.js';
+import { chooseBuild } from '../engine/builds.js';
+import { coded } from '../engine/trouble.js';
 import { kPackage, readAt } from './scene-files.js';
 
 const kKinds = ['auto', 'simd', 'scalar'];

@@ -7,10 +7,10 @@
 //     await writeFile('castle.png', await scene.png({ width: 1280, height: 720 }));
 //     scene.free();
 
-import { readView } from '../address.js';
-import { Engine } from '../engine.js';
-import { withReason } from '../source-parts.js';
-import { placeOf } from '../trouble.js';
+import { readView } from '../engine/address.js';
+import { Engine } from '../engine/engine.js';
+import { withReason } from '../engine/source-parts.js';
+import { placeOf } from '../engine/trouble.js';
 import { readEngine } from './engine-files.js';
 import { openScene } from './scene-files.js';
 

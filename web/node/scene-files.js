@@ -9,8 +9,8 @@ import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 import { inspect } from 'node:util';
 
-import { coded } from '../fetch-bytes.js';
-import { filesBy, isFile, nameOf } from '../source-parts.js';
+import { coded } from '../engine/trouble.js';
+import { filesBy, isFile, nameOf } from '../engine/source-parts.js';
 
 // A program bundled as a script of the old kind has no address: then nothing is found here, and
 // whoever asks is told so.

@@ -1,8 +1,8 @@
 // Two engines on one page: one canvas in the page itself, one inside a shadow root.
 
-import { fetchEngine } from './engine-files.js';
-import { Engine } from './engine.js';
-import { sceneAt } from './scene-source.js';
+import { fetchEngine } from './engine/engine-files.js';
+import { Engine } from './engine/engine.js';
+import { sceneAt } from './scene-at.js';
 
 const shadow = document.getElementById('second').attachShadow({ mode: 'open' });
 const second = document.createElement('canvas');

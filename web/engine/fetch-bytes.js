@@ -6,6 +6,8 @@
 // It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch',
 // 'cors', 'mime' or 'csp'.
 
+import { coded } from './trouble.js';
+
 const kViolationMilliseconds = 50; // the news of a violation comes after the failure
 const kOnePiece = 131072; // bytes that are read without telling how far they are
 const kProbeMilliseconds = 4000; // a server that has not answered the probe by then counts as one that does not answer
@@ -120,10 +122,6 @@ export function listenForViolations() {
     refused,
     stop: () => globalThis.document?.removeEventListener('securitypolicyviolation', hear),
   };
-}
-
-export function coded(code, message) {
-  return Object.assign(new Error(message), { code });
 }
 
 // A fetch failed without an answer. With no-cors a server answers whatever its headers say, only

@@ -2,7 +2,7 @@
 // types of JavaScript.
 //
 //     const engine = await Engine.create({files, canvas, onEvent(event, value) {...}});
-//     const {faults} = await engine.loadScene(source);        // a source of scene-source.js
+//     const {faults} = await engine.loadScene(source);        // a source, as in source-parts.js
 //     engine.begin();                                         // once: it draws, and listens to the canvas
 //     engine.setOption('fov', 75);
 //     engine.stop();                                          // at the end: nothing of it is left
@@ -29,7 +29,12 @@ export class Engine {
   static async create({ files, canvas = null, onEvent = () => {}, takesKey }) {
     try {
       return new Engine(
-        await createModule(files.program, { canvas, onSlicecast: onEvent, takesKey }),
+        await createModule(files.program, {
+          canvas,
+          openCanvas: files.openCanvas,
+          onSlicecast: onEvent,
+          takesKey,
+        }),
         canvas,
       );
     } catch (error) {

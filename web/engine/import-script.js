@@ -1,9 +1,9 @@
 // Imports a script that may not be there, and finds out why it is not.
 //
-//     const module = await importScript(() => import('./ray-caster-rows.js'), 'The rows could not be read');      // throws a Trouble of that title
+//     const module = await importScript(() => import('../ray-caster-rows.js'), 'The rows could not be read');      // throws a Trouble of that title
 
-import { coded, whyNoScript } from './fetch-bytes.js';
-import { Trouble } from './trouble.js';
+import { whyNoScript } from './fetch-bytes.js';
+import { Trouble, coded } from './trouble.js';
 
 let retries = 0;
 

@@ -1,12 +1,10 @@
 // The engine's WebAssembly with what it asks of a page: src/wasm/bindings.h for JavaScript. Under
 // Node it asks for nothing but the time.
 //
-//     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});      // of a compiled program: as many as are wanted
+//     const module = await createModule(program, {canvas, openCanvas, onSlicecast(event, value) {...}});      // of a compiled program: as many as are wanted; openCanvas is engine-canvas.js's
 //     module._slicecast_NAME(...);      module.HEAPU8;      module.UTF8ToString(at);
 //
 // Keys for which `takesKey(code)` is false stay the page's.
-
-import { openCanvas } from './engine-canvas.js';
 
 const kSystem = 'wasi_snapshot_preview1';
 const kNotHere = 52; // what it answers where there is no such thing
@@ -30,7 +28,7 @@ const kNews = [
 
 export async function createModule(
   program,
-  { canvas = null, onSlicecast = () => {}, takesKey = () => true } = {},
+  { canvas = null, openCanvas, onSlicecast = () => {}, takesKey = () => true } = {},
 ) {
   const decoder = new TextDecoder();
   const module = {

@@ -4,7 +4,7 @@
 //     const shared = sharedParameters({reference: 'castle.json', view, options: engine.options});
 //     linkTo(shared, base);    tagFor(shared, {base, scene, label});    frameFor(shared, {base, label});
 
-import { formatOptions, formatView, kOverlays, writeQuery } from './address.js';
+import { formatOptions, formatView, kOverlays, writeQuery } from '../engine/address.js';
 
 // {scene, view, options, overlay} as the address spells them, null for what is as usual. Without a
 // `view` it is the scene's start.

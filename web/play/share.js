@@ -4,8 +4,8 @@
 //     share.open({engine, reference, name, canvas});        the reference is null where the scene has no address
 
 import { sceneAddress } from './scene-source.js';
-import { frameFor, linkTo, sharedParameters, tagFor } from './share-links.js';
-import { saveFile } from './save-file.js';
+import { frameFor, linkTo, sharedParameters, tagFor } from '../element/share-links.js';
+import { saveFile } from '../element/save-file.js';
 
 const kPreviewWidth = 480; // pixels
 

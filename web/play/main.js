@@ -5,25 +5,26 @@
 // spells them, tour=NAME (a recording of the folder tours, which names its scene), live=1
 // (tools/play says when the scene was saved), engine=simd or scalar.
 
-import { parseView } from './address.js';
-import { fetchEngine } from './engine-files.js';
-import { Engine } from './engine.js';
-import { askAnew } from './fetch-bytes.js';
+import { parseView } from '../engine/address.js';
+import { fetchEngine } from '../engine/engine-files.js';
+import { Engine } from '../engine/engine.js';
+import { askAnew } from '../engine/fetch-bytes.js';
 import { listenForFiles } from './file-drop.js';
-import { Gamepads } from './gamepads.js';
+import { Gamepads } from '../element/gamepads.js';
 import { GivenOptions, lookFrom } from './given.js';
 import { showKeys } from './key-help.js';
 import { guardLeaving } from './leave-guard.js';
-import { saveFile } from './save-file.js';
+import { saveFile } from '../element/save-file.js';
 import { SceneMenu } from './scene-menu.js';
 import { listScenes, sceneAmong, sceneAt } from './scene-source.js';
 import { Settings } from './settings.js';
 import { ShareDialog } from './share.js';
-import { withReason } from './source-parts.js';
-import { Stage } from './stage.js';
-import { Thumbs } from './thumbs.js';
+import { withReason } from '../engine/source-parts.js';
+import { Stage } from '../element/stage.js';
+import { Thumbs } from '../element/thumbs.js';
 import { readTour } from './tours.js';
-import { Trouble, TroubleSheet, asTrouble } from './trouble.js';
+import { Trouble, asTrouble } from '../engine/trouble.js';
+import { TroubleSheet } from './trouble-sheet.js';
 
 const kEngineShare = 0.5; // of the loading bar
 const kUsualDegreesPerPixel = 0.15; // mouse

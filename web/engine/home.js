@@ -1,10 +1,10 @@
-// The folder of the shipped scenes, their pictures and tours: that of the script, or the one that
-// the page names.
+// The folder of the shipped scenes, their pictures and tours: that of the element's script, or the
+// one that the page names.
 //
 //     <meta name="slicecast-home" content="/art/">                     for scripts that a bundler has put elsewhere
 //
 //     const address = new URL('scenes/castle.json', kHome);
-//     const engine = reachable(() => new URL('./engine/...', import.meta.url), 'engine/...', kHome);
+//     const engine = reachable(() => new URL('./...', import.meta.url), 'engine/...', kHome);
 
 const kPage = globalThis.document?.baseURI ?? 'file:///';
 
@@ -33,4 +33,4 @@ const told = globalThis.document?.querySelector('meta[name=slicecast-home]')?.co
 
 export const kHome = told
   ? new URL(told.replace(/\/?$/, '/'), kPage)
-  : reachable(() => new URL('./', here), './', kPage);
+  : reachable(() => new URL('../', here), './', kPage);

@@ -1,6 +1,6 @@
 // The tables of keys, from the engine's own list of them.
 
-const kOfTwoWords = /^(Page|Number) /;
+import { splitKeys } from '../element/key-names.js';
 
 // Two tables, side by side where there is room.
 export function showKeys(box, template, keys) {
@@ -29,11 +29,4 @@ function keyRow({ keys: names, does }) {
   text.textContent = does;
   row.append(head, text);
   return row;
-}
-
-// "A D, Page Up" names three keys.
-export function splitKeys(names) {
-  return names
-    .split(', ')
-    .flatMap((group) => (kOfTwoWords.test(group) ? [group] : group.split(' ')));
 }

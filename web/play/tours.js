@@ -1,7 +1,7 @@
 // Recordings that come with the page.
 
-import { fetchBytes } from './fetch-bytes.js';
-import { Trouble } from './trouble.js';
+import { fetchBytes } from '../engine/fetch-bytes.js';
+import { Trouble } from '../engine/trouble.js';
 
 // The bytes of one of the page's recordings. Throws a Trouble.
 export async function readTour(name) {

@@ -4,34 +4,17 @@
 //     const files = await fetchEngine({kind: 'auto', onBytes(loaded, total) {...}});
 //     const engine = await Engine.create({files, canvas});
 
-import { coded, fetchResponse, listenForViolations, readBody } from './fetch-bytes.js';
+import { browserHasWebAssembly, chooseBuild } from './builds.js';
+import { openCanvas } from './engine-canvas.js';
+import { fetchResponse, listenForViolations, readBody } from './fetch-bytes.js';
 import { kHome, reachable } from './home.js';
-import { Trouble } from './trouble.js';
-
-// The smallest module that uses SIMD: (func (result v128) i32.const 0 i8x16.splat i8x16.popcnt).
-const kSimdModule = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
-  253, 98, 11,
-]);
+import { Trouble, coded } from './trouble.js';
 
 // The addresses stand here as literals: that is how bundlers find the files.
 const kBuilds = {
-  simd: () => new URL('./engine/slicecast-simd.wasm', import.meta.url),
-  scalar: () => new URL('./engine/slicecast-scalar.wasm', import.meta.url),
+  simd: () => new URL('./slicecast-simd.wasm', import.meta.url),
+  scalar: () => new URL('./slicecast-scalar.wasm', import.meta.url),
 };
-
-export function browserHasWebAssembly() {
-  return typeof WebAssembly === 'object' && typeof WebAssembly.validate === 'function';
-}
-
-function browserHasSimd() {
-  return WebAssembly.validate(kSimdModule);
-}
-
-// The build that `kind` stands for: 'simd', 'scalar', or 'auto' for the one that suits the browser.
-export function chooseBuild(kind) {
-  return kind === 'auto' ? (browserHasSimd() ? 'simd' : 'scalar') : kind;
-}
 
 // `total` is 0 while it is unknown. Throws a Trouble.
 export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
@@ -45,7 +28,7 @@ export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
   }
   const chosen = chooseBuild(kind);
   const address = reachable(kBuilds[chosen], `engine/slicecast-${chosen}.wasm`, kHome);
-  return { kind: chosen, program: await compileProgram(address.href, onBytes) };
+  return { kind: chosen, program: await compileProgram(address.href, onBytes), openCanvas };
 }
 
 async function compileProgram(address, onBytes) {

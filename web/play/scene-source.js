@@ -1,13 +1,8 @@
 // Where a scene and its pictures come from: an address, or files that somebody dropped on the page.
-// Each source has
-//
-//     name               as it stands in messages
-//     readText()         the scene's bytes; throws a Trouble
-//     readFile(name)     the bytes of a file that the scene names, or null: `failures` then has the reason
 
-import { fetchBytes, finalAddress } from './fetch-bytes.js';
-import { filesBy, nameOf } from './source-parts.js';
-import { Trouble } from './trouble.js';
+import { fetchBytes, finalAddress } from '../engine/fetch-bytes.js';
+import { filesBy, nameOf } from '../engine/source-parts.js';
+import { Trouble } from '../engine/trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
 

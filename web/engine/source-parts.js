@@ -1,5 +1,9 @@
 // What all sources of scenes have in common: a name for messages, and the reasons why files that a
-// scene names could not be read.
+// scene names could not be read. Each source has
+//
+//     name               as it stands in messages
+//     readText()         the scene's bytes; throws a Trouble
+//     readFile(name)     the bytes of a file that the scene names, or null: `failures` then has the reason
 //
 //     const source = { name: nameOf(address), readText, ...filesBy((file, onBytes) => fetchBytes(new URL(file, address), onBytes)) };
 //     faults.map((fault) => withReason(fault, source.failures));

@@ -6,8 +6,8 @@
 //     given.take(engine, parameters);          throws a Trouble, and then nothing has changed
 //     lookFrom(engine, view);                  of a scene that has just been loaded; throws a Trouble
 
-import { formatView, parseOptions, parseOverlay } from './address.js';
-import { Trouble } from './trouble.js';
+import { formatView, parseOptions, parseOverlay } from '../engine/address.js';
+import { Trouble } from '../engine/trouble.js';
 
 const kGiving = ['view', 'options', 'overlay'];
 

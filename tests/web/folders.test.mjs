@@ -1,0 +1,50 @@
+// Who may import whom in web: node and element stand on engine, play on both, nobody on play, and
+// what Node imports knows of no document.
+
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const web = fileURLToPath(new URL('../../web/', import.meta.url));
+const kMayImport = {
+  engine: ['engine'],
+  element: ['element', 'engine', '.'], // beside the folders: what comes later, ray-caster-*.js
+  node: ['node', 'engine'],
+  play: ['play', 'element', 'engine', '.'],
+};
+
+const textOf = (file) => readFileSync(path.join(web, file), 'utf8');
+const withoutComments = (text) => text.replaceAll(/^\s*\/\/.*$|\s\/\/ .*$/gm, '');
+
+// The modules that one imports, as paths in web.
+function importsOf(file) {
+  const found = withoutComments(textOf(file)).matchAll(
+    /(?:\bfrom |\bimport |\bimport\()'(\.[^']*)'/g,
+  );
+  return [...found].map(([, to]) => path.join(path.dirname(file), to));
+}
+
+for (const [folder, allowed] of Object.entries(kMayImport)) {
+  test(`modules of web/${folder} import only from ${allowed.join(', ')}`, () => {
+    const files = readdirSync(path.join(web, folder)).filter((name) => name.endsWith('.js'));
+    assert.ok(files.length > 0);
+    for (const file of files) {
+      for (const to of importsOf(path.join(folder, file)))
+        assert.ok(allowed.includes(path.dirname(to)), `${folder}/${file} imports ${to}`);
+    }
+  });
+}
+
+test('what Node imports knows of no document', () => {
+  const known = new Set(['node/index.js']);
+  for (const file of known) for (const to of importsOf(file)) known.add(to);
+  assert.ok(known.has('engine/engine-module.js'), 'the imports are followed');
+  for (const file of known) {
+    const words = /\b(document|window|navigator|location|HTML\w+|matchMedia)\b/.exec(
+      withoutComments(textOf(file)),
+    );
+    assert.equal(words?.[0], undefined, file);
+  }
+});
