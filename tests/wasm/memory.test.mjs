@@ -25,6 +25,25 @@ test('growing memory leaves the session and its pictures as they were', async ()
   assert.ok(session.draw(160, 100).equals(small));
 });
 
+// As an element does it: one module, one scene, one picture at a time.
+test('a module holds little more memory than its scene and picture take', async (t) => {
+  const kMiB = 2 ** 20;
+  const held = async (load) => {
+    const session = new Session(await loadModule('simd'));
+    const program = session.module.HEAPU8.length;
+    assert.ok(program < 1.5 * kMiB, `${program} bytes before any scene`);
+    assert.deepEqual(load(session), []);
+    assert.ok(session.draw(320, 200));
+    return (session.module.HEAPU8.length - program) / kMiB;
+  };
+  const room = await held((session) => session.loadText(roomScene(), 'room.json', readTexture));
+  const castleFile = shippedScenes.find((file) => file.endsWith('castle.json'));
+  const castle = await held((session) => session.load(castleFile));
+  t.diagnostic(`MiB beyond the program: a room ${room.toFixed(2)}, castle ${castle.toFixed(2)}`);
+  assert.ok(room < 4);
+  assert.ok(castle < 16);
+});
+
 test('sessions that end give their memory back', async () => {
   const module = await loadModule('simd');
   const round = () => {
