@@ -6,6 +6,7 @@
 #include "world/world.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,10 @@ struct PanoramaReference {
     ImageReference image;
 };
 
-// A texture's file, which may be a sheet of frames side by side.
+// A texture's file, which may be a sheet of frames side by side; or one colour, without a file.
 struct TextureReference {
     ImageReference image;
+    std::optional<Colour> colour;
     int frames = 1;
     double rate = 0.0;  // frames per second
 };

@@ -22,7 +22,9 @@ public:
 
     Texture texture(const TextureReference& texture, std::string name) {
         const ImageReference& reference = texture.image;
-        const Image image = decode(reference, kMaxTextureSize * texture.frames, kMaxTextureSize);
+        const Image image =
+            texture.colour ? plain(*texture.colour)
+                           : decode(reference, kMaxTextureSize * texture.frames, kMaxTextureSize);
         if (image.empty()) return {};
         const bool fits = image.width == image.height * texture.frames;
         const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(image.height));
@@ -105,6 +107,13 @@ private:
                 {"a PNG file of at most ", maxWidth, "x", maxHeight, " pixels"});
         }
         return std::move(decoded.image);
+    }
+
+    // All of one colour.
+    static Image plain(Colour colour) {
+        Image image(kMinTextureSize, kMinTextureSize);
+        std::fill(image.pixels.begin(), image.pixels.end(), toPixel(colour));
+        return image;
     }
 
     // Counts the image's memory; false if all images together have too much of it.

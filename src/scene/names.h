@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/name_index.h"
+#include "base/nearest_name.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,11 +12,6 @@
 #include <vector>
 
 namespace slicecast {
-
-// The name that `wanted` was probably meant to be: at most a third of its characters are wrong,
-// missing or swapped with their neighbour. Empty if there is none. Only the first few hundred names
-// are looked at.
-std::string_view nearestName(std::string_view wanted, const std::vector<std::string_view>& names);
 
 // `; did you mean "brick"?`, or nothing.
 std::string suggestion(std::string_view wanted, const std::vector<std::string_view>& names);

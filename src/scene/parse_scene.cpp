@@ -65,7 +65,9 @@ std::vector<std::string> filesOf(const SceneDescription& description) {
         const auto number = static_cast<std::uint32_t>(files.size());
         if (known.add(image.file, number) == number) files.push_back(image.file);
     };
-    for (const TextureReference& texture : description.textures) add(texture.image);
+    for (const TextureReference& texture : description.textures) {
+        if (!texture.colour) add(texture.image);
+    }
     for (const TextureReference& sprite : description.sprites) add(sprite.image);
     for (const PanoramaReference& panorama : description.panoramas) add(panorama.image);
     return files;

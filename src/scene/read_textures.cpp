@@ -77,10 +77,23 @@ TextureReference readTexture(Checker& checker, JsonValue value) {
     return texture;
 }
 
+namespace {
+
+// Either "#c03020", or what readTexture takes.
+TextureReference readTextureOrColour(Checker& checker, JsonValue value) {
+    if (!value.isText() || value.text().substr(0, 1) != "#") return readTexture(checker, value);
+    TextureReference texture;
+    texture.image = referTo(checker, value, std::string(value.text()));
+    texture.colour = checker.colour(value).value_or(Colour{});
+    return texture;
+}
+
+}  // namespace
+
 void readTextures(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.refuse(value, "the textures: an object with a PNG file for each name");
+        checker.refuse(value, "the textures: an object with a PNG file or a colour for each name");
         reading.textures.takeAny();
         return;
     }
@@ -99,7 +112,7 @@ void readTextures(Reading& reading, JsonValue value) {
                              {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         // A faulty texture is known by its name all the same.
-        TextureReference reference = readTexture(checker, member);
+        TextureReference reference = readTextureOrColour(checker, member);
         const auto next = static_cast<std::uint32_t>(reading.description.textures.size());
         const std::uint32_t id =
             ids.add(sheets.emplace_back(words(reference.image.file, "\n", reference.frames, " ",

@@ -52,7 +52,7 @@ struct Reading {
     std::vector<JsonValue> mapValues = {};
 };
 
-// "textures": { NAME: FILE or { file, frames, rate } }; a sheet without a rate is held at its first
+// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate } }; a sheet without a rate is held at its first
 // frame
 void readTextures(Reading& reading, JsonValue value);
 

@@ -1,5 +1,6 @@
 #include "session/options.h"
 
+#include "base/nearest_name.h"
 #include "base/number_text.h"
 #include "base/words.h"
 #include "overlay/slow_drawing.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -154,13 +156,13 @@ std::string_view nextWord(std::string_view& words) {
     return word;
 }
 
-// "a", "b" or "c"
+// 'a', 'b' or 'c'
 std::string listed(std::string_view words) {
     std::string text;
     while (!words.empty()) {
         const std::string_view word = nextWord(words);
         text += text.empty() ? "" : words.empty() ? " or " : ", ";
-        add(text, {"\"", word, "\""});
+        add(text, {"'", word, "'"});
     }
     return text;
 }
@@ -169,15 +171,15 @@ std::string expected(const OptionInfo& info) {
     const std::string range = words(Shortest{info.least}, " to ", Shortest{info.greatest});
     switch (info.kind) {
         case OptionKind::onOff:
-            return "\"on\" or \"off\"";
+            return "'on' or 'off'";
         case OptionKind::wholeNumber:
             return words("a whole number from ", range);
         case OptionKind::ownOrNumber:
-            return words("\"map\" (each map's own) or a number from ", range);
+            return words("'map' (each map's own) or a number from ", range);
         case OptionKind::choice:
             return listed(info.choices);
         case OptionKind::ownOrColour:
-            return "\"map\" (each map's own) or a colour as \"#a0b4c8\"";
+            return "'map' (each map's own) or a colour as '#a0b4c8'";
         case OptionKind::number:
             break;
     }
@@ -292,16 +294,19 @@ std::span<const OptionInfo> knownOptions() {
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value) {
     const Entry* entry = findEntry(name);
     if (entry == nullptr) {
-        std::string message = words("found the option \"", name, "\", expected one of ");
-        for (const Entry& known : kEntries)
-            add(message, {&known == kEntries.data() ? "" : ", ", known.info.name});
-        return message;
+        std::vector<std::string_view> names;
+        for (const OptionInfo& info : kInfos) names.push_back(info.name);
+        return words("Unknown option '", name, "'.", didYouMean(name, names));
     }
     const auto readInto = [&](auto place) {
         return read(entry->info, value, member(options, place));
     };
     if (std::visit(readInto, entry->place)) return {};
-    return words("option ", name, ": found \"", value, "\", expected ", expected(entry->info));
+    std::vector<std::string_view> choices;
+    for (std::string_view rest = entry->info.choices; !rest.empty();)
+        choices.push_back(nextWord(rest));
+    return words("Option '", name, "' takes ", expected(entry->info), ", not '", value, "'.",
+                 didYouMean(value, choices));
 }
 
 std::string nextChoice(std::string_view name, std::string_view value) {

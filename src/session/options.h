@@ -69,8 +69,8 @@ struct OptionInfo {
 // All options, in the order in which to list them.
 std::span<const OptionInfo> knownOptions();
 
-// Sets one option. An empty string on success; else what was found and what was expected, and
-// nothing has changed.
+// Sets one option. An empty string on success; else what is wrong, and nothing has changed:
+// "Unknown option 'fvo'. Did you mean 'fov'?"
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
 
 // The word after `value` among those of a choice, the first one after the last; empty if there is

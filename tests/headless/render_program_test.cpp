@@ -228,9 +228,9 @@ TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
         {{kScene, "--out", out, "--size", "8193x5"}, "8192x8192"},
         {{kScene, "--out", out, "--size", "64x48 "}, "found \"64x48 \""},
         {{kScene, "--out", out, "--fov", "200"},
-         "option fov: found \"200\", expected a number from 10 to 150"},
+         "Option 'fov' takes a number from 10 to 150, not '200'."},
         {{kScene, "--out", out, "--set", "lights=on"},
-         "found the option \"lights\", expected one of fov"},
+         "Unknown option 'lights'. Did you mean 'light'?"},
         {{kScene, "--out", out, "--set", "light"}, "found \"light\", expected OPTION=VALUE"},
         {{kScene, "--out", out, "--map", "cellar"},
          "found \"cellar\", expected a map of this scene: \"hall\", \"yard\", \"works\", "

@@ -41,7 +41,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.title, "Everything \xe2\x80\x94 ein W\xc3\xbcrfel");
 
     // Two names of one file are one texture.
-    ASSERT_EQ(world.textures.size(), 6u);  // with the two further frames of the door
+    ASSERT_EQ(world.textures.size(), 7u);  // with the two further frames of the door
     EXPECT_EQ(world.textures[0].size(), 8);
     EXPECT_EQ(world.textures[0].levels.size(), 4u);
     EXPECT_EQ(world.textures[1].size(), 16);
@@ -54,6 +54,13 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.textures[flame].rate, 7.5);
     EXPECT_TRUE(world.textures[flame].seeThrough);
     EXPECT_FALSE(world.textures[tile].seeThrough);
+    const Texture& red = world.textures[4];
+    EXPECT_EQ(red.name, "red");
+    EXPECT_EQ(red.size(), 8);
+    EXPECT_FALSE(red.seeThrough);
+    for (const TextureLevel& level : red.levels)
+        for (const Pixel texel : level.texels)
+            EXPECT_EQ(toColour(texel), (Colour{0xc0, 0x30, 0x20, 255}));
 
     ASSERT_GE(world.blueprints.size(), 9u);
     const BlueprintId wall = 1;
@@ -332,9 +339,9 @@ TEST(ParseScene, ReadsWhatMovesAndOpens) {
     EXPECT_TRUE(open.seeThrough);
     EXPECT_EQ(shut.face(Face::north).texture, 3);
     EXPECT_EQ(shut.face(Face::east).texture, 3);
-    EXPECT_EQ(open.face(Face::north).texture, 5);
+    EXPECT_EQ(open.face(Face::north).texture, 6);
     EXPECT_EQ(open.face(Face::east).texture, 1);
-    EXPECT_EQ(world.textures[5].size(), world.textures[3].size());
+    EXPECT_EQ(world.textures[6].size(), world.textures[3].size());
 }
 
 TEST(ParseScene, GivesWhatIsLeftOutItsNormalValue) {

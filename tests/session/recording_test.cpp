@@ -157,9 +157,9 @@ TEST(Recording, HoldsTheOptionsThatBearOnSteps) {
         std::string refusal = set.setOption(name, "?");
         std::vector<std::string> values = {"3", "0.5", "70",
                                            std::to_string(static_cast<int>(info.greatest))};
-        for (std::size_t quote = refusal.find('"'); quote != std::string::npos;
-             quote = refusal.find('"', quote + 1)) {
-            values.push_back(refusal.substr(quote + 1, refusal.find('"', quote + 1) - quote - 1));
+        for (std::size_t quote = refusal.find(" '"); quote != std::string::npos;
+             quote = refusal.find(" '", quote + 1)) {
+            values.push_back(refusal.substr(quote + 2, refusal.find('\'', quote + 2) - quote - 2));
         }
         for (const std::string& value : values) {
             if (value != info.standard && set.setOption(name, value).empty()) break;

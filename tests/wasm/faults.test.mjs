@@ -102,7 +102,7 @@ test('an option that is wrong changes nothing and says what is expected', async 
   for (const [name, value, expected] of [
     ['fov', '1000', /10 to 150/],
     ['fov', 'wide', /a number/],
-    ['light', 'yes', /"on" or "off"/],
+    ['light', 'yes', /'on' or 'off'/],
     ['colour', 'on', /colour/],
   ]) {
     assert.match(session.setOption(name, value), expected);
@@ -115,7 +115,7 @@ test('an option that is wrong changes nothing and says what is expected', async 
 test('options act, are listed, wait for a game and outlive it', async () => {
   const session = new Session(await loadModule('simd'));
   assert.equal(session.setOption('textures', 'off'), '');
-  assert.match(session.setOption('textures', 'maybe'), /"on" or "off"/);
+  assert.match(session.setOption('textures', 'maybe'), /'on' or 'off'/);
   session.loadText(roomScene(), 'room.json', readTexture);
   assert.equal(session.option('textures'), 'off');
   const plain = session.draw(64, 40);
