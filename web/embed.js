@@ -4,9 +4,10 @@
 // Parameters: scene (a name among the page's scenes, or an address), or tour (the same for a
 // recording, which names its scene); view, options, overlay, size, controls, label, keys and engine
 // as the element's attributes of these names; autoplay (without a value). What the element finds
-// wrong it says itself.
+// wrong it says itself; parameters that it does not know are left to whoever wrote them.
 
 import { writeQuery } from './engine/address.js';
+import { unknown } from './engine/nearest-name.js';
 import { sceneAddress } from './play/scene-source.js';
 import { Trouble, asTrouble } from './engine/trouble.js';
 import './ray-caster.js';
@@ -41,7 +42,8 @@ try {
 function show(parameters) {
   check(parameters);
   const caster = document.createElement('ray-caster');
-  for (const [name, value] of parameters) caster.setAttribute(name, value);
+  for (const name of kParameters)
+    if (parameters.has(name)) caster.setAttribute(name, parameters.get(name));
   if (!parameters.has('controls')) caster.setAttribute('controls', '');
   // Seen as soon as its frame is, and a frame that waits for that says so to the page around it.
   caster.setAttribute('loading', 'eager');
@@ -64,17 +66,10 @@ function show(parameters) {
 }
 
 function check(parameters) {
-  for (const name of parameters.keys()) {
-    if (!kParameters.includes(name))
-      throw new Trouble(
-        'The address has a parameter that there is not',
-        `Found ${name}, expected some of ${kParameters.join(', ')}.`,
-      );
-    if (parameters.getAll(name).length > 1)
-      throw new Trouble(
-        'The address says something twice',
-        `Found ${name} ${parameters.getAll(name).length} times, expected it once.`,
-      );
+  for (const name of new Set(parameters.keys())) {
+    if (!kParameters.includes(name)) console.warn(unknown('parameter', name, kParameters));
+    else if (parameters.getAll(name).length > 1)
+      console.warn(`The parameter '${name}' stands there more than once; the first one counts.`);
   }
   if (!parameters.get('scene') && !parameters.get('tour')) {
     throw new Trouble(
@@ -86,7 +81,9 @@ function check(parameters) {
 
 // A sandboxed frame may open no other window, but may go there itself.
 function offerPlayPage(parameters) {
-  const kept = [...parameters].filter(([name]) => kOfPlayPage.includes(name));
+  const kept = kOfPlayPage
+    .filter((name) => parameters.has(name))
+    .map((name) => [name, parameters.get(name)]);
   const link = find('open');
   link.href = `index.html${writeQuery(Object.fromEntries(kept))}`;
   link.target = self.origin === 'null' ? '_self' : '_blank';

@@ -230,6 +230,7 @@ test('each event comes, with the details of its shape, and does not bubble', asy
     const walker = add('portal');
     await walker.whenReady();
     walker.step(240, { forward: 1 });
+    walker.keys = 'arrows';
     const broken = add('broken');
     await broken.whenReady().catch(() => {});
     for (let wait = 0; events.some((name) => !(name in found)) && wait < 40; ++wait)

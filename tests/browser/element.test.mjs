@@ -259,31 +259,127 @@ test('a scene inside the element may change, and come later', async (t) => {
   await page.waitForFunction(() => document.getElementById('a').currentView?.heading === 270);
 });
 
-const kFaults = [
-  ['view', '1,2', /view: found "1,2", expected x,y,z,heading/, 'address'],
+// A slip in an attribute, what is said of it, and what an option of the engine is then.
+const kSlips = [
+  ['view', '1,2', /^view: found "1,2", expected x,y,z,heading/],
+  ['view', '3.5,3.5,-4,0', /^The view '3.5,3.5,-4,0' is not above the floor\.$/],
+  ['view', '3.5,3.5,0.5,0,0,rom', /^Unknown map 'rom'\. Did you mean 'room'\?$/],
+  ['size', 'large', /^The size is auto or WIDTHxHEIGHT in pixels of at most 4096, not 'large'\.$/],
+  ['size', '5000x10', /not '5000x10'\.$/],
+  ['controls', 'play savee', /^Unknown control 'savee'\. Did you mean 'save'\?$/],
+  ['controls', 'stop', /^Unknown control 'stop'\. Expected play, reset, .* or fullscreen\.$/],
   [
-    'view',
-    '3.5,3.5,-4,0',
-    /view: found "3.5,3.5,-4,0", expected an eye above the floor/,
-    'address',
+    'overlay',
+    'minmap, grid',
+    /^Unknown overlay 'minmap'\. Did you mean 'minimap'\?$/,
+    'grid',
+    'on',
   ],
-  ['view', '3.5,3.5,0.5,0,0,cellar', /view: found ".*cellar"/, 'address'],
-  ['size', 'large', /size: found "large", expected auto, or WIDTHxHEIGHT/, 'address'],
-  ['size', '5000x10', /size: found "5000x10".*at most 4096/, 'address'],
-  ['controls', 'play stop', /controls: found "stop", expected some of play /, 'address'],
-  ['overlay', 'map', /overlay: found "map", expected some of minimap /, 'address'],
-  ['loading', 'never', /loading: found "never", expected lazy, eager/, 'address'],
-  ['keys', 'arrows', /keys: found "arrows", expected all, move, none/, 'address'],
-  ['engine', 'fast', /engine: found "fast", expected auto, simd, scalar/, 'address'],
-  ['options', 'fov', /options: found "fov", expected name=value/, 'address'],
-  ['options', 'fov=flat', /fov.*flat/, 'option'],
-  ['options', 'colour=red', /colour/, 'option'],
-  ['scene', 'http://[', /scene: found "http:\/\/\[", expected an address/, 'address'],
-  ['scene', 'missing', /scenes\/missing\.json: the server answers 404/, 'fetch'],
-  ['tour', 'missing', /tours\/missing\.txt: the server answers 404/, 'tour'],
+  ['loading', 'egaer', /^Unknown value of loading: 'egaer'\. Did you mean 'eager'\?$/],
+  ['keys', 'arrows', /^Unknown value of keys: 'arrows'\. Expected all, move or none\.$/],
+  ['engine', 'fast', /^Unknown value of engine: 'fast'\. Expected auto, simd or scalar\.$/],
+  ['options', 'fov light=off', /^Option 'fov' takes a number .*, not 'on'\.$/, 'light', 'off'],
+  ['options', 'fvo=75, light=off', /^Unknown option 'fvo'\. Did you mean 'fov'\?$/, 'light', 'off'],
+  ['tour', 'missing', /tours\/missing\.txt: the server answers 404/],
+  ['autopaly', '', /^Unknown attribute 'autopaly'\. Did you mean 'autoplay'\?$/],
 ];
 
-test('each attribute that cannot be read is an error with a code, and is mended by another value', async (t) => {
+test('a slip in an attribute is warned of, and the rest is drawn', async (t) => {
+  const { page } = await openElements(t, browser, '', { expectErrors: true });
+  const said = [];
+  page.on('console', (message) => message.type() === 'warning' && said.push(message.text()));
+  for (const [name, value, message, option, set] of kSlips) {
+    said.length = 0;
+    const found = await page.evaluate(
+      async ([attribute, slip, which]) => {
+        await customElements.whenDefined('ray-caster');
+        document.body.innerHTML = '<ray-caster id="a" scene="room" size="160x100"></ray-caster>';
+        const a = document.getElementById('a');
+        a.setAttribute(attribute, slip);
+        const heard = [];
+        a.addEventListener('warning', ({ detail }) => heard.push(detail));
+        const { title } = await a.whenReady();
+        a.label = 'again'; // what is warned of already is not told once more
+        await a.whenReady();
+        return {
+          title,
+          heard,
+          state: a.state,
+          error: a.error,
+          warnings: a.warnings,
+          value: which ? a.get(which) : null,
+        };
+      },
+      [name, value, option],
+    );
+    assert.equal(found.title, 'The coloured room', name);
+    assert.deepEqual([found.state, found.error], ['paused', null], name);
+    assert.equal(found.heard.length, 1, `${name}="${value}"`);
+    assert.deepEqual(found.warnings, found.heard);
+    assert.equal(found.heard[0].attribute, name);
+    assert.match(found.heard[0].message, message);
+    if (option) assert.equal(found.value, set, option);
+    assert.ok(
+      said.some((text) => text.startsWith(`<ray-caster> ${name}: ${found.heard[0].message}`)),
+      `the console: ${said}`,
+    );
+    if (name !== 'overlay') assert.deepEqual(await elementPixel(page, 'a'), kGreen, name);
+  }
+  assert.deepEqual(
+    await page.evaluate(async () => {
+      const a = document.getElementById('a');
+      a.removeAttribute('autopaly');
+      a.label = '';
+      await a.whenReady();
+      return a.warnings;
+    }),
+    [],
+    'what is mended is no longer there',
+  );
+});
+
+test('what can only be meant in one way is no slip', async (t) => {
+  const { page } = await openElements(
+    t,
+    browser,
+    `<ray-caster id="a" scene="room" size=" 160 X 100 " controls="true" keys=" Move " title="x" data-controls="y"
+       overlay="minimap, grid" options="fov = 75, light=false; minimapRays" view="3.5, 3.5, 0.5, 0"></ray-caster>`,
+  );
+  await ready(page, 'a');
+  const bar = page.locator('#a').getByRole('button');
+  await bar.nth(3).waitFor();
+  const buttons = async () =>
+    page.evaluate(() =>
+      [...document.getElementById('a').shadowRoot.querySelectorAll('[data-name]')].map(
+        ({ dataset }) => dataset.name,
+      ),
+    );
+  assert.ok((await buttons()).length >= 5);
+  assert.deepEqual(
+    await page.evaluate(() => {
+      const a = document.getElementById('a');
+      const options = ['minimap', 'grid', 'fov', 'light', 'minimapRays'].map((name) => a.get(name));
+      return [a.picture, options, a.warnings];
+    }),
+    [{ width: 160, height: 100 }, ['on', 'on', '75', 'off', 'on'], []],
+  );
+  const show = async (controls) => {
+    await page.evaluate((value) => {
+      document.getElementById('a').controls = value;
+    }, controls);
+    await ready(page, 'a');
+    return buttons();
+  };
+  assert.deepEqual(await show('save,play'), ['play', 'save']);
+  assert.deepEqual(await show('false'), []);
+});
+
+const kFaults = [
+  ['scene', 'http://[', /scene: found "http:\/\/\[", expected an address/, 'address'],
+  ['scene', 'missing', /scenes\/missing\.json: the server answers 404/, 'fetch'],
+];
+
+test('a scene that is not there is an error with a code, and is mended by another value', async (t) => {
   const { page } = await openElements(t, browser, kRoom, { expectErrors: true });
   await ready(page, 'a');
   await noteEvents(page, 'a', ['error']);
@@ -471,7 +567,7 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
   assert.equal(seen.kept, 0.5);
   assert.deepEqual(seen.options, ['80', 'off', '80', true]);
   assert.match(seen.badOption, /^option: .*fov/);
-  assert.match(seen.noOption, /^option: get: found "colour"/);
+  assert.match(seen.noOption, /^option: Unknown option 'colour'/);
   assert.match(seen.badStep, /sideways/);
   assert.match(seen.badViews[0], /^address: look: found x three, expected a number/);
   assert.match(seen.badViews[1], /found north 1, expected a view with some of x, y/);

@@ -83,10 +83,10 @@ test('a bad value is told on the sheet before anything plays', async (t) => {
   const cases = [
     ['view=1,2', /view: found "1,2", expected x,y,z,heading/, false],
     ['view=1,2,three,4', /found "1,2,three,4"/, false],
-    ['options=fov', /found "fov", expected name=value/, false],
+    ['options=fov', /Option 'fov' takes a number from 10 to 150, not 'on'/, false],
     ['options=fov=500', /Option 'fov' takes a number from 10 to 150, not '500'/, false],
     ['options=light=off+hat=1', /Unknown option 'hat'/, false],
-    ['overlay=hat', /found "hat", expected some of minimap/, false],
+    ['overlay=minmap', /Unknown overlay 'minmap'\. Did you mean 'minimap'\?/, false],
     [
       'view=2.5,2.5,-1,0',
       /view: found "2.5,2.5,-1,0,0", expected an eye above the floor of a map among room/,

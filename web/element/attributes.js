@@ -1,12 +1,15 @@
 // The attributes of <ray-caster>: how each is read, and the properties that reflect them.
 //
-//     const wanted = readAttributes(element);       // throws a Trouble with the code 'address' that names the attribute at fault
+//     const wanted = readAttributes(element, (attribute, message) => {...});      // hears what cannot be read, which counts as not written
 //     reflectAttributes(RayCaster.prototype);
 
-import { parseOptions, parseOverlay, parseView } from '../engine/address.js';
-import { Trouble } from '../engine/trouble.js';
+import { parseOptions, parseOverlay, parseView, wordsOf } from '../engine/address.js';
+import { nearestName, unknown } from '../engine/nearest-name.js';
 
 export const kButtons = ['play', 'reset', 'overlay', 'save', 'share', 'fullscreen'];
+
+const kAllControls = ['true', 'all', 'controls']; // as some write an attribute without a value
+const kNoControls = ['false', 'none'];
 
 const kLargestSide = 4096; // pixels, as the engine's
 
@@ -29,19 +32,26 @@ const kStandard = {
 
 export const kAttributes = Object.keys(kStandard);
 
-export function readAttributes(element) {
-  return {
-    view: element.view === '' ? null : parseView(element.view),
-    size: readSize(element.size),
-    controls: readControls(element.controls),
+// Of words that are one of a few: the first is the standard.
+const kChoices = {
+  loading: ['lazy', 'eager'],
+  keys: ['all', 'move', 'none'],
+  engine: ['auto', 'simd', 'scalar'],
+};
+
+export function readAttributes(element, warn) {
+  warnOfMisspelt(element, warn);
+  const wanted = {
+    view: readView(element.view, warn),
+    size: readSize(element.size, warn),
+    controls: readControls(element.controls, warn),
     options: parseOptions(element.options),
-    overlay: parseOverlay(element.overlay),
-    loading: readChoice('loading', element.loading, ['lazy', 'eager']),
-    keys: readChoice('keys', element.keys, ['all', 'move', 'none']),
-    engine: readChoice('engine', element.engine, ['auto', 'simd', 'scalar']),
+    overlay: parseOverlay(element.overlay, (message) => warn('overlay', message)),
     poster: element.poster,
     label: element.label,
   };
+  for (const name of Object.keys(kChoices)) wanted[name] = readChoice(name, element[name], warn);
+  return wanted;
 }
 
 // Each attribute as a property of the same name. One that was set before the element was defined is
@@ -72,35 +82,52 @@ export function takeEarlyProperties(element) {
   }
 }
 
-function readSize(text) {
-  if (text === 'auto') return text;
-  const [, width, height] = /^\s*(\d{1,5})\s*x\s*(\d{1,5})\s*$/.exec(text) ?? [];
-  const isSide = (side) => Number(side) >= 1 && Number(side) <= kLargestSide;
-  if (!isSide(width) || !isSide(height))
-    throw misread('size', text, `auto, or WIDTHxHEIGHT in pixels of at most ${kLargestSide}`);
-  return `${Number(width)}x${Number(height)}`;
-}
-
-function readChoice(name, text, choices) {
-  if (!choices.includes(text)) throw misread(name, text, choices.join(', '));
-  return text;
-}
-
-// null without the attribute, all of them where it is there but empty.
-function readControls(text) {
-  if (text === null) return null;
-  const words = text.split(/\s+/).filter((word) => word !== '');
-  for (const word of words) {
-    if (!kButtons.includes(word)) throw misread('controls', word, `some of ${kButtons.join(' ')}`);
+function readView(text, warn) {
+  if (text === '') return null;
+  try {
+    return parseView(text);
+  } catch ({ message }) {
+    warn('view', message);
+    return null;
   }
-  return words.length === 0 ? kButtons : kButtons.filter((word) => words.includes(word));
 }
 
-function misread(name, found, expected) {
-  return new Trouble(
-    'An attribute cannot be read',
-    `${name}: found "${found}", expected ${expected}`,
-    [],
-    'address',
+function readSize(text, warn) {
+  const { size: standard } = kStandard;
+  if (text.trim() === standard) return standard;
+  const [, ...sides] = /^\s*(\d{1,5})\s*[x×]\s*(\d{1,5})\s*$/i.exec(text) ?? [];
+  const isSide = (side) => side >= 1 && side <= kLargestSide;
+  if (sides.length === 2 && sides.every(isSide)) return sides.map(Number).join('x');
+  warn(
+    'size',
+    `The size is auto or WIDTHxHEIGHT in pixels of at most ${kLargestSide}, not '${text}'.`,
   );
+  return standard;
+}
+
+function readChoice(name, text, warn) {
+  const choices = kChoices[name];
+  const word = text.trim().toLowerCase();
+  if (choices.includes(word)) return word;
+  if (word !== '') warn(name, unknown(`value of ${name}:`, text, choices));
+  return choices[0];
+}
+
+// null without the attribute, all of them where it is there and names none.
+function readControls(text, warn) {
+  if (text === null || kNoControls.includes(text.trim())) return null;
+  const named = wordsOf(text).filter((word) => !kAllControls.includes(word));
+  for (const word of named)
+    if (!kButtons.includes(word)) warn('controls', unknown('control', word, kButtons));
+  const known = kButtons.filter((word) => named.includes(word));
+  return known.length === 0 ? kButtons : known;
+}
+
+// An attribute that is none, but is nearly one.
+function warnOfMisspelt(element, warn) {
+  for (const name of element.getAttributeNames()) {
+    if (kAttributes.includes(name) || name in element || /[^a-z]/.test(name)) continue;
+    if (nearestName(name, kAttributes) !== null)
+      warn(name, unknown('attribute', name, kAttributes));
+  }
 }

@@ -53,9 +53,8 @@ export const errorCodes = /* @__PURE__ */ Object.freeze({
     remedy: 'Mend each place that is listed.',
   },
   address: {
-    title: 'An attribute cannot be read',
-    means:
-      "The value of an attribute, or of a part of the page's address, is not written as it must be.",
+    title: 'An address or a view cannot be read',
+    means: 'An address of a scene or a view is not written as it must be, or there is no scene.',
     remedy: 'Write it as the message says.',
   },
   tour: {
@@ -78,6 +77,15 @@ export const errorCodes = /* @__PURE__ */ Object.freeze({
 // An error with one of the codes, titled by the table.
 export function faultOf(code, message, faults = []) {
   return new Trouble(errorCodes[code].title, message, faults, code);
+}
+
+// What `ask` gives; an error of it without a code is one with this code.
+export function orFault(code, ask) {
+  try {
+    return ask();
+  } catch (error) {
+    throw error.code === undefined ? faultOf(code, error.message) : error;
+  }
 }
 
 // The faults of a scene, as the engine or sceneOfRows lists them, as one error.

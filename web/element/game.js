@@ -7,7 +7,7 @@
 //     game.stop();
 
 import { Engine } from '../engine/engine.js';
-import { faultOf, sceneFault } from './faults.js';
+import { faultOf, orFault, sceneFault } from './faults.js';
 import { players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
 import { withReason } from '../engine/source-parts.js';
@@ -29,8 +29,8 @@ export class Game {
 
   // True if the scene can be played now, false if another one was asked for meanwhile. Until then
   // the scene before stays, with its picture. Throws a Trouble. `source` may be null with a tour,
-  // which names its scene.
-  async load({ key, kind, source, tour, onProgress }) {
+  // which names its scene; with a source, what is wrong with the tour is told to `warn`.
+  async load({ key, kind, source, tour, warn, onProgress }) {
     const turn = ++this.#turn;
     const isStale = () => turn !== this.#turn;
     const begin = this.engine === null ? kEngineShare : 0;
@@ -40,13 +40,19 @@ export class Game {
     const findTwin = () => [...players].find(([, played]) => played === key)?.[0];
     const begun =
       source === null || findTwin() !== undefined ? source : beginReading(source, isStale);
-    const [files, recording] = await Promise.all([
+    let [files, recording] = await Promise.all([
       sharedEngineFiles(kind, (loaded, total) => {
         if (begin === 0 || isStale()) return;
         engineBytes = loaded;
         onProgress((begin * loaded) / Math.max(1, total), loaded);
       }),
-      tour === null ? null : readTour(tour),
+      tour === null
+        ? null
+        : readTour(tour).catch((error) => {
+            if (source === null) throw error;
+            warn('tour', error.message);
+            return null;
+          }),
     ]);
     if (isStale()) return false;
     const isNew = this.engine === null || files.kind !== this.#kind;
@@ -55,13 +61,13 @@ export class Game {
     let wasPlayer = false;
     try {
       const isAdopted = isNew && engine.adopt(findTwin());
-      const scene = recording === null ? null : checkTour(engine, recording);
-      const found = begun ?? namedScene(scene);
-      if (scene !== null && found.address !== null && sceneName(found.name) !== sceneName(scene)) {
-        throw faultOf(
-          'tour',
-          `${recording.name} was recorded in the scene ${sceneName(scene)}, and this one is ${sceneName(found.name)}.`,
-        );
+      let found = begun;
+      try {
+        if (recording !== null) found = sceneOfTour(engine, recording, begun);
+      } catch (error) {
+        if (begun === null) throw error;
+        warn('tour', error.message);
+        recording = null;
       }
       wasPlayer = players.delete(engine); // while another scene comes into its memory
       const faults = isAdopted
@@ -118,9 +124,9 @@ export class Game {
     this.actions.showCanvas(engine.canvas);
   }
 
-  // Sets these options and puts those back that were set before and are no longer named. Throws a
-  // Trouble.
-  setOptions(pairs) {
+  // Sets these options and puts those back that were set before and are no longer named. What the
+  // engine refuses is told to `warn`.
+  setOptions(pairs, warn) {
     const wanted = new Map(pairs);
     for (const [name, value] of this.#before) {
       if (wanted.has(name)) continue;
@@ -129,17 +135,17 @@ export class Game {
     }
     for (const [name, value] of wanted) {
       const before = this.engine.option(name);
-      this.setOption(name, value);
-      if (!this.#before.has(name)) this.#before.set(name, before);
+      try {
+        this.engine.setOption(name, value);
+        if (!this.#before.has(name)) this.#before.set(name, before);
+      } catch ({ message }) {
+        warn('options', message);
+      }
     }
   }
 
   setOption(name, value) {
-    try {
-      this.engine.setOption(name, value);
-    } catch (error) {
-      throw faultOf('option', error.message);
-    }
+    orFault('option', () => this.engine.setOption(name, value));
   }
 
   // To the start; a tour begins again too.
@@ -180,6 +186,18 @@ function beginReading(source, isStale) {
     })
     .catch(() => {});
   return { ...source, readText: () => text };
+}
+
+// Where the tour leads through: `found`, or the shipped scene that it names.
+function sceneOfTour(engine, recording, found) {
+  const scene = sceneName(checkTour(engine, recording));
+  if (found === null) return namedScene(scene);
+  if (found.address !== null && sceneName(found.name) !== scene)
+    throw faultOf(
+      'tour',
+      `${recording.name} was recorded in the scene ${scene}, and this one is ${sceneName(found.name)}.`,
+    );
+  return found;
 }
 
 const sceneName = (file) => file.replace(/\.json$/i, '');

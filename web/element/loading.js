@@ -2,21 +2,23 @@
 // loads what they name, and applies the rest to what is there. Until the next scene has come, the
 // one before stays, standing still.
 //
-//     const loading = new Loading(element, game, {show(wanted), changed(), progress(share, bytes), loaded(), done(isNew), failed(error)});
+//     const loading = new Loading(element, game, {show(wanted), changed(), warn(warning), progress(share, bytes), loaded(), done(isNew), failed(error)});
 //     loading.update();       // soon
 //     loading.now();          // no longer waits until the element is near the window
 //     loading.again();        // what has failed is tried once more; else only another scene is
 //     loading.stop();
 
+import { unknown } from '../engine/nearest-name.js';
 import { Trouble } from '../engine/trouble.js';
 import { readAttributes } from './attributes.js';
 import { hasParsed, whenParsed } from './parsing.js';
 import { findScene, tourAddress } from './source.js';
+import { Warnings } from './warnings.js';
 
 const kFirstPictureMilliseconds = 400; // a hidden page draws none: then the scene counts as ready without
 
 export class Loading {
-  wanted = null; // what the attributes say; null while one of them is at fault
+  wanted = null; // what the attributes say, once they have been read
   isLoading = false;
   #host;
   #game;
@@ -36,6 +38,7 @@ export class Loading {
     this.#host = host;
     this.#game = game;
     this.#actions = actions;
+    this.warnings = new Warnings(actions.warn);
   }
 
   // Nothing is under way, and nothing will be unless something changes.
@@ -88,8 +91,7 @@ export class Loading {
   #take() {
     const host = this.#host;
     try {
-      this.wanted = null;
-      const wanted = readAttributes(host);
+      const wanted = readAttributes(host, this.warnings.renew('attributes'));
       this.wanted = wanted;
       this.#actions.show(wanted);
       if (!this.#isNear && wanted.loading === 'lazy') {
@@ -133,14 +135,14 @@ export class Loading {
     this.isLoading = true;
     this.#actions.changed();
     try {
-      const isThere = await this.#game.load({ ...request, onProgress });
+      const warn = this.warnings.renew('tour');
+      const isThere = await this.#game.load({ ...request, warn, onProgress });
       if (!isThere || isStale()) return;
       this.#loaded = key;
       this.#options = this.#view = null;
       this.#isReady = false;
       this.#actions.loaded();
-      // With an attribute at fault, that is what is shown, and once it is mended, the scene.
-      if (this.wanted !== null) this.#apply();
+      this.#apply();
       const picture = new Promise((resolve) => {
         this.#pictureCame = resolve;
         setTimeout(resolve, kFirstPictureMilliseconds);
@@ -149,7 +151,7 @@ export class Loading {
       await picture;
       if (isStale()) return;
       this.isLoading = false;
-      if (this.wanted !== null) this.#settle();
+      this.#settle();
     } catch (error) {
       if (isStale()) return;
       if (this.#loaded !== key) this.#failed = key;
@@ -164,23 +166,21 @@ export class Loading {
     const { view } = this.wanted;
     const options = [...this.wanted.options, ...this.wanted.overlay.map((name) => [name, 'on'])];
     const all = String(options);
-    if (all !== this.#options) {
-      this.#options = null; // some may be set before one is refused
-      this.#game.setOptions(options);
-      this.#options = all;
-    }
+    if (all !== this.#options) this.#game.setOptions(options, this.warnings.renew('options'));
+    this.#options = all;
     const text = view === null ? null : this.#host.view;
     if (text === this.#view) return;
-    // A tour begins where it was recorded.
-    if (view !== null && !this.#game.hasTour && !this.#game.engine.look(view)) {
-      throw new Trouble(
-        'There is no such view',
-        `view: found "${text}", expected an eye above the floor of one of the scene's maps`,
-        [],
-        'address',
-      );
-    }
     this.#view = text;
+    const warn = this.warnings.renew('view');
+    // A tour begins where it was recorded.
+    if (view === null || this.#game.hasTour || this.#game.engine.look(view)) return;
+    const maps = this.#game.engine.world.maps.map(({ name }) => name);
+    warn(
+      'view',
+      view.map === null || maps.includes(view.map)
+        ? `The view '${text}' is not above the floor.`
+        : unknown('map', view.map, maps),
+    );
   }
 
   // All is as the attributes say.

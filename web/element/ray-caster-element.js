@@ -2,7 +2,7 @@
 
 import { readView } from '../engine/address.js';
 import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
-import { faultOf } from './faults.js';
+import { faultOf, orFault } from './faults.js';
 import { Show } from './show.js';
 import { snapshotOf } from './snapshot.js';
 
@@ -79,6 +79,10 @@ export class RayCaster extends Base {
     return this.#show.picture;
   }
 
+  get warnings() {
+    return this.#show.warnings;
+  }
+
   get optionList() {
     return this.#show.ready === null ? [] : this.#show.engine.options;
   }
@@ -108,10 +112,7 @@ export class RayCaster extends Base {
   }
 
   get(name) {
-    const option = this.#engine('get').options.find((one) => one.name === name);
-    if (option === undefined)
-      throw faultOf('option', `get: found "${name}", expected the name of an option.`);
-    return option.value;
+    return orFault('option', () => this.#engine('get').knownOption(name));
   }
 
   look(view) {

@@ -77,6 +77,10 @@ export class Show {
     return !this.#isAskedToPlay && this.#steering?.isHeld !== true;
   }
 
+  get warnings() {
+    return this.#loading?.warnings.list ?? [];
+  }
+
   get overlays() {
     return this.#loading?.wanted?.overlay ?? [];
   }
@@ -104,6 +108,7 @@ export class Show {
     this.#loading = new Loading(this.#host, this.#game, {
       show: (wanted) => this.#show(wanted),
       changed: () => this.#clearError(),
+      warn: (warning) => this.#warn(warning),
       progress: (share, bytes) => {
         this.#face.progress(share);
         this.#tell('progress', { share, bytes });
@@ -245,6 +250,11 @@ export class Show {
     this.#face.noTrouble();
     this.run();
     if (hadFocus) cover.focus({ preventScroll: true });
+  }
+
+  #warn({ attribute, message }) {
+    console.warn(`<ray-caster> ${attribute}: ${message}`, this.#host);
+    this.#tell('warning', { attribute, message });
   }
 
   // Some engine of the page has failed while it drew; the browser does not say whose.

@@ -1,9 +1,10 @@
 // How a view and options are written in attributes and addresses, and read again.
 //
 //     view      x,y,z,heading[,look[,map]]     units, degrees (0 = east, 90 = south), screen heights; a map by its name (commas too), without one that of the start
-//     options   name=value name=value ...      those of the engine; names and values hold no blanks
+//     options   name=value name=value ...      those of the engine; names and values hold neither blanks nor commas
 //     overlay   minimap grid ...               what is drawn over the picture: options that are switched on
 
+import { unknown } from './nearest-name.js';
 import { Trouble } from './trouble.js';
 
 export const kOverlays = [
@@ -16,6 +17,9 @@ export const kOverlays = [
   'grid',
   'slow',
 ];
+
+// A switch as people write it; a name alone switches on.
+const kSwitches = { '': 'on', true: 'on', false: 'off' };
 
 // The numbers of a view, and how far each may be from 0: coordinates as in src/base/coordinate.h,
 // the look as in src/render/options.h.
@@ -86,42 +90,35 @@ function shortest(coordinate) {
   }
 }
 
-// [[name, value]]. Throws a Trouble.
+// [[name, value]]: commas may stand between options, and a name alone switches on. What the engine
+// does not know, it refuses itself.
 export function parseOptions(text) {
-  return text
-    .split(/\s+/)
-    .filter((part) => part !== '')
-    .map((part) => {
-      const at = part.indexOf('=');
-      if (at < 1)
-        throw new Trouble(
-          'The options cannot be read',
-          `options: found "${part}", expected name=value`,
-          [],
-          'address',
-        );
-      return [part.slice(0, at), part.slice(at + 1)];
-    });
+  return wordsOf(text.replace(/\s*[=:]\s*/g, '=')).map((part) => {
+    const [, name, value] = /^([^=]+)=?(.*)$/.exec(part) ?? [null, part, ''];
+    return [name, kSwitches[value] ?? value];
+  });
 }
 
 export function formatOptions(options) {
   return options.map(([name, value]) => `${name}=${value}`).join(' ');
 }
 
-// [name]. Throws a Trouble.
-export function parseOverlay(text) {
-  return text
-    .split(/\s+/)
-    .filter((part) => part !== '')
-    .map((name) => {
-      if (kOverlays.includes(name)) return name;
-      throw new Trouble(
-        'The overlay cannot be read',
-        `overlay: found "${name}", expected some of ${kOverlays.join(' ')}`,
-        [],
-        'address',
-      );
-    });
+// [name]. What is unknown is told to `warn`, and left out.
+export function parseOverlay(text, warn = refuse) {
+  return wordsOf(text).filter((name) => {
+    const isKnown = kOverlays.includes(name);
+    if (!isKnown) warn(unknown('overlay', name, kOverlays));
+    return isKnown;
+  });
+}
+
+// Blanks, commas or semicolons stand between words.
+export function wordsOf(text) {
+  return text.split(/[\s,;]+/).filter((word) => word !== '');
+}
+
+function refuse(message) {
+  throw new Trouble('The address cannot be read', message, [], 'address');
 }
 
 // "?scene=castle&view=4.5,2,0.5,90": the characters that views and options are made of stay as they

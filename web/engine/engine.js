@@ -11,6 +11,7 @@
 // they share the compiled program.
 
 import { createModule } from './engine-module.js';
+import { unknown } from './nearest-name.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
@@ -166,6 +167,19 @@ export class Engine {
   option(name) {
     return withStrings(this.#module, [name], (nameAt) =>
       this.#module.UTF8ToString(this.#module._slicecast_option(this.#session, nameAt)),
+    );
+  }
+
+  // The same; throws where there is no such option.
+  knownOption(name) {
+    const value = this.option(name);
+    if (value !== '') return value;
+    throw new Error(
+      unknown(
+        'option',
+        String(name),
+        this.options.map((option) => option.name),
+      ),
     );
   }
 

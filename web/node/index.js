@@ -100,13 +100,8 @@ class Scene {
   }
 
   get(name) {
-    const value = this.#running.option(name);
-    if (value === '')
-      throw new SceneError(
-        'option',
-        `option: found "${name}", expected one of ${this.optionList.map((option) => option.name).join(', ')}`,
-      );
-    return value;
+    const engine = this.#running;
+    return orSceneError('option', () => engine.knownOption(name));
   }
 
   look(view) {
