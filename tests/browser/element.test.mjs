@@ -11,7 +11,7 @@ import {
   openElements,
   ready,
 } from './element.mjs';
-import { kBlue, kGreen, kRed, roomScene } from './room.mjs';
+import { kBlue, kGreen, kRed, roomFiles, roomScene } from './room.mjs';
 
 let browser;
 before(async () => {
@@ -66,6 +66,115 @@ test('a scene comes from an address, from its name, from a script inside or from
   }
 });
 
+test('rows are text between the tags, a pre, or an object; ids and objects share a scene', async (t) => {
+  const { page, server } = await openElements(
+    t,
+    browser,
+    `
+    <ray-caster id="first" scene="#text" loading="eager"></ray-caster>
+    <ray-caster id="text" loading="eager">
+      ####
+      #v.#
+      ####
+    </ray-caster>
+    <ray-caster id="pre" loading="eager" label="In a pre"><p>Words</p><pre data-rows="colours">${kRows}</pre></ray-caster>
+    <ray-caster id="elsewhere" scene="#rows" loading="eager"></ray-caster>
+    <script type="text/plain" id="rows" data-rows="colours">${kRows.replace('&gt;', '>')}\n--- legend\n# = #c03020</script>
+    <ray-caster id="words" loading="eager">Loading the castle</ray-caster>
+    <ray-caster id="lost" scene="#nobody" loading="eager"></ray-caster>
+    <ray-caster id="circle" scene="#circle" loading="eager"></ray-caster>`,
+    { expectErrors: true },
+  );
+  const heading = (id) =>
+    page.evaluate((one) => document.getElementById(one).currentView.heading, id);
+  assert.equal((await ready(page, 'text')).title, 'A map');
+  assert.equal(await heading('text'), 90);
+  await ready(page, 'first');
+  assert.equal(await heading('first'), 90, 'the scene of the element with that id');
+  assert.equal((await ready(page, 'pre')).title, 'In a pre');
+  await ready(page, 'elsewhere');
+  const [red, green, blue] = await elementPixel(page, 'elsewhere');
+  assert.ok(red > 2 * green && red > 2 * blue, `the wall is red: ${[red, green, blue]}`);
+  const words = await ready(page, 'words');
+  assert.equal(words.code, 'address');
+  assert.match(words.message, /Found "Loading the castle", expected scene="castle" .* in <pre>/);
+  assert.match(
+    (await ready(page, 'lost')).message,
+    /found "#nobody", expected the id of an element/,
+  );
+  assert.match((await ready(page, 'circle')).message, /found "#circle", expected the id/);
+
+  // An object: no file is fetched for colours; set once more it is read once more.
+  const before = server.asked.length;
+  const seen = await page.evaluate(async () => {
+    const scene = { rows: ['#####', '#>.x#', '#####'], legend: { x: '#c03020' }, colours: true };
+    const [a, b] = [0, 1].map(() =>
+      Object.assign(document.createElement('ray-caster'), { loading: 'eager', scene: 'room' }),
+    );
+    Object.assign(a, { scene, size: '160x100' });
+    document.body.append(a);
+    await a.whenReady();
+    b.scene = a.scene;
+    document.body.append(b);
+    await b.whenReady();
+    const found = {
+      same: a.scene === scene && b.scene === scene && !b.hasAttribute('scene'),
+      middle: a.hits(80).hits.find(({ filled }) => filled.length > 0).blueprint,
+      heading: b.currentView.heading,
+    };
+    scene.rows[1] = '#<.x#';
+    b.scene = scene;
+    await b.whenReady();
+    found.turned = b.currentView.heading;
+    found.kept = a.currentView.heading;
+    a.scene = { rows: '#>#', fgo: 1 };
+    found.faults = await a.whenReady().catch(({ code, faults }) => [code, faults[0].found]);
+    a.setAttribute('scene', 'room');
+    found.title = (await a.whenReady()).title;
+    found.property = a.scene;
+    return found;
+  });
+  assert.deepEqual(seen, {
+    same: true,
+    middle: 'block x',
+    heading: 0,
+    turned: 180,
+    kept: 0,
+    faults: ['scene', 'the key "fgo"'],
+    title: 'The coloured room',
+    property: 'room',
+  });
+  const pictures = server.asked.slice(before).filter((name) => name.endsWith('.png'));
+  assert.deepEqual(
+    pictures.filter((name) => !name.startsWith('scenes/pictures/')),
+    [],
+  );
+});
+
+test('pictures of one’s own lie beside the page, or where base says', async (t) => {
+  const wall = roomFiles()['scenes/pictures/red.png'];
+  const inline = JSON.stringify(roomScene({ folder: '' }));
+  const { page, server } = await openElements(
+    t,
+    browser,
+    `
+    <ray-caster id="rows" loading="eager" size="160x100">
+      #######
+      #.>...#
+      #######
+      --- legend
+      # = mine/wall.png
+    </ray-caster>
+    <ray-caster id="json" loading="eager" base="scenes/pictures/" size="160x100"><script type="application/json">${inline}</script></ray-caster>`,
+    { files: { 'mine/wall.png': wall } },
+  );
+  await ready(page, 'rows');
+  const [red, green] = await elementPixel(page, 'rows');
+  assert.ok(red > 2 * green, 'a red wall');
+  assert.ok(server.asked.includes('mine/wall.png'));
+  assert.equal((await ready(page, 'json')).title, 'The coloured room');
+});
+
 test('attributes and properties are the same thing, also those set before the element is defined', async (t) => {
   const { page } = await openElements(t, browser, '<ray-caster id="a"></ray-caster>', {
     script: '',
@@ -118,6 +227,7 @@ test('attributes and properties are the same thing, also those set before the el
     overlay: '',
     autoplay: false,
     tour: '',
+    base: '',
     poster: '',
     loading: 'lazy',
     keys: 'all',

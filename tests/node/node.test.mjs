@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { cp, mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
+import { copyFile, cp, mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
@@ -303,4 +303,31 @@ test('nothing is left among the names of a program', async () => {
   const scene = await load('first-walk');
   scene.free();
   assert.deepEqual(Object.getOwnPropertyNames(globalThis), before);
+});
+
+test('rows are a scene under Node too, with a legend, levels and colours', async () => {
+  const scene = await load({
+    rows: ['#####\n#>.x#\n#####', '##'],
+    title: 'Rows',
+    legend: { x: '#c03020', '#': 'brick' },
+    colours: true,
+  });
+  assert.equal(scene.world.title, 'Rows');
+  assert.equal(scene.world.maps[0].levels, 2);
+  const { hits } = scene.hits(160, { width: 320, height: 200 });
+  assert.equal(hits.find(({ filled }) => filled.length > 0).blueprint, 'block x');
+  scene.free();
+  await assert.rejects(load({ rows: '#>?', legend: { y: 7 } }), (error) => {
+    assert.equal(error.name, 'SceneError');
+    assert.equal(error.code, 'scene');
+    assert.deepEqual(
+      error.faults.map(({ place }) => place),
+      ['rows:1:3', 'rows'],
+    );
+    return true;
+  });
+  const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-'));
+  await copyFile(path.join(root, 'assets/textures/brick.png'), path.join(folder, 'wall.png'));
+  const own = await load({ rows: '#>#', legend: { '#': 'wall.png' } }, { base: folder });
+  own.free();
 });

@@ -6,9 +6,10 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { errorCodes, explain, faultOf, sceneFault } from '../../web/element/faults.js';
+import { errorCodes, explain, faultOf } from '../../web/element/faults.js';
 import { fetchOnce, holdCache } from '../../web/element/page-cache.js';
-import { sceneOfRows } from '../../web/element/rows.js';
+import { sceneFault } from '../../web/engine/trouble.js';
+import { sceneOfRows } from '../../web/engine/rows.js';
 import { describeView } from '../../web/element/view-text.js';
 import { fetchBytes } from '../../web/engine/fetch-bytes.js';
 import { formatView, parseView } from '../../web/engine/address.js';
@@ -109,7 +110,117 @@ test('only what stands in the rows is fetched', () => {
 
 test('a door turns its leaves to where one comes from', () => {
   const { maps } = sceneOfRows('.>.\n#+#\n...\n.#.\n.+.\n.#.');
-  assert.deepEqual(maps[0].levels[0].map((row) => row[1]).join(''), '.+.#|#');
+  assert.deepEqual(maps[0].levels[0].map((row) => row[1]).join(''), '.+.#‖#');
+});
+
+test('rows of several levels stand on each other, in text as in lists', async () => {
+  const text = `
+    #####
+    #>.s#
+    #####
+    ---
+    ##
+    ..  +
+    ##
+    --- level
+      t`;
+  const lists = [['#####', '#>.s#', '#####'], ['##', '..  +', '##'], ['  t']];
+  assert.deepEqual(sceneOfRows(lists), sceneOfRows(text));
+  assert.deepEqual(
+    sceneOfRows(lists.map((rows) => rows.join('\n'))).maps[0].levels,
+    sceneOfRows(text).maps[0].levels,
+  );
+  const { session, faults, scene } = await play(text, {});
+  assert.deepEqual(faults, []);
+  assert.deepEqual(session.warnings, []);
+  assert.deepEqual(scene.maps[0].levels, [
+    ['#####', '#..s#', '#####'],
+    ['##...', '....‖', '##...'],
+  ]);
+  assert.deepEqual(scene.maps[0].objects, [{ sprite: 'birch', height: 2.4, x: 2.5, y: 0.5, z: 2 }]);
+  // A high wall under something else keeps its lower half.
+  assert.deepEqual(sceneOfRows('>B%\n---\n .s').maps[0].levels, [['.b#'], ['.bs']]);
+  assert.deepEqual(sceneOfRows('.#\n---\n >').start, { x: 1.5, y: 0.5, z: 1, heading: 0 });
+});
+
+test('a legend of one’s own: colours, shipped textures, pictures, heights, floors, blueprints', () => {
+  const scene = sceneOfRows(
+    `
+    #####
+    #>xg#
+    #ykz#
+    --- legend
+    x = #c32
+    y = sandstone 0.5
+    g = sand floor
+    k = pictures/wall.png
+    # = brick
+    z = mine
+    blank = #508040
+    sky = #88a0b8`,
+    { textures: { mine: { file: 'pictures/sheet.png', frames: 4, rate: 2 } } },
+  );
+  const { textures, blueprints, maps, legend } = scene;
+  assert.deepEqual(textures, {
+    mine: { file: 'pictures/sheet.png', frames: 4, rate: 2 },
+    '#508040': '#508040',
+    '#cc3322': '#cc3322',
+    flagstones: '../textures/flagstones.png',
+    sand: '../textures/sand.png',
+    brick: '../textures/brick.png',
+    sandstone: '../textures/sandstone.png',
+    'pictures/wall.png': 'pictures/wall.png',
+  });
+  assert.equal(blueprints['stone wall'].faces.all, 'brick');
+  assert.equal(blueprints['block x'].faces.top, '#cc3322');
+  assert.deepEqual([blueprints['block y'].top, blueprints['block x'].top], [0.5, undefined]);
+  assert.deepEqual(Object.keys(legend).sort(), ['#', 'k', 'x', 'y', 'z']);
+  assert.deepEqual(maps[0].floor.texture, '#508040');
+  assert.equal(maps[0].floor.legend.g, 'sand');
+  assert.deepEqual([maps[0].sky, maps[0].haze], ['#88a0b8', '#88a0b8']);
+  const glass = { join: false, faces: { all: 'brick', top: { texture: '#ff0000', glow: true } } };
+  assert.deepEqual(sceneOfRows('>x', { legend: { x: glass } }).blueprints, { 'block x': glass });
+});
+
+test('with colours no file is needed, but for doors and objects', async () => {
+  const session = new Session(await loadModule('simd'));
+  const text = kEverything.replace(/[+tT*i]/g, '.');
+  const scene = sceneOfRows(`${text}\n--- colours`);
+  assert.deepEqual(session.parse(JSON.stringify(scene), 'rows').files, []);
+  assert.deepEqual(sceneOfRows(text, { colours: true }), scene);
+  assert.notDeepEqual(sceneOfRows(text), scene);
+  assert.deepEqual(
+    session.loadText(JSON.stringify(scene), 'rows', () => null),
+    [],
+  );
+});
+
+test('rows say what their legend gets wrong', () => {
+  const faults = (text, options) => {
+    try {
+      sceneOfRows(text, options);
+    } catch (error) {
+      return error.faults.map(({ message }) => message);
+    }
+    return [];
+  };
+  const cases = [
+    ['>\n--- legend\nx', /found "x", expected CHARACTER = MEANING/],
+    ['>\n--- legned\nx = #c03020', /found "--- legned", expected CHARACTER = MEANING, or one of/],
+    [
+      '>x\n--- legend\nx = #c0302',
+      /found the meaning of "x", "#c0302", expected a texture, a colour/,
+    ],
+    [
+      '>x\n--- legend\nx = brick 2',
+      /found the meaning of "x", "brick 2", expected .*height up to 1/,
+    ],
+    ['>\n--- legend\n> = brick', /found the meaning of ">"/],
+    ['>\n---\n.Q', /rows, level 1:1:2: found "Q"/],
+  ];
+  for (const [text, expected] of cases) assert.match(faults(text).join('\n'), expected, text);
+  assert.match(faults('>', { fgo: {} })[0], /found the key "fgo", expected some of .*fog/);
+  assert.match(faults('>x', { legend: { x: 7 } })[0], /found the meaning of "x", 7/);
 });
 
 test('rows with faults: all of them, each with its row and column', () => {

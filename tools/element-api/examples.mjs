@@ -91,6 +91,56 @@ export const inline = `<ray-caster label="A stone gate in a walled yard">
   </script>
 </ray-caster>`;
 
+export const ownRows = `<ray-caster view="2.2,9.4,1.7,312,-0.02" label="A keep on a terrace">
+  <pre>
+BBBBBBBBBBBBBB
+B............B
+B....aaaaa...B
+B....aaaaa...B
+B....aaaaa...B
+B....aaaaa...B
+B......1.....B
+B............B
+B.ggg......ggB
+B.gGg..>...gGB
+BBBBBBBBBBBBBB
+---
+
+
+     rrrrr
+     rccr.
+     rccrr
+     rr.rr
+---
+
+
+     r r r
+
+     r   r
+     r   r
+--- legend
+a = sandstone
+1 = sandstone 0.5
+c = #c03020 0.6
+g = #5d8a45 floor
+G = hedge 0.8
+  </pre>
+</ray-caster>`;
+
+export const objectScene = `<ray-caster id="plan" view="0.7,0.7,3.6,40,-0.45" label="Red and blue blocks"></ray-caster>
+<ray-caster scene="#plan" view="10.3,7.3,3.6,220,-0.45" label="The same from the other side"></ray-caster>
+
+<script type="module">
+  document.getElementById('plan').scene = {
+    rows: [['###########', '#>........#', '#..aa.bb..#', '#..a...b..#',
+            '#.........#', '#...a.b...#', '#..aa.bb..#', '###########'],
+           ['',            '',            '   aa bb',   '',
+            '',            '',            '    a b']],
+    legend: { a: '#c8462f', b: '#2f62b8', '#': '#8d8a80 0.4' },
+    colours: true,
+  };
+</script>`;
+
 export const live = [
   {
     title: 'A scene typed into the page',

@@ -46,7 +46,9 @@ export function documentation({ errorCodes, version, options, scenes }) {
       table.events.map((row) => [row.name, typeText(row.detail), text(row.description)]),
     ),
     slots: table.slots.map(({ description }) => `<p>${text(description)}</p>`).join('\n'),
-    inline: `<article class="example">\n${snippets.inline}\n${snippet(snippets.inline)}\n</article>`,
+    ownRows: article(snippets.ownRows),
+    objectScene: article(snippets.objectScene),
+    inline: article(snippets.inline),
     shipped: rows(
       'shipped',
       ['Scene', 'Tour', 'What it is'],
@@ -230,6 +232,10 @@ function shape({ name, type: alias, extends: base, fields, description }) {
 
 function snippet(source) {
   return `<div class="snippet"><pre tabindex="0"><code>${text(source)}</code></pre></div>`;
+}
+
+function article(source) {
+  return `<article class="example">\n${source}\n${snippet(source)}\n</article>`;
 }
 
 function example({ title, text: about, code: source }) {

@@ -23,6 +23,7 @@ const kStandard = {
   overlay: '',
   autoplay: false,
   tour: '',
+  base: '',
   poster: '',
   loading: 'lazy',
   keys: 'all',
@@ -54,10 +55,10 @@ export function readAttributes(element, warn) {
   return wanted;
 }
 
-// Each attribute as a property of the same name. One that was set before the element was defined is
+// Each attribute as a property of the same name, but for the scene, which may be an object. One that was set before the element was defined is
 // taken over by takeEarlyProperties.
 export function reflectAttributes(prototype) {
-  for (const name of kAttributes) {
+  for (const name of kAttributes.filter((one) => one !== 'scene')) {
     const standard = kStandard[name];
     Object.defineProperty(prototype, name, {
       configurable: true,

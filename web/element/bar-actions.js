@@ -4,6 +4,7 @@
 
 import { kOverlays } from '../engine/address.js';
 import { isReachable } from '../engine/home.js';
+import { node } from './nodes.js';
 import { saveFile } from './save-file.js';
 import { sharedParameters } from './share-links.js';
 
@@ -63,6 +64,11 @@ async function share(host, show) {
     else tag.setAttribute(name, value);
   }
   if (show.source.address !== null) tag.setAttribute('scene', show.source.address.href);
+  if (typeof host.scene === 'object') {
+    const json = node('script', { type: 'application/json' });
+    json.textContent = JSON.stringify(host.scene).replaceAll('</', '<\\/');
+    tag.append(json);
+  }
   if (host.poster !== '')
     tag.setAttribute('poster', new URL(host.poster, host.ownerDocument.baseURI).href);
   const address = ownScript();

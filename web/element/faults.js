@@ -88,12 +88,6 @@ export function orFault(code, ask) {
   }
 }
 
-// The faults of a scene, as the engine or sceneOfRows lists them, as one error.
-export function sceneFault(name, faults) {
-  const count = faults.length === 1 ? 'One fault' : `${faults.length} faults`;
-  return new Trouble(`${count} in ${name}`, 'It was read, but cannot be shown.', faults, 'scene');
-}
-
 // What a page shows and the event `error` carries. Each fault has, besides what the engine says of
 // it, `place`: "castle.json:12:5".
 export function explain(error) {

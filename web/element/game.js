@@ -7,10 +7,11 @@
 //     game.stop();
 
 import { Engine } from '../engine/engine.js';
-import { faultOf, orFault, sceneFault } from './faults.js';
+import { faultOf, orFault } from './faults.js';
 import { players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
 import { withReason } from '../engine/source-parts.js';
+import { sceneFault } from '../engine/trouble.js';
 
 const kEngineShare = 0.5; // of the progress, as long as the engine is not there
 

@@ -9,10 +9,9 @@
 //     loading.stop();
 
 import { unknown } from '../engine/nearest-name.js';
-import { Trouble } from '../engine/trouble.js';
 import { readAttributes } from './attributes.js';
 import { hasParsed, whenParsed } from './parsing.js';
-import { findScene, tourAddress } from './source.js';
+import { findScene, noScene, tourAddress } from './source.js';
 import { Warnings } from './warnings.js';
 
 const kFirstPictureMilliseconds = 400; // a hidden page draws none: then the scene counts as ready without
@@ -98,19 +97,13 @@ export class Loading {
         this.#actions.changed();
         return;
       }
-      if (host.scene === '' && !hasParsed(host)) {
+      if (!isSceneParsed(host)) {
         whenParsed(host, () => this.update(), this.#life);
         return;
       }
       const scene = findScene(host);
       const tour = host.tour === '' ? null : tourAddress(host);
-      if (scene === null && tour === null)
-        throw new Trouble(
-          'There is no scene',
-          'scene: found nothing, expected an address, or a scene inside the element',
-          [],
-          'address',
-        );
+      if (scene === null && tour === null) throw noScene(host);
       const key = [scene?.key, tour?.href, wanted.engine].join('\n');
       if (key === this.#failed) return;
       if (key !== this.#asked)
@@ -192,4 +185,12 @@ export class Loading {
     this.#isReady = true;
     this.#actions.done(isNew);
   }
+}
+
+// Whether what the scene would be found in has been read: the element's children, or all of the
+// page where it is another element's.
+function isSceneParsed(host) {
+  const { scene, ownerDocument } = host;
+  if (scene === '') return hasParsed(host);
+  return typeof scene === 'object' || scene[0] !== '#' || ownerDocument.readyState !== 'loading';
 }

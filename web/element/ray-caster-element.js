@@ -13,6 +13,7 @@ export class RayCaster extends Base {
   static observedAttributes = kAttributes;
 
   #show;
+  #scene = null; // one that was given as an object
 
   constructor() {
     super();
@@ -39,6 +40,7 @@ export class RayCaster extends Base {
   }
 
   attributeChangedCallback(name, before, value) {
+    if (name === 'scene' && value !== null) this.#scene = null;
     if (before === value || !this.isConnected) return;
     if (name === 'autoplay' && value !== null) this.#show.autoplay();
     this.#show.update();
@@ -49,6 +51,18 @@ export class RayCaster extends Base {
   }
 
   // ---- Properties
+
+  get scene() {
+    return this.#scene ?? this.getAttribute('scene') ?? '';
+  }
+
+  set scene(scene) {
+    const isObject = typeof scene === 'object' && scene !== null && !(scene instanceof URL);
+    this.#scene = isObject ? scene : null;
+    if (isObject || (scene ?? false) === false) this.removeAttribute('scene');
+    else this.setAttribute('scene', scene);
+    if (this.isConnected) this.#show.update();
+  }
 
   get state() {
     return this.#show.state;

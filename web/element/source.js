@@ -9,34 +9,131 @@ import { finalAddress } from '../engine/fetch-bytes.js';
 import { kHome } from '../engine/home.js';
 import { bringRows } from './late.js';
 import { fetchOnce } from './page-cache.js';
-import { filesBy, isFile, nameOf } from '../engine/source-parts.js';
+import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
 import { Trouble, coded } from '../engine/trouble.js';
 
 const kScenes = new URL('scenes/', kHome); // what an inline scene names is looked for there
 
-const kInline = ':scope > script[type="application/json"]';
-const kRows = ':scope > script[type="text/plain"][data-rows], :scope > pre[slot="rows"]';
+const kInline = 'script[type="application/json"]';
+const kRows = 'script[type="text/plain"][data-rows], pre[slot="rows"], pre[data-rows]';
+const kPre = 'pre'; // where nothing else is a scene
 const kName = /^[\w-]+$/;
 const kShipped = /^(scenes|textures|see-through|sheets|sprites|tours)\//;
 
 export function findScene(element) {
   const { scene } = element;
+  if (typeof scene === 'object') return ofObject(element, scene);
+  if (scene.startsWith('#')) return ofElement(element, referredTo(element, scene));
   if (scene !== '') {
     const address = addressOf(scene, (name) => new URL(`${name}.json`, kScenes), element, 'scene');
     return { key: address.href, source: () => sceneFrom(address) };
   }
-  const inline = element.querySelector(kInline);
-  if (inline !== null)
-    return {
-      key: `json ${inline.textContent}`,
-      source: () => sceneOf('inline scene', async () => inline.textContent),
-    };
-  const rows = element.querySelector(kRows);
-  if (rows === null) return null;
+  for (const selector of [kInline, kRows, ...(element.tour === '' ? [kPre] : [])]) {
+    const inside = element.querySelector(`:scope > :is(${selector})`);
+    if (inside !== null) return ofElement(element, inside);
+  }
+  const text = element.tour === '' ? bareText(element) : '';
+  return isRows(text) ? ofRows(element, text) : null;
+}
+
+// What is missing, where findScene gives null.
+export function noScene(element) {
+  const text = bareText(element).trim();
+  return new Trouble(
+    'There is no scene',
+    `Found ${text === '' ? 'nothing' : `"${text.slice(0, 40)}"`}, expected scene="castle" or another address, a scene as JSON in <script type="application/json">, or two rows of characters or more, as text or in <pre>`,
+    [],
+    'address',
+  );
+}
+
+// `#yard`: another element's scene, or a script or rows that stand elsewhere in the page.
+function referredTo(element, reference) {
+  const seen = new Set([element]);
+  let found = element;
+  while (seen.size < 100) {
+    const { scene } = found;
+    if (found.localName !== element.localName || typeof scene !== 'string' || scene[0] !== '#')
+      return found;
+    found = element.getRootNode().querySelector(`[id="${CSS.escape(scene.slice(1))}"]`);
+    if (found === null || seen.has(found)) break;
+    seen.add(found);
+  }
+  throw new Trouble(
+    'There is no scene',
+    `scene: found "${reference}", expected the id of an element with a scene`,
+    [],
+    'address',
+  );
+}
+
+function ofElement(element, inside) {
+  if (inside.localName === element.localName) return findScene(inside);
+  const text = inside.textContent;
+  if (!inside.matches(kInline)) return ofRows(element, text, inside.dataset.rows);
+  return {
+    key: `json ${element.base} ${text}`,
+    source: () =>
+      sceneOf(
+        'inline scene',
+        async () => text,
+        filesFor(element, () => kScenes),
+      ),
+  };
+}
+
+function ofObject(element, scene) {
+  let text;
+  try {
+    text = JSON.stringify(scene, null, 2);
+  } catch (error) {
+    throw new Trouble('The scene cannot be read', error.message, [], 'scene');
+  }
+  const isRows = 'rows' in scene;
+  const read = async () =>
+    isRows ? JSON.stringify((await bringRows()).sceneOfObject(JSON.parse(text), 'rows')) : text;
+  return {
+    key: `json ${element.base} ${text}`,
+    source: () =>
+      sceneOf('scene', read, isRows ? rowsFiles(element) : filesFor(element, () => kScenes)),
+  };
+}
+
+function ofRows(element, text, how = '') {
   const title = element.label || undefined;
-  const text = rows.textContent;
-  const read = async () => JSON.stringify((await bringRows()).sceneOfRows(text, { title }));
-  return { key: `rows ${title} ${text}`, source: () => sceneOf('rows', read) };
+  const colours = /^colou?rs$/.test(how);
+  const read = async () =>
+    JSON.stringify((await bringRows()).sceneOfRows(text, { title, colours }));
+  return {
+    key: `rows ${element.base} ${title} ${colours} ${text}`,
+    source: () => sceneOf('rows', read, rowsFiles(element)),
+  };
+}
+
+// Text between the tags, beside elements.
+function bareText(element) {
+  return [...element.childNodes]
+    .filter(({ nodeType }) => nodeType === Node.TEXT_NODE)
+    .map(({ data }) => data)
+    .join('');
+}
+
+function isRows(text) {
+  return text.split('\n').filter((line) => line.trim() !== '').length > 1;
+}
+
+// Where the files lie that a scene names which has no address of its own: where the attribute says,
+// else where `otherwise(file)` says.
+function filesFor(element, otherwise) {
+  const { base, ownerDocument } = element;
+  const folder = base === '' ? null : addressOf(base, null, element, 'base');
+  return (file) => new URL(file, folder ?? otherwise(file, ownerDocument.baseURI));
+}
+
+// The author's own pictures lie beside the page.
+function rowsFiles(element) {
+  const ofOwn = filesFor(element, (_, page) => page);
+  return (file) => (isShippedFile(file) ? new URL(file, kScenes) : ofOwn(file));
 }
 
 // One of the shipped scenes, as recordings name them.
@@ -63,13 +160,13 @@ export async function readTour(address) {
 }
 
 function addressOf(text, named, element, attribute) {
-  if (kName.test(text)) return named(text);
+  if (named !== null && kName.test(text)) return named(text);
   try {
     return new URL(text, element.ownerDocument.baseURI);
   } catch {
     throw new Trouble(
       'An attribute cannot be read',
-      `${attribute}: found "${text}", expected an address or the name of a shipped ${attribute}`,
+      `${attribute}: found "${text}", expected an address${named === null ? '' : ` or the name of a shipped ${attribute}`}`,
       [],
       'address',
     );
@@ -93,12 +190,12 @@ function sceneFrom(address) {
   };
 }
 
-function sceneOf(name, read) {
+function sceneOf(name, read, addressOfFile) {
   return {
     name,
     address: null,
     readText: async () => new TextEncoder().encode(await read()),
-    ...filesBeside(kScenes),
+    ...filesBy((file, onBytes) => fetchFile(addressOfFile(file), onBytes)),
   };
 }
 

@@ -23,6 +23,12 @@ export function nameOf(address) {
   }
 }
 
+// Whether a file that a scene of rows names lies beside the shipped scenes; the others are the
+// author's own.
+export function isShippedFile(file) {
+  return /^\.\.\/(textures|see-through|sheets|sprites)\//.test(file);
+}
+
 // readFile gives null for a file that cannot be read, which is tried once: the engine says which
 // place of the scene names it, `failures` why.
 export function filesBy(read) {

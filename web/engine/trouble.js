@@ -34,6 +34,12 @@ export function asTrouble(error) {
   );
 }
 
+// The faults of a scene, as the engine or sceneOfRows lists them, as one error.
+export function sceneFault(name, faults) {
+  const count = faults.length === 1 ? 'One fault' : `${faults.length} faults`;
+  return new Trouble(`${count} in ${name}`, 'It was read, but cannot be shown.', faults, 'scene');
+}
+
 // "castle.json:12:5", as editors and terminals write a place.
 export function placeOf(fault) {
   return fault.line > 0 ? `${fault.file}:${fault.line}:${fault.column}` : fault.file;

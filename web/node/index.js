@@ -57,7 +57,7 @@ export async function load(scene, options = {}) {
     // What was not given as it must be is the caller's own error.
     throw error instanceof SceneError || error instanceof TypeError
       ? error
-      : new SceneError(error.code ?? 'engine', error.message);
+      : new SceneError(error.code ?? 'engine', error.message, (error.faults ?? []).map(withPlace));
   }
 }
 

@@ -2,6 +2,7 @@
 //
 //     const source = openScene('worlds/castle.json');                     // or 'https://...', a URL, 'castle' (a shipped scene)
 //     const source = openScene({ title: 'A garden', ... }, 'worlds');     // with the folder, or a file in it, from which it names its pictures
+//     const source = openScene({ rows: '####\n#>.#\n####' });            // plain rows of characters
 //     source.failures                                                     // file -> why it could not be read
 
 import { statSync } from 'node:fs';
@@ -10,7 +11,8 @@ import { pathToFileURL } from 'node:url';
 import { inspect } from 'node:util';
 
 import { coded } from '../engine/trouble.js';
-import { filesBy, isFile, nameOf } from '../engine/source-parts.js';
+import { sceneOfObject } from '../engine/rows.js';
+import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
 
 // A program bundled as a script of the old kind has no address: then nothing is found here, and
 // whoever asks is told so.
@@ -19,14 +21,17 @@ export const kPackage = new URL('../', import.meta.url ?? 'file:///');
 const kShipped = new URL('scenes/', kPackage);
 const kMostReads = 32; // at a time, of all scenes together: a process may have only so many files open
 
-export function openScene(scene, base = kShipped) {
-  const folder = folderOf(base);
+export function openScene(scene, base) {
+  const folder = folderOf(base === undefined ? kShipped : base);
   if (typeof scene === 'object' && scene !== null && !(scene instanceof URL)) {
-    const text = textOf(scene);
+    const isRows = 'rows' in scene;
+    const text = textOf(isRows ? sceneOfObject(scene, 'rows') : scene);
+    // The pictures that rows name by themselves are shipped; those that the author names are not.
+    const own = isRows ? folderOf(base === undefined ? '.' : base) : folder;
     return {
-      name: 'scene',
+      name: isRows ? 'rows' : 'scene',
       readText: async () => text,
-      ...filesBy((file) => bytesAt(new URL(file, folder))),
+      ...filesBy((file) => bytesAt(new URL(file, isRows && isShippedFile(file) ? kShipped : own))),
     };
   }
   const isName = typeof scene === 'string' && /^[\w-]+$/.test(scene);

@@ -1,0 +1,408 @@
+// A scene out of plain rows of characters, as one types them into a page: the north edge first, one
+// character for each tile.
+//
+//     const scene = sceneOfRows('#####\n#>..#\n#####', {title: 'A room'});
+//     const scene = sceneOfRows([['#####', '#>.x#'], ['##', '...x']], {legend: {x: '#c03020'}, colours: true});      // two levels
+//     new URL(file, isShippedFile(file) ? scenes : mine)        // where a file lies that the scene names
+//
+// It throws a Trouble that lists every fault: rows:3:5 is the fifth character of the third row.
+//
+//     | characters      | what stands there                                                                          |
+//     | --------------- | ------------------------------------------------------------------------------------------ |
+//     | . , ~           | floor: paving, cobbles, water                                                              |
+//     | blank           | floor: grass, also where a row is short and outside of the rows                            |
+//     | # b s r w p m h | a wall one block high: stone, brick, sandstone, rubble, wood, plaster, marble, hedge       |
+//     | % B S R W P M H | the same two blocks high                                                                   |
+//     | o O             | a brick wall with windows, one and two blocks high                                         |
+//     | 1 2 3 ... 9     | a step of so many tenths of a block; up to five tenths are climbed at once                 |
+//     | =               | a bridge: a slab, its top one block high                                                   |
+//     | +               | a door that opens for who comes near                                                       |
+//     | t T * i         | a birch, an oak, a bush in flower, a street lamp                                           |
+//     | > v < ^         | the start, looking east, south, west or north; exactly one                                 |
+//
+// Objects and the start stand on the floor of a tile beside them. Indentation that all rows share
+// is left out, and so are empty rows before and after.
+//
+// A line of dashes begins the next level, one block higher, where floors and blanks are air. After
+// `--- legend` each line gives a character a meaning of one's own, `--- colours` takes plain colours
+// in place of textures:
+//
+//     #####          --- legend
+//     #>.x#          x = #c03020              a wall of that colour; a texture that is shipped, `x = brick-mossy`; or one's own, `x = pictures/wall.png`
+//     #####          y = sandstone 0.5        half as high
+//     ---            g = sand floor           a floor
+//     ####           # = brick                what # stands for, with another texture; `blank` and `sky` may stand here too
+
+import { readRows } from './rows-text.js';
+import { sceneFault } from './trouble.js';
+
+const kFloors = { ' ': 'grass-meadow', '.': 'flagstones', ',': 'cobbles', '~': 'water' };
+const kFloorLetter = '▪'; // a floor's legend keeps the full stop for the floor's own texture
+
+// Of one block; the same twice as high has the other character.
+const kWalls = {
+  '#': { name: 'stone wall', high: '%', sides: 'stone-blocks-worn', top: 'flagstones' },
+  b: { name: 'brick wall', high: 'B', sides: 'brick-weathered', top: 'flagstones' },
+  s: { name: 'sandstone wall', high: 'S', sides: 'sandstone', top: 'sandstone' },
+  r: { name: 'rubble wall', high: 'R', sides: 'stone-rubble', top: 'flagstones' },
+  w: { name: 'wooden wall', high: 'W', sides: 'planks-wall', top: 'planks-floor' },
+  p: { name: 'plastered wall', high: 'P', sides: 'timber-frame', top: 'planks-floor' },
+  m: { name: 'marble wall', high: 'M', sides: 'marble-dark', top: 'marble-checker' },
+  h: { name: 'hedge', high: 'H', sides: 'hedge', top: 'hedge' },
+  o: { name: 'brick wall with windows', high: 'O', sides: 'window-brick', top: 'flagstones' },
+};
+const kLowOfHigh = Object.fromEntries(Object.entries(kWalls).map(([low, { high }]) => [high, low]));
+
+const kObjects = {
+  t: { sprite: 'birch', height: 2.4 },
+  T: { sprite: 'oak', height: 3.2 },
+  '*': { sprite: 'flower-bush', height: 0.55 },
+  i: { sprite: 'street-lamp', height: 1.5 },
+};
+
+const kHeadings = { '>': 0, v: 90, '<': 180, '^': 270 };
+const kSteps = '123456789';
+const kBridge = '=';
+const kDoor = '+'; // in the levels: one that is seen from north and south
+const kDoorAcross = '‖'; // in the levels only: one that is seen from east and west
+
+const kLegend = new Set([
+  ...Object.keys(kFloors),
+  ...Object.keys(kWalls),
+  ...Object.keys(kLowOfHigh),
+  ...kSteps,
+  kBridge,
+  kDoor,
+  ...Object.keys(kObjects),
+  ...Object.keys(kHeadings),
+]);
+
+const kElsewhere = {
+  'double-door': { file: '../sheets/double-door.png', frames: 8 },
+  nothing: '../see-through/nothing.png',
+};
+
+// In place of textures; doors and objects are pictures all the same.
+const kColours = {
+  'grass-meadow': '#6f9a4c',
+  flagstones: '#b3aa97',
+  cobbles: '#8c8379',
+  water: '#3f78a8',
+  'stone-blocks-worn': '#8f8b84',
+  'stone-blocks': '#9d968a',
+  'brick-weathered': '#a85a44',
+  sandstone: '#d2b27a',
+  'stone-rubble': '#77726a',
+  'planks-wall': '#96683d',
+  'planks-floor': '#b48c58',
+  'timber-frame': '#dccfb4',
+  'marble-dark': '#4d5563',
+  'marble-checker': '#d8d4cc',
+  hedge: '#3f6b34',
+  'window-brick': '#8a6472',
+};
+const kSkyColours = { low: '#d4e0d9', high: '#5b8fc7' };
+
+const kColour = /^#([0-9a-f]{3}){1,2}$/i;
+const kMeaning =
+  'a texture, a colour as #c03020 or a .png file; behind it "floor" or a height up to 1';
+const kOfMap = ['sky', 'light', 'fog', 'haze'];
+
+// An object as a scene file holds it; `name` stands in messages. What `legend` says of a character
+// may be a text as in the rows, or a blueprint; `textures` are as in a scene file; sky, light, fog
+// and haze as in a map.
+export function sceneOfRows(
+  rows,
+  { title = 'A map', name = 'rows', legend, textures, ...rest } = {},
+) {
+  const { levels, strays, ...told } = readRows(rows);
+  const hasColours = told.colours || rest.colours === true;
+  const own = readLegend({ ...told.legend, ...legend });
+  const tiles = levels.flatMap((level, z) =>
+    level.flatMap((row, y) => row.map((character, x) => ({ character, x, y, z }))),
+  );
+  const fault = (tile, found, expected) =>
+    faultAt(
+      tile !== null && levels.length > 1 ? `${name}, level ${tile.z}` : name,
+      tile,
+      found,
+      expected,
+    );
+  const faults = [
+    ...tileFaults(tiles, own, fault),
+    ...own.faults.map((found) => fault(null, found, kMeaning)),
+    ...strays.map((line) =>
+      fault(
+        null,
+        JSON.stringify(line),
+        'CHARACTER = MEANING, or one of --- --- legend --- colours',
+      ),
+    ),
+    ...Object.keys(rest)
+      .filter((key) => ![...kOfMap, 'colours'].includes(key))
+      .map((key) => fault(null, `the key "${key}"`, `some of ${kOfKeys.join(', ')}`)),
+  ];
+  if (faults.length > 0) throw sceneFault(name, faults);
+
+  const start = tiles.find(({ character }) => isStart(character, own));
+  const blocks = levelsOf(levels, own);
+  const letters = [...new Set(blocks.flat().join(''))].filter((letter) => letter !== '.');
+  const blueprints = Object.fromEntries(
+    letters.map((letter) => [blueprintName(letter, own), blueprintOf(letter, own)]),
+  );
+  const objects = tiles
+    .filter(({ character }) => character in kObjects && !own.blocks.has(character))
+    .map(({ character, x, y, z }) => ({
+      ...kObjects[character],
+      x: x + 0.5,
+      y: y + 0.5,
+      ...(z > 0 && { z }),
+    }));
+  const floor = floorOf(levels[0], own);
+  const { sky, haze } = surroundingsOf(own.sky, hasColours);
+  return {
+    title,
+    textures: texturesOf(blueprints, floor, textures, hasColours),
+    sprites: Object.fromEntries(objects.map(({ sprite }) => [sprite, `../sprites/${sprite}.png`])),
+    blueprints,
+    legend: Object.fromEntries(letters.map((letter) => [letter, blueprintName(letter, own)])),
+    maps: [
+      {
+        name: 'map',
+        levels: blocks,
+        floor,
+        objects,
+        sky,
+        light: hasColours ? { on: false } : { multiplier: 8, darkest: 0.45 },
+        fog: { start: 14, end: 70 },
+        haze,
+        ...Object.fromEntries(kOfMap.filter((key) => key in rest).map((key) => [key, rest[key]])),
+      },
+    ],
+    start: {
+      x: start.x + 0.5,
+      y: start.y + 0.5,
+      ...(start.z > 0 && { z: start.z }),
+      heading: kHeadings[start.character],
+    },
+  };
+}
+
+const kOfKeys = ['rows', 'title', 'legend', 'textures', 'colours', ...kOfMap];
+
+// What a scene of rows as an object is: {rows, legend, ...}.
+export function sceneOfObject({ rows, ...others }, name) {
+  return sceneOfRows(rows, { name, ...others });
+}
+
+// ---- The legend
+
+// {floors: character -> texture, blocks: character -> {texture, height} or {blueprint}, sky, faults,
+// named: all characters}
+function readLegend(legend) {
+  const own = {
+    floors: { ...kFloors },
+    blocks: new Map(),
+    sky: null,
+    faults: [],
+    named: Object.keys(legend),
+  };
+  for (const [key, meaning] of Object.entries(legend)) {
+    const character = key === 'blank' ? ' ' : key;
+    const [texture, ...more] = typeof meaning === 'string' ? meaning.trim().split(/\s+/) : [null];
+    const isFloor = more.includes('floor') || (character in kFloors && more.length === 0);
+    const [height = null] = more.filter((word) => word !== 'floor').map(Number);
+    const isSound =
+      more.length <= 1 &&
+      !(character in kHeadings) &&
+      (texture === null
+        ? typeof meaning === 'object' && meaning !== null
+        : (kColour.test(texture) || /^[\w-]+$|\.png$/i.test(texture)) &&
+          (height === null || (height > 0 && height <= 1)));
+    if (key === 'sky' && isSound) own.sky = texture ?? meaning;
+    else if ([...character].length !== 1 || !isSound)
+      own.faults.push(`the meaning of "${key}", ${JSON.stringify(meaning)}`);
+    else if (isFloor) own.floors[character] = fullColour(texture);
+    else if (texture === null) own.blocks.set(character, { blueprint: meaning });
+    else own.blocks.set(character, { texture: fullColour(texture), height });
+  }
+  return own;
+}
+
+function isStart(character, own) {
+  return character in kHeadings && !own.blocks.has(character);
+}
+
+// "#c32" is "#cc3322".
+function fullColour(texture) {
+  return /^#[0-9a-f]{3}$/i.test(texture) ? texture.replace(/[0-9a-f]/gi, '$&$&') : texture;
+}
+
+function tileFaults(tiles, own, fault) {
+  const known = new Set([...kLegend, ...own.named.filter((key) => [...key].length === 1)]);
+  const expected = `one of ${[...known].filter((character) => character !== ' ').join(' ')} or a blank`;
+  const unknown = tiles
+    .filter(({ character }) => !known.has(character))
+    .map((tile) => fault(tile, JSON.stringify(tile.character), expected));
+  const starts = tiles.filter(({ character }) => isStart(character, own));
+  const oneStart = 'one start, < > ^ or v';
+  if (starts.length === 0)
+    return [...unknown, fault(null, tiles.length === 0 ? 'no rows' : 'no start', oneStart)];
+  return [
+    ...unknown,
+    ...starts.slice(1).map((tile) => fault(tile, `another start, ${tile.character}`, oneStart)),
+  ];
+}
+
+// As the engine tells faults. Line and column are those of the rows as they are shown, without what
+// is left out; 0 where there is no place.
+function faultAt(name, tile, found, expected) {
+  const [line, column] = tile === null ? [0, 0] : [tile.y + 1, tile.x + 1];
+  const message = `${tile === null ? name : `${name}:${line}:${column}`}: found ${found}, expected ${expected}`;
+  return {
+    file: name,
+    pointer: '',
+    line,
+    column,
+    row: -1,
+    character: -1,
+    found,
+    expected,
+    message,
+  };
+}
+
+// ---- Blocks
+
+function levelsOf(levels, own) {
+  const isWall = (character) =>
+    character in kWalls || character in kLowOfHigh || own.blocks.has(character);
+  const letterAt = (rows, row, y, x) => {
+    const character = row[x];
+    if (own.blocks.has(character)) return character;
+    if (character === kDoor)
+      return isWall(rows[y][x - 1]) || isWall(rows[y][x + 1]) ? kDoor : kDoorAcross;
+    const letter = kLowOfHigh[character] ?? character;
+    return letter in kWalls || kSteps.includes(letter) || letter === kBridge ? letter : '.';
+  };
+  const letters = levels.map((rows) =>
+    rows.map((row, y) => row.map((_, x) => letterAt(rows, row, y, x))),
+  );
+  const depth = levels[0].length;
+  const raised = levels.map((rows) => rows.some((row) => row.some((one) => one in kLowOfHigh)));
+  if (raised.at(-1)) letters.push(Array.from({ length: depth }, () => levels[0][0].map(() => '.')));
+  // A high wall goes on above, where nothing else stands.
+  levels.forEach((rows, z) =>
+    rows.forEach((row, y) =>
+      row.forEach((character, x) => {
+        if (character in kLowOfHigh && letters[z + 1][y][x] === '.')
+          letters[z + 1][y][x] = letters[z][y][x];
+      }),
+    ),
+  );
+  while (
+    letters.length > 1 &&
+    letters
+      .at(-1)
+      .flat()
+      .every((letter) => letter === '.')
+  )
+    letters.pop();
+  return letters.map((rows) => rows.map((row) => row.join('')));
+}
+
+function blueprintName(letter, own) {
+  if (letter === kBridge) return 'bridge';
+  if (letter === kDoor) return 'door';
+  if (letter === kDoorAcross) return 'side door';
+  if (letter in kWalls) return kWalls[letter].name;
+  return kSteps.includes(letter) && !own.blocks.has(letter) ? `step ${letter}` : `block ${letter}`;
+}
+
+function blueprintOf(letter, own) {
+  const { blueprint = null, texture = null, height = null } = own.blocks.get(letter) ?? {};
+  if (blueprint !== null) return blueprint;
+  if (letter === kBridge) return bridgeOf(texture ?? 'planks-floor');
+  if (texture === null && letter === kDoor)
+    return doorOf({ north: 'double-door', south: 'double-door' });
+  if (texture === null && letter === kDoorAcross)
+    return doorOf({ east: 'double-door', west: 'double-door' });
+  const top = height ?? (kSteps.includes(letter) ? Number(letter) / 10 : 1);
+  const { sides, top: above } = kWalls[letter] ?? { sides: 'stone-blocks', top: 'flagstones' };
+  return {
+    ...(top < 1 && { top }),
+    faces: faces(texture ?? sides, texture ?? above),
+  };
+}
+
+function bridgeOf(texture) {
+  return {
+    bottom: 0.8,
+    faces: { ...faces(texture, texture), bottom: { texture, light: 0.7 } },
+  };
+}
+
+function doorOf(leaves) {
+  return { gate: { approach: 1.6, hold: 1.5 }, faces: { all: 'nothing', ...leaves } };
+}
+
+// The sides are lit from the south-west, so that corners show.
+function faces(sides, top) {
+  return {
+    all: sides,
+    north: { texture: sides, light: 0.76 },
+    east: { texture: sides, light: 0.86 },
+    west: { texture: sides, light: 0.94 },
+    top,
+  };
+}
+
+// ---- Floor, sky and textures
+
+// Under what stands on a tile the floor goes on from beside it.
+function floorOf(rows, own) {
+  const isFloor = (character) => character in own.floors;
+  const tiles = rows.map((row) =>
+    row
+      .map((character, x) => {
+        const beside = [character, row[x - 1] ?? '', row[x + 1] ?? ''].find(isFloor) ?? '.';
+        return beside === '.' ? kFloorLetter : beside;
+      })
+      .join(''),
+  );
+  const used = Object.entries(own.floors)
+    .map(([character, texture]) => [character === '.' ? kFloorLetter : character, texture])
+    .filter(([letter]) => letter !== ' ' && tiles.some((row) => row.includes(letter)));
+  return { texture: own.floors[' '], legend: Object.fromEntries(used), tiles };
+}
+
+function surroundingsOf(sky, hasColours) {
+  const haze = kSkyColours.low;
+  if (sky === null)
+    return { sky: hasColours ? kSkyColours : { panorama: '../textures/sky-day.png' }, haze };
+  if (typeof sky === 'object') return { sky, haze };
+  if (kColour.test(sky)) return { sky: fullColour(sky), haze: fullColour(sky) };
+  return { sky: { panorama: /\.png$/i.test(sky) ? sky : `../textures/${sky}.png` }, haze };
+}
+
+function texturesOf(blueprints, floor, own = {}, hasColours) {
+  const ofBlocks = Object.values(blueprints).flatMap(({ faces: all = [] }) =>
+    (typeof all === 'string' ? [all] : Object.values(all)).map((face) => face?.texture ?? face),
+  );
+  const names = [floor.texture, ...Object.values(floor.legend), ...ofBlocks];
+  const fileOf = (name) =>
+    own[name] ??
+    (kColour.test(name) || /\.png$/i.test(name)
+      ? fullColour(name)
+      : ((hasColours ? kColours[name] : undefined) ??
+        kElsewhere[name] ??
+        `../textures/${name}.png`));
+  return {
+    ...own,
+    ...Object.fromEntries(
+      [...new Set(names)]
+        .filter((name) => typeof name === 'string')
+        .map((name) => [name, fileOf(name)]),
+    ),
+  };
+}
