@@ -3,7 +3,6 @@
 #include "base/angle.h"
 #include "base/number_text.h"
 #include "overlay/minimap.h"
-#include "overlay/slow_drawing.h"
 #include "session/hits_json.h"
 
 #include <algorithm>
@@ -17,30 +16,11 @@ namespace slicecast {
 
 namespace {
 
-constexpr double kIntensityStep = 0.1;
-constexpr double kMultiplierStep = 0.5;  // units
-constexpr double kMirrorsStep = 0.1;
 constexpr double kFastFactor = 3.0;  // for the keys of light and mirrors, as for moving
 constexpr double kSlowFactor = 0.2;
 constexpr double kLargestMouseTurn = 0.5;  // degrees per pixel
 constexpr int kFastSlices = 10;            // by which the inspected slice moves
-
-// Keys that switch an option on and off.
-struct Switch {
-    Action action;
-    const char* option;
-    bool SessionOptions::*value;
-};
-constexpr auto kSwitches = std::to_array<Switch>({
-    {Action::minimap, "minimap", &SessionOptions::minimap},
-    {Action::minimapTurns, "minimapTurns", &SessionOptions::minimapTurns},
-    {Action::minimapRays, "minimapRays", &SessionOptions::minimapRays},
-    {Action::playerPanel, "playerPanel", &SessionOptions::playerPanel},
-    {Action::processPanel, "processPanel", &SessionOptions::processPanel},
-    {Action::inspector, "inspector", &SessionOptions::inspector},
-    {Action::grid, "grid", &SessionOptions::grid},
-    {Action::slowDrawing, "slow", &SessionOptions::slow},
-});
+constexpr double kDegreesBetweenWinds = 45.0;
 
 }  // namespace
 
@@ -122,16 +102,24 @@ void App::setMouse(double degreesPerPixel, bool invert) {
 
 // ---- keys and mouse
 
-void App::keyDown(const Key& key, bool repeated) {
-    if (isHeld(key.action)) {
-        keys_.press(key);
-    } else if (!repeated || repeats(key.action)) {
-        act(key);
+void App::keyDown(SDL_Scancode key, bool repeated) {
+    const std::optional<Action> action = bindings_.actionOf(key);
+    if (!action) return;
+    const Press press = infoOf(*action).press;
+    if (press == Press::hold) {
+        keys_.press(key, *action);
+    } else if (!repeated || press == Press::repeat) {
+        act(*action);
     }
 }
 
-void App::keyUp(const Key& key) {
+void App::keyUp(SDL_Scancode key) {
     keys_.release(key);
+}
+
+void App::setKeys(const KeyBindings& keys) {
+    bindings_ = keys;
+    releaseKeys();
 }
 
 void App::releaseKeys() {
@@ -140,8 +128,8 @@ void App::releaseKeys() {
     setCursorSteering(false);
 }
 
-void App::act(const Key& key) {
-    switch (key.action) {
+void App::act(Action action) {
+    switch (action) {
         case Action::help:
             shell_.tell(News::help, true);
             return;
@@ -167,86 +155,78 @@ void App::act(const Key& key) {
             break;
     }
     if (!game_) return;
-    switch (key.action) {
-        case Action::levelLook:
-            endReplay();
-            game_->levelLook();
-            break;
-        case Action::heading:
-            endReplay();
-            game_->setHeading(key.headingDegrees);
-            break;
-        case Action::fly:
-            endReplay();
-            game_->setFlying(!game_->player().flying);
-            break;
-        case Action::map:
-            endReplay();
-            game_->goToMap(key.map);
-            break;
-        case Action::lightPreset:
-            game_->setOption("lightPreset",
-                             nextChoice("lightPreset", game_->option("lightPreset")));
-            break;
-        case Action::hits:
-            shell_.tellHits(hitsJson(*game_, game_->world().title, width_, height_,
-                                     game_->inspectedColumn(width_)));
-            break;
-        case Action::minimapLevelDown:
-            changeMinimapLevel(-1);
-            break;
-        case Action::minimapLevelUp:
-            changeMinimapLevel(1);
-            break;
-        case Action::sliceLeft:
-            changeNumber("inspectorColumn", game_->inspectedColumn(width_),
-                         keys_.isDown(Action::fast) ? -kFastSlices : -1, 0, width_ - 1);
-            break;
-        case Action::sliceRight:
-            changeNumber("inspectorColumn", game_->inspectedColumn(width_),
-                         keys_.isDown(Action::fast) ? kFastSlices : 1, 0, width_ - 1);
-            break;
-        case Action::slowerSlices:
-            changeNumber("slowSlices", game_->options().slowSlices, -1, -kMostSlicesPerPicture,
-                         kMostSlicesPerPicture);
-            break;
-        case Action::fasterSlices:
-            changeNumber("slowSlices", game_->options().slowSlices, 1, -kMostSlicesPerPicture,
-                         kMostSlicesPerPicture);
-            break;
-        case Action::intensityUp:
-            changeLight("intensity", game_->state().intensity, kIntensityStep);
-            break;
-        case Action::intensityDown:
-            changeLight("intensity", game_->state().intensity, -kIntensityStep);
-            break;
-        case Action::multiplierUp:
-            changeLight("multiplier", game_->state().multiplier, kMultiplierStep);
-            break;
-        case Action::multiplierDown:
-            changeLight("multiplier", game_->state().multiplier, -kMultiplierStep);
-            break;
-        case Action::mirrorsUp:
-            changeLight("mirrors", game_->options().render.mirrors, kMirrorsStep);
-            break;
-        case Action::mirrorsDown:
-            changeLight("mirrors", game_->options().render.mirrors, -kMirrorsStep);
-            break;
-        default:
-            if (!toggle(key.action)) return;
-            break;
+    if (action >= Action::map0 && action <= Action::map9) {
+        endReplay();
+        game_->goToMap(static_cast<int>(action) - static_cast<int>(Action::map0));
+    } else if (action >= Action::faceEast && action <= Action::faceNorthEast) {
+        endReplay();
+        game_->setHeading(kDegreesBetweenWinds *
+                          (static_cast<int>(action) - static_cast<int>(Action::faceEast)));
+    } else if (infoOf(action).option != nullptr) {
+        changeOption(infoOf(action));
+    } else if (!actInGame(action)) {
+        return;
     }
     redraw();
 }
 
-// Switches the option of an action on or off. False if it has none.
-bool App::toggle(Action action) {
-    for (const Switch& one : kSwitches) {
-        if (one.action != action) continue;
-        game_->setOption(one.option, game_->options().*one.value ? "off" : "on");
-        return true;
+// False for an action that does nothing once.
+bool App::actInGame(Action action) {
+    const int slices = keys_.isDown(Action::fast) ? kFastSlices : 1;
+    switch (action) {
+        case Action::levelLook:
+            endReplay();
+            game_->levelLook();
+            return true;
+        case Action::fly:
+            endReplay();
+            game_->setFlying(!game_->player().flying);
+            return true;
+        case Action::hits:
+            shell_.tellHits(hitsJson(*game_, game_->world().title, width_, height_,
+                                     game_->inspectedColumn(width_)));
+            return true;
+        case Action::minimapLevelDown:
+            changeMinimapLevel(-1);
+            return true;
+        case Action::minimapLevelUp:
+            changeMinimapLevel(1);
+            return true;
+        case Action::sliceLeft:
+            changeNumber("inspectorColumn", game_->inspectedColumn(width_), -slices, 0, width_ - 1);
+            return true;
+        case Action::sliceRight:
+            changeNumber("inspectorColumn", game_->inspectedColumn(width_), slices, 0, width_ - 1);
+            return true;
+        default:
+            return false;
     }
-    return false;
+}
+
+// On and off, to the next word, or a number as far as its range goes; from the map's own light
+// where the option has not been set.
+void App::changeOption(const ActionInfo& info) {
+    const OptionInfo* option = findOption(info.option);
+    if (option->kind == OptionKind::onOff) {
+        game_->setOption(info.option, game_->option(info.option) == "on" ? "off" : "on");
+    } else if (option->kind == OptionKind::choice) {
+        game_->setOption(info.option, nextChoice(info.option, game_->option(info.option)));
+    } else {
+        const bool whole = option->kind == OptionKind::wholeNumber;
+        const double factor = whole                        ? 1.0
+                              : keys_.isDown(Action::slow) ? kSlowFactor
+                              : keys_.isDown(Action::fast) ? kFastFactor
+                                                           : 1.0;
+        const double wanted = optionNow(info.option) + info.by * factor;
+        game_->setOption(info.option, fixedText(std::clamp(wanted, option->least, option->greatest),
+                                                whole ? 0 : 2));
+    }
+}
+
+double App::optionNow(std::string_view option) const {
+    if (option == "intensity") return game_->state().intensity;
+    if (option == "multiplier") return game_->state().multiplier;
+    return readNumber(game_->option(option)).value_or(0.0);
 }
 
 void App::changeNumber(const char* option, int now, int by, int least, int greatest) {
@@ -259,19 +239,6 @@ void App::changeMinimapLevel(int by) {
     const Map& map = game_->world().maps[static_cast<std::size_t>(eye.map)];
     changeNumber("minimapLevel", minimapLevel(map, eye, {.level = game_->options().minimapLevel}),
                  by, -1, map.levels - 1);
-}
-
-// Light and mirrors, as far as their range goes; from the map's own light where the option has not
-// been set.
-void App::changeLight(const char* option, double now, double by) {
-    const double factor = keys_.isDown(Action::slow)   ? kSlowFactor
-                          : keys_.isDown(Action::fast) ? kFastFactor
-                                                       : 1.0;
-    const double wanted = now + by * factor;
-    for (const OptionInfo& info : knownOptions()) {
-        if (info.name != std::string_view(option)) continue;
-        game_->setOption(option, fixedText(std::clamp(wanted, info.least, info.greatest), 2));
-    }
 }
 
 void App::pointerMoved(double right, double down) {
@@ -407,9 +374,7 @@ void App::tellChanges() {
     if (!game_) return;
     if (std::exchange(toldFly_, game_->player().flying) != game_->player().flying)
         shell_.tell(News::fly, toldFly_);
-    const bool hasOverlay = std::any_of(kSwitches.begin(), kSwitches.end(), [&](const Switch& one) {
-        return game_->options().*one.value;
-    });
+    const bool hasOverlay = showsOverlay(game_->options());
     if (std::exchange(toldOverlay_, hasOverlay) != hasOverlay)
         shell_.tell(News::overlay, hasOverlay);
 }

@@ -3,7 +3,7 @@
 //
 //     App app(shell);
 //     app.play(std::make_unique<Session>(std::move(world)));
-//     app.keyDown(*findKey(SDL_SCANCODE_W), false);      as they come
+//     app.keyDown(SDL_SCANCODE_W, false);                as they come
 //     app.frame(nowSeconds);                             as often as the screen can show a picture
 #pragma once
 
@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace slicecast {
 
@@ -60,9 +61,13 @@ public:
     // looks down.
     void setMouse(double degreesPerPixel, bool invert);
 
-    void keyDown(const Key& key, bool repeated);
-    void keyUp(const Key& key);
+    void keyDown(SDL_Scancode key, bool repeated);
+    void keyUp(SDL_Scancode key);
     void releaseKeys();
+
+    // What the keys do. Whoever changes it is told that no key is held any more.
+    const KeyBindings& keys() const { return bindings_; }
+    void setKeys(const KeyBindings& keys);
 
     // The mouse has moved, in pixels of the screen: right and down are positive. Only while it
     // looks around.
@@ -104,15 +109,15 @@ private:
         void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
     };
 
-    void act(const Key& key);
-    void act(Action action) { act(Key{SDL_SCANCODE_UNKNOWN, {}, action}); }
+    void act(Action action);
+    bool actInGame(Action action);
     void look(double right, double down);
     void endReplay();
     Input takeInput();
     void play();
     void tellPortal();
-    void changeLight(const char* option, double now, double by);
-    bool toggle(Action action);
+    void changeOption(const ActionInfo& info);
+    double optionNow(std::string_view option) const;
     void changeNumber(const char* option, int now, int by, int least, int greatest);
     void changeMinimapLevel(int by);
     void tellChanges();
@@ -125,6 +130,7 @@ private:
     std::unique_ptr<SDL_Surface, FreeSurface> surface_;
     int width_ = 640;
     int height_ = 400;
+    KeyBindings bindings_;
     HeldKeys keys_;
     StepClock clock_;
     FrameMeter meter_;

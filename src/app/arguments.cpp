@@ -25,10 +25,10 @@ std::optional<Size> readSize(const std::string& text) {
     return size;
 }
 
-std::string keysText() {
+std::string helpText() {
     std::string text = "Keys:\n";
-    for (const KeyHelp& line : keyHelp()) {
-        std::string keys(line.keys);
+    for (const KeyHelp& line : KeyBindings().help()) {
+        std::string keys = keysText(line);
         keys.resize(std::max<std::size_t>(keys.size(), 18), ' ');
         text += "  " + keys + std::string(line.does) + "\n";
     }
@@ -39,11 +39,12 @@ std::string keysText() {
 
 ReadArguments readArguments(int argc, char** argv) {
     CLI::App cli("Walks through a world of stacked blocks.", "slicecast");
-    cli.footer(keysText());
+    cli.footer(helpText());
     Arguments arguments;
     std::string size;
     std::string fov;
     std::vector<std::string> options;
+    std::string keys;
     cli.add_option(
         "SCENE", arguments.scene,
         "scene file to open; without one, the opening scene that comes with the program");
@@ -73,6 +74,11 @@ ReadArguments readArguments(int argc, char** argv) {
             return text.find('=') != std::string::npos ? std::string()
                                                        : "\"" + text + "\" is not OPTION=VALUE";
         });
+    cli.add_option("--keys", keys,
+                   "give actions other keys, such as forward=ArrowUp,fly=KeyJ+F5; "
+                   "keys as KeyboardEvent.code names them")
+        ->type_name("ACTION=KEY[+KEY],...")
+        ->check([&](const std::string& text) { return arguments.keys.read(text); });
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

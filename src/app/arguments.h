@@ -3,6 +3,7 @@
 
 #ifndef __EMSCRIPTEN__
 
+#include "app/keys.h"
 #include "app/window_shell.h"
 
 #include <optional>
@@ -18,6 +19,7 @@ struct Arguments {
     std::string record;  // file to write what is played to; empty: none
     std::string replay;  // recording to play; empty: none
     WindowSettings window;
+    KeyBindings keys;
     std::vector<std::pair<std::string, std::string>> options;  // name and value
 };
 

@@ -1,161 +1,179 @@
 #include "app/keys.h"
 
+#include "base/nearest_name.h"
+#include "base/words.h"
+
+#include <algorithm>
 #include <cstddef>
 
 namespace slicecast {
 
 namespace {
 
-constexpr auto kKeys = std::to_array<Key>({
-    {SDL_SCANCODE_W, "KeyW", Action::forward},
-    {SDL_SCANCODE_S, "KeyS", Action::back},
-    {SDL_SCANCODE_A, "KeyA", Action::strafeLeft},
-    {SDL_SCANCODE_D, "KeyD", Action::strafeRight},
-    {SDL_SCANCODE_Q, "KeyQ", Action::strafeLeft},
-    {SDL_SCANCODE_E, "KeyE", Action::strafeRight},
-    {SDL_SCANCODE_LEFT, "ArrowLeft", Action::turnLeft},
-    {SDL_SCANCODE_RIGHT, "ArrowRight", Action::turnRight},
-    {SDL_SCANCODE_UP, "ArrowUp", Action::lookUp},
-    {SDL_SCANCODE_DOWN, "ArrowDown", Action::lookDown},
-    {SDL_SCANCODE_SPACE, "Space", Action::jump},
-    {SDL_SCANCODE_PAGEUP, "PageUp", Action::rise},
-    {SDL_SCANCODE_PAGEDOWN, "PageDown", Action::sink},
-    {SDL_SCANCODE_C, "KeyC", Action::sink},
-    {SDL_SCANCODE_LSHIFT, "ShiftLeft", Action::fast},
-    {SDL_SCANCODE_RSHIFT, "ShiftRight", Action::fast},
-    {SDL_SCANCODE_LCTRL, "ControlLeft", Action::slow},
-    {SDL_SCANCODE_RCTRL, "ControlRight", Action::slow},
-    {SDL_SCANCODE_X, "KeyX", Action::use},
-    {SDL_SCANCODE_PERIOD, "Period", Action::open},
-    {SDL_SCANCODE_COMMA, "Comma", Action::close},
-    {SDL_SCANCODE_R, "KeyR", Action::levelLook},
-    {SDL_SCANCODE_KP_6, "Numpad6", Action::heading, 0.0},
-    {SDL_SCANCODE_KP_3, "Numpad3", Action::heading, 45.0},
-    {SDL_SCANCODE_KP_2, "Numpad2", Action::heading, 90.0},
-    {SDL_SCANCODE_KP_1, "Numpad1", Action::heading, 135.0},
-    {SDL_SCANCODE_KP_4, "Numpad4", Action::heading, 180.0},
-    {SDL_SCANCODE_KP_7, "Numpad7", Action::heading, 225.0},
-    {SDL_SCANCODE_KP_8, "Numpad8", Action::heading, 270.0},
-    {SDL_SCANCODE_KP_9, "Numpad9", Action::heading, 315.0},
-    {SDL_SCANCODE_V, "KeyV", Action::fly},
-    {SDL_SCANCODE_INSERT, "Insert", Action::intensityUp},
-    {SDL_SCANCODE_DELETE, "Delete", Action::intensityDown},
-    {SDL_SCANCODE_HOME, "Home", Action::multiplierUp},
-    {SDL_SCANCODE_END, "End", Action::multiplierDown},
-    {SDL_SCANCODE_KP_PLUS, "NumpadAdd", Action::mirrorsUp},
-    {SDL_SCANCODE_KP_MINUS, "NumpadSubtract", Action::mirrorsDown},
-    {SDL_SCANCODE_EQUALS, "Equal", Action::mirrorsUp},
-    {SDL_SCANCODE_MINUS, "Minus", Action::mirrorsDown},
-    {SDL_SCANCODE_L, "KeyL", Action::lightPreset},
-    {SDL_SCANCODE_M, "KeyM", Action::minimap},
-    {SDL_SCANCODE_B, "KeyB", Action::minimapTurns},
-    {SDL_SCANCODE_O, "KeyO", Action::minimapRays},
-    {SDL_SCANCODE_LEFTBRACKET, "BracketLeft", Action::minimapLevelDown},
-    {SDL_SCANCODE_RIGHTBRACKET, "BracketRight", Action::minimapLevelUp},
-    {SDL_SCANCODE_J, "KeyJ", Action::playerPanel},
-    {SDL_SCANCODE_U, "KeyU", Action::processPanel},
-    {SDL_SCANCODE_G, "KeyG", Action::inspector},
-    {SDL_SCANCODE_F1, "F1", Action::sliceLeft},
-    {SDL_SCANCODE_F2, "F2", Action::sliceRight},
-    {SDL_SCANCODE_T, "KeyT", Action::hits},
-    {SDL_SCANCODE_K, "KeyK", Action::grid},
-    {SDL_SCANCODE_Y, "KeyY", Action::slowDrawing},
-    {SDL_SCANCODE_F3, "F3", Action::slowerSlices},
-    {SDL_SCANCODE_F4, "F4", Action::fasterSlices},
-    {SDL_SCANCODE_0, "Digit0", Action::map, 0.0, 0},
-    {SDL_SCANCODE_1, "Digit1", Action::map, 0.0, 1},
-    {SDL_SCANCODE_2, "Digit2", Action::map, 0.0, 2},
-    {SDL_SCANCODE_3, "Digit3", Action::map, 0.0, 3},
-    {SDL_SCANCODE_4, "Digit4", Action::map, 0.0, 4},
-    {SDL_SCANCODE_5, "Digit5", Action::map, 0.0, 5},
-    {SDL_SCANCODE_6, "Digit6", Action::map, 0.0, 6},
-    {SDL_SCANCODE_7, "Digit7", Action::map, 0.0, 7},
-    {SDL_SCANCODE_8, "Digit8", Action::map, 0.0, 8},
-    {SDL_SCANCODE_9, "Digit9", Action::map, 0.0, 9},
-    {SDL_SCANCODE_H, "KeyH", Action::help},
-    {SDL_SCANCODE_I, "KeyI", Action::rate},
-    {SDL_SCANCODE_P, "KeyP", Action::pause},
-    {SDL_SCANCODE_F, "KeyF", Action::fullscreen},
-    {SDL_SCANCODE_N, "KeyN", Action::cursor},
-    {SDL_SCANCODE_F9, "F9", Action::record},
-    {SDL_SCANCODE_ESCAPE, "Escape", Action::leave},
-});
-
-constexpr auto kHelp = std::to_array<KeyHelp>({
-    {"W S", "walk ahead and back"},
-    {"A D, Q E", "step left and right"},
-    {"Arrows", "turn and look up and down"},
-    {"Click", "look with the mouse"},
-    {"N", "steer by the mouse's place in the picture"},
-    {"Space", "jump"},
-    {"Page Down, C", "crouch; sink when flying"},
-    {"Page Up", "rise when flying"},
-    {"Shift, Ctrl", "faster, slower"},
-    {"X", "open or close the gates nearby"},
-    {". ,", "open them; close them"},
-    {"V", "fly or walk"},
-    {"R", "look straight ahead"},
-    {"Number pad", "face east (6), south (2), west (4), north (8) or between"},
-    {"Ins Del, Home End", "brighter and darker, nearby and far"},
-    {"+ -", "mirrors more and less strongly"},
-    {"L", "day, dusk, night, fog, or as it was"},
-    {"0-9", "go to another map of the scene"},
-    {"M, B, O", "minimap; it turns; its rays"},
-    {"[ ]", "minimap of a lower or higher level"},
-    {"J, U", "where you are; what drawing takes"},
-    {"G, F1 F2", "inspect a slice; another one"},
-    {"T", "what that slice meets, as text"},
-    {"K", "grid of pixels"},
-    {"Y, F3 F4", "draw slice by slice; slower, faster"},
-    {"H", "these keys"},
-    {"I", "frame rate"},
-    {"P", "pause"},
-    {"F", "full screen"},
-    {"F9", "record from the start; again: save"},
-    {"Escape", "leave the mouse, then the program"},
-});
+constexpr std::uint8_t kNone = kActions;
 
 constexpr std::size_t index(Action action) {
     return static_cast<std::size_t>(action);
 }
 
+std::uint8_t numberOf(Action action) {
+    return static_cast<std::uint8_t>(action);
+}
+
+// The text up to a separator, which both are taken from it.
+std::string_view takePart(std::string_view& text, char separator) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    const std::string_view part = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return part;
+}
+
+std::string unknownKey(std::string_view code) {
+    return words("Unknown key '", code, "'.", didYouMean(code, keyCodes()));
+}
+
+std::string unknownAction(std::string_view name) {
+    return words("Unknown action '", name, "'.", didYouMean(name, actionNames()));
+}
+
 }  // namespace
 
-std::span<const Key> allKeys() {
-    return kKeys;
+void KeyBindings::reset() {
+    actions_.fill(kNone);
+    for (int i = 0; i < kActions; ++i) {
+        for (std::string_view codes = infoOf(static_cast<Action>(i)).codes; !codes.empty();)
+            set(*findPosition(takePart(codes, ' ')), static_cast<Action>(i));
+    }
 }
 
-std::span<const KeyHelp> keyHelp() {
-    return kHelp;
+void KeyBindings::set(const KeyPosition& position, Action action) {
+    actions_[static_cast<std::size_t>(position.scancode)] = numberOf(action);
 }
 
-const Key* findKey(SDL_Scancode scancode) {
-    for (const Key& key : kKeys) {
-        if (key.scancode == scancode) return &key;
+std::string KeyBindings::bind(std::string_view code, std::string_view action) {
+    const KeyPosition* position = findPosition(code);
+    const std::optional<Action> found = findAction(action);
+    if (position == nullptr) return unknownKey(code);
+    if (!found) return unknownAction(action);
+    if (position->scancode == SDL_SCANCODE_ESCAPE && found != Action::leave)
+        return "Escape always leaves the picture. It cannot do anything else.";
+    set(*position, *found);
+    return {};
+}
+
+std::string KeyBindings::unbind(std::string_view code) {
+    const KeyPosition* position = findPosition(code);
+    if (position == nullptr) return unknownKey(code);
+    if (position->scancode == SDL_SCANCODE_ESCAPE)
+        return "Escape always leaves the picture. It cannot be unbound.";
+    actions_[static_cast<std::size_t>(position->scancode)] = kNone;
+    return {};
+}
+
+std::string KeyBindings::read(std::string_view text) {
+    // First the named actions lose their keys, so that two can swap theirs
+    KeyBindings next = *this;
+    for (std::string_view rest = text; !rest.empty();) {
+        std::string_view part = takePart(rest, ',');
+        if (part.find('=') == std::string_view::npos)
+            return words("Expected ACTION=KEY, such as forward=ArrowUp, not '", part, "'.");
+        const std::string_view name = takePart(part, '=');
+        const std::optional<Action> action = findAction(name);
+        if (!action) return unknownAction(name);
+        if (action != Action::leave)
+            std::replace(next.actions_.begin(), next.actions_.end(), numberOf(*action), kNone);
+    }
+    for (std::string_view rest = text; !rest.empty();) {
+        std::string_view codes = takePart(rest, ',');
+        const std::string_view name = takePart(codes, '=');
+        do {
+            const std::string fault = next.bind(takePart(codes, '+'), name);
+            if (!fault.empty()) return fault;
+        } while (!codes.empty());
+    }
+    *this = next;
+    return {};
+}
+
+std::optional<Action> KeyBindings::actionOf(SDL_Scancode scancode) const {
+    const std::size_t at = static_cast<std::size_t>(scancode);
+    if (at >= actions_.size() || actions_[at] == kNone) return std::nullopt;
+    return static_cast<Action>(actions_[at]);
+}
+
+const KeyPosition* KeyBindings::keyOf(Action action, int number) const {
+    for (const KeyPosition& position : allPositions()) {
+        if (actionOf(position.scancode) == action && number-- == 0) return &position;
     }
     return nullptr;
 }
 
-const Key* findKeyByCode(std::string_view code) {
-    for (const Key& key : kKeys) {
-        if (key.code == code) return &key;
+// Whether these actions have their standard keys, and no others.
+bool KeyBindings::isStandard(Action first, Action last) const {
+    const KeyBindings standard;
+    for (std::size_t i = 0; i < actions_.size(); ++i) {
+        const auto isOne = [&](std::uint8_t action) {
+            return action >= numberOf(first) && action <= numberOf(last);
+        };
+        const bool same = actions_[i] == standard.actions_[i];
+        if (!same && (isOne(actions_[i]) || isOne(standard.actions_[i]))) return false;
     }
-    return nullptr;
+    return true;
 }
 
-void HeldKeys::press(const Key& key) {
-    bool& down = down_[static_cast<std::size_t>(key.scancode)];
-    if (down || !isHeld(key.action)) return;
-    down = true;
-    ++count_[index(key.action)];
-    pressed_[index(key.action)] = true;
+// The first key of each action of a line, then the second of each ...; none twice.
+std::vector<std::string_view> KeyBindings::labels(Action first, Action last) const {
+    if (const char* together = infoOf(first).lineKeys;
+        together != nullptr && isStandard(first, last))
+        return {together};
+    std::vector<std::string_view> labels;
+    bool more = true;
+    for (int number = 0; more; ++number) {
+        more = false;
+        for (int i = static_cast<int>(first); i <= static_cast<int>(last); ++i) {
+            const KeyPosition* key = keyOf(static_cast<Action>(i), number);
+            if (key == nullptr) continue;
+            more = true;
+            if (std::find(labels.begin(), labels.end(), key->label) == labels.end())
+                labels.emplace_back(key->label);
+        }
+    }
+    return labels;
 }
 
-void HeldKeys::release(const Key& key) {
-    bool& down = down_[static_cast<std::size_t>(key.scancode)];
-    if (!down) return;
-    down = false;
-    --count_[index(key.action)];
+std::vector<KeyHelp> KeyBindings::help() const {
+    std::vector<KeyHelp> lines;
+    for (int i = 0; i < kActions; ++i) {
+        const ActionInfo& info = infoOf(static_cast<Action>(i));
+        if (info.line == nullptr) continue;
+        int last = i;
+        while (last + 1 < kActions && infoOf(static_cast<Action>(last + 1)).line == nullptr) ++last;
+        lines.push_back({labels(static_cast<Action>(i), static_cast<Action>(last)),
+                         *info.line == '\0' ? info.does : info.line, static_cast<Action>(i),
+                         static_cast<Action>(last)});
+    }
+    return lines;
+}
+
+std::string keysText(const KeyHelp& line) {
+    std::string text;
+    for (const std::string_view key : line.keys) add(text, {text.empty() ? "" : " ", key});
+    return text;
+}
+
+void HeldKeys::press(SDL_Scancode scancode, Action action) {
+    std::uint8_t& down = down_[static_cast<std::size_t>(scancode)];
+    if (down != 0 || infoOf(action).press != Press::hold) return;
+    down = static_cast<std::uint8_t>(numberOf(action) + 1);
+    ++count_[index(action)];
+    pressed_[index(action)] = true;
+}
+
+void HeldKeys::release(SDL_Scancode scancode) {
+    std::uint8_t& down = down_[static_cast<std::size_t>(scancode)];
+    if (down == 0) return;
+    --count_[static_cast<std::size_t>(down - 1)];
+    down = 0;
 }
 
 void HeldKeys::releaseAll() {

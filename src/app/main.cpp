@@ -135,6 +135,7 @@ int main(int argc, char** argv) {
     // The window
     WindowShell shell(arguments.window);
     App app(shell);
+    app.setKeys(arguments.keys);
     RecordingFile file(app, arguments.record);
     const std::string title = windowTitle(*game);
     Session& first = *game;

@@ -80,9 +80,13 @@ PageShell& shell() {
 
 // ---- keys and mouse
 
-bool isArrow(Action action) {
-    return action == Action::turnLeft || action == Action::turnRight || action == Action::lookUp ||
-           action == Action::lookDown;
+bool isArrow(SDL_Scancode key) {
+    return key >= SDL_SCANCODE_RIGHT && key <= SDL_SCANCODE_UP;
+}
+
+bool isShiftOrControl(SDL_Scancode key) {
+    return key == SDL_SCANCODE_LSHIFT || key == SDL_SCANCODE_RSHIFT || key == SDL_SCANCODE_LCTRL ||
+           key == SDL_SCANCODE_RCTRL;
 }
 
 void PageShell::askForFrame() {
@@ -108,9 +112,9 @@ EMSCRIPTEN_KEEPALIVE void slicecastFrame(double timeMilliseconds) {
 EMSCRIPTEN_KEEPALIVE int slicecastKey(int isDown, int flags) {
     App& app = pageProgram();
     const bool ctrl = (flags & 1) != 0;
-    const Key* key = findKeyByCode(shell().code.data());
+    const KeyPosition* position = findPosition(shell().code.data());
     if (isDown == 0) {
-        if (key != nullptr) app.keyUp(*key);
+        if (position != nullptr) app.keyUp(position->scancode);
         return 0;
     }
     if ((flags & 4) != 0) {
@@ -118,13 +122,15 @@ EMSCRIPTEN_KEEPALIVE int slicecastKey(int isDown, int flags) {
         app.releaseKeys();
         return 0;
     }
-    if (key == nullptr || (flags & 2) != 0) return 0;
+    if (position == nullptr || (flags & 2) != 0) return 0;
+    const SDL_Scancode key = position->scancode;
+    const std::optional<Action> action = app.keys().actionOf(key);
+    if (!action) return 0;
 
     // Ctrl with another key is the browser's. The arrows mean nothing to it, so they turn slowly.
-    const bool slow = key->action == Action::slow;
-    if (ctrl && !slow && !isArrow(key->action)) return 0;
-    app.keyDown(*key, (flags & 8) != 0);
-    return !ctrl && !slow && key->action != Action::fast && key->action != Action::leave ? 1 : 0;
+    if (ctrl && !isShiftOrControl(key) && !isArrow(key)) return 0;
+    app.keyDown(key, (flags & 8) != 0);
+    return !ctrl && !isShiftOrControl(key) && action != Action::leave ? 1 : 0;
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecastBlurred(void) {

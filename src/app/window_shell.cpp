@@ -146,8 +146,9 @@ void WindowShell::drawPanels(SDL_Surface& surface) const {
     }
     if (showsHelp_) {
         std::string text;
-        for (const KeyHelp& line : keyHelp()) {
-            std::string keys(line.keys);
+        for (const KeyHelp& line : app_->keys().help()) {
+            if (line.keys.empty()) continue;
+            std::string keys = keysText(line);
             keys.resize(std::max(keys.size(), kHelpColumn), ' ');
             text += (text.empty() ? "" : "\n") + keys + std::string(line.does);
         }
@@ -235,11 +236,10 @@ void WindowShell::handle(const SDL_Event& event) {
         case SDL_KEYDOWN:
             // With Alt or the system's key they are the desktop's.
             if ((event.key.keysym.mod & (KMOD_ALT | KMOD_GUI)) != 0) break;
-            if (const Key* key = findKey(event.key.keysym.scancode))
-                app_->keyDown(*key, event.key.repeat != 0);
+            app_->keyDown(event.key.keysym.scancode, event.key.repeat != 0);
             break;
         case SDL_KEYUP:
-            if (const Key* key = findKey(event.key.keysym.scancode)) app_->keyUp(*key);
+            app_->keyUp(event.key.keysym.scancode);
             break;
         case SDL_MOUSEBUTTONDOWN:
             if (event.button.button == SDL_BUTTON_LEFT && !app_->holdsPointer()) holdPointer(true);

@@ -32,100 +32,116 @@ struct Entry {
     Place place;
 };
 
+constexpr const char* kView = "view";
+constexpr const char* kLight = "light";
+constexpr const char* kOverlays = "overlays";
+constexpr const char* kMoving = "moving";
+constexpr const char* kClassic = "classic";
+
 constexpr std::array kEntries = {
-    Entry{{"fov", OptionKind::number, kMinFovDegrees, kMaxFovDegrees, "60",
+    Entry{{"fov", "Field of view", kView, OptionKind::number, kMinFovDegrees, kMaxFovDegrees, "60",
            "field of view from left to right, degrees"},
           &RenderOptions::fovDegrees},
-    Entry{{"detail", OptionKind::onOff, 0, 0, "on",
+    Entry{{"detail", "Smooth far textures", kView, OptionKind::onOff, 0, 0, "on",
            "smaller texture images far away, so that they do not flicker"},
           &RenderOptions::detail},
-    Entry{{"detailThreshold", OptionKind::number, 0.125, 64, "1",
+    Entry{{"detailThreshold", "Texels per pixel", kView, OptionKind::number, 0.125, 64, "1",
            "texels per pixel at which the next smaller image is taken"},
           &RenderOptions::detailThreshold},
-    Entry{{"textures", OptionKind::onOff, 0, 0, "on", "textures, or their average colours"},
+    Entry{{"textures", "Textures", kView, OptionKind::onOff, 0, 0, "on",
+           "textures, or their average colours"},
           &RenderOptions::textures},
-    Entry{{"light", OptionKind::onOff, 0, 0, "on", "light that fades with distance"},
-          &RenderOptions::light},
-    Entry{{"intensity", OptionKind::ownOrNumber, 0, 100, "map", "intensity of the light"},
+    Entry{
+        {"light", "Light", kLight, OptionKind::onOff, 0, 0, "on", "light that fades with distance"},
+        &RenderOptions::light},
+    Entry{{"intensity", "Intensity", kLight, OptionKind::ownOrNumber, 0, 100, "map",
+           "intensity of the light"},
           &SessionOptions::intensity},
-    Entry{{"multiplier", OptionKind::ownOrNumber, 0, 1000, "map", "reach of the light, units"},
+    Entry{{"multiplier", "Reach of the light", kLight, OptionKind::ownOrNumber, 0, 1000, "map",
+           "reach of the light, units"},
           &SessionOptions::multiplier},
-    Entry{{"fog", OptionKind::onOff, 0, 0, "on", "fog in the maps that have some"},
+    Entry{{"fog", "Fog", kLight, OptionKind::onOff, 0, 0, "on", "fog in the maps that have some"},
           &RenderOptions::fog},
-    Entry{{"mirrors", OptionKind::number, 0, kGreatestMirrors, "1",
+    Entry{{"mirrors", "Mirrors", kLight, OptionKind::number, 0, kGreatestMirrors, "1",
            "times the strength of all mirrors, 0 for none"},
           &RenderOptions::mirrors},
-    Entry{{"lightPreset", OptionKind::choice, 0, 0, "map",
+    Entry{{"lightPreset", "Time of day", kLight, OptionKind::choice, 0, 0, "map",
            "the time of day in all maps, or each map's own light, fog and sky",
            "map day dusk night fog"},
           &SessionOptions::lightPreset},
-    Entry{{"hazeColour", OptionKind::ownOrColour, 0, 0, "map",
+    Entry{{"hazeColour", "Haze", kLight, OptionKind::ownOrColour, 0, 0, "map",
            "colour of the fog and of the far floor, #rrggbb"},
           &SessionOptions::hazeColour},
-    Entry{{"minimap", OptionKind::onOff, 0, 0, "off", "the map from above"},
+    Entry{{"minimap", "Minimap", kOverlays, OptionKind::onOff, 0, 0, "off", "the map from above"},
           &SessionOptions::minimap},
-    Entry{{"minimapLevel", OptionKind::wholeNumber, -1, kMaxLevels - 1, "-1",
-           "level that the minimap shows, -1 for the player's"},
+    Entry{{"minimapLevel", "Level of the minimap", kOverlays, OptionKind::wholeNumber, -1,
+           kMaxLevels - 1, "-1", "level that the minimap shows, -1 for the player's"},
           &SessionOptions::minimapLevel},
-    Entry{{"minimapRays", OptionKind::onOff, 0, 0, "off",
+    Entry{{"minimapRays", "Rays on the minimap", kOverlays, OptionKind::onOff, 0, 0, "off",
            "rays on the minimap, each to the first block that it meets"},
           &SessionOptions::minimapRays},
-    Entry{{"minimapTurns", OptionKind::onOff, 0, 0, "off",
+    Entry{{"minimapTurns", "Minimap turns", kOverlays, OptionKind::onOff, 0, 0, "off",
            "the minimap turns with the view; else north is up"},
           &SessionOptions::minimapTurns},
-    Entry{{"minimapReach", OptionKind::number, 0, 100, "2",
+    Entry{{"minimapReach", "Circle on the minimap", kOverlays, OptionKind::number, 0, 100, "2",
            "radius of the circle about the player, units, 0 for none"},
           &SessionOptions::minimapReach},
-    Entry{{"playerPanel", OptionKind::onOff, 0, 0, "off", "where the player is and looks"},
+    Entry{{"playerPanel", "Player", kOverlays, OptionKind::onOff, 0, 0, "off",
+           "where the player is and looks"},
           &SessionOptions::playerPanel},
-    Entry{{"processPanel", OptionKind::onOff, 0, 0, "off", "what it takes to draw the picture"},
+    Entry{{"processPanel", "Drawing", kOverlays, OptionKind::onOff, 0, 0, "off",
+           "what it takes to draw the picture"},
           &SessionOptions::processPanel},
-    Entry{{"inspector", OptionKind::onOff, 0, 0, "off",
+    Entry{{"inspector", "Slice inspector", kOverlays, OptionKind::onOff, 0, 0, "off",
            "one slice: its line, and what it meets seen from the side"},
           &SessionOptions::inspector},
-    Entry{{"inspectorColumn", OptionKind::wholeNumber, -1, kMaxPictureSide - 1, "-1",
-           "the slice that is inspected, -1 for the middle one"},
+    Entry{{"inspectorColumn", "Inspected slice", kOverlays, OptionKind::wholeNumber, -1,
+           kMaxPictureSide - 1, "-1", "the slice that is inspected, -1 for the middle one"},
           &SessionOptions::inspectorColumn},
-    Entry{{"grid", OptionKind::onOff, 0, 0, "off", "a grid of 10 and 100 pixels over the picture"},
+    Entry{{"grid", "Pixel grid", kOverlays, OptionKind::onOff, 0, 0, "off",
+           "a grid of 10 and 100 pixels over the picture"},
           &SessionOptions::grid},
-    Entry{{"slow", OptionKind::onOff, 0, 0, "off", "the picture builds up slice by slice"},
+    Entry{{"slow", "Slow drawing", kOverlays, OptionKind::onOff, 0, 0, "off",
+           "the picture builds up slice by slice"},
           &SessionOptions::slow},
-    Entry{{"slowSlices", OptionKind::wholeNumber, -kMostSlicesPerPicture, kMostSlicesPerPicture,
-           "1", "slices that each picture adds; -n adds one every n pictures"},
+    Entry{{"slowSlices", "Slices per picture", kOverlays, OptionKind::wholeNumber,
+           -kMostSlicesPerPicture, kMostSlicesPerPicture, "1",
+           "slices that each picture adds; -n adds one every n pictures"},
           &SessionOptions::slowSlices},
-    Entry{{"speed", OptionKind::number, kLeastSpeed, kGreatestSpeed, "1",
+    Entry{{"speed", "Speed", kMoving, OptionKind::number, kLeastSpeed, kGreatestSpeed, "1",
            "times the usual speed of moving"},
           &SessionOptions::speed},
-    Entry{{"method", OptionKind::choice, 0, 0, "exact",
+    Entry{{"method", "Renderer", kClassic, OptionKind::choice, 0, 0, "exact",
            "how pictures are made; classic is slow and shows the old ways below, for lessons",
            "exact classic"},
           &SessionOptions::method},
-    Entry{{"classic.projection", OptionKind::choice, 0, 0, "plane",
+    Entry{{"classic.projection", "Projection", kClassic, OptionKind::choice, 0, 0, "plane",
            "how columns are aimed; equal angles bend walls, and are a fish eye unless corrected",
            "plane equalAngles equalAnglesCorrected"},
           &ClassicOptions::projection},
-    Entry{{"classic.march", OptionKind::onOff, 0, 0, "off", "rays look for blocks step by step"},
+    Entry{{"classic.march", "Marching with a step", kClassic, OptionKind::onOff, 0, 0, "off",
+           "rays look for blocks step by step"},
           &ClassicOptions::march},
-    Entry{{"classic.step", OptionKind::number, kLeastMarchStep, kGreatestMarchStep, "0.001",
-           "size of such a step, units"},
+    Entry{{"classic.step", "Size of the step", kClassic, OptionKind::number, kLeastMarchStep,
+           kGreatestMarchStep, "0.001", "size of such a step, units"},
           &ClassicOptions::stepSize},
-    Entry{{"classic.reach", OptionKind::number, kLeastMarchReach, kGreatestMarchReach, "25",
-           "distance at which they give up, units"},
+    Entry{{"classic.reach", "Reach of the rays", kClassic, OptionKind::number, kLeastMarchReach,
+           kGreatestMarchReach, "25", "distance at which they give up, units"},
           &ClassicOptions::reach},
-    Entry{{"classic.stretched", OptionKind::onOff, 0, 0, "off",
+    Entry{{"classic.stretched", "Stretched textures", kClassic, OptionKind::onOff, 0, 0, "off",
            "one texture over the whole height of a stack of blocks"},
           &ClassicOptions::stretched},
-    Entry{{"classic.painter", OptionKind::onOff, 0, 0, "off",
+    Entry{{"classic.painter", "Painter's order", kClassic, OptionKind::onOff, 0, 0, "off",
            "painter's order: all blocks, from far to near, over each other"},
           &ClassicOptions::paintersOrder},
-    Entry{{"classic.oneLevel", OptionKind::onOff, 0, 0, "off",
+    Entry{{"classic.oneLevel", "One level", kClassic, OptionKind::onOff, 0, 0, "off",
            "the eye's level alone, as if on the floor, all blocks one unit high"},
           &ClassicOptions::oneLevel},
-    Entry{{"classic.sineSteps", OptionKind::wholeNumber, 0, kMostSineSteps, "0",
-           "steps of the sine table over the full turn, 0 for exact sines"},
+    Entry{{"classic.sineSteps", "Table of sines", kClassic, OptionKind::wholeNumber, 0,
+           kMostSineSteps, "0", "steps of the sine table over the full turn, 0 for exact sines"},
           &ClassicOptions::sineSteps},
-    Entry{{"classic.pixelSize", OptionKind::wholeNumber, 1, kMostPixelSize, "1",
-           "pixels a side that show one colour"},
+    Entry{{"classic.pixelSize", "Coarse pixels", kClassic, OptionKind::wholeNumber, 1,
+           kMostPixelSize, "1", "pixels a side that show one colour"},
           &ClassicOptions::pixelSize},
 };
 
@@ -291,6 +307,11 @@ std::span<const OptionInfo> knownOptions() {
     return kInfos;
 }
 
+const OptionInfo* findOption(std::string_view name) {
+    const Entry* entry = findEntry(name);
+    return entry == nullptr ? nullptr : &entry->info;
+}
+
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value) {
     const Entry* entry = findEntry(name);
     if (entry == nullptr) {
@@ -326,6 +347,13 @@ std::string optionValue(const SessionOptions& options, std::string_view name) {
     SessionOptions copy = options;
     return std::visit([&](auto place) { return written(entry->info, member(copy, place)); },
                       entry->place);
+}
+
+bool showsOverlay(const SessionOptions& options) {
+    return std::any_of(kEntries.begin(), kEntries.end(), [&](const Entry& entry) {
+        const auto* place = std::get_if<bool SessionOptions::*>(&entry.place);
+        return entry.info.group == kOverlays && place != nullptr && options.**place;
+    });
 }
 
 }  // namespace slicecast

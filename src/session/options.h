@@ -58,6 +58,8 @@ enum class OptionKind {
 
 struct OptionInfo {
     const char* name;
+    const char* label;  // for a settings dialog
+    const char* group;  // "view", "light", "overlays", "moving" or "classic"
     OptionKind kind;
     double least;  // of numbers
     double greatest;
@@ -68,6 +70,8 @@ struct OptionInfo {
 
 // All options, in the order in which to list them.
 std::span<const OptionInfo> knownOptions();
+// Null for an unknown name.
+const OptionInfo* findOption(std::string_view name);
 
 // Sets one option. An empty string on success; else what is wrong, and nothing has changed:
 // "Unknown option 'fvo'. Did you mean 'fov'?"
@@ -79,5 +83,9 @@ std::string nextChoice(std::string_view name, std::string_view value);
 
 // The value as setOption would take it; empty for an unknown name.
 std::string optionValue(const SessionOptions& options, std::string_view name);
+
+// Whether anything is drawn over the picture, or not all of it: an option of the group "overlays"
+// is on.
+bool showsOverlay(const SessionOptions& options);
 
 }  // namespace slicecast

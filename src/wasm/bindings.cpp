@@ -273,6 +273,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_options(SlicecastSession* session) {
     json.beginArray();
     for (const OptionInfo& option : knownOptions()) {
         json.beginObject().key("name").text(option.name).key("kind").text(kindName(option.kind));
+        json.key("label").text(option.label).key("group").text(option.group);
         json.key("least")
             .number(option.least)
             .key("greatest")
@@ -518,14 +519,48 @@ EMSCRIPTEN_KEEPALIVE void slicecast_steerByCursor(int32_t on) {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_keys(void) {
-    static const std::string text = [] {
-        JsonText json;
-        json.beginArray();
-        for (const KeyHelp& line : keyHelp())
-            json.beginObject().key("keys").text(line.keys).key("does").text(line.does).endObject();
-        return json.endArray().str();
-    }();
-    return text.c_str();
+    const KeyBindings& keys = pageProgram().keys();
+    JsonText json;
+    json.beginArray();
+    for (const KeyHelp& line : keys.help()) {
+        const ActionInfo& first = infoOf(line.first);
+        json.beginObject().key("keys").beginArray();
+        for (const std::string_view key : line.keys) json.text(key);
+        json.endArray().key("does").text(line.does).key("group").text(groupName(first.group));
+        json.key("scope").text(scopeName(first.scope)).key("actions").beginArray();
+        for (int i = static_cast<int>(line.first); i <= static_cast<int>(line.last); ++i) {
+            const ActionInfo& action = allActions()[static_cast<std::size_t>(i)];
+            if (*action.name == '\0') continue;
+            json.beginObject().key("name").text(action.name).key("does").text(action.does);
+            json.key("press").text(pressName(action.press)).key("keys").beginArray();
+            const Action which = static_cast<Action>(i);
+            for (int n = 0; const KeyPosition* key = keys.keyOf(which, n); ++n) {
+                json.beginObject().key("code").text(key->code);
+                json.key("label").text(key->label).endObject();
+            }
+            json.endArray().endObject();
+        }
+        json.endArray().endObject();
+    }
+    return slicecast_programSession()->give(json.endArray().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_bindKey(const char* code, const char* action) {
+    KeyBindings keys = pageProgram().keys();
+    std::string fault = *action == '\0' ? keys.unbind(code) : keys.bind(code, action);
+    if (fault.empty()) pageProgram().setKeys(keys);
+    return slicecast_programSession()->give(std::move(fault));
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_standardKeys(void) {
+    pageProgram().setKeys({});
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_keyScope(const char* code) {
+    const KeyPosition* position = findPosition(code);
+    const std::optional<Action> action =
+        position != nullptr ? pageProgram().keys().actionOf(position->scancode) : std::nullopt;
+    return action ? scopeName(infoOf(*action).scope) : "";
 }
 
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_begin(void) {

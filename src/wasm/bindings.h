@@ -126,8 +126,9 @@ const char* slicecast_setOption(SlicecastSession* session, const char* name, con
 // The value of an option; "" where there is no such option.
 const char* slicecast_option(SlicecastSession* session, const char* name);
 
-// All options, in the order in which to list them: [{"name", "kind", "least", "greatest",
-// "choices", "standard", "description", "value"}]. `kind` is "onOff", "number", "wholeNumber",
+// All options, in the order in which to list them: [{"name", "kind", "label", "group", "least",
+// "greatest", "choices", "standard", "description", "value"}]. `label` is for a settings dialog;
+// `group` is "view", "light", "overlays", "moving" or "classic". `kind` is "onOff", "number", "wholeNumber",
 // "ownOrNumber" ("map" for each map's own value), "ownOrColour" ("map" or "#rrggbb") or "choice";
 // `least` and `greatest` bound the numbers, `choices` are a choice's words with a space between
 // them.
@@ -228,8 +229,23 @@ void slicecast_drag(double right, double down);
 // from the middle to an edge, more the further out.
 void slicecast_steerByCursor(int32_t on);
 
-// The keys for a help text: [{"keys", "does"}] in the order in which to show them. Never freed.
+// What the keys do, a line for each row of a help text: [{"keys": ["W", "S"], "does", "group",
+// "scope", "actions": [{"name": "forward", "does", "press", "keys": [{"code": "KeyW", "label":
+// "W"}]}]}] in the order in which to show them. `group` is "move", "look", "gates", "light", "show"
+// or "program"; `scope` is "move", "element" or "page" (see app/actions.h); `press` is "hold",
+// "press" or "repeat". A line without keys has none at the moment. Holds until the next call of
+// these two.
 const char* slicecast_keys(void);
+
+// From now on a key (a KeyboardEvent.code) does that action and nothing else; "" for nothing at
+// all. Gives "" on success, else what was wrong.
+const char* slicecast_bindKey(const char* code, const char* action);
+
+// Every key does what it does in the beginning.
+void slicecast_standardKeys(void);
+
+// The scope of what a key does; "" if it does nothing.
+const char* slicecast_keyScope(const char* code);
 
 // Begins to draw into the canvas and to listen to it; the second call does nothing. 0 if there is
 // no canvas.

@@ -86,10 +86,8 @@ protected:
         }
     }
 
-    void press(SDL_Scancode scancode, bool repeated = false) {
-        app.keyDown(*findKey(scancode), repeated);
-    }
-    void release(SDL_Scancode scancode) { app.keyUp(*findKey(scancode)); }
+    void press(SDL_Scancode scancode, bool repeated = false) { app.keyDown(scancode, repeated); }
+    void release(SDL_Scancode scancode) { app.keyUp(scancode); }
     double x() { return app.game()->player().x.value(); }
     double heading() { return app.game()->player().headingDegrees; }
     int count(News what) const {
@@ -532,12 +530,28 @@ TEST_F(AppTest, AnotherGameBeginsFromItsOwnStart) {
     EXPECT_EQ(shell.news.back(), (std::pair{News::fly, false}));
 }
 
+TEST_F(AppTest, ANewKeyActsAndTheOldOneDoesNot) {
+    press(SDL_SCANCODE_W);
+    KeyBindings keys;
+    EXPECT_EQ(keys.read("forward=ArrowUp,fly=KeyW"), "");
+    app.setKeys(keys);
+    const double before = x();
+    play(0.5);
+    EXPECT_EQ(x(), before) << "no key is held any more";
+    press(SDL_SCANCODE_UP);
+    play(0.5);
+    EXPECT_GT(x(), before);
+    EXPECT_FALSE(app.game()->player().flying);
+    press(SDL_SCANCODE_W);
+    EXPECT_TRUE(app.game()->player().flying);
+}
+
 TEST(App, WithoutAGameThereIsNothingToDo) {
     NoteShell shell;
     App app(shell);
-    for (const Key& k : allKeys()) {
-        app.keyDown(k, false);
-        app.keyUp(k);
+    for (const KeyPosition& key : allPositions()) {
+        app.keyDown(key.scancode, false);
+        app.keyUp(key.scancode);
     }
     app.pointerHeld(true);
     app.pointerMoved(1.0, 1.0);

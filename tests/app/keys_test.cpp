@@ -1,83 +1,193 @@
 #include "app/keys.h"
 
+#include "session/options.h"
+
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace slicecast {
 namespace {
 
-const Key& key(SDL_Scancode scancode) {
-    return *findKey(scancode);
+// What a key does in the beginning.
+Action standard(SDL_Scancode scancode) {
+    return *KeyBindings().actionOf(scancode);
 }
 
-TEST(Keys, EachPositionHasOneMeaning) {
+// The keys of an action, by their codes.
+std::string keysOf(const KeyBindings& keys, Action action) {
+    std::string codes;
+    for (int i = 0; const KeyPosition* key = keys.keyOf(action, i); ++i)
+        codes += std::string(key->code) + ' ';
+    return codes;
+}
+
+class Hands : public ::testing::Test {
+protected:
+    void press(SDL_Scancode scancode) { held.press(scancode, standard(scancode)); }
+    HeldKeys held;
+};
+
+TEST(Keyboard, EachPositionIsThereOnce) {
     std::set<SDL_Scancode> scancodes;
     std::set<std::string_view> codes;
-    for (const Key& k : allKeys()) {
-        EXPECT_TRUE(scancodes.insert(k.scancode).second) << k.code;
-        EXPECT_TRUE(codes.insert(k.code).second) << k.code;
-        EXPECT_EQ(findKey(k.scancode), &k);
-        EXPECT_EQ(findKeyByCode(k.code), &k);
+    for (const KeyPosition& key : allPositions()) {
+        EXPECT_TRUE(scancodes.insert(key.scancode).second) << key.code;
+        EXPECT_TRUE(codes.insert(key.code).second) << key.code;
+        EXPECT_EQ(findPosition(key.code), &key);
+        EXPECT_NE(std::string_view(key.label), "") << key.code;
     }
-}
-
-TEST(Keys, EveryActionHasAKey) {
-    std::set<Action> actions;
-    for (const Key& k : allKeys()) actions.insert(k.action);
-    EXPECT_EQ(actions.size(), static_cast<std::size_t>(Action::fasterSlices) + 1);
+    for (const char* code : {"Tab", "", "F13", "keyW"}) EXPECT_EQ(findPosition(code), nullptr);
 }
 
 // A letter's code in a page is "Key" and the letter of the American layout, by which SDL names its
 // scancodes.
-TEST(Keys, CodesAndScancodesAreTheSamePlaces) {
-    for (const Key& k : allKeys()) {
-        if (k.code.size() == 4 && k.code.substr(0, 3) == "Key") {
-            EXPECT_EQ(k.scancode, SDL_SCANCODE_A + (k.code[3] - 'A')) << k.code;
+TEST(Keyboard, CodesAndScancodesAreTheSamePlaces) {
+    for (const KeyPosition& key : allPositions()) {
+        const std::string_view code = key.code;
+        if (code.starts_with("Key")) {
+            EXPECT_EQ(key.scancode, SDL_SCANCODE_A + (code[3] - 'A')) << code;
         }
-        if (k.code.size() == 7 && k.code.substr(0, 6) == "Numpad") {
-            EXPECT_EQ(k.scancode, SDL_SCANCODE_KP_1 + (k.code[6] - '1')) << k.code;
+        if (code.size() == 7 && code.starts_with("Numpad") && code[6] != '0') {
+            EXPECT_EQ(key.scancode, SDL_SCANCODE_KP_1 + (code[6] - '1')) << code;
         }
     }
 }
 
-TEST(Keys, GatesHaveThree) {
-    HeldKeys held;
-    held.press(key(SDL_SCANCODE_X));
-    EXPECT_TRUE(held.takeInput().use);
-    held.release(key(SDL_SCANCODE_X));
-    EXPECT_FALSE(held.takeInput().use);
-    held.press(key(SDL_SCANCODE_PERIOD));
-    EXPECT_TRUE(held.takeInput().open);
-    held.press(key(SDL_SCANCODE_COMMA));
-    EXPECT_TRUE(held.takeInput().close);
+TEST(Actions, EachHasItsOwnNameAndItsOwnStandardKeys) {
+    std::set<std::string_view> names;
+    const KeyBindings keys;
+    for (int i = 0; i < kActions; ++i) {
+        const Action action = static_cast<Action>(i);
+        const ActionInfo& info = infoOf(action);
+        EXPECT_TRUE(names.insert(info.name).second) << info.name;
+        EXPECT_NE(std::string_view(info.does), "") << info.name;
+        if (action == Action::mouse) continue;
+        EXPECT_EQ(findAction(info.name), action);
+        EXPECT_EQ(keysOf(keys, action), std::string(info.codes) + ' ') << info.name;
+    }
+    EXPECT_FALSE(findAction(""));
+    EXPECT_FALSE(findAction("fowards"));
+    EXPECT_EQ(findAction("forward"), Action::forward);
+    EXPECT_EQ(findAction("leave"), Action::leave);
+    EXPECT_EQ(findAction("map7"), Action::map7);
 }
 
-TEST(Keys, UnknownKeysMeanNothing) {
-    EXPECT_EQ(findKey(SDL_SCANCODE_TAB), nullptr);
-    EXPECT_EQ(findKeyByCode("Tab"), nullptr);
-    EXPECT_EQ(findKeyByCode(""), nullptr);
-    EXPECT_EQ(findKeyByCode("F5"), nullptr);
+TEST(Actions, WhatChangesAnOptionNamesOneThatThereIs) {
+    for (const ActionInfo& info : allActions()) {
+        if (info.option == nullptr) continue;
+        const OptionInfo* option = findOption(info.option);
+        ASSERT_NE(option, nullptr) << info.name;
+        const bool isNumber =
+            option->kind != OptionKind::onOff && option->kind != OptionKind::choice;
+        EXPECT_EQ(info.by != 0.0, isNumber) << info.name;
+    }
 }
 
 // Seen on the pad, east is to the right and south below.
-TEST(Keys, TheNumberPadIsACompass) {
-    EXPECT_EQ(key(SDL_SCANCODE_KP_6).headingDegrees, 0.0);
-    EXPECT_EQ(key(SDL_SCANCODE_KP_3).headingDegrees, 45.0);
-    EXPECT_EQ(key(SDL_SCANCODE_KP_2).headingDegrees, 90.0);
-    EXPECT_EQ(key(SDL_SCANCODE_KP_1).headingDegrees, 135.0);
-    EXPECT_EQ(key(SDL_SCANCODE_KP_4).headingDegrees, 180.0);
-    EXPECT_EQ(key(SDL_SCANCODE_KP_7).headingDegrees, 225.0);
-    EXPECT_EQ(key(SDL_SCANCODE_KP_8).headingDegrees, 270.0);
-    EXPECT_EQ(key(SDL_SCANCODE_KP_9).headingDegrees, 315.0);
+TEST(Actions, TheNumberPadIsACompass) {
+    EXPECT_EQ(standard(SDL_SCANCODE_KP_6), Action::faceEast);
+    EXPECT_EQ(standard(SDL_SCANCODE_KP_2), Action::faceSouth);
+    EXPECT_EQ(standard(SDL_SCANCODE_KP_1), Action::faceSouthWest);
+    EXPECT_EQ(standard(SDL_SCANCODE_KP_4), Action::faceWest);
+    EXPECT_EQ(standard(SDL_SCANCODE_KP_8), Action::faceNorth);
+    EXPECT_EQ(standard(SDL_SCANCODE_KP_9), Action::faceNorthEast);
 }
 
-TEST(HeldKeys, BecomeAxes) {
-    HeldKeys held;
+TEST(KeyBindings, AKeyIsGivenAnotherAction) {
+    KeyBindings keys;
+    EXPECT_EQ(keys.bind("ArrowUp", "forward"), "");
+    EXPECT_EQ(keysOf(keys, Action::forward), "KeyW ArrowUp ");
+    EXPECT_EQ(keysOf(keys, Action::lookUp), "");
+    EXPECT_EQ(keys.unbind("KeyW"), "");
+    EXPECT_EQ(keysOf(keys, Action::forward), "ArrowUp ");
+    EXPECT_FALSE(keys.actionOf(SDL_SCANCODE_W));
+    keys.reset();
+    EXPECT_EQ(keysOf(keys, Action::forward), "KeyW ");
+    EXPECT_EQ(keysOf(keys, Action::lookUp), "ArrowUp ");
+}
+
+TEST(KeyBindings, TextsGiveActionsTheirKeys) {
+    KeyBindings keys;
+    EXPECT_EQ(keys.read("forward=KeyS+ArrowUp,back=KeyW"), "") << "two that swap theirs";
+    EXPECT_EQ(keysOf(keys, Action::forward), "KeyS ArrowUp ");
+    EXPECT_EQ(keysOf(keys, Action::back), "KeyW ");
+    EXPECT_EQ(keys.read("leave=KeyZ"), "");
+    EXPECT_EQ(keysOf(keys, Action::leave), "KeyZ Escape ") << "Escape always leaves";
+}
+
+TEST(KeyBindings, FaultsSayWhatIsWrongAndChangeNothing) {
+    KeyBindings keys;
+    const std::pair<const char*, const char*> faults[] = {
+        {"foward=KeyZ", "Unknown action 'foward'. Did you mean 'forward'?"},
+        {"forward=Keyz", "Unknown key 'Keyz'. Did you mean 'KeyZ'?"},
+        {"forward=Tab", "Unknown key 'Tab'."},
+        {"forward", "Expected ACTION=KEY, such as forward=ArrowUp, not 'forward'."},
+        {"forward=KeyZ,back=", "Unknown key ''."},
+        {"=KeyZ", "Unknown action ''."},
+        {"forward=Escape", "Escape always leaves the picture. It cannot do anything else."}};
+    for (const auto& [text, fault] : faults) EXPECT_EQ(keys.read(text), fault);
+    EXPECT_EQ(keys.unbind("Escape"), "Escape always leaves the picture. It cannot be unbound.");
+    EXPECT_EQ(keysOf(keys, Action::forward), "KeyW ");
+    EXPECT_EQ(keys.actionOf(SDL_SCANCODE_ESCAPE), Action::leave);
+}
+
+TEST(KeyHelp, FollowsTheKeys) {
+    KeyBindings keys;
+    const auto line = [&](Action first) {
+        for (const KeyHelp& one : keys.help()) {
+            if (one.first == first) return keysText(one) + ": " + std::string(one.does);
+        }
+        return std::string();
+    };
+    EXPECT_EQ(line(Action::forward), "W S: walk ahead and back");
+    EXPECT_EQ(line(Action::strafeLeft), "A D Q E: step left and right");
+    EXPECT_EQ(line(Action::fast), "Shift Ctrl: faster, slower");
+    EXPECT_EQ(line(Action::turnLeft), "Arrows: turn, look up and down");
+    EXPECT_EQ(line(Action::mouse), "Click: look with the mouse");
+    EXPECT_EQ(line(Action::map0), "0-9: go to another map of the scene");
+    EXPECT_EQ(keys.read("lookUp=KeyZ,back="), "Unknown key ''.");
+    EXPECT_EQ(keys.read("lookUp=KeyZ"), "");
+    EXPECT_EQ(line(Action::turnLeft), "Left Right Z Down: turn, look up and down");
+    EXPECT_EQ(keys.unbind("KeyX"), "");
+    EXPECT_EQ(line(Action::use), ": open or close the gates nearby");
+}
+
+// README has the table of the standard keys.
+TEST(KeyHelp, IsThatOfTheReadme) {
+    std::ifstream file(SLICECAST_README);
+    ASSERT_TRUE(file);
+    const std::string readme{std::istreambuf_iterator<char>(file), {}};
+    std::string table = "| keys | |\n| --- | --- |\n";
+    for (const KeyHelp& line : KeyBindings().help()) {
+        std::string keys;
+        for (const std::string_view key : line.keys)
+            keys += (keys.empty() ? "`" : " `") + std::string(key) + '`';
+        table += "| " + keys + " | " + std::string(line.does) + " |\n";
+    }
+    EXPECT_NE(readme.find(table), std::string::npos) << "expected in README.md:\n" << table;
+}
+
+TEST_F(Hands, GatesHaveThree) {
+    press(SDL_SCANCODE_X);
+    EXPECT_TRUE(held.takeInput().use);
+    held.release(SDL_SCANCODE_X);
+    EXPECT_FALSE(held.takeInput().use);
+    press(SDL_SCANCODE_PERIOD);
+    EXPECT_TRUE(held.takeInput().open);
+    press(SDL_SCANCODE_COMMA);
+    EXPECT_TRUE(held.takeInput().close);
+}
+
+TEST_F(Hands, BecomeAxes) {
     for (const SDL_Scancode code : {SDL_SCANCODE_S, SDL_SCANCODE_D, SDL_SCANCODE_LEFT,
                                     SDL_SCANCODE_UP, SDL_SCANCODE_PAGEDOWN, SDL_SCANCODE_LSHIFT}) {
-        held.press(key(code));
+        press(code);
     }
     const Input input = held.takeInput();
     EXPECT_EQ(input.forward, -1.0);
@@ -90,49 +200,44 @@ TEST(HeldKeys, BecomeAxes) {
     EXPECT_FALSE(input.jump);
 }
 
-TEST(HeldKeys, OppositeKeysCancel) {
-    HeldKeys held;
-    held.press(key(SDL_SCANCODE_W));
-    held.press(key(SDL_SCANCODE_S));
+TEST_F(Hands, OppositeKeysCancel) {
+    press(SDL_SCANCODE_W);
+    press(SDL_SCANCODE_S);
     EXPECT_EQ(held.takeInput().forward, 0.0);
-    held.release(key(SDL_SCANCODE_S));
+    held.release(SDL_SCANCODE_S);
     EXPECT_EQ(held.takeInput().forward, 1.0);
 }
 
-TEST(HeldKeys, AnActionLastsUntilBothOfItsKeysAreUp) {
-    HeldKeys held;
-    held.press(key(SDL_SCANCODE_A));
-    held.press(key(SDL_SCANCODE_Q));
+TEST_F(Hands, AnActionLastsUntilBothOfItsKeysAreUp) {
+    press(SDL_SCANCODE_A);
+    press(SDL_SCANCODE_Q);
     held.takeInput();
-    held.release(key(SDL_SCANCODE_A));
+    held.release(SDL_SCANCODE_A);
     EXPECT_EQ(held.takeInput().strafe, -1.0);
-    held.release(key(SDL_SCANCODE_Q));
+    held.release(SDL_SCANCODE_Q);
     EXPECT_EQ(held.takeInput().strafe, 0.0);
 }
 
-TEST(HeldKeys, APressShorterThanAStepCountsForOne) {
-    HeldKeys held;
-    held.press(key(SDL_SCANCODE_SPACE));
-    held.release(key(SDL_SCANCODE_SPACE));
+TEST_F(Hands, APressShorterThanAStepCountsForOne) {
+    press(SDL_SCANCODE_SPACE);
+    held.release(SDL_SCANCODE_SPACE);
     EXPECT_TRUE(held.takeInput().jump);
     EXPECT_FALSE(held.takeInput().jump);
 }
 
-TEST(HeldKeys, RepeatedPressesAndStrayReleasesChangeNothing) {
-    HeldKeys held;
-    held.release(key(SDL_SCANCODE_W));
-    held.press(key(SDL_SCANCODE_W));
-    held.press(key(SDL_SCANCODE_W));
+TEST_F(Hands, RepeatedPressesAndStrayReleasesChangeNothing) {
+    held.release(SDL_SCANCODE_W);
+    press(SDL_SCANCODE_W);
+    press(SDL_SCANCODE_W);
     held.takeInput();
-    held.release(key(SDL_SCANCODE_W));
+    held.release(SDL_SCANCODE_W);
     EXPECT_EQ(held.takeInput().forward, 0.0);
     EXPECT_FALSE(held.isDown(Action::forward));
 }
 
-TEST(HeldKeys, ReleaseAllLeavesNothing) {
-    HeldKeys held;
-    held.press(key(SDL_SCANCODE_W));
-    held.press(key(SDL_SCANCODE_LCTRL));
+TEST_F(Hands, ReleaseAllLeavesNothing) {
+    press(SDL_SCANCODE_W);
+    press(SDL_SCANCODE_LCTRL);
     held.releaseAll();
     const Input input = held.takeInput();
     EXPECT_EQ(input.forward, 0.0);

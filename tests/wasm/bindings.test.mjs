@@ -50,7 +50,61 @@ test('the help lists the keys', async () => {
   const lines = JSON.parse(module.UTF8ToString(module._slicecast_keys()));
   assert.ok(lines.length > 10);
   for (const { keys, does } of lines) assert.ok(keys.length > 0 && does.length > 0);
-  assert.match(lines.find(({ keys }) => keys === 'W S').does, /walk/);
+  assert.match(lines.find(({ keys }) => keys.join() === 'W,S').does, /walk/);
+  const actions = lines.flatMap((line) => line.actions);
+  assert.equal(new Set(actions.map(({ name }) => name)).size, actions.length);
+  assert.deepEqual(
+    actions.find(({ name }) => name === 'strafeLeft'),
+    {
+      name: 'strafeLeft',
+      does: 'step left',
+      press: 'hold',
+      keys: [
+        { code: 'KeyA', label: 'A' },
+        { code: 'KeyQ', label: 'Q' },
+      ],
+    },
+  );
+});
+
+test('keys get other actions, none, and the standard ones back', async () => {
+  const module = await loadModule('simd');
+  const withText = (texts, use) => {
+    const places = texts.map((text) => {
+      const bytes = Buffer.from(`${text}\0`);
+      const at = module._malloc(bytes.length);
+      module.HEAPU8.set(bytes, at);
+      return at;
+    });
+    const answer = module.UTF8ToString(use(...places));
+    for (const place of places) module._free(place);
+    return answer;
+  };
+  const bind = (code, action) => withText([code, action], module._slicecast_bindKey);
+  const scope = (code) => withText([code], module._slicecast_keyScope);
+  const codesOf = (action) =>
+    JSON.parse(module.UTF8ToString(module._slicecast_keys()))
+      .flatMap((line) => line.actions)
+      .find(({ name }) => name === action)
+      .keys.map(({ code }) => code);
+
+  assert.equal(bind('KeyM', 'forward'), '');
+  assert.deepEqual(codesOf('forward'), ['KeyW', 'KeyM']);
+  assert.deepEqual(codesOf('minimap'), []);
+  assert.deepEqual(['KeyM', 'KeyB', 'F9', 'KeyZ', 'Tab'].map(scope), [
+    'move',
+    'element',
+    'page',
+    '',
+    '',
+  ]);
+  assert.equal(bind('KeyM', ''), '');
+  assert.equal(scope('KeyM'), '');
+  assert.equal(bind('KeyM', 'foward'), "Unknown action 'foward'. Did you mean 'forward'?");
+  assert.equal(bind('keym', 'forward'), "Unknown key 'keym'. Did you mean 'KeyM'?");
+  assert.match(bind('Escape', 'forward'), /Escape always leaves the picture/);
+  module._slicecast_standardKeys();
+  assert.deepEqual(codesOf('minimap'), ['KeyM']);
 });
 
 test("without a game nothing moves, nothing is drawn, and the program's session is empty too", async () => {

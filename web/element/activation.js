@@ -9,44 +9,7 @@
 
 import { Gamepads } from './gamepads.js';
 import { Thumbs } from './thumbs.js';
-import { kPlayPageKeys } from './key-sheet.js';
 import { touchLayer } from './touch.js';
-
-// The keys of `keys="move"`: moving, looking, gates, flying, and the cursor's steering.
-const kMoveKeys = new Set([
-  'KeyW',
-  'KeyA',
-  'KeyS',
-  'KeyD',
-  'KeyQ',
-  'KeyE',
-  'ArrowLeft',
-  'ArrowRight',
-  'ArrowUp',
-  'ArrowDown',
-  'Space',
-  'PageUp',
-  'PageDown',
-  'KeyC',
-  'ShiftLeft',
-  'ShiftRight',
-  'ControlLeft',
-  'ControlRight',
-  'KeyX',
-  'Period',
-  'Comma',
-  'KeyR',
-  'KeyV',
-  'KeyN',
-  'Numpad1',
-  'Numpad2',
-  'Numpad3',
-  'Numpad4',
-  'Numpad6',
-  'Numpad7',
-  'Numpad8',
-  'Numpad9',
-]);
 
 export class Activation {
   keys = 'all';
@@ -166,9 +129,8 @@ export class Activation {
 
   // Whether the engine hears of a key; the page has the others.
   takesKey(code) {
-    return this.keys === 'all'
-      ? !kPlayPageKeys.includes(code.replace(/^Key/, ''))
-      : kMoveKeys.has(code);
+    const scope = this.actions.engine()?.keyScope(code);
+    return scope === 'move' || (scope === 'element' && this.keys === 'all');
   }
 
   // ---- Thumbs

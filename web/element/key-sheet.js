@@ -4,32 +4,28 @@
 //     const sheet = new KeySheet(section, {behind: [stage], closed() {...}});      // what lies behind cannot be reached while it is open
 //     sheet.open(engine.keys);
 
-import { splitKeys } from './key-names.js';
 import { node } from './nodes.js';
 
-export const kPlayPageKeys = ['T', 'I', 'F9']; // hits as text, frame rate, recording: an element has no place for them, and leaves them to the page
-
-const kLeaving = { keys: 'Escape', does: 'leave the picture' };
-
 export class KeySheet {
+  #codes = ['Escape']; // that close it
+
   constructor(section, { behind, closed }) {
     this.section = section;
     this.behind = behind;
     this.closed = closed;
     section.addEventListener('keydown', (event) => {
-      if (event.code !== 'Escape' && event.code !== 'KeyH') return;
+      if (!this.#codes.includes(event.code)) return;
       event.preventDefault();
       event.stopPropagation();
       this.close();
     });
   }
 
-  // [{keys, does}], as the engine lists them.
+  // As the engine lists them. Those of a whole page are not the element's.
   open(keys) {
-    const here = [
-      ...keys.filter((line) => !kPlayPageKeys.includes(line.keys) && line.keys !== kLeaving.keys),
-      kLeaving,
-    ];
+    const help = keys.flatMap(({ actions }) => actions).find(({ name }) => name === 'help');
+    this.#codes = ['Escape', ...help.keys.map(({ code }) => code)];
+    const here = keys.filter(({ scope, keys: labels }) => scope !== 'page' && labels.length > 0);
     const close = node('button', { class: 'again', part: 'button', type: 'button' }, 'Close');
     close.addEventListener('click', () => this.close());
     this.section.replaceChildren(
@@ -38,11 +34,11 @@ export class KeySheet {
       node(
         'dl',
         {},
-        ...here.map(({ keys: names, does }) =>
+        ...here.map(({ keys: labels, does }) =>
           node(
             'div',
             {},
-            node('dt', {}, ...splitKeys(names).map((name) => node('kbd', {}, name))),
+            node('dt', {}, ...labels.map((label) => node('kbd', {}, label))),
             node('dd', {}, does),
           ),
         ),

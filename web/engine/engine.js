@@ -337,9 +337,38 @@ export class Engine {
     this.#module._slicecast_drag(right, down);
   }
 
-  // [{keys, does}], for a help text.
+  // What the keys do, a line for each row of a help text, with the names of their actions:
+  // [{keys: ['W', 'S'], does: 'walk ahead and back', group: 'move', scope: 'move', actions: [{name:
+  // 'forward', does: 'walk ahead', press: 'hold', keys: [{code: 'KeyW', label: 'W'}]}]}]
   get keys() {
     return this.#json(this.#module._slicecast_keys());
+  }
+
+  // From now on the key (a KeyboardEvent.code) does that action and nothing else. Throws what is
+  // wrong.
+  bindKey(code, action) {
+    const refusal = withStrings(this.#module, [code, action], (codeAt, actionAt) =>
+      this.#module.UTF8ToString(this.#module._slicecast_bindKey(codeAt, actionAt)),
+    );
+    if (refusal) throw new Error(refusal);
+  }
+
+  // The key does nothing.
+  unbindKey(code) {
+    this.bindKey(code, '');
+  }
+
+  // Every key does what it does in the beginning.
+  standardKeys() {
+    this.#module._slicecast_standardKeys();
+  }
+
+  // The scope of what a key does: 'move', 'element' or 'page' (src/app/actions.h); '' if it does
+  // nothing.
+  keyScope(code) {
+    return withStrings(this.#module, [code], (codeAt) =>
+      this.#module.UTF8ToString(this.#module._slicecast_keyScope(codeAt)),
+    );
   }
 
   // What it holds of the browser's memory.

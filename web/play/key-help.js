@@ -1,12 +1,11 @@
 // The tables of keys, from the engine's own list of them.
 
-import { splitKeys } from '../element/key-names.js';
-
 // Two tables, side by side where there is room.
 export function showKeys(box, template, keys) {
-  const half = Math.ceil(keys.length / 2);
+  const shown = keys.filter((line) => line.keys.length > 0);
+  const half = Math.ceil(shown.length / 2);
   box.replaceChildren(
-    ...[keys.slice(0, half), keys.slice(half)].map((part) => {
+    ...[shown.slice(0, half), shown.slice(half)].map((part) => {
       const table = template.content.cloneNode(true);
       table.querySelector('tbody').append(...part.map(keyRow));
       return table;
@@ -14,12 +13,12 @@ export function showKeys(box, template, keys) {
   );
 }
 
-function keyRow({ keys: names, does }) {
+function keyRow({ keys: labels, does }) {
   const row = document.createElement('tr');
   const head = document.createElement('th');
   head.scope = 'row';
   head.append(
-    ...splitKeys(names).map((name) => {
+    ...labels.map((name) => {
       const key = document.createElement('kbd');
       key.textContent = name;
       return key;

@@ -29,7 +29,7 @@ import { TroubleSheet } from './trouble-sheet.js';
 const kEngineShare = 0.5; // of the loading bar
 const kUsualDegreesPerPixel = 0.15; // mouse
 
-const kShareKey = { code: 'KeyZ', keys: 'Z', does: 'share this view' }; // the page's own, beside the engine's
+const kShareKey = { code: 'KeyZ', keys: ['Z'], does: 'share this view' }; // the page's own, beside the engine's
 
 const kModes = {
   recording: 'Recording; F9 saves it',
