@@ -8,6 +8,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
+import { jsxDeclarations } from './element-api/jsx.mjs';
 import { customElementsManifest } from './element-api/manifest.mjs';
 import { documentation } from './element-api/page.mjs';
 import { table } from './element-api/table.mjs';
@@ -36,11 +37,14 @@ const scene = await load('first-walk', { engine: 'scalar' });
 const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(
   /project\(Slicecast VERSION ([0-9.]+)/,
 )[1];
-const manifest = { ...JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')), version };
+// The version stands in CMakeLists.txt alone.
+const { name, ...others } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+const manifest = { name, version, ...others };
 
 const json = (value) => `${JSON.stringify(value, null, 2)}\n`;
 const files = {
   ...declarations(table),
+  ...jsxDeclarations(table),
   'custom-elements.json': json(customElementsManifest(table)),
   'element.html': documentation({
     errorCodes,

@@ -1,6 +1,7 @@
-// The package as others use it: the packed file is installed, and drawn with in a plain page, a
-// Vite app, scripts made by esbuild, a VitePress site and a program under Node. Needs
-// build/slicecast-VERSION.tgz (tools/package), and nothing from the network.
+// The package as others use it: the packed file is installed, and drawn with in a plain page, in
+// apps and sites that Vite, webpack, Rollup, esbuild, Astro and VitePress build, in one that React
+// renders on the server, and in a program under Node. Needs build/slicecast-VERSION.tgz
+// (tools/package), and nothing from the network.
 
 import assert from 'node:assert/strict';
 import { execFile, spawn } from 'node:child_process';
@@ -12,6 +13,8 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { build } from 'esbuild';
+import { rollup } from 'rollup';
+import webpack from 'webpack';
 
 import { launch } from '../browser/browser.mjs';
 import { serve } from '../browser/static-server.mjs';
@@ -67,7 +70,7 @@ function hashOf(bytes) {
 
 // The element at an address draws the scene's picture, a click plays it, and nothing in the page
 // complains.
-async function assertDraws(address) {
+async function assertDraws(address, look = () => {}) {
   const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
   page.setDefaultTimeout(kWaitMilliseconds);
   const complaints = [];
@@ -95,16 +98,17 @@ async function assertDraws(address) {
     assert.deepEqual(found, expected);
     await page.click('ray-caster');
     await page.waitForFunction(() => document.querySelector('ray-caster').state === 'playing');
+    await look(page);
     assert.deepEqual(complaints, []);
   } finally {
     await page.close();
   }
 }
 
-async function assertFolderDraws(folder) {
+async function assertFolderDraws(folder, look) {
   const server = await serve({ folder });
   try {
-    await assertDraws(server.address);
+    await assertDraws(server.address, look);
   } finally {
     await server.close();
   }
@@ -118,6 +122,8 @@ const toolOptions = {
     ...process.env,
     SLICECAST_PUBLIC: shared,
     SLICECAST_CACHE: path.join(built, 'cache'),
+    SLICECAST_OUT: path.join(built, 'astro'),
+    ASTRO_TELEMETRY_DISABLED: '1',
     NO_COLOR: '1',
   },
 };
@@ -184,6 +190,166 @@ test('an app that Vite serves while it is written', async () => {
   } finally {
     await server.end();
   }
+});
+
+// From here on the scene is imported, and the apps hold nothing but what is installed.
+
+test('an app that Vite builds, with an imported scene', async () => {
+  const outDir = path.join(built, 'vite-app');
+  await runTool('vite/bin/vite.js', ['build', 'app', '--outDir', outDir, '--logLevel', 'warn']);
+  await assertFolderDraws(outDir);
+});
+
+test('an app that Vite serves with no settings, with an imported scene', async () => {
+  await rm(path.join(hosts, 'node_modules/.vite'), { recursive: true, force: true });
+  const server = startTool('vite/bin/vite.js', ['app', '--host', 'localhost', '--port', '5191']);
+  try {
+    await assertDraws(await server.address);
+  } finally {
+    await server.end();
+  }
+});
+
+// The page of the app beside a script that was built of it.
+async function writePage(folder, script, tag = '<script type="module"') {
+  const page = await readFile(path.join(hosts, 'app/index.html'), 'utf8');
+  await writeFile(
+    path.join(folder, 'index.html'),
+    page.replace('<script type="module" src="./main.js"', `${tag} src="${script}"`),
+  );
+}
+
+for (const mode of ['development', 'production']) {
+  test(`an app that webpack builds for ${mode}`, async () => {
+    const folder = path.join(built, `webpack-${mode}`);
+    await runWebpack({ mode, entry: './app/main.js', output: { path: folder, clean: true } });
+    await writePage(folder, 'main.js', '<script defer');
+    await assertFolderDraws(folder);
+  });
+}
+
+async function runWebpack(settings) {
+  const result = await promisify(webpack)({ context: hosts, performance: false, ...settings });
+  assert.deepEqual(result.compilation.errors.map(String), []);
+  assert.deepEqual(result.compilation.warnings.map(String), []);
+}
+
+for (const [format, tag] of [
+  ['es', '<script type="module"'],
+  ['iife', '<script defer'],
+]) {
+  test(`an app that Rollup builds with the package's plugin: ${format}`, async () => {
+    const { default: slicecast } = await import('slicecast/rollup');
+    const folder = path.join(built, `rollup-${format}`);
+    const bundle = await rollup({
+      input: path.join(hosts, 'app/main.js'),
+      plugins: [nodeResolution, slicecast()],
+      onwarn: ({ message }) => assert.fail(message),
+    });
+    await bundle.write({
+      dir: path.join(folder, 'scripts'),
+      format,
+      inlineDynamicImports: format === 'iife',
+    });
+    await bundle.close();
+    await writePage(folder, 'scripts/main.js', tag);
+    await assertFolderDraws(folder);
+  });
+}
+
+// What every build by Rollup has a plugin for.
+const nodeResolution = {
+  name: 'packages',
+  resolveId: (name) =>
+    /^slicecast\b/.test(name) ? fileURLToPath(import.meta.resolve(name)) : null,
+};
+
+for (const [format, tag] of [
+  ['esm', '<script type="module"'],
+  ['iife', '<script defer'],
+]) {
+  test(`an app that esbuild builds with the package's plugin: ${format}`, async () => {
+    const { default: slicecast } = await import('slicecast/esbuild');
+    const folder = path.join(built, `esbuild-plugin-${format}`);
+    const { warnings } = await build({
+      entryPoints: [path.join(hosts, 'app/main.js')],
+      outdir: path.join(folder, 'scripts'),
+      bundle: true,
+      splitting: format === 'esm',
+      format,
+      plugins: [slicecast()],
+      logLevel: 'silent',
+    });
+    assert.deepEqual(warnings, []);
+    await writePage(folder, 'scripts/main.js', tag);
+    await assertFolderDraws(folder);
+  });
+}
+
+test('without the plugin, what esbuild builds says what to do', async () => {
+  const folder = path.join(built, 'esbuild-alone');
+  await build({
+    entryPoints: [path.join(hosts, 'app/main.js')],
+    outdir: folder,
+    bundle: true,
+    format: 'esm',
+  });
+  await writePage(folder, 'main.js');
+  const server = await serve({ folder });
+  const page = await browser.newPage();
+  try {
+    await page.goto(server.address);
+    const { message } = await page.evaluate(async () => {
+      const element = document.querySelector('ray-caster');
+      return element.whenReady().catch(() => element.error);
+    });
+    assert.match(message, /slicecast-simd\.wasm: the server answers 404.*"With a bundler"/);
+  } finally {
+    await page.close();
+    await server.close();
+  }
+});
+
+const astroSettings = ['--root', '.', '--config', 'astro/astro.config.mjs'];
+
+test('a site that Astro builds', async () => {
+  await runTool('astro/astro.js', ['build', ...astroSettings, '--silent']);
+  await assertFolderDraws(path.join(built, 'astro'));
+});
+
+test('a site that Astro serves while it is written', async () => {
+  const words = ['dev', ...astroSettings, '--port', '5192'];
+  const server = startTool('astro/astro.js', words);
+  try {
+    await assertDraws(await server.address);
+  } finally {
+    await server.end();
+  }
+});
+
+// The server writes the tag with the name of the scene, which the browser's script has imported.
+test('an app that React renders on the server and in the browser', async () => {
+  const { default: slicecast } = await import('slicecast/esbuild');
+  const folder = path.join(built, 'react');
+  await build({
+    entryPoints: { main: path.join(hosts, 'react/browser.js') },
+    outdir: folder,
+    bundle: true,
+    format: 'esm',
+    define: { 'process.env.NODE_ENV': '"production"' },
+    plugins: [slicecast()],
+  });
+  const { stdout } = await run(process.execPath, [path.join(hosts, 'react/server.mjs')]);
+  assert.match(
+    stdout,
+    /<ray-caster scene="first-walk" size="320x200" controls="" label="The first walk"><\/ray-caster>/,
+  );
+  await writeFile(path.join(folder, 'index.html'), stdout);
+  await assertFolderDraws(folder, (page) =>
+    page.waitForFunction(() =>
+      ['h1', 'h2'].every((name) => document.querySelector(name)?.textContent === 'First walk'),
+    ),
+  );
 });
 
 // What follows no files: the engine lies beside the script, or, where the script does not know its

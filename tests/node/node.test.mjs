@@ -45,6 +45,37 @@ test('a scene is found by name, path, address and as an object, and looks the sa
   for (const picture of pictures) assert.ok(picture.equals(pictures[0]));
 });
 
+test("a scene's module is the scene, and a URL names a picture anywhere", async (t) => {
+  const { default: imported, tour } = await import('../../build/web/scenes/castle.js');
+  assert.match(await readFile(new URL(tour), 'utf8'), /^slicecast /);
+  const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-'));
+  t.after(() => rm(folder, { recursive: true }));
+  // Of another folder, and with the name of one that the scene has already.
+  await copyFile(`${root}/assets/textures/brick.png`, path.join(folder, 'moss.png'));
+  const moss = pathToFileURL(path.join(folder, 'moss.png'));
+  const shipped = '../textures/brick.png';
+  const pictures = [];
+  for (const from of [
+    'castle',
+    imported,
+    { ...imported, textures: { ...imported.textures, rock: moss } },
+    { ...imported, textures: { ...imported.textures, rock: shipped } },
+  ]) {
+    const scene = await load(from);
+    pictures.push(Buffer.from(scene.picture(kSize).data).toString('base64'));
+    scene.free();
+  }
+  const [named, asModule, elsewhere, beside] = pictures;
+  assert.equal(asModule, named);
+  assert.equal(elsewhere, beside);
+  assert.notEqual(elsewhere, named);
+  const missing = pathToFileURL(path.join(folder, 'missing.png'));
+  await assert.rejects(
+    load({ ...imported, textures: { ...imported.textures, rock: missing } }),
+    ({ code, faults }) => code === 'scene' && /missing\.png.*ENOENT/.test(faults[0].found),
+  );
+});
+
 test('both builds draw what the bindings draw', async () => {
   for (const engine of flavours) {
     const scene = await load('castle', { engine });

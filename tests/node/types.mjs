@@ -1,12 +1,28 @@
 // What a strict compiler says of a few lines that use the built declarations.
 //
 //     complaints(`import type { View } from './shapes.js'; const view: View = {...};`)      // [] if all is well
+//     complaints(`<ray-caster keys="some" />`, 'react')                                     // JSX of that library
 
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 
 const kPage = fileURLToPath(new URL('../../build/web/', import.meta.url));
+const kPackages = fileURLToPath(new URL('../node_modules/', import.meta.url));
+const kJsx = {
+  react: { jsx: ts.JsxEmit.ReactJSX, jsxImportSource: 'react' },
+  preact: { jsx: ts.JsxEmit.ReactJSX, jsxImportSource: 'preact' },
+  solid: { jsx: ts.JsxEmit.Preserve, jsxImportSource: 'solid-js' },
+};
+// The page's folder has no packages of its own.
+const kPaths = {
+  react: [`${kPackages}@types/react/index.d.ts`],
+  'react/*': [`${kPackages}@types/react/*.d.ts`],
+  preact: [`${kPackages}preact/src/index.d.ts`],
+  'preact/jsx-runtime': [`${kPackages}preact/jsx-runtime/src/index.d.ts`],
+  'solid-js': [`${kPackages}solid-js/types/index.d.ts`],
+  'solid-js/jsx-runtime': [`${kPackages}solid-js/types/jsx.d.ts`],
+};
 const kOptions = {
   strict: true,
   noEmit: true,
@@ -20,9 +36,13 @@ const kOptions = {
 };
 
 // The lines stand, as it were, in a file of the page's folder.
-export function complaints(lines) {
-  const file = path.join(kPage, 'test-lines.ts');
-  const host = ts.createCompilerHost(kOptions);
+export function complaints(lines, library = null) {
+  const file = path.join(kPage, library === null ? 'test-lines.ts' : 'test-lines.tsx');
+  const options =
+    library === null
+      ? kOptions
+      : { ...kOptions, ...kJsx[library], paths: kPaths, skipLibCheck: false };
+  const host = ts.createCompilerHost(options);
   const { getSourceFile, fileExists, readFile } = host;
   host.getSourceFile = (name, ...more) =>
     name === file
@@ -30,7 +50,7 @@ export function complaints(lines) {
       : getSourceFile(name, ...more);
   host.fileExists = (name) => name === file || fileExists(name);
   host.readFile = (name) => (name === file ? lines : readFile(name));
-  const program = ts.createProgram([file], kOptions, host);
+  const program = ts.createProgram([file], options, host);
   return ts.getPreEmitDiagnostics(program).map(({ messageText, start, file: at }) => {
     const line =
       at === undefined

@@ -55,6 +55,33 @@ test('a program under Node compiles', () => {
   );
 });
 
+// Line by line: what each refuses.
+const kRefused = `
+  <ray-caster scenes="castle" />,
+  <ray-caster keys="some" />,
+  <ray-caster onreadied={() => {}} />,
+  <ray-caster onready={({ detail }) => detail.name} />,`;
+const kTaken = `
+  <ray-caster scene={castle} tour={tour} controls autoplay keys="move" id="castle" />,
+  <ray-caster scene="castle" onready={({ detail }) => console.log(detail.title)}><p>A castle</p></ray-caster>,
+  <ray-caster onerror={({ detail }) => console.log(detail.code, detail.faults[0]?.place)} />,
+  <ray-caster onviewchange={(event) => console.log(event.detail.view.heading)} />,`;
+const kOfSolid = `
+  <ray-caster on:ready={({ detail }) => console.log(detail.title)} />,`;
+
+for (const library of ['react', 'preact', 'solid']) {
+  test(`JSX of ${library} knows attributes and events, and no others`, () => {
+    const found = complaints(
+      `import 'slicecast/${library}'; import castle, { tour } from 'slicecast/scenes/castle'; export const all = [${kRefused}${kTaken}${library === 'solid' ? kOfSolid : ''}];`,
+      library,
+    );
+    assert.deepEqual(
+      found.map((text) => /^test-lines\.tsx:(\d+)/.exec(text)?.[1] ?? text),
+      ['2', '3', '4', '5'],
+    );
+  });
+}
+
 for (const [what, line] of [
   ['a value that an attribute does not take', "element.keys = 'some';"],
   ['a write to what is read-only', "element.state = 'idle';"],

@@ -11,28 +11,33 @@ export const begin = `<script type="module" src="slicecast/ray-caster.js"></scri
   <p>This picture moves where JavaScript and WebAssembly are at hand.</p>
 </ray-caster>`;
 
-export const bundler = `npm install slicecast
+export const bundler = `import 'slicecast';
+import 'slicecast/scenes/castle';     // now scene="castle" means it`;
 
-import 'slicecast';`;
+export const ownScene = `import castle from 'slicecast/scenes/castle';
+
+const brick = new URL('./brick.png', import.meta.url);
+document.querySelector('ray-caster').scene =
+  { ...castle, textures: { ...castle.textures, rock: brick } };`;
+
+export const plugin = `// esbuild
+import slicecast from 'slicecast/esbuild';
+await build({ entryPoints: ['main.js'], outdir: 'dist', bundle: true,
+              plugins: [slicecast()] });
+
+// rollup.config.js
+import slicecast from 'slicecast/rollup';
+export default { plugins: [nodeResolve(), slicecast()], ... };`;
 
 export const vite = `// vite.config.js
 export default { optimizeDeps: { exclude: ['slicecast'] } };`;
 
 export const home = '<meta name="slicecast-home" content="/slicecast/">';
 
-export const jsx = `// ray-caster-jsx.d.ts: React 19; for others, their own JSX namespace
-import type { HTMLAttributes, RefAttributes } from 'react';
-import type { RayCaster, RayCasterAttributes } from 'slicecast';
+export const jsx = `import 'slicecast/react';          // or slicecast/preact, slicecast/solid
 
-declare module 'react' {
-  namespace JSX {
-    interface IntrinsicElements {
-      'ray-caster':
-        RayCasterAttributes & HTMLAttributes<RayCaster> &
-        RefAttributes<RayCaster>;
-    }
-  }
-}`;
+<ray-caster scene="castle" controls label="A castle above the water"
+            onready={({ detail }) => console.log(detail.title)} />`;
 
 export const iframe = `<iframe src="slicecast/embed.html?scene=castle" title="A castle above the water"
         width="640" height="400" allow="fullscreen"></iframe>`;

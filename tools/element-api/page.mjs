@@ -19,6 +19,8 @@ export function documentation({ errorCodes, version, options, scenes }) {
     opening: snippets.opening,
     begin: snippet(snippets.begin),
     bundler: snippet(snippets.bundler),
+    ownScene: snippet(snippets.ownScene),
+    plugin: snippet(snippets.plugin),
     vite: snippet(snippets.vite),
     home: snippet(snippets.home),
     jsx: snippet(snippets.jsx),

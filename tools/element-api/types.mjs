@@ -51,18 +51,30 @@ function element(table, names) {
     ({ name, detail, description }) => `${comment(description)}${name}: CustomEvent<${detail}>;`,
   );
   const own = table.events.map(({ name }) => `'${name}'`).join(' | ');
+  const handlers = table.events.map(
+    ({ name, detail, description }) =>
+      `${comment(description)}on${name}?: (event: CustomEvent<${detail}>) => void;`,
+  );
   const { className } = table;
   return `${importOf(names, './shapes.js', members.join(' ') + events.join(' ') + table.exports.map(({ type }) => type).join(' '))}
 export * from './shapes.js';
 
+/** Its own events. */
+export type ${className}EventName = ${own};
+
 /** The events of <${table.tag}>, and those of every element. */
-export interface ${className}EventMap extends Omit<HTMLElementEventMap, ${own}> {
+export interface ${className}EventMap extends Omit<HTMLElementEventMap, ${className}EventName> {
 ${events.map(indented).join('\n')}
 }
 
 ${comment(table.description)}export class ${className} extends HTMLElement {
 ${members.map(indented).join('\n')}
 ${['addEventListener', 'removeEventListener'].map((name) => listener(name, className)).join('\n')}
+}
+
+/** What JSX may write in the tag to hear its events, besides those of every element. */
+export interface ${className}EventAttributes {
+${handlers.map(indented).join('\n')}
 }
 
 /** What JSX may write in the tag, besides what every element takes. */

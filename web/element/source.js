@@ -6,9 +6,10 @@
 //     source.failures                               // file -> why it could not be read
 
 import { finalAddress } from '../engine/fetch-bytes.js';
-import { kHome } from '../engine/home.js';
+import { kHome, reachable } from '../engine/home.js';
 import { bringRows } from './late.js';
 import { fetchOnce } from './page-cache.js';
+import { readSceneObject } from '../engine/scene-object.js';
 import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
 import { Trouble, coded } from '../engine/trouble.js';
 
@@ -18,11 +19,13 @@ const kInline = 'script[type="application/json"]';
 const kRows = 'script[type="text/plain"][data-rows], pre[slot="rows"], pre[data-rows]';
 const kPre = 'pre'; // where nothing else is a scene
 const kName = /^[\w-]+$/;
+const kImported = Symbol.for('slicecast.scenes'); // name -> {scene, tour} of the modules slicecast/scenes/NAME
 const kShipped = /^(scenes|textures|see-through|sheets|sprites|tours)\//;
 
 export function findScene(element) {
   const { scene } = element;
-  if (typeof scene === 'object') return ofObject(element, scene);
+  const given = typeof scene === 'object' ? scene : importedBy(scene)?.scene;
+  if (given !== undefined) return ofObject(element, given);
   if (scene.startsWith('#')) return ofElement(element, referredTo(element, scene));
   if (scene !== '') {
     const address = addressOf(scene, (name) => new URL(`${name}.json`, kScenes), element, 'scene');
@@ -83,19 +86,20 @@ function ofElement(element, inside) {
 }
 
 function ofObject(element, scene) {
-  let text;
-  try {
-    text = JSON.stringify(scene, null, 2);
-  } catch (error) {
-    throw new Trouble('The scene cannot be read', error.message, [], 'scene');
-  }
+  const { text, addresses, addressOf: pictureOf } = readSceneObject(scene);
   const isRows = 'rows' in scene;
   const read = async () =>
     isRows ? JSON.stringify((await bringRows()).sceneOfObject(JSON.parse(text), 'rows')) : text;
   return {
-    key: `json ${element.base} ${text}`,
-    source: () =>
-      sceneOf('scene', read, isRows ? rowsFiles(element) : filesFor(element, () => kScenes)),
+    key: `json ${element.base} ${addresses} ${text}`,
+    source: () => {
+      const others = isRows ? rowsFiles(element) : filesFor(element, () => kScenes);
+      return sceneOf('scene', read, (file) => {
+        const address = pictureOf(file);
+        if (address === null) return others(file);
+        return reachable(() => address, address.pathname.slice(1), kHome);
+      });
+    },
   };
 }
 
@@ -138,12 +142,23 @@ function rowsFiles(element) {
 
 // One of the shipped scenes, as recordings name them.
 export function namedScene(name) {
-  return sceneFrom(new URL(`${name.replace(/\.json$/i, '')}.json`, kScenes));
+  const bare = name.replace(/\.json$/i, '');
+  const scene = importedBy(bare)?.scene;
+  return scene === undefined
+    ? sceneFrom(new URL(`${bare}.json`, kScenes))
+    : ofObject({ base: '' }, scene).source();
+}
+
+// What the page's scripts have imported of a scene.
+function importedBy(name) {
+  return globalThis[kImported]?.get(name);
 }
 
 // The address of a recording: a shipped one by its name, else relative to the document.
 export function tourAddress(element) {
-  return addressOf(element.tour, (name) => new URL(`tours/${name}.txt`, kHome), element, 'tour');
+  const named = (name) =>
+    reachable(() => new URL(importedBy(name).tour), `tours/${name}.txt`, kHome);
+  return addressOf(element.tour, named, element, 'tour');
 }
 
 // {name, bytes} of a recording. Throws a Trouble.

@@ -91,7 +91,7 @@ function refusal(address, error, { refused }) {
 function cannotLoad(address, error) {
   return new Trouble(
     'The engine could not be loaded',
-    `${address}: ${error.message}.`,
+    `${address}: ${error.message}. Bundlers have to copy it: see "With a bundler" in slicecast's README.`,
     [],
     error.code,
   );

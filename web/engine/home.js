@@ -16,13 +16,17 @@ export function isReachable(address, page = kPage) {
   return address.protocol !== 'file:' || page.startsWith('file:');
 }
 
+// While one develops, Vite puts packages together in a folder of its own, and leaves their other
+// files behind.
+const kMoved = /(?<=\/node_modules\/)\.vite\/(deps\/)?/;
+
 // What `find` gives if this page can reach it, else what lies at that path of the folder. What a
 // bundler has put together may have no address of its own, or the one that it had on the machine
 // where it was built.
 export function reachable(find, path, folder, page = kPage) {
   try {
     const address = find();
-    if (isReachable(address, page)) return address;
+    if (isReachable(address, page)) return new URL(address.href.replace(kMoved, 'slicecast/'));
   } catch {
     // There is no such address.
   }

@@ -2,6 +2,7 @@
 //
 //     const source = openScene('worlds/castle.json');                     // or 'https://...', a URL, 'castle' (a shipped scene)
 //     const source = openScene({ title: 'A garden', ... }, 'worlds');     // with the folder, or a file in it, from which it names its pictures
+//     const source = openScene(castle);                                   // the object that slicecast/scenes/castle exports
 //     const source = openScene({ rows: '####\n#>.#\n####' });            // plain rows of characters
 //     source.failures                                                     // file -> why it could not be read
 
@@ -12,6 +13,7 @@ import { inspect } from 'node:util';
 
 import { coded } from '../engine/trouble.js';
 import { sceneOfObject } from '../engine/rows.js';
+import { readSceneObject } from '../engine/scene-object.js';
 import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
 
 // A program bundled as a script of the old kind has no address: then nothing is found here, and
@@ -25,13 +27,16 @@ export function openScene(scene, base) {
   const folder = folderOf(base === undefined ? kShipped : base);
   if (typeof scene === 'object' && scene !== null && !(scene instanceof URL)) {
     const isRows = 'rows' in scene;
-    const text = textOf(isRows ? sceneOfObject(scene, 'rows') : scene);
+    const { text, addressOf: pictureOf } = readSceneObject(scene);
+    const whole = isRows ? JSON.stringify(sceneOfObject(JSON.parse(text), 'rows'), null, 2) : text;
     // The pictures that rows name by themselves are shipped; those that the author names are not.
     const own = isRows ? folderOf(base === undefined ? '.' : base) : folder;
     return {
       name: isRows ? 'rows' : 'scene',
-      readText: async () => text,
-      ...filesBy((file) => bytesAt(new URL(file, isRows && isShippedFile(file) ? kShipped : own))),
+      readText: async () => new TextEncoder().encode(whole),
+      ...filesBy((file) =>
+        bytesAt(pictureOf(file) ?? new URL(file, isRows && isShippedFile(file) ? kShipped : own)),
+      ),
     };
   }
   const isName = typeof scene === 'string' && /^[\w-]+$/.test(scene);
@@ -135,14 +140,6 @@ function misread(what, found) {
   return new TypeError(
     `${what}: found ${typeof found === 'string' ? `"${found}"` : inspect(found, { depth: 0 })}, expected ${expected}`,
   );
-}
-
-function textOf(scene) {
-  try {
-    return new TextEncoder().encode(JSON.stringify(scene, null, 2));
-  } catch (error) {
-    throw coded('scene', `scene: found what JSON cannot hold: ${error.message}`);
-  }
 }
 
 async function noSuchName(name) {

@@ -1,0 +1,2 @@
+// As Vite is by itself, but for where it builds.
+export default { base: './' };
