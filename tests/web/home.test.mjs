@@ -30,6 +30,12 @@ for (const [what, script, page, expected] of [
   ],
   ['the script is a blob', 'blob:https://example.org/1-2-3', kPage, 'https://example.org/app/'],
   [
+    'Vite has put packages together',
+    'https://example.org/@fs/app/node_modules/.vite/deps/slicecast.js?v=1',
+    kPage,
+    'https://example.org/@fs/app/node_modules/slicecast/',
+  ],
+  [
     'an app has a scheme of its own',
     'capacitor://localhost/assets/ray-caster.js',
     'capacitor://localhost/',
