@@ -69,6 +69,14 @@ double groundSpeed(const Player& player) {
     return std::sqrt(player.velocityX * player.velocityX + player.velocityY * player.velocityY);
 }
 
+GateAsk askOf(const Player& player) {
+    return {.wish = GateAsk::Wish::nothing,
+            .map = player.map,
+            .x = player.x,
+            .y = player.y,
+            .z = eyeHeight(player)};
+}
+
 }  // namespace
 
 Session::Session(World world) : world_(std::move(world)), lights_(world_.maps) {
@@ -91,11 +99,7 @@ GateAsk Session::gateAsk(const Input& input) {
     const auto isPressed = [&](bool Input::*button) {
         return input.*button && !(heldBefore_.*button);
     };
-    GateAsk ask = {.wish = GateAsk::Wish::nothing,
-                   .map = player_.map,
-                   .x = player_.x,
-                   .y = player_.y,
-                   .z = eyeHeight(player_)};
+    GateAsk ask = askOf(player_);
     if (isPressed(&Input::use)) ask.wish = GateAsk::Wish::change;
     if (isPressed(&Input::close)) ask.wish = GateAsk::Wish::close;
     if (isPressed(&Input::open)) ask.wish = GateAsk::Wish::open;
@@ -290,6 +294,7 @@ SessionState Session::state() const {
             .flying = player_.flying,
             .crouched = player_.crouched,
             .onGround = player_.onGround,
+            .gate = gateOffer(world_, askOf(player_)),
             .intensity = map.light.intensity,
             .multiplier = map.light.multiplier,
             .steps = steps_};

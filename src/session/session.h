@@ -46,9 +46,10 @@ struct SessionState {
     bool flying = false;
     bool crouched = false;
     bool onGround = false;
-    double intensity = 0.0;   // of the light in this map
-    double multiplier = 0.0;  // units
-    std::int64_t steps = 0;   // since the session began
+    GateOffer gate = GateOffer::none;  // what the key for gates would do
+    double intensity = 0.0;            // of the light in this map
+    double multiplier = 0.0;           // units
+    std::int64_t steps = 0;            // since the session began
 };
 
 class Session {

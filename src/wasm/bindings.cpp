@@ -14,6 +14,7 @@
 #include <emscripten/emscripten.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -287,6 +288,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_options(SlicecastSession* session) {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
+    constexpr std::array<std::string_view, 3> kOffers = {"", "open", "close"};
     const Session* game = session->game();
     if (game == nullptr) return session->give("null");
     const SessionState state = game->state();
@@ -312,7 +314,9 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
         .key("crouched")
         .yesNo(state.crouched)
         .key("onGround")
-        .yesNo(state.onGround);
+        .yesNo(state.onGround)
+        .key("gate")
+        .text(kOffers[static_cast<std::size_t>(state.gate)]);
     json.key("intensity").number(state.intensity).key("multiplier").number(state.multiplier);
     json.key("steps")
         .number(static_cast<double>(state.steps))

@@ -36,9 +36,13 @@ bool isWithin(const Gate& gate, const Box& box, Coordinate distance) {
     });
 }
 
+bool hears(const Gate& gate, const GateKind& kind, const GateAsk& ask) {
+    return kind.keyed && ask.map == gate.map &&
+           isWithin(gate, {ask.x, ask.x, ask.y, ask.y, ask.z, ask.z}, kind.reach);
+}
+
 void obey(Gate& gate, const GateKind& kind, const GateAsk& ask) {
-    if (ask.wish == GateAsk::Wish::nothing || !kind.keyed || ask.map != gate.map) return;
-    if (!isWithin(gate, {ask.x, ask.x, ask.y, ask.y, ask.z, ask.z}, kind.reach)) return;
+    if (ask.wish == GateAsk::Wish::nothing || !hears(gate, kind, ask)) return;
     gate.wantsOpen =
         ask.wish == GateAsk::Wish::open || (ask.wish == GateAsk::Wish::change && !gate.wantsOpen);
 }
@@ -83,6 +87,16 @@ void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& a
 }
 
 }  // namespace
+
+GateOffer gateOffer(const World& world, const GateAsk& ask) {
+    GateOffer offer = GateOffer::none;
+    for (const Gate& gate : world.gates) {
+        if (!hears(gate, world.gateKinds[static_cast<std::size_t>(gate.kind)], ask)) continue;
+        if (!gate.wantsOpen) return GateOffer::open;
+        offer = GateOffer::close;
+    }
+    return offer;
+}
 
 void stepGates(World& world, std::span<Body> bodies, const GateAsk& ask) {
     for (Gate& gate : world.gates) stepGate(world, gate, bodies, ask);

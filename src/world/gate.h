@@ -86,6 +86,11 @@ std::vector<PlacingFault> makeGates(World& world);
 // read, before markSeeThrough.
 void makeGateFrames(World& world);
 
+// What the key would do to the gates that hear it there: the wish itself does not matter. Where one
+// would open and another one close, it is open.
+enum class GateOffer : std::uint8_t { none, open, close };
+GateOffer gateOffer(const World& world, const GateAsk& ask);
+
 // One step of all of them. The bodies stay where they are.
 void stepGates(World& world, std::span<Body> bodies, const GateAsk& ask);
 

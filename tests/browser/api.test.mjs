@@ -187,6 +187,7 @@ test('each method gives what the table says', async () => {
       get: kindOf(element.get('fov')),
       look: kindOf(element.look('2.5,2.5,0.6,90')),
       snapshot: kindOf(await element.snapshot({ width: 32, height: 20 })),
+      timeDrawing: kindOf(element.timeDrawing({ width: 32, height: 20 })),
       hits: kindOf(element.hits(column)),
       trace: kindOf(element.trace(column)),
       whenReady: kindOf(ready),
@@ -198,6 +199,7 @@ test('each method gives what the table says', async () => {
     void: 'undefined',
     string: 'string',
     boolean: 'boolean',
+    number: 'number',
     'Promise<Blob>': 'Blob',
   };
   assert.deepEqual(

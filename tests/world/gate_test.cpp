@@ -124,6 +124,20 @@ TEST(Gates, HearWhoIsWithinARoundReach) {
     EXPECT_FALSE(world.gates[0].wantsOpen) << "from another map";
 }
 
+TEST(Gates, SayWhatTheKeyWouldDo) {
+    Walker who(corridor(), 2.5, 1.5, 0.0);
+    const auto offer = [&] { return gateOffer(who.world, asks(who.player, Wish::nothing)); };
+    EXPECT_EQ(offer(), GateOffer::open);
+    ask(who, Wish::change);
+    EXPECT_EQ(offer(), GateOffer::close);
+    ask(who, Wish::change);
+    EXPECT_EQ(offer(), GateOffer::open);
+    who.player.x = toCoordinate(1.5);  // 2.5 units away
+    EXPECT_EQ(offer(), GateOffer::none);
+    Walker deaf(corridor({.keyed = false}), 2.5, 1.5, 0.0);
+    EXPECT_EQ(gateOffer(deaf.world, asks(deaf.player, Wish::nothing)), GateOffer::none);
+}
+
 TEST(Gates, WithoutAKeyHearNobody) {
     GateKind kind;
     kind.keyed = false;

@@ -11,7 +11,7 @@ export const kButtons = ['play', 'reset', 'overlay', 'save', 'share', 'fullscree
 const kAllControls = ['true', 'all', 'controls']; // as some write an attribute without a value
 const kNoControls = ['false', 'none'];
 
-const kLargestSide = 4096; // pixels, as the engine's
+export const kLargestSide = 4096; // pixels, as the engine's
 
 // Name -> what the property says without the attribute.
 const kStandard = {

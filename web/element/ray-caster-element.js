@@ -1,7 +1,7 @@
 // The class of <ray-caster>: what a page can ask of it. What it does is in show.js.
 
 import { readView } from '../engine/address.js';
-import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
+import { kAttributes, kLargestSide, reflectAttributes, takeEarlyProperties } from './attributes.js';
 import { faultOf, orFault } from './faults.js';
 import { Show } from './show.js';
 import { snapshotOf } from './snapshot.js';
@@ -131,6 +131,17 @@ export class RayCaster extends Base {
 
   look(view) {
     return this.#engine('look').look(readView(view));
+  }
+
+  timeDrawing(size) {
+    const { width, height } = size ?? this.picture;
+    const engine = this.#engine('timeDrawing');
+    const isSize = (side) => Number.isInteger(side) && side >= 1 && side <= kLargestSide;
+    if (!isSize(width) || !isSize(height))
+      throw new RangeError(
+        `timeDrawing: found ${width}x${height}, expected 1 to ${kLargestSide} pixels each way.`,
+      );
+    return engine.timeDrawing(width, height);
   }
 
   async snapshot({ width, height, type = 'image/png', ...others } = {}) {

@@ -2,7 +2,7 @@
 //
 //     const blob = await snapshotOf(engine, {width: 1280, height: 800, type: 'image/png'});
 
-const kLargestSide = 4096; // pixels, as the engine's
+import { kLargestSide } from './attributes.js';
 
 export async function snapshotOf(engine, { width, height, type, ...others }) {
   for (const name of Object.keys(others))

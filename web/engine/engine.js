@@ -141,6 +141,13 @@ export class Engine {
     return drawPixels(this.#module, this.#session, width, height, fraction);
   }
 
+  // How long it takes to draw the view once in that size, milliseconds; null without a game.
+  timeDrawing(width, height) {
+    const begin = performance.now();
+    const isDrawn = this.#module._slicecast_draw(this.#session, width, height, 1) === 1;
+    return isDrawn ? performance.now() - begin : null;
+  }
+
   // Steps of exactly 1/120 s each, also while it stands still; the last one's view is drawn. The
   // input is held during all of them: {forward, strafe, turn, look, fly} from -1 to 1, {jump, fast,
   // slow, use, open, close} true or false. What was replayed is over.
