@@ -41,7 +41,7 @@ MapRayEnd followRay(const World& world, const Map& map, const MapRay& ray, doubl
         const BlueprintId id = map.cell(alongX.tile, alongY.tile, ray.level);
         if (id == kEmptyCell) continue;
         const CellBlueprint& block = world.blueprints[id];
-        if (!(block.bottom <= ray.height && ray.height < block.top)) continue;
+        if (block.isWater || !(block.bottom <= ray.height && ray.height < block.top)) continue;
         const Face face = &crossed == &alongX ? (alongX.step > 0 ? Face::west : Face::east)
                                               : (alongY.step > 0 ? Face::north : Face::south);
         return {length, true, block.face(face).portal != kNoPortal};

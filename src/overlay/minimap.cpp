@@ -25,6 +25,7 @@ constexpr int kLabelledSide = 120;  // pixels from which the level's number is s
 constexpr Colour kLowBlock = {112, 58, 48, 255};
 constexpr Colour kHighBlock = {214, 122, 92, 255};
 constexpr Colour kWholeBlock = {104, 132, 168, 255};
+constexpr double kWaterShade = 0.6;  // of water over the ground below it
 constexpr double kFloatingShade =
     0.5;  // of a block's colour, the rest is that of the ground under it
 constexpr Colour kEdge = {226, 232, 240, 150};
@@ -75,8 +76,12 @@ Colour groundColour(const World& world, const Map& map, int x, int y, int level)
         kNearGround, kDeepGround,
         drop > 0.0 ? std::min(kLeastShade + (1.0 - kLeastShade) * drop / kDeepestShade, 1.0) : 0.0);
     const BlueprintId id = map.cell(x, y, level);
-    if (id == kEmptyCell) return ground;
+    if (id == kEmptyCell) {
+        const bool isWaded = level == 0 && map.isWaterFloor(map.tileIndex(x, y));
+        return isWaded ? mixed(ground, kWaterColour, kWaterShade) : ground;
+    }
     const CellBlueprint& block = world.blueprints[id];
+    if (block.isWater) return mixed(ground, block.waterColour, kWaterShade);
     const Colour colour =
         block.top == tileEdge(1) ? kWholeBlock : mixed(kLowBlock, kHighBlock, block.top.value());
     return block.bottom.raw > 0 ? mixed(ground, colour, kFloatingShade) : colour;

@@ -72,6 +72,7 @@ void drawPlayerPanel(const PlayerFigures& player, const Picture& picture) {
         Row("look", {player.look < 0.0 ? "" : "+", Fixed{player.look + 0.0, 3}}),
         Row("speed", {Fixed{player.speed, 2}, " /s"}),
         Row("mode", player.flying     ? "flying"
+                    : player.swimming ? "swimming"
                     : player.crouched ? "crouching"
                                       : "walking"),
     };

@@ -27,6 +27,7 @@ struct PlayerFigures {
     double look = 0.0;            // screen heights
     double speed = 0.0;           // along the ground, units per second
     bool flying = false;
+    bool swimming = false;
     bool crouched = false;
 };
 

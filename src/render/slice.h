@@ -143,6 +143,10 @@ private:
     bool isArrival() const {
         return portals_ > 0 && walk_.tileX == startX_ && walk_.tileY == startY_;
     }
+    // Water may lack faces.
+    static bool isThere(const Block& block, Face face) {
+        return block.blueprint->face(face).texture != kNoTexture;
+    }
     bool isJoined(const Block& block, const Map& map, int x, int y, int level) const;
     bool joinsBefore(const Block& block) const;
     bool joinsNext(const Block& block, int up, bool leaving) const;

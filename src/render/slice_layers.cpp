@@ -53,14 +53,18 @@ bool Slice::joinsNext(const Block& block, int up, bool leaving) const {
 }
 
 void Slice::enterThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsBefore(block)) return;
+    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, enteredFace(enter_)) ||
+        joinsBefore(block))
+        return;
     seeThroughSide(block, enteredFace(enter_), enter_, sideView(enter_), firstRow, lastRow);
 }
 
 // Behind the side there may be a portal: one of the whole tile, or one in the face of a block,
 // which may be smaller than this one.
 void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow)) return;
+    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow) ||
+        !isThere(block, leftFace(leave_)))
+        return;
     const int x = behindX(Border::leave);
     const int y = behindY(Border::leave);
     const SideView view = sideView(leave_);
@@ -89,7 +93,9 @@ void Slice::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
 }
 
 void Slice::passThroughTop(const Block& block, int firstRow, int lastRow, bool leaving) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsNext(block, 1, leaving)) return;
+    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, Face::top) ||
+        joinsNext(block, 1, leaving))
+        return;
     const FaceBlueprint& look = block.blueprint->face(Face::top);
     seeThroughPlane(block.level, FilledRows::What::roof,
                     {{block.top, look.texture, look.light, look.glow, false, false},
@@ -103,7 +109,9 @@ void Slice::passThroughTop(const Block& block, int firstRow, int lastRow, bool l
 }
 
 void Slice::passThroughBottom(const Block& block, int firstRow, int lastRow, bool leaving) {
-    if (!open_.mayHold(firstRow, lastRow) || joinsNext(block, -1, leaving)) return;
+    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, Face::bottom) ||
+        joinsNext(block, -1, leaving))
+        return;
     const FaceBlueprint& look = block.blueprint->face(Face::bottom);
     seeThroughPlane(block.level, FilledRows::What::underside,
                     {{block.bottom, look.texture, look.light, look.glow, true, false},

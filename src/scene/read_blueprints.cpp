@@ -7,6 +7,8 @@
 namespace slicecast {
 namespace {
 
+constexpr NumberRange kSight = {0.0, 1000.0, true, "a number above 0 and at most 1000, in units"};
+
 // A key of "faces" and the faces that it means, from the widest to the narrowest: a narrower key
 // overrides a wider one.
 struct FaceKey {
@@ -52,6 +54,7 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     return face;
 }
 
+// Of water, faces may be left out: they are not there.
 void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     if (value.isText()) {
         blueprint.faces.fill(readFace(reading, value, true));
@@ -78,7 +81,7 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
         if (blueprint.faces[i].texture == kNoTexture)
             missing += (missing.empty() ? "" : ", ") + std::string(kFaceNames[i]);
     }
-    if (!missing.empty()) {
+    if (!missing.empty() && !blueprint.isWater) {
         reading.checker.add(value, {"no texture for ", missing},
                             "a texture for each of the six faces, by \"all\" for instance");
     }
@@ -88,6 +91,8 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
 void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint) {
     if (blueprint.motion >= 0)
         reading.checker.add(value, "a gate that has a motion too", "either \"gate\" or \"motion\"");
+    if (blueprint.isWater)
+        reading.checker.add(value, "a gate of water", "either \"gate\" or \"water\"");
     const bool isSeen =
         std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
             // Where the textures could not be read, this one may be right.
@@ -102,11 +107,22 @@ void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint
     }
 }
 
+// true, or { "colour": "#265c68", "sight": 8 }
+void readWater(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
+    blueprint.isWater = value.kind() != JsonValue::Kind::boolean || value.boolean();
+    if (value.kind() == JsonValue::Kind::boolean) return;
+    const auto fields = reading.checker.fields(value, {"colour", "sight"},
+                                               "true, or an object with \"colour\" and \"sight\"");
+    if (!fields) return;
+    blueprint.waterColour = fields->colour("colour", kWaterColour);
+    blueprint.waterSight = fields->number("sight", kSight, kWaterSight);
+}
+
 CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     CellBlueprint blueprint;
     blueprint.name = std::string(value.key());
     const auto fields =
-        reading.checker.fields(value, {"bottom", "top", "faces", "join", "motion", "gate"},
+        reading.checker.fields(value, {"bottom", "top", "water", "faces", "join", "motion", "gate"},
                                "a blueprint: an object with \"faces\"");
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
@@ -118,6 +134,7 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
                             "bottom < top, by at least 1/65536");
     }
     blueprint.join = fields->flag("join", true);
+    if (const auto water = fields->find("water")) readWater(reading, *water, blueprint);
     if (const auto faces = fields->require("faces", "the textures of the faces"))
         readFaces(reading, *faces, blueprint);
     if (const auto motion = fields->find("motion"))

@@ -24,12 +24,12 @@ void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int objec
     motions.push_back(motion);
 }
 
-// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "motion" }; a width of 0 is found
-// from the sprite later.
+// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "float", "motion" }; a width of 0
+// is found from the sprite later.
 std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize, const Map& map) {
     Checker& checker = reading.checker;
     const auto fields = checker.fields(
-        value, {"sprite", "x", "y", "z", "width", "height", "light", "glow", "motion"},
+        value, {"sprite", "x", "y", "z", "width", "height", "light", "glow", "float", "motion"},
         "an object: an object with \"sprite\", \"x\", \"y\" and \"height\"");
     if (!fields) return std::nullopt;
     const std::size_t faultsBefore = checker.count();
@@ -45,6 +45,7 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     object.width = toCoordinate(fields->number("width", kSize, 0.0));
     object.light = fields->number("light", kUnitRange, 1.0);
     object.glow = fields->flag("glow", false);
+    object.floats = fields->flag("float", false);
     std::optional<ReadMotion> moves;
     if (const auto motion = fields->find("motion")) moves = readObjectMotion(reading, *motion);
     if (checker.count() == faultsBefore && hasSize &&

@@ -284,8 +284,8 @@ private:
         int levelInTheWay = 0;
         for (int level = 0; level < map.levels; ++level) {
             const BlueprintId id = map.cell(tile.x, tile.y, level);
-            if (id == kEmptyCell || !isStill(world_.blueprints[id])) continue;
             const CellBlueprint& block = world_.blueprints[id];
+            if (id == kEmptyCell || !isStill(block) || block.isWater) continue;
             const Stretch solid = {tileEdge(level) + block.bottom, tileEdge(level) + block.top};
             if (low < solid.low) free.push_back({low, solid.low});
             low = solid.high;
@@ -348,6 +348,13 @@ private:
                          {"a portal at the block ", quoted(world_.blueprints[id].name),
                           ", which moves or opens"},
                          "a block that stands still");
+            return false;
+        }
+        if (world_.blueprints[id].isWater) {
+            checker_.add(
+                at,
+                {"a portal at the block ", quoted(world_.blueprints[id].name), ", which is water"},
+                "a solid block, or a portal of the whole tile, without \"face\"");
             return false;
         }
         if (id < firstOwn_) {

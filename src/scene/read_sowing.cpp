@@ -81,7 +81,7 @@ void readSown(Reading& reading, JsonValue value) {
     const auto fields =
         checker.fields(value,
                        {"sprite", "density", "seed", "height", "width", "above", "on", "textures",
-                        "clear", "light", "glow", "motion"},
+                        "clear", "light", "glow", "float", "motion"},
                        "what is sown: an object with \"sprite\", \"density\" and \"height\"");
     if (!fields) return;
     Sowing sowing;
@@ -104,6 +104,7 @@ void readSown(Reading& reading, JsonValue value) {
     sowing.clear = toCoordinate(fields->number("clear", kClear, kDefaultClear.value()));
     sowing.object.light = fields->number("light", kUnitRange, 1.0);
     sowing.object.glow = fields->flag("glow", false);
+    sowing.object.floats = fields->flag("float", false);
     if (const auto motion = fields->find("motion")) {
         const ReadMotion read = readObjectMotion(reading, *motion);
         sowing.motion = read.motion;

@@ -27,7 +27,8 @@ std::string obstacle(const World& world, const Map& map, const Box& body) {
             for (int level = 0; level < map.levels; ++level) {
                 const BlueprintId id = map.cell(x, y, level);
                 const CellBlueprint& block = world.blueprints[id];
-                if (id == kEmptyCell || tileEdge(level) + block.top <= body.bottom ||
+                if (id == kEmptyCell || block.isWater ||
+                    tileEdge(level) + block.top <= body.bottom ||
                     tileEdge(level) + block.bottom >= body.top)
                     continue;
                 const bool isBeside = tileEdge(x) >= body.east || tileEdge(y) >= body.south;

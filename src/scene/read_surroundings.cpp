@@ -62,9 +62,9 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     if (value.isText()) {
         map.floor.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
     } else {
-        fields =
-            reading.checker.fields(value, {"texture", "light", "glow", "mirror", "legend", "tiles"},
-                                   "a texture's name, or an object with \"texture\"");
+        fields = reading.checker.fields(
+            value, {"texture", "light", "glow", "mirror", "water", "legend", "tiles"},
+            "a texture's name, or an object with \"texture\"");
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
             map.floor.texture =
@@ -73,6 +73,10 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
         map.floor.light = fields->number("light", kUnitRange, 1.0);
         map.floor.glow = fields->flag("glow", false);
         map.floor.mirror = readMirror(*fields);
+        if (const auto water = fields->find("water")) {
+            map.floor.water =
+                reading.checker.name(*water, reading.textures, "texture").value_or(kNoTexture);
+        }
     }
     map.floor.tiles.assign(map.floor.tiles.size(), map.floor.texture);
     if (fields)

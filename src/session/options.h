@@ -45,6 +45,7 @@ struct SessionOptions {
     bool slow = false;         // the picture builds up slice by slice
     int slowSlices = 1;  // so many more with each picture; one every n pictures where it is -n
     double speed = 1.0;  // multiplies the player's moving speeds
+    bool bob = true;     // a swimmer's eye goes up and down with the water
 };
 
 enum class OptionKind {

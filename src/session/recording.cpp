@@ -10,7 +10,7 @@
 namespace slicecast {
 namespace {
 
-constexpr std::array<std::string_view, 1> kRecordedOptions = {"speed"};
+constexpr std::array<std::string_view, 2> kRecordedOptions = {"speed", "bob"};
 
 // The nearest whole number of units. What is no number counts as 0, as it does in a step.
 int inUnits(double value, int unitsOfOne, int most) {

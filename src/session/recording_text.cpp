@@ -230,7 +230,7 @@ RecordedEye readEye(Line& line) {
 RecordedOption readOption(Line& line) {
     RecordedOption option;
     if (!line.hasMore() || !isRecordedOption(line.peek())) {
-        line.refuse("an option that bears on steps: speed");
+        line.refuse("an option that bears on steps: speed or bob");
         return option;
     }
     option.name = line.peek();

@@ -20,7 +20,7 @@ namespace {
 
 static_assert(kLookLimit <= kMaxLook, "every look of the player can be drawn");
 
-PlayerInput playerInput(const Input& input, double speed) {
+PlayerInput playerInput(const Input& input, const SessionOptions& options) {
     return {.forward = input.forward,
             .strafe = input.strafe,
             .turn = input.turn,
@@ -31,7 +31,8 @@ PlayerInput playerInput(const Input& input, double speed) {
             .jump = input.jump,
             .fast = input.fast,
             .slow = input.slow,
-            .speed = speed};
+            .speed = options.speed,
+            .bob = options.bob};
 }
 
 // By the difference alone, so that an eye and what carries it are rounded alike.
@@ -89,7 +90,7 @@ void Session::step(const Input& input) {
     const Input kept = recorder_ != nullptr ? recorder_->step(input) : input;
     stepAround(gateAsk(kept));
     stepObjects(world_);
-    stepPlayer(world_, player_, playerInput(kept, options_.speed));
+    stepPlayer(world_, player_, playerInput(kept, options_));
     ++steps_;
     world_.seconds = static_cast<double>(steps_ - beganAt_) * kStepSeconds;
 }
@@ -168,6 +169,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
                          .look = seen.look,
                          .speed = groundSpeed(player_),
                          .flying = player_.flying,
+                         .swimming = player_.swimming,
                          .crouched = player_.crouched},
                         picture);
     }
@@ -292,6 +294,7 @@ SessionState Session::state() const {
             .look = player_.look,
             .speed = groundSpeed(player_),
             .flying = player_.flying,
+            .swimming = player_.swimming,
             .crouched = player_.crouched,
             .onGround = player_.onGround,
             .gate = gateOffer(world_, askOf(player_)),
@@ -338,6 +341,9 @@ std::uint64_t Session::fingerprint() const {
     for (const double number : {p.velocityX, p.velocityY, p.velocityZ, p.headingDegrees, p.look,
                                 p.turnRate, p.lookRate, p.eyeLagRate, options_.speed}) {
         hash.add(number);
+    }
+    if (p.swimming) {
+        for (const int number : {p.bobStep, int{options_.bob}}) hash.add(std::int64_t{number});
     }
     if (p.behind.isOn) {
         const Portal& back = p.behind.back;

@@ -44,6 +44,7 @@ struct SessionState {
     double look = 0.0;            // screen heights
     double speed = 0.0;           // along the ground, units per second
     bool flying = false;
+    bool swimming = false;
     bool crouched = false;
     bool onGround = false;
     GateOffer gate = GateOffer::none;  // what the key for gates would do

@@ -311,6 +311,8 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
         .number(state.speed);
     json.key("flying")
         .yesNo(state.flying)
+        .key("swimming")
+        .yesNo(state.swimming)
         .key("crouched")
         .yesNo(state.crouched)
         .key("onGround")

@@ -135,9 +135,9 @@ const char* slicecast_option(SlicecastSession* session, const char* name);
 const char* slicecast_options(SlicecastSession* session);
 
 // Where the player is, after the last step: {"map", "mapName", "x", "y", "z", "feet", "heading",
-// "look", "speed", "flying", "crouched", "onGround", "intensity", "multiplier", "steps",
-// "fingerprint"}: map by its number, x, y, z of the eye and height of the feet in units, heading in
-// degrees (0 = east, 90 = south), look in screen heights, speed in units per second. The
+// "look", "speed", "flying", "swimming", "crouched", "onGround", "intensity", "multiplier",
+// "steps", "fingerprint"}: map by its number, x, y, z of the eye and height of the feet in units,
+// heading in degrees (0 = east, 90 = south), look in screen heights, speed in units per second. The
 // fingerprint is the same text for the same state on every machine. null without a game.
 const char* slicecast_state(SlicecastSession* session);
 

@@ -1,6 +1,7 @@
 // Blueprints: named descriptions that many cells share.
 #pragma once
 
+#include "base/colour.h"
 #include "base/coordinate.h"
 
 #include <array>
@@ -24,6 +25,9 @@ inline constexpr BlueprintId kEmptyCell = 0;
 using PortalId = std::uint16_t;  // index into World::portals
 inline constexpr PortalId kNoPortal = 0xffff;
 
+inline constexpr Colour kWaterColour = {38, 92, 104, 255};
+inline constexpr double kWaterSight = 8.0;
+
 struct FaceBlueprint {
     TextureId texture = kNoTexture;
     double light = 1.0;  // factor on the map's light, 0 to 1
@@ -45,8 +49,12 @@ struct CellBlueprint {
     bool join = true;         // where two see-through blocks of this blueprint touch, the two faces
                               // between them are left out
 
-    bool passable = false;    // bodies go through it: an open gate
-    bool hasPortals = false;  // a face has one; set by markPortals
+    bool passable = false;  // bodies go through it: an open gate
+    bool isWater = false;   // bodies get into it, see world/water.h; counts as see-through, and
+                            // faces without a texture are not there
+    Colour waterColour = kWaterColour;  // what an eye in it sees all in, the more the farther
+    double waterSight = kWaterSight;    // units, > 0: from there on it sees this colour alone
+    bool hasPortals = false;            // a face has one; set by markPortals
     int mover = -1;   // the thing that moves as one, of which this block is a part; -1 for none
     int motion = -1;  // index into World::motions; -1 for what stands still
     int gate = -1;    // index into World::gateKinds; -1 for what is no gate

@@ -17,6 +17,7 @@ struct Body {
     bool rides = false;  // stands with its weight: goes down with what it stands on too
     Position eye = {};   // as of a Traveller; of no meaning in a world without portals
     Threshold behind = {};
+    bool floats = false;   // as of a Traveller
     Coordinate lift = {};  // by how much a step has moved it up; negative is down
 
     // Of no meaning outside the step.
@@ -30,7 +31,8 @@ inline Body bodyOf(const Traveller& traveller, bool rides) {
             .box = traveller.box,
             .rides = rides,
             .eye = traveller.eye,
-            .behind = traveller.behind};
+            .behind = traveller.behind,
+            .floats = traveller.floats};
 }
 
 // The same, so far up.
@@ -39,7 +41,8 @@ inline Traveller travellerOf(const Body& body, Coordinate up = {}) {
     return {.map = body.map,
             .box = moved(body.box, {.x = {}, .y = {}, .z = up}),
             .eye = eye,
-            .behind = body.behind};
+            .behind = body.behind,
+            .floats = body.floats};
 }
 
 }  // namespace slicecast

@@ -22,10 +22,10 @@ bool isInsideOutline(const Map& map, const Box& box) {
 
 }  // namespace
 
-bool isFree(const World& world, int map, const Box& box) {
+bool isFree(const World& world, int map, const Box& box, bool floats) {
     const Map* where = findMap(world, map);
     if (where == nullptr || !isInsideOutline(*where, box)) return false;
-    return isFreeAmong(MapSolids(world, *where), box);
+    return isFreeAmong(MapSolids(world, *where, floats), box);
 }
 
 Coordinate sweepX(const World& world, int map, const Box& box, Coordinate distance) {
@@ -38,10 +38,10 @@ Coordinate sweepY(const World& world, int map, const Box& box, Coordinate distan
     return where != nullptr ? sweepYAmong(MapSolids(world, *where), box, distance) : Coordinate{};
 }
 
-Coordinate sweepZ(const World& world, int map, const Box& box, Coordinate distance) {
+Coordinate sweepZ(const World& world, int map, const Box& box, Coordinate distance, bool floats) {
     const Map* where = findMap(world, map);
     if (where == nullptr || !isInsideOutline(*where, box)) return {};
-    return sweepZAmong(MapSolids(world, *where), box, distance);
+    return sweepZAmong(MapSolids(world, *where, floats), box, distance);
 }
 
 bool isSupported(const World& world, int map, const Box& box) {
@@ -61,12 +61,12 @@ std::int64_t partsOf(Coordinate distanceX, Coordinate distanceY) {
 }
 
 Slide slide(const World& world, int map, const Box& box, Coordinate distanceX, Coordinate distanceY,
-            Coordinate step) {
+            Coordinate step, bool floats) {
     Slide state;
     state.box = box;
     const Map* where = findMap(world, map);
     if (where == nullptr) return state;
-    const MapSolids solids(world, *where);
+    const MapSolids solids(world, *where, floats);
     const std::int64_t parts = partsOf(distanceX, distanceY);
     for (std::int64_t i = 0; i < parts; ++i) {
         const Coordinate x = partOf(distanceX, i, parts);

@@ -1,10 +1,10 @@
 // What stands in a body's way. A body is an upright box with its sides along the grid; all of it is
 // integer arithmetic in 1/65536 units, so a contact is exact and there is no tolerance anywhere.
 //
-// Solid are: the blocks, the floor (height 0), the ceiling plane of the tiles that have one (it has
-// no thickness: it can be stood on, and bumped into from below), and the outline of the grid at
-// every height. Above the top level there is open air up to kMaxBodyHeight. Touching is not
-// overlapping: a body may rest on, stand against and slide along all of these.
+// Solid are: the blocks but those of water, the floor (height 0), the ceiling plane of the tiles
+// that have one (it has no thickness: it can be stood on, and bumped into from below), and the
+// outline of the grid at every height. Above the top level there is open air up to kMaxBodyHeight.
+// Touching is not overlapping: a body may rest on, stand against and slide along all of these.
 #pragma once
 
 #include "base/coordinate.h"
@@ -47,14 +47,16 @@ constexpr Box moved(Box box, Offset by) {
             box.south + by.y, box.bottom + by.z, box.top + by.z};
 }
 
-// True if nothing solid reaches into the box. False for a map that does not exist.
-bool isFree(const World& world, int map, const Box& box);
+// True if nothing solid reaches into the box. False for a map that does not exist. Here and below,
+// water is solid to who floats.
+bool isFree(const World& world, int map, const Box& box, bool floats = false);
 
 // How far a free box gets along one axis on a way of `distance`, of either sign, before something
 // stops it: between 0 and `distance`.
 Coordinate sweepX(const World& world, int map, const Box& box, Coordinate distance);
 Coordinate sweepY(const World& world, int map, const Box& box, Coordinate distance);
-Coordinate sweepZ(const World& world, int map, const Box& box, Coordinate distance);
+Coordinate sweepZ(const World& world, int map, const Box& box, Coordinate distance,
+                  bool floats = false);
 
 // True if a free box rests on something.
 bool isSupported(const World& world, int map, const Box& box);
@@ -75,6 +77,6 @@ struct Slide {
 // along what it meets. Where it is stopped by something whose top is at most `step` above its
 // bottom, it is put onto that top if there is room for it on the way there. The result is free.
 Slide slide(const World& world, int map, const Box& box, Coordinate distanceX, Coordinate distanceY,
-            Coordinate step);
+            Coordinate step, bool floats = false);
 
 }  // namespace slicecast

@@ -31,6 +31,7 @@ struct Floor {
     double light = 1.0;            // factor on the map's light, 0 to 1
     bool glow = false;             // see FaceBlueprint
     std::uint8_t mirror = 0;       // see FaceBlueprint
+    TextureId water = kNoTexture;  // tiles that show it are water, which one wades in
 };
 
 // A plane above some or all tiles of the grid, seen from both sides. There is none where no tile
@@ -108,6 +109,9 @@ struct Map {
     // the levels.
     BlueprintId cell(int x, int y, int level) const {
         return isOccupied(x, y, level) ? cells[cellIndex(x, y, level)] : kEmptyCell;
+    }
+    bool isWaterFloor(std::size_t tile) const {
+        return floor.water != kNoTexture && floor.tiles[tile] == floor.water;
     }
     PortalId tilePortal(int x, int y) const {
         return tilePortals.empty() || !contains(x, y) ? kNoPortal : tilePortals[tileIndex(x, y)];

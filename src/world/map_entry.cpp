@@ -1,6 +1,7 @@
 #include "world/map_entry.h"
 
 #include "world/player.h"
+#include "world/water.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -14,12 +15,15 @@ std::optional<Coordinate> lowestPlace(const World& world, int mapIndex, int tile
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const Coordinate x = {tileEdge(tileX).raw + tileEdge(1).raw / 2};
     const Coordinate y = {tileEdge(tileY).raw + tileEdge(1).raw / 2};
-    if (fitsStanding(world, mapIndex, x, y, {})) return Coordinate{};
+    const auto isDry = [&](Coordinate feet) {
+        return waterAt(world, map, tileX, tileY, feet).water == nullptr;
+    };
+    if (isDry({}) && fitsStanding(world, mapIndex, x, y, {})) return Coordinate{};
     for (int level = 0; level < map.levels; ++level) {
         const BlueprintId id = map.cell(tileX, tileY, level);
-        if (id == kEmptyCell) continue;
+        if (id == kEmptyCell || world.blueprints[id].isWater) continue;
         const Coordinate top = tileEdge(level) + world.blueprints[id].top;
-        if (fitsStanding(world, mapIndex, x, y, top)) return top;
+        if (isDry(top) && fitsStanding(world, mapIndex, x, y, top)) return top;
     }
     return std::nullopt;
 }

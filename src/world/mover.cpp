@@ -65,6 +65,11 @@ struct Move {
 void Move::meet(Body& body) const {
     body.isMet = body.straddles;
     body.push = {};
+    // Water pushes and carries only what floats.
+    if (world.blueprints[mover.shafts.front().firstPart].isWater && !body.floats) {
+        body.isMet = false;
+        return;
+    }
     const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
     const Box& box = body.box;
     if (body.map == mover.map) {

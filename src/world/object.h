@@ -20,6 +20,7 @@ struct Object {
     Coordinate height;   // > 0
     double light = 1.0;  // see FaceBlueprint
     bool glow = false;
+    bool floats = false;  // water bears it, as ground does
 };
 
 }  // namespace slicecast

@@ -5,6 +5,7 @@
 #include "world/body.h"
 #include "world/player.h"
 #include "world/traveller.h"
+#include "world/water.h"
 
 #include <algorithm>
 
@@ -29,7 +30,15 @@ Traveller travellerOf(const ObjectMotion& motion, const Object& object) {
     return {.map = motion.map,
             .box = objectBody(object),
             .eye = {object.x, object.y, object.z + motion.eye},
-            .behind = motion.behind};
+            .behind = motion.behind,
+            .floats = object.floats};
+}
+
+// True if the water has become deeper than a walker goes, half its height.
+bool isTooDeep(const World& world, const Object& object, const Traveller& before,
+               const Traveller& body) {
+    const Coordinate depth = waterDepth(world, body);
+    return depth.raw > object.height.raw / 2 && depth > waterDepth(world, before);
 }
 
 // Takes an object from its map's list to the end of another one's; the rest keep their order.
@@ -117,7 +126,8 @@ Step walk(World& world, ObjectMotion& motion, GroundPoint way) {
     // come all the way.
     const bool straight =
         motion.kind == ObjectMotion::Kind::pace || (body.leaps > 0 && motion.reach.raw > 0);
-    step.refused = (straight && (step.stoppedX || step.stoppedY)) || !comeDown(world, body);
+    step.refused = (straight && (step.stoppedX || step.stoppedY)) || !comeDown(world, body) ||
+                   isTooDeep(world, object, before, body);
     if (step.refused) {
         body = before;
         motion.onGround = comeDown(world, body);
@@ -215,6 +225,7 @@ GroundPoint beginning(const ObjectMotion& motion, GroundPoint put) {
 }
 
 void startObjects(World& world) {
+    floatObjects(world);
     MovingObjects& moving = world.movingObjects;
     if (moving.motions.empty()) return;
     for (ObjectMotion& motion : moving.motions) {

@@ -2,9 +2,10 @@
 //
 // A moving object is a body (see traveller.h) as wide as its picture, within limits, and as high,
 // with its eye halfway up. One that is free stays free. Walkers take steps up and down like the
-// player and turn at whatever they meet, ledges among it; with no ground under them they fall.
-// Flyers turn back. All of them go through portals. Ways are sums of coordinates, so they are the
-// same everywhere. What stands still costs nothing here.
+// player and turn at whatever they meet, ledges and water deeper than half their height among it;
+// with no ground under them they fall. What floats goes over water as over ground. Flyers turn
+// back. All of them go through portals. Ways are sums of coordinates, so they are the same
+// everywhere. What stands still costs nothing here.
 //
 //     startObjects(world);      once the world is complete
 //     stepObjects(world);       1/120 s

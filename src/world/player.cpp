@@ -1,6 +1,7 @@
 #include "world/player.h"
 
 #include "base/angle.h"
+#include "world/water.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +87,7 @@ void turnAndLook(Player& player, const PlayerInput& wish) {
 }
 
 Coordinate eyeAboveFeet(const Player& player) {
-    return player.flying || player.crouched ? kCrouchedEye : kStandingEye;
+    return player.flying || player.swimming || player.crouched ? kCrouchedEye : kStandingEye;
 }
 
 // The player where the body has come to, maybe through portals: everything that has a direction
@@ -107,7 +108,9 @@ void put(Player& player, const Traveller& body) {
 // Moves the eye to its place, but keeps it above the feet, and below what is above the body.
 void moveEyeTo(const World& world, Player& player, Coordinate wantedLag) {
     Traveller body = travellerOf(player);
-    Coordinate lag = std::max(wantedLag, kLowestEye - eyeAboveFeet(player));
+    // Where feet are in a floor of water, the eye is still above the floor.
+    Coordinate lag =
+        std::max(wantedLag, kLowestEye - eyeAboveFeet(player) - std::min(player.z, Coordinate{0}));
     if (lag.raw > 0) lag = sweepZ(world, body, lag);
     const bool arrived = moveEye(world, body, lag - player.eyeLag);
     put(player, body);
@@ -130,13 +133,14 @@ void easeEye(const World& world, Player& player) {
 
 // Slides along the ground by the velocity; what stops it takes the velocity along that axis away.
 // Over steps the eye stays behind.
-void slidePlayer(const World& world, Player& player, Coordinate step) {
+Travelled slidePlayer(const World& world, Player& player, Coordinate step) {
     Traveller body = travellerOf(player);
     const Travelled way = slide(world, body, toCoordinate(player.velocityX * kStepSeconds),
                                 toCoordinate(player.velocityY * kStepSeconds), step);
     put(player, body);
     if (way.stoppedX) player.velocityX = 0.0;
     if (way.stoppedY) player.velocityY = 0.0;
+    return way;
 }
 
 // Moves up or down by at most `distance`. False if something stopped it.
@@ -203,8 +207,10 @@ void walk(const World& world, Player& player, const PlayerInput& wish) {
     crouchOrStand(world, player, wish.fly < 0.0);
     jumpIfAsked(player, wish.jump);
 
+    const double deep = waterDepth(world, travellerOf(player)).value() / kSwimDepth.value();
     const double speed = kWalkingPace.move * gear(kWalkingPace, wish) * wish.speed *
-                         (player.crouched ? kCrouchedPace : 1.0);
+                         (player.crouched ? kCrouchedPace : 1.0) *
+                         (1.0 - (1.0 - kWadingPace) * std::min(deep, 1.0));
     const Vector target = wishedVelocity(player, wish, speed);
     const bool resting = target.x == 0.0 && target.y == 0.0;
     const double acceleration = player.onGround ? (resting ? kGroundBraking : kGroundAcceleration)
@@ -249,26 +255,115 @@ void drift(Player& player) {
     player.behind = {};
 }
 
-// The flying body, around the eye. It lies within the space that a free body and its eye have.
-void flyAtEye(Player& player) {
+// The flying or swimming body, around the eye. It lies within the space that a free body and its
+// eye have.
+void shrinkToEye(Player& player, bool Player::*mode) {
     const Coordinate eye = eyeHeight(player);
     player.z = std::max(player.z, eye - kCrouchedEye);
-    player.flying = true;
-    player.crouched = false;
+    player.flying = player.swimming = player.crouched = false;
+    player.*mode = true;
     player.onGround = false;
     player.eyeLag = eye - player.z - kCrouchedEye;
 }
 
 // The same for a free body. Above a portal that the eye has just passed there may be no room for
 // it: then the eye comes down to the body.
-void bringBodyToEye(const World& world, Player& player) {
+void bringBodyToEye(const World& world, Player& player, bool Player::*mode) {
     const Coordinate feet = player.z;
-    flyAtEye(player);
+    shrinkToEye(player, mode);
     if (isFree(world, travellerOf(player))) return;
     const Coordinate eye = eyeHeight(player);
     player.z = feet;
     player.eyeLag = eye - feet - kCrouchedEye;
     moveEyeTo(world, player, {});
+}
+
+// Lets the legs down as far as there is room for them; stays crouched if that is not enough to
+// stand. The eye stays where it is.
+void standUp(const World& world, Player& player, Coordinate mostLegs) {
+    const Coordinate eye = eyeHeight(player);
+    const Coordinate legs = sweepZ(world, travellerOf(player), {-mostLegs.raw});
+    player.crouched = !canStand(world, player, player.z + legs);
+    if (!player.crouched) player.z = player.z + legs;
+    player.flying = player.swimming = false;
+    player.earlyJumpSteps = 0;
+    player.lateJumpSteps = 0;
+    player.eyeLag = eye - player.z - eyeAboveFeet(player);
+    moveEyeTo(world, player, player.eyeLag);
+}
+
+// Where the ground is near enough to the surface to stand on it.
+bool reachesGround(const World& world, const Player& player, Coordinate depth) {
+    Traveller body = travellerOf(player);
+    const Coordinate legs = sweepZ(world, body, {-kEyeDrop.raw});
+    if (depth - legs > kStandDepth || !canStand(world, player, player.z + legs)) return false;
+    body.box = moved(body.box, {.x = {}, .y = {}, .z = legs});
+    return isSupported(world, body);
+}
+
+// Into the water, where it is deep, and out of it.
+void swimOrStand(const World& world, Player& player) {
+    const Coordinate depth = waterDepth(world, travellerOf(player));
+    if (!player.swimming) {
+        if (depth <= kSwimDepth) return;
+        bringBodyToEye(world, player, &Player::swimming);
+        player.bobStep = 0;
+    } else if (depth.raw == 0) {
+        standUp(world, player, {});
+    } else if (reachesGround(world, player, depth)) {
+        standUp(world, player, kEyeDrop);
+    }
+    if (!player.swimming) player.onGround = isSupported(world, travellerOf(player));
+}
+
+// The speed that lifts a swimmer onto a bank in the way, or nothing. One has to make for it.
+double climbingSpeed(const World& world, const Player& player, Vector wished, Travelled stopped,
+                     Coordinate highest) {
+    const double x = std::abs(wished.x);
+    const double y = std::abs(wished.y);
+    if (!(stopped.stoppedX && x > y) && !(stopped.stoppedY && y > x)) return 0.0;
+    Traveller there = travellerOf(player);
+    const Coordinate way = kLongestSlide;
+    const Travelled climbed =
+        x > y ? slide(world, there, {wished.x < 0.0 ? -way.raw : way.raw}, {}, highest)
+              : slide(world, there, {}, {wished.y < 0.0 ? -way.raw : way.raw}, highest);
+    if (climbed.rise.raw == 0) return 0.0;
+    constexpr double kToSpare = 0.06;
+    return std::sqrt(2.0 * kGravity * (climbed.rise.value() + kToSpare));
+}
+
+void swim(const World& world, Player& player, const PlayerInput& wish) {
+    player.jumpHeld = wish.jump;
+    const Coordinate surface = player.z + waterDepth(world, travellerOf(player));
+    const double factor = gear(kWalkingPace, wish) * wish.speed;
+
+    // Up and down
+    player.bobStep = (player.bobStep + 1) % kBobSteps;
+    const double bob =
+        wish.bob ? kBobHeight * sineCosineDegrees(player.bobStep * (360.0 / kBobSteps)).sine : 0.0;
+    const Coordinate eye = eyeHeight(player);
+    const double up = std::min(wish.fly + (wish.jump ? 1.0 : 0.0), 1.0) * kSwimRise * factor;
+    const double toFloat = kFloating * ((surface + kFloatingEye - eye).value() + bob);
+    const double target = up < 0.0 ? up : within(toFloat, -kSwimRise, std::max(up, kBuoyancy), 0.0);
+    player.velocityZ =
+        respond(player.velocityZ, target, std::max(kSwimRise, std::abs(up)), kSwimResponse);
+
+    // Along
+    const Vector wished = wishedVelocity(player, wish, kWalkingPace.move * kSwimmingPace * factor);
+    const Vector velocity = approach({player.velocityX, player.velocityY}, wished,
+                                     kWalkingPace.move * factor * kSwimResponse * kStepSeconds);
+    player.velocityX = velocity.x;
+    player.velocityY = velocity.y;
+    // The eye follows over low steps without a jerk; a higher bank is climbed.
+    const Coordinate lowStep = {std::max(0, (eye - player.z - kLowestEye).raw)};
+    const Player before = player;
+    const Travelled way = slidePlayer(world, player, lowStep);
+    if (eye >= surface && up >= 0.0 && way.rise.raw == 0 && player.leaps == before.leaps) {
+        const double climb =
+            climbingSpeed(world, before, wished, way, surface + kClimbOut - before.z);
+        if (climb > 0.0) player.velocityZ = std::max(player.velocityZ, climb);
+    }
+    if (!rise(world, player, toCoordinate(player.velocityZ * kStepSeconds))) player.velocityZ = 0.0;
 }
 
 }  // namespace
@@ -279,8 +374,9 @@ Box bodyBox(Coordinate x, Coordinate y, Coordinate feet, Coordinate height) {
 }
 
 Box bodyBox(const Player& player) {
-    return bodyBox(player.x, player.y, player.z,
-                   player.flying || player.crouched ? kCrouchedHeight : kStandingHeight);
+    return bodyBox(
+        player.x, player.y, player.z,
+        player.flying || player.swimming || player.crouched ? kCrouchedHeight : kStandingHeight);
 }
 
 Traveller travellerOf(const Player& player) {
@@ -339,10 +435,11 @@ void stepPlayer(const World& world, Player& player, const PlayerInput& input) {
     turnAndLook(player, wish);
     const bool free = isFree(world, travellerOf(player));
     if (free && !player.flying) {
-        walk(world, player, wish);
+        swimOrStand(world, player);
+        player.swimming ? swim(world, player, wish) : walk(world, player, wish);
     } else {
         player.jumpHeld = wish.jump;
-        if (!player.flying) flyAtEye(player);
+        if (!player.flying) shrinkToEye(player, &Player::flying);
         chooseFlyingVelocity(player, wish);
         if (!free) return drift(player);
         fly(world, player);
@@ -355,26 +452,16 @@ void setFlying(const World& world, Player& player, bool flying) {
     const bool isFreeNow = isFree(world, travellerOf(player));
     if (flying) {
         if (isFreeNow) {
-            bringBodyToEye(world, player);
+            bringBodyToEye(world, player, &Player::flying);
         } else {
-            flyAtEye(player);
+            shrinkToEye(player, &Player::flying);
         }
         player.velocityZ = 0.0;
         return;
     }
     if (!isFreeNow) return;
-    bringBodyToEye(world, player);
-    const Coordinate eye = eyeHeight(player);
-    // Let the legs down as far as there is room for them; stay crouched if that is not enough to
-    // stand.
-    const Coordinate legs = sweepZ(world, travellerOf(player), {-kEyeDrop.raw});
-    player.crouched = !canStand(world, player, player.z + legs);
-    if (!player.crouched) player.z = player.z + legs;
-    player.flying = false;
-    player.earlyJumpSteps = 0;
-    player.lateJumpSteps = 0;
-    player.eyeLag = eye - player.z - eyeAboveFeet(player);
-    moveEyeTo(world, player, player.eyeLag);
+    bringBodyToEye(world, player, &Player::flying);
+    standUp(world, player, kEyeDrop);
 }
 
 void levelLook(const World& world, Player& player) {
@@ -384,7 +471,12 @@ void levelLook(const World& world, Player& player) {
     player.velocityZ = 0.0;
     player.eyeLagRate = 0.0;
     moveEyeTo(world, player, {});
-    rise(world, player, {-kMaxBodyHeight.raw});
+    // Down to the ground, or to the surface of water.
+    Traveller body = travellerOf(player);
+    body.floats = true;
+    body.floats = isFree(world, body);
+    rise(world, body, {-kMaxBodyHeight.raw});
+    put(player, body);
     rise(world, player, kEyeDrop);
 }
 

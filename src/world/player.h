@@ -1,18 +1,21 @@
-// The player: a body that walks or flies through a map, one fixed step at a time.
+// The player: a body that walks, swims or flies through a map, one fixed step at a time.
 //
-//         top  +-----+   0.72 standing, 0.35 crouched or flying          x, y: the middle of the
-//         body
+//         top  +-----+   0.72 standing, 0.35 crouched or in the air or   x, y: the middle of the
+//              |     |   water                                                 body
 //              |     |                                                   z:    the feet, i.e. the
-//              bottom of the body
-//         eye  |  o  |   0.50 standing, 0.25 crouched or flying
+//         eye  |  o  |   0.50 standing, 0.25 crouched, flying or               bottom of the body
+//              |     |   swimming
 //              |     |   0.40 wide and deep                              Units are blocks, seconds
 //              and degrees.
 //        feet  +-----+   z
 //
 // Walking has weight: gravity, acceleration, jumps, steps up to 0.5 at once while the eye follows
-// smoothly. Flying has none and stops at blocks too. A body that is free stays free: no step and no
-// change of mode puts it into something solid (see collision.h). One that is not free to begin with
-// (a tool may put an eye anywhere) flies through everything until it is.
+// smoothly. Flying has none and stops at blocks too. Water slows whoever wades in it; where it is
+// deeper than kSwimDepth one swims, drifts up to its surface and dives on purpose. One gets out of
+// it where the ground rises, or onto what is at most kClimbOut above the surface. A body that is
+// free stays free: no step and no change of mode puts it into something solid (see collision.h).
+// One that is not free to begin with (a tool may put an eye anywhere) flies through everything
+// until it is.
 //
 // The player goes through portals the moment that the eye does, with the same speed and the same
 // view (see traveller.h).
@@ -69,6 +72,22 @@ inline constexpr int kLateJumpSteps =
     12;  // a jump still counts this long after the ground has gone (0.1 s)
 inline constexpr int kEarlyJumpSteps = 12;  // and is remembered this long before landing
 
+// Water: see world/water.h. Units, units per second, or per second squared.
+inline constexpr Coordinate kSwimDepth = toCoordinate(0.45);  // feet deeper than that swim
+inline constexpr Coordinate kStandDepth =
+    toCoordinate(0.4);  // a swimmer whose feet reach the ground at most so deep stands up
+inline constexpr Coordinate kClimbOut =
+    toCoordinate(0.5);  // of a bank above the surface, onto which a swimmer gets
+inline constexpr Coordinate kFloatingEye = toCoordinate(0.12);  // above the surface
+inline constexpr double kWadingPace = 0.5;    // of the walking speed, where it is deepest
+inline constexpr double kSwimmingPace = 0.6;  // of the walking speed
+inline constexpr double kSwimRise = 1.5;      // up and down by keys
+inline constexpr double kBuoyancy = 0.3;      // up, without a key
+inline constexpr double kSwimResponse = 4.0;  // of the full speed, per second
+inline constexpr double kFloating = 4.0;      // of the way to the surface, per second
+inline constexpr double kBobHeight = 0.03;    // that a swimmer's eye bobs up and down
+inline constexpr int kBobSteps = 312;         // the time it takes
+
 // Flying and turning reach their full speed in a tenth of a second.
 inline constexpr double kFlyingResponse = 10.0;  // of the full speed, per second
 inline constexpr double kTurningResponse = 10.0;
@@ -91,13 +110,15 @@ struct PlayerInput {
     double strafe = 0.0;       // positive to the right
     double turn = 0.0;         // positive turns right (clockwise)
     double look = 0.0;         // positive looks up
-    double fly = 0.0;          // flying: positive rises; walking: negative crouches
+    double fly = 0.0;          // flying: positive rises; swimming too, negative dives; walking:
+                               // negative crouches
     double turnDegrees = 0.0;  // turned at once, for a mouse; positive right
     double lookHeights = 0.0;  // looked up at once, screen heights
-    bool jump = false;         // held; a jump is one press
+    bool jump = false;         // held; a jump is one press; swimming: rises
     bool fast = false;
     bool slow = false;   // wins over fast
     double speed = 1.0;  // multiplies moving (not turning), kLeastSpeed to kGreatestSpeed
+    bool bob = true;     // on the water
 };
 
 struct Player {
@@ -116,11 +137,13 @@ struct Player {
                         // a crouch
     double eyeLagRate = 0.0;  // units per second
     bool flying = false;
+    bool swimming = false;
     bool crouched = false;
     bool onGround = false;
     bool jumpHeld = false;
     int lateJumpSteps = 0;   // left to jump after the ground has gone
     int earlyJumpSteps = 0;  // left for a remembered jump
+    int bobStep = 0;         // swimming: of kBobSteps
     int leaps = 0;  // portals passed so far: what is between the places before and after one cannot
                     // be drawn
     Threshold behind;  // of the portal that the body still reaches back through

@@ -64,7 +64,7 @@ void PortalSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting 
         meet(bottom, top, middle, b.portal != nullptr ? std::min(to, b.low) : to, met);
         if (b.portal != nullptr) meet(bottom, top, std::max(from, b.high), to, met);
     };
-    MapSolids(world_, map_).visit(x, y, low, high, clipped);
+    MapSolids(world_, map_, floats_).visit(x, y, low, high, clipped);
     for (const Opening& opening : {openings.below, openings.above}) {
         if (opening.portal == nullptr) continue;
         visitThrough(*opening.portal, x, y, std::max(from, opening.low), std::min(to, opening.high),
@@ -92,7 +92,7 @@ void PortalSolids::visitThrough(const Portal& portal, int x, int y, Coordinate f
     if (from >= to) return;
     const GridTile tile = carried(portal, GridTile{x, y});
     const Coordinate shift = tileEdge(portal.levels);
-    MapSolids(world_, mapAt(portal.toMap))
+    MapSolids(world_, mapAt(portal.toMap), floats_)
         .visit(tile.x, tile.y, low + shift, high + shift, [&](Coordinate bottom, Coordinate top) {
             meet(bottom - shift, top - shift, from, to, met);
         });
@@ -106,7 +106,7 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
             if (!map_.isOccupied(tile.x, tile.y, level)) continue;
             const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
             const Coordinate top = tileEdge(level) + block.top;
-            if (top > eye_.z) continue;
+            if (top > eye_.z || block.isWater) continue;
             openings.below = {
                 portalOf(world_, block.face(Face::top).portal), {-kBoundless.raw}, top};
             break;
@@ -115,7 +115,7 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
             if (!map_.isOccupied(tile.x, tile.y, level)) continue;
             const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
             const Coordinate bottom = tileEdge(level) + block.bottom;
-            if (bottom <= eye_.z) continue;
+            if (bottom <= eye_.z || block.isWater) continue;
             openings.above = {portalOf(world_, block.face(Face::bottom).portal), bottom,
                               kBoundless};
             break;

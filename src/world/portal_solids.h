@@ -42,7 +42,8 @@ public:
           map_(mapAt(body.map)),
           behind_(body.behind),
           eye_(body.eye),
-          eyeTile_{body.eye.x.tile(), body.eye.y.tile()} {}
+          eyeTile_{body.eye.x.tile(), body.eye.y.tile()},
+          floats_(body.floats) {}
 
     void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const override;
 
@@ -61,6 +62,7 @@ private:
     const Threshold& behind_;
     Position eye_;
     GridTile eyeTile_;
+    bool floats_;
 };
 
 }  // namespace slicecast

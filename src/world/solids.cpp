@@ -1,5 +1,7 @@
 #include "world/solids.h"
 
+#include "world/water.h"
+
 #include <algorithm>
 
 namespace slicecast {
@@ -45,16 +47,17 @@ Coordinate sweepAcross(Coordinate low, Coordinate high, Coordinate distance, Blo
 
 void MapSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const {
     if (!map_.contains(x, y)) return met(Coordinate{-kBoundless.raw}, kBoundless);
-    met(Coordinate{-kBoundless.raw}, Coordinate{0});
-    met(kMaxBodyHeight, kBoundless);
     const std::size_t tile = map_.tileIndex(x, y);
+    const bool isWaded = !floats_ && map_.isWaterFloor(tile);
+    met(Coordinate{-kBoundless.raw}, isWaded ? Coordinate{-kFloorWade.raw} : Coordinate{0});
+    met(kMaxBodyHeight, kBoundless);
     const std::uint32_t occupied = map_.occupied[tile];
     const int first = std::max(0, Coordinate{low.raw - 1}.tile());
     const int last = std::min(map_.levels - 1, high.tile());
     for (int level = first; level <= last; ++level) {
         if ((occupied >> level & 1u) == 0) continue;
         const CellBlueprint& block = world_.blueprints[map_.cells[map_.cellIndex(x, y, level)]];
-        if (block.passable) continue;
+        if (block.passable || (block.isWater && !floats_)) continue;
         met(tileEdge(level) + block.bottom, tileEdge(level) + block.top);
     }
     if (!map_.ceiling.tiles.empty() && map_.ceiling.tiles[tile] != kNoTexture)

@@ -54,12 +54,14 @@ protected:
 // A map with its floor, ceiling and outline, and the end of the air.
 class MapSolids final : public Solids {
 public:
-    MapSolids(const World& world, const Map& map) : world_(world), map_(map) {}
+    MapSolids(const World& world, const Map& map, bool floats = false)
+        : world_(world), map_(map), floats_(floats) {}
     void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const override;
 
 private:
     const World& world_;
     const Map& map_;
+    bool floats_;  // water is solid to who asks
 };
 
 bool isFreeAmong(const Solids& solids, const Box& box);

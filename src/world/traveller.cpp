@@ -239,13 +239,13 @@ void go(const World& world, Traveller& body, Stretch way, Coordinate step, Trave
 
 bool isFree(const World& world, const Traveller& body) {
     if (!isThere(world, body)) return false;
-    return world.portals.empty() ? isFree(world, body.map, body.box)
+    return world.portals.empty() ? isFree(world, body.map, body.box, body.floats)
                                  : isFreeAmong(PortalSolids(world, body), body.box);
 }
 
 Coordinate sweepZ(const World& world, const Traveller& body, Coordinate distance) {
     if (!isThere(world, body)) return {};
-    return world.portals.empty() ? sweepZ(world, body.map, body.box, distance)
+    return world.portals.empty() ? sweepZ(world, body.map, body.box, distance, body.floats)
                                  : sweepZAmong(PortalSolids(world, body), body.box, distance);
 }
 
@@ -257,7 +257,7 @@ Travelled slide(const World& world, Traveller& body, Coordinate distanceX, Coord
                 Coordinate step) {
     if (!isThere(world, body)) return {};
     if (world.portals.empty()) {
-        const Slide way = slide(world, body.map, body.box, distanceX, distanceY, step);
+        const Slide way = slide(world, body.map, body.box, distanceX, distanceY, step, body.floats);
         body.eye.x = body.eye.x + way.box.west - body.box.west;
         body.eye.y = body.eye.y + way.box.north - body.box.north;
         body.box = way.box;

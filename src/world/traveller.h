@@ -35,6 +35,7 @@ struct Traveller {
     Box box;       // at most 1/2 wide and deep
     Position eye;  // its x and y are those of the box's middle
     Threshold behind;
+    bool floats = false;  // water is solid to it
     int turn = 0;   // quarter turns clockwise by all portals passed so far; headings and velocities
                     // turn with it
     int leaps = 0;  // portals passed so far

@@ -32,6 +32,9 @@ bool hasWayOut(const World& world, int map, Coordinate x, Coordinate y, Coordina
                       .box = bodyBox(x, y, feet, kCrouchedHeight),
                       .eye = {x, y, feet + kCrouchedEye},
                       .behind = {}};
+    // Over water one gets away as over ground.
+    body.floats = true;
+    body.floats = isFree(world, body);
     const GridTile home = {x.tile(), y.tile()};
     const Map& here = world.maps[static_cast<std::size_t>(map)];
     if ((here.width == 1 && here.depth == 1) || somethingMoves(world, here, home)) return true;

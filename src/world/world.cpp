@@ -6,8 +6,10 @@ namespace slicecast {
 
 void markSeeThrough(World& world) {
     for (CellBlueprint& blueprint : world.blueprints) {
-        blueprint.seeThrough = std::any_of(
-            blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
+        const auto& faces = blueprint.faces;
+        blueprint.seeThrough =
+            blueprint.isWater ||
+            std::any_of(faces.begin(), faces.end(), [&](const FaceBlueprint& face) {
                 return face.texture != kNoTexture && world.textures[face.texture].seeThrough;
             });
     }

@@ -45,7 +45,8 @@ struct World {
     double seconds = 0.0;  // since the world began; animated textures follow it
 };
 
-// Finds out which blueprints are see-through. For a world whose textures and faces are complete.
+// Finds out which blueprints are see-through; water always is. For a world whose textures and faces
+// are complete.
 void markSeeThrough(World& world);
 
 // Finds out which blueprints have portals. For a world whose portals are complete.

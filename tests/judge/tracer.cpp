@@ -282,7 +282,7 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
     if (block.face(which).portal != kNoPortal)
         note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
     pushFace(block, event.level, which, meeting, false);
-    if (sights_.back().mirror > 0) {
+    if (block.face(which).texture != kNoTexture && sights_.back().mirror > 0) {
         note(Note::roofMirror);
         return reflect(event.height);
     }

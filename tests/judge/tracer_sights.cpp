@@ -29,6 +29,7 @@ void Tracer::Walk::push(Sight sight) {
 void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
                             const Meeting& meeting, bool fromInside) {
     const FaceBlueprint& look = block.face(which);
+    if (look.texture == kNoTexture) return;  // water may lack faces
     const Point point = Place::turned(
         Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
     const double x = clampTo(point.x + (place_.x - mapTile_.x), 0.0, 1.0);

@@ -278,6 +278,31 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.start.look, 0.5);
 }
 
+TEST(ParseScene, ReadsWater) {
+    const LoadedScene loaded = loadFrom(sceneTestFolder() / "everything.json");
+    ASSERT_TRUE(loaded.world.has_value());
+    const World& world = *loaded.world;
+    const auto named = [&](const char* name) -> const CellBlueprint& {
+        return *std::find_if(world.blueprints.begin(), world.blueprints.end(),
+                             [&](const CellBlueprint& block) { return block.name == name; });
+    };
+    EXPECT_FALSE(named("wall").isWater);
+    const CellBlueprint& pond = named("pond");
+    EXPECT_TRUE(pond.isWater);
+    EXPECT_TRUE(pond.seeThrough);
+    EXPECT_EQ(pond.waterColour, (Colour{0x1a, 0x3c, 0x40, 255}));
+    EXPECT_EQ(pond.waterSight, 3.5);
+    EXPECT_NE(pond.face(Face::top).texture, kNoTexture);
+    EXPECT_EQ(pond.face(Face::north).texture, kNoTexture);
+    EXPECT_TRUE(named("rain").isWater);
+    EXPECT_EQ(named("rain").waterColour, kWaterColour);
+    EXPECT_EQ(named("rain").waterSight, kWaterSight);
+    EXPECT_EQ(world.maps[0].floor.water, kNoTexture);
+    EXPECT_TRUE(world.maps[3].isWaterFloor(0));
+    EXPECT_FALSE(world.maps[0].objects[0].floats);
+    EXPECT_TRUE(world.maps[0].objects[1].floats);
+}
+
 TEST(ParseScene, ReadsWhatMovesAndOpens) {
     const LoadedScene loaded = loadFrom(sceneTestFolder() / "everything.json");
     ASSERT_TRUE(loaded.world.has_value());

@@ -122,7 +122,7 @@ TEST(Recording, OfAReplayIsTheSame) {
         if (again.steps() == 350) second.mark("half-way", again);
     }
     const std::string doubled = writeRecording(second.finish(again));
-    const std::string firstOption = "set speed 1\n";
+    const std::string firstOption = "set speed 1\nset bob on\n";
     const std::size_t at = doubled.find(firstOption);
     ASSERT_NE(at, std::string::npos);
     EXPECT_EQ(doubled.substr(0, at) + doubled.substr(at + firstOption.size()), text);
@@ -147,12 +147,29 @@ TEST(Recording, AnotherWorldIsNoticed) {
     EXPECT_FALSE(replay.isSame());
 }
 
+// A field where one swims.
+World makeFloodedField() {
+    World world = makeField();
+    CellBlueprint water;
+    water.isWater = true;
+    water.top = toCoordinate(0.46);
+    world.blueprints.push_back(water);
+    Map& map = world.maps[0];
+    for (int y = 0; y < map.depth; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            if (map.cell(x, y, 0) == kEmptyCell)
+                map.setCell(x, y, 0, static_cast<BlueprintId>(world.blueprints.size() - 1));
+        }
+    }
+    return world;
+}
+
 // Every option either leads elsewhere and is recorded, or is not and leads to the same place.
 TEST(Recording, HoldsTheOptionsThatBearOnSteps) {
     for (const OptionInfo& info : knownOptions()) {
         const std::string name = info.name;
-        Session plain(makeField());
-        Session set(makeField());
+        Session plain(makeFloodedField());
+        Session set(makeFloodedField());
         // A value other than the standard: a number, or a word that a refusal names.
         std::string refusal = set.setOption(name, "?");
         std::vector<std::string> values = {"3", "0.5", "70",
@@ -201,8 +218,8 @@ TEST(Recording, SameInputsAreOneLine) {
     session.setFlying(true);
     const std::string text = writeRecording(recorder.finish(session));
     EXPECT_EQ(text.substr(0, text.rfind(' ')),
-              "slicecast recording 1\nscene field\nset speed 1\n90 forward 256\n30 forward 256 "
-              "jump\nfly on\nend 120");
+              "slicecast recording 1\nscene field\nset speed 1\nset bob on\n90 forward 256\n"
+              "30 forward 256 jump\nfly on\nend 120");
 }
 
 // ---- faulty texts
@@ -282,7 +299,7 @@ TEST(Recording, FaultsAreNamedWithTheirPlaces) {
         {kHead + "eye 0 1 1 0 0 0\n5\n" + kTail,
          "f:3:11: found \"0\", expected z, a whole number from 1 to 2147418112\n"},
         {kHead + "set fov 70\n5\n" + kTail,
-         "f:3:5: found \"fov\", expected an option that bears on steps: speed\n"},
+         "f:3:5: found \"fov\", expected an option that bears on steps: speed or bob\n"},
         {kHead + "set speed 99\n5\n" + kTail,
          "f:3:11: found \"99\", expected a value of the option speed\n"},
         {kHead + "mark\n5\n" + kTail,

@@ -170,12 +170,10 @@ TEST(Collision, RandomSweepsAreTight) {
             ASSERT_TRUE(isFree(world, 0, box)) << "seed " << seed;
             const Coordinate distance = {random.between(-3 * 65536, 3 * 65536)};
             for (const auto axis : {&Offset::x, &Offset::y, &Offset::z}) {
-                using Sweep = Coordinate(const World&, int, const Box&, Coordinate);
-                Sweep* const sweep = axis == &Offset::x   ? sweepX
-                                     : axis == &Offset::y ? sweepY
-                                                          : static_cast<Sweep*>(sweepZ);
                 Offset way;
-                way.*axis = sweep(world, 0, box, distance);
+                way.*axis = axis == &Offset::x   ? sweepX(world, 0, box, distance)
+                            : axis == &Offset::y ? sweepY(world, 0, box, distance)
+                                                 : sweepZ(world, 0, box, distance);
                 EXPECT_FALSE(reachesIntoSomething(world, moved(box, way))) << "seed " << seed;
                 ++tried;
                 if (way.*axis == distance) continue;

@@ -1,6 +1,7 @@
 // Random players in random worlds: nobody is ever inside anything, nobody is ever stuck, and it all
 // happens the same way twice.
 #include "walking.h"
+#include "world/water.h"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,57 @@ TEST(RandomPlayers, NobodyIsEverInsideABlock) {
     EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer * 9 / 10);
     for (const std::int64_t kind : {walked, crouched, flown, inAir}) EXPECT_GT(kind, steps / 50);
     EXPECT_GT(stepsUp, steps / 10'000);
+}
+
+TEST(RandomPlayers, NobodyInWaterIsEverInsideABlockOrStuck) {
+    std::int64_t swum = 0;
+    std::int64_t waded = 0;
+    std::int64_t dived = 0;
+    int climbed = 0;
+    int tried = 0;
+    for (int seed = 1; seed <= kWorlds / 4; ++seed) {
+        const World world = randomWaterWorld(static_cast<std::uint64_t>(seed));
+        Random random(static_cast<std::uint64_t>(seed) << 20);
+        Player player;
+        if (!placeRandomly(world, random, player)) continue;
+        player.flying = false;
+        if (reachesIntoSomething(world, bodyBox(player))) continue;
+        for (int leg = 0; leg < 60; ++leg) {
+            const PlayerInput input = randomInput(random);
+            if (random.oneIn(8)) doSomethingElse(world, player, random);
+            for (int step = 0; step < 30; ++step) {
+                const Player before = player;
+                stepPlayer(world, player, input);
+                ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player)))
+                    << "world " << seed << ", leg " << leg << ", step " << step;
+                ASSERT_FALSE(eyeIsInside(world, player))
+                    << "world " << seed << ", leg " << leg << ", step " << step;
+                ASSERT_GT(eyeHeight(player), Coordinate{0}) << "world " << seed;
+                const Map& map = world.maps[0];
+                swum += player.swimming;
+                waded += player.onGround && waterDepth(world, travellerOf(player)).raw > 0;
+                dived += waterAt(world, map, player.x.tile(), player.y.tile(), eyeHeight(player))
+                             .water != nullptr;
+                climbed += before.swimming && !player.swimming && !player.flying;
+            }
+            if (leg % 20 != 0) continue;
+            bool movesX = false;
+            bool movesY = false;
+            for (int heading = 0; heading < 360; heading += 90) {
+                Player probe = player;
+                probe.velocityX = probe.velocityY = 0.0;
+                setHeading(probe, heading);
+                for (int step = 0; step < 20; ++step) stepPlayer(world, probe, kAhead);
+                movesX = movesX || probe.x != player.x;
+                movesY = movesY || probe.y != player.y;
+            }
+            ASSERT_TRUE(movesX && movesY) << "world " << seed << ", leg " << leg;
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, kWorlds / 4);
+    for (const std::int64_t kind : {swum, waded, dived}) EXPECT_GT(kind, kWorlds * 10);
+    EXPECT_GT(climbed, kWorlds / 4);
 }
 
 // A body that is free finds a way to move, wherever it has got to and in either mode.

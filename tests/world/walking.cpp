@@ -1,5 +1,7 @@
 #include "walking.h"
 
+#include "world/water.h"
+
 #include <utility>
 
 namespace slicecast {
@@ -76,6 +78,38 @@ World randomWorld(std::uint64_t seed) {
     return world;
 }
 
+World randomWaterWorld(std::uint64_t seed) {
+    World world = randomWorld(seed);
+    Random random(seed + 77);
+    Map& map = world.maps[0];
+    map.floor.water = 1;
+    for (TextureId& tile : map.floor.tiles) tile = random.oneIn(2) ? TextureId{1} : TextureId{0};
+    // Whole levels are flooded, up to a level or a part of it; and blocks here and there.
+    const auto water = [&](Coordinate top) {
+        CellBlueprint block;
+        block.isWater = true;
+        block.top = top;
+        world.blueprints.push_back(block);
+        return static_cast<BlueprintId>(world.blueprints.size() - 1);
+    };
+    const BlueprintId whole = water(tileEdge(1));
+    const BlueprintId surface = water({random.between(1, 65536)});
+    const int flooded = random.below(map.levels);
+    for (int y = 0; y < map.depth; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            for (int level = 0; level < map.levels; ++level) {
+                const bool isEmpty = map.cell(x, y, level) == kEmptyCell;
+                if (isEmpty && level <= flooded && !random.oneIn(8)) {
+                    map.setCell(x, y, level, level == flooded ? surface : whole);
+                } else if (random.oneIn(12)) {
+                    map.setCell(x, y, level, surface);
+                }
+            }
+        }
+    }
+    return world;
+}
+
 bool placeRandomly(const World& world, Random& random, Player& player) {
     const Map& map = world.maps[0];
     for (int attempt = 0; attempt < 100; ++attempt) {
@@ -93,17 +127,20 @@ bool placeRandomly(const World& world, Random& random, Player& player) {
 
 bool reachesIntoSomething(const World& world, const Box& box) {
     const Map& map = world.maps[0];
-    if (box.west < tileEdge(0) || box.north < tileEdge(0) || box.bottom < tileEdge(0)) return true;
+    if (box.west < tileEdge(0) || box.north < tileEdge(0) || box.bottom.raw < -kFloorWade.raw)
+        return true;
     if (box.east > tileEdge(map.width) || box.south > tileEdge(map.depth)) return true;
     for (int y = box.north.tile(); y <= box.south.tile() && y < map.depth; ++y) {
         for (int x = box.west.tile(); x <= box.east.tile() && x < map.width; ++x) {
             if (!(box.west < tileEdge(x + 1) && box.east > tileEdge(x) &&
                   box.north < tileEdge(y + 1) && box.south > tileEdge(y)))
                 continue;
+            if (!map.isWaterFloor(map.tileIndex(x, y)) && box.bottom < tileEdge(0)) return true;
             for (int level = 0; level < map.levels; ++level) {
                 const BlueprintId id = map.cell(x, y, level);
                 if (id == kEmptyCell) continue;
                 const CellBlueprint& block = world.blueprints[id];
+                if (block.isWater) continue;
                 if (box.bottom < tileEdge(level) + block.top &&
                     box.top > tileEdge(level) + block.bottom)
                     return true;

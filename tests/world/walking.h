@@ -31,12 +31,15 @@ World lowPassage(Coordinate height);
 // Blocks of all shapes, bridges, shafts, ceilings with holes. Every seed gives another one.
 World randomWorld(std::uint64_t seed);
 
+// The same with water of all depths in it, and a floor of water here and there.
+World randomWaterWorld(std::uint64_t seed);
+
 // A player at rest at a random place of map 0 where there is room, standing, crouched or flying.
 // False if none was found.
 bool placeRandomly(const World& world, Random& random, Player& player);
 
-// True if the box reaches into a block, the floor, a ceiling or beyond the grid: found anew from
-// the map, cell by cell.
+// True if the box reaches into a block that is not water, the floor, a ceiling or beyond the grid:
+// found anew from the map, cell by cell.
 bool reachesIntoSomething(const World& world, const Box& box);
 
 // Somebody on the way.

@@ -171,7 +171,8 @@ private:
     }
 
     void add(const Surface& surface) {
-        if (surface.firstRow < surface.lastRow) surfaces_.push_back(surface);
+        if (surface.firstRow < surface.lastRow && surface.texture != kNoTexture)
+            surfaces_.push_back(surface);
     }
 
     const World& world_;
