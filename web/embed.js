@@ -8,7 +8,7 @@
 
 import { writeQuery } from './engine/address.js';
 import { unknown } from './engine/nearest-name.js';
-import { sceneAddress } from './play/scene-source.js';
+import { sceneAddress } from './play/scene-list.js';
 import { Trouble, asTrouble } from './engine/trouble.js';
 import './ray-caster.js';
 

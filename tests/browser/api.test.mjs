@@ -179,6 +179,7 @@ test('each method gives what the table says', async () => {
     const kindOf = (value) =>
       value instanceof Blob ? 'Blob' : value === null ? 'null' : typeof value;
     const found = {
+      enter: kindOf(element.enter({})),
       play: kindOf(element.play()),
       pause: kindOf(element.pause()),
       reset: kindOf(element.reset()),
@@ -191,6 +192,9 @@ test('each method gives what the table says', async () => {
       hits: kindOf(element.hits(column)),
       trace: kindOf(element.trace(column)),
       whenReady: kindOf(ready),
+      record: kindOf(element.record('room')),
+      takeRecording: kindOf(element.takeRecording()),
+      reload: kindOf(element.reload({})),
     };
     element.remove();
     return found;
@@ -232,6 +236,13 @@ test('each event comes, with the details of its shape, and does not bubble', asy
     const walker = add('portal');
     await walker.whenReady();
     walker.step(240, { forward: 1 });
+    walker.record('portal');
+    walker.enter();
+    while (!walker.entered) await new Promise((resolve) => setTimeout(resolve, 50));
+    walker.addEventListener('request', (event) => event.preventDefault());
+    walker.shadowRoot
+      .querySelector('canvas')
+      .dispatchEvent(new KeyboardEvent('keydown', { code: 'KeyH', bubbles: true, composed: true }));
     walker.keys = 'arrows';
     const broken = add('broken');
     await broken.whenReady().catch(() => {});

@@ -101,13 +101,13 @@ export async function play(page) {
 }
 
 export function player(page) {
-  return page.evaluate(() => window.slicecast.engine.state);
+  return page.evaluate(() => window.slicecast.player);
 }
 
 // Waits until something is true of the player's state: a function that the page runs.
 export async function untilPlayer(page, condition, argument) {
   await page.waitForFunction(
-    `(${condition})(window.slicecast.engine.state, ${JSON.stringify(argument ?? null)})`,
+    `(${condition})(window.slicecast.player, ${JSON.stringify(argument ?? null)})`,
   );
   return player(page);
 }
@@ -115,7 +115,7 @@ export async function untilPlayer(page, condition, argument) {
 export function pixel(page, shareX, shareY) {
   return page.evaluate(
     ([x, y]) => {
-      const canvas = document.getElementById('picture');
+      const canvas = window.slicecast.shadowRoot.querySelector('canvas');
       return [
         ...canvas
           .getContext('2d')
@@ -128,9 +128,10 @@ export function pixel(page, shareX, shareY) {
 }
 
 // All of the canvas's pixels as a string that is equal only for equal pictures.
-export function pictureHash(page, selector = '#picture') {
+export function pictureHash(page, selector = 'canvas') {
   return page.evaluate(async (which) => {
-    const canvas = document.querySelector(which);
+    const place = window.slicecast?.shadowRoot ?? document;
+    const canvas = place.querySelector(which);
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     const digest = await crypto.subtle.digest('SHA-256', data);
     return `${canvas.width}x${canvas.height} ${[...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, '0')).join('')}`;

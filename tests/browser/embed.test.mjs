@@ -70,7 +70,7 @@ test('the link leads to the same in the play page', async (t) => {
     other.url(),
     /index\.html\?scene=other&view=2\.5,4\.25,0\.75,200,0,room&options=fov=90$/,
   );
-  assert.equal(await other.evaluate(() => window.slicecast.engine.state.x), 2.5);
+  assert.equal(await other.evaluate(() => window.slicecast.player.x), 2.5);
 });
 
 test('a tour leads through its scene, by itself where the address says so', async (t) => {

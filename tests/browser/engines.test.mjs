@@ -4,7 +4,16 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { inState, launch, openPage, openScene, pictureHash, player } from './browser.mjs';
+import {
+  inState,
+  launch,
+  openPage,
+  openScene,
+  pictureHash,
+  play,
+  player,
+  untilPlayer,
+} from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -163,12 +172,6 @@ for (const [what, server, query, expected] of [
     /does not run here.*refuses/,
   ],
   [
-    'an engine that nobody knows',
-    {},
-    '?engine=turbo',
-    /Found engine=turbo, expected engine=simd or engine=scalar/,
-  ],
-  [
     'a list of scenes that is not there',
     { files: { 'scenes/index.json': null } },
     '',
@@ -190,12 +193,23 @@ test('wasm sent with the wrong type is good enough', async (t) => {
   assert.equal((await player(page)).heading, 0);
 });
 
-test('an engine that fails while it plays says so', async (t) => {
+test('an engine that fails while it plays says so, and another try starts a new one', async (t) => {
   const { page } = await openScene(t, browser, { expectErrors: true });
-  await page.evaluate(() =>
+  await play(page);
+  await page.evaluate(() => {
+    const { requestAnimationFrame } = window;
+    window.requestAnimationFrame = () => 0; // no picture comes any more
     setTimeout(() => {
       throw new WebAssembly.RuntimeError('unreachable');
-    }),
-  );
+    }, 100);
+    window.mend = () => {
+      window.requestAnimationFrame = requestAnimationFrame;
+    };
+  });
   assert.match(await trouble(page), /The engine has stopped.*unreachable/);
+  await page.evaluate(() => window.mend());
+  await page.click('#trouble-again');
+  await inState(page, 'paused');
+  await play(page);
+  await untilPlayer(page, ({ steps }) => steps > 10);
 });

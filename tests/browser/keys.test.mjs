@@ -23,7 +23,7 @@ after(() => browser.close());
 function atRest(page) {
   return page.waitForFunction(
     () => {
-      const { x, y, z, heading, look } = window.slicecast.engine.state;
+      const { x, y, z, heading, look } = window.slicecast.player;
       const now = [x, y, z, heading, look].join();
       const still = now === window.before;
       window.before = now;
@@ -156,16 +156,15 @@ test("the browser's own combinations stay its own", async (t) => {
   ]) {
     if (keys === 'F5')
       await page.evaluate(() =>
-        document
-          .getElementById('picture')
-          .dispatchEvent(
-            new KeyboardEvent('keydown', {
-              code: 'F5',
-              key: 'F5',
-              bubbles: true,
-              cancelable: true,
-            }),
-          ),
+        window.slicecast.shadowRoot.querySelector('canvas').dispatchEvent(
+          new KeyboardEvent('keydown', {
+            code: 'F5',
+            key: 'F5',
+            bubbles: true,
+            cancelable: true,
+            composed: true,
+          }),
+        ),
       );
     else await page.keyboard.press(keys);
   }
@@ -184,7 +183,7 @@ test('Escape leaves the canvas, and play stands still', async (t) => {
   await play(page);
   await page.keyboard.press('Escape');
   await inState(page, 'paused');
-  assert.notEqual(await focused(page), 'picture');
+  assert.equal(await page.evaluate(() => window.slicecast.entered), false);
   const before = await player(page);
   await page.keyboard.press('w');
   await frames(page, 20);
@@ -202,7 +201,7 @@ test('a key held while the focus goes is not held when it comes back', async (t)
   await untilPlayer(page, (now, before) => now.heading > before + 5, heading);
   await page.evaluate(() => document.getElementById('open-keys').focus());
   await inState(page, 'paused');
-  await page.evaluate(() => document.getElementById('picture').focus());
+  await page.evaluate(() => window.slicecast.shadowRoot.querySelector('canvas').focus());
   await inState(page, 'playing');
   const { steps } = await player(page);
   await untilPlayer(page, (now, before) => now.steps > before + 30, steps);
@@ -275,9 +274,7 @@ test('a click takes the pointer, the mouse looks around, Escape gives it back', 
   const { page } = await openScene(t, browser);
   await page.mouse.click(320, 100);
   await inState(page, 'playing');
-  await page.waitForFunction(
-    () => document.pointerLockElement === document.getElementById('picture'),
-  );
+  await page.waitForFunction(() => document.pointerLockElement === window.slicecast);
   const before = await player(page);
   await page.mouse.move(420, 100, { steps: 5 });
   const turned = await untilPlayer(
@@ -298,10 +295,10 @@ test('a slow or hidden tab neither jumps nor sticks', async (t) => {
   // Asked within the page, so that no time passes between the questions
   await page.evaluate(() => {
     window.stepsDuring = async (act) => {
-      const before = window.slicecast.engine.state.steps;
+      const before = window.slicecast.player.steps;
       act();
       for (let frame = 0; frame < 2; ++frame) await new Promise(requestAnimationFrame);
-      return window.slicecast.engine.state.steps - before;
+      return window.slicecast.player.steps - before;
     };
     window.setHidden = (hidden) => {
       Object.defineProperty(document, 'hidden', { configurable: true, get: () => hidden });

@@ -11,12 +11,11 @@ before(async () => {
 });
 after(() => browser.close());
 
-const option = (page, name) =>
-  page.evaluate((which) => window.slicecast.engine.option(which), name);
+const option = (page, name) => page.evaluate((which) => window.slicecast.get(which), name);
 
 async function untilOption(page, name, value) {
   await page.waitForFunction(
-    ([which, wanted]) => window.slicecast.engine.option(which) === wanted,
+    ([which, wanted]) => window.slicecast.get(which) === wanted,
     [name, value],
   );
   await frames(page);
@@ -59,7 +58,7 @@ test("F1 to F4 are the game's, not the browser's", async (t) => {
   const { page, context } = await openScene(t, browser);
   await play(page);
   const { width } = await page.evaluate(() => ({
-    width: document.getElementById('picture').width,
+    width: window.slicecast.shadowRoot.querySelector('canvas').width,
   }));
   await page.keyboard.press('F2');
   await untilOption(page, 'inspectorColumn', String(Math.floor(width / 2) + 1));
@@ -82,7 +81,9 @@ test('T tells the console what the inspected slice meets', async (t) => {
   assert.equal(map, 'room');
   assert.equal(
     column,
-    Math.floor((await page.evaluate(() => document.getElementById('picture').width)) / 2),
+    Math.floor(
+      (await page.evaluate(() => window.slicecast.shadowRoot.querySelector('canvas').width)) / 2,
+    ),
   );
   assert.equal(hits[0].face, 'west');
   assert.deepEqual(hits[0].tile, [6, 3]);

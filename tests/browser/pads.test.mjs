@@ -131,22 +131,18 @@ test('where the browser refuses to hold the pointer, a click steers by its place
   });
   const frame = await (await page.waitForSelector('iframe')).contentFrame();
   await frame.waitForFunction(() => document.body.dataset.state === 'paused');
-  const state = () => frame.evaluate(() => window.slicecast.engine.state);
+  const state = () => frame.evaluate(() => window.slicecast.player);
   await page.mouse.click(320, 100);
   await frame.waitForFunction(() => document.body.classList.contains('steering'));
   assert.equal(await frame.evaluate(() => document.pointerLockElement), null);
   await page.mouse.move(40, 180);
   await frame.waitForFunction(
-    () =>
-      window.slicecast.engine.state.heading > 180 && window.slicecast.engine.state.heading < 350,
+    () => window.slicecast.player.heading > 180 && window.slicecast.player.heading < 350,
   );
   await page.mouse.move(320, 180);
   const { steps } = await state();
-  await frame.waitForFunction((last) => window.slicecast.engine.state.steps > last + 60, steps);
+  await frame.waitForFunction((last) => window.slicecast.player.steps > last + 60, steps);
   const rested = await state();
-  await frame.waitForFunction(
-    (last) => window.slicecast.engine.state.steps > last + 20,
-    rested.steps,
-  );
+  await frame.waitForFunction((last) => window.slicecast.player.steps > last + 20, rested.steps);
   assert.equal((await state()).heading, rested.heading);
 });

@@ -96,7 +96,7 @@ test('every wall of the room has its colour, floor and sky too', async (t) => {
   ]) {
     await page.keyboard.press(key);
     await page.waitForFunction(([r, g, b]) => {
-      const canvas = document.getElementById('picture');
+      const canvas = window.slicecast.shadowRoot.querySelector('canvas');
       const [red, green, blue] = canvas
         .getContext('2d')
         .getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data;
@@ -121,7 +121,7 @@ test('what is on the screen is the canvas, pixel by pixel', async (t) => {
     const image = await createImageBitmap(await (await fetch(address)).blob());
     const copy = new OffscreenCanvas(image.width, image.height).getContext('2d');
     copy.drawImage(image, 0, 0);
-    const canvas = document.getElementById('picture');
+    const canvas = window.slicecast.shadowRoot.querySelector('canvas');
     const screen = copy.getImageData(0, 0, canvas.width, canvas.height).data;
     const picture = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
     return picture.reduce((sum, byte, index) => sum + (byte === screen[index] ? 0 : 1), 0);
@@ -151,7 +151,9 @@ test('a strict content security policy lets it play', async (t) => {
   assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
   await page.click('#open-settings');
   await page.selectOption('#set-size', '320x180');
-  await page.waitForFunction(() => document.getElementById('picture').width === 320);
+  await page.waitForFunction(
+    () => window.slicecast.shadowRoot.querySelector('canvas').width === 320,
+  );
   assert.deepEqual(complaints, []);
 });
 

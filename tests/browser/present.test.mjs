@@ -59,8 +59,8 @@ test('a picture is put on the canvas straight out of the memory, in the time tha
         requestAnimationFrame(resolve);
       });
     const other = document.createElement('canvas');
-    const engine = window.slicecast.engine;
-    engine.resize(1280, 720);
+    const caster = window.slicecast;
+    caster.size = '1280x720';
     await nextFrame();
     await nextFrame();
     Object.assign(other, { width: 1280, height: 720 });
@@ -68,7 +68,7 @@ test('a picture is put on the canvas straight out of the memory, in the time tha
     const bare = [];
     window.shown.length = 0;
     for (let i = 0; i < frames; ++i) {
-      engine.look({ heading: i });
+      caster.look({ heading: i });
       await nextFrame();
       await nextFrame();
       bare.push(window.putAgain(window.shown.at(-1), context));
@@ -80,7 +80,7 @@ test('a picture is put on the canvas straight out of the memory, in the time tha
       calls,
       count: pictures.length,
       sizes: [...new Set(pictures.map(({ image }) => `${image.width}x${image.height}`))],
-      isView: pictures.every(({ image }) => image.data.buffer.byteLength === engine.memoryBytes),
+      isView: pictures.every(({ image }) => image.data.buffer.byteLength === caster.memory),
       objects: new Set(pictures.map(({ image }) => image)).size,
       presenting: median(pictures.map(({ milliseconds }) => milliseconds)),
       putting: median(bare),

@@ -71,5 +71,7 @@ export function roomFiles(options = {}) {
       start: { x: 3.5, y: 3.5, heading: 90 },
     }),
     ...roomPictures('scenes/pictures/'),
+    'scenes/posters/room.png': png(8, () => kGreen),
+    'scenes/posters/other.png': png(8, () => kBlue),
   };
 }

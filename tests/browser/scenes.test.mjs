@@ -70,11 +70,11 @@ test('the menu shows a view of every scene, opens one, and Back leads back', asy
   const middle = (index) =>
     page
       .waitForFunction((which) => {
-        const view = document.querySelectorAll('#scene-list canvas')[which];
-        const [red, green, blue, alpha] = view
-          .getContext('2d')
-          .getImageData(view.width / 2, view.height / 2, 1, 1).data;
-        return alpha === 255 && `${red},${green},${blue}`;
+        const view = document.querySelectorAll('#scene-list img')[which];
+        if (!view.complete || view.naturalWidth === 0) return false;
+        const copy = new OffscreenCanvas(1, 1).getContext('2d');
+        copy.drawImage(view, -view.naturalWidth / 2, -view.naturalHeight / 2);
+        return copy.getImageData(0, 0, 1, 1).data.subarray(0, 3).join();
       }, index)
       .then((handle) => handle.jsonValue());
   assert.equal(await middle(0), kGreen.join());
@@ -171,7 +171,7 @@ test('a scene that is dropped while the engine is still to come opens first', as
   await inState(page, 'paused');
   assert.equal(await page.title(), 'Dropped · Slicecast');
   assert.equal(
-    await page.evaluate(() => window.slicecast.engine.option('fov')),
+    await page.evaluate(() => window.slicecast.get('fov')),
     '90',
     'as the address wants it',
   );
@@ -371,7 +371,7 @@ test('a scene saved under tools/play is loaded anew, and the eye stays where it 
     [before.x, before.y, before.z, before.heading, before.flying],
   );
   await page.waitForFunction(() => {
-    const canvas = document.getElementById('picture');
+    const canvas = window.slicecast.shadowRoot.querySelector('canvas');
     return (
       canvas.getContext('2d').getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data[2] ===
       210

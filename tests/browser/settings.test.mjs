@@ -22,16 +22,18 @@ after(() => browser.close());
 const canvasSize = (page) =>
   page.evaluate(
     () =>
-      `${document.getElementById('picture').width}x${document.getElementById('picture').height}`,
+      `${window.slicecast.shadowRoot.querySelector('canvas').width}x${window.slicecast.shadowRoot.querySelector('canvas').height}`,
   );
 const untilSize = (page, size) =>
   page.waitForFunction((wanted) => {
-    const canvas = document.getElementById('picture');
+    const canvas = window.slicecast.shadowRoot.querySelector('canvas');
     return `${canvas.width}x${canvas.height}` === wanted;
   }, size);
 const shownSize = (page) =>
   page.evaluate(() => {
-    const { width, height } = document.getElementById('picture').getBoundingClientRect();
+    const { width, height } = window.slicecast.shadowRoot
+      .querySelector('canvas')
+      .getBoundingClientRect();
     return `${width}x${height}`;
   });
 
@@ -62,7 +64,7 @@ test('the picture follows the window, and never exceeds 1280 x 720 pixels', asyn
   ]) {
     await page.setViewportSize({ width, height });
     await untilSize(page, picture);
-    assert.deepEqual(await page.evaluate(() => window.slicecast.engine.state !== null), true);
+    assert.deepEqual(await page.evaluate(() => window.slicecast.player !== null), true);
   }
   // Even pixels, and the window is covered: the odd row or column hangs over its edge.
   assert.equal(await shownSize(page), '1368x768');
@@ -95,8 +97,10 @@ for (const ratio of [1, 1.25])
         copy.getImageData(0, 0, image.width, image.height).data.buffer,
       );
       const picture = new Uint32Array(
-        document.getElementById('picture').getContext('2d').getImageData(0, 0, 320, 180).data
-          .buffer,
+        window.slicecast.shadowRoot
+          .querySelector('canvas')
+          .getContext('2d')
+          .getImageData(0, 0, 320, 180).data.buffer,
       );
       return screen.reduce((sum, colour, index) => {
         const x = index % image.width;
@@ -115,7 +119,9 @@ test('other shapes stand in the middle, between margins', async (t) => {
   await page.selectOption('#set-size', '960x540');
   await untilSize(page, '960x540');
   const box = await page.evaluate(() => {
-    const { left, top, width, height } = document.getElementById('picture').getBoundingClientRect();
+    const { left, top, width, height } = window.slicecast.shadowRoot
+      .querySelector('canvas')
+      .getBoundingClientRect();
     return [left, top, width, height];
   });
   assert.deepEqual(box, [20, 130, 960, 540]);
@@ -134,8 +140,8 @@ test('settings are remembered after a reload', async (t) => {
   await page.reload();
   await inState(page, 'paused');
   assert.equal(await canvasSize(page), '320x180');
-  assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '90');
-  assert.equal(await page.evaluate(() => window.slicecast.engine.option('fog')), 'off');
+  assert.equal(await page.evaluate(() => window.slicecast.get('fov')), '90');
+  assert.equal(await page.evaluate(() => window.slicecast.get('fog')), 'off');
   assert.equal(await page.isVisible('#rate'), true);
   await openSettings(page);
   assert.equal(await page.isChecked('#set-invert'), true);
@@ -147,7 +153,7 @@ test('settings are remembered after a reload', async (t) => {
 
 test('time of day and mirrors are set there, and show what keys have changed', async (t) => {
   const { page } = await openScene(t, browser);
-  const option = (name) => page.evaluate((wanted) => window.slicecast.engine.option(wanted), name);
+  const option = (name) => page.evaluate((wanted) => window.slicecast.get(wanted), name);
   const before = await pictureHash(page);
   await openSettings(page);
   await page.selectOption('#set-light-preset', 'night');
@@ -160,7 +166,7 @@ test('time of day and mirrors are set there, and show what keys have changed', a
   await play(page);
   await page.keyboard.press('KeyL');
   await page.keyboard.press('NumpadSubtract');
-  await page.waitForFunction(() => window.slicecast.engine.option('mirrors') === '2.4');
+  await page.waitForFunction(() => window.slicecast.get('mirrors') === '2.4');
   await openSettings(page);
   assert.equal(await page.inputValue('#set-light-preset'), 'fog');
   assert.equal(await page.inputValue('#set-mirrors'), '2.4');
@@ -237,7 +243,7 @@ test('a storage with nonsense in it is not believed', async (t) => {
         newPage.addInitScript((text) => localStorage.setItem('slicecast.settings', text), nonsense),
     });
     assert.equal(await canvasSize(page), '640x360');
-    assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '60');
+    assert.equal(await page.evaluate(() => window.slicecast.get('fov')), '60');
     await page.context().close();
   }
 });
@@ -264,5 +270,5 @@ test('back to standard: also what the address had put in front of the own settin
     window.dispatchEvent(new PopStateEvent('popstate'));
   });
   await page.waitForFunction(() => document.title.startsWith('The other room'));
-  assert.equal(await page.evaluate(() => window.slicecast.engine.option('fov')), '60');
+  assert.equal(await page.evaluate(() => window.slicecast.get('fov')), '60');
 });

@@ -19,7 +19,7 @@ const phone = {
 // all fingers on the glass.
 async function openTouched(t) {
   const { page, context } = await openScene(t, browser, phone);
-  assert.equal(await page.isVisible('#touch'), false);
+  assert.equal(await page.isVisible('.touch'), false);
   await page.tap('#play');
   await inState(page, 'playing');
   const session = await context.newCDPSession(page);
@@ -89,11 +89,11 @@ test('two taps on the right jump, one does not', async (t) => {
   };
   // The highest of the next 60 steps, asked in the page so that none is missed
   const highest = page.evaluate(async () => {
-    const { engine } = window.slicecast;
-    const { steps } = engine.state;
+    const { slicecast } = window;
+    const { steps } = slicecast.player;
     let most = 0;
-    for (; engine.state.steps < steps + 60; await new Promise(requestAnimationFrame))
-      most = Math.max(most, engine.state.z);
+    for (; slicecast.player.steps < steps + 60; await new Promise(requestAnimationFrame))
+      most = Math.max(most, slicecast.player.z);
     return most;
   });
   await tap();
@@ -123,7 +123,8 @@ test('the buttons jump, crouch and fly, and then rise and sink', async (t) => {
   await touch('touchEnd');
   await untilPlayer(page, (now) => now.flying);
   await page.waitForFunction(
-    () => document.querySelector('[data-thumb="jump"] span').textContent === 'Rise',
+    () =>
+      window.slicecast.shadowRoot.querySelector('[data-thumb="jump"] span').textContent === 'Rise',
   );
   await touch('touchStart', await on('jump'));
   await untilPlayer(page, (now) => now.z > 1.2);
@@ -173,5 +174,5 @@ test('the page scrolls under a finger until the game is played', async (t) => {
 test('with a mouse there are no thumbs', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
-  assert.equal(await page.isVisible('#touch'), false);
+  assert.equal(await page.isVisible('.touch'), false);
 });

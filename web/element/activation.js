@@ -38,14 +38,15 @@ export class Activation {
     });
   }
 
-  begin({ byTouch = false } = {}) {
-    this.#wish = this.actions.canBegin() ? null : { byTouch };
+  begin({ touch = false, mouse = false } = {}) {
+    this.#wish = this.actions.canBegin() ? null : { touch, mouse };
     this.tree.box.classList.toggle('waiting', this.#wish !== null);
     if (this.#wish !== null) return;
-    this.#byTouch = byTouch;
+    this.#byTouch = touch;
     // The focus goes straight from the cover to the picture, which then is held.
     this.takeCanvas();
     this.#target.focus({ preventScroll: true });
+    if (mouse) this.#target.dispatchEvent(new MouseEvent('click'));
   }
 
   // The scene is there: who pressed the cover before, and is still there, begins now.

@@ -31,7 +31,7 @@ export class Game {
   // True if the scene can be played now, false if another one was asked for meanwhile. Until then
   // the scene before stays, with its picture. Throws a Trouble. `source` may be null with a tour,
   // which names its scene; with a source, what is wrong with the tour is told to `warn`.
-  async load({ key, kind, source, tour, warn, onProgress }) {
+  async load({ key, kind, source, tour, keepEye, warn, onProgress }) {
     const turn = ++this.#turn;
     const isStale = () => turn !== this.#turn;
     const begin = this.engine === null ? kEngineShare : 0;
@@ -74,6 +74,7 @@ export class Game {
       const faults = isAdopted
         ? []
         : await engine.loadScene(found, {
+            keepEye,
             isWanted: () => !isStale(),
             onProgress: (share, bytes) =>
               isStale() || onProgress(begin + share * (1 - begin), engineBytes + bytes),

@@ -5,7 +5,7 @@
 //     const loading = new Loading(element, game, {show(wanted), changed(), warn(warning), progress(share, bytes), loaded(), done(isNew), failed(error)});
 //     loading.update();       // soon
 //     loading.now();          // no longer waits until the element is near the window
-//     loading.again();        // what has failed is tried once more; else only another scene is
+//     loading.again(null);    // what has failed is tried once more; with {keepEye} what plays is loaded anew, too
 //     loading.stop();
 
 import { unknown } from '../engine/nearest-name.js';
@@ -23,6 +23,7 @@ export class Loading {
   #game;
   #actions;
   #life = new AbortController();
+  #loads = 0;
   #asked = null; // the key of what is loaded or being loaded, and of what is loaded
   #loaded = null;
   #failed = null; // the key of what could not be loaded
@@ -31,6 +32,7 @@ export class Loading {
   #view = null; // the attribute's that was taken
   #isNear = false;
   #isUpdating = false;
+  #again = null; // how, if even the same is to be loaded
   #pictureCame = () => {};
 
   constructor(host, game, actions) {
@@ -61,7 +63,8 @@ export class Loading {
     this.update();
   }
 
-  again() {
+  again(how) {
+    this.#again = how;
     this.#failed = null;
     this.#isNear = true;
     this.update();
@@ -73,6 +76,7 @@ export class Loading {
 
   // What was loaded is lost: it is loaded again.
   forget() {
+    ++this.#loads;
     this.#asked = this.#loaded = null;
   }
 
@@ -106,9 +110,13 @@ export class Loading {
       if (scene === null && tour === null) throw noScene(host);
       const key = [scene?.key, tour?.href, wanted.engine].join('\n');
       if (key === this.#failed) return;
-      if (key !== this.#asked)
-        this.#load(key, { key, kind: wanted.engine, source: scene?.source() ?? null, tour });
-      else if (key === this.#loaded) this.#settle();
+      const again = this.#again;
+      this.#again = null;
+      if (key !== this.#asked || again !== null) {
+        const keepEye = again?.keepEye === true && key === this.#loaded;
+        const source = scene?.source() ?? null;
+        this.#load(key, { key, kind: wanted.engine, source, tour, keepEye });
+      } else if (key === this.#loaded) this.#settle();
     } catch (error) {
       this.#failed = null;
       this.#actions.failed(error);
@@ -116,7 +124,8 @@ export class Loading {
   }
 
   async #load(key, request) {
-    const isStale = () => this.#asked !== key || this.#life.signal.aborted;
+    const load = ++this.#loads;
+    const isStale = () => load !== this.#loads || this.#life.signal.aborted;
     let told = '';
     const onProgress = (share, bytes) => {
       if (isStale() || `${share} ${bytes}` === told) return;
@@ -132,7 +141,7 @@ export class Loading {
       const isThere = await this.#game.load({ ...request, warn, onProgress });
       if (!isThere || isStale()) return;
       this.#loaded = key;
-      this.#options = this.#view = null;
+      if (!request.keepEye) this.#options = this.#view = null;
       this.#isReady = false;
       this.#actions.loaded();
       this.#apply();

@@ -14,6 +14,7 @@ export class RayCaster extends Base {
 
   #show;
   #scene = null; // one that was given as an object
+  #source = null;
 
   constructor() {
     super();
@@ -72,8 +73,25 @@ export class RayCaster extends Base {
     return this.#show.paused;
   }
 
+  get entered() {
+    return this.#show.entered;
+  }
+
   get error() {
     return this.#show.error;
+  }
+
+  get source() {
+    return this.#source;
+  }
+
+  set source(source) {
+    this.#source = source ?? null;
+    this.#show.update();
+  }
+
+  get address() {
+    return this.#show.source?.address?.href ?? '';
   }
 
   get world() {
@@ -86,7 +104,7 @@ export class RayCaster extends Base {
   }
 
   get currentView() {
-    return this.#show.ready === null ? null : this.#show.engine.view;
+    return this.#ready?.view ?? null;
   }
 
   get picture() {
@@ -97,8 +115,36 @@ export class RayCaster extends Base {
     return this.#show.warnings;
   }
 
+  get player() {
+    return this.#ready?.state ?? null;
+  }
+
+  get flying() {
+    return this.player?.flying ?? false;
+  }
+
+  set flying(flying) {
+    this.#engine('flying').flying = flying;
+  }
+
+  get replay() {
+    return this.#ready?.replayState ?? null;
+  }
+
+  get mouse() {
+    return this.#show.mouse;
+  }
+
+  set mouse(mouse) {
+    this.#show.mouse = { ...this.mouse, ...mouse };
+  }
+
   get optionList() {
-    return this.#show.ready === null ? [] : this.#show.engine.options;
+    return this.#ready?.options ?? [];
+  }
+
+  get keyList() {
+    return this.#ready?.keys ?? [];
   }
 
   // ---- Methods
@@ -109,6 +155,22 @@ export class RayCaster extends Base {
 
   pause() {
     this.#show.pause();
+  }
+
+  enter(options) {
+    this.#show.hold(options);
+  }
+
+  reload(options) {
+    this.#show.reload(options);
+  }
+
+  record(name) {
+    this.#engine('record').record(name);
+  }
+
+  takeRecording() {
+    return this.#engine('takeRecording').takeRecording();
   }
 
   reset() {
@@ -172,10 +234,15 @@ export class RayCaster extends Base {
     return this.#show.whenReady();
   }
 
+  // The engine with a scene in it, or null.
+  get #ready() {
+    return this.#show.ready === null ? null : this.#show.engine;
+  }
+
   #engine(method) {
-    if (this.#show.ready === null)
+    if (this.#ready === null)
       throw faultOf('not-ready', `${method}() was called before there was a scene`);
-    return this.#show.engine;
+    return this.#ready;
   }
 }
 

@@ -23,6 +23,8 @@ import { ViewStatus } from './view-status.js';
 import { watchVisibility } from './visibility.js';
 
 const kDeadMilliseconds = 500; // without a picture after a failure of some engine, it was this one's
+const kModes = ['recording', 'replay', 'cursor', 'fly'];
+const kDegreesPerPixel = 0.15; // of the mouse
 const kNear = ['pointerenter', 'pointerdown', 'focusin']; // who does this may soon steer
 
 export class Show {
@@ -38,13 +40,14 @@ export class Show {
   #viewStatus;
   #life = null; // while the element is in the document: an AbortController
   #stage = null;
+  #mouse = { speed: 1, invert: false };
   #waiting = null; // of whenReady(): {promise, resolve, reject}
   #loading = null; // the same
   #noSteering = null; // why there is no bar, although one is wanted; asked for again by who tries again
   #isSeen = false;
   #isAskedToPlay = false;
   #isTouched = false;
-  #wantsHold = false; // who has pressed plays once what one steers by has come
+  #wish = null; // of who has pressed, and plays once what one steers by has come: {touch, mouse}
   #stands = true;
   #pictures = 0;
 
@@ -73,8 +76,12 @@ export class Show {
     return this.#game.source;
   }
 
+  get entered() {
+    return this.#steering?.isHeld === true;
+  }
+
   get paused() {
-    return !this.#isAskedToPlay && this.#steering?.isHeld !== true;
+    return !this.#isAskedToPlay && !this.entered;
   }
 
   get warnings() {
@@ -111,7 +118,7 @@ export class Show {
       warn: (warning) => this.#warn(warning),
       progress: (share, bytes) => {
         this.#face.progress(share);
-        this.#tell('progress', { share, bytes });
+        this.tell('progress', { share, bytes });
       },
       loaded: () => this.#loaded(),
       done: (isNew) => this.#done(isNew),
@@ -179,6 +186,7 @@ export class Show {
     this.ready = null;
     if (this.#stage.width === undefined) this.#stage.layOut();
     this.engine.resize(this.#stage.width, this.#stage.height);
+    this.#setMouse();
   }
 
   // All is as the attributes say.
@@ -195,7 +203,7 @@ export class Show {
     this.#waiting = null;
     if (isNew) {
       this.#viewStatus.moved();
-      this.#tell('ready', this.ready);
+      this.tell('ready', this.ready);
       this.#steering?.resume();
     }
     if (this.#noSteering !== null) this.#fail(this.#noSteering);
@@ -233,14 +241,23 @@ export class Show {
     this.#face.trouble(this.error, () => this.#retry());
     this.run();
     if (hadFocus) message.focus({ preventScroll: true });
-    this.#tell('error', this.error);
+    this.tell('error', this.error);
   }
 
   #retry() {
-    forgetFiles();
     this.#noSteering = null;
+    this.#again(null);
+  }
+
+  // The scene as it is now, fetched anew.
+  reload({ keepEye = false } = {}) {
+    if (this.#loading !== null) this.#again({ keepEye });
+  }
+
+  #again(how) {
+    forgetFiles();
     this.#clearError();
-    this.#loading.again();
+    this.#loading.again(how);
   }
 
   #clearError() {
@@ -254,7 +271,7 @@ export class Show {
 
   #warn({ attribute, message }) {
     console.warn(`<ray-caster> ${attribute}: ${message}`, this.#host);
-    this.#tell('warning', { attribute, message });
+    this.tell('warning', { attribute, message });
   }
 
   // Some engine of the page has failed while it drew; the browser does not say whose.
@@ -295,29 +312,30 @@ export class Show {
 
   // Nobody steers, nor is about to.
   #letGo() {
-    this.#wantsHold = false;
+    this.#wish = null;
     this.#tree.box.classList.remove('waiting');
     this.#steering?.end();
   }
 
-  // As a click on the picture.
-  hold() {
+  // As a click on the picture; with `mouse` it takes the mouse along, as the next click would.
+  hold({ mouse = false, touch = this.#isTouched } = {}) {
     const { root, box, cover } = this.#tree;
     // Safari gives pressed buttons no focus; it is what remembers the wish while anything is still
     // to come.
     if (root.activeElement !== cover) cover.focus({ preventScroll: true });
     this.#loading?.now();
+    const wish = { touch, mouse: mouse || this.#wish?.mouse === true };
     if (this.#steering !== null) {
-      this.#steering.begin({ byTouch: this.#isTouched });
+      this.#steering.begin(wish);
       return;
     }
-    this.#wantsHold = true;
+    this.#wish = wish;
     box.classList.add('waiting');
     this.#steered().then(
       (steering) => {
-        if (!this.#wantsHold) return; // taken back, or begun by the press before
+        if (this.#wish !== wish) return; // taken back, or another one
         this.#letGo();
-        if (root.activeElement === cover) steering.begin({ byTouch: this.#isTouched });
+        if (root.activeElement === cover) steering.begin(wish);
       },
       (error) => {
         this.#letGo();
@@ -383,7 +401,7 @@ export class Show {
     if (state === this.state) return;
     this.state = state;
     this.showState();
-    this.#tell('statechange', { state });
+    this.tell('statechange', { state });
   }
 
   showState() {
@@ -411,6 +429,20 @@ export class Show {
   setOption(name, value) {
     this.#game.setOption(name, value);
     this.showState();
+  }
+
+  set mouse(mouse) {
+    this.#mouse = mouse;
+    this.#setMouse();
+  }
+
+  get mouse() {
+    return this.#mouse;
+  }
+
+  #setMouse() {
+    const { speed, invert } = this.#mouse;
+    this.engine?.setMouse({ degreesPerPixel: kDegreesPerPixel * speed, invert });
   }
 
   focus(options) {
@@ -446,14 +478,14 @@ export class Show {
       case 'frame':
         ++this.#pictures;
         this.#loading?.pictureCame();
-        if (this.ready !== null) this.#tell('framechange', frameDetail(this.engine));
+        if (this.ready !== null) this.tell('framechange', frameDetail(this.engine));
         break;
       case 'view':
         this.#viewStatus.moved();
-        if (this.ready !== null) this.#tell('viewchange', { view: this.engine.view });
+        if (this.ready !== null) this.tell('viewchange', { view: this.engine.view });
         break;
       case 'portal':
-        this.#tell('portal', value);
+        this.tell('portal', value);
         break;
       case 'pause':
         if (value !== this.#stands) this.pause(); // by its key
@@ -461,12 +493,17 @@ export class Show {
       case 'overlay':
         this.showState();
         break;
+      case 'frames':
+        this.tell('pace', { ...value, ...this.picture });
+        break;
       default:
+        if (kModes.includes(event)) this.tell('modechange', { mode: event, on: value });
         this.#steering?.hear(event, value);
     }
   }
 
-  #tell(name, detail) {
-    this.#host.dispatchEvent(new CustomEvent(name, { detail }));
+  // False if the page has kept it from going on, where it can.
+  tell(name, detail, cancelable = false) {
+    return this.#host.dispatchEvent(new CustomEvent(name, { detail, cancelable }));
   }
 }

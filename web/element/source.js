@@ -22,8 +22,15 @@ const kName = /^[\w-]+$/;
 const kImported = Symbol.for('slicecast.scenes'); // name -> {scene, tour} of the modules slicecast/scenes/NAME
 const kShipped = /^(scenes|textures|see-through|sheets|sprites|tours)\//;
 
+const keys = new WeakMap(); // of sources that pages have made
+let keyCount = 0;
+
 export function findScene(element) {
-  const { scene } = element;
+  const { scene, source } = element;
+  if (source !== null) {
+    if (!keys.has(source)) keys.set(source, `source ${++keyCount}`);
+    return { key: keys.get(source), source: () => sceneOfPage(source) };
+  }
   const given = typeof scene === 'object' ? scene : importedBy(scene)?.scene;
   if (given !== undefined) return ofObject(element, given);
   if (scene.startsWith('#')) return ofElement(element, referredTo(element, scene));
@@ -211,6 +218,19 @@ function sceneOf(name, read, addressOfFile) {
     address: null,
     readText: async () => new TextEncoder().encode(await read()),
     ...filesBy((file, onBytes) => fetchFile(addressOfFile(file), onBytes)),
+  };
+}
+
+// What the property `source` holds.
+function sceneOfPage(source) {
+  return {
+    name: source.name ?? 'scene',
+    address: null,
+    async readText() {
+      const text = await source.readText();
+      return typeof text === 'string' ? new TextEncoder().encode(text) : text;
+    },
+    ...filesBy((file) => source.readFile(file)),
   };
 }
 

@@ -125,13 +125,19 @@ export class Steering {
         this.#show.showStatus(value ? kHints.cursor : '', { stays: true });
         break;
       case 'help':
+        if (!this.#ask(event)) break;
         this.#host.pause();
         this.#keySheet.open(this.#show.engine.keys);
         break;
       case 'fullscreen':
-        toggleFullScreen(this.#host, this.#show);
+        if (this.#ask(event)) toggleFullScreen(this.#host, this.#show);
         break;
     }
+  }
+
+  // The page may do it in its own way.
+  #ask(wish) {
+    return this.#show.tell('request', { wish }, true);
   }
 
   #held(isHeld) {
@@ -144,5 +150,6 @@ export class Steering {
           : kHints.held,
     );
     this.#show.run();
+    this.#show.tell('enterchange', { entered: isHeld });
   }
 }

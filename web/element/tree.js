@@ -36,7 +36,17 @@ export function buildTree(root) {
   const status = node('p', { class: 'status', part: 'status', role: 'status' });
   const seen = node('p', { class: 'unseen', id: 'seen', 'aria-live': 'off' });
   const message = node('section', { class: 'sheet message', part: 'message', hidden: '' });
-  const box = node('div', { class: 'box' }, stage, poster, cover, progress, status, seen, message);
+  const box = node(
+    'div',
+    { class: 'box', part: 'box' },
+    stage,
+    poster,
+    cover,
+    progress,
+    status,
+    seen,
+    message,
+  );
   // It gives the element a width where its place leaves that to what it holds.
   const shape = drawing('');
   shape.setAttribute('class', 'shape');

@@ -1,9 +1,9 @@
 // Scenes from the visitor's own disk: dropped anywhere on the page, or chosen with the dialog of
 // the browser.
 //
-//     listenForFiles({input, onEntries})        onEntries gets a promise of what scene-source.js calls entries
+//     listenForFiles({input, onEntries})        onEntries gets a promise of what dropped-scene.js calls entries
 
-import { chosenEntries, droppedEntries } from './scene-source.js';
+import { chosenEntries, droppedEntries } from './dropped-scene.js';
 
 export function listenForFiles({ input, onEntries }) {
   const holdsFiles = (event) => event.dataTransfer.types.includes('Files');

@@ -1,13 +1,12 @@
-// The menu of scenes: a card for each, with its view from the start, which the engine draws when
-// the menu is opened for the first time, and the way to its tour where it has one.
+// The menu of scenes: a card for each, with its view from the start and the way to its tour where it
+// has one.
+//
+//     const menu = new SceneMenu(dialog, scenes, {missing, addressOf, onChoose});
+//     menu.open('castle.json');      the scene that is shown
 
-import { sceneAt } from './scene-source.js';
-
-const kAspect = 9 / 16; // of a view
+import { posterAddress } from './scene-list.js';
 
 export class SceneMenu {
-  #drawn = false;
-
   // `scenes` as in the list that comes with the page; `missing` is a Trouble where there is none;
   // `addressOf(file)` is the page's address with that scene; `onChoose(file)` opens it here.
   constructor(dialog, scenes, { missing, addressOf, onChoose }) {
@@ -28,24 +27,12 @@ export class SceneMenu {
     dialog.querySelector('ul').replaceChildren(...this.cards.map(({ item }) => item));
   }
 
-  // `current` is the file that is open, `engine` may be null.
-  async open(engine, current) {
+  open(current) {
     for (const { link, scene } of this.cards) {
       if (scene.file === current) link.setAttribute('aria-current', 'true');
       else link.removeAttribute('aria-current');
     }
     this.dialog.showModal();
-    if (this.#drawn || engine === null) return;
-    this.#drawn = true;
-    for (const { scene, view } of this.cards) {
-      // As many pixels as the screen has there.
-      view.width = Math.max(1, Math.round(view.clientWidth * window.devicePixelRatio));
-      view.height = Math.max(1, Math.round(view.width * kAspect));
-      const picture = await engine
-        .drawAside(sceneAt(scene.file), view.width, view.height)
-        .catch(() => null);
-      if (picture !== null) view.getContext('2d').putImageData(picture, 0, 0);
-    }
   }
 }
 
@@ -54,8 +41,11 @@ function card(scene, address) {
   const link = document.createElement('a');
   link.className = 'scene';
   link.href = address;
-  const view = document.createElement('canvas');
-  view.setAttribute('aria-hidden', 'true');
+  // Its place is held until it is there.
+  const view = document.createElement('img');
+  Object.assign(view, { alt: '', width: 480, height: 270, loading: 'lazy' });
+  view.addEventListener('error', () => view.removeAttribute('src'), { once: true });
+  view.src = posterAddress(scene.file).href;
   const title = document.createElement('h3');
   title.textContent = scene.title;
   const about = document.createElement('p');
@@ -70,5 +60,5 @@ function card(scene, address) {
     tour.setAttribute('aria-label', `Take the tour: ${scene.title}`);
     item.append(tour);
   }
-  return { item, link, view };
+  return { item, link };
 }

@@ -3,7 +3,8 @@
 //
 //     const settings = new Settings(form, (name, value) => ...);       // called for each setting that changes
 //     settings.value('fov')
-//     settings.lend('fov', 90)        holds until it is changed or taken back, and is not kept
+//     settings.take('fov', '90');     as the engine writes it; what is no setting is left alone
+//     settings.lend('fov', '90')      the same, but holds until it is changed or taken back, and is not kept
 
 const kStorageKey = 'slicecast.settings';
 
@@ -19,6 +20,8 @@ const kStandard = {
   mouse: 1, // times the usual sensitivity
   invert: false, // moving the mouse forward looks down
 };
+
+const kOfPage = ['size', 'rate', 'mouse', 'invert']; // the others are options of the engine
 
 const kShown = {
   fov: (value) => `${value}°`,
@@ -57,12 +60,22 @@ export class Settings {
     this.onChange(name, value);
   }
 
-  // Nothing happens for names that are no settings.
-  lend(name, value) {
-    if (!(name in kStandard)) return;
+  take(name, text) {
+    const value = valueOf(name, text);
+    if (value !== null) this.set(name, value);
+  }
+
+  lend(name, text) {
+    const value = valueOf(name, text);
+    if (value === null) return;
     this.#lent.set(name, value);
     this.#show(name);
     this.onChange(name, value);
+  }
+
+  // All options, as they are without anybody's likings.
+  lendStandard() {
+    for (const name of Object.keys(kStandard)) this.lend(name, written(kStandard[name]));
   }
 
   takeBack() {
@@ -120,4 +133,14 @@ export class Settings {
       // Private windows and full disks forget; the page works on.
     }
   }
+}
+
+const written = (value) => (typeof value === 'boolean' ? (value ? 'on' : 'off') : String(value));
+
+// Of an option as the engine writes it; null where it is no setting, or cannot be one.
+function valueOf(name, text) {
+  if (!Object.hasOwn(kStandard, name) || kOfPage.includes(name)) return null;
+  if (typeof kStandard[name] === 'boolean') return text === 'on';
+  if (typeof kStandard[name] === 'string') return text;
+  return Number.isFinite(Number(text)) ? Number(text) : null;
 }

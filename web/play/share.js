@@ -1,16 +1,17 @@
 // The share dialog: the view's link, tag and frame, each to be copied, and the view as a picture.
 //
 //     const share = new ShareDialog(dialog);
-//     share.open({engine, reference, name, canvas});        the reference is null where the scene has no address
+//     share.open(caster, address);        address.reference is null where the scene has no address
 
-import { sceneAddress } from './scene-source.js';
+import { sceneAddress } from './scene-list.js';
 import { frameFor, linkTo, sharedParameters, tagFor } from '../element/share-links.js';
 import { saveFile } from '../element/save-file.js';
 
 const kPreviewWidth = 480; // pixels
 
 export class ShareDialog {
-  #shown = null;
+  #caster = null;
+  #reference = null;
 
   constructor(dialog) {
     this.dialog = dialog;
@@ -21,12 +22,13 @@ export class ShareDialog {
     this.find('save').addEventListener('click', () => this.#save());
   }
 
-  open(shown) {
-    this.#shown = shown;
-    const { canvas, reference } = shown;
+  open(caster, { reference }) {
+    this.#caster = caster;
+    this.#reference = reference;
+    const { width, height } = caster.picture;
     const own = this.find('size').options[0];
-    own.value = `${canvas.width}x${canvas.height}`;
-    own.textContent = `As shown, ${canvas.width} × ${canvas.height}`;
+    own.value = `${width}x${height}`;
+    own.textContent = `As shown, ${width} × ${height}`;
     this.find('addresses').hidden = reference === null;
     this.find('no-address').hidden = reference !== null;
     if (reference !== null) this.#write();
@@ -35,23 +37,25 @@ export class ShareDialog {
   }
 
   #write() {
-    const { engine, reference } = this.#shown;
+    const caster = this.#caster;
+    const reference = this.#reference;
     const base = new URL('.', document.baseURI).href;
-    const label = engine.world.title;
-    const view = this.find('from-view').checked ? engine.view : null;
-    const shared = sharedParameters({ reference, view, options: engine.options });
+    const label = caster.world.title;
+    const view = this.find('from-view').checked ? caster.currentView : null;
+    const shared = sharedParameters({ reference, view, options: caster.optionList });
     this.find('link').value = linkTo(shared, base);
     this.find('tag').value = tagFor(shared, { base, scene: sceneAddress(reference).href, label });
     this.find('frame').value = frameFor(shared, { base, label });
     this.#say(null, '');
   }
 
-  #preview() {
-    const { engine, canvas } = this.#shown;
+  async #preview() {
     const preview = this.find('preview');
+    const { width, height } = this.#caster.picture;
     preview.width = kPreviewWidth;
-    preview.height = Math.max(1, Math.round((kPreviewWidth * canvas.height) / canvas.width));
-    preview.getContext('2d').putImageData(engine.drawOnce(preview.width, preview.height), 0, 0);
+    preview.height = Math.max(1, Math.round((kPreviewWidth * height) / width));
+    const blob = await this.#caster.snapshot({ width: preview.width, height: preview.height });
+    preview.getContext('2d').drawImage(await createImageBitmap(blob), 0, 0);
   }
 
   // Where a browser refuses the clipboard, the text is selected: then one key copies it.
@@ -80,13 +84,9 @@ export class ShareDialog {
   }
 
   async #save() {
-    const { engine, name } = this.#shown;
     const [width, height] = this.find('size').value.split('x').map(Number);
-    const picture = document.createElement('canvas');
-    picture.width = width;
-    picture.height = height;
-    picture.getContext('2d').putImageData(engine.drawOnce(width, height), 0, 0);
-    const blob = await new Promise((resolve) => picture.toBlob(resolve, 'image/png'));
+    const name = (this.#reference ?? this.#caster.source.name).replace(/^.*\/|\.json$/gi, '');
+    const blob = await this.#caster.snapshot({ width, height }).catch(() => null);
     if (blob === null) {
       this.#say(null, 'There is not enough memory for a picture of that size.');
       return;

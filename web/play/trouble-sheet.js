@@ -1,8 +1,6 @@
 // The sheet that says what keeps a scene from being shown.
 //
-//     sheet.show(trouble, {again, scenes, back});
-
-import { placeOf } from '../engine/trouble.js';
+//     sheet.show({title, message, faults}, {again, scenes, back});      as the element's event `error` tells it
 
 const kActions = ['again', 'scenes', 'back'];
 
@@ -46,7 +44,7 @@ function faultRow(fault) {
   const row = document.createElement('tr');
   const place = document.createElement('th');
   place.scope = 'row';
-  place.textContent = placeOf(fault);
+  place.textContent = fault.place;
   const inside = insideOf(fault);
   if (inside !== '') {
     const where = document.createElement('span');

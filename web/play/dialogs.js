@@ -1,0 +1,80 @@
+// The page's dialogs, each opened by its button `open-NAME`, by keys, and closed by its own button,
+// Escape, or a press on what lies behind it. Then the picture has the focus again, so that Enter
+// plays; who played plays on.
+//
+//     const dialogs = new Dialogs(caster);
+//     dialogs.before('settings', act);       act() comes first
+//     dialogs.opens('share', act);           act() opens it itself
+//     dialogs.open('share');
+
+import { showKeys } from './key-help.js';
+
+export const kPageKeys = [{ keys: ['Z'], does: 'share this view' }]; // beside the engine's
+
+const kNames = ['scenes', 'keys', 'settings', 'share'];
+
+const find = (id) => document.getElementById(id);
+
+export class Dialogs {
+  #caster;
+  #before = new Map();
+  #opens = new Map();
+  #playsOn = false;
+
+  constructor(caster) {
+    this.#caster = caster;
+    for (const name of kNames) {
+      this.#opens.set(name, () => find(name).showModal());
+      find(`open-${name}`).addEventListener('click', () => this.open(name));
+    }
+    this.before('keys', () =>
+      showKeys(find('key-tables'), find('key-table'), [...caster.keyList, ...kPageKeys]),
+    );
+    for (const dialog of document.querySelectorAll('dialog')) {
+      dialog.addEventListener('pointerdown', (event) => {
+        if (event.target === dialog && !contains(dialog.getBoundingClientRect(), event))
+          dialog.close();
+      });
+      dialog.addEventListener('close', () => this.#closed());
+    }
+    for (const button of document.querySelectorAll('[data-close]'))
+      button.addEventListener('click', () => button.closest('dialog').close());
+    find('keys').addEventListener('keydown', (event) => {
+      if (event.code === 'KeyH') find('keys').close();
+    });
+  }
+
+  get isOpen() {
+    return document.querySelector('dialog[open]') !== null;
+  }
+
+  before(name, act) {
+    this.#before.set(name, act);
+  }
+
+  opens(name, act) {
+    this.#opens.set(name, act);
+  }
+
+  open(name) {
+    if (this.isOpen) return;
+    this.#playsOn = this.#caster.entered;
+    document.exitPointerLock?.();
+    this.#before.get(name)?.();
+    this.#opens.get(name)();
+  }
+
+  close() {
+    document.querySelector('dialog[open]')?.close();
+  }
+
+  #closed() {
+    if (this.#playsOn) this.#caster.enter();
+    else this.#caster.focus({ preventScroll: true });
+    this.#playsOn = false;
+  }
+}
+
+function contains(box, { clientX, clientY }) {
+  return clientX >= box.left && clientX <= box.right && clientY >= box.top && clientY <= box.bottom;
+}
