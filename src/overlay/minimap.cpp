@@ -8,6 +8,7 @@
 #include "overlay/minimap_objects.h"
 #include "overlay/minimap_view.h"
 #include "overlay/text.h"
+#include "render/classic/level_ray.h"
 
 #include <algorithm>
 #include <array>
@@ -195,26 +196,35 @@ void drawTiles(const World& world, const Map& map, int level, const MinimapView&
 
 // Level rays over the field of view, as evenly as slices are, each as far as it goes.
 void drawRays(const World& world, const Map& map, int level, const MinimapView& view,
-              const Eye& eye, double fovDegrees, const Picture& picture) {
+              const Eye& eye, const MinimapOptions& options, const Picture& picture) {
     const SineCosine heading = sineCosineDegrees(eye.headingDegrees);
-    const double widest = tanDegrees(fovDegrees / 2.0);
+    const double widest = tanDegrees(options.fovDegrees / 2.0);
+    const double most = 2.0 * view.area.width / view.pixelsPerTile;
     const Coordinate above = eye.z - tileEdge(level);
     const Coordinate height =
         above >= Coordinate{} && above < tileEdge(1) ? above : toCoordinate(0.5);
     for (int i = 0; i < kMinimapRays; ++i) {
-        const double slope = widest * (2.0 * i / (kMinimapRays - 1) - 1.0);
-        const Point direction = {heading.cosine - slope * heading.sine,
-                                 heading.sine + slope * heading.cosine};
-        const MapRayEnd end = followRay(world, map,
-                                        {.x = eye.x.value(),
-                                         .y = eye.y.value(),
-                                         .directionX = direction.x,
-                                         .directionY = direction.y,
-                                         .level = level,
-                                         .height = height},
-                                        2.0 * view.area.width / view.pixelsPerTile);
-        const double pixels = end.length * view.pixelsPerTile;
-        const Point onPicture = view.toPicture({direction.x * pixels, direction.y * pixels});
+        const double share = static_cast<double>(i) / (kMinimapRays - 1);
+        ClassicLevelRay end;
+        if (share < options.classicShare || options.classicShare >= 1.0) {
+            end = castClassic(world, eye, options.fovDegrees, options.classic, share, level, height,
+                              most);
+        } else {
+            const double slope = widest * (2.0 * share - 1.0);
+            const Point direction = {heading.cosine - slope * heading.sine,
+                                     heading.sine + slope * heading.cosine};
+            const MapRayEnd exact = followRay(world, map,
+                                              {.x = eye.x.value(),
+                                               .y = eye.y.value(),
+                                               .directionX = direction.x,
+                                               .directionY = direction.y,
+                                               .level = level,
+                                               .height = height},
+                                              most);
+            end = {direction.x * exact.length, direction.y * exact.length, exact.met, exact.portal};
+        }
+        const Point onPicture =
+            view.toPicture({end.x * view.pixelsPerTile, end.y * view.pixelsPerTile});
         const Point to = {view.centre().x + onPicture.x, view.centre().y + onPicture.y};
         drawLine(picture, view.area, view.centre(), to, kRay);
         if (end.met)
@@ -315,7 +325,7 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
     drawTiles(world, map, level, view, picture);
     drawMinimapObjects(world, eye.map, level, view, picture);
     if (options.reach > 0.0) drawReach(view, options.reach, picture);
-    if (options.rays) drawRays(world, map, level, view, eye, options.fovDegrees, picture);
+    if (options.rays) drawRays(world, map, level, view, eye, options, picture);
     drawEye(view, eye, options.fovDegrees, picture);
     if (layout.side < kLabelledSide) return;
     const int scale = readableScale(picture.width, picture.height);

@@ -15,6 +15,7 @@
 // height or to a portal, never into the map behind it.
 #pragma once
 
+#include "render/classic/classic_options.h"
 #include "render/eye.h"
 #include "render/picture.h"
 #include "world/world.h"
@@ -28,8 +29,10 @@ struct MinimapOptions {
     int level = -1;  // the level shown, clamped to the map's; -1 for the one that the eye is on
     double fovDegrees = 60.0;  // of the field that the eye sees
     bool rays = false;
-    bool turns = false;  // with the way that the eye looks up; else north
-    double reach = 0.0;  // radius of the circle, units; 0 for none
+    bool turns = false;           // with the way that the eye looks up; else north
+    double reach = 0.0;           // radius of the circle, units; 0 for none
+    double classicShare = 0.0;    // of the picture's width, from the left: these rays go by the
+    ClassicOptions classic = {};  // classic method
 };
 
 // Where the minimap stands and how large it is, in pixels.

@@ -28,6 +28,8 @@ struct SessionOptions {
     RenderOptions render;
     DrawMethod method = DrawMethod::exact;
     ClassicOptions classic;
+    double compare = 0.0;  // the columns left of this share of the width are drawn by the classic
+                           // method, the others by the exact one; 0 for no comparison
     std::optional<double> intensity;   // of the light, in all maps; each map's own when empty
     std::optional<double> multiplier;  // of the light, units; each map's own when empty
     LightPreset lightPreset = LightPreset::map;

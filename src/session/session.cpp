@@ -2,6 +2,7 @@
 
 #include "base/angle.h"
 #include "base/hash.h"
+#include "overlay/divider.h"
 #include "overlay/minimap.h"
 #include "overlay/panels.h"
 #include "overlay/pixel_grid.h"
@@ -130,10 +131,12 @@ bool Session::draw(const Picture& picture, double fraction) {
 }
 
 bool Session::drawView(const Eye& seen, const Picture& picture) {
-    const bool drawn = options_.method == DrawMethod::classic
-                           ? drawClassic(world_, seen, options_.render, options_.classic, picture)
-                           : renderer_.draw(world_, seen, options_.render, picture);
-    if (!drawn) return false;
+    const int classic = classicColumns(picture.width);
+    const bool isAllClassic = classic > 0 && classic >= picture.width;
+    if (!isAllClassic && !renderer_.draw(world_, seen, options_.render, picture)) return false;
+    if (classic > 0 && !drawClassic(world_, seen, options_.render, options_.classic, picture,
+                                    &classicReport_, classic))
+        return false;
     clock_.endView();
     drawOverlays(seen, picture);
     clock_.endOverlays();
@@ -144,10 +147,11 @@ bool Session::drawView(const Eye& seen, const Picture& picture) {
 void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     const SessionOptions& o = options_;
     if (o.slow) slowDrawing_.show(picture, o.slowSlices);
+    drawDivider(picture, classicColumns(picture.width));
     if (o.grid) drawPixelGrid(picture);
     if (o.inspector) {
-        const SliceTrace slice = renderer_.trace(world_, seen, o.render, picture.width,
-                                                 picture.height, inspectedColumn(picture.width));
+        const SliceTrace slice =
+            traceFrom(seen, picture.width, picture.height, inspectedColumn(picture.width));
         drawSliceLine(slice, picture);
         drawSideView(slice, world_, seen, picture);
     }
@@ -156,7 +160,9 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
                                         .fovDegrees = o.render.fovDegrees,
                                         .rays = o.minimapRays,
                                         .turns = o.minimapTurns,
-                                        .reach = o.minimapReach};
+                                        .reach = o.minimapReach,
+                                        .classicShare = classicShare(),
+                                        .classic = o.classic};
         drawMinimap(world_, seen, minimap, picture);
     }
     const Map& map = world_.maps[static_cast<std::size_t>(seen.map)];
@@ -175,7 +181,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     }
     if (o.processPanel) {
         drawProcessPanel({.times = clock_.times(),
-                          .report = o.method == DrawMethod::exact ? &renderer_.report() : nullptr,
+                          .report = classicShare() < 1.0 ? &renderer_.report() : &classicReport_,
                           .intensity = map.light.intensity,
                           .multiplier = map.light.multiplier,
                           .mirrors = o.render.mirrors,
@@ -318,14 +324,36 @@ Eye Session::eye(double fraction) const {
 }
 
 SliceTrace Session::trace(int width, int height, int column) {
-    return renderer_.trace(world_, eye(), options_.render, width, height, column);
+    return traceFrom(eye(), width, height, column);
+}
+
+// By the method that draws the column.
+SliceTrace Session::traceFrom(const Eye& seen, int width, int height, int column) {
+    return column < classicColumns(width)
+               ? traceClassic(world_, seen, options_.render, options_.classic, width, height,
+                              column)
+               : renderer_.trace(world_, seen, options_.render, width, height, column);
 }
 
 FrameReport Session::measure(int width, int height) {
     Image image(width, height);
-    const bool isDrawn =
-        renderer_.draw(world_, eye(), options_.render, {image.pixels.data(), width, height, width});
-    return isDrawn ? renderer_.report() : FrameReport{};
+    const Picture picture = {image.pixels.data(), width, height, width};
+    FrameReport report;
+    if (classicShare() == 1.0) {
+        drawClassic(world_, eye(), options_.render, options_.classic, picture, &report);
+    } else if (renderer_.draw(world_, eye(), options_.render, picture)) {
+        report = renderer_.report();
+    }
+    return report;
+}
+
+double Session::classicShare() const {
+    if (options_.compare > 0.0) return options_.compare;
+    return options_.method == DrawMethod::classic ? 1.0 : 0.0;
+}
+
+int Session::classicColumns(int width) const {
+    return static_cast<int>(classicShare() * width + 0.5);
 }
 
 std::uint64_t Session::fingerprint() const {

@@ -108,10 +108,10 @@ public:
     SessionState state() const;
     // The eye as it would be drawn.
     Eye eye(double fraction = 1.0) const;
-    // Everything that one column of a picture of that size does.
+    // Everything that one column of a picture of that size does, by the method that draws it.
     SliceTrace trace(int width, int height, int column);
-    // What it takes to draw a picture of that size by the exact method, overlays apart; all 0 where
-    // it cannot be drawn.
+    // What it takes to draw a picture of that size, overlays apart; all 0 where it cannot be drawn.
+    // Of a comparison, the exact method's part.
     FrameReport measure(int width, int height);
     // How long the parts of a picture have taken lately; null without a clock.
     const ProcessTimes* times() const { return clock_.times(); }
@@ -125,6 +125,9 @@ private:
     GateAsk gateAsk(const Input& input);
     void stepAround(const GateAsk& ask);
     bool drawView(const Eye& seen, const Picture& picture);
+    SliceTrace traceFrom(const Eye& seen, int width, int height, int column);
+    double classicShare() const;          // of the width, from the left
+    int classicColumns(int width) const;  // that the classic method draws
     void applyLight();
     void drawOverlays(const Eye& seen, const Picture& picture);
 
@@ -136,6 +139,8 @@ private:
     Input heldBefore_;  // of the last step, to tell a press from a key that is held
     std::vector<Body> bodies_;
     Renderer renderer_;
+    FrameReport
+        classicReport_;  // of the last picture, or part of one, that the classic method drew
     SlowDrawing slowDrawing_;
     PhaseClock clock_;
     std::int64_t steps_ = 0;

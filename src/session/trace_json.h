@@ -64,7 +64,9 @@
 //                    "sky", "haze" },   of opaque runs; they add up to the height "layers":
 //                    [number, ...] } }     rows of see-through runs and objects
 //
-// Both tell of the exact method, whichever one draws.
+// Both tell of the method that draws the column (option "method", or "compare"); the totals of a
+// comparison are the exact one's. Of the classic method, "tilesWalked" are the places that were
+// looked at, "rowsFilled" counts what was painted over again, and there is one level of detail.
 #pragma once
 
 #include "session/session.h"

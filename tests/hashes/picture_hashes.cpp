@@ -112,6 +112,11 @@ void printOldWays(const std::string& name, Session& session) {
         {{"classic.projection", "equalAnglesCorrected"}, {"classic.sineSteps", "3600"}},
         {{"classic.stretched", "on"}, {"classic.painter", "on"}},
         {{"classic.oneLevel", "on"}, {"classic.pixelSize", "3"}, {"textures", "off"}},
+        {{"classic.mirroredTextures", "on"}, {"classic.roofs", "flat"}, {"classic.seams", "on"}},
+        {{"classic.firstHits", "on"}, {"classic.noOwnCell", "on"}, {"classic.roofs", "missing"}},
+        {{"classic.columnDepth", "on"}, {"classic.driftingHorizon", "on"}},
+        {{"classic.wrongScale", "on"}, {"classic.flippedMirrors", "on"}},
+        {{"classic.portalsOverdrawn", "on"}, {"compare", "0.6"}},
     };
     session.reset();
     session.setOption("method", "classic");
@@ -186,6 +191,7 @@ void printGenerated(std::uint64_t seed, Shown& shown) {
     }
     if (seed % 6 < 2) {
         Session session(std::move(world));
+        printOldWays(name, session);
         printRun(name + " run", session, seed, 2000);
     }
 }
@@ -266,7 +272,8 @@ int printAll(const std::filesystem::path& assets) {
 
 int main(int argc, char** argv) {
     if (argc != 2) {
-        std::fprintf(stderr, "usage: picture-hashes FOLDER        of the frozen set, tests/frozen\n");
+        std::fprintf(stderr,
+                     "usage: picture-hashes FOLDER        of the frozen set, tests/frozen\n");
         return 2;
     }
     return slicecast::printAll(argv[1]);

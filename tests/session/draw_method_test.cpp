@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -14,7 +15,9 @@
 namespace slicecast {
 namespace {
 
-// A yard of chequered blocks with a pillar of two in it, which a piece of ceiling pierces.
+// A yard of chequered blocks with a pillar of two in it, which a piece of ceiling pierces; before
+// it a low block and a figure, behind it another; a portal with a beam before it; a floor that
+// mirrors. The eye stands on a step.
 World yard() {
     World world;
     Image image(8, 8);
@@ -24,9 +27,20 @@ World yard() {
                                       static_cast<std::uint8_t>(60 + 20 * y), 90, 255});
     }
     world.textures.push_back(makeTexture("squares", image));
+    world.sprites.push_back(makeSprite("figure", image));
     CellBlueprint block;
     for (FaceBlueprint& face : block.faces) face.texture = 0;
     world.blueprints.push_back(block);
+    CellBlueprint low = block;
+    low.top = toCoordinate(0.2);
+    world.blueprints.push_back(low);
+    CellBlueprint beam = block;
+    beam.bottom = toCoordinate(0.4);
+    beam.top = toCoordinate(0.6);
+    world.blueprints.push_back(beam);
+    CellBlueprint gate = block;
+    gate.faces[static_cast<std::size_t>(Face::west)].portal = 0;
+    world.blueprints.push_back(gate);
     Map map = makeMap("yard", 12, 9, 2, 0);
     for (int x = 0; x < 12; ++x) {
         for (int y = 0; y < 9; ++y) {
@@ -35,14 +49,28 @@ World yard() {
         }
     }
     map.setCell(7, 4, 1, 1);
+    map.setCell(5, 4, 0, 2);
+    map.setCell(2, 3, 0, 2);
+    map.setCell(9, 5, 0, 3);
+    map.setCell(11, 5, 0, 4);
     map.ceiling.height = toCoordinate(1.3);
     map.ceiling.tiles.assign(12 * 9, kNoTexture);
     map.ceiling.tiles[map.tileIndex(7, 4)] = 0;
+    map.floor.mirror = 100;
+    map.objects.push_back({.sprite = 0,
+                           .x = toCoordinate(6.2),
+                           .y = toCoordinate(4.4),
+                           .z = {},
+                           .width = toCoordinate(0.8),
+                           .height = toCoordinate(1.4)});
+    world.portals.push_back(
+        {.fromMap = 0, .fromX = 11, .fromY = 5, .toMap = 0, .toX = 2, .toY = 6, .turn = 1});
     world.maps.push_back(std::move(map));
+    markPortals(world);
     world.start = {.map = 0,
                    .x = toCoordinate(2.5),
                    .y = toCoordinate(3.7),
-                   .z = {},
+                   .z = toCoordinate(0.2),
                    .headingDegrees = 10.0,
                    .look = 0.0};
     return world;
@@ -84,14 +112,15 @@ TEST(DrawMethod, EveryClassicOptionReachesThePicture) {
         if (name == "classic.march") session.setOption("classic.step", "0.3");
         session.setEye({.map = 0,
                         .x = toCoordinate(2.5),
-                        .y = toCoordinate(3.7),
+                        .y = toCoordinate(name == "classic.portalsOverdrawn" ? 5.5 : 3.7),
                         .z = toCoordinate(0.6),
-                        .headingDegrees = 10.0,
-                        .look = 0.1});
+                        .headingDegrees = name == "classic.portalsOverdrawn" ? 0.0 : 10.0,
+                        .look = name == "classic.noOwnCell" ? -0.8 : -0.1});
         const std::vector<Pixel> before = drawn(session);
         std::string value = "3";
         if (option.kind == OptionKind::onOff) value = "on";
-        if (option.kind == OptionKind::choice) value = "equalAngles";
+        if (name == "classic.projection") value = "equalAngles";
+        if (name == "classic.roofs") value = "flat";
         if (name == "classic.step") value = "0.3";
         EXPECT_EQ(session.setOption(name, value), "");
         EXPECT_NE(drawn(session), before) << name;
@@ -108,6 +137,78 @@ TEST(DrawMethod, OverlaysAndStateStayTheSame) {
     EXPECT_NE(drawn(session), bare);
     Image refused(4, 4);
     EXPECT_FALSE(session.draw({refused.pixels.data(), 0, 4, 4}));
+}
+
+// The left of a comparison is the classic method's picture, the right the exact one's; between them
+// is a line.
+TEST(DrawMethod, ComparesBothMethods) {
+    Session session(yard());
+    session.setOption("classic.projection", "equalAngles");
+    const std::vector<Pixel> exact = drawn(session);
+    session.setOption("method", "classic");
+    const std::vector<Pixel> classic = drawn(session);
+    for (const char* method : {"exact", "classic"}) {
+        session.setOption("method", method);
+        EXPECT_EQ(session.setOption("compare", "0.25"), "");
+        const std::vector<Pixel> both = drawn(session);
+        for (int i = 0; i < 96 * 60; ++i) {
+            const int x = i % 96;
+            const auto at = static_cast<std::size_t>(i);
+            if (x < 24 - 3) {
+                EXPECT_EQ(both[at], classic[at]) << i;
+            } else if (x >= 24 + 3) {
+                EXPECT_EQ(both[at], exact[at]) << i;
+            }
+        }
+        EXPECT_NE(both[30 * 96 + 23], classic[30 * 96 + 23]) << "the line";
+        session.setOption("compare", "1");
+        EXPECT_EQ(drawn(session), classic);
+        session.setOption("compare", "0");
+    }
+    EXPECT_EQ(drawn(session), classic);
+    EXPECT_NE(session.setOption("compare", "1.1"), "");
+}
+
+// Only what it draws costs the time of the classic method.
+TEST(DrawMethod, AComparisonDrawsNoMoreThanItsColumns) {
+    const World world = yard();
+    const Session session{yard()};
+    Image image(96, 60);
+    FrameReport all;
+    FrameReport part;
+    const Picture picture = {image.pixels.data(), 96, 60, 96};
+    ASSERT_TRUE(drawClassic(world, session.eye(), {}, {}, picture, &all));
+    ASSERT_TRUE(drawClassic(world, session.eye(), {}, {}, picture, &part, 24));
+    EXPECT_EQ(all.rowsFilled, 96 * 60);
+    EXPECT_EQ(part.rowsFilled, 24 * 60);
+    EXPECT_LT(part.tilesWalked, all.tilesWalked / 2);
+}
+
+// Of each column, by the method that draws it.
+TEST(DrawMethod, TracesTellOfTheMethodThatDraws) {
+    Session session(yard());
+    const SliceTrace exact = session.trace(96, 60, 10);
+    session.setOption("classic.march", "on");
+    session.setOption("classic.step", "0.3");
+    EXPECT_EQ(session.trace(96, 60, 10).tiles.size(), exact.tiles.size());
+    session.setOption("method", "classic");
+    const SliceTrace marched = session.trace(96, 60, 10);
+    ASSERT_GT(marched.tiles.size(), 1u);
+    // Where a march comes to stand, no border is.
+    const double steps = marched.tiles[1].depth *
+                         std::sqrt(marched.rayX * marched.rayX + marched.rayY * marched.rayY) / 0.3;
+    EXPECT_NEAR(steps, std::floor(steps + 0.5), 1e-9);
+    EXPECT_GT(marched.tiles[1].depth, exact.tiles[1].depth);
+    EXPECT_EQ(session.measure(96, 60).rowsFilled, 96 * 60);
+    EXPECT_GT(session.measure(96, 60).tilesWalked, 96 * 20) << "one every step";
+
+    session.setOption("compare", "0.5");
+    EXPECT_EQ(session.trace(96, 60, 10).tiles[1].depth, marched.tiles[1].depth);
+    session.setOption("method", "exact");
+    EXPECT_EQ(session.trace(96, 60, 10).tiles[1].depth, marched.tiles[1].depth);
+    const SliceTrace right = session.trace(96, 60, 70);
+    session.setOption("compare", "0");
+    EXPECT_EQ(session.trace(96, 60, 70).tiles[1].depth, right.tiles[1].depth);
 }
 
 }  // namespace

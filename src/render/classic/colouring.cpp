@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace slicecast::classic {
+namespace {
+
+constexpr Pixel kOpaque = toPixel({0, 0, 0, 255});
+
+}  // namespace
 
 Pixel laidOver(Pixel colour, Pixel behind) {
     const Colour over = toColour(colour);
@@ -15,46 +20,92 @@ Pixel laidOver(Pixel colour, Pixel behind) {
         {channel(over.r, under.r), channel(over.g, under.g), channel(over.b, under.b), 255});
 }
 
-Colouring::Colouring(const World& world, const Map& map, const View& view,
-                     const RenderOptions& options)
-    : world_(world), map_(map), view_(view), lighting_(map, options), textures_(options.textures) {}
+Colouring::Colouring(const World& world, const Map& map, const View& view, const ColumnRay& ray,
+                     const RenderOptions& options, const ClassicOptions& classic)
+    : world_(world),
+      map_(map),
+      view_(view),
+      ray_(ray),
+      options_(options),
+      classic_(classic),
+      lighting_(map, options) {}
 
-Pixel Colouring::ofSurface(const Surface& surface, const ColumnRay& ray, double y) const {
-    const double depth = surface.depthAt(view_, ray, y);
-    const double along = surface.isSide() ? surface.along : depth / ray.depthPerAlong;
-    const double east = view_.eyeX + along * ray.x - surface.tileX;
-    const double south = view_.eyeY + along * ray.y - surface.tileY;
-    if (!surface.isSide())
-        return shaded(texel(surface.texture, east, south, false, surface.face == Face::bottom),
-                      depth, surface.light, surface.glow);
+Shown Colouring::ofSurface(const Surface& surface, double y) const {
+    if (surface.texture == kNoTexture) return ofHaze();
+    const double depth = surface.depthAt(view_, ray_, y);
+    const double along = surface.isUpright() ? surface.along : depth / ray_.depthPerAlong;
+    const double east = view_.eyeX + along * ray_.x - surface.tileX;
+    const double south = view_.eyeY + along * ray_.y - surface.tileY;
+    Texel texel = {.texture = surface.texture,
+                   .depth = depth,
+                   .u = east,
+                   .v = south,
+                   .vReversed = surface.face == Face::bottom,
+                   .light = surface.light,
+                   .glow = surface.glow};
+    if (!surface.isUpright()) {
+        texel.plain =
+            surface.what != FilledRows::What::ceiling && classic_.roofs == ClassicRoofs::flat;
+        Shown roof = shown(surface.what, texel);
+        roof.mirror = mirrorStrength(surface.mirror);
+        if (roof.mirror > 0) roof.colour |= kOpaque;
+        if (classic_.flippedMirrors) roof.mirror = 0;
+        return roof;
+    }
 
-    const double height = view_.eyeZ + depth * view_.upwardSlopeAt(y);
-    const double u = surface.face == Face::north || surface.face == Face::south ? east : south;
-    const double v = (surface.textureTop - height) / (surface.textureTop - surface.textureBottom);
-    return shaded(texel(surface.texture, u, v,
-                        surface.face == Face::north || surface.face == Face::east, false),
-                  depth, surface.light, surface.glow);
+    const double height = view_.eyeZ + depth * surface.stretch * view_.upwardSlopeAt(y);
+    texel.vReversed = false;
+    texel.v = (surface.textureTop - height) / (surface.textureTop - surface.textureBottom);
+    if (surface.what == FilledRows::What::object) {
+        texel.u = surface.u;
+    } else {
+        if (surface.face == Face::east || surface.face == Face::west) texel.u = south;
+        texel.uReversed = !classic_.mirroredTextures &&
+                          (surface.face == Face::north || surface.face == Face::east);
+    }
+    return shown(surface.what, texel);
 }
 
-Pixel Colouring::ofBackground(const ColumnRay& ray, double y) const {
+Shown Colouring::ofBackground(double y) const {
     const double slope = view_.upwardSlopeAt(y);
-    if (slope >= 0.0) return ofSky(ray, slope);
+    if (slope >= 0.0) return {.what = FilledRows::What::sky, .colour = ofSky(slope)};
     const double depth = view_.depthOfPlane(0.0, y);
-    if (!(depth <= map_.far)) return toPixel(map_.haze);
-    const double along = depth / ray.depthPerAlong;
-    const double east = view_.eyeX + along * ray.x;
-    const double south = view_.eyeY + along * ray.y;
+    if (!(depth <= map_.far)) return ofHaze();
+    const double along = depth / ray_.depthPerAlong;
+    const double east = view_.eyeX + along * ray_.x;
+    const double south = view_.eyeY + along * ray_.y;
     const int tileX = static_cast<int>(std::floor(east));
     const int tileY = static_cast<int>(std::floor(south));
     const TextureId texture = map_.contains(tileX, tileY)
                                   ? map_.floor.tiles[map_.tileIndex(tileX, tileY)]
                                   : map_.floor.texture;
-    const Pixel floor = shaded(texel(texture, east - tileX, south - tileY, false, false), depth,
-                               map_.floor.light, map_.floor.glow);
-    return laidOver(floor, toPixel(map_.haze));  // which is what lies below it
+    Shown floor = shown(FilledRows::What::floor, {.texture = texture,
+                                                  .depth = depth,
+                                                  .u = east - tileX,
+                                                  .v = south - tileY,
+                                                  .light = map_.floor.light,
+                                                  .glow = map_.floor.glow});
+    floor.mirror = mirrorStrength(map_.floor.mirror);
+    // What lies below it is haze, but a mirror has no holes.
+    floor.colour =
+        floor.mirror > 0 ? floor.colour | kOpaque : laidOver(floor.colour, toPixel(map_.haze));
+    return floor;
 }
 
-Pixel Colouring::ofSky(const ColumnRay& ray, double slope) const {
+Shown Colouring::ofHaze() const {
+    return {.what = FilledRows::What::haze, .colour = toPixel(map_.haze) | kOpaque};
+}
+
+bool Colouring::isSeeThrough(const Surface& surface) const {
+    if (surface.what == FilledRows::What::object) return true;
+    return surface.texture != kNoTexture && world_.textures[surface.texture].seeThrough;
+}
+
+int Colouring::mirrorStrength(int strength) const {
+    return static_cast<int>(std::min(255.0, std::floor(strength * options_.mirrors + 0.5)));
+}
+
+Pixel Colouring::ofSky(double slope) const {
     const Sky& sky = map_.sky;
     if (sky.kind == Sky::Kind::colour) return toPixel(sky.low);
     const double share = std::min(1.0, slope / sky.slope);
@@ -65,30 +116,49 @@ Pixel Colouring::ofSky(const ColumnRay& ray, double slope) const {
         return toPixel({blend(sky.low.r, sky.high.r), blend(sky.low.g, sky.high.g),
                         blend(sky.low.b, sky.high.b), 255});
     }
-    const double turn = ray.azimuthDegrees / 360.0;
+    const double turn = ray_.azimuthDegrees / 360.0;
     const int width = sky.panorama.width;
     const int height = sky.panorama.height;
     const int column = std::min(width - 1, static_cast<int>((turn - std::floor(turn)) * width));
     return sky.panorama.at(column, std::min(height - 1, static_cast<int>((1.0 - share) * height)));
 }
 
-// A fraction just outside [0, 1], by a rounding or a march's stride, stands for the texture's edge.
-Pixel Colouring::texel(TextureId texture, double u, double v, bool uReversed,
-                       bool vReversed) const {
-    const std::vector<TextureLevel>& levels =
-        world_.textures[texture].levelsOf(world_.textures[texture].frameAt(world_.seconds));
-    const TextureLevel& level = textures_ ? levels.front() : levels.back();
-    const auto index = [&](double fraction, bool reversed) {
-        const int i =
-            std::min(level.size - 1, static_cast<int>(std::clamp(fraction, 0.0, 1.0) * level.size));
-        return reversed ? level.size - 1 - i : i;
+Shown Colouring::shown(FilledRows::What what, const Texel& at) const {
+    const bool plain = at.plain || !options_.textures;
+    int width = 0;
+    int height = 0;
+    int detail = 0;
+    const Pixel* texels = nullptr;  // column after column
+    const auto use = [&](const auto& levels) -> const auto& {
+        detail = plain ? static_cast<int>(levels.size()) - 1 : 0;
+        return levels[static_cast<std::size_t>(detail)];
     };
-    return level.texels[static_cast<std::size_t>((index(u, uReversed) << level.bits) +
-                                                 index(v, vReversed))];
+    if (what == FilledRows::What::object) {
+        const SpriteLevel& level = use(world_.sprites[at.texture].levelsAt(world_.seconds));
+        width = level.width;
+        height = level.height;
+        texels = level.texels.data();
+    } else {
+        const Texture& texture = world_.textures[at.texture];
+        const TextureLevel& level = use(texture.levelsOf(texture.frameAt(world_.seconds)));
+        width = height = level.size;
+        texels = level.texels.data();
+    }
+    // A fraction just outside [0, 1], by a rounding or a march's stride, stands for the edge.
+    const auto index = [](double fraction, int size, bool reversed) {
+        const int i = std::min(size - 1, static_cast<int>(std::clamp(fraction, 0.0, 1.0) * size));
+        return reversed ? size - 1 - i : i;
+    };
+    const int u = index(at.u, width, at.uReversed);
+    const int v = index(at.v, height, at.vReversed);
+    const Shade shade = lighting_.at(at.depth, at.light, at.glow);
+    return {.what = what,
+            .texture = at.texture,
+            .texel = {at.depth, detail, u, v, shade.factor, shade.fog},
+            .colour = shaded(texels[u * height + v], shade)};
 }
 
-Pixel Colouring::shaded(Pixel texel, double depth, double faceLight, bool glow) const {
-    const Shade shade = lighting_.at(depth, faceLight, glow);
+Pixel Colouring::shaded(Pixel texel, const Shade& shade) const {
     const Colour from = toColour(texel);
     const Colour haze = toColour(lighting_.haze);
     const auto channel = [&](std::uint32_t c, std::uint32_t fogged) {

@@ -25,9 +25,10 @@ double SineTable::cosine(double degrees) const {
     return cosDegrees(std::floor(wrapDegrees(degrees) * steps / 360.0) * 360.0 / steps);
 }
 
-View::View(const Eye& eye, int levels, const RenderOptions& options, const ClassicOptions& classic,
-           int pictureWidth, int pictureHeight)
+View::View(const Eye& eye, int levels, double startEyeZ, const RenderOptions& options,
+           const ClassicOptions& classic, int pictureWidth, int pictureHeight)
     : width(pictureWidth),
+      height(pictureHeight),
       distance((pictureWidth / 2.0) / tanDegrees(options.fovDegrees / 2.0)),
       horizon(pictureHeight / 2.0 + eye.look * pictureHeight),
       fovDegrees(options.fovDegrees),
@@ -35,9 +36,11 @@ View::View(const Eye& eye, int levels, const RenderOptions& options, const Class
       eyeX(eye.x.value()),
       eyeY(eye.y.value()),
       eyeZ(eye.z.value()),
+      oneLevel(classic.oneLevel),
       projection(classic.projection),
       table{classic.sineSteps} {
-    if (classic.oneLevel) {
+    if (classic.driftingHorizon) horizon += (eyeZ - startEyeZ) * height;
+    if (oneLevel) {
         storey = std::clamp(eye.z.tile(), 0, levels - 1);
         eyeZ = std::clamp(eyeZ - storey, kLowestEyeOfOneLevel, kHighestEyeOfOneLevel);
     }
@@ -62,15 +65,46 @@ ColumnRay View::rayAt(double x) const {
     ray.y = table.sine(ray.azimuthDegrees);
     if (projection == ClassicProjection::equalAnglesCorrected)
         ray.depthPerAlong = table.cosine(std::fabs(angle));
+    ray.ahead = cosDegrees(angle);
     return ray;
 }
 
-double View::rowOf(double height, double depth) const {
-    const double rise = height - eyeZ;
+double View::rowOf(double z, double depth) const {
+    const double rise = up * (z - eyeZ);
     if (rise == 0.0) return horizon;
     if (depth > 0.0) return horizon - rise * distance / depth;
     return rise > 0.0 ? -std::numeric_limits<double>::infinity()
                       : std::numeric_limits<double>::infinity();
+}
+
+View View::beyond(const Portal& portal) const {
+    View view = *this;
+    double x = eyeX - portal.fromX - 0.5;
+    double y = eyeY - portal.fromY - 0.5;
+    turnArrow(portal.turn, x, y);
+    view.eyeX = portal.toX + 0.5 + x;
+    view.eyeY = portal.toY + 0.5 + y;
+    view.headingDegrees += 90.0 * portal.turn;
+    if (oneLevel) {
+        view.storey += portal.levels;
+    } else {
+        view.eyeZ += portal.levels;
+    }
+    return view;
+}
+
+View View::mirroredAt(double z) const {
+    View view = *this;
+    view.eyeZ = 2.0 * z - eyeZ;
+    view.up = -up;
+    return view;
+}
+
+ColumnRay beyond(const ColumnRay& ray, const Portal& portal) {
+    ColumnRay turned = ray;
+    turnArrow(portal.turn, turned.x, turned.y);
+    turned.azimuthDegrees += 90.0 * portal.turn;
+    return turned;
 }
 
 }  // namespace slicecast::classic

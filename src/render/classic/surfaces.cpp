@@ -1,11 +1,15 @@
 #include "render/classic/surfaces.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slicecast::classic {
 namespace {
 
-// A block as a method takes it, heights above the map's floor.
+using What = FilledRows::What;
+
+// A block, and how its texture lies on it.
 struct Block {
     const CellBlueprint* blueprint = nullptr;
     int level = 0;
@@ -18,23 +22,42 @@ struct Block {
 // One column's collecting.
 class Gathering {
 public:
-    Gathering(const World& world, const Map& map, const View& view, const ClassicOptions& classic,
-              const ColumnRay& ray, const RowGrid& rows, std::vector<Surface>& surfaces)
-        : world_(world),
-          map_(map),
-          view_(view),
-          classic_(classic),
-          ray_(ray),
-          rows_(rows),
+    Gathering(const Scenery& scenery, const std::vector<TileSpan>& spans,
+              std::vector<BlockMet>& blocks, std::vector<Surface>& surfaces)
+        : world_(scenery.world),
+          map_(scenery.map),
+          view_(scenery.view),
+          classic_(scenery.classic),
+          ray_(scenery.ray),
+          rows_(scenery.rows),
+          isBeyondLimit_(scenery.isBeyondLimit),
+          spans_(spans),
+          blocks_(blocks),
           surfaces_(surfaces) {}
 
-    void addTile(const TileSpan& span) {
-        addCeiling(span);
-        const int first = classic_.oneLevel ? view_.storey : 0;
-        const int last = classic_.oneLevel ? view_.storey : map_.levels - 1;
-        for (int level = first; level <= last; ++level) {
-            if (blueprintAt(span.x, span.y, level) != nullptr) addBlock(span, blockAt(span, level));
+    // False if nothing of the tiles behind can be seen.
+    bool addTile(int index) {
+        const TileSpan& span = spans_[static_cast<std::size_t>(index)];
+        if (span.first && span.enter <= 0.0 && classic_.noOwnCell) return true;
+        const PortalId portal = map_.tilePortal(span.x, span.y);
+        if (portal != kNoPortal && !span.first) {
+            addPortalTile(span, portal);
+            return false;
         }
+        addCeiling(span);
+        const int first = classic_.oneLevel ? std::max(view_.storey, 0) : 0;
+        const int last =
+            classic_.oneLevel ? std::min(view_.storey, map_.levels - 1) : map_.levels - 1;
+        for (int level = first; level <= last; ++level) {
+            const CellBlueprint* blueprint = blueprintAt(span.x, span.y, level);
+            if (blueprint == nullptr || (metLevels_ >> level & 1u) != 0) continue;
+            const Block block = blockAt(span, level);
+            blocks_.push_back({index, level, block.bottom, block.top});
+            addBlock(span, block);
+            if (classic_.firstHits && !span.first && !blueprint->seeThrough)
+                metLevels_ |= 1u << level;
+        }
+        return true;
     }
 
 private:
@@ -72,14 +95,15 @@ private:
 
     void addBlock(const TileSpan& span, const Block& block) {
         const double distance = distanceOf(span, (block.bottom + block.top) / 2.0);
-        const bool eyeInside =
-            span.enter <= 0.0 && block.bottom <= view_.eyeZ && view_.eyeZ < block.top;
-        const bool hasPlanes = !classic_.oneLevel;
+        // The ray begins inside it, or may do so where it comes out of a portal.
+        const bool beginsInside =
+            !classic_.oneLevel &&
+            (span.enter <= 0.0 ? block.bottom <= view_.eyeZ && view_.eyeZ < block.top : span.first);
+        const bool hasPlanes = !classic_.oneLevel && classic_.roofs != ClassicRoofs::missing;
         const bool leavesTop = view_.eyeZ < block.top;  // a ray that meets it rises
         const bool leavesBottom = view_.eyeZ >= block.bottom;
-        if ((eyeInside && hasPlanes) || block.blueprint->seeThrough) {
-            if (span.leave > 0.0)
-                addSide(span, block, span.left, Passing::left, span.leave, distance);
+        if (beginsInside || block.blueprint->seeThrough) {
+            addSide(span, block, span.left, Passing::left, span.leave, distance);
             if (hasPlanes && leavesTop)
                 addPlane(span, block, Face::top, Passing::left, block.top, distance);
             if (hasPlanes && leavesBottom)
@@ -89,8 +113,7 @@ private:
             addPlane(span, block, Face::top, Passing::entered, block.top, distance);
         if (hasPlanes && !leavesBottom)
             addPlane(span, block, Face::bottom, Passing::entered, block.bottom, distance);
-        if (span.enter > 0.0)
-            addSide(span, block, span.entered, Passing::entered, span.enter, distance);
+        if (!span.first) addSide(span, block, span.entered, Passing::entered, span.enter, distance);
     }
 
     // Two see-through blocks that touch here have no faces between them.
@@ -110,31 +133,30 @@ private:
 
     void addSide(const TileSpan& span, const Block& block, Face face, Passing passing, double along,
                  double distance) {
-        if (isJoined(span, block, face)) return;
-        Surface side = surfaceOf(span, block.blueprint->face(face), face, passing, distance);
-        const double depth = along * ray_.depthPerAlong;
-        side.firstRow = rows_.firstBelow(view_.rowOf(block.top, depth));
-        side.lastRow = rows_.firstBelow(view_.rowOf(block.bottom, depth));
+        Surface side;
+        if (!makeFace(span, block, face, passing, distance, side)) return;
+        // A face at the eye is not drawn, but one that is a portal is gone through.
+        if (along <= 0.0 && side.portal == kNoPortal) return;
+        side.what = What::side;
         side.along = along;
         side.textureTop = block.textureTop;
         side.textureBottom = block.textureBottom;
-        add(side);
+        const double depth = along * ray_.depthPerAlong;
+        add(side, view_.rowOf(block.top, depth), view_.rowOf(block.bottom, depth));
     }
 
     void addPlane(const TileSpan& span, const Block& block, Face face, Passing passing,
                   double height, double distance) {
-        if (isJoined(span, block, face)) return;
-        addLevel(span, surfaceOf(span, block.blueprint->face(face), face, passing, distance),
-                 height);
+        Surface plane;
+        if (!makeFace(span, block, face, passing, distance, plane)) return;
+        plane.what = face == Face::top ? What::roof : What::underside;
+        addLevel(span, plane, height);
     }
 
     void addLevel(const TileSpan& span, Surface plane, double height) {
-        const int near = rows_.firstBelow(view_.rowOf(height, span.enter * ray_.depthPerAlong));
-        const int farther = rows_.firstBelow(view_.rowOf(height, span.leave * ray_.depthPerAlong));
-        plane.firstRow = height > view_.eyeZ ? near : farther;
-        plane.lastRow = height > view_.eyeZ ? farther : near;
         plane.height = height;
-        add(plane);
+        add(plane, view_.rowOf(height, span.enter * ray_.depthPerAlong),
+            view_.rowOf(height, span.leave * ray_.depthPerAlong));
     }
 
     void addCeiling(const TileSpan& span) {
@@ -143,13 +165,39 @@ private:
         if (texture == kNoTexture) return;
         const double height = map_.ceiling.height.value() - view_.storey;
         if (height <= 0.0) return;
-        addLevel(span,
-                 surfaceOf(span, {texture, map_.ceiling.light, map_.ceiling.glow}, Face::bottom,
-                           Passing::ceiling, distanceOf(span, height)),
-                 height);
+        Surface ceiling = surfaceAt(span, {texture, map_.ceiling.light, map_.ceiling.glow},
+                                    Face::bottom, Passing::ceiling, distanceOf(span, height));
+        ceiling.what = What::ceiling;
+        addLevel(span, ceiling, height);
     }
 
-    Surface surfaceOf(const TileSpan& span, const FaceBlueprint& look, Face face, Passing passing,
+    // At all heights above the floor. Where rays go through no more portals it shows the haze.
+    void addPortalTile(const TileSpan& span, PortalId portal) {
+        Surface side =
+            surfaceAt(span, {}, span.entered, Passing::portal, distanceOf(span, view_.eyeZ));
+        side.along = span.enter;
+        if (!isBeyondLimit_) side.portal = portal;
+        const double depth = span.enter * ray_.depthPerAlong;
+        add(side, view_.rowOf(std::numeric_limits<double>::infinity(), depth),
+            view_.rowOf(0.0, depth));
+    }
+
+    // False if there is no such face: water lacks some, see-through blocks are joined, and from
+    // inside a portal nothing is seen.
+    bool makeFace(const TileSpan& span, const Block& block, Face face, Passing passing,
+                  double distance, Surface& surface) const {
+        const FaceBlueprint& look = block.blueprint->face(face);
+        if (look.texture == kNoTexture || isJoined(span, block, face)) return false;
+        if (passing == Passing::left && look.portal != kNoPortal) return false;
+        surface = surfaceAt(span, look, face, passing, distance);
+        surface.block = static_cast<int>(blocks_.size()) - 1;
+        if (passing == Passing::left) return true;
+        if (!isBeyondLimit_) surface.portal = look.portal;
+        surface.mirror = look.mirror;
+        return true;
+    }
+
+    Surface surfaceAt(const TileSpan& span, const FaceBlueprint& look, Face face, Passing passing,
                       double distance) const {
         Surface surface;
         surface.texture = look.texture;
@@ -159,6 +207,7 @@ private:
         surface.passing = passing;
         surface.tileX = span.x;
         surface.tileY = span.y;
+        surface.nearest = span.enter * ray_.depthPerAlong;
         surface.thingDistance = distance;
         return surface;
     }
@@ -170,9 +219,21 @@ private:
         return x * x + y * y + z * z;
     }
 
-    void add(const Surface& surface) {
-        if (surface.firstRow < surface.lastRow && surface.texture != kNoTexture)
-            surfaces_.push_back(surface);
+    // Between two edges on the picture, whichever is the upper one.
+    void add(Surface& surface, double a, double b) {
+        surface.firstRow = rows_.firstBelow(std::min(a, b));
+        surface.lastRow = rows_.firstBelow(std::max(a, b));
+        if (surface.firstRow >= surface.lastRow) return;
+        if (classic_.seams && surface.block >= 0) {
+            if (surface.isUpright()) {
+                ++surface.firstRow;
+                surface.lastRow = std::min(surface.lastRow, rows_.rows - 1);
+            } else {
+                surface.lastRow = std::min(surface.lastRow + 1, rows_.rows);
+                surface.nearest = 0.0;
+            }
+        }
+        surfaces_.push_back(surface);
     }
 
     const World& world_;
@@ -181,7 +242,11 @@ private:
     const ClassicOptions& classic_;
     const ColumnRay& ray_;
     const RowGrid& rows_;
+    const bool isBeyondLimit_;
+    const std::vector<TileSpan>& spans_;
+    std::vector<BlockMet>& blocks_;
     std::vector<Surface>& surfaces_;
+    std::uint32_t metLevels_ = 0;
 };
 
 }  // namespace
@@ -191,12 +256,15 @@ int RowGrid::firstBelow(double y) const {
     return row > 0.0 ? (row < rows ? static_cast<int>(row) : rows) : 0;
 }
 
-void gatherSurfaces(const World& world, const Map& map, const View& view,
-                    const ClassicOptions& classic, const ColumnRay& ray, const RowGrid& rows,
-                    const std::vector<TileSpan>& spans, std::vector<Surface>& surfaces) {
+void gatherSurfaces(const Scenery& scenery, const std::vector<TileSpan>& spans,
+                    std::vector<BlockMet>& blocks, std::vector<Surface>& surfaces) {
     surfaces.clear();
-    Gathering gathering(world, map, view, classic, ray, rows, surfaces);
-    for (const TileSpan& span : spans) gathering.addTile(span);
+    blocks.clear();
+    gatherObjects(scenery, surfaces);
+    Gathering gathering(scenery, spans, blocks, surfaces);
+    for (int i = 0; i < static_cast<int>(spans.size()) && gathering.addTile(i); ++i) {
+    }
+    if (scenery.classic.columnDepth) hideBehindFirstBlock(surfaces);
 }
 
 }  // namespace slicecast::classic

@@ -40,11 +40,12 @@ Face nearestSide(double fromMiddleX, double fromMiddleY) {
 }  // namespace
 
 std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray,
-                       std::vector<TileSpan>& spans) {
+                       const TileStart& start, std::vector<TileSpan>& spans) {
     spans.clear();
     TileSpan span;
-    span.x = tileOf(view.eyeX);
-    span.y = tileOf(view.eyeY);
+    span.x = start.x;
+    span.y = start.y;
+    span.enter = start.along;
     span.first = true;
     Borders x(view.eyeX, span.x, ray.x);
     Borders y(view.eyeY, span.y, ray.y);
@@ -70,15 +71,18 @@ std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray,
 }
 
 std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray,
-                        const ClassicOptions& classic, std::vector<TileSpan>& spans) {
+                        const TileStart& start, const ClassicOptions& classic,
+                        std::vector<TileSpan>& spans) {
     spans.clear();
     TileSpan span;
-    span.x = tileOf(view.eyeX);
-    span.y = tileOf(view.eyeY);
+    span.x = start.x;
+    span.y = start.y;
+    span.enter = start.along;
     span.first = true;
     std::int64_t samples = 0;
     const auto strides = static_cast<std::int64_t>(classic.reach / classic.stepSize);
-    for (std::int64_t stride = 1; stride <= strides; ++stride) {
+    const auto begun = static_cast<std::int64_t>(start.along * ray.length / classic.stepSize);
+    for (std::int64_t stride = begun + 1; stride <= strides; ++stride) {
         ++samples;
         const double along = static_cast<double>(stride) * classic.stepSize / ray.length;
         const double x = view.eyeX + along * ray.x;

@@ -1,0 +1,23 @@
+#include "overlay/divider.h"
+
+#include "overlay/blend.h"
+#include "overlay/layout.h"
+
+namespace slicecast {
+namespace {
+
+// Dark beside light, to be seen over any scene.
+constexpr Colour kLine = {255, 255, 255, 235};
+constexpr Colour kRim = {0, 0, 0, 120};
+
+}  // namespace
+
+void drawDivider(const Picture& picture, int column) {
+    if (column <= 0 || column >= picture.width) return;
+    const int width = readableScale(picture.width, picture.height);
+    blendRect(picture, {column - 2 * width, 0, width, picture.height}, kRim);
+    blendRect(picture, {column - width, 0, width, picture.height}, kLine);
+    blendRect(picture, {column, 0, width, picture.height}, kRim);
+}
+
+}  // namespace slicecast

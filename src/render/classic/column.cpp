@@ -1,0 +1,306 @@
+#include "render/classic/column.h"
+
+#include "base/sort.h"
+#include "world/player.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace slicecast::classic {
+namespace {
+
+bool isOpaque(const Shown& shown) {
+    return toColour(shown.colour).a == 255;
+}
+
+// A thing as it is laid over what is behind it, or over what it mirrors.
+Pixel layerOf(const Shown& shown) {
+    Colour colour = toColour(shown.colour);
+    if (shown.mirror > 0) colour.a = static_cast<std::uint8_t>(255 - shown.mirror);
+    return toPixel(colour);
+}
+
+bool isSame(const Mark& a, const Mark& b) {
+    return a.part == b.part && a.surface == b.surface && a.shown.what == b.shown.what;
+}
+
+double startEyeZ(const World& world) {
+    return (world.start.z + kStandingEye).value();
+}
+
+}  // namespace
+
+bool Column::Place::isBefore(const Place& other) const {
+    if (depth != other.depth) return depth < other.depth;
+    if (surface->passing != other.surface->passing)
+        return surface->passing < other.surface->passing;
+    return surface < other.surface;
+}
+
+Column::Column(const World& world, const Eye& eye, const RenderOptions& options,
+               const ClassicOptions& classic, int width, int height, FrameReport& report)
+    : world_(world),
+      options_(options),
+      classic_(classic),
+      map_(eye.map),
+      rows_{classic.pixelSize, (height + classic.pixelSize - 1) / classic.pixelSize},
+      view_(eye, world.maps[static_cast<std::size_t>(eye.map)].levels, startEyeZ(world), options,
+            classic, width, height),
+      report_(report),
+      marks_(static_cast<std::size_t>(rows_.rows)),
+      colours_(marks_.size()) {}
+
+const std::vector<Pixel>& Column::draw(double x) {
+    for (std::vector<Mark>& marks : marks_) marks.clear();
+    used_ = 0;
+    Part& part = nextPart();
+    part.map = map_;
+    part.view = view_;
+    part.ray = view_.rayAt(x);
+    part.start = {static_cast<int>(std::floor(view_.eyeX)),
+                  static_cast<int>(std::floor(view_.eyeY)), 0.0};
+    gather(part);
+    if (classic_.paintersOrder) {
+        paintFarToNear(part);
+    } else {
+        paintNearest(part);
+    }
+    colourRows();
+    count();
+    return colours_;
+}
+
+// ---- Parts
+
+Part& Column::nextPart() {
+    if (used_ == parts_.size()) parts_.push_back(std::make_unique<Part>());
+    Part& part = *parts_[used_++];
+    part.portals = 0;
+    part.before = nullptr;
+    part.door = nullptr;
+    return part;
+}
+
+void Column::gather(Part& part) {
+    const Map& map = world_.maps[static_cast<std::size_t>(part.map)];
+    report_.tilesWalked +=
+        classic_.march ? marchTiles(map, part.view, part.ray, part.start, classic_, part.spans)
+                       : walkTiles(map, part.view, part.ray, part.start, part.spans);
+    gatherSurfaces({.world = world_,
+                    .map = map,
+                    .view = part.view,
+                    .ray = part.ray,
+                    .rows = rows_,
+                    .classic = classic_,
+                    .isBeyondLimit = part.portals >= world_.portalLimit,
+                    .begins = part.isMirrored() ? 0.0 : part.start.along * part.ray.depthPerAlong},
+                   part.spans, part.blocks, part.surfaces);
+    report_.blocksMet += static_cast<std::int64_t>(part.blocks.size());
+    part.colouring.emplace(world_, map, part.view, part.ray, options_, classic_);
+    part.overdrawn.clear();
+    if (classic_.portalsOverdrawn) findOverdrawn(part);
+}
+
+Part& Column::beyond(const Part& from, const Surface& door) {
+    for (std::size_t i = 0; i < used_; ++i) {
+        if (parts_[i]->door == &door) return *parts_[i];
+    }
+    const Portal& portal = world_.portals[door.portal];
+    Part& part = nextPart();
+    part.before = &from;
+    part.door = &door;
+    part.map = portal.toMap;
+    part.portals = from.portals + 1;
+    part.view = from.view.beyond(portal);
+    part.ray = classic::beyond(from.ray, portal);
+    part.start = {portal.toX, portal.toY, door.nearest / from.ray.depthPerAlong};
+    gather(part);
+    ++report_.partsBehindPortals;
+    report_.deepestPortal = std::max(report_.deepestPortal, part.portals);
+    return part;
+}
+
+Part& Column::mirrored(const Part& from, double height) {
+    for (std::size_t i = 0; i < used_; ++i) {
+        const Part& part = *parts_[i];
+        if (part.before == &from && part.door == nullptr && part.mirrorHeight == height)
+            return *parts_[i];
+    }
+    Part& part = nextPart();
+    part.before = &from;
+    part.mirrorHeight = height;
+    part.map = from.map;
+    part.portals = from.portals;
+    part.view = from.view.mirroredAt(height);
+    part.ray = from.ray;
+    part.start = from.start;
+    gather(part);
+    return part;
+}
+
+// ---- What the rays of a row meet
+
+Column::Place Column::nextBehind(const Part& part, const Place& last, int row,
+                                 const Surface* over) const {
+    const double y = rows_.middle(row);
+    Place next;
+    for (const Surface& surface : part.surfaces) {
+        if (next.surface != nullptr && surface.nearest > next.depth) break;  // as are all others
+        if (row < surface.firstRow || row >= surface.lastRow) continue;
+        if (over != nullptr && &surface != over && surface.what != FilledRows::What::object)
+            continue;
+        const Place place = {&surface, surface.depthAt(part.view, part.ray, y)};
+        const bool isBehind =
+            last.surface == nullptr ? place.depth > last.depth : last.isBefore(place);
+        if (isBehind && (next.surface == nullptr || place.isBefore(next))) next = place;
+    }
+    return next;
+}
+
+Part* Column::meet(Part& part, const Surface& surface, int row) {
+    std::vector<Mark>& marks = marks_[static_cast<std::size_t>(row)];
+    const double y = rows_.middle(row);
+    if (surface.portal != kNoPortal) {
+        Part& next = beyond(part, surface);
+        const double depth = surface.depthAt(part.view, part.ray, y);
+        if (next.view.eyeZ + depth * next.view.upwardSlopeAt(y) > 0.0) return &next;
+        marks.push_back({&next, nullptr, next.colouring->ofHaze()});
+        return nullptr;
+    }
+    marks.push_back({&part, &surface, part.colouring->ofSurface(surface, y)});
+    Shown& shown = marks.back().shown;
+    if (part.isMirrored()) shown.mirror = 0;
+    if (shown.mirror > 0) return &mirrored(part, surface.height);
+    return isOpaque(shown) ? nullptr : &part;
+}
+
+Part* Column::meetBackground(Part& part, int row) {
+    std::vector<Mark>& marks = marks_[static_cast<std::size_t>(row)];
+    marks.push_back({&part, nullptr, part.colouring->ofBackground(rows_.middle(row))});
+    return marks.back().shown.mirror > 0 && !classic_.flippedMirrors && !part.isMirrored()
+               ? &mirrored(part, 0.0)
+               : nullptr;
+}
+
+// Where a part begins, and a portal is drawn over what is before it, the ray begins there.
+void Column::follow(Part* part, int row) {
+    const double y = rows_.middle(row);
+    while (part != nullptr) {
+        const int overdrawn =
+            part->overdrawn.empty() ? -1 : part->overdrawn[static_cast<std::size_t>(row)];
+        const Surface* over =
+            overdrawn < 0 ? nullptr : &part->surfaces[static_cast<std::size_t>(overdrawn)];
+        Place place = {nullptr, part->beginsAt(y)};
+        Part* next = part;
+        while (next == part) {
+            place = nextBehind(*part, place, row, over);
+            next = place.surface != nullptr ? meet(*part, *place.surface, row)
+                                            : meetBackground(*part, row);
+        }
+        part = next;
+    }
+}
+
+// ---- Portals over what is before them
+
+// The rows of a portal from the first to the last in which it is seen.
+void Column::findOverdrawn(Part& part) {
+    for (std::size_t i = 0; i < part.surfaces.size(); ++i) {
+        const Surface& portal = part.surfaces[i];
+        if (portal.portal == kNoPortal) continue;
+        int first = portal.firstRow;
+        int last = portal.lastRow;
+        while (first < last && isMasked(part, portal, first)) ++first;
+        while (first < last && isMasked(part, portal, last - 1)) --last;
+        if (first == last) continue;
+        part.overdrawn.resize(static_cast<std::size_t>(rows_.rows), -1);
+        std::fill(part.overdrawn.begin() + first, part.overdrawn.begin() + last,
+                  static_cast<int>(i));
+    }
+}
+
+// Something opaque, or another portal, is before it. What is see-through was drawn later, objects
+// last of all.
+bool Column::isMasked(const Part& part, const Surface& portal, int row) const {
+    const double y = rows_.middle(row);
+    Place place = {nullptr, part.beginsAt(y)};
+    while (true) {
+        place = nextBehind(part, place, row, nullptr);
+        if (place.surface == &portal) return false;
+        if (place.surface == nullptr || place.surface->portal != kNoPortal) return true;
+        if (!part.colouring->isSeeThrough(*place.surface)) return true;
+    }
+}
+
+// ---- Painting
+
+void Column::paintNearest(Part& part) {
+    for (int row = 0; row < rows_.rows; ++row) follow(&part, row);
+    report_.rowsFilled += rows_.rows;
+}
+
+void Column::paintFarToNear(Part& part) {
+    for (int row = 0; row < rows_.rows; ++row) {
+        follow(meetBackground(part, row), row);
+        ++report_.rowsFilled;
+    }
+    std::vector<std::size_t> order(part.surfaces.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    mergeSort(order, [&](std::size_t a, std::size_t b) {
+        const double distanceA = part.surfaces[a].thingDistance;
+        const double distanceB = part.surfaces[b].thingDistance;
+        return distanceA != distanceB ? distanceA > distanceB : a < b;
+    });
+    std::vector<Mark> behind;
+    for (const std::size_t index : order) {
+        const Surface& surface = part.surfaces[index];
+        for (int row = surface.firstRow; row < surface.lastRow; ++row) {
+            std::vector<Mark>& marks = marks_[static_cast<std::size_t>(row)];
+            behind.swap(marks);
+            marks.clear();
+            Part* next = meet(part, surface, row);
+            if (next == &part) {
+                marks.insert(marks.end(), behind.begin(), behind.end());
+            } else {
+                follow(next, row);
+            }
+            ++report_.rowsFilled;
+        }
+    }
+}
+
+// From the back to the front. A floor that flips shows what is as far above the upper end of its
+// run of rows.
+void Column::colourRows() {
+    int foot = 0;
+    for (int row = 0; row < rows_.rows; ++row) {
+        const std::vector<Mark>& marks = marks_[static_cast<std::size_t>(row)];
+        const Shown& last = marks.back().shown;
+        Pixel colour = last.colour;
+        if (last.what != FilledRows::What::floor) foot = row + 1;
+        const int flipped = 2 * foot - 1 - row;
+        if (classic_.flippedMirrors && last.mirror > 0 && flipped >= 0)
+            colour = laidOver(layerOf(last), colours_[static_cast<std::size_t>(flipped)]);
+        for (std::size_t i = marks.size() - 1; i-- > 0;)
+            colour = laidOver(layerOf(marks[i].shown), colour);
+        colours_[static_cast<std::size_t>(row)] = colour;
+    }
+}
+
+void Column::count() {
+    for (std::size_t row = 0; row < marks_.size(); ++row) {
+        const std::vector<Mark>& marks = marks_[row];
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            const Mark& mark = marks[i];
+            if (mark.shown.mirror > 0) ++report_.mirroredRows;
+            if (row > 0 && i < marks_[row - 1].size() && isSame(mark, marks_[row - 1][i])) continue;
+            ++report_.spansDrawn;
+            if (mark.shown.what == FilledRows::What::object) ++report_.objectSlices;
+            if (i + 1 < marks.size() && mark.shown.mirror == 0) ++report_.layers;
+        }
+    }
+}
+
+}  // namespace slicecast::classic

@@ -1,0 +1,48 @@
+#include "render/classic/level_ray.h"
+
+#include "render/classic/column_ray.h"
+#include "render/classic/tile_spans.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace slicecast {
+
+using namespace classic;
+
+ClassicLevelRay castClassic(const World& world, const Eye& eye, double fovDegrees,
+                            const ClassicOptions& options, double share, int level,
+                            Coordinate height, double most) {
+    constexpr int kAnySize = 1000;
+    const Map& map = world.maps[static_cast<std::size_t>(eye.map)];
+    const View view(eye, map.levels, 0.0, {.fovDegrees = fovDegrees}, options, kAnySize, kAnySize);
+    const ColumnRay ray = view.rayAt(share * kAnySize);
+    const TileStart start = {eye.x.tile(), eye.y.tile(), 0.0};
+    std::vector<TileSpan> spans;
+    if (options.march) {
+        marchTiles(map, view, ray, start, options, spans);
+    } else {
+        walkTiles(map, view, ray, start, spans);
+    }
+    double along = (options.march ? std::min(most, options.reach) : most) / ray.length;
+    ClassicLevelRay end;
+    for (const TileSpan& span : spans) {
+        if (span.first) continue;
+        if (span.enter >= along) break;
+        const BlueprintId id = map.cell(span.x, span.y, level);
+        const CellBlueprint& block = world.blueprints[id];
+        const bool stands = id != kEmptyCell && !block.isWater &&
+                            (options.oneLevel || (block.bottom <= height && height < block.top));
+        const bool isPortal = map.tilePortal(span.x, span.y) != kNoPortal;
+        if (!isPortal && !stands) continue;
+        end.met = true;
+        end.portal = isPortal || block.face(span.entered).portal != kNoPortal;
+        along = span.enter;
+        break;
+    }
+    end.x = along * ray.x;
+    end.y = along * ray.y;
+    return end;
+}
+
+}  // namespace slicecast

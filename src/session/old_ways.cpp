@@ -1,0 +1,96 @@
+#include "session/old_ways.h"
+
+#include <algorithm>
+#include <array>
+
+namespace slicecast {
+namespace {
+
+constexpr auto kOldWays = std::to_array<OldWay>({
+    {"Fish eye",
+     "Columns at equal angles, heights by the distance along the ray: straight walls bulge.",
+     "classic.projection=equalAngles"},
+    {"Half a fish eye",
+     "Equal angles, and the distance times the cosine: the wall ahead is straight, others bend.",
+     "classic.projection=equalAnglesCorrected"},
+    {"Marching with a step",
+     "Rays look for walls every fifth of a unit: edges are ragged, thin corners are missed.",
+     "classic.march=on classic.step=0.2"},
+    {"Marching that gives up", "Rays end after eight units: what is further away is not there.",
+     "classic.march=on classic.step=0.02 classic.reach=8"},
+    {"A coarse sine table",
+     "A table with one entry per degree: groups of columns look the same way.",
+     "classic.projection=equalAnglesCorrected classic.sineSteps=360"},
+    {"Big pixels", "Each colour fills eight by eight pixels, as on a slow computer.",
+     "classic.pixelSize=8"},
+    {"Stretched textures", "One picture over a whole wall: bricks grow with its height.",
+     "classic.stretched=on"},
+    {"Mirrored letters",
+     "Textures are not turned for each side: on two of four faces letters are mirrored.",
+     "classic.mirroredTextures=on"},
+    {"Painter's order",
+     "Blocks are painted from far to near by their middles: where they interlock it goes wrong.",
+     "classic.painter=on"},
+    {"One level", "All blocks are one unit high and stand on the floor: the first hides the rest.",
+     "classic.oneLevel=on"},
+    {"One hit per level",
+     "Each level shows its first block: behind a low wall houses have no ground floor.",
+     "classic.firstHits=on"},
+    {"Roofs of one colour", "Tops of blocks have no texture yet.", "classic.roofs=flat"},
+    {"No roofs", "Only walls are drawn: one looks past them at what is behind.",
+     "classic.roofs=missing"},
+    {"The own tile is missing", "The roof that one stands on, and what is above, are not drawn.",
+     "classic.noOwnCell=on"},
+    {"Seams", "Walls begin one row too low: lines between stacked blocks.", "classic.seams=on"},
+    {"A drifting horizon", "Who flies up sees the horizon sink, as if looking up.",
+     "classic.driftingHorizon=on"},
+    {"One depth per column",
+     "A low wall hides all of a tree behind it: a column knows one distance only.",
+     "classic.columnDepth=on"},
+    {"Objects in a wrong scale",
+     "Objects go by the picture's height, walls by its width: they shrink and float.",
+     "classic.wrongScale=on"},
+    {"A flipped reflection",
+     "Floors show the picture above them upside down, not what a mirror would show.",
+     "classic.flippedMirrors=on"},
+    {"Portals drawn over",
+     "What is behind a portal covers what stands before it, but at its two ends.",
+     "classic.portalsOverdrawn=on"},
+});
+
+bool hasMirrorsAboveFloor(const World& world) {
+    return std::any_of(
+        world.blueprints.begin(), world.blueprints.end(),
+        [](const CellBlueprint& blueprint) { return blueprint.face(Face::top).mirror > 0; });
+}
+
+bool hasJoinedBlocks(const World& world) {
+    return std::any_of(
+        world.blueprints.begin(), world.blueprints.end(),
+        [](const CellBlueprint& blueprint) { return blueprint.seeThrough && blueprint.join; });
+}
+
+}  // namespace
+
+std::span<const OldWay> knownOldWays() {
+    return kOldWays;
+}
+
+std::vector<std::string> leftOut(const World& world, const SessionOptions& options) {
+    std::vector<std::string> sentences;
+    if (options.method == DrawMethod::exact && options.compare == 0.0) return sentences;
+    const ClassicOptions& classic = options.classic;
+    if (options.render.detail && options.render.textures)
+        sentences.push_back("Smaller texture images far away: distant textures flicker.");
+    if (!world.portals.empty() && hasJoinedBlocks(world)) {
+        sentences.push_back(
+            "Glass that touches through a portal is not joined: the faces between are drawn.");
+    }
+    if (classic.flippedMirrors && hasMirrorsAboveFloor(world))
+        sentences.push_back("Mirrors above the floor: they do not reflect.");
+    if (classic.paintersOrder && classic.portalsOverdrawn && !world.portals.empty())
+        sentences.push_back("Portals drawn over: painter's order paints them in their turn.");
+    return sentences;
+}
+
+}  // namespace slicecast
