@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 #include "session/hits_json.h"
 #include "session/json_text.h"
+#include "session/old_ways.h"
 #include "session/recording_text.h"
 #include "session/session.h"
 #include "session/trace_json.h"
@@ -14,6 +15,7 @@
 #include <emscripten/emscripten.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -283,6 +285,34 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_options(SlicecastSession* session) {
             .text(option.choices);
         json.key("standard").text(option.standard).key("description").text(option.description);
         json.key("value").text(currentValue(*session, option.name)).endObject();
+    }
+    return session->give(json.endArray().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_oldWays(SlicecastSession* session) {
+    JsonText json;
+    json.beginArray();
+    for (const OldWay& way : knownOldWays()) {
+        json.beginObject().key("name").text(way.name).key("description").text(way.description);
+        json.key("options").beginObject();
+        std::string_view words = way.options;
+        while (!words.empty()) {
+            const std::size_t end = std::min(words.find(' '), words.size());
+            const std::size_t sign = words.find('=');
+            json.key(words.substr(0, sign)).text(words.substr(sign + 1, end - sign - 1));
+            words.remove_prefix(std::min(end + 1, words.size()));
+        }
+        json.endObject().endObject();
+    }
+    return session->give(json.endArray().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_leftOut(SlicecastSession* session) {
+    JsonText json;
+    json.beginArray();
+    if (const Session* game = session->game()) {
+        for (const std::string& sentence : leftOut(game->world(), game->options()))
+            json.text(sentence);
     }
     return session->give(json.endArray().str());
 }

@@ -128,11 +128,20 @@ const char* slicecast_option(SlicecastSession* session, const char* name);
 
 // All options, in the order in which to list them: [{"name", "kind", "label", "group", "least",
 // "greatest", "choices", "standard", "description", "value"}]. `label` is for a settings dialog;
-// `group` is "view", "light", "overlays", "moving" or "classic". `kind` is "onOff", "number", "wholeNumber",
-// "ownOrNumber" ("map" for each map's own value), "ownOrColour" ("map" or "#rrggbb") or "choice";
-// `least` and `greatest` bound the numbers, `choices` are a choice's words with a space between
-// them.
+// `group` is "view", "light", "overlays", "moving" or "classic". `kind` is "onOff", "number",
+// "wholeNumber", "ownOrNumber" ("map" for each map's own value), "ownOrColour" ("map" or "#rrggbb")
+// or "choice"; `least` and `greatest` bound the numbers, `choices` are a choice's words with a
+// space between them.
 const char* slicecast_options(SlicecastSession* session);
+
+// Named settings of the classic method, as a person would ask for them ("Fish eye"): [{"name",
+// "description", "options": {"classic.projection": "equalAngles"}}]. All options of the method that
+// one does not name are as they are by default.
+const char* slicecast_oldWays(SlicecastSession* session);
+
+// What of the world the present method leaves out of the picture: a list of sentences, empty for
+// the exact method and without a game.
+const char* slicecast_leftOut(SlicecastSession* session);
 
 // Where the player is, after the last step: {"map", "mapName", "x", "y", "z", "feet", "heading",
 // "look", "speed", "flying", "swimming", "crouched", "onGround", "intensity", "multiplier",

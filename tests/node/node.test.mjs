@@ -211,12 +211,63 @@ test('options, the eye and what it sees', async () => {
   scene.free();
 });
 
+test('the old ways of drawing, by name, beside the exact picture', async () => {
+  const scene = await load('first-walk');
+  const size = { width: 96, height: 60 };
+  const isSame = (a, b, [from, to]) => {
+    for (let i = 0; i < a.data.length; ++i) {
+      const x = (i >> 2) % size.width;
+      if (x >= from && x < to && a.data[i] !== b.data[i]) return false;
+    }
+    return true;
+  };
+  assert.deepEqual(scene.leftOut, []);
+  const exact = scene.picture(size);
+  const exactTrace = scene.trace(20, size);
+  const fishEye = scene.oldWays.find(({ name }) => name === 'Fish eye');
+  assert.deepEqual(fishEye.options, { 'classic.projection': 'equalAngles' });
+  const named = new Set();
+  for (const { name, description, options } of scene.oldWays) {
+    assert.ok(name !== '' && description.endsWith('.'));
+    for (const [option, value] of Object.entries(options)) {
+      named.add(option);
+      assert.notEqual(scene.get(option), value, `${option} is not so by default`);
+    }
+  }
+  for (const { name } of scene.optionList)
+    assert.ok(!name.startsWith('classic.') || named.has(name), name);
+
+  for (const [option, value] of Object.entries(fishEye.options)) scene.set(option, value);
+  scene.set('method', 'classic');
+  assert.ok(scene.leftOut.every((sentence) => sentence.endsWith('.')) && scene.leftOut.length > 0);
+  const old = scene.picture(size);
+  scene.set('method', 'exact');
+  scene.set('compare', 0.5);
+  const both = scene.picture(size);
+  assert.ok(isSame(both, old, [0, 44]) && !isSame(both, old, [52, 96]));
+  assert.ok(isSame(both, exact, [52, 96]) && !isSame(both, exact, [0, 44]));
+  // A trace tells of the method that draws the column.
+  assert.notDeepEqual(scene.trace(20, size).ray, exactTrace.ray);
+  scene.set('compare', 0);
+  assert.deepEqual(scene.trace(20, size).ray, exactTrace.ray);
+  assert.ok(isSame(scene.picture(size), exact, [0, 96]));
+  scene.free();
+});
+
 test('whatever is asked of a scene that was freed says so', async () => {
   const scene = await load('first-walk');
   scene.free();
   scene.free();
   const told = { name: 'Error', message: 'This scene has been freed.' };
-  for (const property of ['warnings', 'world', 'currentView', 'optionList', 'memory'])
+  for (const property of [
+    'warnings',
+    'world',
+    'currentView',
+    'optionList',
+    'oldWays',
+    'leftOut',
+    'memory',
+  ])
     assert.throws(() => scene[property], told);
   for (const [method, ...words] of [
     ['set', 'fov', 70],

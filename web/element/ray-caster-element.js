@@ -147,6 +147,14 @@ export class RayCaster extends Base {
     return this.#ready?.keys ?? [];
   }
 
+  get oldWays() {
+    return this.#show.ready === null ? [] : this.#show.engine.oldWays;
+  }
+
+  get leftOut() {
+    return this.#show.ready === null ? [] : this.#show.engine.leftOut;
+  }
+
   // ---- Methods
 
   play() {

@@ -199,6 +199,17 @@ export class Engine {
     }));
   }
 
+  // Named settings of the classic method, as a person would ask for them: [{name, description,
+  // options: {name: value}}]; its other options are as they are by default.
+  get oldWays() {
+    return this.#json(this.#module._slicecast_oldWays(this.#session));
+  }
+
+  // What of the world the present method leaves out of the picture: sentences.
+  get leftOut() {
+    return this.#json(this.#module._slicecast_leftOut(this.#session));
+  }
+
   // {title, maps: [{name, width, depth, levels}]}, or null.
   get world() {
     return this.#json(this.#module._slicecast_world(this.#session));

@@ -90,6 +90,14 @@ class Scene {
     return this.#running.options;
   }
 
+  get oldWays() {
+    return this.#running.oldWays;
+  }
+
+  get leftOut() {
+    return this.#running.leftOut;
+  }
+
   get memory() {
     return this.#running.memoryBytes;
   }
