@@ -125,6 +125,7 @@ bool Session::draw(const Picture& picture, double fraction) {
     // What moves is drawn between the steps as the eye is, or whoever rides on it would see it
     // tremble.
     showMovers(world_, fraction);
+    drawnFraction_ = fraction;
     const bool isDrawn = drawView(eye(fraction), picture);
     showMovers(world_, 1.0);
     return isDrawn;

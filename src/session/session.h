@@ -108,6 +108,8 @@ public:
     SessionState state() const;
     // The eye as it would be drawn.
     Eye eye(double fraction = 1.0) const;
+    // The eye as it was drawn last; after a step, as it would be drawn the same part of the way on.
+    Eye drawnEye() const { return eye(drawnFraction_); }
     // Everything that one column of a picture of that size does, by the method that draws it.
     SliceTrace trace(int width, int height, int column);
     // What it takes to draw a picture of that size, overlays apart; all 0 where it cannot be drawn.
@@ -143,6 +145,7 @@ private:
         classicReport_;  // of the last picture, or part of one, that the classic method drew
     SlowDrawing slowDrawing_;
     PhaseClock clock_;
+    double drawnFraction_ = 1.0;
     std::int64_t steps_ = 0;
     std::int64_t beganAt_ = 0;  // the step after which the world stood at its start
     Recorder* recorder_ = nullptr;

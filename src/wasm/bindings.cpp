@@ -10,6 +10,7 @@
 #include "session/old_ways.h"
 #include "session/recording_text.h"
 #include "session/session.h"
+#include "session/spot.h"
 #include "session/trace_json.h"
 
 #include <emscripten/emscripten.h>
@@ -44,6 +45,7 @@ struct SlicecastSession {
     Image picture;
     std::string answer;
     double view[6] = {};
+    double spot[4] = {};
 
     Session* game() const { return ofProgram ? pageProgram().game() : own.get(); }
     void changed() const {
@@ -402,6 +404,20 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_trace(SlicecastSession* session, int3
     const std::string& title = game->world().title;
     return session->give(column < 0 ? frameTraceJson(*game, title, width, height)
                                     : traceJson(*game, title, width, height, column));
+}
+
+EMSCRIPTEN_KEEPALIVE const double* slicecast_spot(SlicecastSession* session, int32_t map, double x,
+                                                  double y, double z, int32_t width,
+                                                  int32_t height) {
+    const Session* game = session->game();
+    if (game == nullptr || !canBe(width, height)) return nullptr;
+    const std::optional<Spot> spot = spotOf(*game, {x, y, z}, map, width, height);
+    if (!spot) return nullptr;
+    session->spot[0] = spot->x;
+    session->spot[1] = spot->y;
+    session->spot[2] = spot->depth;
+    session->spot[3] = spot->isSeen ? 1.0 : 0.0;
+    return session->spot;
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecast_setFlying(SlicecastSession* session, int32_t flying) {

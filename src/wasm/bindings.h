@@ -199,6 +199,13 @@ const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t hei
 const char* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height,
                             int32_t column);
 
+// Where a place of the world stands in a picture of that size, seen as the last picture was: x and
+// y in pixels, perpendicular depth, and 1 if nothing covers it there, else 0
+// (world/line_of_sight.h). Holds until the next call. Null for a place that is not before the eye,
+// or in another map.
+const double* slicecast_spot(SlicecastSession* session, int32_t map, double x, double y, double z,
+                             int32_t width, int32_t height);
+
 // Fly mode (1) or walk mode (0).
 void slicecast_setFlying(SlicecastSession* session, int32_t flying);
 

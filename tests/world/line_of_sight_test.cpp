@@ -1,0 +1,94 @@
+#include "world/line_of_sight.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace slicecast {
+namespace {
+
+// 8 x 8 tiles, three levels; a whole block at (4, 4), a half one at (4, 2), glass at (4, 6).
+World makeYard() {
+    World world;
+    world.blueprints.resize(4);
+    world.blueprints[1].name = "wall";
+    world.blueprints[2].name = "step";
+    world.blueprints[2].top = toCoordinate(0.5);
+    world.blueprints[3].name = "glass";
+    world.blueprints[3].seeThrough = true;
+    world.maps.push_back(makeMap("yard", 8, 8, 3, 0));
+    Map& map = world.maps[0];
+    map.setCell(4, 4, 0, 1);
+    map.setCell(4, 2, 0, 2);
+    map.setCell(4, 6, 0, 3);
+    return world;
+}
+
+bool sees(const World& world, const Place& from, const Place& to) {
+    return isInSight(world, world.maps[0], from, to);
+}
+
+TEST(LineOfSight, BlocksCover) {
+    const World world = makeYard();
+    EXPECT_TRUE(sees(world, {1, 3.5, 0.5}, {7, 3.5, 0.5}));
+    EXPECT_FALSE(sees(world, {1, 4.5, 0.5}, {7, 4.5, 0.5}));
+    EXPECT_FALSE(sees(world, {7, 4.5, 0.5}, {1, 4.5, 0.5}));
+    EXPECT_FALSE(sees(world, {1, 2, 0.5}, {7, 7, 0.5}));
+    EXPECT_TRUE(sees(world, {1, 4.5, 1.2}, {7, 4.5, 1.2}));
+    EXPECT_TRUE(sees(world, {-3, 4.5, 2}, {11, 4.5, 2}));
+    EXPECT_FALSE(sees(world, {-3, 4.5, 0.5}, {11, 4.5, 0.5}));
+}
+
+TEST(LineOfSight, HeightsCount) {
+    const World world = makeYard();
+    EXPECT_TRUE(sees(world, {1, 2.5, 0.6}, {7, 2.5, 0.6}));
+    EXPECT_FALSE(sees(world, {1, 2.5, 0.4}, {7, 2.5, 0.4}));
+    EXPECT_FALSE(sees(world, {1, 2.5, 0.6}, {7, 2.5, 0.1}));
+    // Over the near edge and down behind the wall
+    EXPECT_FALSE(sees(world, {1, 4.5, 2.9}, {5.2, 4.5, 0.1}));
+    EXPECT_TRUE(sees(world, {4.5, 4.5, 2.9}, {4.5, 4.5, 1.05}));
+    EXPECT_FALSE(sees(world, {4.5, 4.5, 2.9}, {4.5, 4.5, 0.5}));
+    EXPECT_FALSE(sees(world, {1, 3.5, 0.5}, {7, 3.5, -0.5}));
+}
+
+TEST(LineOfSight, WhatLiesOnAWallIsSeenFromItsSide) {
+    const World world = makeYard();
+    EXPECT_TRUE(sees(world, {1, 4.5, 0.5}, {4, 4.5, 0.5}));
+    EXPECT_FALSE(sees(world, {1, 4.5, 0.5}, {5, 4.5, 0.5}));
+    EXPECT_TRUE(sees(world, {7, 4.5, 0.5}, {5, 4.5, 0.5}));
+    EXPECT_TRUE(sees(world, {1, 4.5, 2}, {4.5, 4.5, 1}));
+    EXPECT_TRUE(sees(world, {3.99, 4.5, 0.5}, {4, 4.5, 0.5}));
+}
+
+TEST(LineOfSight, SeeThroughAndOpenGatesDoNotCover) {
+    World world = makeYard();
+    EXPECT_TRUE(sees(world, {1, 6.5, 0.5}, {7, 6.5, 0.5}));
+    world.blueprints[1].passable = true;
+    EXPECT_TRUE(sees(world, {1, 4.5, 0.5}, {7, 4.5, 0.5}));
+}
+
+TEST(LineOfSight, CeilingsCoverAndPortalsToo) {
+    World world = makeYard();
+    world.textures.resize(1);
+    Map& map = world.maps[0];
+    map.ceiling.height = toCoordinate(1.5);
+    map.ceiling.tiles.assign(64, kNoTexture);
+    map.ceiling.tiles[map.tileIndex(2, 0)] = 0;
+    EXPECT_FALSE(sees(world, {2.5, 0.5, 0.5}, {2.5, 0.5, 2.5}));
+    EXPECT_TRUE(sees(world, {3.5, 0.5, 0.5}, {3.5, 0.5, 2.5}));
+    map.tilePortals.assign(64, kNoPortal);
+    map.tilePortals[map.tileIndex(4, 0)] = 0;
+    EXPECT_FALSE(sees(world, {3.5, 0.5, 0.5}, {6.5, 0.5, 0.5}));
+    EXPECT_TRUE(sees(world, {4.5, 0.5, 0.5}, {6.5, 0.5, 0.5})) << "the eye's own tile's acts not";
+}
+
+TEST(LineOfSight, EndsWithoutNumbers) {
+    const World world = makeYard();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(sees(world, {1, 1, 1}, {nan, 1, 1}));
+    EXPECT_FALSE(sees(world, {1, 1, 1}, {1e300, 1, 1}));
+    EXPECT_TRUE(sees(world, {1, 1, 1}, {1, 1, 1}));
+}
+
+}  // namespace
+}  // namespace slicecast
