@@ -14,7 +14,12 @@ import { build, transform } from 'esbuild';
 const [folder] = process.argv.slice(2);
 if (folder === undefined)
   throw new Error('tools/bundle.mjs: found no folder, expected one that holds ray-caster.js');
-const kElement = ['ray-caster.js', 'ray-caster-steering.js', 'ray-caster-rows.js'];
+const kElement = [
+  'ray-caster.js',
+  'ray-caster-steering.js',
+  'ray-caster-rows.js',
+  'ray-caster-more.js',
+];
 const kPages = ['embed.js', 'play/main.js'];
 const inFolder = (name) => path.resolve(folder, name);
 const kSmall = { target: 'es2022', minify: true, legalComments: 'none', logLevel: 'warning' };

@@ -11,8 +11,22 @@ import { Gamepads } from './gamepads.js';
 import { Thumbs } from './thumbs.js';
 import { touchLayer } from './touch.js';
 
+const kMovingGroups = ['move', 'gates']; // of the engine's actions (src/app/actions.h)
+const kMovingActions = /^map\d$/;
+
+// The stick by which one looks around, and nothing else.
+const onlyLooking = (pad) => ({
+  ...pad,
+  leftX: 0,
+  leftY: 0,
+  leftTrigger: 0,
+  rightTrigger: 0,
+  buttons: 0,
+});
+
 export class Activation {
   keys = 'all';
+  interaction = 'walk';
   isHeld = false;
   #byTouch = false; // the last one began by a finger: then there are thumbs, also when the window gets the focus back
   #wish = null; // of who has pressed the cover while the scene is still to come; the cover shows that it knows
@@ -20,6 +34,7 @@ export class Activation {
   #thumbs = null;
   #layer = null;
   #gamepads = null;
+  #moving = new Set(); // codes of keys that are not taken: those by which one would move
 
   constructor(tree, actions) {
     this.tree = tree;
@@ -94,6 +109,30 @@ export class Activation {
     this.takeCanvas();
   }
 
+  setInteraction(interaction) {
+    if (interaction === this.interaction) return;
+    this.interaction = interaction;
+    this.tree.box.classList.toggle('looks', interaction === 'look');
+    // Whoever walks now must not go on.
+    this.end();
+  }
+
+  get #looksOnly() {
+    return this.interaction === 'look';
+  }
+
+  // The codes of the keys by which one goes somewhere, or changes something there.
+  #movingKeys() {
+    const rows = this.actions
+      .engine()
+      ?.keys.flatMap(({ group, actions }) =>
+        actions
+          .filter(({ name }) => kMovingGroups.includes(group) || kMovingActions.test(name))
+          .flatMap(({ keys }) => keys),
+      );
+    return new Set(rows?.map(({ code }) => code));
+  }
+
   #forget() {
     this.#wish = null;
     this.tree.box.classList.remove('waiting');
@@ -106,7 +145,12 @@ export class Activation {
     cover.hidden = isHeld;
     box.classList.toggle('engaged', isHeld);
     if (isHeld) {
-      this.#gamepads = new Gamepads({ change: (pad) => this.actions.engine()?.setGamepad(pad) });
+      this.#moving = this.#looksOnly ? this.#movingKeys() : new Set();
+      const { interaction } = this;
+      this.#gamepads = new Gamepads({
+        change: (pad) =>
+          this.actions.engine()?.setGamepad(interaction === 'look' ? onlyLooking(pad) : pad),
+      });
     } else {
       this.#gamepads?.stop();
       this.#gamepads = null;
@@ -130,6 +174,7 @@ export class Activation {
 
   // Whether the engine hears of a key; the page has the others.
   takesKey(code) {
+    if (this.#moving.has(code)) return false;
     const scope = this.actions.engine()?.keyScope(code);
     return scope === 'move' || (scope === 'element' && this.keys === 'all');
   }
@@ -147,7 +192,7 @@ export class Activation {
     if (this.#layer === null) {
       this.#layer = touchLayer();
       this.#thumbs = new Thumbs(this.#layer, {
-        hold: (held) => this.actions.engine()?.setThumbs(held),
+        hold: (held) => this.#looksOnly || this.actions.engine()?.setThumbs(held),
         drag: (right, down) => this.actions.engine()?.drag(right, down),
         fly: () => {
           const engine = this.actions.engine();

@@ -26,8 +26,10 @@ const kStandard = {
   base: '',
   poster: '',
   loading: 'lazy',
+  interaction: 'walk',
   keys: 'all',
   label: '',
+  syncwith: '',
   engine: 'auto',
 };
 
@@ -35,7 +37,8 @@ export const kAttributes = Object.keys(kStandard);
 
 // Of words that are one of a few: the first is the standard.
 const kChoices = {
-  loading: ['lazy', 'eager'],
+  loading: ['lazy', 'eager', 'click'],
+  interaction: ['walk', 'look', 'none'],
   keys: ['all', 'move', 'none'],
   engine: ['auto', 'simd', 'scalar'],
 };
@@ -48,6 +51,7 @@ export function readAttributes(element, warn) {
     controls: readControls(element.controls, warn),
     options: parseOptions(element.options),
     overlay: parseOverlay(element.overlay, (message) => warn('overlay', message)),
+    syncwith: element.syncwith,
     poster: element.poster,
     label: element.label,
   };

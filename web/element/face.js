@@ -13,6 +13,7 @@ export class Face {
   #tree;
   #internals;
   #label = '';
+  #around = 'Move around';
   #title = '';
   #state = 'idle';
   #statusTimer = 0;
@@ -25,8 +26,9 @@ export class Face {
     this.#name();
   }
 
-  attributes({ poster, label }, hasPicture) {
+  attributes({ poster, label, interaction }, hasPicture) {
     this.#label = label;
+    this.#around = interaction === 'look' ? 'Look around' : 'Move around';
     this.#name();
     const image = this.#tree.poster;
     image.hidden = poster === '' || hasPicture;
@@ -83,7 +85,7 @@ export class Face {
   #name() {
     const { cover, canvas, hint } = this.#tree;
     const name = this.#label || this.#title || 'Raycaster';
-    const act = this.#state === 'playing' ? 'Move around' : 'Play';
+    const act = this.#state === 'playing' ? this.#around : 'Play';
     this.#internals.ariaLabel = name;
     canvas?.setAttribute('aria-label', name);
     cover.setAttribute('aria-label', `${act}: ${name}`);

@@ -15,4 +15,5 @@ function once(load) {
 }
 
 export const bringSteering = once(() => import('../ray-caster-steering.js'));
+export const bringMore = once(() => import('../ray-caster-more.js'));
 export const bringRows = once(() => import('../ray-caster-rows.js'));

@@ -4,7 +4,8 @@
 //
 //     const loading = new Loading(element, game, {show(wanted), changed(), warn(warning), progress(share, bytes), loaded(), done(isNew), failed(error)});
 //     loading.update();       // soon
-//     loading.now();          // no longer waits until the element is near the window
+//     loading.near();         // the element is near the window
+//     loading.now();          // it is asked for: waits no longer
 //     loading.again(null);    // what has failed is tried once more; with {keepEye} what plays is loaded anew, too
 //     loading.stop();
 
@@ -31,6 +32,7 @@ export class Loading {
   #options = null; // of the attributes, as they were taken, overlays too: what methods and keys have changed since stays
   #view = null; // the attribute's that was taken
   #isNear = false;
+  #isAsked = false;
   #isUpdating = false;
   #again = null; // how, if even the same is to be loaded
   #pictureCame = () => {};
@@ -57,17 +59,32 @@ export class Loading {
     });
   }
 
-  now() {
-    if (this.#isNear) return;
+  near() {
     this.#isNear = true;
+    this.update();
+  }
+
+  now() {
+    if (this.#isAsked) return;
+    this.#isAsked = true;
     this.update();
   }
 
   again(how) {
     this.#again = how;
     this.#failed = null;
-    this.#isNear = true;
+    this.#isAsked = true;
     this.update();
+  }
+
+  // Not a byte may be fetched before.
+  get waitsForClick() {
+    return !this.#isAsked && this.wanted?.loading !== 'lazy' && this.wanted?.loading !== 'eager';
+  }
+
+  get mayLoad() {
+    const { loading } = this.wanted;
+    return this.#isAsked || loading === 'eager' || (loading === 'lazy' && this.#isNear);
   }
 
   stop() {
@@ -97,7 +114,7 @@ export class Loading {
       const wanted = readAttributes(host, this.warnings.renew('attributes'));
       this.wanted = wanted;
       this.#actions.show(wanted);
-      if (!this.#isNear && wanted.loading === 'lazy') {
+      if (!this.mayLoad) {
         this.#actions.changed();
         return;
       }

@@ -19,6 +19,10 @@ export function showMessage(section, { code, title, message, faults }, retry) {
     ...(faults.length > 0 ? [node('ul', {}, ...faults.map(faultItem))] : []),
     ...(kHopeless.includes(code) ? [node('p', {}, node('slot'))] : [again]),
   );
+  const inside = [...section.getRootNode().host.childNodes];
+  section
+    .querySelector('slot')
+    ?.assign?.(...inside.filter((one) => one instanceof Element || one instanceof Text));
   section.classList.toggle('hopeless', kHopeless.includes(code));
   section.setAttribute('role', 'alert');
   // A long list is scrolled with the keys, so it must be reachable by them.

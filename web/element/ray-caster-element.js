@@ -18,7 +18,8 @@ export class RayCaster extends Base {
 
   constructor() {
     super();
-    this.attachShadow({ mode: 'open' });
+    // By hand: what stands inside may be shown in several places (hotspots.js), or not at all.
+    this.attachShadow({ mode: 'open', slotAssignment: 'manual' });
     this.#show = new Show(this, this.attachInternals());
   }
 

@@ -14,7 +14,7 @@ import { asError, frameDetail, withResolvers } from './details.js';
 import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
-import { bringSteering } from './late.js';
+import { bringMore, bringSteering } from './late.js';
 import { Loading } from './loading.js';
 import { forgetFiles, holdCache } from './page-cache.js';
 import { Styles } from './styles.js';
@@ -25,6 +25,7 @@ import { watchVisibility } from './visibility.js';
 const kDeadMilliseconds = 500; // without a picture after a failure of some engine, it was this one's
 const kModes = ['recording', 'replay', 'cursor', 'fly'];
 const kDegreesPerPixel = 0.15; // of the mouse
+const shows = new WeakMap(); // element -> its show
 const kNear = ['pointerenter', 'pointerdown', 'focusin']; // who does this may soon steer
 
 export class Show {
@@ -32,6 +33,10 @@ export class Show {
   error = null; // ErrorDetail
   ready = null; // ReadyDetail of the scene that plays
   #host;
+  #hotspots = null;
+  #partner = null;
+  #partnersShow = null;
+  #wasNear = false; // somebody came who may steer
   #tree;
   #face;
   #game;
@@ -53,6 +58,7 @@ export class Show {
 
   constructor(host, internals) {
     this.#host = host;
+    shows.set(host, this);
     this.#tree = buildTree(host.shadowRoot);
     this.#styles = new Styles(host.shadowRoot);
     this.#face = new Face(this.#tree, internals);
@@ -63,9 +69,12 @@ export class Show {
     });
     this.#viewStatus = new ViewStatus(this.#tree, () => this.engine);
     this.#listenToPresses(this.#tree);
-    for (const type of kNear)
-      this.#tree.box.addEventListener(type, () => this.#steered().catch(() => {}), { once: true });
+    for (const type of kNear) this.#tree.box.addEventListener(type, () => this.#comeNear());
     host.addEventListener('fullscreenchange', () => this.showState());
+  }
+
+  get host() {
+    return this.#host;
   }
 
   get engine() {
@@ -108,7 +117,7 @@ export class Show {
     until(holdCache());
     until(
       watchVisibility(this.#host, {
-        near: () => this.#loading.now(),
+        near: () => this.#loading.near(),
         seen: (isSeen) => this.#see(isSeen),
       }),
     );
@@ -162,6 +171,9 @@ export class Show {
     this.#viewStatus.stop();
     this.#face.stop();
     this.#steering?.stop();
+    this.#hotspots?.stop();
+    this.#partner?.stop();
+    this.#hotspots = this.#partner = this.#partnersShow = null;
     this.error = this.#noSteering = null;
     this.#isSeen = this.#isAskedToPlay = false;
     this.run();
@@ -220,7 +232,65 @@ export class Show {
     this.#styles.size = wanted.size;
     if (this.#stage.size !== wanted.size) this.#stage.setSize(wanted.size);
     this.#face.attributes(wanted, this.ready !== null);
+    // Without a sign to press, and the picture as one that is looked at; a first click loads all the
+    // same where one is asked for.
+    const isShut = wanted.interaction === 'none' && !this.#loading.waitsForClick;
+    this.#tree.box.classList.toggle('shut', isShut);
     this.#steering?.attributes(wanted);
+    if (this.#loading.mayLoad) this.#bringMore(wanted);
+  }
+
+  #comeNear() {
+    const { waitsForClick, wanted } = this.#loading ?? { waitsForClick: true };
+    if (this.#wasNear || waitsForClick || wanted?.interaction === 'none') return;
+    this.#wasNear = true;
+    this.#steered().catch(() => {});
+  }
+
+  // ---- What stands on the picture, and who looks from the same place
+
+  #bringMore({ syncwith }) {
+    const hasSpots = this.#host.querySelector(':scope > [data-at]') !== null;
+    if (syncwith === '') {
+      this.#partner?.stop();
+      this.#partner = this.#partnersShow = null;
+    }
+    if ((!hasSpots || this.#hotspots !== null) && syncwith === '') return;
+    const life = this.#life;
+    bringMore().then(
+      ({ Hotspots, Partner }) => {
+        if (this.#life === null || this.#life !== life) return;
+        if (hasSpots)
+          this.#hotspots ??= new Hotspots(
+            this.#host,
+            this.#tree,
+            () => (this.ready === null || this.error !== null ? null : this.engine),
+            () => this.#loading.warnings.renew('data-at'),
+          );
+        if (syncwith !== '') this.#join(syncwith, Partner);
+      },
+      (error) => console.warn(error.message),
+    );
+  }
+
+  #join(selector, Partner) {
+    const { ownerDocument: page } = this.#host;
+    const warn = this.#loading.warnings.renew('syncwith');
+    let found = null;
+    try {
+      found = this.#host.getRootNode().querySelector(selector);
+    } catch {
+      // It is no selector, and finds nothing.
+    }
+    const other = found === this.#host ? undefined : shows.get(found);
+    if (other === undefined && page.readyState === 'loading')
+      page.addEventListener('DOMContentLoaded', () => this.update(), { once: true });
+    else if (other === undefined)
+      warn('syncwith', `No other <ray-caster> is found by '${selector}'.`);
+    if (other === this.#partnersShow) return;
+    this.#partner?.stop();
+    this.#partner = other === undefined ? null : new Partner(this, other);
+    this.#partnersShow = other ?? null;
   }
 
   // ---- What is wrong
@@ -320,6 +390,10 @@ export class Show {
   // As a click on the picture; with `mouse` it takes the mouse along, as the next click would.
   hold({ mouse = false, touch = this.#isTouched } = {}) {
     const { root, box, cover } = this.#tree;
+    if (this.#loading?.wanted?.interaction === 'none') {
+      this.play();
+      return;
+    }
     // Safari gives pressed buttons no focus; it is what remembers the wish while anything is still
     // to come.
     if (root.activeElement !== cover) cover.focus({ preventScroll: true });
@@ -400,6 +474,7 @@ export class Show {
     if (this.engine !== null) this.engine.paused = this.#stands;
     if (state === this.state) return;
     this.state = state;
+    this.#hotspots?.place();
     this.showState();
     this.tell('statechange', { state });
   }
@@ -478,6 +553,7 @@ export class Show {
       case 'frame':
         ++this.#pictures;
         this.#loading?.pictureCame();
+        this.#hotspots?.place();
         if (this.ready !== null) this.tell('framechange', frameDetail(this.engine));
         break;
       case 'view':

@@ -63,6 +63,8 @@ export const kSheet = `
 .knob { width: 48px; height: 48px; border-radius: 50%; background: rgb(247 241 225 / 0.75); box-shadow: inset 0 -4px 0 rgb(21 19 28 / 0.25); }
 .stick.runs .knob { background: var(--accent); }
 .buttons { position: absolute; right: 8px; bottom: 8px; display: grid; grid-template-columns: auto auto; gap: 4px; }
+.looks :is(.zone[data-thumb="walk"], .touch .buttons) { display: none; }
+.looks .zone + .zone { inset: 0; }
 .thumb-button { display: grid; place-items: center; align-content: center; gap: 2px; width: 52px; height: 52px; font-size: 11px; line-height: 14px; font-weight: 600; background: rgb(21 19 28 / 0.5); box-shadow: var(--light); touch-action: none; }
 .thumb-button[data-thumb="fly"] { grid-column: 2; }
 .thumb-button .icon { width: 24px; height: 24px; }

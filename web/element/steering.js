@@ -56,7 +56,7 @@ export class Steering {
       'aria-labelledby': 'keys-title',
       hidden: '',
     });
-    tree.cover.after(tree.leave, bar);
+    tree.progress.before(tree.leave, bar);
     tree.message.before(keys);
     this.#controls = new Controls(bar, barActions(host, show));
     this.#keySheet = new KeySheet(keys, {
@@ -65,7 +65,7 @@ export class Steering {
     });
     this.#activation = new Activation(tree, {
       engine: () => show.engine,
-      canBegin: () => show.canPlay,
+      canBegin: () => show.canPlay && this.#activation.interaction !== 'none',
       changed: (isHeld) => this.#held(isHeld),
     });
   }
@@ -74,9 +74,10 @@ export class Steering {
     return this.#activation.isHeld;
   }
 
-  attributes({ controls, keys }) {
+  attributes({ controls, keys, interaction }) {
     this.#controls.show(controls);
     this.#activation.setKeys(keys);
+    this.#activation.setInteraction(interaction);
   }
 
   state(state) {

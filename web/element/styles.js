@@ -102,6 +102,16 @@ button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent);
   .hint { display: none; }
 }
 
+/* A picture that is only looked at: what is pressed on it is the page's */
+.shut .cover { display: none; }
+.shut :is(.stage, .poster) { pointer-events: none; }
+
+/* ---- What stands on places of the world. Pressed is what stands there, not the layer. */
+
+.hotspots { position: absolute; overflow: hidden; pointer-events: none; }
+.hotspot { position: absolute; width: max-content; translate: -50% -50%; pointer-events: auto; transition: opacity var(--quick), visibility var(--quick); }
+.hotspot.covered { opacity: 0; visibility: hidden; }
+
 /* ---- What goes on */
 
 .progress { position: absolute; inset: auto 0 0; height: 3px; background: var(--veil); }

@@ -25,6 +25,7 @@ export class Engine {
   #begun = false;
   #loads = 0;
   #mapNames = [];
+  #startMap = 0; // its number
   #sceneEnd = 0; // of the memory, once the scene was there
 
   static async create({ files, canvas = null, onEvent = () => {}, takesKey }) {
@@ -78,6 +79,7 @@ export class Engine {
     this.warnings = warnings;
     if (faults.length === 0) {
       this.#mapNames = this.world.maps.map(({ name }) => name);
+      this.#startMap = this.state.map;
       this.#sceneEnd = this.#module._slicecast_memoryEnd();
     }
     if (eye !== null && faults.length === 0) this.restore(eye);
@@ -100,6 +102,7 @@ export class Engine {
     this.#module.HEAPU8.set(other.#running.HEAPU8.subarray(0, end));
     this.warnings = other.warnings;
     this.#mapNames = other.#mapNames;
+    this.#startMap = other.#startMap;
     this.#sceneEnd = other.#sceneEnd;
     return this.#module._slicecast_adopt() === 1;
   }
@@ -227,6 +230,17 @@ export class Engine {
     if (at === 0) return null;
     const [map, x, y, z, heading, look] = new Float64Array(this.#module.HEAPU8.buffer, at, 6);
     return { map: this.#mapNames[map], x, y, z, heading, look };
+  }
+
+  // Where a place {x, y, z, map} stands in the picture that was drawn last, taken as large as
+  // {width, height}: {x, y, depth, isSeen}, null where it is not before the eye or in another map.
+  // The map is named; null is that of the start.
+  spot({ x, y, z, map }, { width, height }) {
+    const index = map === null ? this.#startMap : this.#mapNames.indexOf(map);
+    const at = this.#module._slicecast_spot(this.#session, index, x, y, z, width, height);
+    if (at === 0) return null;
+    const [column, row, depth, seen] = new Float64Array(this.#module.HEAPU8.buffer, at, 4);
+    return { x: column, y: row, depth, isSeen: seen === 1 };
   }
 
   // Puts the eye elsewhere, walking or flying as it was where there is room for that; what the view
