@@ -9,37 +9,32 @@ namespace {
 struct Preset {
     Light light;
     Fog fog;
-    Colour haze;
-    Colour low;  // of the sky, at the horizon
+    Colour low;  // of the haze and of the sky at the horizon, so that no edge shows between them
     Colour high;
     double slope;
 };
 
 constexpr Preset kDay = {
     .light = {.on = true, .intensity = 1.5, .multiplier = 16.0, .darkest = 0.72, .brightest = 1.0},
-    .fog = {},
-    .haze = {212, 224, 217, 255},
+    .fog = {.on = true, .start = 60.0, .end = 1500.0},
     .low = {212, 224, 217, 255},
     .high = {91, 143, 199, 255},
     .slope = 0.9};
 constexpr Preset kDusk = {
     .light = {.on = true, .intensity = 1.0, .multiplier = 5.0, .darkest = 0.32, .brightest = 0.85},
-    .fog = {.on = true, .start = 6.0, .end = 70.0},
-    .haze = {196, 122, 96, 255},
+    .fog = {.on = true, .start = 12.0, .end = 1500.0},
     .low = {232, 150, 98, 255},
     .high = {58, 56, 104, 255},
     .slope = 0.7};
 constexpr Preset kNight = {
     .light = {.on = true, .intensity = 0.8, .multiplier = 5.0, .darkest = 0.2, .brightest = 0.8},
-    .fog = {.on = true, .start = 8.0, .end = 80.0},
-    .haze = {14, 18, 33, 255},
+    .fog = {.on = true, .start = 8.0, .end = 1500.0},
     .low = {26, 33, 58, 255},
     .high = {6, 8, 20, 255},
     .slope = 0.8};
 constexpr Preset kFog = {
     .light = {.on = true, .intensity = 1.2, .multiplier = 10.0, .darkest = 0.6, .brightest = 0.95},
     .fog = {.on = true, .start = 0.5, .end = 16.0},
-    .haze = {198, 204, 206, 255},
     .low = {198, 204, 206, 255},
     .high = {198, 204, 206, 255},
     .slope = 1.0};
@@ -77,7 +72,7 @@ void MapLights::apply(const LightWishes& wishes, std::vector<Map>& maps) {
         if (applied_ != LightPreset::map && preset == nullptr) map.sky = std::move(own.sky);
         map.light = preset != nullptr ? preset->light : own.light;
         map.fog = preset != nullptr ? preset->fog : own.fog;
-        map.haze = wishes.haze.value_or(preset != nullptr ? preset->haze : own.haze);
+        map.haze = wishes.haze.value_or(preset != nullptr ? preset->low : own.haze);
         map.light.intensity = wishes.intensity.value_or(map.light.intensity);
         map.light.multiplier = wishes.multiplier.value_or(map.light.multiplier);
         if (preset == nullptr) continue;

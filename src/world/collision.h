@@ -34,9 +34,9 @@ struct Offset {
     Coordinate z;
 };
 
-// No body rises above this: it keeps what flies away within reach, and every sum of coordinates
-// within its type.
-inline constexpr Coordinate kMaxBodyHeight = tileEdge(1024);
+// No body rises above this: from higher up a map would be a speck in the haze, and every sum of
+// coordinates stays within its type. More than kMaxLevels, so that all roofs can be stood on.
+inline constexpr Coordinate kMaxBodyHeight = tileEdge(48);
 
 // Displacements are walked in parts of at most this length per axis, so that a slanting path is
 // followed and not cut short around a corner.
