@@ -129,6 +129,27 @@ test('the list of scenes names every scene by its own title, and each opens with
   }
 });
 
+test('the menu sets the teaching rooms apart', async (t) => {
+  const { page } = await openScene(t, browser, {
+    server: {
+      files: {
+        'scenes/index.json': JSON.stringify([
+          { file: 'first.json', title: 'First', about: 'The opening scene.' },
+          { file: 'other.json', title: 'Other', about: 'A room.', group: 'Teaching rooms' },
+          { file: 'third.json', title: 'Third', about: 'A room.', group: 'Teaching rooms' },
+        ]),
+      },
+    },
+  });
+  await page.click('#open-scenes');
+  assert.deepEqual(
+    await page.$$eval('#scene-list > li', (items) =>
+      items.map((item) => item.querySelector('h3')?.textContent ?? `[${item.textContent}]`),
+    ),
+    ['First', '[Teaching rooms]', 'Other', 'Third'],
+  );
+});
+
 test('the address names a scene, with or without its ending', async (t) => {
   for (const query of ['?scene=other', '?scene=other.json', '?scene=scenes/other.json']) {
     const { page, context } = await openScene(t, browser, { query });

@@ -5,8 +5,9 @@ import { Trouble } from '../engine/trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
 
-// [{file, title, about, tour}], the opening scene first; `tour` is true where a recorded tour has
-// the scene's name.
+// [{file, title, about, tour, group, flight}], the opening scene first; `tour` is true where a
+// recorded tour has the scene's name, `group` names those that stand apart, one after the other,
+// under a title of their own; `flight` is that of the opening (flight.js).
 export async function listScenes() {
   const address = new URL('index.json', kScenes);
   const bytes = await fetchBytes(address).catch((error) => {

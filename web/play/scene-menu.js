@@ -24,7 +24,10 @@ export class SceneMenu {
     const hint = dialog.querySelector('.missing');
     hint.hidden = missing === null;
     hint.textContent = missing === null ? '' : `${missing.title}. ${missing.message}`;
-    dialog.querySelector('ul').replaceChildren(...this.cards.map(({ item }) => item));
+    const items = this.cards.flatMap(({ scene, item }, i) =>
+      (scene.group ?? '') === (scenes[i - 1]?.group ?? '') ? [item] : [groupTitle(scene), item],
+    );
+    dialog.querySelector('ul').replaceChildren(...items);
   }
 
   open(current) {
@@ -34,6 +37,14 @@ export class SceneMenu {
     }
     this.dialog.showModal();
   }
+}
+
+// Stands before the first of the scenes that the list sets apart.
+function groupTitle({ group }) {
+  const item = document.createElement('li');
+  item.className = 'group';
+  item.textContent = group;
+  return item;
 }
 
 function card(scene, address) {
