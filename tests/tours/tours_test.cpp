@@ -1,5 +1,6 @@
 #include "tours/tours.h"
 
+#include "render/renderer.h"
 #include "scenes/shipped.h"
 #include "session/recording_text.h"
 
@@ -63,6 +64,51 @@ TEST(Tours, LeadWhereTheyLed) {
         for (const PassedMark& mark : replay.marks())
             EXPECT_TRUE(mark.isSame) << mark.name << kMakeAnew;
         EXPECT_TRUE(replay.isSame()) << kMakeAnew;
+    }
+}
+
+constexpr int kLookEvery = 12;     // steps; ten looks a second
+constexpr double kNear = 1.4;      // units; a wall of one block's height is taller than the picture
+constexpr double kFilled = 0.7;    // share of the picture
+constexpr int kLongest = 2 * 120;  // steps
+
+// The share of a picture that shows sides of blocks close before the eye. What is seen through
+// portals counts by its whole depth, so one may stand before a gate.
+double shareOfNearWalls(Renderer& renderer, const Session& session) {
+    constexpr int kWidth = 32;
+    constexpr int kHeight = 18;
+    int rows = 0;
+    for (int column = 1; column < kWidth; column += 2) {
+        const SliceTrace trace =
+            renderer.trace(session.world(), session.eye(), {}, kWidth, kHeight, column);
+        for (const FilledRows& filled : trace.filled) {
+            if (filled.what == FilledRows::What::side && !filled.layer && filled.top.depth < kNear)
+                rows += filled.last - filled.first;
+        }
+    }
+    return rows / (kWidth / 2.0 * kHeight);
+}
+
+TEST(Tours, NoTwoSecondsWithAWallFillingThePicture) {
+    for (const Tour& tour : allTours()) {
+        Session session(shippedWorld(tour.scene));
+        Replay replay(shippedTour(tour.scene));
+        Renderer renderer;
+        int since = -1;
+        for (int step = 0; replay.step(session); ++step) {
+            if (step % kLookEvery != 0) continue;
+            const bool isFilled = shareOfNearWalls(renderer, session) > kFilled;
+            if (isFilled && since < 0) since = step;
+            if (isFilled) continue;
+            if (since >= 0) {
+                const Player& player = session.player();
+                EXPECT_LT(step - since, kLongest)
+                    << tour.scene << ": a wall fills the picture from second " << since / 120.0
+                    << " to " << step / 120.0 << ", at " << player.x.value() << ", "
+                    << player.y.value() << " in " << player.map;
+            }
+            since = -1;
+        }
     }
 }
 

@@ -59,9 +59,11 @@ void Guide::use() {
     step({.use = true}, 12);
 }
 
-void Guide::rideUp(Spot spot) {
+void Guide::rideUp(Spot spot, double headingDegrees) {
+    turnTo(headingDegrees);
     waitForLift(spot, false);
     walk({spot});
+    turnTo(headingDegrees);
     waitForLift(spot, true);
 }
 

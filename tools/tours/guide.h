@@ -45,8 +45,8 @@ public:
     void wait(int steps);
     // Opens or closes the gates nearby.
     void use();
-    // Onto a lift when it is down, and with it until it is up.
-    void rideUp(Spot spot);
+    // Onto a lift when it is down, and with it until it is up, facing where there is a view.
+    void rideUp(Spot spot, double headingDegrees);
     void setFlying(bool flying) { session_.setFlying(flying); }
     void flyTo(Spot spot, double eyeHeight);
     void mark(const std::string& name) { recorder_.mark(name, session_); }

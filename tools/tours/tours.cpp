@@ -22,15 +22,17 @@ void throughTheHarbourTown(Guide& guide) {
     guide.mark("with-the-head-down");
     guide.walk({{34.5, 8}, {39.5, 7}, {39.5, 5.5}, {30.5, 5.5}});
     guide.mark("on-the-town-wall");
-    guide.walk({{30.5, 4.5},
-                {21.5, 4.5},
-                {21.5, 6.5},
-                {22.5, 6.5},
-                {22.5, 8.5},
-                {20.5, 8.5},
-                {20.5, 6.5},
-                {22.5, 6.5},
-                {22.5, 7.4}});
+    guide.walk({{30.5, 4.5}, {21.5, 4.5}});
+    // The steps before one's feet, not the wall.
+    guide.lookTo(-0.4);
+    guide.run({{21.5, 6.5},
+               {22.5, 6.5},
+               {22.5, 8.5},
+               {20.5, 8.5},
+               {20.5, 6.5},
+               {22.5, 6.5},
+               {22.5, 7.4}});
+    guide.lookTo(0.0);
     guide.lookAround();
     guide.mark("on-the-tower");
 }
@@ -55,7 +57,7 @@ void throughTheCastle(Guide& guide) {
     guide.run({{22, 19.1}});
     guide.jump();
     guide.walk({{22.4, 24.2}});
-    guide.rideUp({23.5, 25});
+    guide.rideUp({23.5, 25}, 180.0);
     guide.walk({{24.5, 25}});
     guide.turnTo(205.0);
     guide.lookTo(-0.1);
@@ -75,20 +77,18 @@ void throughTheCastle(Guide& guide) {
     guide.mark("in-the-court");
     guide.walk({{18.5, 20}});
     guide.creep({{18.5, 22}});
-    guide.walk({{18.5, 27},
-                {12.5, 27.5},
-                {10.5, 27.5},
-                {9.5, 27.5},
-                {8.5, 27.5},
-                {8.5, 29.5},
-                {10.5, 29.5},
-                {10.5, 27.5},
-                {8.5, 27.5},
-                {8.5, 29.5},
-                {10.5, 29.5},
-                {10.5, 27.5},
-                {8.5, 27.5},
-                {8.5, 29.5}});
+    guide.walk({{18.5, 27}, {12.5, 27.5}, {10.5, 27.5}});
+    guide.run({{9.5, 27.5},
+               {8.5, 27.5},
+               {8.5, 29.5},
+               {10.5, 29.5},
+               {10.5, 27.5},
+               {8.5, 27.5},
+               {8.5, 29.5},
+               {10.5, 29.5},
+               {10.5, 27.5},
+               {8.5, 27.5},
+               {8.5, 29.5}});
     guide.lookAround();
     guide.mark("on-the-great-tower");
     guide.setFlying(true);
