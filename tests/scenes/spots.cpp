@@ -16,7 +16,8 @@ std::vector<Gap> gapsOf(const World& world, const Map& map, int x, int y) {
         const BlueprintId cell = map.cell(x, y, level);
         if (cell == kEmptyCell) continue;
         const CellBlueprint& block = world.blueprints[cell];
-        if (block.gate >= 0) continue;  // it opens
+        // It opens, or one gets into it.
+        if (block.gate >= 0 || block.isWater) continue;
         solid.push_back({tileEdge(level) + block.bottom, tileEdge(level) + block.top});
     }
     const bool covered =
