@@ -27,6 +27,12 @@ export class AddressLine {
     return new URLSearchParams(location.search);
   }
 
+  // Nothing in particular is asked for.
+  get isPlain() {
+    const asked = ['scene', 'tour', 'view', 'options', 'overlay'];
+    return asked.every((name) => !this.parameters.has(name));
+  }
+
   get isLive() {
     return this.parameters.get('live') === '1';
   }

@@ -11,7 +11,7 @@ import { showKeys } from './key-help.js';
 
 export const kPageKeys = [{ keys: ['Z'], does: 'share this view' }]; // beside the engine's
 
-const kNames = ['scenes', 'keys', 'settings', 'share'];
+const kNames = ['scenes', 'keys', 'settings', 'share', 'benchmark'];
 
 const find = (id) => document.getElementById(id);
 
@@ -25,11 +25,9 @@ export class Dialogs {
     this.#caster = caster;
     for (const name of kNames) {
       this.#opens.set(name, () => find(name).showModal());
-      find(`open-${name}`).addEventListener('click', () => this.open(name));
+      find(`open-${name}`)?.addEventListener('click', () => this.open(name));
     }
-    this.before('keys', () =>
-      showKeys(find('key-tables'), find('key-table'), [...caster.keyList, ...kPageKeys]),
-    );
+    this.before('keys', () => this.showKeys());
     for (const dialog of document.querySelectorAll('dialog')) {
       dialog.addEventListener('pointerdown', (event) => {
         if (event.target === dialog && !contains(dialog.getBoundingClientRect(), event))
@@ -42,6 +40,11 @@ export class Dialogs {
     find('keys').addEventListener('keydown', (event) => {
       if (event.code === 'KeyH') find('keys').close();
     });
+  }
+
+  showKeys() {
+    const keys = [...this.#caster.keyList, ...kPageKeys];
+    showKeys(find('key-tables'), find('key-table'), keys);
   }
 
   get isOpen() {

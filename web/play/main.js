@@ -5,6 +5,7 @@
 //     face.js            what the page shows of the element: title, progress, trouble, modes
 //     dialogs.js         scenes, keys, settings, share; page-keys.js opens them too
 //     settings.js        what somebody likes; view-options.js hands the options on
+//     around.js          opening, hints, Lab, photo mode, benchmark, keys that can be changed
 //
 // Parameters of the address: scene=NAME or a path, view=, options= and overlay= as
 // engine/address.js spells them, tour=NAME (a recording of the folder tours, which names its
@@ -13,12 +14,14 @@
 import '../ray-caster.js';
 import { Gamepads } from '../element/gamepads.js';
 import { AddressLine } from './address-line.js';
+import { putAround } from './around.js';
 import { Dialogs } from './dialogs.js';
 import { playDropped } from './dropped-scene.js';
 import { Face } from './face.js';
 import { listenForFiles } from './file-drop.js';
 import { guardLeaving } from './leave-guard.js';
 import { listenForSaves } from './live-scene.js';
+import { padMenu } from './pad-menu.js';
 import { listenForPageKeys } from './page-keys.js';
 import { toggleRecording } from './recording.js';
 import { listScenes } from './scene-list.js';
@@ -59,6 +62,7 @@ function start() {
     toggleRecording: () => toggleRecording(caster, address),
   });
 
+  const { opening } = putAround(caster, { settings, address, dialogs, face });
   find('play').addEventListener('click', ({ pointerType }) =>
     caster.enter({ touch: pointerType === 'touch' }),
   );
@@ -68,6 +72,7 @@ function start() {
     input: find('files'),
     onEntries: async (entries) => {
       dialogs.close();
+      opening.end();
       await playDropped(caster, address, await entries).catch((error) => face.fail(error));
     },
   });
@@ -75,10 +80,7 @@ function start() {
   guardLeaving(caster);
   listenForFullScreen();
   // A press on a gamepad begins the game, as a click would.
-  new Gamepads({
-    change() {},
-    press: () => !caster.entered && face.state === 'paused' && !dialogs.isOpen && caster.enter(),
-  });
+  new Gamepads(padMenu(caster, dialogs, () => face.state === 'paused'));
 
   const scenes = listScenes();
   scenes.then(
@@ -89,14 +91,21 @@ function start() {
     const menu = new SceneMenu(find('scenes'), list, {
       missing,
       addressOf: (file) => address.of(file),
-      onChoose: (file) => address.go(file),
+      onChoose: (file) => {
+        opening.end();
+        address.go(file);
+      },
     });
     dialogs.opens('scenes', () => menu.open(address.reference));
     face.scenes = list;
+    if (address.isPlain) opening.begin(list[0]?.flight);
   }
   const open = () =>
     address.open(scenes).catch((error) => face.fail(error, () => location.reload()));
-  window.addEventListener('popstate', open);
+  window.addEventListener('popstate', () => {
+    opening.end();
+    open();
+  });
   open();
   if (address.isLive) listenForSaves(caster, address, face);
 

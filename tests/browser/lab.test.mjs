@@ -1,0 +1,118 @@
+// The Lab of the play page: overlays, light, old ways, photo mode, benchmark.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { launch, openScene, pictureHash, play } from './browser.mjs';
+
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const kWindow = { viewport: { width: 1000, height: 700 }, query: '?scene=room' };
+const option = (page, name) => page.evaluate((which) => window.slicecast.get(which), name);
+
+async function openLab(t, options = kWindow) {
+  const opened = await openScene(t, browser, options);
+  await opened.page.click('#open-lab');
+  return opened;
+}
+
+test('every row of the Lab sets the option that it names, and shows what keys have set', async (t) => {
+  const { page } = await openLab(t);
+  for (const name of ['minimap', 'playerPanel', 'inspector', 'grid', 'slow']) {
+    const before = await option(page, name);
+    await page.click(`#lab-${name}`);
+    assert.notEqual(await option(page, name), before, name);
+    await page.click(`#lab-${name}`);
+    assert.equal(await option(page, name), before, name);
+  }
+  await page.selectOption('#lab-lightPreset', 'night');
+  assert.equal(await option(page, 'lightPreset'), 'night');
+  await page.fill('#lab-drawnColumns', '100');
+  assert.equal(await option(page, 'drawnColumns'), '100');
+  await page.press('#lab-drawnColumns', 'End');
+  assert.equal(await option(page, 'drawnColumns'), '-1');
+  await page.evaluate(() => window.slicecast.set('minimap', 'on'));
+  await page.waitForFunction(() => document.getElementById('lab-minimap').checked);
+});
+
+test('an old way stands left of the divider, which mouse and keys move', async (t) => {
+  const { page } = await openLab(t);
+  const exact = await pictureHash(page);
+  assert.ok(!(await page.locator('#divider').isVisible()));
+  await page.selectOption('#lab-way', 'Fish eye');
+  assert.equal(await option(page, 'classic.projection'), 'equalAngles');
+  assert.equal(await option(page, 'compare'), '0.5');
+  await page.waitForFunction(() => !document.getElementById('divider').hidden);
+  await page.waitForTimeout(200);
+  assert.notEqual(await pictureHash(page), exact);
+  const box = await page.locator('#divider').boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(200, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.up();
+  assert.ok(Math.abs(Number(await option(page, 'compare')) - 0.2) < 0.01);
+  await page.keyboard.press('ArrowRight');
+  assert.ok(Math.abs(Number(await option(page, 'compare')) - 0.21) < 0.01);
+  await page.selectOption('#lab-way', '');
+  assert.equal(await option(page, 'compare'), '0');
+  assert.equal(await option(page, 'classic.projection'), 'plane');
+  assert.ok(!(await page.locator('#divider').isVisible()));
+});
+
+test('photo mode clears the picture, and saves it in the size that was asked for', async (t) => {
+  const { page } = await openLab(t);
+  await page.click('#lab-minimap');
+  await page.click('[data-lab="photo"]');
+  assert.equal(await option(page, 'minimap'), 'off');
+  for (const selector of ['#bar', '#lab', '#pause'])
+    assert.ok(!(await page.locator(selector).isVisible()), selector);
+  await page.selectOption('#photo [name="size"]', '1280x720');
+  const coming = page.waitForEvent('download');
+  await page.click('[data-photo="save"]');
+  const header = await readFile(await (await coming).path());
+  assert.deepEqual([header.readUInt32BE(16), header.readUInt32BE(20)], [1280, 720]);
+  await page.keyboard.press('Escape');
+  assert.equal(await option(page, 'minimap'), 'on');
+  assert.ok(await page.locator('#bar').isVisible());
+});
+
+test('the benchmark tells its figures, and leaves the view as it was', async (t) => {
+  const { page } = await openLab(t);
+  const view = () => page.evaluate(() => window.slicecast.currentView);
+  const before = await view();
+  await page.click('[data-lab="benchmark"]');
+  await page.click('[data-benchmark="run"]');
+  await page.waitForFunction(
+    () => document.querySelectorAll('#benchmark tbody tr').length > 4,
+    null,
+    { timeout: 60000 },
+  );
+  const rows = await page.locator('#benchmark tbody tr').allTextContents();
+  assert.ok(rows.some((row) => /Pictures drawn240/.test(row)));
+  const nanoseconds = rows.map((row) => /Per pixel([\d.]+) ns/.exec(row)?.[1]).find(Boolean);
+  assert.ok(Number(nanoseconds) > 0.05 && Number(nanoseconds) < 1000, nanoseconds);
+  assert.deepEqual(await view(), before);
+  assert.ok(await page.locator('[data-benchmark="copy"]').isEnabled());
+});
+
+test('the Lab works by keys, stays while one plays, and axe finds nothing in it', async (t) => {
+  const { page } = await openLab(t);
+  await page.addScriptTag({ path: axe });
+  const { violations } = await page.evaluate(() => window.axe.run());
+  assert.deepEqual(
+    violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join('; ')}`),
+    [],
+  );
+  await page.keyboard.press('Escape');
+  assert.ok(!(await page.locator('#lab').isVisible()));
+  await page.click('#open-lab');
+  await play(page);
+  assert.ok(await page.locator('#lab').isVisible());
+});

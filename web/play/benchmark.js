@@ -1,0 +1,91 @@
+// How fast this machine draws: a fixed flight through the scene at a fixed size, each picture drawn
+// once, with a graph of the times and a table to copy. Nothing else runs meanwhile.
+//
+//     const figures = await measure(caster, { views, width, height, onProgress, isWanted });
+//     figures: {times, median, slow, slowest, nanosecondsPerPixel, size, pictures}, milliseconds
+//     drawGraph(canvas, figures.times);
+//     asText(figures, title)
+
+const kWarmUp = 12; // pictures that are drawn and not counted
+const kBatch = 16; // milliseconds between two breaths of the page
+
+// Null where `isWanted()` has become false meanwhile.
+export async function measure(caster, { views, width, height, onProgress, isWanted }) {
+  const before = caster.currentView;
+  const times = [];
+  let breath = performance.now();
+  try {
+    for (let i = -kWarmUp; i < views.length; ++i) {
+      caster.look(views[Math.max(0, i)]);
+      const time = caster.timeDrawing({ width, height });
+      if (i >= 0) times.push(time);
+      if (performance.now() - breath < kBatch) continue;
+      onProgress(times);
+      await new Promise((resolve) => setTimeout(resolve));
+      if (!isWanted()) return null;
+      breath = performance.now();
+    }
+  } finally {
+    if (caster.world !== null) caster.look(before);
+  }
+  const sorted = [...times].sort((a, b) => a - b);
+  const at = (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+  return {
+    times,
+    median: at(0.5),
+    slow: at(0.95),
+    slowest: sorted.at(-1),
+    nanosecondsPerPixel: (at(0.5) * 1e6) / (width * height),
+    size: `${width} × ${height}`,
+    pictures: times.length,
+  };
+}
+
+export function rowsOf({ median, slow, slowest, nanosecondsPerPixel, size, pictures }) {
+  const ms = (time) => `${time.toFixed(2)} ms`;
+  return [
+    ['Picture', size],
+    ['Pictures drawn', String(pictures)],
+    ['Median', `${ms(median)}, ${Math.round(1000 / median)} a second`],
+    ['19 of 20 within', ms(slow)],
+    ['Slowest', ms(slowest)],
+    ['Per pixel', `${nanosecondsPerPixel.toFixed(2)} ns`],
+  ];
+}
+
+// To be pasted: one line a figure.
+export function asText(figures, title) {
+  const rows = [['Scene', title], ...rowsOf(figures), ['Browser', navigator.userAgent]];
+  return rows.map(([name, value]) => `${name}\t${value}`).join('\n');
+}
+
+// A bar for each picture, as high as it took; the line marks 1/60 s, or half of it. A few that took
+// far longer than the others end at the top.
+export function drawGraph(canvas, times, count) {
+  const ratio = window.devicePixelRatio || 1;
+  const width = Math.round(canvas.clientWidth * ratio);
+  const height = Math.round(canvas.clientHeight * ratio);
+  if (width === 0 || height === 0) return;
+  Object.assign(canvas, { width, height });
+  const paint = canvas.getContext('2d');
+  const sorted = [...times].sort((a, b) => a - b);
+  const highest = Math.max(8, 1.5 * (sorted[Math.floor(0.95 * sorted.length)] ?? 0));
+  const style = getComputedStyle(canvas);
+  paint.fillStyle = style.getPropertyValue('--brass');
+  const step = width / count;
+  times.forEach((time, index) => {
+    const bar = Math.max(1, (time / highest) * height);
+    paint.fillRect(index * step, height - bar, Math.max(1, step - (step > 3 ? 1 : 0)), bar);
+  });
+  const mark = highest > 1000 / 60 ? 1000 / 60 : 1000 / 120;
+  const y = Math.round(height - (mark / highest) * height) + 0.5;
+  paint.strokeStyle = style.getPropertyValue('--text-faint');
+  paint.setLineDash([4 * ratio, 4 * ratio]);
+  paint.beginPath();
+  paint.moveTo(0, y);
+  paint.lineTo(width, y);
+  paint.stroke();
+  paint.fillStyle = style.getPropertyValue('--text-soft');
+  paint.font = `${12 * ratio}px sans-serif`;
+  paint.fillText(`${mark.toFixed(1)} ms`, 4 * ratio, y - 4 * ratio);
+}

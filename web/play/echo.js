@@ -1,0 +1,58 @@
+// Says what a key has done where one cannot see it: changed light, fly mode, a gate out of reach.
+//
+//     listenForEffects(caster, toast);
+
+import { codesOf, labelOf } from './key-list.js';
+
+const kSettle = 80; // milliseconds, until the step has come in which a key acts
+
+const times = (text) => `${Number(text).toFixed(1)} ×`;
+const units = (text) => Number(text).toFixed(1);
+const kTimesOfDay = { map: 'as the scene has it' };
+
+// Options that keys change without anything new to be seen: what to call each, and its value.
+const kEffects = [
+  { option: 'lightPreset', says: (value) => `Time of day: ${kTimesOfDay[value] ?? value}` },
+  { option: 'intensity', says: (value) => `Light: intensity ${units(value)}` },
+  { option: 'multiplier', says: (value) => `Light: reach ${units(value)}` },
+  { option: 'mirrors', says: (value) => `Mirrors: ${times(value)}` },
+  { option: 'minimapTurns', says: (value) => `Minimap: ${value === 'on' ? 'turns' : 'north up'}` },
+  {
+    option: 'minimapLevel',
+    says: (value) => `Minimap: ${value === '-1' ? 'your level' : `level ${value}`}`,
+  },
+  { option: 'slowSlices', says: slowText },
+];
+
+const kGateActions = ['use', 'open', 'close'];
+
+export function listenForEffects(caster, toast) {
+  const values = () => kEffects.map(({ option }) => caster.get(option));
+  caster.addEventListener('keydown', ({ code, repeat, ctrlKey, metaKey, altKey }) => {
+    if (!caster.entered || ctrlKey || metaKey || altKey) return;
+    const before = values();
+    const hasGate = caster.player.gate !== '';
+    setTimeout(() => {
+      if (caster.world === null) return;
+      const changed = values().findIndex((value, index) => value !== before[index]);
+      if (changed >= 0) toast.show(kEffects[changed].says(values()[changed]));
+      else if (!repeat && !hasGate && codesOf(caster, kGateActions).includes(code))
+        toast.show('No gate within reach');
+    }, kSettle);
+  });
+  caster.addEventListener('modechange', ({ detail: { mode, on } }) => {
+    if (mode === 'fly' && caster.entered)
+      toast.show(
+        on
+          ? `Flying: ${labelOf(caster, 'rise')} rises, ${labelOf(caster, 'sink')} sinks`
+          : 'Walking',
+      );
+  });
+}
+
+function slowText(value) {
+  const count = Number(value);
+  return count > 0
+    ? `${count} more columns with each picture`
+    : `One more column every ${-count} pictures`;
+}

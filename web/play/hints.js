@@ -1,0 +1,147 @@
+// Hints for a first walk: each comes when it is needed, goes when it was followed, and never comes
+// again. A gate within reach always shows how to open it.
+//
+//     const hints = new Hints(caster, line);       the line is an element with role="status"
+//
+// `now` is what the walk has come to: {seconds, moved, turned, stuck, player}, of which moved is in
+// units, turned in degrees, and stuck in seconds of walking without getting on.
+
+import { codesOf, labelOf } from './key-list.js';
+
+const kStorageKey = 'slicecast.hints';
+const kInterval = 250; // milliseconds between two looks
+const kStuckSpeed = 0.2; // units per second
+const kWalkActions = ['forward', 'back', 'strafeLeft', 'strafeRight'];
+
+const kHints = [
+  {
+    name: 'walk',
+    keys: '{forward}{strafeLeft}{back}{strafeRight} walk',
+    touch: 'Your left thumb walks',
+    isNeeded: ({ seconds, moved }) => seconds > 1.5 && moved < 0.5,
+    isFollowed: ({ moved }) => moved > 1,
+  },
+  {
+    name: 'look',
+    keys: 'Click the picture: the mouse looks around. {turnLeft}{turnRight} turn, too',
+    touch: 'Your right thumb looks around',
+    isNeeded: ({ seconds, moved, turned }) => seconds > 5 && moved > 1 && turned < 20,
+    isFollowed: ({ turned }) => turned > 45,
+  },
+  {
+    name: 'jump',
+    keys: '{jump} jumps onto what is in the way',
+    touch: 'The button with the arrow up jumps',
+    isNeeded: ({ stuck }) => stuck > 1,
+    isFollowed: ({ player }) => !player.onGround && !player.flying,
+  },
+  {
+    name: 'fly',
+    keys: '{fly} flies, {rise} rises',
+    touch: 'The button with the wings flies',
+    isNeeded: ({ seconds }) => seconds > 60,
+    isFollowed: ({ player }) => player.flying,
+  },
+];
+
+export class Hints {
+  #caster;
+  #line;
+  #known; // names of the hints that were followed
+  #held = new Set(); // keys
+  #begin = 0;
+  #now = null;
+  #last = null;
+  #shown = '';
+
+  constructor(caster, line) {
+    this.#caster = caster;
+    this.#line = line;
+    this.#known = readKnown();
+    caster.addEventListener('keydown', ({ code }) => this.#held.add(code));
+    caster.addEventListener('keyup', ({ code }) => this.#held.delete(code));
+    caster.addEventListener('enterchange', () => this.#enterChanged());
+    caster.addEventListener('ready', () => {
+      this.#last = null;
+    });
+  }
+
+  #enterChanged() {
+    this.#held.clear();
+    if (!this.#caster.entered) {
+      clearInterval(this.#begin);
+      this.#begin = 0;
+      this.#show('');
+    } else if (this.#begin === 0) {
+      this.#now ??= { seconds: 0, moved: 0, turned: 0, stuck: 0, player: null };
+      this.#last = null;
+      this.#begin = setInterval(() => this.#look(), kInterval);
+    }
+  }
+
+  #look() {
+    const { player } = this.#caster;
+    if (player === null || !this.#caster.entered) return;
+    this.#now.seconds += kInterval / 1000;
+    this.#now.player = player;
+    this.#follow(player);
+    this.#last = player;
+    for (const { name, isFollowed } of kHints)
+      if (!this.#known.has(name) && isFollowed(this.#now)) this.#learn(name);
+    const hint = kHints.find(({ name, isNeeded }) => !this.#known.has(name) && isNeeded(this.#now));
+    const text = gateText(player.gate) || (hint === undefined ? '' : textOf(hint));
+    this.#show(text.replace(/\{(\w+)\}/g, (_, name) => this.#key(name)));
+  }
+
+  #follow(player) {
+    const last = this.#last;
+    if (last === null || last.map !== player.map) return;
+    const step = Math.hypot(player.x - last.x, player.y - last.y);
+    if (step < 5) this.#now.moved += step; // farther is a portal, or another view
+    this.#now.turned += Math.abs(((player.heading - last.heading + 540) % 360) - 180);
+    const pushes = codesOf(this.#caster, kWalkActions).some((code) => this.#held.has(code));
+    const isStuck = pushes && player.speed < kStuckSpeed && !player.flying;
+    this.#now.stuck = isStuck ? this.#now.stuck + kInterval / 1000 : 0;
+  }
+
+  #key(name) {
+    const key = document.createElement('kbd');
+    key.textContent = labelOf(this.#caster, name);
+    return key.outerHTML;
+  }
+
+  #learn(name) {
+    this.#known.add(name);
+    try {
+      localStorage.setItem(kStorageKey, JSON.stringify([...this.#known]));
+    } catch {
+      // Private windows forget; the hints come again another time.
+    }
+  }
+
+  #show(html) {
+    if (html === this.#shown) return;
+    this.#shown = html;
+    if (html !== '') this.#line.innerHTML = html;
+    this.#line.classList.toggle('shown', html !== '');
+  }
+}
+
+const isTouch = () => matchMedia('(hover: none) and (pointer: coarse)').matches;
+
+function textOf({ keys, touch }) {
+  return isTouch() ? touch : keys;
+}
+
+function gateText(offer) {
+  if (offer === '') return '';
+  return isTouch() ? `The gate button ${offer}s it` : `{use} ${offer}s the gate`;
+}
+
+function readKnown() {
+  try {
+    return new Set(JSON.parse(localStorage.getItem(kStorageKey)) ?? []);
+  } catch {
+    return new Set();
+  }
+}

@@ -1,0 +1,16 @@
+// The engine's keys as the page asks for them: by the names of actions (src/app/actions.h).
+
+const actionsOf = (caster) => caster.keyList.flatMap(({ actions }) => actions);
+
+// The KeyboardEvent.codes of all keys of these actions.
+export function codesOf(caster, names) {
+  return actionsOf(caster)
+    .filter(({ name }) => names.includes(name))
+    .flatMap(({ keys }) => keys.map(({ code }) => code));
+}
+
+// The label of each action's first key, "?" where it has none.
+export function labelOf(caster, name) {
+  const action = actionsOf(caster).find((known) => known.name === name);
+  return action?.keys[0]?.label ?? '?';
+}

@@ -1,0 +1,22 @@
+// One line at the foot of the picture that says what has just been done, for two seconds.
+//
+//     const toast = new Toast(line);      an element with role="status"
+//     toast.show('Time of day: dusk');
+
+const kShown = 2200; // milliseconds
+
+export class Toast {
+  #line;
+  #timer = 0;
+
+  constructor(line) {
+    this.#line = line;
+  }
+
+  show(text) {
+    clearTimeout(this.#timer);
+    this.#line.textContent = text;
+    this.#line.classList.add('shown');
+    this.#timer = setTimeout(() => this.#line.classList.remove('shown'), kShown);
+  }
+}
