@@ -15,9 +15,8 @@ namespace {
 
 constexpr Size kFirstWindow = {1280, 720};
 constexpr Uint32 kFullscreen = SDL_WINDOW_FULLSCREEN_DESKTOP;
-constexpr int kUsualRate = 60;           // pictures per second where the screen does not say
-constexpr Uint32 kIdleMillis = 10;       // between looks for events while nothing moves
-constexpr std::size_t kHelpColumn = 19;  // characters, where the text beside the keys begins
+constexpr int kUsualRate = 60;      // pictures per second where the screen does not say
+constexpr Uint32 kIdleMillis = 10;  // between looks for events while nothing moves
 
 // The buttons of SDL's controllers and the web's numbers for them.
 struct PadButton {
@@ -148,9 +147,7 @@ void WindowShell::drawPanels(SDL_Surface& surface) const {
         std::string text;
         for (const KeyHelp& line : app_->keys().help()) {
             if (line.keys.empty()) continue;
-            std::string keys = keysText(line);
-            keys.resize(std::max(keys.size(), kHelpColumn), ' ');
-            text += (text.empty() ? "" : "\n") + keys + std::string(line.does);
+            text += (text.empty() ? "" : "\n") + keysText(line) + '\t' + std::string(line.does);
         }
         drawTextPanel(picture, Anchor::middle, text);
     }

@@ -23,13 +23,22 @@ void blendRect(const Picture& picture, PixelRect rect, Colour colour) {
     }
 }
 
-void drawPanel(const Picture& picture, PixelRect rect) {
-    if (rect.width < 3 || rect.height < 3) return;
-    blendRect(picture, {rect.x + 1, rect.y + 1, rect.width - 2, rect.height - 2}, kPanelColour);
-    blendRect(picture, {rect.x + 1, rect.y, rect.width - 2, 1}, kPanelRim);
-    blendRect(picture, {rect.x + 1, rect.y + rect.height - 1, rect.width - 2, 1}, kPanelRim);
-    blendRect(picture, {rect.x, rect.y + 1, 1, rect.height - 2}, kPanelRim);
-    blendRect(picture, {rect.x + rect.width - 1, rect.y + 1, 1, rect.height - 2}, kPanelRim);
+void drawPanel(const Picture& picture, PixelRect rect, int scale) {
+    if (rect.width < 5 * scale || rect.height < 5 * scale) return;
+    const int rim = (scale + 1) / 2;
+    for (int y = 0; y < rect.height; ++y) {
+        const int fromEdge = std::min(y, rect.height - 1 - y);
+        const int inset = plateInset(fromEdge, scale);
+        // The rim goes round the corner: where the row that lies a rim further out ends
+        const int side = fromEdge < rim ? rect.width / 2
+                                        : std::max(inset + rim, plateInset(fromEdge - rim, scale));
+        const int row = rect.y + y;
+        const int width = rect.width - 2 * side;
+        blendRect(picture, {rect.x + inset, row, side - inset, 1}, kPanelRim);
+        blendRect(picture, {rect.x + side, row, width, 1},
+                  fromEdge < rim ? kPanelRim : kPanelColour);
+        blendRect(picture, {rect.x + rect.width - side, row, side - inset, 1}, kPanelRim);
+    }
 }
 
 }  // namespace slicecast

@@ -35,9 +35,16 @@ void blendPixel(const Picture& picture, int x, int y, Colour colour);
 // Lays a colour over a rectangle.
 void blendRect(const Picture& picture, PixelRect rect, Colour colour);
 
-// A panel: a dark translucent rectangle with a fine light rim, as all overlays use it.
-inline constexpr Colour kPanelColour = {16, 20, 26, 190};
-inline constexpr Colour kPanelRim = {235, 240, 245, 70};
-void drawPanel(const Picture& picture, PixelRect rect);
+// A plate: a dark translucent rectangle with round corners and a fine light rim, on which all
+// overlays stand. The scale is that of its text.
+inline constexpr Colour kPanelColour = {16, 20, 28, 208};
+inline constexpr Colour kPanelRim = {226, 214, 186, 96};
+void drawPanel(const Picture& picture, PixelRect rect, int scale = 1);
+
+// How many pixels at both ends of a plate's row, counted from its nearer edge, are outside its
+// round corners.
+constexpr int plateInset(int rowFromEdge, int scale) {
+    return rowFromEdge < scale ? 2 * scale : rowFromEdge < 2 * scale ? scale : 0;
+}
 
 }  // namespace slicecast

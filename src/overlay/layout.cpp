@@ -1,6 +1,7 @@
 #include "overlay/layout.h"
 
 #include "overlay/panels.h"
+#include "overlay/text.h"
 
 #include <algorithm>
 
@@ -8,6 +9,7 @@ namespace slicecast {
 namespace {
 
 constexpr int kLeastMinimap = 15;    // pixels; below it there is nothing to see
+constexpr int kSmallMinimap = 96;    // up to which it may be more than a third of the picture
 constexpr int kLeastSideWidth = 90;  // dots of the font; below it a side view cannot be read
 constexpr int kLeastSideHeight = 60;
 
@@ -31,25 +33,40 @@ OverlayLayout layoutOverlays(int pictureWidth, int pictureHeight) {
     OverlayLayout layout;
     layout.margin = overlayMargin(pictureWidth, pictureHeight);
     const int margin = layout.margin;
-    const int panelHeights = panelHeightDots(kPlayerPanelRows) + panelHeightDots(kProcessPanelRows);
+    const int playerDots = panelHeightDots(kPlayerPanelRows);
+    const int processDots = panelHeightDots(kProcessPanelRows) + kProcessPanelRules * kRuleAdvance;
     layout.scale = readableScale(pictureWidth, pictureHeight);
-    while (layout.scale > 1 && panelHeights * layout.scale + 3 * margin > pictureHeight)
+    while (layout.scale > 1 &&
+           (playerDots + processDots) * layout.scale + 3 * margin > pictureHeight)
         --layout.scale;
 
-    // The map, a third of the shorter side
-    const int side = std::min(pictureWidth, pictureHeight) / 3;
+    // The map, a third of the shorter side, more of a small one
+    const int shorter = std::min(pictureWidth, pictureHeight);
+    const int side = std::max(shorter / 3, std::min(kSmallMinimap, shorter * 2 / 5));
     if (side >= kLeastMinimap) layout.minimap = {margin, margin, side, side};
 
-    // The two panels of text along the right edge
-    const int panelWidth = panelWidthDots() * layout.scale;
-    const int playerHeight = panelHeightDots(kPlayerPanelRows) * layout.scale;
-    const int processHeight = panelHeightDots(kProcessPanelRows) * layout.scale;
+    // The two panels of text along the right edge; of the second one the first rows where there is
+    // no room for all
+    const int panelWidth = kPanelWidth * layout.scale;
+    const int playerHeight = playerDots * layout.scale;
     const int panelX = pictureWidth - margin - panelWidth;
-    layout.player =
-        ifInside({panelX, margin, panelWidth, playerHeight}, pictureWidth, pictureHeight);
-    layout.process =
-        ifInside({panelX, pictureHeight - margin - processHeight, panelWidth, processHeight},
-                 pictureWidth, pictureHeight);
+    const bool besideMap = panelX >= side + 2 * margin;
+    if (besideMap)
+        layout.player =
+            ifInside({panelX, margin, panelWidth, playerHeight}, pictureWidth, pictureHeight);
+    const int room = pictureHeight - playerHeight - 3 * margin;
+    layout.processRows = kProcessPanelRows;
+    int processHeight = processDots * layout.scale;
+    if (processHeight > room) {
+        const int around = panelHeightDots(0) * layout.scale;
+        layout.processRows =
+            std::clamp((room - around) / (kLineAdvance * layout.scale), 0, kProcessPanelRows - 1);
+        processHeight = panelHeightDots(layout.processRows) * layout.scale;
+    }
+    if (layout.processRows > 0 && panelX >= margin)
+        layout.process =
+            ifInside({panelX, pictureHeight - margin - processHeight, panelWidth, processHeight},
+                     pictureWidth, pictureHeight);
 
     // What is left of them below the map
     const int width = panelX - 2 * margin;

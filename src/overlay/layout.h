@@ -1,5 +1,4 @@
-// Where the overlays stand: all on one margin, none on another in pictures of 640 x 400 pixels and
-// more.
+// Where the overlays stand: all on one margin, none on another.
 //
 //     +---------+               +--------+
 //     | minimap |               | player |
@@ -16,7 +15,7 @@
 
 namespace slicecast {
 
-inline constexpr int kPanelPadding = 4;  // dots of the font, from a panel's edge to its text
+inline constexpr int kPanelPadding = 5;  // dots of the font, from a panel's edge to its text
 
 struct OverlayLayout {
     int scale = 1;  // pixels that a dot of the font is wide and high: a readable one, or less where
@@ -25,6 +24,7 @@ struct OverlayLayout {
     PixelRect minimap;
     PixelRect player;
     PixelRect process;
+    int processRows = 0;  // that it has room for
     PixelRect sideView;
 };
 

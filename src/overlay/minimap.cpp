@@ -20,31 +20,40 @@
 namespace slicecast {
 namespace {
 
-constexpr int kTilesAcross = 17;    // about
-constexpr int kLabelledSide = 120;  // pixels from which the level's number is shown
+constexpr int kTilesAcross = 17;  // about
+constexpr int kMarkedSide = 60;   // dots of the font from which north and the levels are marked
 
-constexpr Colour kLowBlock = {112, 58, 48, 255};
-constexpr Colour kHighBlock = {214, 122, 92, 255};
-constexpr Colour kWholeBlock = {104, 132, 168, 255};
-constexpr double kWaterShade = 0.6;  // of water over the ground below it
+constexpr Colour kLowBlock = {122, 66, 46, 255};
+constexpr Colour kHighBlock = {226, 142, 92, 255};
+constexpr Colour kWholeBlock = {112, 142, 182, 255};
 constexpr double kFloatingShade =
     0.5;  // of a block's colour, the rest is that of the ground under it
-constexpr Colour kEdge = {226, 232, 240, 150};
-constexpr Colour kNearGround = {82, 88, 97, 255};
-constexpr Colour kDeepGround = {30, 34, 42, 255};
+constexpr Colour kGate = {238, 186, 70, 255};
+constexpr Colour kMover = {204, 170, 255, 255};
+constexpr Colour kNearGround = {104, 110, 108, 255};
+constexpr Colour kDeepGround = {34, 38, 46, 255};
 constexpr double kLeastShade =
-    0.35;  // of the way to the darkest, for ground that is at all below the level
-constexpr double kDeepestShade = 4.0;  // units below the level at which the ground is darkest
+    0.25;  // of the way to the darkest, for ground that is at all below the level
+constexpr double kDeepestShade = 5.0;  // units below the level at which the ground is darkest
+constexpr double kWaterShade = 0.6;    // of water over the ground below it
+
+// Along the edges of tiles
+constexpr Colour kBlockEdge = {236, 240, 244, 190};
+constexpr Colour kStepEdge = {236, 240, 244, 64};
+constexpr Colour kShadow = {0, 0, 0, 110};
+constexpr Colour kOverhang = {236, 240, 244, 150};
+constexpr Coordinate kClearStep = Coordinate{65536 / 16};  // units, of which an edge is drawn
+
 constexpr Colour kPlayer = {255, 214, 74, 255};
-constexpr Colour kPlayerRim = {20, 20, 20, 255};
+constexpr Colour kPlayerRim = {20, 20, 20, 200};
 constexpr int kFieldAlpha = 120;  // of the field of view, at the eye
 constexpr Colour kRay = {120, 230, 140, 150};
 constexpr Colour kRayEnd = {190, 255, 200, 255};
 constexpr Colour kReach = {160, 170, 180, 60};
 constexpr Colour kReachRim = {235, 240, 245, 200};
 constexpr Colour kPortal = {64, 224, 208, 255};
-constexpr double kPortalTint = 0.45;  // of a tile that is one
-constexpr double kNorth = 270.0;      // degrees
+constexpr double kPortalTint = 0.5;  // of a tile that is one
+constexpr double kNorth = 270.0;     // degrees
 
 Colour mixed(Colour a, Colour b, double part) {
     const auto mix = [part](int from, int to) {
@@ -71,18 +80,33 @@ Coordinate groundBelow(const World& world, const Map& map, int x, int y, int lev
     return {};
 }
 
-Colour groundColour(const World& world, const Map& map, int x, int y, int level) {
-    const double drop = (tileEdge(level) - groundBelow(world, map, x, y, level)).value();
-    const Colour ground = mixed(
+// Ground whose surface lies so many units below the level that is shown.
+Colour groundTone(double drop) {
+    return mixed(
         kNearGround, kDeepGround,
         drop > 0.0 ? std::min(kLeastShade + (1.0 - kLeastShade) * drop / kDeepestShade, 1.0) : 0.0);
-    const BlueprintId id = map.cell(x, y, level);
-    if (id == kEmptyCell) {
-        const bool isWaded = level == 0 && map.isWaterFloor(map.tileIndex(x, y));
-        return isWaded ? mixed(ground, kWaterColour, kWaterShade) : ground;
+}
+
+// The water that is on a level or that one looks down at from it; see-through for none.
+Colour waterColour(const World& world, const Map& map, int x, int y, int level) {
+    for (int below = level; below >= 0; --below) {
+        const BlueprintId id = map.cell(x, y, below);
+        if (id == kEmptyCell) continue;
+        const CellBlueprint& block = world.blueprints[id];
+        return block.isWater ? block.waterColour : Colour{0, 0, 0, 0};
     }
+    return map.isWaterFloor(map.tileIndex(x, y)) ? kWaterColour : Colour{0, 0, 0, 0};
+}
+
+Colour groundColour(const World& world, const Map& map, int x, int y, int level) {
+    const double drop = (tileEdge(level) - groundBelow(world, map, x, y, level)).value();
+    const Colour ground = groundTone(drop);
+    if (const Colour water = waterColour(world, map, x, y, level); water.a != 0)
+        return mixed(ground, water, kWaterShade);
+    const BlueprintId id = map.cell(x, y, level);
+    if (id == kEmptyCell) return ground;
     const CellBlueprint& block = world.blueprints[id];
-    if (block.isWater) return mixed(ground, block.waterColour, kWaterShade);
+    if (block.gate >= 0) return block.passable ? ground : kGate;
     const Colour colour =
         block.top == tileEdge(1) ? kWholeBlock : mixed(kLowBlock, kHighBlock, block.top.value());
     return block.bottom.raw > 0 ? mixed(ground, colour, kFloatingShade) : colour;
@@ -102,81 +126,123 @@ Colour tileColour(const World& world, const Map& map, int x, int y, int level) {
     return leads ? mixed(colour, kPortal, kPortalTint) : colour;
 }
 
-// The colours of the tiles around the eye, looked up once each rather than for every pixel.
-class TileColours {
+// A tile as it is drawn.
+struct Tile {
+    Colour colour = {0, 0, 0, 0};  // see-through outside the grid
+    Coordinate surface;            // of the block of the level, or of the ground below it
+    bool block = false;            // the level has one
+    bool over = false;             // a level above has one
+    bool openGate = false;
+    bool moves = false;
+    unsigned portals = 0;  // bit n is the face of that number
+};
+
+Tile makeTile(const World& world, const Map& map, int x, int y, int level) {
+    Tile tile;
+    if (!map.contains(x, y)) return tile;
+    tile.colour = withAlpha(tileColour(world, map, x, y, level), 235);
+    tile.surface = groundBelow(world, map, x, y, level);
+    tile.over = (map.occupied[map.tileIndex(x, y)] >> level >> 1) != 0;
+    const BlueprintId id = map.cell(x, y, level);
+    if (id == kEmptyCell) return tile;
+    const CellBlueprint& block = world.blueprints[id];
+    tile.openGate = block.gate >= 0 && block.passable;
+    tile.block = !tile.openGate && !block.isWater;
+    tile.moves = block.motion >= 0;
+    if (tile.block) tile.surface = tileEdge(level) + block.top;
+    for (const Face face : {Face::north, Face::east, Face::south, Face::west}) {
+        if (block.face(face).portal != kNoPortal) tile.portals |= 1u << static_cast<int>(face);
+    }
+    return tile;
+}
+
+// The tiles around the eye, looked up once each rather than for every pixel.
+class Tiles {
 public:
-    TileColours(const World& world, const Map& map, int level, const MinimapView& view)
-        : size_(view.pixelsPerTile) {
+    Tiles(const World& world, const Map& map, int level, const MinimapView& view, int scale)
+        : size_(view.pixelsPerTile), line_(std::max(1, size_ / 14)), dash_(2 * scale) {
         // A turned square needs the tiles within half of its diagonal.
         const int reach = view.area.width * 3 / 4 + size_;
         firstX_ = floorDivide(view.eyeX - reach, size_);
         firstY_ = floorDivide(view.eyeY - reach, size_);
         across_ = std::min(2 * reach / size_ + 2, kMostAcross);
         for (int y = 0; y < across_; ++y) {
-            for (int x = 0; x < across_; ++x) {
-                const int tileX = firstX_ + x;
-                const int tileY = firstY_ + y;
-                Colour& colour = colours_[index(x, y)];
-                colour = map.contains(tileX, tileY)
-                             ? withAlpha(tileColour(world, map, tileX, tileY, level), 225)
-                             : Colour{0, 0, 0, 0};
-                filled_[index(x, y)] = map.cell(tileX, tileY, level) != kEmptyCell;
-                portals_[index(x, y)] = {isPortal(world, map, tileX, tileY, level, Face::west),
-                                         isPortal(world, map, tileX, tileY, level, Face::east),
-                                         isPortal(world, map, tileX, tileY, level, Face::north),
-                                         isPortal(world, map, tileX, tileY, level, Face::south)};
-            }
+            for (int x = 0; x < across_; ++x)
+                tiles_[index(x, y)] = makeTile(world, map, firstX_ + x, firstY_ + y, level);
         }
     }
 
-    // Lays over a pixel of the picture what is at a pixel of the map.
+    // The colour of a pixel of the map, and what is laid over it.
     void draw(const Picture& picture, int pictureX, int pictureY, int mapX, int mapY) const {
         const int tileX = floorDivide(mapX, size_);
         const int tileY = floorDivide(mapY, size_);
         const int x = tileX - firstX_;
         const int y = tileY - firstY_;
-        if (x < 1 || y < 1 || x >= across_ - 1 || y >= across_ - 1 || colours_[index(x, y)].a == 0)
-            return;
-        blendPixel(picture, pictureX, pictureY, colours_[index(x, y)]);
+        if (x < 1 || y < 1 || x >= across_ - 1 || y >= across_ - 1) return;
+        const Tile& tile = tiles_[index(x, y)];
+        if (tile.colour.a == 0) return;
+        blendPixel(picture, pictureX, pictureY, tile.colour);
 
-        // A broad line along faces that are portals, a fine one where blocks end
-        if (!filled_[index(x, y)]) return;
-        const int insideX = mapX - tileX * size_;
-        const int insideY = mapY - tileY * size_;
-        const PortalSides& portals = portals_[index(x, y)];
+        const int fromWest = mapX - tileX * size_;
+        const int fromNorth = mapY - tileY * size_;
+        // From the north, east, south and west edge
+        const std::array<int, 4> from = {fromNorth, size_ - 1 - fromWest, size_ - 1 - fromNorth,
+                                         fromWest};
+        if (tile.moves && (mapX + mapY) / dash_ % 3 == 0)
+            blendPixel(picture, pictureX, pictureY, kMover);
         const int broad = std::max(1, size_ / 4);
-        if ((portals.west && insideX < broad) || (portals.east && insideX >= size_ - broad) ||
-            (portals.north && insideY < broad) || (portals.south && insideY >= size_ - broad)) {
-            blendPixel(picture, pictureX, pictureY, kPortal);
-            return;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const bool leads = (tile.portals >> i & 1u) != 0;
+            if (leads && from[i] < broad) {
+                blendPixel(picture, pictureX, pictureY, kPortal);
+                return;
+            }
+            if (tile.openGate && from[i] < std::max(1, size_ / 6)) {
+                blendPixel(picture, pictureX, pictureY, kGate);
+                return;
+            }
         }
-        if (size_ < 6) return;
-        const bool edge = (insideX == 0 && !filled_[index(x - 1, y)]) ||
-                          (insideX == size_ - 1 && !filled_[index(x + 1, y)]) ||
-                          (insideY == 0 && !filled_[index(x, y - 1)]) ||
-                          (insideY == size_ - 1 && !filled_[index(x, y + 1)]);
-        if (edge) blendPixel(picture, pictureX, pictureY, kEdge);
+        if (size_ < 4) return;
+        const std::array<const Tile*, 4> beside = {
+            &tiles_[index(x, y - 1)], &tiles_[index(x + 1, y)], &tiles_[index(x, y + 1)],
+            &tiles_[index(x - 1, y)]};
+        Colour edge = {0, 0, 0, 0};
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            if (from[i] >= line_) continue;
+            const Colour here = edgeTo(tile, *beside[i], (mapX + mapY) / dash_ % 2 == 0);
+            if (here.a > edge.a) edge = here;
+        }
+        if (edge.a != 0) blendPixel(picture, pictureX, pictureY, edge);
     }
 
 private:
-    static constexpr int kMostAcross = 64;
-    struct PortalSides {
-        bool west, east, north, south;
-    };
+    // A light edge where a tile is higher than the one beside it, a shadow where it is lower, a
+    // dashed line where something above the level begins.
+    static Colour edgeTo(const Tile& tile, const Tile& beside, bool onDash) {
+        const bool under = tile.over && !tile.block;
+        if (under && onDash && !beside.over && !beside.block) return kOverhang;
+        if (tile.block && !beside.block) return kBlockEdge;
+        if (beside.colour.a == 0) return {0, 0, 0, 0};
+        if (tile.surface >= beside.surface + kClearStep) return kStepEdge;
+        if (beside.surface >= tile.surface + kClearStep) return kShadow;
+        return {0, 0, 0, 0};
+    }
+
+    static constexpr int kMostAcross = 40;
     static std::size_t index(int x, int y) { return static_cast<std::size_t>(y * kMostAcross + x); }
 
     int size_;
+    int line_;  // pixels that edges are wide
+    int dash_;
     int firstX_;
     int firstY_;
     int across_;
-    std::array<Colour, kMostAcross * kMostAcross> colours_;
-    std::array<bool, kMostAcross * kMostAcross> filled_;
-    std::array<PortalSides, kMostAcross * kMostAcross> portals_;
+    std::array<Tile, kMostAcross * kMostAcross> tiles_;
 };
 
-void drawTiles(const World& world, const Map& map, int level, const MinimapView& view,
+void drawTiles(const World& world, const Map& map, int level, const MinimapView& view, int scale,
                const Picture& picture) {
-    const TileColours tiles(world, map, level, view);
+    const Tiles tiles(world, map, level, view, scale);
     // Along a row the place on the map goes on by the same step, in 1/65536 pixels.
     const Point step = view.toMap({1.0, 0.0});
     const int stepX = toCoordinate(step.x).raw;
@@ -186,8 +252,12 @@ void drawTiles(const World& world, const Map& map, int level, const MinimapView&
                                         static_cast<double>(y - view.centreY)});
         int fromEyeX = toCoordinate(first.x + 0.5).raw;
         int fromEyeY = toCoordinate(first.y + 0.5).raw;
+        const int row = y - view.area.y;
+        const int inset = plateInset(std::min(row, view.area.height - 1 - row), scale);
         for (int x = view.area.x; x < view.area.x + view.area.width; ++x) {
-            tiles.draw(picture, x, y, view.eyeX + (fromEyeX >> 16), view.eyeY + (fromEyeY >> 16));
+            if (x >= view.area.x + inset && x < view.area.x + view.area.width - inset)
+                tiles.draw(picture, x, y, view.eyeX + (fromEyeX >> 16),
+                           view.eyeY + (fromEyeY >> 16));
             fromEyeX += stepX;
             fromEyeY += stepY;
         }
@@ -240,14 +310,54 @@ void drawReach(const MinimapView& view, double reach, const Picture& picture) {
     drawRing(picture, view.area, view.centre(), radius, kReachRim);
 }
 
-// Where north is, on the rim of a map that turns.
+// Where north is, on the rim.
 void drawNorth(const MinimapView& view, int scale, const Picture& picture) {
     const Point north = view.toPicture({0.0, -1.0});
     const double radius = view.area.width / 2.0 - 7.0 * scale;
-    const Point at = {view.centre().x + north.x * radius, view.centre().y + north.y * radius};
-    drawDot(picture, view.area, at, 5.5 * scale, kPanelColour);
-    drawText(picture, static_cast<int>(at.x) - 2 * scale, static_cast<int>(at.y) - 3 * scale, "N",
-             {.scale = scale});
+    const Point at = {std::floor(view.centre().x + north.x * radius) + 0.5,
+                      std::floor(view.centre().y + north.y * radius) + 0.5};
+    drawDot(picture, view.area, at, 6.0 * scale, {16, 20, 28, 230});
+    for (int i = 0; i < scale; ++i)
+        drawRing(picture, view.area, at, 6.0 * scale - i, withAlpha(kPlayer, 210));
+    drawText(picture, static_cast<int>(at.x - 2.5 * scale + 0.5),
+             static_cast<int>(at.y - 3.5 * scale + 0.5), "N", {.scale = scale});
+}
+
+// The levels of the map as a stack of bars in the lower left corner, in the tones that they have on
+// it: those below, the one that is shown with its number, and those above as outlines. A dot is the
+// eye's.
+void drawLevels(const Map& map, int level, int eyeLevel, const MinimapView& view, int scale,
+                const Picture& picture) {
+    const int room = std::min(32 * scale, view.area.height / 3);
+    const int step = std::clamp(room / map.levels, 1, 5 * scale);
+    const int gap = step > 2 * scale ? scale : step > 2 ? 1 : 0;
+    const int stack = step * map.levels - gap;
+    std::array<char, 12> text;
+    const std::string_view number = write(text, level);
+    const int bar = 9 * scale;
+    const int left = view.area.x + 5 * scale;
+    const int bottom = view.area.y + view.area.height - 3 * scale;
+    const int height = std::max(stack, 7 * scale);
+    blendRect(picture,
+              {view.area.x, bottom - height - 3 * scale,
+               bar + textWidth(number, scale) + 13 * scale, height + 6 * scale},
+              kPanelColour);
+    for (int i = 0; i < map.levels; ++i) {
+        const PixelRect place = {left, bottom - i * step - (step - gap), bar, step - gap};
+        const int more = i == level ? 2 * scale : 0;  // the one that is shown sticks out
+        blendRect(picture, {place.x, place.y, bar + more, place.height},
+                  i > level    ? withAlpha(kOverhang, 44)
+                  : i == level ? Colour{150, 182, 224, 255}
+                               : groundTone(level - 1 - i + 0.5));
+        if (i == std::clamp(eyeLevel, 0, map.levels - 1))
+            blendRect(picture,
+                      {place.x - 3 * scale, place.y + (place.height - scale) / 2, 2 * scale,
+                       std::max(scale, std::min(2 * scale, place.height))},
+                      kPlayer);
+    }
+    const int middle = bottom - level * step - (step - gap) / 2;
+    const int y = std::clamp(middle - 3 * scale, bottom - height, bottom - 7 * scale);
+    drawText(picture, left + bar + 5 * scale, y, number, {.scale = scale});
 }
 
 // How much of a pixel lies inside an edge whose distance from the pixel's middle is that many
@@ -260,13 +370,23 @@ int toAlpha(double part, int most) {
     return static_cast<int>(part * most + 0.5);
 }
 
-// The field of view, fading with distance, and the eye.
+// How far a place is inside an arrow head of that size, pixels: negative outside. `ahead` and
+// `aside` are from its middle, aside on either side.
+double insideArrow(double ahead, double aside, double size) {
+    // From the tip to a corner, and from the corner back to the notch
+    const double side = (1.5 * size - ahead) * 0.3810 - aside * 0.9246;
+    const double notch = (ahead + 0.5 * size) * 0.8575 + aside * 0.5145;
+    return std::min(side, notch);
+}
+
+// The field of view, fading with distance, and the eye as an arrow head.
 void drawEye(const MinimapView& view, const Eye& eye, double fovDegrees, const Picture& picture) {
     const Point forward =
         view.toPicture({cosDegrees(eye.headingDegrees), sinDegrees(eye.headingDegrees)});
     const SineCosine half = sineCosineDegrees(fovDegrees / 2.0);
     const double reach = view.area.width * 0.42;
-    const double radius = std::max(1.0, view.area.width / 48.0);
+    const double size = std::max(2.0, view.area.width / 30.0);
+    const double rimWidth = std::max(1.0, size / 4.0);
     for (int y = view.area.y; y < view.area.y + view.area.height; ++y) {
         for (int x = view.area.x; x < view.area.x + view.area.width; ++x) {
             const double right = x - view.centreX;
@@ -274,18 +394,19 @@ void drawEye(const MinimapView& view, const Eye& eye, double fovDegrees, const P
             const double ahead = right * forward.x + down * forward.y;
             const double aside = std::abs(down * forward.x - right * forward.y);
             const double squared = right * right + down * down;
-            if (squared > reach * reach ||
-                (ahead < -1.0 && squared > (radius + 2.0) * (radius + 2.0)))
-                continue;
+            if (squared > reach * reach || ahead < -2.0 * size) continue;
             const double distance = std::sqrt(squared);
             const double inside = coverage(ahead * half.sine - aside * half.cosine);
             const double near = std::max(0.0, 1.0 - distance / reach);
             if (inside > 0.0 && near > 0.0)
                 blendPixel(picture, x, y, withAlpha(kPlayer, toAlpha(inside * near, kFieldAlpha)));
-            const double rim = coverage(radius + 1.0 - distance);
-            const double dot = coverage(radius - distance);
-            if (rim > 0.0) blendPixel(picture, x, y, withAlpha(kPlayerRim, toAlpha(rim, 160)));
-            if (dot > 0.0) blendPixel(picture, x, y, withAlpha(kPlayer, toAlpha(dot, 255)));
+            if (squared > 9.0 * size * size) continue;
+            const double within = insideArrow(ahead, aside, size);
+            const double rim = coverage(within + rimWidth);
+            const double arrow = coverage(within);
+            if (rim > 0.0)
+                blendPixel(picture, x, y, withAlpha(kPlayerRim, toAlpha(rim, kPlayerRim.a)));
+            if (arrow > 0.0) blendPixel(picture, x, y, withAlpha(kPlayer, toAlpha(arrow, 255)));
         }
     }
 }
@@ -321,29 +442,16 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
         .centreX = layout.left + layout.side / 2,
         .centreY = layout.top + layout.side / 2,
         .up = sineCosineDegrees(options.turns ? eye.headingDegrees : kNorth)};
-    drawPanel(picture, {layout.left, layout.top, layout.side, layout.side});
-    drawTiles(world, map, level, view, picture);
+    const int scale = layoutOverlays(picture.width, picture.height).scale;
+    drawPanel(picture, {layout.left, layout.top, layout.side, layout.side}, scale);
+    drawTiles(world, map, level, view, scale, picture);
     drawMinimapObjects(world, eye.map, level, view, picture);
     if (options.reach > 0.0) drawReach(view, options.reach, picture);
     if (options.rays) drawRays(world, map, level, view, eye, options, picture);
     drawEye(view, eye, options.fovDegrees, picture);
-    if (layout.side < kLabelledSide) return;
-    const int scale = readableScale(picture.width, picture.height);
-    if (options.turns) drawNorth(view, scale, picture);
-
-    // Which level it is, where there are several
-    if (map.levels > 1) {
-        std::array<char, 20> text;
-        const std::string_view label = write(text, {"level ", level});
-        const int height = textHeight(label, scale);
-        const int x = view.area.x + 3 * scale;
-        const int y = view.area.y + view.area.height - height - scale;
-        blendRect(
-            picture,
-            {view.area.x, y - 2 * scale, textWidth(label, scale) + 6 * scale, height + 3 * scale},
-            kPanelColour);
-        drawText(picture, x, y, label, {.scale = scale});
-    }
+    if (layout.side < kMarkedSide * scale) return;
+    if (map.levels > 1) drawLevels(map, level, eye.z.tile(), view, scale, picture);
+    drawNorth(view, scale, picture);
 }
 
 }  // namespace slicecast

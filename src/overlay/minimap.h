@@ -1,16 +1,24 @@
 // The map from above, around the eye, in the upper left corner of a picture, north up or the way
-// that the eye looks. It shows one level:
+// that the eye looks; an N on the rim is north. It shows one level, and what is below and above it:
 //
 //     brick red, the brighter the higher      a block of part of the level's height
 //     slate blue                              a block that reaches the level's upper edge
 //     either of these, half through           a block that stands in the air
 //     grey, the darker the deeper             no block: how far down the ground lies below
+//     its own colour over the ground          water
+//     a light edge, a shadow                  a step down to the next tile, a step up
+//     a dashed line                           where something above the level begins
+//     gold; a golden frame                    a gate that is shut; one that is open
+//     purple stripes                          a block that moves
 //     nothing                                 outside the grid
 //     turquoise                               portals: a block's side, or a whole tile
 //     pale, or magenta with a line ahead      objects that stand still, and that move (see
-//     minimap_objects.h)
+//                                             minimap_objects.h)
 //
-// A yellow dot is the eye, with the field that it sees before it, and a circle about it as far as
+// A stack of bars in the lower left corner has a bar for each level, in the tone that its ground
+// has on the map, with the number of the level that is shown and a dot beside the eye's.
+//
+// A yellow arrow is the eye, with the field that it sees before it, and a circle about it as far as
 // it reaches. Green lines are level rays, each to the first block of the level that stands at their
 // height or to a portal, never into the map behind it.
 #pragma once

@@ -10,12 +10,13 @@
 
 namespace slicecast {
 
-inline constexpr int kPanelColumns = 22;  // characters
 inline constexpr int kPlayerPanelRows = 8;
-inline constexpr int kProcessPanelRows = 17;
+inline constexpr int kProcessPanelRows = 17;  // or as many of the first as there is room for
+inline constexpr int kProcessPanelRules = 3;  // fine lines between them, where all are there
 
 // The size of a panel in dots of the font.
-int panelWidthDots();
+inline constexpr int kPanelWidth = 136;
+inline constexpr int kRuleAdvance = 4;
 int panelHeightDots(int rows);
 
 struct PlayerFigures {

@@ -367,7 +367,7 @@ void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye,
         return;
     const int scale = layout.scale;
     const int padding = kPanelPadding * scale;
-    drawPanel(picture, panel);
+    drawPanel(picture, panel, scale);
     drawTitle(trace, panel, scale, picture);
 
     // Room for the title above, the marks of depth below and those of height on the left

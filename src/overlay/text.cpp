@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace slicecast {
 namespace {
@@ -13,9 +15,9 @@ constexpr int kGlyphsPerLine = 16;
 constexpr char kFirstGlyph = ' ';
 constexpr char kLastGlyph = '~';
 
-// The glyphs from the space on, sixteen to a line, each five columns wide. The last two rows hold
-// what hangs below the line. The very last one stands for every other character.
-constexpr std::array<std::array<const char*, kGlyphHeight>, 6> kGlyphs = {{
+// The glyphs from the space on, sixteen to a line, each at most five columns wide. The last two
+// rows hold what hangs below the line. The very last one stands for every other character.
+constexpr std::array<std::array<const char*, kGlyphHeight>, 6> kArt = {{
     {{
         "..... ..#.. .#.#. .#.#. ..#.. ##... .##.. ..#.. ...#. .#... ..... ..... ..... ..... ..... "
         "....#",
@@ -138,22 +140,61 @@ constexpr std::array<std::array<const char*, kGlyphHeight>, 6> kGlyphs = {{
     }},
 }};
 
+// A glyph as it is drawn: its columns with ink, but for digits, which are all equally wide.
+struct Glyph {
+    std::array<std::uint8_t, kGlyphHeight> rows{};  // bit n is column n
+    std::uint8_t width = 0;                         // dots
+};
+
+constexpr int kGlyphs = 6 * kGlyphsPerLine;
+constexpr int kSpaceWidth = 2;  // dots, and the one behind every glyph
+
+constexpr bool isDigit(int glyph) {
+    return glyph >= '0' - kFirstGlyph && glyph <= '9' - kFirstGlyph;
+}
+
+constexpr std::array<Glyph, kGlyphs> kFont = [] {
+    std::array<Glyph, kGlyphs> font{};
+    for (int i = 0; i < kGlyphs; ++i) {
+        Glyph& glyph = font[static_cast<std::size_t>(i)];
+        unsigned ink = 0;
+        for (int row = 0; row < kGlyphHeight; ++row) {
+            unsigned bits = 0;
+            const char* art =
+                kArt[static_cast<std::size_t>(i / kGlyphsPerLine)][static_cast<std::size_t>(row)];
+            for (int column = 0; column < kGlyphWidth; ++column) {
+                if (art[i % kGlyphsPerLine * (kGlyphWidth + 1) + column] == '#')
+                    bits |= 1u << column;
+            }
+            glyph.rows[static_cast<std::size_t>(row)] = static_cast<std::uint8_t>(bits);
+            ink |= bits;
+        }
+        if (isDigit(i)) ink = (1u << kGlyphWidth) - 1u;
+        while (ink != 0 && (ink & 1u) == 0) {
+            for (std::uint8_t& bits : glyph.rows) bits = static_cast<std::uint8_t>(bits >> 1);
+            ink >>= 1;
+        }
+        for (; ink != 0; ink >>= 1) ++glyph.width;
+        if (i == 0) glyph.width = kSpaceWidth;
+    }
+    return font;
+}();
+
 // The bytes after the first of a character in UTF-8 are part of it.
 constexpr bool continuesCharacter(char c) {
     return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;
 }
 
-constexpr int glyphOf(char c) {
-    return (c < kFirstGlyph || c > kLastGlyph ? kLastGlyph + 1 : c) - kFirstGlyph;
+const Glyph& glyphOf(char c) {
+    return kFont[static_cast<std::size_t>((c < kFirstGlyph || c > kLastGlyph ? kLastGlyph + 1 : c) -
+                                          kFirstGlyph)];
 }
 
-void drawGlyph(const Picture& picture, int x, int y, int glyph, const TextStyle& style) {
-    const auto& lines = kGlyphs[static_cast<std::size_t>(glyph / kGlyphsPerLine)];
-    const int firstColumn = glyph % kGlyphsPerLine * kGlyphAdvance;
+void drawGlyph(const Picture& picture, int x, int y, const Glyph& glyph, const TextStyle& style) {
     for (int row = 0; row < kGlyphHeight; ++row) {
-        const char* dots = lines[static_cast<std::size_t>(row)] + firstColumn;
+        const unsigned bits = glyph.rows[static_cast<std::size_t>(row)];
         for (int column = 0; column < kGlyphWidth; ++column) {
-            if (dots[column] != '#') continue;
+            if ((bits >> column & 1u) == 0) continue;
             blendRect(picture,
                       {x + column * style.scale, y + row * style.scale, style.scale, style.scale},
                       style.colour);
@@ -161,30 +202,40 @@ void drawGlyph(const Picture& picture, int x, int y, int glyph, const TextStyle&
     }
 }
 
+// Calls visit(glyph, x, line) for each character, x in dots from the line's beginning, and gives
+// the dots of the longest line and the number of lines.
 struct TextSize {
-    int columns = 0;  // characters of the longest line
+    int width = 0;
     int lines = 1;
 };
-
-TextSize sizeOf(std::string_view text) {
+template <typename Visit>
+TextSize layOut(std::string_view text, Visit visit) {
     TextSize size;
-    int columns = 0;
+    int x = 0;
     for (const char c : text) {
         if (c == '\n') {
             ++size.lines;
-            columns = 0;
+            x = 0;
+        } else if (c == '\t') {
+            x += kTabWidth - x % kTabWidth;
         } else if (!continuesCharacter(c)) {
-            size.columns = std::max(size.columns, ++columns);
+            const Glyph& glyph = glyphOf(c);
+            visit(glyph, x, size.lines - 1);
+            size.width = std::max(size.width, x + glyph.width);
+            x += glyph.width + 1;
         }
     }
     return size;
 }
 
+TextSize sizeOf(std::string_view text) {
+    return layOut(text, [](const Glyph&, int, int) {});
+}
+
 }  // namespace
 
 int textWidth(std::string_view text, int scale) {
-    const int columns = sizeOf(text).columns;
-    return columns == 0 ? 0 : (columns * kGlyphAdvance - 1) * scale;
+    return sizeOf(text).width * scale;
 }
 
 int textHeight(std::string_view text, int scale) {
@@ -192,17 +243,10 @@ int textHeight(std::string_view text, int scale) {
 }
 
 void drawText(const Picture& picture, int x, int y, std::string_view text, const TextStyle& style) {
-    int left = x;
-    int top = y;
-    for (const char c : text) {
-        if (c == '\n') {
-            left = x;
-            top += kLineAdvance * style.scale;
-        } else if (!continuesCharacter(c)) {
-            drawGlyph(picture, left, top, glyphOf(c), style);
-            left += kGlyphAdvance * style.scale;
-        }
-    }
+    layOut(text, [&](const Glyph& glyph, int right, int line) {
+        drawGlyph(picture, x + right * style.scale, y + line * kLineAdvance * style.scale, glyph,
+                  style);
+    });
 }
 
 void drawTextPanel(const Picture& picture, Anchor anchor, std::string_view text) {
@@ -228,7 +272,7 @@ void drawTextPanel(const Picture& picture, Anchor anchor, std::string_view text)
     panel.x = left ? margin : right ? freeX - margin : freeX / 2;
     panel.y = top ? margin : anchor == Anchor::middle ? freeY / 2 : freeY - margin;
 
-    drawPanel(picture, panel);
+    drawPanel(picture, panel, scale);
     drawText(picture, panel.x + kPanelPadding * scale, panel.y + kPanelPadding * scale, text,
              {.scale = scale});
 }

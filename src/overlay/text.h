@@ -1,5 +1,6 @@
-// Text over a picture, in a built-in font of printable ASCII: five columns wide, capitals seven
-// rows high, two rows below the line for g j p q y. Any other character shows as a box.
+// Text over a picture, in a built-in font of printable ASCII: letters as wide as they need, at most
+// five columns, digits all equally wide, so that numbers stand in columns; capitals seven rows
+// high, two rows below the line for g j p q y. Any other character shows as a box.
 #pragma once
 
 #include "base/colour.h"
@@ -12,8 +13,9 @@ namespace slicecast {
 
 inline constexpr int kGlyphWidth = 5;
 inline constexpr int kGlyphHeight = 9;
-inline constexpr int kGlyphAdvance = kGlyphWidth + 1;  // from one character to the next
+inline constexpr int kGlyphAdvance = kGlyphWidth + 1;  // from one digit to the next
 inline constexpr int kLineAdvance = kGlyphHeight + 2;  // from one line to the next
+inline constexpr int kTabWidth = 84;                   // dots; '\t' goes on at a multiple of it
 
 struct TextStyle {
     Colour colour = {240, 240, 232, 255};

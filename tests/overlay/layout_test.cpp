@@ -14,8 +14,8 @@ bool overlap(PixelRect a, PixelRect b) {
 }
 
 TEST(Layout, PanelsStandOnOneMarginAndApartFromEachOther) {
-    for (int width = 640; width <= 2600; width += 40) {
-        for (int height = 400; height <= 1800; height += 20) {
+    for (int width = 320; width <= 3840; width += 40) {
+        for (int height = 200; height <= 2160; height += 20) {
             const OverlayLayout layout = layoutOverlays(width, height);
             const int margin = layout.margin;
             const std::array<PixelRect, 4> panels = {layout.minimap, layout.player, layout.process,

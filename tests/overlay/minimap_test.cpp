@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -63,11 +65,12 @@ int brightness(Colour colour) {
     return colour.r + colour.g + colour.b;
 }
 
-TEST(Minimap, IsASquareOfAtMostAThirdOfThePicture) {
+TEST(Minimap, IsASquareOfAThirdOfThePictureAndMoreOfASmallOne) {
     for (const auto& [width, height] :
          {std::pair{1280, 720}, {160, 100}, {640, 400}, {320, 900}, {60, 45}, {8192, 8192}}) {
         const MinimapLayout layout = layoutMinimap(width, height);
-        EXPECT_LE(layout.side, std::min(width, height) / 3);
+        const int shorter = std::min(width, height);
+        EXPECT_LE(layout.side, shorter < 288 ? shorter * 2 / 5 : shorter / 3);
         EXPECT_GE(layout.side, std::min(width, height) / 3 - 1);
         EXPECT_LE(layout.left + layout.side, width);
         EXPECT_LE(layout.top + layout.side, height);
@@ -129,7 +132,9 @@ TEST(Minimap, ShowsTheLevelOfTheEyeOrTheChosenOne) {
     EXPECT_GT(brightness(seen.tile(0, -2)), brightness(seen.tile(3, -3)) + 10)
         << "ground at the level's base is lighter than the floor further down";
     const Seen chosen(world, eyeAt(20.5, 15.5, 0.5, 45.0), {.level = 1});
-    EXPECT_EQ(chosen.canvas.image.pixels, seen.canvas.image.pixels);
+    for (int y = -6; y <= 6; ++y) {
+        for (int x = -6; x <= 6; ++x) EXPECT_EQ(chosen.tile(x, y), seen.tile(x, y));
+    }
 }
 
 TEST(Minimap, ScrollsWithTheEyeAndEndsAtTheGrid) {
@@ -154,7 +159,7 @@ TEST(Minimap, TheFieldOfViewPointsWhereTheEyeLooks) {
         const int east[] = {1, 0, -1, 0};
         const int south[] = {0, 1, 0, -1};
         for (int side = 0; side < 4; ++side) {
-            const int shade = yellow(seen.tile(east[side], south[side]));
+            const int shade = yellow(seen.tile(3 * east[side], 3 * south[side]));
             if (side * 90 == heading) {
                 EXPECT_GT(shade, 60) << heading;
             } else {
@@ -190,7 +195,7 @@ TEST(Minimap, TurnsWithTheViewWhenAsked) {
     }
     // At any heading the field of view is up.
     const Seen slanted(world, eyeAt(20.5, 15.5, 0.5, 77.0), {.turns = true});
-    const Colour before = slanted.tile(0, -1);
+    const Colour before = slanted.tile(0, -3);
     EXPECT_GT(before.r + before.g - 2 * before.b, 60);
 }
 
@@ -340,6 +345,86 @@ TEST(Minimap, ShowsPortals) {
     EXPECT_LT(edge(0, half - 1), 120);
     EXPECT_LT(edge(-half + 1, 0), 120);
     EXPECT_LT(edge(half - 1, 0), 120);
+}
+
+TEST(Minimap, MarksWhereNorthIsWhenItIsUpToo) {
+    const Seen seen(smallWorld(), eyeAt(20.5, 15.5, 0.5, 0.0));
+    int bright = 0;
+    for (int y = 2; y <= 14; ++y) {
+        for (int x = -6; x <= 6; ++x)
+            bright += brightness(toColour(seen.canvas.at(
+                          seen.layout.left + seen.layout.side / 2 + x, seen.layout.top + y))) > 700;
+    }
+    EXPECT_GT(bright, 12) << "the letter";
+}
+
+TEST(Minimap, TellsGatesMoversWaterAndWhatIsAboveApart) {
+    World world = smallWorld();
+    Map& map = world.maps[0];
+    const auto add = [&](CellBlueprint block) {
+        world.blueprints.push_back(block);
+        return static_cast<BlueprintId>(world.blueprints.size() - 1);
+    };
+    CellBlueprint shut;
+    shut.gate = 0;
+    CellBlueprint open = shut;
+    open.passable = true;
+    CellBlueprint lift;
+    lift.motion = 0;
+    CellBlueprint pool;
+    pool.isWater = true;
+    map.setCell(23, 18, 1, add(shut));
+    map.setCell(17, 18, 1, add(open));
+    map.setCell(23, 12, 1, add(lift));
+    map.setCell(17, 12, 0, add(pool));
+    map.setCell(20, 18, 2, 1);
+    // Larger than what the small world's other tests draw, to see the edges
+    const Seen seen(world, eyeAt(20.5, 15.5, 1.5, 90.0), {}, 1600, 1200);
+    const Seen without(smallWorld(), eyeAt(20.5, 15.5, 1.5, 90.0), {}, 1600, 1200);
+    const auto golden = [](Colour colour) { return colour.r + colour.g - 2 * colour.b; };
+    const int size = seen.layout.pixelsPerTile;
+    const auto at = [&](const Seen& drawn, int east, int south, int right, int down) {
+        const int middle = drawn.layout.side / 2;
+        return toColour(drawn.canvas.at(drawn.layout.left + middle + east * size + right,
+                                        drawn.layout.top + middle + south * size + down));
+    };
+    EXPECT_GT(golden(at(seen, 3, 3, 0, 0)), 200) << "a shut gate";
+    EXPECT_LT(golden(at(seen, -3, 3, 0, 0)), 60) << "one goes through an open one";
+    EXPECT_GT(golden(at(seen, -3, 3, size / 2 - 2, 0)), 200) << "its frame";
+    int stripes = 0;
+    int block = 0;
+    for (int x = -size / 4; x < size / 4; ++x) {
+        const Colour colour = at(seen, 3, -3, x, 0);
+        (colour.r > 180 && colour.b > 230 ? stripes : block) += 1;
+    }
+    EXPECT_GT(stripes, size / 10) << "a block that moves";
+    EXPECT_GT(block, size / 10);
+    const Colour water = at(seen, -3, -3, 0, 0);
+    EXPECT_GT(water.b, water.r + 40);
+    EXPECT_GT(water.g, water.r + 20);
+    EXPECT_EQ(at(seen, 0, 3, 0, 0), at(without, 0, 3, 0, 0)) << "one looks past what is above";
+    int dashes = 0;
+    for (int x = -size / 2 + 2; x < size / 2 - 2; ++x)
+        dashes += at(seen, 0, 3, x, -size / 2) != at(without, 0, 3, x, -size / 2);
+    EXPECT_GT(dashes, size / 4) << "its edge";
+    EXPECT_LT(dashes, size * 3 / 4) << "dashed";
+}
+
+TEST(Minimap, AStackOfBarsTellsTheLevels) {
+    const World world = smallWorld();
+    const auto corner = [&](int level) {
+        const Seen seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = level});
+        std::vector<Pixel> pixels;
+        for (int y = -20; y < -2; ++y) {
+            for (int x = 2; x < 24; ++x)
+                pixels.push_back(
+                    seen.canvas.at(seen.layout.left + x, seen.layout.top + seen.layout.side + y));
+        }
+        return pixels;
+    };
+    EXPECT_NE(corner(0), corner(1));
+    EXPECT_NE(corner(1), corner(2));
+    EXPECT_NE(corner(0), corner(2));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,35 +17,43 @@ namespace {
 
 constexpr Colour kTextColour = TextStyle{}.colour;
 
-// The brightly written values of a panel's rows, read back by comparing with what the font draws.
-std::vector<std::string> valuesOf(const Canvas& canvas, PixelRect panel, int scale, int rows) {
-    std::vector<std::string> values;
-    const int right = panel.x + panel.width - kPanelPadding * scale;
-    for (int row = 0; row < rows; ++row) {
-        const int y = panel.y + (kPanelPadding + row * kLineAdvance) * scale;
-        std::string value;
-        for (int x = right - kGlyphWidth * scale; x > panel.x; x -= kGlyphAdvance * scale) {
-            char found = 0;
-            for (char c = ' '; c <= '~' && found == 0; ++c) {
-                Canvas glyph(kGlyphWidth * scale, kGlyphHeight * scale);
-                drawText(glyph.picture, 0, 0, std::string(1, c), {.scale = scale});
-                bool same = true;
-                for (int dy = 0; dy < kGlyphHeight * scale && same; ++dy) {
-                    for (int dx = 0; dx < kGlyphWidth * scale && same; ++dx) {
-                        same = (toColour(canvas.at(x + dx, y + dy)) == kTextColour) ==
-                               glyph.touched(dx, dy);
-                    }
-                }
-                if (same) found = c;
-            }
-            if (found == 0) break;
-            value.insert(value.begin(), found);
+struct Value {
+    std::string text;
+    std::string unit = "";
+};
+
+// Whether a text, and nothing more, is written brightly so that it ends there.
+bool endsAt(const Canvas& canvas, int right, int y, int scale, const std::string& text) {
+    const int width = textWidth(text, scale);
+    const int gap = 4 * scale;
+    Canvas written(width + gap, kGlyphHeight * scale);
+    drawText(written.picture, gap, 0, text, {.scale = scale});
+    for (int dy = 0; dy < written.picture.height; ++dy) {
+        for (int dx = 0; dx < written.picture.width; ++dx) {
+            const bool bright =
+                toColour(canvas.at(right - width - gap + dx, y + dy)) == kTextColour;
+            if (bright != written.touched(dx, dy)) return false;
         }
-        const std::size_t first = value.find_first_not_of(' ');
-        values.push_back(first == std::string::npos ? "" : value.substr(first));
     }
-    return values;
+    return true;
 }
+
+// The rows below a rule are further down.
+void expectValues(const Canvas& canvas, PixelRect panel, int scale,
+                  const std::vector<Value>& values, const std::vector<int>& rules = {}) {
+    int y = panel.y + kPanelPadding * scale;
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        if (std::count(rules.begin(), rules.end(), static_cast<int>(row)) > 0)
+            y += kRuleAdvance * scale;
+        const Value& value = values[row];
+        int right = panel.x + panel.width - kPanelPadding * scale;
+        if (!value.unit.empty()) right -= textWidth(value.unit, scale) + 3 * scale;
+        EXPECT_TRUE(endsAt(canvas, right, y, scale, value.text)) << row << ": " << value.text;
+        y += kLineAdvance * scale;
+    }
+}
+
+const std::vector<int> kProcessRules = {2, 5, 14};
 
 TEST(Panels, ThePlayersTellsWhereAndHow) {
     for (const auto& [width, height] : {std::pair{640, 400}, {1280, 720}}) {
@@ -60,43 +69,39 @@ TEST(Panels, ThePlayersTellsWhereAndHow) {
                          .crouched = true},
                         canvas.picture);
         const OverlayLayout layout = layoutOverlays(width, height);
-        EXPECT_EQ(valuesOf(canvas, layout.player, layout.scale, kPlayerPanelRows),
-                  (std::vector<std::string>{"castle yard", "12.35", "3.50", "0.50", "S  88.2",
-                                            "-0.125", "3.00 /s", "crouching"}));
+        expectValues(canvas, layout.player, layout.scale,
+                     {{"castle yard"},
+                      {"12.35"},
+                      {"3.50"},
+                      {"0.50"},
+                      {"88.2"},
+                      {"-0.125"},
+                      {"3.00", "/s"},
+                      {"crouching"}});
     }
 }
 
+// The end of the name of the wind stays where it is, however many digits the number has.
 TEST(Panels, NumbersKeepTheirPlaces) {
     const OverlayLayout layout = layoutOverlays(640, 400);
-    for (const auto& [heading, shown] : {std::pair{0.0, "E   0.0"},
-                                         {9.94, "E   9.9"},
-                                         {9.95, "E   9.9"},
-                                         {9.96, "E  10.0"},
-                                         {99.96, "S 100.0"}}) {
+    const int right = layout.player.x + layout.player.width - kPanelPadding;
+    const int y = layout.player.y + kPanelPadding + 4 * kLineAdvance;
+    for (const auto& [heading, number, wind] : {std::tuple{0.0, "0.0", "E"},
+                                                {9.94, "9.9", "E"},
+                                                {9.96, "10.0", "E"},
+                                                {22.4, "22.4", "E"},
+                                                {22.6, "22.6", "SE"},
+                                                {90.0, "90.0", "S"},
+                                                {99.96, "100.0", "S"},
+                                                {180.0, "180.0", "W"},
+                                                {270.0, "270.0", "N"},
+                                                {315.0, "315.0", "NE"},
+                                                {359.9, "359.9", "E"}}) {
         Canvas canvas(640, 400);
         drawPlayerPanel({.map = "m", .headingDegrees = heading, .look = -0.0}, canvas.picture);
-        const std::vector<std::string> values =
-            valuesOf(canvas, layout.player, layout.scale, kPlayerPanelRows);
-        EXPECT_EQ(values[4], shown) << heading;
-        EXPECT_EQ(values[5], "+0.000");
-    }
-}
-
-TEST(Panels, TheWindIsTheNearestOfEight) {
-    const OverlayLayout layout = layoutOverlays(640, 400);
-    for (const auto& [heading, wind] : {std::pair{0.0, "E"},
-                                        {22.4, "E"},
-                                        {22.6, "SE"},
-                                        {90.0, "S"},
-                                        {180.0, "W"},
-                                        {270.0, "N"},
-                                        {315.0, "NE"},
-                                        {359.9, "E"}}) {
-        Canvas canvas(640, 400);
-        drawPlayerPanel({.map = "m", .headingDegrees = heading}, canvas.picture);
-        const std::string value =
-            valuesOf(canvas, layout.player, layout.scale, kPlayerPanelRows)[4];
-        EXPECT_EQ(value.substr(0, value.find(' ')), wind) << heading;
+        EXPECT_TRUE(endsAt(canvas, right, y, 1, number)) << heading;
+        EXPECT_TRUE(endsAt(canvas, right - 6 * kGlyphAdvance, y, 1, wind)) << heading;
+        EXPECT_TRUE(endsAt(canvas, right, y + kLineAdvance, 1, "+0.000"));
     }
 }
 
@@ -124,16 +129,35 @@ TEST(Panels, TheProcessTellsTimesAndCounts) {
                       .slicesPerPicture = -3,
                       .slow = true},
                      canvas.picture);
-    EXPECT_EQ(valuesOf(canvas, layout.process, layout.scale, kProcessPanelRows),
-              (std::vector<std::string>{"640 x 400", "59.9 /s", "0.01 ms", "4.50 ms", "0.25 ms",
-                                        "12345", "678", "90", "256001", "890", "21", "8", "345",
-                                        "4567", "1.50 x 5.0", "x 1.50", "1 in 3 frames"}));
+    const auto expectProcess = [&](const Canvas& drawn, const std::vector<Value>& values) {
+        expectValues(drawn, layout.process, layout.scale, values, kProcessRules);
+    };
+    expectProcess(canvas, {{"640 x 400"},
+                           {"59.9", "/s"},
+                           {"0.01", "ms"},
+                           {"4.50", "ms"},
+                           {"0.25", "ms"},
+                           {"12345"},
+                           {"678"},
+                           {"90"},
+                           {"256001"},
+                           {"890"},
+                           {"21"},
+                           {"8"},
+                           {"345"},
+                           {"4567"},
+                           {"1.50 x 5.0"},
+                           {"x 1.50"},
+                           {"1 in 3", "frames"}});
 
     Canvas without(640, 400);
     drawProcessPanel({.intensity = 0.5, .multiplier = 10.0}, without.picture);
-    EXPECT_EQ(valuesOf(without, layout.process, layout.scale, kProcessPanelRows),
-              (std::vector<std::string>{"640 x 400", "-", "-", "-", "-", "-", "-", "-", "-", "-",
-                                        "-", "-", "-", "-", "0.50 x 10.0", "x 1.00", "all"}));
+    std::vector<Value> values(kProcessPanelRows, Value{"-"});
+    values[0] = {"640 x 400"};
+    values[14] = {"0.50 x 10.0"};
+    values[15] = {"x 1.00"};
+    values[16] = {"all"};
+    expectProcess(without, values);
 }
 
 TEST(Panels, GreatCountsAreNotCut) {
@@ -150,9 +174,26 @@ TEST(Panels, GreatCountsAreNotCut) {
     const OverlayLayout layout = layoutOverlays(640, 400);
     Canvas canvas(640, 400);
     drawProcessPanel({.report = &report}, canvas.picture);
-    const std::vector<std::string> values =
-        valuesOf(canvas, layout.process, layout.scale, kProcessPanelRows);
-    EXPECT_EQ(std::count(values.begin(), values.end(), std::to_string(kGreat)), 9);
+    std::vector<Value> values(kProcessPanelRows, Value{std::to_string(kGreat)});
+    for (int i = 0; i < 5; ++i) values[static_cast<std::size_t>(i)] = {"-"};
+    values[0] = {"640 x 400"};
+    values[14] = {"0.00 x 0.0"};
+    values[15] = {"x 1.00"};
+    values[16] = {"all"};
+    expectValues(canvas, layout.process, layout.scale, values, kProcessRules);
+}
+
+// A small picture shows the first rows, one with room for all of them all.
+TEST(Panels, TheProcessShowsAsManyRowsAsThereIsRoomFor) {
+    const OverlayLayout layout = layoutOverlays(320, 200);
+    EXPECT_GE(layout.processRows, 6);
+    EXPECT_LT(layout.processRows, kProcessPanelRows);
+    Canvas canvas(320, 200);
+    drawProcessPanel({.mirrors = 2.0}, canvas.picture);
+    std::vector<Value> values(static_cast<std::size_t>(layout.processRows), Value{"-"});
+    values[0] = {"320 x 200"};
+    expectValues(canvas, layout.process, 1, values);
+    EXPECT_EQ(layoutOverlays(640, 400).processRows, kProcessPanelRows);
 }
 
 TEST(Panels, ALongNameIsCutNotSpilt) {

@@ -46,11 +46,23 @@ TEST(Text, EveryCharacterLooksDifferent) {
     EXPECT_EQ(seen.size(), 95u);
 }
 
+TEST(Text, LettersAreAsWideAsTheyNeedAndDigitsAllAlike) {
+    EXPECT_LT(textWidth("illicit"), textWidth("mammals"));
+    for (char c = '0'; c <= '9'; ++c) EXPECT_EQ(textWidth(std::string(4, c)), textWidth("0000"));
+    EXPECT_EQ(textWidth("1"), kGlyphWidth);
+    EXPECT_EQ(textWidth("l"), 3);
+}
+
+TEST(Text, ATabGoesOnInTheNextColumn) {
+    EXPECT_EQ(textWidth("W\tahead"), kTabWidth + textWidth("ahead"));
+    EXPECT_EQ(textWidth("Page Down\tcrouch"), kTabWidth + textWidth("crouch"));
+}
+
 TEST(Text, OtherCharactersAreBoxesOneEach) {
     Canvas box(40, 12);
     Canvas others(40, 12);
     drawText(box.picture, 0, 0, "\x7f\x7f\x7f");
-    drawText(others.picture, 0, 0, "\t\xc3\xa4\xe2\x82\xac");  // a tab, an a with dots, a euro sign
+    drawText(others.picture, 0, 0, "\x01\xc3\xa4\xe2\x82\xac");  // an a with dots, a euro sign
     EXPECT_EQ(picture(box), picture(others));
     EXPECT_GT(box.touchedPixels(), 0);
     EXPECT_EQ(textWidth("\xc3\xa4\xe2\x82\xac"), textWidth("ab"));
