@@ -48,7 +48,7 @@ for (const name of (await readdir(lessons)).filter((file) => file.endsWith('.htm
     await mkdir(path.dirname(file), { recursive: true });
     await writeFile(
       file,
-      encode({ ...scene.picture(kSize), channels: 4, depth: 8 }, { zlib: { level: 9 } }),
+      encode({ ...scene.pixels(kSize), channels: 4, depth: 8 }, { zlib: { level: 9 } }),
     );
     scene.free();
   }

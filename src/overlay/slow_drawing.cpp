@@ -3,6 +3,7 @@
 #include "overlay/blend.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace slicecast {
 namespace {
@@ -11,11 +12,26 @@ constexpr Colour kFrontLine = {255, 214, 74, 230};
 
 }  // namespace
 
+void drawColumns(const Picture& picture, int count, const Image* before) {
+    if (count >= picture.width) return;
+    for (int y = 0; y < picture.height; ++y) {
+        Pixel* const rest = picture.row(y) + count;
+        Pixel* const end = picture.row(y) + picture.width;
+        if (before != nullptr) {
+            const Pixel* const shown = before->pixels.data() + std::ptrdiff_t{y} * picture.width;
+            std::copy(shown + count, shown + picture.width, rest);
+        } else {
+            std::fill(rest, end, toPixel(kNotYetDrawn));
+        }
+    }
+    blendRect(picture, {count, 0, 1, picture.height}, kFrontLine);
+}
+
 void SlowDrawing::show(const Picture& picture, int slices) {
     // A picture of another size begins anew.
-    if (shown_.width != picture.width || shown_.height != picture.height) {
-        shown_ = Image(picture.width, picture.height);
-        std::fill(shown_.pixels.begin(), shown_.pixels.end(), toPixel(kNotYetDrawn));
+    if (before_.width != picture.width || before_.height != picture.height) {
+        before_ = Image(picture.width, picture.height);
+        std::fill(before_.pixels.begin(), before_.pixels.end(), toPixel(kNotYetDrawn));
         next_ = waited_ = 0;
     }
 
@@ -26,22 +42,18 @@ void SlowDrawing::show(const Picture& picture, int slices) {
         if (due > 0) waited_ = 0;
     }
 
-    // They are kept; the picture becomes what has been kept so far.
-    for (int y = 0; y < picture.height; ++y) {
-        Pixel* kept = &shown_.at(0, y);
-        Pixel* row = picture.row(y);
-        for (int i = 0; i < due; ++i) {
-            const int x = (next_ + i) % picture.width;
-            kept[x] = row[x];
-        }
-        std::copy(kept, kept + picture.width, row);
+    // All of them: what comes next is drawn over this picture.
+    next_ += due;
+    if (next_ >= picture.width) {
+        next_ -= picture.width;
+        for (int y = 0; y < picture.height; ++y)
+            std::copy(picture.row(y), picture.row(y) + picture.width, &before_.at(0, y));
     }
-    next_ = (next_ + due) % picture.width;
-    blendRect(picture, {next_, 0, 1, picture.height}, kFrontLine);
+    drawColumns(picture, next_, &before_);
 }
 
 void SlowDrawing::restart() {
-    shown_ = Image();
+    before_ = Image();
 }
 
 }  // namespace slicecast

@@ -6,6 +6,7 @@
 #include "render/strip.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 namespace slicecast {
@@ -43,6 +44,7 @@ void shareOut(SliceTrace& trace) {
         if (rows.hit < 0 && rows.object < 0) trace.planes.push_back(rows);
     }
     for (Hit& hit : trace.hits) {
+        if (hit.filled.size() < 2) continue;
         mergeSort(hit.filled, [](const FilledRows& a, const FilledRows& b) {
             return std::tie(a.first, a.last, a.what, a.face) <
                    std::tie(b.first, b.last, b.what, b.face);
@@ -75,17 +77,43 @@ const FrameReport& Renderer::report() const {
 }
 
 SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options,
-                           int width, int height, int column) {
+                           int width, int height, int column, int watchedRow) {
+    SliceTrace one;
+    one.watchedRow = watchedRow;
+    traceInto(world, eye, options, width, height, {&column, 1}, one, [](SliceTrace&) {});
+    return one;
+}
+
+void Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
+                     int height, std::span<const int> columns,
+                     const std::function<void(SliceTrace&)>& take) {
     SliceTrace trace;
-    if (!canDraw(world, eye, options, width, height) || column < 0 || column >= width) return trace;
+    traceInto(world, eye, options, width, height, columns, trace, take);
+}
+
+// Each column in turn, in the memory of the one before.
+void Renderer::traceInto(const World& world, const Eye& eye, const RenderOptions& options,
+                         int width, int height, std::span<const int> columns, SliceTrace& trace,
+                         const std::function<void(SliceTrace&)>& take) {
+    const bool canTrace = canDraw(world, eye, options, width, height);
     Scratch& s = *scratch_;
-    s.strip.resize(height);
+    std::optional<Frame> frame;
+    std::optional<Slice> slice;
     FrameReport report;
-    const Frame frame(world, eye, options, width, height, s.textures, s.vistas);
-    Slice(frame, s.slice, report).draw(column, s.strip.column(0), &trace);
-    shareOut(trace);
-    for (SliceTrace& reflection : trace.reflection) shareOut(reflection);
-    return trace;
+    if (canTrace) {
+        s.strip.resize(height);
+        frame.emplace(world, eye, options, width, height, s.textures, s.vistas);
+        slice.emplace(*frame, s.slice, report);
+    }
+    for (const int column : columns) {
+        trace.clear();
+        if (canTrace && column >= 0 && column < width) {
+            slice->draw(column, s.strip.column(0), &trace);
+            shareOut(trace);
+            for (SliceTrace& reflection : trace.reflection) shareOut(reflection);
+        }
+        take(trace);
+    }
 }
 
 }  // namespace slicecast

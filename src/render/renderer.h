@@ -20,7 +20,9 @@
 #include "render/trace.h"
 #include "world/world.h"
 
+#include <functional>
 #include <memory>
+#include <span>
 
 namespace slicecast {
 
@@ -43,11 +45,20 @@ public:
     const FrameReport& report() const;
 
     // Everything that one column of such a picture does, drawn nowhere. An invalid eye or column
-    // gives an empty trace.
+    // gives an empty trace. `watchedRow` (-1 for none) is told in full: FilledRows::watched.
     SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
-                     int height, int column);
+                     int height, int column, int watchedRow = -1);
+
+    // The same for many columns, one after another: what they share is worked out once.
+    void trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
+               int height, std::span<const int> columns,
+               const std::function<void(SliceTrace&)>& take);
 
 private:
+    void traceInto(const World& world, const Eye& eye, const RenderOptions& options, int width,
+                   int height, std::span<const int> columns, SliceTrace& trace,
+                   const std::function<void(SliceTrace&)>& take);
+
     struct Scratch;
     std::unique_ptr<Scratch> scratch_;
 };

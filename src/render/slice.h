@@ -221,6 +221,10 @@ private:
                    int first, int last, bool layer);
     void tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first,
                     int last, bool layer);
+    bool watches(int first, int last) const {
+        return first <= trace_->watchedRow && trace_->watchedRow < last;
+    }
+    void tracePoint(const TracedTexel& texel);
     SliceTrace& traceReflection();
     static void turnUpright(SliceTrace& trace, int height);
     void traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step,

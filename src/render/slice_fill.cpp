@@ -121,6 +121,7 @@ void Slice::traceSide(const Block& block, Face face, const Crossing& border, con
     };
     rows.top = texelAt(first);
     rows.bottom = texelAt(last - 1);
+    if (watches(first, last)) tracePoint(texelAt(trace_->watchedRow));
     rows.rowsOfDetail[static_cast<std::size_t>(detail)] = static_cast<std::uint16_t>(last - first);
 }
 

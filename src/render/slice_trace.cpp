@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace slicecast {
@@ -20,8 +21,23 @@ FilledRows& Slice::traceRun(int level, FilledRows::What what, Face face, int fir
     rows.texture = texture;
     if (level != kNoLevel)
         rows.hit = static_cast<int>(trace_->hits.size()) - std::popcount(tracedLevels_ >> level);
+    if (watches(first, last)) {
+        SeenPoint& point = trace_->seen.emplace_back();
+        point.run = static_cast<int>(trace_->filled.size());
+        point.texel.depth = std::numeric_limits<double>::infinity();
+    }
     trace_->filled.push_back(rows);
     return trace_->filled.back();
+}
+
+// The point that the watched row shows of the run that has just been told.
+void Slice::tracePoint(const TracedTexel& texel) {
+    SeenPoint& point = trace_->seen.back();
+    const double along = texel.depth / projection_->distance;
+    point.texel = texel;
+    point.x = eyeTileX_ + eyeFractionX_ + ray_.x * along;
+    point.y = eyeTileY_ + eyeFractionY_ + ray_.y * along;
+    point.z = eyeHeight_ + projection_->upwardSlope(trace_->watchedRow) * texel.depth;
 }
 
 // What is no side: the rows of a plane have just been gathered.
@@ -61,6 +77,7 @@ void Slice::tracePlane(int level, FilledRows::What what, Face face, const PlaneR
     };
     traced.top = texelAt(first);
     traced.bottom = texelAt(last - 1);
+    if (watches(first, last)) tracePoint(texelAt(trace_->watchedRow));
     for (int row = first; row < last; ++row) {
         ++traced.rowsOfDetail[static_cast<std::size_t>(
             frame_.detail.levelAt(distance * projection_->distance * vista_->inverseOffsets[row],
@@ -88,6 +105,7 @@ void Slice::traceObject(const FrameObject& object, int u, std::uint64_t start, s
     };
     rows.top = texelAt(first);
     rows.bottom = texelAt(last - 1);
+    if (watches(first, last)) tracePoint(texelAt(trace_->watchedRow));
     rows.rowsOfDetail[static_cast<std::size_t>(detail)] = static_cast<std::uint16_t>(last - first);
     trace_->objects.push_back(
         {vista_->viewpoint.map, portals_, object.index, object.depth, first, last});
@@ -100,6 +118,9 @@ SliceTrace& Slice::traceReflection() {
     reflection.rayY = trace_->rayY;
     reflection.horizonRow = trace_->horizonRow;
     reflection.projectionDistance = trace_->projectionDistance;
+    // The column stands upside down until turnUpright.
+    if (trace_->watchedRow >= 0)
+        reflection.watchedRow = frame_.vistas.projection().height - 1 - trace_->watchedRow;
     return reflection;
 }
 
@@ -108,6 +129,7 @@ void Slice::turnUpright(SliceTrace& trace, int height) {
     const auto turn = [height](auto& rows) {
         rows.first = height - std::exchange(rows.last, height - rows.first);
     };
+    if (trace.watchedRow >= 0) trace.watchedRow = height - 1 - trace.watchedRow;
     for (FilledRows& rows : trace.filled) {
         turn(rows);
         std::swap(rows.top, rows.bottom);

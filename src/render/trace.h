@@ -118,8 +118,18 @@ struct MirroredRows {
     int last = 0;
 };
 
+// What the ray of the watched row meets: a run of rows that holds it, and the point of it there.
+struct SeenPoint {
+    int run = 0;             // index into SliceTrace::filled
+    TracedTexel texel = {};  // where there is a texture; else its depth is infinite
+    double x = 0.0;          // of the run's map, units; of no meaning where there is no texture
+    double y = 0.0;
+    double z = 0.0;
+};
+
 // Everything that one slice did, in the order in which it happened.
 struct SliceTrace {
+    int watchedRow = -1;  // asked for: the row of which `seen` tells; -1 for none
     int column = 0;
     double rayX = 0.0;  // the ground direction per unit of perpendicular depth
     double rayY = 0.0;
@@ -134,6 +144,20 @@ struct SliceTrace {
     std::vector<MirroredRows> mirrors;
     std::vector<SliceTrace> reflection;  // one, of what is seen in them, if there are any; its rows
                                          // are those of the picture
+    std::vector<SeenPoint> seen;         // front to back: layers, then what lies behind them
+
+    // Forgets all that is told; the memory is kept.
+    void clear() {
+        tiles.clear();
+        hits.clear();
+        filled.clear();
+        planes.clear();
+        objects.clear();
+        portals.clear();
+        mirrors.clear();
+        reflection.clear();
+        seen.clear();
+    }
 };
 
 // Sums over a frame.

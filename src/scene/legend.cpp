@@ -56,6 +56,12 @@ std::optional<std::uint16_t> Legend::find(char32_t character) const {
     return std::nullopt;
 }
 
+std::vector<std::pair<char32_t, std::uint16_t>> Legend::entries() const {
+    std::vector<std::pair<char32_t, std::uint16_t>> entries;
+    for (const char32_t character : order_) entries.emplace_back(character, *find(character));
+    return entries;
+}
+
 std::string Legend::characters() const {
     constexpr std::size_t kMostShown = 24;
     std::string list;

@@ -25,6 +25,9 @@ public:
     // Where the legend could not be read, no character is unknown: the others have number 0.
     void takeAny() { takesAny_ = true; }
 
+    // What has been set, in that order.
+    std::vector<std::pair<char32_t, std::uint16_t>> entries() const;
+
     // `'#', '=', '.' or a space`, for messages.
     std::string characters() const;
 

@@ -34,8 +34,18 @@ const std::string& mapName(const World& world, int map) {
     return world.maps[static_cast<std::size_t>(map)].name;
 }
 
-void writePair(JsonText& json, const char* key, double a, double b) {
-    json.key(key).beginArray().number(a).number(b).endArray();
+static void writeEnd(JsonText& json, const World& world, const char* key, int map, int x, int y) {
+    json.key(key).beginObject().key("map").text(mapName(world, map));
+    writePair(json, "tile", x, y);
+    json.endObject();
+}
+
+void writePortalEnds(JsonText& json, const World& world, PortalId id, int portalsBefore) {
+    const Portal& portal = world.portals[id];
+    json.key("portals").number(portalsBefore);
+    writeEnd(json, world, "from", portal.fromMap, portal.fromX, portal.fromY);
+    writeEnd(json, world, "to", portal.toMap, portal.toX, portal.toY);
+    json.key("turn").number(90 * portal.turn).key("levels").number(portal.levels);
 }
 
 void writeRows(JsonText& json, int first, int last) {
@@ -47,7 +57,7 @@ void writeView(JsonText& json, const Session& session, const std::string& sceneN
     const Eye eye = session.eye();
     json.line(1).key("scene").text(sceneName);
     json.line(1).key("map").text(mapName(session.world(), eye.map));
-    writePair(json.line(1), "size", width, height);
+    json.line(1).key("size").pair(width, height);
     json.line(1)
         .key("eye")
         .beginObject()
@@ -140,23 +150,10 @@ void writeObject(JsonText& json, const World& world, const SeenObject& seen) {
     json.endObject();
 }
 
-void writeEnd(JsonText& json, const World& world, const char* key, int map, int x, int y) {
-    json.key(key).beginObject().key("map").text(mapName(world, map));
-    writePair(json, "tile", x, y);
-    json.endObject();
-}
-
 void writePortal(JsonText& json, const World& world, const PassedPortal& passed) {
-    const Portal& portal = world.portals[passed.portal];
-    json.beginObject().key("portals").number(passed.portals);
-    writeEnd(json, world, "from", portal.fromMap, portal.fromX, portal.fromY);
-    writeEnd(json, world, "to", portal.toMap, portal.toX, portal.toY);
-    json.key("turn")
-        .number(90 * portal.turn)
-        .key("levels")
-        .number(portal.levels)
-        .key("depth")
-        .number(passed.depth);
+    json.beginObject();
+    writePortalEnds(json, world, passed.portal, passed.portals);
+    json.key("depth").number(passed.depth);
     writeRows(json, passed.first, passed.last);
     json.endObject();
 }
@@ -189,7 +186,7 @@ void writeHits(JsonText& json, const Session& session, const SliceTrace& trace) 
     json.line(1).key("column").number(trace.column);
     json.line(1).key("horizonRow").number(trace.horizonRow);
     json.line(1).key("projectionDistance").number(trace.projectionDistance);
-    writePair(json.line(1), "ray", trace.rayX, trace.rayY);
+    json.line(1).key("ray").pair(trace.rayX, trace.rayY);
     writeAll(json, world, "tiles", trace.tiles, writeTile);
     writeAll(json, world, "hits", trace.hits, writeHit);
     writeFilled(json.line(1).key("planes"), world, trace.planes, true);
@@ -198,13 +195,33 @@ void writeHits(JsonText& json, const Session& session, const SliceTrace& trace) 
     writeAll(json, world, "mirrors", trace.mirrors, writeMirror);
 }
 
+namespace {
+
+void writeColumn(JsonText& json, const Session& session, const std::string& sceneName, int width,
+                 int height, const SliceTrace& trace) {
+    json.beginObject();
+    writeView(json, session, sceneName, width, height);
+    writeHits(json, session, trace);
+    json.line(0).endObject();
+}
+
+}  // namespace
+
 std::string hitsJson(Session& session, const std::string& sceneName, int width, int height,
                      int column) {
     JsonText json;
-    json.beginObject();
-    writeView(json, session, sceneName, width, height);
-    writeHits(json, session, session.trace(width, height, column));
-    return json.line(0).endObject().str() + "\n";
+    writeColumn(json, session, sceneName, width, height, session.trace(width, height, column));
+    return json.str() + "\n";
+}
+
+void packHits(Session& session, const std::string& sceneName, int width, int height,
+              std::span<const int> columns, PackedValues& packed) {
+    JsonText json(packed);
+    json.beginArray();
+    session.trace(width, height, columns, [&](const SliceTrace& trace) {
+        writeColumn(json, session, sceneName, width, height, trace);
+    });
+    json.endArray();
 }
 
 }  // namespace slicecast

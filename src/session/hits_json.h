@@ -36,6 +36,8 @@
 #include "session/json_text.h"
 #include "session/session.h"
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 namespace slicecast {
@@ -44,13 +46,21 @@ namespace slicecast {
 std::string hitsJson(Session& session, const std::string& sceneName, int width, int height,
                      int column);
 
+// The same of many columns, packed as an array (json_text.h).
+void packHits(Session& session, const std::string& sceneName, int width, int height,
+              std::span<const int> columns, PackedValues& packed);
+
 // Parts of it, which traces consist of too (trace_json.h). From "scene" to "fov":
 void writeView(JsonText& json, const Session& session, const std::string& sceneName, int width,
                int height);
 // The rest, from "column" on:
 void writeHits(JsonText& json, const Session& session, const SliceTrace& trace);
-void writePair(JsonText& json, const char* key, double a, double b);
+template <std::size_t size>
+void writePair(JsonText& json, const char (&key)[size], double a, double b) {
+    json.key(key).pair(a, b);
+}
 void writeRows(JsonText& json, int first, int last);  // [first, last) as both included
+void writePortalEnds(JsonText& json, const World& world, PortalId id, int portalsBefore);
 const char* nameOf(FilledRows::What what);
 const char* nameOf(Face face);
 const std::string& mapName(const World& world, int map);

@@ -45,9 +45,10 @@ struct SessionOptions {
     int inspectorColumn = -1;  // which slice; -1 for the middle one
     bool grid = false;         // over the picture, in pixels
     bool slow = false;         // the picture builds up slice by slice
-    int slowSlices = 1;  // so many more with each picture; one every n pictures where it is -n
-    double speed = 1.0;  // multiplies the player's moving speeds
-    bool bob = true;     // a swimmer's eye goes up and down with the water
+    int slowSlices = 1;     // so many more with each picture; one every n pictures where it is -n
+    int drawnColumns = -1;  // so many slices of the picture are drawn; -1 for all
+    double speed = 1.0;     // multiplies the player's moving speeds
+    bool bob = true;        // a swimmer's eye goes up and down with the water
 };
 
 enum class OptionKind {

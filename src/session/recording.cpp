@@ -43,6 +43,10 @@ struct Performer {
                         fromUnits(entry.heading, kRecordedDegree),
                         fromUnits(entry.look, kRecordedHeight)});
     }
+    void operator()(const RecordedCell& entry) const {
+        session.setCell({entry.map, entry.level, entry.x, entry.y},
+                        static_cast<char32_t>(entry.character));
+    }
     void operator()(const RecordedOption& entry) const {
         session.setOption(entry.name, entry.value);
     }

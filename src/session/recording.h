@@ -78,6 +78,13 @@ struct RecordedEye {
     int heading = 0;  // in 1 / kRecordedDegree
     int look = 0;
 };
+struct RecordedCell {
+    int map = 0;
+    int level = 0;
+    int x = 0;
+    int y = 0;
+    int character = 0;  // of the map's legend, its number in Unicode
+};
 struct RecordedOption {
     std::string name;
     std::string value;
@@ -89,7 +96,7 @@ struct RecordedMark {
 };
 using RecordedEntry =
     std::variant<RecordedSteps, RecordedFlying, RecordedLevelLook, RecordedHeading, RecordedReset,
-                 RecordedEye, RecordedOption, RecordedMark>;
+                 RecordedEye, RecordedCell, RecordedOption, RecordedMark>;
 
 struct Recording {
     std::string scene;  // its file's name without folder and ending

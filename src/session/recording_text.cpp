@@ -70,6 +70,11 @@ struct Writer {
         for (const int number : {entry.map, entry.x, entry.y, entry.z, entry.heading, entry.look})
             add(out, {" ", number});
     }
+    void operator()(const RecordedCell& entry) const {
+        out += "cell";
+        for (const int number : {entry.map, entry.level, entry.x, entry.y, entry.character})
+            add(out, {" ", number});
+    }
     void operator()(const RecordedOption& entry) const {
         add(out, {"set ", entry.name, " ", entry.value});
     }
@@ -227,6 +232,16 @@ RecordedEye readEye(Line& line) {
     return eye;
 }
 
+RecordedCell readCell(Line& line) {
+    RecordedCell cell;
+    cell.map = line.smallNumber(0, 65535, "the map's place in the list");
+    cell.level = line.smallNumber(0, kMaxLevels - 1, "the level");
+    cell.x = line.smallNumber(0, kMaxMapWidth - 1, "the cell's x");
+    cell.y = line.smallNumber(0, kMaxMapDepth - 1, "the cell's y");
+    cell.character = line.smallNumber(1, 0x10ffff, "a character's number in Unicode");
+    return cell;
+}
+
 RecordedOption readOption(Line& line) {
     RecordedOption option;
     if (!line.hasMore() || !isRecordedOption(line.peek())) {
@@ -271,6 +286,10 @@ std::optional<RecordedEntry> readEntry(Line& line) {
         line.take();
         return readEye(line);
     }
+    if (word == "cell") {
+        line.take();
+        return readCell(line);
+    }
     if (word == "set") {
         line.take();
         return readOption(line);
@@ -282,7 +301,7 @@ std::optional<RecordedEntry> readEntry(Line& line) {
         mark.pose = line.pose();
         return mark;
     }
-    line.refuse("a number of steps, fly, level, heading, eye, reset, set, mark or end");
+    line.refuse("a number of steps, fly, level, heading, eye, cell, reset, set, mark or end");
     return std::nullopt;
 }
 

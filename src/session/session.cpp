@@ -147,7 +147,11 @@ bool Session::drawView(const Eye& seen, const Picture& picture) {
 // What covers the whole picture comes first, the panels lie on it.
 void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     const SessionOptions& o = options_;
-    if (o.slow) slowDrawing_.show(picture, o.slowSlices);
+    if (o.drawnColumns >= 0) {
+        drawColumns(picture, o.drawnColumns);
+    } else if (o.slow) {
+        slowDrawing_.show(picture, o.slowSlices);
+    }
     drawDivider(picture, classicColumns(picture.width));
     if (o.grid) drawPixelGrid(picture);
     if (o.inspector) {
@@ -194,6 +198,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
 
 void Session::reset() {
     if (recorder_ != nullptr) recorder_->add(RecordedReset{});
+    edits_.undo(world_);
     resetWorld(world_);
     resetObjects(world_);
     beganAt_ = steps_;
@@ -204,6 +209,7 @@ void Session::reset() {
 
 World Session::takeWorld() {
     lights_.apply({}, world_.maps);
+    edits_.undo(world_);
     world_.seconds = 0.0;
     return std::move(world_);
 }
@@ -267,6 +273,16 @@ bool Session::goToMap(int map) {
     return true;
 }
 
+std::string Session::setCell(const CellAt& at, char32_t character) {
+    std::string fault = edits_.set(world_, at, character);
+    if (!fault.empty()) return fault;
+    if (recorder_ != nullptr)
+        recorder_->add(RecordedCell{at.map, at.level, at.x, at.y, static_cast<int>(character)});
+    if (!player_.flying && !isFree(world_, travellerOf(player_)))
+        slicecast::setFlying(world_, player_, true);
+    return {};
+}
+
 void Session::record(Recorder* recorder) {
     recorder_ = recorder;
     if (recorder_ == nullptr) return;
@@ -324,16 +340,35 @@ Eye Session::eye(double fraction) const {
             .look = before.look + (now.look - before.look) * part};
 }
 
-SliceTrace Session::trace(int width, int height, int column) {
-    return traceFrom(eye(), width, height, column);
+SliceTrace Session::trace(int width, int height, int column, int watchedRow) {
+    return traceFrom(eye(), width, height, column, watchedRow);
+}
+
+void Session::trace(int width, int height, std::span<const int> columns,
+                    const std::function<void(SliceTrace&)>& take) {
+    // Neighbours of one method are traced together.
+    const int old = classicColumns(width);
+    const auto isOld = [old](int column) { return column < old; };
+    while (!columns.empty()) {
+        const auto exactEnd = std::find_if(columns.begin(), columns.end(), isOld);
+        const auto count = static_cast<std::size_t>(exactEnd - columns.begin());
+        if (count > 0) {
+            renderer_.trace(world_, eye(), options_.render, width, height, columns.first(count),
+                            take);
+        } else {
+            SliceTrace slice = traceFrom(eye(), width, height, columns.front());
+            take(slice);
+        }
+        columns = columns.subspan(std::max<std::size_t>(count, 1));
+    }
 }
 
 // By the method that draws the column.
-SliceTrace Session::traceFrom(const Eye& seen, int width, int height, int column) {
+SliceTrace Session::traceFrom(const Eye& seen, int width, int height, int column, int watchedRow) {
     return column < classicColumns(width)
                ? traceClassic(world_, seen, options_.render, options_.classic, width, height,
                               column)
-               : renderer_.trace(world_, seen, options_.render, width, height, column);
+               : renderer_.trace(world_, seen, options_.render, width, height, column, watchedRow);
 }
 
 FrameReport Session::measure(int width, int height) {
@@ -388,6 +423,7 @@ std::uint64_t Session::fingerprint() const {
         addTo(hash, world_);
     }
     addMovingObjects(hash, world_);
+    edits_.addTo(hash, world_);
     return hash.value();
 }
 

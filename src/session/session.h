@@ -15,6 +15,7 @@
 #include "render/options.h"
 #include "render/picture.h"
 #include "render/renderer.h"
+#include "session/edit_cells.h"
 #include "session/input.h"
 #include "session/light_presets.h"
 #include "session/options.h"
@@ -25,6 +26,8 @@
 #include "world/world.h"
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -65,7 +68,7 @@ public:
     bool draw(const Picture& picture, double fraction = 1.0);
 
     // Back to the world's start, at rest, walking; what moves, opens and is animated begins anew
-    // too. Options stay as they are.
+    // too, and every cell is as the scene has it. Options stay as they are.
     void reset();
     // Looks level; when flying, also comes down to standing height (the notes' R key).
     void levelLook();
@@ -80,6 +83,11 @@ public:
     // describes, with the same heading. At rest, walking where there is room. False, and nothing
     // changed, if there is no such map.
     bool goToMap(int map);
+
+    // Changes a cell of the running world (see CellEdits::set). "" on success, else what was wrong.
+    // The eye stays where it is: a player who is inside the new block flies until they are out of
+    // it, as after setEye.
+    std::string setCell(const CellAt& at, char32_t character);
 
     // From now on notes down there whatever bears on the player, until null is given. A recording
     // is of use only if it begins with the session.
@@ -111,7 +119,10 @@ public:
     // The eye as it was drawn last; after a step, as it would be drawn the same part of the way on.
     Eye drawnEye() const { return eye(drawnFraction_); }
     // Everything that one column of a picture of that size does, by the method that draws it.
-    SliceTrace trace(int width, int height, int column);
+    SliceTrace trace(int width, int height, int column, int watchedRow = -1);
+    // The same for many of them, which takes far less time than one after another.
+    void trace(int width, int height, std::span<const int> columns,
+               const std::function<void(SliceTrace&)>& take);
     // What it takes to draw a picture of that size, overlays apart; all 0 where it cannot be drawn.
     // Of a comparison, the exact method's part.
     FrameReport measure(int width, int height);
@@ -127,13 +138,14 @@ private:
     GateAsk gateAsk(const Input& input);
     void stepAround(const GateAsk& ask);
     bool drawView(const Eye& seen, const Picture& picture);
-    SliceTrace traceFrom(const Eye& seen, int width, int height, int column);
+    SliceTrace traceFrom(const Eye& seen, int width, int height, int column, int watchedRow = -1);
     double classicShare() const;          // of the width, from the left
     int classicColumns(int width) const;  // that the classic method draws
     void applyLight();
     void drawOverlays(const Eye& seen, const Picture& picture);
 
     World world_;
+    CellEdits edits_;
     MapLights lights_;
     SessionOptions options_;
     Player player_;

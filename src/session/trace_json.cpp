@@ -53,6 +53,16 @@ void writeTile(JsonText& json, const World& world, const WalkedTile& tile,
     json.endObject();
 }
 
+const std::string& textureName(const World& world, bool isSprite, std::size_t texture) {
+    return isSprite ? world.sprites[texture].name : world.textures[texture].name;
+}
+
+}  // namespace
+
+const std::string& textureName(const World& world, const FilledRows& rows) {
+    return textureName(world, rows.what == What::object, rows.texture);
+}
+
 void writeTexel(JsonText& json, const World& world, const FilledRows& rows,
                 const TracedTexel& texel, int row) {
     const auto detail = static_cast<std::size_t>(texel.detail);
@@ -81,9 +91,7 @@ void writeTexel(JsonText& json, const World& world, const FilledRows& rows,
         .endObject();
 }
 
-const std::string& textureName(const World& world, bool isSprite, std::size_t texture) {
-    return isSprite ? world.sprites[texture].name : world.textures[texture].name;
-}
+namespace {
 
 void writeRun(JsonText& json, const World& world, const FilledRows& rows) {
     json.beginObject()
@@ -103,7 +111,7 @@ void writeRun(JsonText& json, const World& world, const FilledRows& rows) {
     }
     json.key("texture");
     if (hasTexture(rows)) {
-        json.text(textureName(world, rows.what == What::object, rows.texture));
+        json.text(textureName(world, rows));
     } else {
         json.null();
     }
@@ -199,12 +207,8 @@ void writeTextures(JsonText& json, const World& world, const Sums& sums) {
     json.endArray();
 }
 
-}  // namespace
-
-std::string traceJson(Session& session, const std::string& sceneName, int width, int height,
-                      int column) {
-    const SliceTrace trace = session.trace(width, height, column);
-    JsonText json;
+void writeTrace(JsonText& json, const Session& session, const std::string& sceneName, int width,
+                int height, const SliceTrace& trace) {
     json.beginObject();
     writeView(json, session, sceneName, width, height);
     writeSlice(json, session, trace);
@@ -216,25 +220,51 @@ std::string traceJson(Session& session, const std::string& sceneName, int width,
         writeSlice(json, session, trace.reflection[0]);
         json.endObject();
     }
-    return json.line(0).endObject().str() + "\n";
+    json.line(0).endObject();
+}
+
+}  // namespace
+
+std::string traceJson(Session& session, const std::string& sceneName, int width, int height,
+                      int column) {
+    JsonText json;
+    writeTrace(json, session, sceneName, width, height, session.trace(width, height, column));
+    return json.str() + "\n";
+}
+
+void packTraces(Session& session, const std::string& sceneName, int width, int height,
+                std::span<const int> columns, PackedValues& packed) {
+    JsonText json(packed);
+    json.beginArray();
+    session.trace(width, height, columns, [&](const SliceTrace& trace) {
+        writeTrace(json, session, sceneName, width, height, trace);
+    });
+    json.endArray();
 }
 
 std::string frameTraceJson(Session& session, const std::string& sceneName, int width, int height) {
     const FrameReport report = session.measure(width, height);
     Sums sums(width);
-    SliceTrace slice;
+    std::vector<int> columns(static_cast<std::size_t>(width));
     for (int column = 0; column < width; ++column)
-        sums.add(slice = session.trace(width, height, column));
+        columns[static_cast<std::size_t>(column)] = column;
+    double horizonRow = 0.0;
+    double projectionDistance = 0.0;
+    session.trace(width, height, columns, [&](const SliceTrace& slice) {
+        sums.add(slice);
+        horizonRow = slice.horizonRow;
+        projectionDistance = slice.projectionDistance;
+    });
 
     JsonText json;
     json.beginObject();
     writeView(json, session, sceneName, width, height);
     json.line(1)
         .key("horizonRow")
-        .number(slice.horizonRow)
+        .number(horizonRow)
         .line(1)
         .key("projectionDistance")
-        .number(slice.projectionDistance);
+        .number(projectionDistance);
     const auto number = [](std::int64_t whole) { return static_cast<double>(whole); };
     writeNumbers(json, "totals",
                  {{"tilesWalked", number(report.tilesWalked)},

@@ -69,8 +69,10 @@
 // looked at, "rowsFilled" counts what was painted over again, and there is one level of detail.
 #pragma once
 
+#include "session/json_text.h"
 #include "session/session.h"
 
+#include <span>
 #include <string>
 
 namespace slicecast {
@@ -78,6 +80,13 @@ namespace slicecast {
 // The session's view in a picture of that size; `column` lies within it.
 std::string traceJson(Session& session, const std::string& sceneName, int width, int height,
                       int column);
+void packTraces(Session& session, const std::string& sceneName, int width, int height,
+                std::span<const int> columns, PackedValues& packed);  // as packHits
 std::string frameTraceJson(Session& session, const std::string& sceneName, int width, int height);
+
+// Parts of it, for what tells of one row.
+void writeTexel(JsonText& json, const World& world, const FilledRows& rows,
+                const TracedTexel& texel, int row);
+const std::string& textureName(const World& world, const FilledRows& rows);  // not of sky and haze
 
 }  // namespace slicecast

@@ -5,9 +5,12 @@
 #include "base/image.h"
 #include "base/number_text.h"
 #include "scene/scene.h"
+#include "session/cast_json.h"
+#include "session/cells_json.h"
 #include "session/hits_json.h"
 #include "session/json_text.h"
 #include "session/old_ways.h"
+#include "session/pick.h"
 #include "session/recording_text.h"
 #include "session/session.h"
 #include "session/spot.h"
@@ -18,10 +21,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,12 +49,18 @@ struct SlicecastSession {
     SessionOptions waiting;              // options set before there is a game
     Image picture;
     std::string answer;
+    PackedValues packed;
     double view[6] = {};
     double spot[4] = {};
 
     Session* game() const { return ofProgram ? pageProgram().game() : own.get(); }
     void changed() const {
         if (ofProgram) pageProgram().redraw();
+    }
+    // Packed anew.
+    PackedValues& pack() {
+        packed.clear();
+        return packed;
     }
     const char* give(std::string text) {
         answer = std::move(text);
@@ -106,6 +117,26 @@ std::string currentValue(const SlicecastSession& session, std::string_view name)
 // Whether a picture may have that size.
 bool canBe(int32_t width, int32_t height) {
     return width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide;
+}
+
+bool hasMap(const Session& game, int32_t map) {
+    return map >= 0 && static_cast<std::size_t>(map) < game.world().maps.size();
+}
+
+using PackColumns = void (*)(Session&, const std::string&, int, int, std::span<const int>,
+                             PackedValues&);
+
+const double* packColumns(SlicecastSession* session, int32_t width, int32_t height,
+                          const int32_t* columns, int32_t count, PackColumns pack) {
+    Session* game = session->game();
+    if (game == nullptr || !canBe(width, height)) return nullptr;
+    const std::span<const int> asked(reinterpret_cast<const int*>(columns),
+                                     static_cast<std::size_t>(count));
+    for (const int column : asked) {
+        if (column < 0 || column >= width) return nullptr;
+    }
+    pack(*game, game->world().title, width, height, asked, session->pack());
+    return session->packed.numbers.data();
 }
 
 void takeButtons(Input& input, int32_t buttons) {
@@ -389,21 +420,90 @@ EMSCRIPTEN_KEEPALIVE int32_t slicecast_goToMap(SlicecastSession* session, int32_
     return game->goToMap(map) ? 1 : 0;
 }
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_hits(SlicecastSession* session, int32_t width,
-                                                int32_t height, int32_t column) {
-    Session* game = session->game();
-    if (game == nullptr || !canBe(width, height) || column < 0 || column >= width)
-        return session->give("null");
-    return session->give(hitsJson(*game, game->world().title, width, height, column));
+// ---- questions
+
+EMSCRIPTEN_KEEPALIVE const double* slicecast_hits(SlicecastSession* session, int32_t width,
+                                                  int32_t height, const int32_t* columns,
+                                                  int32_t count) {
+    return packColumns(session, width, height, columns, count, packHits);
 }
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_trace(SlicecastSession* session, int32_t width,
-                                                 int32_t height, int32_t column) {
+EMSCRIPTEN_KEEPALIVE const double* slicecast_trace(SlicecastSession* session, int32_t width,
+                                                   int32_t height, const int32_t* columns,
+                                                   int32_t count) {
+    return packColumns(session, width, height, columns, count, packTraces);
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_traceFrame(SlicecastSession* session, int32_t width,
+                                                      int32_t height) {
     Session* game = session->game();
-    if (game == nullptr || !canBe(width, height) || column >= width) return session->give("null");
-    const std::string& title = game->world().title;
-    return session->give(column < 0 ? frameTraceJson(*game, title, width, height)
-                                    : traceJson(*game, title, width, height, column));
+    if (game == nullptr || !canBe(width, height)) return session->give("null");
+    return session->give(frameTraceJson(*game, game->world().title, width, height));
+}
+
+EMSCRIPTEN_KEEPALIVE const double* slicecast_cast(SlicecastSession* session, int32_t map, double x,
+                                                  double y, double z, double headingDegrees) {
+    const Session* game = session->game();
+    if (game == nullptr || !hasMap(*game, map)) return nullptr;
+    JsonText json(session->pack());
+    writeCast(json, game->world(),
+              {.map = map,
+               .x = toCoordinate(x),
+               .y = toCoordinate(y),
+               .z = std::isnan(z) ? std::nullopt : std::optional(toCoordinate(z)),
+               .headingDegrees = headingDegrees});
+    return session->packed.numbers.data();
+}
+
+EMSCRIPTEN_KEEPALIVE const double* slicecast_pick(SlicecastSession* session, int32_t width,
+                                                  int32_t height, int32_t column, int32_t row) {
+    Session* game = session->game();
+    if (game == nullptr || !canBe(width, height)) return nullptr;
+    if (column < 0 || column >= width || row < 0 || row >= height) return nullptr;
+    JsonText json(session->pack());
+    writePick(json, *game, width, height, column, row);
+    return session->packed.numbers.data();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_texts(SlicecastSession* session) {
+    JsonText json;
+    json.beginArray();
+    for (const std::string& text : session->packed.texts) json.text(text);
+    return session->give(json.endArray().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const double* slicecast_project(SlicecastSession* session, int32_t map,
+                                                     double x, double y, double z, int32_t width,
+                                                     int32_t height) {
+    const Session* game = session->game();
+    if (game == nullptr || !canBe(width, height)) return nullptr;
+    const auto point = project(*game, map, x, y, z, width, height);
+    if (!point) return nullptr;
+    session->view[0] = point->x;
+    session->view[1] = point->y;
+    session->view[2] = point->depth;
+    return session->view;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_cells(SlicecastSession* session, int32_t map) {
+    const Session* game = session->game();
+    return session->give(game == nullptr || !hasMap(*game, map) ? "null"
+                                                                : cellsJson(game->world(), map));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_blueprints(SlicecastSession* session, int32_t map) {
+    const Session* game = session->game();
+    return session->give(
+        game == nullptr || !hasMap(*game, map) ? "null" : blueprintsJson(game->world(), map));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_setCell(SlicecastSession* session, int32_t map,
+                                                   int32_t level, int32_t x, int32_t y,
+                                                   int32_t character) {
+    Session* game = session->game();
+    if (game == nullptr) return session->give("there is no scene");
+    session->changed();
+    return session->give(game->setCell({map, level, x, y}, static_cast<char32_t>(character)));
 }
 
 EMSCRIPTEN_KEEPALIVE const double* slicecast_spot(SlicecastSession* session, int32_t map, double x,

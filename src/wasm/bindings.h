@@ -187,17 +187,47 @@ int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, doubl
 // nearest to the map's middle. 1 on success, 0 if there is no such map.
 int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 
-// Everything that one column of a picture of that size meets, as session/hits_json.h describes it:
-// eye, tiles walked, blocks with their depths and rows, planes, objects, portals and mirrors.
-// "scene" is the scene's title. null without a game or such a column.
-const char* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height,
-                           int32_t column);
+// ---- Questions that figures ask. Those that give numbers have packed their answer as
+// session/json_text.h says: slicecast_texts then gives the texts that stand in it, as a JSON list.
+// Both hold until the next such call. Null without a game, and for what does not exist.
 
-// Everything that the renderer did for one column of a picture of that size, or, with a column
-// below 0, for the whole picture, as session/trace_json.h describes both. null without a game or
-// such a column.
-const char* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height,
-                            int32_t column);
+const char* slicecast_texts(SlicecastSession* session);
+
+// Everything that columns of a picture of that size meet: an array of what session/hits_json.h
+// describes. "scene" is the scene's title. Null if one of the columns does not exist.
+const double* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height,
+                             const int32_t* columns, int32_t count);
+
+// Everything that the renderer did for columns of a picture of that size: an array of what
+// session/trace_json.h describes. Null if one of the columns does not exist.
+const double* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height,
+                              const int32_t* columns, int32_t count);
+
+// The same for a picture of that size as a whole, as JSON; "null" without a game.
+const char* slicecast_traceFrame(SlicecastSession* session, int32_t width, int32_t height);
+
+// A free ray, as session/cast_json.h describes it; without a height where z is not a number.
+const double* slicecast_cast(SlicecastSession* session, int32_t map, double x, double y, double z,
+                             double headingDegrees);
+
+// What one pixel of a picture of that size shows, as session/pick.h describes it.
+const double* slicecast_pick(SlicecastSession* session, int32_t width, int32_t height,
+                             int32_t column, int32_t row);
+
+// Where a point of the world lies in a picture of that size: x and y in pixels, and its depth. Null
+// for one that is not before the eye, or in another map.
+const double* slicecast_project(SlicecastSession* session, int32_t map, double x, double y,
+                                double z, int32_t width, int32_t height);
+
+// The rows of a map's levels, and the blocks of its legend, as JSON (session/cells_json.h); "null"
+// if there is no such map.
+const char* slicecast_cells(SlicecastSession* session, int32_t map);
+const char* slicecast_blueprints(SlicecastSession* session, int32_t map);
+
+// Changes a cell of the running world (session/edit_cells.h) until slicecast_reset; the character
+// by its number in Unicode. The eye stays where it is. Gives "" on success, else what was wrong.
+const char* slicecast_setCell(SlicecastSession* session, int32_t map, int32_t level, int32_t x,
+                              int32_t y, int32_t character);
 
 // Where a place of the world stands in a picture of that size, seen as the last picture was: x and
 // y in pixels, perpendicular depth, and 1 if nothing covers it there, else 0
@@ -209,7 +239,7 @@ const double* slicecast_spot(SlicecastSession* session, int32_t map, double x, d
 // Fly mode (1) or walk mode (0).
 void slicecast_setFlying(SlicecastSession* session, int32_t flying);
 
-// Back to the scene's start, at rest.
+// Back to the scene's start, at rest; every cell is as the scene has it.
 void slicecast_reset(SlicecastSession* session);
 
 // ---- The program in a page: these act on it and its session, also before it begins.

@@ -73,13 +73,20 @@ struct Fog {
     double end = 1.0;    // units, > start
 };
 
+// A character of the scene's rows, and the blueprint that it stands for.
+struct LegendEntry {
+    char32_t character = 0;
+    BlueprintId blueprint = kEmptyCell;
+};
+
 struct Map {
     std::string name;
-    int width = 0;                   // tiles eastward
-    int depth = 0;                   // tiles southward
-    int levels = 0;                  // stacked levels
-    std::vector<BlueprintId> cells;  // [(y * width + x) * levels + level]
-    std::vector<Object> objects;     // the order decides where two are at one depth
+    int width = 0;                    // tiles eastward
+    int depth = 0;                    // tiles southward
+    int levels = 0;                   // stacked levels
+    std::vector<BlueprintId> cells;   // [(y * width + x) * levels + level]
+    std::vector<LegendEntry> legend;  // as the scene has it; blueprints as they were in its text
+    std::vector<Object> objects;      // the order decides where two are at one depth
     std::vector<std::uint32_t>
         occupied;  // [y * width + x]: bit n is set where level n holds a block
     std::vector<PortalId>

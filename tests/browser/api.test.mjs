@@ -176,6 +176,7 @@ test('each method gives what the table says', async () => {
     );
     const ready = await element.whenReady();
     const column = 32;
+    const box = element.getBoundingClientRect();
     const kindOf = (value) =>
       value instanceof Blob ? 'Blob' : value === null ? 'null' : typeof value;
     const found = {
@@ -189,8 +190,15 @@ test('each method gives what the table says', async () => {
       look: kindOf(element.look('2.5,2.5,0.6,90')),
       snapshot: kindOf(await element.snapshot({ width: 32, height: 20 })),
       timeDrawing: kindOf(element.timeDrawing({ width: 32, height: 20 })),
+      pixels: kindOf(element.pixels()),
       hits: kindOf(element.hits(column)),
       trace: kindOf(element.trace(column)),
+      cast: kindOf(element.cast({ x: 2.5, y: 2.5, heading: 0 })),
+      pick: kindOf(element.pick(box.left + 1, box.top + 1)),
+      project: kindOf(element.project(2.5, 3.5, 0.5)),
+      cells: kindOf(element.cells('room', 0)),
+      blueprints: kindOf(element.blueprints()),
+      setCell: kindOf(element.setCell(null, 0, 4, 4, '.')),
       whenReady: kindOf(ready),
       record: kindOf(element.record('room')),
       takeRecording: kindOf(element.takeRecording()),

@@ -578,8 +578,15 @@ test('methods that need a scene say so before there is one, and whenReady loads 
       get: ['fov'],
       look: ['1,1,1,1'],
       snapshot: [],
+      pixels: [],
       hits: [0],
       trace: [0],
+      cast: [{ x: 1, y: 1, heading: 0 }],
+      pick: [1, 1],
+      project: [1, 1, 1],
+      cells: [],
+      blueprints: [],
+      setCell: [null, 0, 1, 1, '.'],
     };
     const codes = {};
     for (const [name, values] of Object.entries(calls)) {
@@ -595,7 +602,7 @@ test('methods that need a scene say so before there is one, and whenReady loads 
     return codes;
   });
   assert.deepEqual([...new Set(Object.values(refusals))], ['not-ready']);
-  assert.equal(Object.keys(refusals).length, 8);
+  assert.equal(Object.keys(refusals).length, 15);
   assert.equal(
     await page.evaluate(() => document.getElementById('a').state),
     'idle',

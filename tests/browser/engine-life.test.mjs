@@ -142,7 +142,7 @@ test('an engine that stands still schedules nothing, and one frame for each chan
   assert.deepEqual(
     await during(page, () => {
       window.engine.drawOnce(50, 50);
-      window.engine.hits(50, 50, 25);
+      window.engine.questions.hits(50, 50, 25);
     }),
     [0, 0],
   );
@@ -300,10 +300,10 @@ test('going through a portal is told with the names of both maps', async (t) => 
     'cellar',
   );
   assert.equal(
-    await page.evaluate(() => window.engine.traceFrame(40, 30).columns.nearest.length),
+    await page.evaluate(() => window.engine.questions.traceFrame(40, 30).columns.nearest.length),
     40,
   );
-  assert.equal(await page.evaluate(() => window.engine.trace(40, 30, 20).map), 'cellar');
+  assert.equal(await page.evaluate(() => window.engine.questions.trace(40, 30, 20).map), 'cellar');
 });
 
 test('nothing is left of an engine that has been stopped', async (t) => {

@@ -11,7 +11,7 @@ export async function hashHeadless(sceneName, files, width, height) {
   const server = await serve({ files });
   try {
     const scene = await load(`${server.address}scenes/${sceneName}`, { engine: 'scalar' });
-    const hash = createHash('sha256').update(scene.picture({ width, height }).data).digest('hex');
+    const hash = createHash('sha256').update(scene.pixels({ width, height }).data).digest('hex');
     scene.free();
     return `${width}x${height} ${hash}`;
   } finally {

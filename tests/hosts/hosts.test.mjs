@@ -57,7 +57,7 @@ before(async () => {
 
   const { load } = await import('slicecast/node');
   const scene = await load('first-walk');
-  expected = hashOf(scene.picture(kSize).data);
+  expected = hashOf(scene.pixels(kSize).data);
   scene.free();
   browser = await launch();
 });

@@ -39,7 +39,7 @@ test('a scene is found by name, path, address and as an object, and looks the sa
   const pictures = [];
   for (const from of ['castle', castle, new URL(`file://${castle}`), `file://${castle}`, object]) {
     const scene = await load(from);
-    pictures.push(Buffer.from(scene.picture(kSize).data));
+    pictures.push(Buffer.from(scene.pixels(kSize).data));
     scene.free();
   }
   for (const picture of pictures) assert.ok(picture.equals(pictures[0]));
@@ -84,7 +84,7 @@ test('both builds draw what the bindings draw', async () => {
     scene.step(60, { forward: 1, turn: 0.5, jump: true });
     session.step([1, 0, 0.5, 0, 0, 0, 0, 1], 60);
     assert.ok(
-      Buffer.from(scene.picture(kSize).data).equals(session.draw(kSize.width, kSize.height)),
+      Buffer.from(scene.pixels(kSize).data).equals(session.draw(kSize.width, kSize.height)),
       engine,
     );
     scene.free();
@@ -197,8 +197,8 @@ test('options, the eye and what it sees', async () => {
     { width: 8193, height: 1 },
     { width: '10', height: 10 },
   ]) {
-    for (const ask of ['picture', 'hits', 'trace']) {
-      assert.throws(() => scene[ask](...(ask === 'picture' ? [size] : [3, size])), {
+    for (const ask of ['pixels', 'hits', 'trace']) {
+      assert.throws(() => scene[ask](...(ask === 'pixels' ? [size] : [3, size])), {
         name: 'RangeError',
         message: /^size: found .*, expected .* 1 to 8192/,
       });
@@ -277,7 +277,13 @@ test('whatever is asked of a scene that was freed says so', async () => {
     ['reset'],
     ['hits', 0],
     ['trace'],
-    ['picture', null],
+    ['pixels', null],
+    ['cast', null],
+    ['pick', 0, 0],
+    ['project', 1, 1, 1],
+    ['cells', 'room'],
+    ['blueprints'],
+    ['setCell', 'room', 0, 1, 1, '.'],
   ]) {
     assert.throws(() => scene[method](...words), told, method);
   }

@@ -20,7 +20,7 @@ const kScenes = ['wayhouse', 'water-palace', 'garden', 'glassworks']; // portals
 test('a page that uses the element compiles', () => {
   assert.deepEqual(
     complaints(`
-    import { apiVersion, errorCodes, RayCaster, type FrameTrace, type RayCasterAttributes, type SliceTrace, type View } from './ray-caster.js';
+    import { apiVersion, errorCodes, RayCaster, type Cast, type FrameTrace, type Pick, type RayCasterAttributes, type SliceTrace, type View } from './ray-caster.js';
     const element = document.createElement('ray-caster');
     const version: 1 = apiVersion;
     element.addEventListener('error', ({ detail }) => console.log(errorCodes[detail.code].remedy, detail.faults[0]?.place));
@@ -32,6 +32,14 @@ test('a page that uses the element compiles', () => {
     element.look({ heading: 90 });
     const picture: Promise<Blob> = element.snapshot({ width: 320, height: 200 });
     const column: number | undefined = version > 1 ? 3 : undefined;
+    const depths: (number | undefined)[] = element.hits({ first: 0, last: 9 }).map((hits) => hits?.hits[0]?.depth);
+    const walks: number[] = element.trace([1, 2]).map((slice) => slice?.walk.length ?? 0);
+    const ray: Cast = element.cast({ x: 1, y: 2, heading: 30 });
+    const picked: Pick | null = element.pick(3, 4);
+    const rows: string[] = element.cells(null, 0);
+    const levels: string[][] = element.cells();
+    element.setCell('room', 0, 1, 2, element.blueprints()[0]?.character ?? '.');
+    console.log(depths, walks, ray.end.why, picked?.point?.[2], rows, levels, element.project(1, 2, 3)?.clientX, element.pixels().data);
     const trace: SliceTrace | FrameTrace | null = element.trace(column);
     const attributes: RayCasterAttributes = { scene: 'castle', controls: true, autoplay: true, loading: 'eager' };
     console.log(version, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals, trace, attributes);`),
@@ -46,8 +54,11 @@ test('a program under Node compiles', () => {
     const scene = await load('castle', { engine: 'scalar' }).catch((error: SceneError) => { throw new Error(error.faults.join()); });
     scene.set('fov', 75);
     const bytes = await scene.png({ width: 32, height: 20 });
-    const { data, width } = scene.picture();
+    const { data, width } = scene.pixels();
     const column: number | undefined = width > 3 ? 3 : undefined;
+    console.log(scene.hits([3, 4], { width: 8, height: 8 })[0]?.hits, scene.pick(3, 4)?.what, scene.project(1, 2, 3, null, { width: 8, height: 8 })?.depth);
+    console.log(scene.cast({ x: 1, y: 2, heading: 3 }).tiles, scene.cells('town', 1).join(), scene.blueprints('town').length);
+    scene.setCell('town', 0, 1, 2, '#');
     console.log(scene.hits(3)?.hits, scene.trace(3)?.runs, scene.trace().columns, scene.trace(column)?.size, new ImageData(data, width), new Blob([bytes]));
     scene.free();
     export {};`),
@@ -106,7 +117,9 @@ for (const [what, line] of [
 }
 
 test('hits and traces of real scenes are as they are declared', async () => {
-  const lines = ["import type { FrameTrace, Hits, SliceTrace } from './shapes.js';"];
+  const lines = [
+    "import type { Blueprint, Cast, FrameTrace, Hits, Pick, SliceTrace } from './shapes.js';",
+  ];
   for (const name of kScenes) {
     const scene = await load(name);
     for (let column = 0; column < kSize.width; column += 16) {
@@ -114,6 +127,14 @@ test('hits and traces of real scenes are as they are declared', async () => {
         `export const ${name.replace('-', '')}${column}: [Hits, SliceTrace] = [${JSON.stringify(scene.hits(column, kSize))}, ${JSON.stringify(scene.trace(column, kSize))}];`,
       );
     }
+    const id = name.replace('-', '');
+    const { x, y, z, heading } = scene.currentView;
+    lines.push(
+      `export const casts${id}: Cast[] = ${JSON.stringify([scene.cast({ x, y, heading }), scene.cast({ x, y, z, heading })])};`,
+      `export const blueprints${id}: Blueprint[] = ${JSON.stringify(scene.blueprints())};`,
+    );
+    const rows = Array.from({ length: kSize.height }, (_, row) => scene.pick(48, row, kSize));
+    lines.push(`export const picks${id}: (Pick | null)[] = ${JSON.stringify(rows)};`);
     lines.push(
       `export const ${name.replace('-', '')}: FrameTrace = ${JSON.stringify(scene.trace(undefined, kSize))};`,
     );

@@ -34,13 +34,38 @@ TEST(SlowDrawing, BuildsThePictureUpSliceBySliceAndOver) {
     SlowDrawing slow;
     EXPECT_EQ(shown(slow, 100, 3), (std::vector<int>{100, 100, 100, -1, 0, 0, 0, 0, 0, 0}));
     EXPECT_EQ(shown(slow, 120, 5),
-              (std::vector<int>{100, 100, 100, 120, 120, 120, 120, 120, -1, 0}));
+              (std::vector<int>{120, 120, 120, 120, 120, 120, 120, 120, -1, 0}));
     EXPECT_EQ(shown(slow, 140, 4),
-              (std::vector<int>{140, 140, -1, 120, 120, 120, 120, 120, 140, 140}));
+              (std::vector<int>{140, 140, -1, 140, 140, 140, 140, 140, 140, 140}))
+        << "over the picture that was complete";
     EXPECT_EQ(shown(slow, 160, 0),
-              (std::vector<int>{140, 140, -1, 120, 120, 120, 120, 120, 140, 140}));
+              (std::vector<int>{160, 160, -1, 140, 140, 140, 140, 140, 140, 140}));
     EXPECT_EQ(shown(slow, 180, 200),
               (std::vector<int>{180, 180, -1, 180, 180, 180, 180, 180, 180, 180}));
+}
+
+// The picture that has so many columns of one grey drawn; -1 where the line is.
+std::vector<int> drawnColumns(int count) {
+    Canvas canvas(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) canvas.picture.row(y)[x] = toPixel({90, 90, 90, 255});
+    }
+    drawColumns(canvas.picture, count);
+    EXPECT_TRUE(canvas.borderUntouched());
+    std::vector<int> columns;
+    for (int x = 0; x < kWidth; ++x) {
+        const Colour colour = toColour(canvas.at(x, kHeight - 1));
+        columns.push_back(colour == kNotYetDrawn ? 0 : colour.r == colour.g ? colour.r : -1);
+    }
+    return columns;
+}
+
+TEST(DrawColumns, LeavesTheFirstOnes) {
+    EXPECT_EQ(drawnColumns(0), (std::vector<int>{-1, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(drawnColumns(4), (std::vector<int>{90, 90, 90, 90, -1, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(drawnColumns(9), (std::vector<int>{90, 90, 90, 90, 90, 90, 90, 90, 90, -1}));
+    EXPECT_EQ(drawnColumns(10), std::vector<int>(10, 90));
+    EXPECT_EQ(drawnColumns(8192), std::vector<int>(10, 90));
 }
 
 TEST(SlowDrawing, ANegativeRateWaits) {

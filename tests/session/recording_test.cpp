@@ -290,7 +290,9 @@ TEST(Recording, FaultsAreNamedWithTheirPlaces) {
         {kHead + "5 forwards 1\n" + kTail, "f:3:3: found \"forwards\", expected " + words + "\n"},
         {kHead + "5 jump jump\n" + kTail, "f:3:8: found \"jump\", expected each word once\n"},
         {kHead + "walk\n5\n" + kTail,
-         "f:3:1: found \"walk\", expected a number of steps, fly, level, heading, eye, reset, set, "
+         "f:3:1: found \"walk\", expected a number of steps, fly, level, heading, eye, cell, "
+         "reset, "
+         "set, "
          "mark or end\n"},
         {kHead + "fly up\n5\n" + kTail, "f:3:5: found \"up\", expected on or off\n"},
         {kHead + "fly on off\n5\n" + kTail, "f:3:8: found \"off\", expected the end of the line\n"},

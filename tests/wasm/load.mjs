@@ -10,6 +10,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 import { createModule } from '../../build/web/engine/engine-module.js';
+import { Questions } from '../../build/web/engine/questions.js';
 import { readEngine } from '../../build/web/node/engine-files.js';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -125,12 +126,22 @@ export class Session {
     return this.module._slicecast_goToMap(this.address, map) === 1;
   }
 
-  hits(width, height, column) {
-    return this.json(this.module._slicecast_hits(this.address, width, height, column));
+  // Rays, pixels, points and cells.
+  get questions() {
+    const maps = this.world()?.maps ?? [];
+    const names = maps.map(({ name }) => name);
+    return new Questions(this.module, this.address, names);
   }
 
+  hits(width, height, column) {
+    return this.questions.hits(width, height, column);
+  }
+
+  // Of the whole picture where the column is -1.
   trace(width, height, column) {
-    return this.json(this.module._slicecast_trace(this.address, width, height, column));
+    return column === -1
+      ? this.questions.traceFrame(width, height)
+      : this.questions.trace(width, height, column);
   }
 
   record(sceneName) {

@@ -47,7 +47,7 @@ function faultsOf(text) {
 // What describeView asks of an engine.
 function engineOf(session) {
   return {
-    hits: (width, height, column) => session.hits(width, height, column),
+    questions: session.questions,
     get world() {
       return session.world();
     },

@@ -4,7 +4,7 @@ import { readView } from '../engine/address.js';
 import { kAttributes, kLargestSide, reflectAttributes, takeEarlyProperties } from './attributes.js';
 import { faultOf, orFault } from './faults.js';
 import { Show } from './show.js';
-import { snapshotOf } from './snapshot.js';
+import { checkSize, snapshotOf } from './snapshot.js';
 
 // Where there is no document the class is there to be imported, and no more.
 const Base = globalThis.HTMLElement ?? class {};
@@ -226,17 +226,65 @@ export class RayCaster extends Base {
     });
   }
 
-  hits(column) {
-    const { width, height } = this.picture;
-    return this.#engine('hits').hits(width, height, checkColumn('hits', column));
+  pixels(size) {
+    const engine = this.#engine('pixels');
+    const { width, height } = checkSize('pixels', size ?? this.picture);
+    return { width, height, data: engine.drawPixels(width, height) };
   }
 
-  trace(column) {
-    const engine = this.#engine('trace');
+  hits(columns) {
+    const { questions } = this.#engine('hits');
     const { width, height } = this.picture;
-    return column === undefined
-      ? engine.traceFrame(width, height)
-      : engine.trace(width, height, checkColumn('trace', column));
+    return questions.hits(width, height, checkColumns('hits', columns));
+  }
+
+  trace(columns) {
+    const { questions } = this.#engine('trace');
+    const { width, height } = this.picture;
+    return columns === undefined
+      ? questions.traceFrame(width, height)
+      : questions.trace(width, height, checkColumns('trace', columns));
+  }
+
+  cast(from) {
+    return this.#engine('cast').questions.cast(from);
+  }
+
+  pick(clientX, clientY) {
+    const { canvas, questions } = this.#engine('pick');
+    const { width, height } = this.picture;
+    const box = canvas.getBoundingClientRect();
+    return questions.pick(
+      width,
+      height,
+      ((clientX - box.left) * width) / box.width,
+      ((clientY - box.top) * height) / box.height,
+    );
+  }
+
+  project(x, y, z, map) {
+    const { canvas, questions } = this.#engine('project');
+    const { width, height } = this.picture;
+    const point = questions.project(width, height, x, y, z, map);
+    if (point === null) return null;
+    const box = canvas.getBoundingClientRect();
+    return {
+      ...point,
+      clientX: box.left + (point.x * box.width) / width,
+      clientY: box.top + (point.y * box.height) / height,
+    };
+  }
+
+  cells(map, level) {
+    return this.#engine('cells').questions.cells(map, level);
+  }
+
+  blueprints(map) {
+    return this.#engine('blueprints').questions.blueprints(map);
+  }
+
+  setCell(map, level, x, y, character) {
+    this.#engine('setCell').questions.setCell(map, level, x, y, character);
   }
 
   whenReady() {
@@ -255,10 +303,13 @@ export class RayCaster extends Base {
   }
 }
 
-function checkColumn(method, column) {
-  if (!Number.isInteger(column))
-    throw new RangeError(`${method}: found column ${column}, expected a whole number.`);
-  return column;
+// Lists and ranges are looked at where they are read.
+function checkColumns(method, columns) {
+  if (!Number.isInteger(columns) && (typeof columns !== 'object' || columns === null))
+    throw new RangeError(
+      `${method}: found column ${columns}, expected a whole number, a list of them, or { first, last }.`,
+    );
+  return columns;
 }
 
 reflectAttributes(RayCaster.prototype);

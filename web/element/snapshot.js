@@ -4,16 +4,20 @@
 
 import { kLargestSide } from './attributes.js';
 
+export function checkSize(method, { width, height }) {
+  for (const [name, side] of Object.entries({ width, height })) {
+    if (!Number.isInteger(side) || side < 1 || side > kLargestSide)
+      throw new RangeError(
+        `${method}: found ${name} ${side}, expected a whole number from 1 to ${kLargestSide}.`,
+      );
+  }
+  return { width, height };
+}
+
 export async function snapshotOf(engine, { width, height, type, ...others }) {
   for (const name of Object.keys(others))
     throw new RangeError(`snapshot: found ${name}, expected some of width, height, type.`);
-  for (const [name, side] of Object.entries({ width, height })) {
-    if (!Number.isInteger(side) || side < 1 || side > kLargestSide) {
-      throw new RangeError(
-        `snapshot: found ${name} ${side}, expected a whole number from 1 to ${kLargestSide}.`,
-      );
-    }
-  }
+  checkSize('snapshot', { width, height });
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;

@@ -23,7 +23,8 @@ const kLeastShare = 1 / 50; // of the picture's height; what fills less is not w
 
 // '' without a game.
 export function describeView(engine, width, height) {
-  const slices = kWays.map(([, share]) => engine.hits(width, height, Math.floor(width * share)));
+  const columns = kWays.map(([, share]) => Math.floor(width * share));
+  const slices = engine.questions.hits(width, height, columns);
   if (slices[0] === null) return '';
   const { map, scene, eye } = slices[0];
   const place = map === scene || engine.world.maps.length === 1 ? scene : `${scene}, ${map}`;

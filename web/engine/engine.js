@@ -11,7 +11,9 @@
 // they share the compiled program.
 
 import { createModule } from './engine-module.js';
+import { withBytes, withStrings } from './module-memory.js';
 import { unknown } from './nearest-name.js';
+import { Questions } from './questions.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
@@ -302,22 +304,9 @@ export class Engine {
     return true;
   }
 
-  // Everything that one column of a picture of that size meets (src/session/hits_json.h), or null
-  // where there is no such column.
-  hits(width, height, column) {
-    return this.#ofColumn(this.#module._slicecast_hits, width, height, column);
-  }
-
-  // Everything that the renderer did for one column of a picture of that size, number for number
-  // (src/session/trace_json.h), or null.
-  trace(width, height, column) {
-    return this.#ofColumn(this.#module._slicecast_trace, width, height, column);
-  }
-
-  // The same for the whole picture: totals, and for each column what is nearest and how many rows
-  // of each kind it has.
-  traceFrame(width, height) {
-    return this.#json(this.#module._slicecast_trace(this.#session, width, height, -1));
+  // Rays, pixels, points and cells.
+  get questions() {
+    return new Questions(this.#module, this.#session, this.#mapNames);
   }
 
   reset() {
@@ -416,12 +405,6 @@ export class Engine {
     this.#running = this.canvas = null;
   }
 
-  #ofColumn(tell, width, height, column) {
-    return Number.isInteger(column) && column >= 0 && column < width
-      ? this.#json(tell(this.#session, width, height, column))
-      : null;
-  }
-
   #json(at) {
     return JSON.parse(this.#module.UTF8ToString(at));
   }
@@ -517,30 +500,4 @@ function readInput(input) {
     axes,
     Object.entries(kButtons).reduce((sum, [name, bit]) => sum + (input[name] ? bit : 0), 0),
   ];
-}
-
-function withBytes(module, bytes, use) {
-  const at = module._malloc(Math.max(1, bytes.length));
-  if (at === 0) throw new Trouble('The scene is too large', 'There is not enough memory for it.');
-  try {
-    module.HEAPU8.set(bytes, at);
-    return use(at);
-  } finally {
-    module._free(at);
-  }
-}
-
-// A zero character would end a string there, and the rest be lost.
-function withStrings(module, strings, use) {
-  const places = strings.map((string) => {
-    const bytes = new TextEncoder().encode(`${String(string).replaceAll('\0', '\uFFFD')}\0`);
-    const at = module._malloc(bytes.length);
-    module.HEAPU8.set(bytes, at);
-    return at;
-  });
-  try {
-    return use(...places);
-  } finally {
-    for (const at of places) module._free(at);
-  }
 }

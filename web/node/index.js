@@ -124,18 +124,42 @@ class Scene {
     this.#running.reset();
   }
 
-  hits(column, size = kSize) {
-    return this.#running.hits(...sidesOf(size), column);
+  hits(columns, size = kSize) {
+    return this.#running.questions.hits(...sidesOf(size), columns);
   }
 
-  trace(column = undefined, size = kSize) {
-    const engine = this.#running;
-    return column === undefined
-      ? engine.traceFrame(...sidesOf(size))
-      : engine.trace(...sidesOf(size), column);
+  trace(columns = undefined, size = kSize) {
+    const { questions } = this.#running;
+    return columns === undefined
+      ? questions.traceFrame(...sidesOf(size))
+      : questions.trace(...sidesOf(size), columns);
   }
 
-  picture(size = kSize) {
+  cast(from) {
+    return this.#running.questions.cast(from);
+  }
+
+  pick(column, row, size = kSize) {
+    return this.#running.questions.pick(...sidesOf(size), column, row);
+  }
+
+  project(x, y, z, map = undefined, size = kSize) {
+    return this.#running.questions.project(...sidesOf(size), x, y, z, map);
+  }
+
+  cells(map, level) {
+    return this.#running.questions.cells(map, level);
+  }
+
+  blueprints(map) {
+    return this.#running.questions.blueprints(map);
+  }
+
+  setCell(map, level, x, y, character) {
+    this.#running.questions.setCell(map, level, x, y, character);
+  }
+
+  pixels(size = kSize) {
     const engine = this.#running;
     const [width, height] = sidesOf(size);
     return { width, height, data: engine.drawPixels(width, height) };
@@ -143,9 +167,9 @@ class Scene {
 
   // Of the view at the moment of the call.
   async png(size = kSize) {
-    const picture = this.picture(size);
+    const pixels = this.pixels(size);
     const { encode } = await import('fast-png');
-    return encode({ ...picture, channels: 4, depth: 8 });
+    return encode({ ...pixels, channels: 4, depth: 8 });
   }
 
   free() {

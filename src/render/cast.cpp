@@ -1,0 +1,137 @@
+#include "render/cast.h"
+
+#include "base/angle.h"
+#include "render/grid_walk.h"
+#include "render/vista.h"
+
+#include <bit>
+#include <optional>
+
+namespace slicecast {
+namespace {
+
+class Caster {
+public:
+    Caster(const World& world, const CastFrom& from)
+        : world_(world),
+          hasHeight_(from.z.has_value()),
+          from_{.map = from.map,
+                .turn = 0,
+                .x = from.x.raw,
+                .y = from.y.raw,
+                .z = from.z ? from.z->raw : 0,
+                .upsideDown = false},
+          direction_(directionOf(from.headingDegrees)),
+          walk_(from.x, from.y, direction_) {
+        ray_.direction = direction_;
+    }
+
+    CastRay run() {
+        for (;; walk_.advance(), isArrival_ = false) {
+            const Map& map = mapHere();
+            if (!map.contains(walk_.tileX, walk_.tileY)) {
+                if (!comesToGrid(map)) return ended(CastRay::End::edge);
+                continue;
+            }
+            addTile();
+            if (const std::optional<CastRay::End> end = lookAround(map)) return ended(*end);
+        }
+    }
+
+private:
+    static GroundDirection directionOf(double headingDegrees) {
+        const SineCosine heading = sineCosineDegrees(headingDegrees);
+        return {heading.cosine, heading.sine};
+    }
+
+    const Map& mapHere() const { return world_.maps[static_cast<std::size_t>(from_.map)]; }
+
+    // From outside the grid.
+    bool comesToGrid(const Map& map) const {
+        const bool leavesX =
+            walk_.tileX < 0 ? walk_.stepX <= 0 : walk_.tileX >= map.width && walk_.stepX >= 0;
+        const bool leavesY =
+            walk_.tileY < 0 ? walk_.stepY <= 0 : walk_.tileY >= map.depth && walk_.stepY >= 0;
+        return !leavesX && !leavesY;
+    }
+
+    void addTile() {
+        ray_.tiles.push_back({from_.map, portals_, walk_.tileX, walk_.tileY, walk_.hasEntered(),
+                              walk_.hasEntered() && walk_.enter().alongX, walk_.entered,
+                              walk_.nextAlongX(), walk_.nextAlongY()});
+    }
+
+    // The tile's portal and blocks. Where a portal leads on, the exit tile is next.
+    std::optional<CastRay::End> lookAround(const Map& map) {
+        if (walk_.hasEntered() && !isArrival_) {
+            const PortalId portal = map.tilePortal(walk_.tileX, walk_.tileY);
+            if (portal != kNoPortal) return goThrough(portal, CastRay::End::portal);
+        }
+        std::uint32_t levels = map.occupied[map.tileIndex(walk_.tileX, walk_.tileY)];
+        for (; levels != 0; levels &= levels - 1) {
+            const int level = std::countr_zero(levels);
+            const BlueprintId id = map.cell(walk_.tileX, walk_.tileY, level);
+            const CellBlueprint& block = world_.blueprints[id];
+            const Coordinate bottom = tileEdge(level) + block.bottom;
+            const Coordinate top = tileEdge(level) + block.top;
+            if (hasHeight_ && (from_.z < bottom.raw || from_.z >= top.raw)) continue;
+            const Crossing enter = walk_.enter();
+            ray_.hits.push_back({from_.map, portals_, walk_.tileX, walk_.tileY, level, id,
+                                 walk_.hasEntered(), enteredFace(enter), walk_.entered,
+                                 walk_.left(), x(), y(), bottom, top});
+            if (!hasHeight_ || !walk_.hasEntered()) continue;
+            const PortalId portal = block.face(enteredFace(enter)).portal;
+            if (portal != kNoPortal && !isArrival_) return goThrough(portal, CastRay::End::block);
+            if (!block.seeThrough) return CastRay::End::block;
+        }
+        return std::nullopt;
+    }
+
+    // `pastLimit` is what ends the ray where it has passed as many as it may.
+    std::optional<CastRay::End> goThrough(PortalId id, CastRay::End pastLimit) {
+        if (portals_ >= world_.portalLimit) return pastLimit;
+        const Portal& portal = world_.portals[id];
+        ray_.portals.push_back({id, portals_, walk_.entered});
+        from_ = throughPortal(from_, portal);
+        direction_ = turned(direction_, portal.turn);
+        walk_ = walk_.turned(portal.turn, portal.toX, portal.toY);
+        ++portals_;
+        isArrival_ = true;
+        if (hasHeight_ && from_.z < 0) return CastRay::End::floor;
+        addTile();
+        return lookAround(mapHere());
+    }
+
+    CastRay ended(CastRay::End end) {
+        ray_.end = end;
+        ray_.distance = walk_.entered;
+        ray_.map = from_.map;
+        ray_.x = x();
+        ray_.y = y();
+        return std::move(ray_);
+    }
+
+    double x() const {
+        return static_cast<double>(from_.x) / 65536.0 + direction_.x * walk_.entered;
+    }
+    double y() const {
+        return static_cast<double>(from_.y) / 65536.0 + direction_.y * walk_.entered;
+    }
+
+    const World& world_;
+    const bool hasHeight_;
+    Viewpoint from_;  // where the ray seems to come from, in the map that it is in
+    GroundDirection direction_;
+    GridWalk walk_;
+    int portals_ = 0;
+    bool isArrival_ = false;  // the tile's own portals do not act
+    CastRay ray_;
+};
+
+}  // namespace
+
+CastRay cast(const World& world, const CastFrom& from) {
+    return Caster(world, from).run();
+}
+
+}  // namespace slicecast

@@ -1,0 +1,66 @@
+#include "session/cells_json.h"
+
+#include "base/number_text.h"
+#include "base/words.h"
+#include "scene/source_text.h"
+#include "session/edit_cells.h"
+#include "session/hits_json.h"
+
+namespace slicecast {
+namespace {
+
+// The last level of detail is a single texel.
+void writeColour(JsonText& json, const Texture& texture) {
+    const Colour colour = toColour(texture.levels.back().texels[0]);
+    if (colour.a == 0) {
+        json.null();
+    } else {
+        const auto number = static_cast<std::uint64_t>(colour.r << 16 | colour.g << 8 | colour.b);
+        json.text(words("#", hexText(number, 6)));
+    }
+}
+
+void writeFace(JsonText& json, const World& world, const FaceBlueprint& face) {
+    const Texture& texture = world.textures[face.texture];
+    json.beginObject().key("texture").text(texture.name).key("colour");
+    writeColour(json, texture);
+    json.key("light").number(face.light).key("glow").yesNo(face.glow);
+    json.key("mirror").number(face.mirror / 255.0).endObject();
+}
+
+}  // namespace
+
+std::string cellsJson(const World& world, int mapIndex) {
+    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    JsonText json;
+    json.beginArray();
+    for (int level = 0; level < map.levels; ++level) {
+        json.beginArray();
+        for (int y = 0; y < map.depth; ++y) json.text(cellRow(world, mapIndex, level, y));
+        json.endArray();
+    }
+    return json.endArray().str();
+}
+
+std::string blueprintsJson(const World& world, int mapIndex) {
+    JsonText json;
+    json.beginArray();
+    for (const LegendEntry& entry : world.maps[static_cast<std::size_t>(mapIndex)].legend) {
+        const CellBlueprint& blueprint = world.blueprints[entry.blueprint];
+        json.beginObject().key("character").text(toUtf8(entry.character));
+        json.key("name").text(blueprint.name);
+        json.key("bottom").number(blueprint.bottom.value());
+        json.key("top").number(blueprint.top.value());
+        json.key("seeThrough").yesNo(blueprint.seeThrough);
+        json.key("moves").yesNo(blueprint.motion >= 0).key("gate").yesNo(blueprint.gate >= 0);
+        json.key("faces").beginObject();
+        for (int face = 0; face < kFaces; ++face) {
+            json.key(kFaceNames[static_cast<std::size_t>(face)]);
+            writeFace(json, world, blueprint.face(static_cast<Face>(face)));
+        }
+        json.endObject().endObject();
+    }
+    return json.endArray().str();
+}
+
+}  // namespace slicecast

@@ -1,0 +1,142 @@
+#include "session/edit_cells.h"
+
+#include "base/hash.h"
+#include "base/words.h"
+#include "scene/source_text.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace slicecast {
+namespace {
+
+constexpr char32_t kEmptyCharacter = U'.';
+
+// Blocks that move, open or have portals got blueprints of their own when the scene was loaded, of
+// the same name.
+char32_t characterOf(const World& world, const Map& map, BlueprintId id) {
+    for (const LegendEntry& entry : map.legend) {
+        if (entry.blueprint == id) return entry.character;
+    }
+    for (const LegendEntry& entry : map.legend) {
+        if (world.blueprints[entry.blueprint].name == world.blueprints[id].name)
+            return entry.character;
+    }
+    return kEmptyCharacter;
+}
+
+// A mover has a blueprint on every level that it can reach: whether it is there at rest.
+bool isAtRest(const World& world, const CellBlueprint& part, BlueprintId id, int level) {
+    for (const Shaft& shaft : world.movers[static_cast<std::size_t>(part.mover)].shafts) {
+        const int levels = shaft.lastLevel - shaft.firstLevel;
+        if (id >= shaft.firstPart && id <= shaft.firstPart + levels)
+            return shaft.low < tileEdge(level + 1) && shaft.high > tileEdge(level);
+    }
+    return false;
+}
+
+// What keeps a blueprint where it is, or from being put anywhere; empty for a plain block.
+const char* whatHolds(const CellBlueprint& blueprint) {
+    if (blueprint.mover >= 0 || blueprint.motion >= 0) return "a block that moves";
+    if (blueprint.gate >= 0) return "a gate";
+    return blueprint.hasPortals ? "a block with a portal" : "";
+}
+
+std::string shown(char32_t character) {
+    return isPrintable(character) ? words("\"", toUtf8(character), "\"") : "an invisible character";
+}
+
+std::string legendText(const Map& map) {
+    std::string text = ".";
+    for (const LegendEntry& entry : map.legend) add(text, {" ", toUtf8(entry.character)});
+    return text;
+}
+
+bool isWithin(int number, int count) {
+    return number >= 0 && number < count;
+}
+
+std::string outside(const char* what, int found, int count) {
+    return words("found ", what, " ", found, ", expected a whole number from 0 to ", count - 1);
+}
+
+}  // namespace
+
+std::string cellRow(const World& world, int mapIndex, int level, int y) {
+    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    std::string row;
+    BlueprintId last = kEmptyCell;
+    std::string text(1, '.');
+    for (int x = 0; x < map.width; ++x) {
+        const BlueprintId id = map.cells[map.cellIndex(x, y, level)];
+        if (id != last) {
+            const CellBlueprint& blueprint = world.blueprints[id];
+            const bool isEmpty = id == kEmptyCell ||
+                                 (blueprint.mover >= 0 && !isAtRest(world, blueprint, id, level));
+            text = toUtf8(isEmpty ? kEmptyCharacter : characterOf(world, map, id));
+            last = id;
+        }
+        row += text;
+    }
+    return row;
+}
+
+std::string CellEdits::set(World& world, const CellAt& at, char32_t character) {
+    const int maps = static_cast<int>(world.maps.size());
+    if (!isWithin(at.map, maps)) return outside("map", at.map, maps);
+    Map& map = world.maps[static_cast<std::size_t>(at.map)];
+    if (!isWithin(at.level, map.levels)) return outside("level", at.level, map.levels);
+    if (!isWithin(at.x, map.width)) return outside("x", at.x, map.width);
+    if (!isWithin(at.y, map.depth)) return outside("y", at.y, map.depth);
+
+    BlueprintId blueprint = kEmptyCell;
+    if (character != kEmptyCharacter && character != U' ') {
+        const auto entry = std::find_if(
+            map.legend.begin(), map.legend.end(),
+            [character](const LegendEntry& one) { return one.character == character; });
+        if (entry == map.legend.end()) {
+            return words("found ", shown(character), ", expected one of ", legendText(map),
+                         ", as in the map's legend");
+        }
+        blueprint = entry->blueprint;
+    }
+    const std::size_t cell = map.cellIndex(at.x, at.y, at.level);
+    const BlueprintId there = map.cells[cell];
+    for (const BlueprintId id : {there, blueprint}) {
+        const char* const held = whatHolds(world.blueprints[id]);
+        if (*held == '\0') continue;
+        return words("found ", held, ", \"", world.blueprints[id].name,
+                     id == there ? "\", in that cell" : "\", for that cell",
+                     ", expected a block that stands still, without portals: the others are made "
+                     "when the scene is loaded");
+    }
+
+    const auto place = std::lower_bound(
+        edits_.begin(), edits_.end(), std::tie(at.map, cell),
+        [](const Edit& edit, const auto& key) { return std::tie(edit.map, edit.cell) < key; });
+    if (place == edits_.end() || place->map != at.map || place->cell != cell) {
+        if (blueprint != there) edits_.insert(place, {at.map, cell, at, there});
+    } else if (place->before == blueprint) {
+        edits_.erase(place);
+    }
+    map.setCell(at.x, at.y, at.level, blueprint);
+    return {};
+}
+
+void CellEdits::undo(World& world) {
+    for (const Edit& edit : edits_) {
+        world.maps[static_cast<std::size_t>(edit.map)].setCell(edit.at.x, edit.at.y, edit.at.level,
+                                                               edit.before);
+    }
+    edits_.clear();
+}
+
+void CellEdits::addTo(Hash& hash, const World& world) const {
+    for (const Edit& edit : edits_) {
+        hash.add(std::int64_t{edit.map});
+        hash.add(static_cast<std::int64_t>(edit.cell));
+        hash.add(std::int64_t{world.maps[static_cast<std::size_t>(edit.map)].cells[edit.cell]});
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,149 @@
+#include "session/pick.h"
+
+#include "render/projection.h"
+#include "session/hits_json.h"
+#include "session/trace_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slicecast {
+namespace {
+
+using What = FilledRows::What;
+
+int alphaOf(const World& world, const FilledRows& rows, const TracedTexel& texel) {
+    const auto detail = static_cast<std::size_t>(texel.detail);
+    Pixel pixel{};
+    if (rows.what == What::object) {
+        const SpriteLevel& level = world.sprites[rows.texture].levelsAt(world.seconds)[detail];
+        pixel = level.texels[static_cast<std::size_t>(texel.u * level.height + texel.v)];
+    } else {
+        const Texture& texture = world.textures[rows.texture];
+        const TextureLevel& level = texture.levelsOf(texture.frameAt(world.seconds))[detail];
+        pixel = level.texels[static_cast<std::size_t>((texel.u << level.bits) + texel.v)];
+    }
+    return toColour(pixel).a;
+}
+
+// Of a slice whose watched row is asked for.
+struct Picked {
+    const FilledRows* rows = nullptr;
+    const SeenPoint* point = nullptr;
+    int alpha = 255;
+    bool isHole = false;  // of a floor: what is below it is haze
+};
+
+bool isMirrored(const SliceTrace& trace) {
+    return std::any_of(trace.mirrors.begin(), trace.mirrors.end(), [&](const MirroredRows& mirror) {
+        return mirror.first <= trace.watchedRow && trace.watchedRow < mirror.last;
+    });
+}
+
+Picked nearest(const World& world, const SliceTrace& trace) {
+    Picked picked;
+    for (const SeenPoint& point : trace.seen) {
+        const FilledRows& rows = trace.filled[static_cast<std::size_t>(point.run)];
+        const bool hasTexture = rows.texture != kNoTexture;
+        // A mirror's texels count as opaque.
+        const bool isOpaque = !hasTexture || (!rows.layer && isMirrored(trace));
+        picked = {&rows, &point, isOpaque ? 255 : alphaOf(world, rows, point.texel), false};
+        if (picked.alpha > 0) return picked;
+    }
+    picked.isHole = true;
+    return picked;
+}
+
+// Heights of level planes are known exactly.
+double heightOf(const World& world, const SliceTrace& trace, const FilledRows& rows, double z) {
+    switch (rows.what) {
+        case What::roof:
+            return trace.hits[static_cast<std::size_t>(rows.hit)].top.value();
+        case What::underside:
+            return trace.hits[static_cast<std::size_t>(rows.hit)].bottom.value();
+        case What::floor:
+            return 0.0;
+        case What::ceiling:
+            return world.maps[static_cast<std::size_t>(rows.map)].ceiling.height.value();
+        default:
+            return z;
+    }
+}
+
+void writeTile(JsonText& json, const SliceTrace& trace, const Picked& picked) {
+    const FilledRows& rows = *picked.rows;
+    if (rows.hit >= 0) {
+        const Hit& hit = trace.hits[static_cast<std::size_t>(rows.hit)];
+        writePair(json, "tile", hit.tileX, hit.tileY);
+    } else if (rows.what == What::floor || rows.what == What::ceiling) {
+        writePair(json, "tile", std::floor(picked.point->x), std::floor(picked.point->y));
+    } else {
+        json.key("tile").null();
+    }
+}
+
+void writeSeen(JsonText& json, const World& world, const SliceTrace& trace, int column) {
+    const Picked picked = nearest(world, trace);
+    const FilledRows& rows = *picked.rows;
+    const SeenPoint& point = *picked.point;
+    const bool isThing = rows.texture != kNoTexture && !picked.isHole;
+    json.beginObject().key("column").number(column).key("row").number(trace.watchedRow);
+    json.key("what").text(nameOf(picked.isHole ? What::haze : rows.what));
+    json.key("map").text(mapName(world, rows.map)).key("portals").number(rows.portals);
+    writeTile(json, trace, picked);
+    if (rows.hit >= 0) {
+        const Hit& hit = trace.hits[static_cast<std::size_t>(rows.hit)];
+        json.key("level").number(hit.level);
+        json.key("blueprint").text(world.blueprints[hit.blueprint].name);
+        json.key("face").text(nameOf(rows.face));
+    } else {
+        json.key("level").null().key("blueprint").null().key("face").null();
+    }
+    json.key("object");
+    if (rows.object >= 0) {
+        json.number(trace.objects[static_cast<std::size_t>(rows.object)].object);
+    } else {
+        json.null();
+    }
+    json.key("texture");
+    if (isThing) {
+        json.text(textureName(world, rows));
+        json.key("point").beginArray().number(point.x).number(point.y);
+        json.number(heightOf(world, trace, rows, point.z)).endArray();
+        json.key("depth").number(point.texel.depth).key("texel");
+        writeTexel(json, world, rows, point.texel, trace.watchedRow);
+        json.key("alpha").number(picked.alpha);
+    } else {
+        json.null().key("point").null().key("depth").null().key("texel").null();
+        json.key("alpha").number(255);
+    }
+    json.key("reflection");
+    if (isThing && !rows.layer && isMirrored(trace) && !trace.reflection[0].seen.empty()) {
+        writeSeen(json, world, trace.reflection[0], column);
+    } else {
+        json.null();
+    }
+    json.endObject();
+}
+
+}  // namespace
+
+void writePick(JsonText& json, Session& session, int width, int height, int column, int row) {
+    writeSeen(json, session.world(), session.trace(width, height, column, row), column);
+}
+
+std::optional<PicturePoint> project(const Session& session, int map, double x, double y, double z,
+                                    int width, int height) {
+    const Eye eye = session.eye();
+    if (map != eye.map) return std::nullopt;
+    const Projection projection(eye, session.options().render, width, height);
+    const double east = x - eye.x.value();
+    const double south = y - eye.y.value();
+    const double depth = east * projection.forward.x + south * projection.forward.y;
+    if (!(depth > 0.0)) return std::nullopt;
+    const double sideways = east * projection.right.x + south * projection.right.y;
+    return PicturePoint{width / 2.0 + sideways * projection.distance / depth,
+                        projection.rowOf(z - eye.z.value(), depth), depth};
+}
+
+}  // namespace slicecast

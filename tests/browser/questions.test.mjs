@@ -1,0 +1,239 @@
+// What figures ask of <ray-caster>: many columns at once, free rays, pixels, points, and cells that
+// are read and changed.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+
+import { launch } from './browser.mjs';
+import { elementPixel, openElements, ready } from './element.mjs';
+import { kGreen, kGrey, kSky } from './room.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+// Its box is 320 x 200 of the window's pixels, two for each of the picture's.
+const kRoom = `<div style="height: 30px"></div>
+  <ray-caster id="a" scene="room" size="160x100" style="margin-left: 12px"></ray-caster>`;
+
+async function openRoom(t, markup = kRoom) {
+  const { page } = await openElements(t, browser, markup);
+  await ready(page, 'a');
+  return page;
+}
+
+test('pick() tells what lies under the pointer, and project() finds it again', async (t) => {
+  const page = await openRoom(t);
+  const told = await page.evaluate(() => {
+    const a = document.getElementById('a');
+    const box = a.getBoundingClientRect();
+    const at = (x, y) => a.pick(box.left + x, box.top + y);
+    const middle = at(160, 101);
+    const again = a.project(...middle.point);
+    return {
+      size: [box.width, box.height],
+      middle,
+      again: [again.x, again.y, again.clientX - box.left, again.clientY - box.top],
+      sky: at(160, 3),
+      floor: at(160, 197),
+      corner: at(0.2, 0.2),
+      last: at(319.9, 199.9),
+      outside: [at(-1, 50), at(320.5, 50), at(50, -1), at(50, 200.5)],
+      behind: a.project(1.5, 3.5, 0.5),
+      elsewhere: (() => {
+        try {
+          return a.project(1, 1, 1, 'cellar');
+        } catch (error) {
+          return String(error);
+        }
+      })(),
+    };
+  });
+  assert.deepEqual(told.size, [320, 200]);
+  const { what, blueprint, tile, level, face, texture, point, depth } = told.middle;
+  assert.deepEqual(
+    [what, blueprint, tile, level, face, texture],
+    ['side', 'wall', [6, 3], 0, 'west', 'green'],
+  );
+  assert.equal(depth, 2.5);
+  assert.equal(point[0], 6);
+  assert.deepEqual(
+    told.again.map((number) => Math.round(number * 1e6) / 1e6),
+    [80.5, 50.5, 161, 101],
+  );
+  assert.deepEqual([told.sky.what, told.sky.point], ['sky', null]);
+  assert.deepEqual([told.floor.what, told.floor.texture], ['floor', 'grey']);
+  assert.deepEqual([told.corner.column, told.corner.row], [0, 0]);
+  assert.deepEqual([told.last.column, told.last.row], [159, 99]);
+  assert.deepEqual(told.outside, [null, null, null, null]);
+  assert.equal(told.behind, null);
+  assert.match(told.elsewhere, /^RangeError: project: Unknown map 'cellar'\. Expected room\.$/);
+});
+
+test('every pixel of the canvas is of what pick() tells', async (t) => {
+  const page = await openRoom(t);
+  const told = await page.evaluate(async () => {
+    const a = document.getElementById('a');
+    const colours = { red: [200, 40, 40], green: [40, 180, 60], blue: [50, 70, 210] };
+    Object.assign(colours, { yellow: [230, 200, 50], grey: [120, 120, 120] });
+    a.look({ x: 2.2, y: 4.1, z: 0.7, heading: 250, look: -0.1 });
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const canvas = a.shadowRoot.querySelector('canvas');
+    const shown = canvas.getContext('2d').getImageData(0, 0, 160, 100).data;
+    const pixels = a.pixels();
+    const box = a.getBoundingClientRect();
+    let wrong = 0;
+    const seen = new Set();
+    for (let row = 0; row < 100; row += 3) {
+      for (let column = 0; column < 160; column += 3) {
+        const pick = a.pick(box.left + 2 * column + 1, box.top + 2 * row + 1);
+        seen.add(pick.texture ?? pick.what);
+        const at = 4 * (row * 160 + column);
+        const colour = colours[pick.texture] ?? [0x88, 0xa0, 0xb8];
+        if (colour.some((value, i) => value !== shown[at + i])) ++wrong;
+      }
+    }
+    return {
+      wrong,
+      seen: [...seen].sort(),
+      same: pixels.data.every((value, i) => value === shown[i]),
+      size: [pixels.width, pixels.height, pixels.data.constructor.name],
+      other: a.pixels({ width: 8, height: 4 }).data.length,
+      refused: (() => {
+        try {
+          a.pixels({ width: 4097, height: 1 });
+        } catch (error) {
+          return String(error);
+        }
+      })(),
+    };
+  });
+  assert.equal(told.wrong, 0);
+  assert.deepEqual(told.seen, ['grey', 'red', 'sky', 'yellow']);
+  assert.ok(told.same);
+  assert.deepEqual(told.size, [160, 100, 'Uint8ClampedArray']);
+  assert.equal(told.other, 8 * 4 * 4);
+  assert.match(told.refused, /^RangeError: pixels: found width 4097, expected a whole number/);
+});
+
+test('hits() and trace() take many columns at once, cast() a ray of its own', async (t) => {
+  const page = await openRoom(t);
+  const told = await page.evaluate(() => {
+    const a = document.getElementById('a');
+    const all = a.hits({ first: 0, last: 159 });
+    const failure = (act) => {
+      try {
+        return act();
+      } catch (error) {
+        return String(error);
+      }
+    };
+    return {
+      count: all.length,
+      same: JSON.stringify(all[80]) === JSON.stringify(a.hits(80)),
+      list: a.trace([3, 999, 4]).map((one) => one?.column ?? null),
+      alike: JSON.stringify(a.trace([12])[0]) === JSON.stringify(a.trace(12)),
+      cast: a.cast({ map: 'room', x: 3.5, y: 3.5, z: 0.5, heading: 90 }),
+      ofView: a.cast(a.currentView).end,
+      range: failure(() => a.hits({ first: 4, last: 1 })),
+      none: failure(() => a.hits('all')),
+    };
+  });
+  assert.deepEqual([told.count, told.same, told.list, told.alike], [160, true, [3, null, 4], true]);
+  assert.deepEqual(
+    told.cast.tiles.map(({ tile, distance }) => [...tile, distance]),
+    [
+      [3, 3, 0],
+      [3, 4, 0.5],
+      [3, 5, 1.5],
+      [3, 6, 2.5],
+    ],
+  );
+  assert.deepEqual(
+    told.cast.hits.map(({ blueprint, face, distance }) => [blueprint, face, distance]),
+    [['wall', 'north', 2.5]],
+  );
+  assert.deepEqual(told.cast.end, { why: 'block', map: 'room', point: [3.5, 6], distance: 2.5 });
+  assert.deepEqual(told.ofView.point, [6, 3.5]);
+  assert.match(told.range, /^RangeError: hits: found columns from 4 to 1, expected a column, /);
+  assert.match(told.none, /^RangeError: hits: found column all, expected a whole number, a list/);
+});
+
+test('setCell() changes the living world of one element, and reset() puts it back', async (t) => {
+  const page = await openRoom(
+    t,
+    '<ray-caster id="a" scene="room" size="160x100"></ray-caster><ray-caster id="b" scene="room" size="160x100"></ray-caster>',
+  );
+  await ready(page, 'b');
+  assert.deepEqual(await elementPixel(page, 'a'), kGreen);
+  const told = await page.evaluate(() => {
+    const a = document.getElementById('a');
+    const view = JSON.stringify(a.currentView);
+    a.setCell('room', 0, 4, 3, '#');
+    a.setCell('room', 0, 3, 0, '.');
+    return {
+      kept: JSON.stringify(a.currentView) === view,
+      rows: a.cells('room', 0),
+      ofB: document.getElementById('b').cells(),
+      block: a.blueprints().map(({ character, name, faces }) => [character, name, faces.west]),
+      depth: a.hits(80).hits[0].depth,
+    };
+  });
+  assert.ok(told.kept);
+  assert.deepEqual(told.rows.slice(0, 4), ['###.###', '#.....#', '#.....#', '#...#.#']);
+  assert.deepEqual(told.ofB[0].slice(0, 4), ['#######', '#.....#', '#.....#', '#.....#']);
+  assert.deepEqual(told.block, [
+    ['#', 'wall', { texture: 'green', colour: '#28b43c', light: 1, glow: false, mirror: 0 }],
+  ]);
+  assert.equal(told.depth, 0.5);
+  // The block is nearer now: where the sky was, it is.
+  assert.deepEqual(await elementPixel(page, 'a', 0.5, 0.1), kGreen);
+  assert.deepEqual(await elementPixel(page, 'b', 0.5, 0.1), kSky);
+
+  // It is solid, and nobody flies.
+  const stopped = await page.evaluate(() => {
+    const a = document.getElementById('a');
+    a.step(240, { forward: 1 });
+    const { x } = a.currentView;
+    a.reset();
+    return { x, rows: a.cells('room', 0) };
+  });
+  assert.ok(stopped.x < 4);
+  assert.deepEqual(stopped.rows.slice(0, 4), ['#######', '#.....#', '#.....#', '#.....#']);
+  assert.deepEqual(await elementPixel(page, 'a', 0.5, 0.1), kSky);
+});
+
+test('an eye inside of a new block stays where it is, and flies out', async (t) => {
+  const page = await openRoom(t);
+  const told = await page.evaluate(() => {
+    const a = document.getElementById('a');
+    const before = a.currentView;
+    a.setCell(null, 0, 3, 3, '#');
+    const kept = a.currentView;
+    a.step(240, { forward: 1 });
+    return { before, kept, out: a.currentView };
+  });
+  assert.deepEqual(told.kept, told.before);
+  assert.ok(told.out.x > 4.2, `${told.out.x}`);
+  assert.equal(told.out.z, told.before.z);
+});
+
+test('drawnColumns shows what is there when so many slices are drawn', async (t) => {
+  const page = await openRoom(
+    t,
+    '<ray-caster id="a" scene="room" size="160x100" options="drawnColumns=40"></ray-caster>',
+  );
+  const notYet = [20, 22, 26];
+  assert.deepEqual(await elementPixel(page, 'a', 0.1, 0.95), kGrey);
+  assert.deepEqual(await elementPixel(page, 'a', 0.5), notYet);
+  for (const [drawn, colour] of [
+    [90, kGreen],
+    [60, notYet],
+    [-1, kGreen],
+  ]) {
+    await page.evaluate((count) => document.getElementById('a').set('drawnColumns', count), drawn);
+    assert.deepEqual(await elementPixel(page, 'a'), colour, String(drawn));
+  }
+});

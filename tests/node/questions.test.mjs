@@ -1,0 +1,288 @@
+// What figures ask, under Node: many columns at once, free rays, pixels, points, and cells that are
+// read and changed.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { basename } from 'node:path';
+import { test } from 'node:test';
+
+import { Engine } from '../../build/web/engine/engine.js';
+import { readEngine } from '../../build/web/node/engine-files.js';
+import { load } from '../../build/web/node/index.js';
+import { openScene } from '../../build/web/node/scene-files.js';
+import { root, shippedScenes } from '../wasm/load.mjs';
+
+const kSize = { width: 96, height: 60 };
+const kMostMilliseconds = 400; // far above what it takes, for machines that do much else
+
+const castleText = await readFile(`${root}/assets/scenes/castle.json`, 'utf8');
+const sameBytes = (a, b) => Buffer.from(a.data).equals(Buffer.from(b.data));
+
+test('many columns are told in one call, as one after another', async () => {
+  for (const name of ['wayhouse', 'water-palace', 'garden']) {
+    const scene = await load(name);
+    for (const ask of ['hits', 'trace']) {
+      const all = scene[ask]({ first: 0, last: kSize.width - 1 }, kSize);
+      assert.equal(all.length, kSize.width);
+      for (const column of [0, 1, 15, 16, 47, 95])
+        assert.deepEqual(all[column], scene[ask](column, kSize), `${name} ${ask} ${column}`);
+      const some = scene[ask]([40, 3, -1, 40, 96, 1.5], kSize);
+      assert.deepEqual(some, [all[40], all[3], null, all[40], null, null]);
+      assert.deepEqual(scene[ask]([], kSize), []);
+    }
+    scene.free();
+  }
+});
+
+test('all columns of the harbour take a moment', async (t) => {
+  const scene = await load('harbour-town');
+  const size = { width: 320, height: 200 };
+  for (const ask of ['hits', 'trace']) {
+    const times = Array.from({ length: 5 }, () => {
+      const begin = performance.now();
+      const told = scene[ask]({ first: 0, last: 319 }, size);
+      assert.ok(told.every(({ hits }) => Array.isArray(hits)));
+      return performance.now() - begin;
+    });
+    const best = Math.min(...times);
+    t.diagnostic(`${ask}: ${times.map((time) => time.toFixed(1)).join(', ')} ms`);
+    assert.ok(best < kMostMilliseconds, `${ask}: ${best} ms`);
+  }
+  scene.free();
+});
+
+test('columns that cannot be are refused', async () => {
+  const scene = await load('first-walk');
+  for (const columns of [
+    {},
+    { first: 3 },
+    { first: 0.5, last: 3 },
+    { first: 4, last: 3 },
+    { first: 0, last: 8192 },
+  ]) {
+    for (const ask of ['hits', 'trace'])
+      assert.throws(() => scene[ask](columns, kSize), {
+        name: 'RangeError',
+        message: /^(hits|trace): found columns from .*, expected a column, a list of columns, or /,
+      });
+  }
+  scene.free();
+});
+
+test('a free ray walks tiles and hits blocks', async () => {
+  const scene = await load('first-walk');
+  const { x, y, map } = scene.currentView;
+  for (const heading of [0, 33, 90, 200]) {
+    const told = scene.cast({ map, x, y, heading });
+    assert.deepEqual([told.map, told.z, told.heading], [map, null, heading]);
+    assert.ok(Math.abs(Math.hypot(...told.ray) - 1) < 1e-12);
+    assert.ok(Math.abs(told.ray[0] - Math.cos((heading * Math.PI) / 180)) < 1e-12);
+    assert.deepEqual(told.tiles[0].tile, [Math.floor(x), Math.floor(y)]);
+    assert.equal(told.tiles[0].axis, null);
+    told.tiles.slice(1).forEach(({ tile, axis, distance }, index) => {
+      const before = told.tiles[index];
+      assert.equal(distance, Math.min(...before.next.map((next) => next ?? Infinity)));
+      const moved = tile[axis === 'x' ? 0 : 1] - before.tile[axis === 'x' ? 0 : 1];
+      assert.equal(Math.abs(moved), 1);
+    });
+    assert.equal(told.end.why, 'edge');
+
+    // With a height it is what a column of a level picture tells of its middle row.
+    const low = scene.cast({ map, x, y, z: 0.5, heading });
+    assert.equal(low.z, 0.5);
+    for (const { bottom, top } of low.hits) assert.ok(bottom <= 0.5 && top > 0.5);
+    scene.look({ x, y, z: 0.5, heading, look: 0 });
+    const trace = scene.hits(50, { width: 101, height: 61 });
+    const met = trace.hits.find(({ bottom, top }) => bottom <= 0.5 && top > 0.5);
+    if (low.end.why === 'block') {
+      assert.deepEqual(low.hits.at(-1).tile, met.tile);
+      assert.ok(Math.abs(low.end.distance - met.depth) < 1e-9);
+    }
+  }
+  assert.deepEqual(scene.cast({ x, y, heading: 12 }).map, map, 'in the map of the eye');
+  for (const [from, found] of [
+    [undefined, /found undefined/],
+    [{ x, y }, /heading undefined/],
+    [{ x: '1', y, heading: 0 }, /x 1/],
+    [{ x: 40000, y, heading: 0 }, /x 40000, expected a number from -32767 to 32767/],
+    [{ x, y, heading: NaN }, /heading NaN/],
+    [{ x, y, z: NaN, heading: 0 }, /z NaN/],
+    [{ x, y, heading: 0, map: 'nowhere' }, /cast: Unknown map 'nowhere'\. Expected /],
+    [
+      { x, y, heading: 0, hight: 1 },
+      /cast: Unknown field 'hight'\. Expected map, x, y, z or heading\.$/,
+    ],
+  ])
+    assert.throws(() => scene.cast(from), { name: 'RangeError', message: found });
+  scene.free();
+});
+
+test('every pixel that is picked is projected onto itself', async () => {
+  const scene = await load('harbour-town');
+  scene.set('light', false);
+  scene.set('fog', false);
+  const kinds = new Set();
+  let points = 0;
+  for (let row = 0; row < kSize.height; row += 3) {
+    for (let column = 0; column < kSize.width; column += 3) {
+      const pick = scene.pick(column, row, kSize);
+      kinds.add(pick.what);
+      assert.deepEqual([pick.column, pick.row], [column, row]);
+      // The run of the trace that holds the row is what is picked, if nothing lies over it.
+      const runs = scene
+        .trace(column, kSize)
+        .runs.filter(({ first, last }) => first <= row && row <= last);
+      if (runs.length === 1)
+        assert.deepEqual([pick.what, pick.texture], [runs[0].what, runs[0].texture]);
+      if (pick.point === null || pick.portals > 0) continue;
+      ++points;
+      const { x, y, depth } = scene.project(...pick.point, pick.map, kSize);
+      assert.ok(Math.abs(x - column - 0.5) < 1e-6 && Math.abs(y - row - 0.5) < 1e-6);
+      assert.ok(Math.abs(depth - pick.depth) < 1e-9);
+    }
+  }
+  assert.ok(points > 200 && kinds.size >= 4, [...kinds].join());
+  assert.equal(scene.pick(96, 3, kSize), null);
+  assert.equal(scene.pick(3, -0.5, kSize), null);
+  assert.throws(() => scene.pick('3', 3, kSize), /^RangeError: pick: found column 3, expected a n/);
+  const { x, y, z, heading } = scene.currentView;
+  const behind = [x - Math.cos((heading * Math.PI) / 180), y - Math.sin((heading * Math.PI) / 180)];
+  assert.equal(scene.project(...behind, z, undefined, kSize), null);
+  assert.throws(() => scene.project(1, 2, NaN), /^RangeError: project: found z NaN/);
+  scene.free();
+});
+
+test('the cells of every shipped scene are those of its text', async () => {
+  for (const file of shippedScenes) {
+    const scene = await load(file);
+    const text = JSON.parse(await readFile(file, 'utf8'));
+    scene.step(90); // what moves is elsewhere
+    for (const map of text.maps) {
+      const legend = { ...text.legend, ...map.legend };
+      const firstOf = {};
+      for (const [character, name] of Object.entries(legend)) firstOf[name] ??= character;
+      const width = Math.max(...map.levels.flat().map((row) => [...row].length));
+      const depth = Math.max(...map.levels.map((level) => level.length));
+      const expected = map.levels.map((level) =>
+        level.length === 0
+          ? new Array(depth).fill('.'.repeat(width))
+          : level.map((row) => [...row].map((one) => firstOf[legend[one]] ?? '.').join('')),
+      );
+      assert.deepEqual(scene.cells(map.name), expected, `${basename(file)} ${map.name}`);
+      assert.deepEqual(scene.cells(map.name, 0), expected[0]);
+      const blueprints = scene.blueprints(map.name);
+      assert.deepEqual(
+        blueprints.map(({ character }) => character).sort(),
+        Object.keys(legend).sort(),
+      );
+      for (const { character, name, faces, top } of blueprints) {
+        assert.equal(name, legend[character]);
+        assert.ok(Math.abs(top - (text.blueprints[name].top ?? 1)) < 1e-4, name);
+        for (const { texture } of Object.values(faces)) assert.ok(texture in text.textures);
+      }
+    }
+    assert.throws(() => scene.cells('nowhere'), /^RangeError: cells: Unknown map 'nowhere'/);
+    assert.throws(() => scene.cells(null, 99), /^RangeError: cells: found level 99, expected a/);
+    scene.free();
+  }
+});
+
+test('a cell that is set is as if the scene had it', async () => {
+  const scene = await load(JSON.parse(castleText));
+  const start = scene.currentView;
+  const before = scene.pixels(kSize);
+  const cells = scene.cells(start.map);
+  // A free cell two tiles ahead, on the level of the eye.
+  const level = Math.floor(start.z);
+  const ahead = scene.cast(start);
+  assert.ok(ahead.tiles.length > 3);
+  const [x, y] = ahead.tiles[2].tile;
+  assert.equal([...cells[level][y]][x], '.');
+  const plain = scene.blueprints().find((one) => !one.moves && !one.gate && one.top === 1);
+  scene.setCell(start.map, level, x, y, plain.character);
+  assert.deepEqual(scene.currentView, start);
+  const after = scene.pixels(kSize);
+  assert.ok(!sameBytes(after, before));
+
+  const text = JSON.parse(castleText);
+  const map = text.maps.find(({ name }) => name === start.map);
+  const row = [...map.levels[level][y]];
+  row[x] = plain.character;
+  map.levels[level][y] = row.join('');
+  const written = await load(text);
+  assert.ok(sameBytes(written.pixels(kSize), after), 'drawn');
+  assert.deepEqual(written.trace(48, kSize), scene.trace(48, kSize));
+  for (const one of [scene, written]) one.step(240, { forward: 1 });
+  assert.deepEqual(scene.currentView, written.currentView, 'solid');
+  assert.ok(sameBytes(written.pixels(kSize), scene.pixels(kSize)));
+
+  scene.reset();
+  assert.deepEqual(scene.cells(start.map), cells);
+  assert.ok(sameBytes(scene.pixels(kSize), before));
+  for (const [words, message] of [
+    [[start.map, 0, 1, 1, 'ab'], /found "ab", expected one character/],
+    [[start.map, 0, 1, 1, ''], /found "", expected one character/],
+    [[start.map, 0, 1, 1], /found undefined, expected one character/],
+    [[start.map, 0, 1.5, 1, '.'], /found x 1.5, expected a whole number/],
+    [[start.map, 0, -1, 1, '.'], /found x -1, expected a whole number from 0 to /],
+    [[start.map, 99, 1, 1, '.'], /found level 99, expected a whole number from 0 to /],
+    [['cellar', 0, 1, 1, '.'], /Unknown map 'cellar'/],
+    [[start.map, 0, 1, 1, '\u{1F3F0}'], /found "\u{1F3F0}", expected one of \. .* legend\.$/u],
+  ])
+    assert.throws(() => scene.setCell(...words), { name: 'RangeError', message });
+  for (const one of [scene, written]) one.free();
+});
+
+test('what another engine has taken over does not change', async () => {
+  const create = async () => Engine.create({ files: await readEngine('auto'), canvas: {} });
+  const one = await create();
+  assert.deepEqual(await one.loadScene(openScene('first-walk')), []);
+  const cells = one.questions.cells();
+  const solid = one.questions.blueprints().find(({ moves, gate }) => !moves && !gate);
+  const y = cells[0].findIndex((row) => row.includes('.'));
+  const x = cells[0][y].indexOf('.');
+  const early = await create();
+  assert.equal(early.adopt(one), true);
+  one.questions.setCell(null, 0, x, y, solid.character);
+  const late = await create();
+  assert.equal(late.adopt(one), true);
+  assert.notDeepEqual(one.questions.cells(), cells);
+  assert.deepEqual(early.questions.cells(), cells);
+  assert.deepEqual(late.questions.cells(), cells, 'the scene as it was loaded');
+  late.questions.setCell(null, 0, x, y, solid.character);
+  assert.deepEqual(late.questions.cells(), one.questions.cells());
+  assert.deepEqual(early.questions.cells(), cells);
+  for (const engine of [one, early, late]) engine.stop();
+});
+
+test('the first columns alone are drawn, to and fro', async () => {
+  const scene = await load('first-walk');
+  const whole = scene.pixels(kSize);
+  const columnsOf = ({ data }) =>
+    Array.from({ length: kSize.width }, (_, x) => {
+      let same = true;
+      for (let y = 0; y < kSize.height; ++y)
+        for (let c = 0; c < 4; ++c) {
+          const at = 4 * (y * kSize.width + x) + c;
+          same &&= data[at] === whole.data[at];
+        }
+      return same;
+    });
+  const seen = new Map();
+  for (const drawn of [10, 70, 40, 10, 0, 40, 95]) {
+    scene.set('drawnColumns', drawn);
+    const picture = scene.pixels(kSize);
+    assert.deepEqual(
+      columnsOf(picture),
+      Array.from({ length: kSize.width }, (_, x) => x < drawn),
+    );
+    if (seen.has(drawn)) assert.ok(sameBytes(seen.get(drawn), picture));
+    seen.set(drawn, picture);
+  }
+  for (const drawn of [96, 8192, -1]) {
+    scene.set('drawnColumns', drawn);
+    assert.ok(sameBytes(scene.pixels(kSize), whole));
+  }
+  assert.throws(() => scene.set('drawnColumns', -2), { code: 'option' });
+  scene.free();
+});

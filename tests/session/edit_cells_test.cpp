@@ -1,0 +1,222 @@
+// Cells of a running world that are changed: what is drawn, what is solid, and how it goes back.
+#include "session/edit_cells.h"
+
+#include "session/cells_json.h"
+#include "session/recording_text.h"
+#include "session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace slicecast {
+namespace {
+
+Image plain(std::uint8_t grey) {
+    Image image(8, 8);
+    for (Pixel& pixel : image.pixels) pixel = toPixel({grey, grey, 90, 255});
+    return image;
+}
+
+// A walled yard of 7 x 6 tiles and three levels, seen from (1.5, 2.5) to the east; a lift that
+// rises from level 0 at (5, 4), a gate at (5, 1), a portal face at (3, 4).
+World yard() {
+    World world;
+    world.textures.push_back(makeTexture("plain", plain(200)));
+    world.textures.push_back(makeTexture("dark", plain(60)));
+    const auto add = [&](const char* name, double top, TextureId texture) {
+        CellBlueprint blueprint;
+        blueprint.name = name;
+        blueprint.top = toCoordinate(top);
+        for (FaceBlueprint& face : blueprint.faces) face.texture = texture;
+        world.blueprints.push_back(blueprint);
+    };
+    add("wall", 1.0, 0);
+    add("step", 0.25, 1);
+    add("lift", 0.5, 1);
+    add("gate", 1.0, 1);
+    add("door", 1.0, 1);
+    world.blueprints[3].motion = 0;
+    world.blueprints[4].gate = 0;
+    Motion motion;
+    motion.edges = MovingEdges::both;
+    motion.to = toCoordinate(1.25);
+    world.motions.push_back(motion);
+    world.gateKinds.emplace_back();
+    Map map = makeMap("yard", 7, 6, 3, 0);
+    map.legend = {{U'#', 1}, {U'w', 1}, {U'ß', 2}, {U'l', 3}, {U'g', 4}, {U'd', 5}};
+    for (int x = 0; x < 7; ++x) {
+        map.setCell(x, 0, 0, 1);
+        map.setCell(x, 5, 0, 1);
+    }
+    map.setCell(5, 4, 0, 3);
+    map.setCell(5, 1, 0, 4);
+    map.setCell(3, 4, 0, 5);
+    world.maps.push_back(std::move(map));
+    world.blueprints[5].faces[static_cast<std::size_t>(Face::north)].portal = 0;
+    world.blueprints[5].hasPortals = true;
+    world.portals.push_back({.fromMap = 0,
+                             .fromX = 3,
+                             .fromY = 4,
+                             .toMap = 0,
+                             .toX = 2,
+                             .toY = 1,
+                             .turn = 0,
+                             .levels = 0});
+    EXPECT_TRUE(makeMovers(world).empty());
+    EXPECT_TRUE(makeGates(world).empty());
+    makeGateFrames(world);
+    markSeeThrough(world);
+    world.start = {.map = 0, .x = toCoordinate(1.5), .y = toCoordinate(2.5), .z = {}};
+    return world;
+}
+
+std::vector<Pixel> drawn(Session& session) {
+    std::vector<Pixel> pixels(160 * 100);
+    EXPECT_TRUE(session.draw({pixels.data(), 160, 100, 160}));
+    return pixels;
+}
+
+std::vector<std::string> rows(const Session& session, int level) {
+    std::vector<std::string> rows;
+    for (int y = 0; y < 6; ++y) rows.push_back(cellRow(session.world(), 0, level, y));
+    return rows;
+}
+
+TEST(EditCells, RowsAreThoseOfTheScene) {
+    Session session(yard());
+    const std::vector<std::string> ground = {"#######", ".....g.", ".......",
+                                             ".......", "...d.l.", "#######"};
+    EXPECT_EQ(rows(session, 0), ground);
+    EXPECT_EQ(rows(session, 1), std::vector<std::string>(6, "......."))
+        << "where the lift can come to";
+    for (int i = 0; i < 400; ++i) session.step({});
+    EXPECT_EQ(rows(session, 0), ground) << "the lift is elsewhere now";
+    EXPECT_EQ(session.setCell({0, 2, 6, 3}, U'ß'), "");
+    EXPECT_EQ(rows(session, 2)[3], "......ß");
+    EXPECT_EQ(cellsJson(session.world(), 0).substr(0, 22), "[[\"#######\",\".....g.\",");
+}
+
+TEST(EditCells, DrawsTheWorldThatHasTheBlock) {
+    World other = yard();
+    other.maps[0].setCell(4, 2, 0, 1);
+    other.maps[0].setCell(3, 5, 0, kEmptyCell);
+    Session written(std::move(other));
+    Session edited(yard());
+    const std::vector<Pixel> before = drawn(edited);
+    EXPECT_EQ(edited.setCell({0, 0, 4, 2}, U'#'), "");
+    EXPECT_EQ(edited.setCell({0, 0, 3, 5}, U' '), "");
+    EXPECT_EQ(drawn(edited), drawn(written));
+    EXPECT_NE(drawn(edited), before);
+    EXPECT_EQ(edited.trace(160, 100, 80).hits.size(), written.trace(160, 100, 80).hits.size());
+    // Solid, too: both are stopped at the same place.
+    for (int i = 0; i < 240; ++i) {
+        edited.step({.forward = 1.0});
+        written.step({.forward = 1.0});
+    }
+    EXPECT_EQ(edited.eye(), written.eye());
+    EXPECT_LT(edited.eye().x.value(), 4.0);
+    edited.reset();
+    EXPECT_EQ(drawn(edited), before);
+}
+
+TEST(EditCells, KeepsTheEyeInsideOfANewBlock) {
+    Session session(yard());
+    for (int i = 0; i < 10; ++i) session.step({.forward = 1.0});
+    const Eye eye = session.eye();
+    EXPECT_FALSE(session.player().flying);
+    EXPECT_EQ(session.setCell({0, 0, 1, 2}, U'#'), "");
+    EXPECT_EQ(session.eye(), eye);
+    EXPECT_TRUE(session.player().flying);
+    session.step({});
+    EXPECT_EQ(session.eye().z, eye.z);
+    for (int i = 0; i < 120; ++i) session.step({.forward = 1.0});
+    EXPECT_GT(session.eye().x.value(), 2.2) << "flies out";
+    // A block elsewhere changes nothing of the player.
+    Session walker(yard());
+    EXPECT_EQ(walker.setCell({0, 0, 4, 3}, U'#'), "");
+    EXPECT_FALSE(walker.player().flying);
+}
+
+TEST(EditCells, RefusesWhatIsMadeWhenTheSceneIsLoaded) {
+    Session session(yard());
+    const std::uint64_t before = session.fingerprint();
+    const auto refusal = [&](CellAt at, char32_t character) {
+        return session.setCell(at, character);
+    };
+    EXPECT_EQ(refusal({0, 0, 5, 4}, U'.').substr(0, 27), "found a block that moves, \"");
+    EXPECT_EQ(refusal({0, 1, 5, 4}, U'#').substr(0, 27), "found a block that moves, \"")
+        << "where it can come to";
+    EXPECT_EQ(refusal({0, 0, 5, 1}, U'#').substr(0, 14), "found a gate, ");
+    EXPECT_EQ(refusal({0, 0, 3, 4}, U'.').substr(0, 27), "found a block with a portal");
+    EXPECT_EQ(refusal({0, 0, 2, 2}, U'l').substr(0, 27), "found a block that moves, \"");
+    EXPECT_EQ(refusal({0, 0, 2, 2}, U'g').substr(0, 14), "found a gate, ");
+    EXPECT_EQ(refusal({0, 0, 2, 2}, U'Q'),
+              "found \"Q\", expected one of . # w ß l g d, as in the map's legend");
+    EXPECT_EQ(refusal({1, 0, 2, 2}, U'#'), "found map 1, expected a whole number from 0 to 0");
+    EXPECT_EQ(refusal({0, 3, 2, 2}, U'#'), "found level 3, expected a whole number from 0 to 2");
+    EXPECT_EQ(refusal({0, 0, 7, 2}, U'#'), "found x 7, expected a whole number from 0 to 6");
+    EXPECT_EQ(refusal({0, 0, 2, -1}, U'#'), "found y -1, expected a whole number from 0 to 5");
+    EXPECT_EQ(session.fingerprint(), before);
+}
+
+TEST(EditCells, TheWorldComesBackAsTheSceneHasIt) {
+    Session session(yard());
+    const std::vector<std::string> ground = rows(session, 0);
+    const std::uint64_t before = session.fingerprint();
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'#'), "");
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'ß'), "");
+    EXPECT_EQ(session.setCell({0, 0, 3, 0}, U'.'), "");
+    EXPECT_NE(session.fingerprint(), before);
+    session.reset();
+    EXPECT_EQ(rows(session, 0), ground);
+    EXPECT_EQ(session.fingerprint(), before);
+    // Back by hand is the same as never.
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'#'), "");
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'.'), "");
+    EXPECT_EQ(session.fingerprint(), before);
+    // Another session that takes the world over has none of it.
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'#'), "");
+    Session other(session.takeWorld());
+    EXPECT_EQ(rows(other, 0), ground);
+}
+
+TEST(EditCells, AreRecorded) {
+    Session session(yard());
+    Recorder recorder("yard");
+    session.record(&recorder);
+    for (int i = 0; i < 30; ++i) session.step({.forward = 1.0});
+    EXPECT_EQ(session.setCell({0, 0, 3, 2}, U'ß'), "");
+    EXPECT_EQ(session.setCell({0, 0, 4, 2}, U'#'), "");
+    for (int i = 0; i < 200; ++i) session.step({.forward = 1.0});
+    const std::string text = writeRecording(recorder.finish(session));
+    EXPECT_NE(text.find("\ncell 0 0 3 2 223\n"), std::string::npos) << text;
+    ReadRecording read = readRecording(text, "yard.txt");
+    ASSERT_TRUE(read.recording.has_value()) << describe(read.faults.at(0));
+    Session again(yard());
+    Replay replay(std::move(*read.recording));
+    while (replay.step(again)) {
+    }
+    EXPECT_TRUE(replay.isSame());
+    EXPECT_EQ(again.fingerprint(), session.fingerprint());
+    EXPECT_EQ(rows(again, 0), rows(session, 0));
+}
+
+TEST(EditCells, BlueprintsAreThoseOfTheLegend) {
+    const World world = yard();
+    const std::string text = blueprintsJson(world, 0);
+    EXPECT_EQ(text.find("[{\"character\":\"#\",\"name\":\"wall\",\"bottom\":0,\"top\":1,"
+                        "\"seeThrough\":false,\"moves\":false,\"gate\":false,\"faces\":{\"north\":{"
+                        "\"texture\":\"plain\",\"colour\":\"#c8c85a\",\"light\":1,\"glow\":false,"
+                        "\"mirror\":0},"),
+              0u)
+        << text;
+    EXPECT_NE(text.find("\"character\":\"l\",\"name\":\"lift\",\"bottom\":0,\"top\":0.5,"
+                        "\"seeThrough\":false,\"moves\":true,\"gate\":false"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace slicecast

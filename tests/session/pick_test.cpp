@@ -1,0 +1,304 @@
+// What a pixel shows is what the picture has there, and a point that a pixel shows lies in that
+// pixel.
+#include "session/pick.h"
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace slicecast {
+namespace {
+
+using Json = rapidjson::Value;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 72;
+
+// A texel tells which one it is, and of which texture. `hole` makes a chess board of holes.
+Image numbered(int size, int blue, int alpha = 255, bool hole = false) {
+    Image image(size, size);
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const auto share = [size](int i) {
+                return static_cast<std::uint8_t>(i * 255 / (size - 1));
+            };
+            const bool isHole = hole && (x / 4 + y / 4) % 2 == 0;
+            image.pixels[static_cast<std::size_t>(y * size + x)] =
+                toPixel({share(x), share(y), static_cast<std::uint8_t>(blue),
+                         static_cast<std::uint8_t>(isHole ? 0 : alpha)});
+        }
+    }
+    return image;
+}
+
+CellBlueprint blueprintOf(const char* name, TextureId texture, double bottom, double top) {
+    CellBlueprint blueprint;
+    blueprint.name = name;
+    blueprint.bottom = toCoordinate(bottom);
+    blueprint.top = toCoordinate(top);
+    for (FaceBlueprint& face : blueprint.faces) face.texture = texture;
+    return blueprint;
+}
+
+// Blocks of several heights, a fence with holes, a ceiling over one half, a lamp with holes, a
+// portal in the north.
+World hall() {
+    World world;
+    world.textures.push_back(makeTexture("stone", numbered(32, 60)));
+    world.textures.push_back(makeTexture("fence", numbered(16, 200, 255, true)));
+    world.textures.push_back(makeTexture("ground", numbered(64, 130)));
+    world.sprites.push_back(makeSprite("lamp", numbered(16, 250, 255, true)));
+    world.blueprints.push_back(blueprintOf("wall", 0, 0.0, 1.0));
+    world.blueprints.push_back(blueprintOf("bench", 0, 0.0, 0.375));
+    world.blueprints.push_back(blueprintOf("beam", 0, 0.5, 0.75));
+    world.blueprints.push_back(blueprintOf("fence", 1, 0.25, 1.0));
+    Map map = makeMap("hall", 14, 11, 3, 2);
+    for (int x = 0; x < 14; ++x) {
+        map.setCell(x, 10, 0, 1);
+        map.setCell(x, 10, 1, 1);
+    }
+    for (int y = 0; y < 11; ++y) map.setCell(12, y, 0, 1);
+    map.setCell(6, 4, 0, 2);
+    map.setCell(7, 5, 0, 4);
+    map.setCell(9, 5, 1, 3);
+    map.setCell(8, 7, 0, 2);
+    map.setCell(5, 7, 2, 3);
+    map.ceiling.height = toCoordinate(2.0);
+    map.ceiling.tiles.assign(map.occupied.size(), kNoTexture);
+    for (int y = 5; y < 11; ++y) {
+        for (int x = 0; x < 14; ++x) map.ceiling.tiles[map.tileIndex(x, y)] = 0;
+    }
+    map.objects.push_back({.x = toCoordinate(5.5),
+                           .y = toCoordinate(4.75),
+                           .z = toCoordinate(0.25),
+                           .width = toCoordinate(0.5),
+                           .height = toCoordinate(0.5)});
+    world.maps.push_back(std::move(map));
+    world.maps.push_back(makeMap("garden", 9, 9, 2, 2));
+    world.maps[1].setCell(4, 3, 0, 1);
+    world.portals.push_back({.fromMap = 0,
+                             .fromX = 6,
+                             .fromY = 1,
+                             .toMap = 1,
+                             .toX = 4,
+                             .toY = 7,
+                             .turn = 3,
+                             .levels = 0});
+    world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
+    world.maps[0].tilePortals[world.maps[0].tileIndex(6, 1)] = 0;
+    markPortals(world);
+    markSeeThrough(world);
+    world.start.x = toCoordinate(2.3);
+    world.start.y = toCoordinate(5.2);
+    return world;
+}
+
+class PickTest : public testing::Test {
+protected:
+    explicit PickTest(World world = hall()) : session(std::move(world)) {
+        EXPECT_EQ(session.setOption("light", "off"), "");
+        EXPECT_EQ(session.setOption("fog", "off"), "");
+        look(-12.0);
+    }
+    void look(double heading, double look = 0.05) {
+        EXPECT_TRUE(session.setEye({.map = 0,
+                                    .x = toCoordinate(2.3),
+                                    .y = toCoordinate(5.2),
+                                    .z = toCoordinate(0.6),
+                                    .headingDegrees = heading,
+                                    .look = look}));
+    }
+    const rapidjson::Document& pick(int column, int row) {
+        JsonText text;
+        writePick(text, session, kWidth, kHeight, column, row);
+        json.Parse<rapidjson::kParseFullPrecisionFlag>(text.str().c_str());
+        EXPECT_FALSE(json.HasParseError()) << text.str();
+        return json;
+    }
+    std::vector<Pixel> picture() {
+        std::vector<Pixel> pixels(static_cast<std::size_t>(kWidth * kHeight));
+        EXPECT_TRUE(session.draw({pixels.data(), kWidth, kHeight, kWidth}));
+        return pixels;
+    }
+    Colour texelOf(const Json& picked) const {
+        const World& world = session.world();
+        const std::string name = picked["texture"].GetString();
+        const auto detail = picked["texel"]["detail"].GetUint();
+        const auto u = picked["texel"]["u"].GetUint();
+        const auto v = picked["texel"]["v"].GetUint();
+        for (const Sprite& sprite : world.sprites) {
+            if (sprite.name != name) continue;
+            const SpriteLevel& level = sprite.frames[0][detail];
+            return toColour(level.texels[u * static_cast<unsigned>(level.height) + v]);
+        }
+        for (const Texture& texture : world.textures) {
+            if (texture.name != name) continue;
+            const TextureLevel& level = texture.levels[detail];
+            return toColour(level.texels[(u << level.bits) + v]);
+        }
+        ADD_FAILURE() << name;
+        return {};
+    }
+
+    Session session;
+    rapidjson::Document json;
+};
+
+TEST_F(PickTest, EveryPixelShowsTheTexelThatIsPicked) {
+    std::map<std::string, int> seen;
+    int behindPortals = 0;
+    int throughHoles = 0;
+    for (const double heading : {-12.0, 5.0, 40.0}) {
+        look(heading);
+        const std::vector<Pixel> pixels = picture();
+        for (int row = 0; row < kHeight; ++row) {
+            for (int column = 0; column < kWidth; ++column) {
+                const Json& picked = pick(column, row);
+                const std::string what = picked["what"].GetString();
+                ++seen[what];
+                ASSERT_EQ(picked["column"].GetInt(), column);
+                ASSERT_EQ(picked["row"].GetInt(), row);
+                if (what == "sky" || what == "haze") {
+                    EXPECT_TRUE(picked["point"].IsNull() && picked["texel"].IsNull());
+                    continue;
+                }
+                behindPortals += picked["portals"].GetInt();
+                // Smaller images of holes and colours are neither one nor the other.
+                if (picked["alpha"].GetInt() < 255) continue;
+                const Pixel pixel = pixels[static_cast<std::size_t>(row * kWidth + column)];
+                ASSERT_EQ(toColour(pixel), texelOf(picked)) << what << column << "," << row;
+                if (session.trace(kWidth, kHeight, column, row).seen.size() > 1 &&
+                    picked["texture"] != "fence" && picked["texture"] != "lamp")
+                    ++throughHoles;
+            }
+        }
+    }
+    for (const char* what : {"side", "roof", "floor", "ceiling", "sky", "object", "underside"})
+        EXPECT_GT(seen[what], 4) << what;
+    EXPECT_GT(behindPortals, 50);
+    EXPECT_GT(throughHoles, 20);
+}
+
+TEST_F(PickTest, APointIsProjectedIntoThePixelThatShowsIt) {
+    int points = 0;
+    for (int row = 0; row < kHeight; ++row) {
+        for (int column = 0; column < kWidth; ++column) {
+            const Json& picked = pick(column, row);
+            if (picked["point"].IsNull()) continue;
+            const Json& point = picked["point"];
+            const int map = picked["map"] == "hall" ? 0 : 1;
+            const auto back = project(session, map, point[0].GetDouble(), point[1].GetDouble(),
+                                      point[2].GetDouble(), kWidth, kHeight);
+            if (map == 1) {
+                EXPECT_FALSE(back.has_value()) << "in another map";
+                continue;
+            }
+            if (picked["portals"].GetInt() > 0) continue;
+            ++points;
+            ASSERT_TRUE(back.has_value());
+            ASSERT_NEAR(back->depth, picked["depth"].GetDouble(), 1e-9);
+            ASSERT_NEAR(back->x, column + 0.5, 1e-6) << row;
+            // A plane's height is given exactly, so that the row is where its ray meets that.
+            ASSERT_NEAR(back->y, row + 0.5, 1e-6) << column;
+        }
+    }
+    EXPECT_GT(points, 3000);
+}
+
+TEST_F(PickTest, TellsTileLevelFaceAndObject) {
+    look(5.0);
+    std::map<std::string, int> faces;
+    for (int row = 0; row < kHeight; ++row) {
+        for (int column = 0; column < kWidth; ++column) {
+            const Json& picked = pick(column, row);
+            if (picked["map"] != "hall") continue;
+            const std::string what = picked["what"].GetString();
+            EXPECT_EQ(picked["object"].IsNull(), what != "object");
+            const bool isBlock = what == "side" || what == "roof" || what == "underside";
+            EXPECT_EQ(picked["level"].IsNull(), !isBlock);
+            EXPECT_EQ(picked["tile"].IsNull(), !isBlock && what != "floor" && what != "ceiling");
+            if (!isBlock) continue;
+            const Map& map = session.world().maps[0];
+            const BlueprintId id = map.cell(picked["tile"][0].GetInt(), picked["tile"][1].GetInt(),
+                                            picked["level"].GetInt());
+            ASSERT_EQ(picked["blueprint"], session.world().blueprints[id].name.c_str());
+            const std::string face = picked["face"].GetString();
+            ++faces[face];
+            const double x = picked["point"][0].GetDouble() - picked["tile"][0].GetInt();
+            const double y = picked["point"][1].GetDouble() - picked["tile"][1].GetInt();
+            EXPECT_GE(x, -1e-9);
+            EXPECT_LE(x, 1.0 + 1e-9);
+            if (face == "west") {
+                EXPECT_NEAR(x, 0.0, 1e-9);
+            }
+            if (face == "north") {
+                EXPECT_NEAR(y, 0.0, 1e-9);
+            }
+            if (face == "south") {
+                EXPECT_NEAR(y, 1.0, 1e-9);
+            }
+        }
+    }
+    EXPECT_GT(faces["west"], 100);
+    EXPECT_GT(faces["top"], 10);
+    EXPECT_GT(faces["bottom"], 0);
+}
+
+class PickMirrorTest : public PickTest {
+protected:
+    PickMirrorTest()
+        : PickTest([] {
+              World world = hall();
+              world.maps[0].floor.mirror = 255;
+              return world;
+          }()) {}
+};
+
+TEST_F(PickMirrorTest, TellsWhatShowsInAMirror) {
+    look(5.0);
+    const std::vector<Pixel> pixels = picture();
+    int reflected = 0;
+    for (int row = 0; row < kHeight; ++row) {
+        for (int column = 0; column < kWidth; ++column) {
+            const Json& picked = pick(column, row);
+            const Json& reflection = picked["reflection"];
+            EXPECT_EQ(reflection.IsNull(), picked["what"] != "floor" || picked["map"] != "hall");
+            if (reflection.IsNull() || reflection["point"].IsNull()) continue;
+            if (reflection["alpha"].GetInt() < 255) continue;
+            ++reflected;
+            EXPECT_EQ(reflection["row"].GetInt(), row);
+            ASSERT_EQ(toColour(pixels[static_cast<std::size_t>(row * kWidth + column)]),
+                      texelOf(reflection));
+            // The ray goes on from height 0 with the slope turned round.
+            const double depth = reflection["depth"].GetDouble();
+            EXPECT_GT(depth, picked["depth"].GetDouble());
+            const double mirrored = 0.6 * (depth / picked["depth"].GetDouble() - 1.0);
+            if (reflection["portals"].GetInt() == 0) {
+                ASSERT_NEAR(reflection["point"][2].GetDouble(), mirrored, 1e-4);
+            }
+        }
+    }
+    EXPECT_GT(reflected, 300);
+}
+
+TEST_F(PickTest, WhatIsNotBeforeTheEyeIsNotProjected) {
+    look(0.0, 0.0);
+    EXPECT_FALSE(project(session, 0, 2.2, 5.2, 0.6, kWidth, kHeight).has_value());
+    EXPECT_FALSE(project(session, 0, session.eye().x.value(), 9.0, 0.6, kWidth, kHeight));
+    const auto ahead = project(session, 0, session.eye().x.value() + 2.0, session.eye().y.value(),
+                               session.eye().z.value() + 1.0, kWidth, kHeight);
+    ASSERT_TRUE(ahead.has_value());
+    EXPECT_DOUBLE_EQ(ahead->x, kWidth / 2.0);
+    EXPECT_DOUBLE_EQ(ahead->depth, 2.0);
+    // d = (W / 2) / tan(fov / 2), and a unit at depth 2 is d / 2 rows high.
+    const double distance = kWidth / 2.0 / std::tan(30.0 * M_PI / 180.0);
+    EXPECT_NEAR(ahead->y, kHeight / 2.0 - distance / 2.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace slicecast

@@ -1,0 +1,177 @@
+// What figures ask of a running engine: rays, pixels, points and cells, as plain data. Answers are
+// of the moment after the last step.
+//
+//     const questions = new Questions(module, session, mapNames);       // engine.questions
+//     questions.hits(320, 200, { first: 0, last: 319 });
+//
+// What cannot be asked throws a RangeError that says what was found and what is expected.
+
+import { withBytes } from './module-memory.js';
+import { unknown } from './nearest-name.js';
+import { list, readCast, readHits, readPacked, readPick, readTrace } from './read-packed.js';
+
+const kColumnsAtOnce = 16; // a few hundred KB of the module's memory
+const kMostColumns = 8192; // as the engine's pictures
+const kCoordinateLimit = 32767; // src/base/coordinate.h
+
+export class Questions {
+  #module;
+  #session;
+  #mapNames;
+
+  constructor(module, session, mapNames) {
+    this.#module = module;
+    this.#session = session;
+    this.#mapNames = mapNames;
+  }
+
+  // Of one column, or null where there is no such column; of a list of columns, or of all from
+  // `first` to `last`, a list of the same.
+  hits(width, height, columns) {
+    return this.#ofColumns('hits', readHits, width, height, columns);
+  }
+
+  trace(width, height, columns) {
+    return this.#ofColumns('trace', readTrace, width, height, columns);
+  }
+
+  // Of the picture as a whole.
+  traceFrame(width, height) {
+    return this.#json('traceFrame', width, height);
+  }
+
+  cast(from) {
+    if (typeof from !== 'object' || from === null)
+      throw misread('cast', from, 'an object with x, y, heading and, if wanted, map and z');
+    // A view is such a place too; where it looks up and down does not matter.
+    const { map, x, y, z = null, heading, look, ...others } = from;
+    for (const name of Object.keys(others))
+      throw new RangeError(`cast: ${unknown('field', name, ['map', 'x', 'y', 'z', 'heading'])}`);
+    for (const [name, value] of Object.entries({ x, y, heading, z: z ?? 0 })) {
+      const limit = name === 'heading' ? Number.MAX_VALUE : kCoordinateLimit;
+      if (typeof value !== 'number' || !(Math.abs(value) <= limit))
+        throw misread(
+          'cast',
+          `${name} ${value}`,
+          name === 'heading' ? 'degrees' : `a number from -${limit} to ${limit}`,
+        );
+    }
+    return this.#packed('cast', readCast, this.#mapIndex('cast', map), x, y, z ?? NaN, heading);
+  }
+
+  // null outside of the picture.
+  pick(width, height, column, row) {
+    for (const [name, value] of Object.entries({ column, row })) {
+      if (typeof value !== 'number') throw misread('pick', `${name} ${value}`, 'a number');
+    }
+    const isInside = column >= 0 && column < width && row >= 0 && row < height;
+    return isInside
+      ? this.#packed('pick', readPick, width, height, Math.floor(column), Math.floor(row))
+      : null;
+  }
+
+  project(width, height, x, y, z, map) {
+    for (const [name, value] of Object.entries({ x, y, z })) {
+      if (!Number.isFinite(value)) throw misread('project', `${name} ${value}`, 'a number');
+    }
+    const index = this.#mapIndex('project', map);
+    const at = this.#call('project', index, x, y, z, width, height);
+    if (at === 0) return null;
+    const [left, top, depth] = this.#numbers(at);
+    return { x: left, y: top, depth };
+  }
+
+  // Of all levels, or the rows of one.
+  cells(map, level) {
+    const levels = this.#json('cells', this.#mapIndex('cells', map));
+    if (level === undefined) return levels;
+    if (!(level in levels) || !Number.isInteger(level))
+      throw misread('cells', `level ${level}`, `a whole number from 0 to ${levels.length - 1}`);
+    return levels[level];
+  }
+
+  blueprints(map) {
+    return this.#json('blueprints', this.#mapIndex('blueprints', map));
+  }
+
+  setCell(map, level, x, y, character) {
+    for (const [name, value] of Object.entries({ level, x, y })) {
+      if (!Number.isInteger(value)) throw misread('setCell', `${name} ${value}`, 'a whole number');
+    }
+    const characters = typeof character === 'string' ? [...character] : [];
+    if (characters.length !== 1)
+      throw misread('setCell', JSON.stringify(character), "one character of the map's legend");
+    const code = character.codePointAt(0);
+    const index = this.#mapIndex('setCell', map);
+    const refusal = this.#text(this.#call('setCell', index, level, x, y, code));
+    if (refusal !== '') throw new RangeError(`setCell: ${refusal}.`);
+  }
+
+  // The eye's map where none is named.
+  #mapIndex(method, name) {
+    if (name === undefined || name === null) return this.#numbers(this.#call('view'))[0];
+    const index = this.#mapNames.indexOf(name);
+    if (index < 0)
+      throw new RangeError(`${method}: ${unknown('map', String(name), this.#mapNames)}`);
+    return index;
+  }
+
+  #ofColumns(method, read, width, height, columns) {
+    const exists = (column) => Number.isInteger(column) && column >= 0 && column < width;
+    const asked = columnList(method, columns);
+    const valid = asked.filter(exists);
+    const answers = [];
+    for (let i = 0; i < valid.length; i += kColumnsAtOnce) {
+      const part = Int32Array.from(valid.slice(i, i + kColumnsAtOnce));
+      withBytes(this.#module, new Uint8Array(part.buffer), (at) => {
+        const told = this.#packed(method, () => list(read), width, height, at, part.length);
+        answers.push(...(told ?? []));
+      });
+    }
+    let given = 0;
+    const all = asked.map((column) => (exists(column) ? (answers[given++] ?? null) : null));
+    return typeof columns === 'object' && columns !== null ? all : all[0];
+  }
+
+  #call(name, ...words) {
+    return this.#module[`_slicecast_${name}`](this.#session, ...words);
+  }
+
+  // Places in the module's memory are valid until it grows.
+  #numbers(at) {
+    return new Float64Array(this.#module.HEAPU8.buffer, at);
+  }
+
+  #text(at) {
+    return this.#module.UTF8ToString(at);
+  }
+
+  #json(name, ...words) {
+    return JSON.parse(this.#text(this.#call(name, ...words)));
+  }
+
+  #packed(name, read, ...words) {
+    const at = this.#call(name, ...words);
+    if (at === 0) return null;
+    const texts = this.#json('texts');
+    return readPacked(this.#numbers(at), texts, read);
+  }
+}
+
+// One column as a list of one.
+function columnList(method, columns) {
+  if (typeof columns !== 'object' || columns === null) return [columns];
+  if (Array.isArray(columns)) return columns;
+  const { first, last } = columns;
+  if (![first, last].every(Number.isInteger) || last < first || last - first >= kMostColumns)
+    throw misread(
+      method,
+      `columns from ${first} to ${last}`,
+      'a column, a list of columns, or { first, last } with whole numbers, both included',
+    );
+  return Array.from({ length: last - first + 1 }, (_, index) => first + index);
+}
+
+function misread(method, found, expected) {
+  return new RangeError(`${method}: found ${found}, expected ${expected}.`);
+}
