@@ -16,28 +16,32 @@ std::vector<Gap> gapsOf(const World& world, const Map& map, int x, int y) {
         const BlueprintId cell = map.cell(x, y, level);
         if (cell == kEmptyCell) continue;
         const CellBlueprint& block = world.blueprints[cell];
-        // It opens, or one gets into it.
-        if (block.gate >= 0 || block.isWater) continue;
-        solid.push_back({tileEdge(level) + block.bottom, tileEdge(level) + block.top});
+        if (block.gate >= 0) continue;  // it opens
+        solid.push_back(
+            {tileEdge(level) + block.bottom, tileEdge(level) + block.top, block.isWater});
     }
     const bool covered =
         !map.ceiling.tiles.empty() && map.ceiling.tiles[map.tileIndex(x, y)] != kNoTexture;
-    if (covered) solid.push_back({map.ceiling.height, map.ceiling.height});
+    if (covered) solid.push_back({map.ceiling.height, map.ceiling.height, false});
     std::sort(solid.begin(), solid.end(),
               [](const Gap& a, const Gap& b) { return a.ground.raw < b.ground.raw; });
 
     std::vector<Gap> gaps;
     Coordinate ground = {};
+    bool isWater = false;
     for (const Gap& block : solid) {
-        if (block.ground - ground >= kStandingHeight) gaps.push_back({ground, block.ground});
-        ground = std::max(ground, block.above);
+        if (block.ground - ground >= kStandingHeight)
+            gaps.push_back({ground, block.ground, isWater});
+        if (block.above <= ground) continue;
+        ground = block.above;
+        isWater = block.isWater;
     }
-    gaps.push_back({ground, kOpenAir});
+    gaps.push_back({ground, kOpenAir, isWater});
     return gaps;
 }
 
 bool leadsTo(const Gap& from, const Gap& to) {
-    return to.ground - from.ground <= kJump &&
+    return to.ground - from.ground <= (from.isWater ? kClimbOut : kJump) &&
            std::max(from.ground, to.ground) + kStandingHeight <= std::min(from.above, to.above);
 }
 

@@ -15,6 +15,7 @@ namespace slicecast {
 struct Gap {
     Coordinate ground;
     Coordinate above;
+    bool isWater = false;  // the ground is the surface that one swims at
 };
 
 struct Spot {
