@@ -107,7 +107,7 @@ test('F9 begins the scene anew and records it, F9 saves what was played', async 
   const text = readFileSync(await download.path(), 'utf8');
   assert.match(
     text,
-    /^slicecast recording 1\nscene room\nset speed 1\n(\d+\n)?\d+ strafe 256\n(\d+\n)?end \d+ [0-9a-f]{16}\n$/,
+    /^slicecast recording 1\nscene room\n(set \w+ \w+\n)+(\d+\n)?\d+ strafe 256\n(\d+\n)?end \d+ [0-9a-f]{16}\n$/,
   );
   assert.equal(await shown(page), '');
   // Dropped on the page it plays again, in the scene in which it was made.

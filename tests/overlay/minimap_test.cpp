@@ -400,7 +400,7 @@ TEST(Minimap, TellsGatesMoversWaterAndWhatIsAboveApart) {
     EXPECT_GT(stripes, size / 10) << "a block that moves";
     EXPECT_GT(block, size / 10);
     const Colour water = at(seen, -3, -3, 0, 0);
-    EXPECT_GT(water.b, water.r + 40);
+    EXPECT_GT(water.b, water.r + 30);
     EXPECT_GT(water.g, water.r + 20);
     EXPECT_EQ(at(seen, 0, 3, 0, 0), at(without, 0, 3, 0, 0)) << "one looks past what is above";
     int dashes = 0;

@@ -22,8 +22,8 @@ const kModes = {
 const find = (id) => document.getElementById(id);
 
 export class Face {
-  scenes = [];
   isQuiet = false;
+  #scenes = [];
   #caster;
   #address;
   #dialogs;
@@ -53,6 +53,19 @@ export class Face {
     return document.body.dataset.state;
   }
 
+  // The list may come after the scene, or after what is wrong with it.
+  set scenes(scenes) {
+    this.#scenes = scenes;
+    this.#tellAbout();
+    find('trouble-scenes').hidden = scenes.length === 0;
+  }
+
+  #tellAbout() {
+    const { reference } = this.#address;
+    const known = this.#scenes.find(({ file }) => file === reference);
+    find('pause-about').textContent = known?.about ?? '';
+  }
+
   // What the page itself could not do.
   fail(error, again = null) {
     const { title, message } = asTrouble(error);
@@ -72,12 +85,10 @@ export class Face {
   #ready() {
     this.isQuiet = false;
     const { title } = this.#caster.world;
-    const { reference } = this.#address;
     document.title = `${title} · Slicecast`;
     find('bar-title').textContent = title;
     find('pause-title').textContent = title;
-    find('pause-about').textContent =
-      this.scenes.find(({ file }) => file === reference)?.about ?? '';
+    this.#tellAbout();
     document.body.dataset.behind = '';
     this.#attributes = ['scene', 'tour', 'view'].map((name) => [
       name,
@@ -105,10 +116,11 @@ export class Face {
       { title, message: text, faults },
       {
         again,
-        scenes: this.scenes.length > 0 ? () => this.#dialogs.open('scenes') : null,
+        scenes: () => this.#dialogs.open('scenes'),
         back: this.#caster.world === null ? null : () => this.#back(),
       },
     );
+    find('trouble-scenes').hidden = this.#scenes.length === 0;
   }
 
   // What was shown before is still there.
