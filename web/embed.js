@@ -1,18 +1,23 @@
 // A page that is nothing but one <ray-caster>, for frames:
 // embed.html?scene=castle&view=...&options=...
 //
-// Parameters: scene (a name among the page's scenes, or an address), or tour (the same for a
-// recording, which names its scene); view, options, overlay, size, controls, label, keys and engine
-// as the element's attributes of these names; autoplay (without a value). What the element finds
-// wrong it says itself; parameters that it does not know are left to whoever wrote them.
+// Parameters: scene (a name among the page's scenes, or an address as far as its owner allows it:
+// engine/allowed.js), or tour (the same for a recording, which names its scene); view, options,
+// overlay, size, controls, label, keys, interaction, poster, loading and engine as the element's
+// attributes of these names; autoplay (without a value); badge=false for no link to the play page;
+// origin, of the page around the frame, with which it then exchanges messages
+// (play/frame-messages.js). What the element finds wrong it says itself; parameters that it does not
+// know are left to whoever wrote them.
 
 import { writeQuery } from './engine/address.js';
+import { allowed } from './engine/allowed.js';
 import { unknown } from './engine/nearest-name.js';
+import { listenToHost } from './play/frame-messages.js';
 import { sceneAddress } from './play/scene-list.js';
 import { Trouble, asTrouble } from './engine/trouble.js';
 import './ray-caster.js';
 
-const kParameters = [
+const kAttributes = [
   'scene',
   'tour',
   'view',
@@ -23,10 +28,22 @@ const kParameters = [
   'controls',
   'label',
   'keys',
+  'interaction',
+  'poster',
+  'loading',
   'engine',
 ];
+const kParameters = [...kAttributes, 'badge', 'origin'];
+const kNoBadge = ['false', 'off', 'no', 'none', '0'];
 const kOfPlayPage = ['scene', 'tour', 'view', 'options', 'overlay', 'engine'];
 const kTourName = /^[\w-]+$/;
+
+// What may only name some addresses.
+const kAddresses = {
+  scene: (text) => sceneAddress(text).href,
+  tour: (text) =>
+    allowed(new URL(kTourName.test(text) ? `tours/${text}.txt` : text, document.baseURI)).href,
+};
 
 const find = (id) => document.getElementById(id);
 
@@ -42,18 +59,14 @@ try {
 function show(parameters) {
   check(parameters);
   const caster = document.createElement('ray-caster');
-  for (const name of kParameters)
+  for (const name of kAttributes)
     if (parameters.has(name)) caster.setAttribute(name, parameters.get(name));
-  if (!parameters.has('controls')) caster.setAttribute('controls', '');
+  if (!parameters.has('controls') && parameters.get('interaction') !== 'none')
+    caster.setAttribute('controls', '');
   // Seen as soon as its frame is, and a frame that waits for that says so to the page around it.
-  caster.setAttribute('loading', 'eager');
-  if (parameters.has('scene'))
-    caster.setAttribute('scene', sceneAddress(parameters.get('scene')).href);
-  if (kTourName.test(parameters.get('tour') ?? ''))
-    caster.setAttribute(
-      'tour',
-      new URL(`tours/${parameters.get('tour')}.txt`, document.baseURI).href,
-    );
+  if (parameters.get('loading') !== 'click') caster.setAttribute('loading', 'eager');
+  for (const [name, read] of Object.entries(kAddresses))
+    if (parameters.get(name)) caster.setAttribute(name, read(parameters.get(name)));
   caster.addEventListener('ready', ({ detail }) => {
     document.title = `${detail.title} · Slicecast`;
     find('title').textContent = detail.title;
@@ -62,7 +75,8 @@ function show(parameters) {
     document.body.dataset.state = detail.state;
   });
   find('place').append(caster);
-  offerPlayPage(parameters);
+  listenToHost(caster, parameters.get('origin') || location.origin, kAddresses);
+  if (!kNoBadge.includes(parameters.get('badge'))) offerPlayPage(parameters);
 }
 
 function check(parameters) {

@@ -282,7 +282,9 @@ test('slots, parts and custom properties are those of the table', async () => {
     };
     const ready = add({ scene: 'room', controls: '', poster: 'favicon.svg' });
     const broken = add({ scene: 'broken' });
+    ready.innerHTML = '<b data-at="4,3,0.5">Here</b>';
     await ready.whenReady();
+    while (ready.querySelector('b').assignedSlot === null) await new Promise(requestAnimationFrame);
     await broken.whenReady().catch(() => {});
     while (ready.shadowRoot.querySelector('.controls') === null)
       await new Promise(requestAnimationFrame);
@@ -300,7 +302,7 @@ test('slots, parts and custom properties are those of the table', async () => {
       .join('\n');
     const result = {
       parts: [...new Set(inside('[part]').flatMap((node) => [...node.part]))],
-      slots: inside('slot').map(({ name }) => name),
+      slots: [...new Set(inside('slot').map(({ name }) => name))],
       properties: [...new Set(rules.match(/--ray-caster-[\w-]+/g))],
     };
     for (const element of [ready, broken, unable]) element.remove();

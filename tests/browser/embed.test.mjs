@@ -1,12 +1,18 @@
 // The page for frames: one picture that fills the window, from its address alone.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { launch, openPage } from './browser.mjs';
+import { roomFiles } from './room.mjs';
 import { serve } from './static-server.mjs';
 
 const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+const kPage = new URL('../../build/web/', import.meta.url);
+const embedPage = readFileSync(new URL('embed.html', kPage), 'utf8');
+const playPage = readFileSync(new URL('index.html', kPage), 'utf8');
 
 let browser;
 before(async () => {
@@ -158,6 +164,148 @@ async function openHost(t, { headers, sandbox, query = '?scene=room' }) {
   );
   return (await page.waitForSelector('iframe')).contentFrame();
 }
+
+test('a poster, no badge, no interaction', async (t) => {
+  const { page } = await openPage(t, browser, {
+    query: 'embed.html?scene=room&poster=favicon.svg&badge=false&interaction=none&loading=click',
+  });
+  await page.waitForSelector('ray-caster');
+  assert.equal(await page.locator('#open').isVisible(), false);
+  assert.deepEqual(
+    await page.evaluate(() => {
+      const { poster, interaction, state, controls } = document.querySelector('ray-caster');
+      return [poster, interaction, state, controls];
+    }),
+    ['favicon.svg', 'none', 'idle', null],
+  );
+  await page.click('ray-caster');
+  await page.waitForFunction(() => document.querySelector('ray-caster').state === 'playing');
+});
+
+test('scenes from elsewhere are shown only where the owner allows it', async (t) => {
+  const other = await serve({
+    files: roomFiles(),
+    headers: { 'Access-Control-Allow-Origin': '*' },
+  });
+  t.after(() => other.close());
+  let head = '';
+  const { page, server } = await openPage(t, browser, {
+    query: 'embed.html?scene=room',
+    expectErrors: true,
+    server: {
+      files: {
+        'embed.html': () => embedPage.replace('<head>', `<head>${head}`),
+        'index.html': () => playPage.replace('<head>', `<head>${head}`),
+      },
+    },
+  });
+  const address = `${other.address}scenes/room.json`;
+  for (const where of ['embed.html', 'index.html']) {
+    head = '';
+    await page.goto(`${server.address}${where}?scene=${encodeURIComponent(address)}`);
+    await page.waitForFunction(() => !document.getElementById('trouble').hidden);
+    assert.match(
+      await page.innerText('#trouble'),
+      /expected an address that begins with http:\/\/localhost:\d+\/\./,
+      where,
+    );
+    for (const scene of ['data:application/json,{}', `${server.address}scenes/room.json`]) {
+      await page.goto(`${server.address}embed.html?scene=${encodeURIComponent(scene)}`);
+      if (scene.startsWith('data:')) await page.waitForSelector('#trouble:visible');
+      else await ready(page);
+    }
+    for (const content of ['*', `https://a.example/ ${other.address}scenes`]) {
+      head = `<meta name="slicecast-scenes" content="${content}">`;
+      await page.goto(`${server.address}${where}?scene=${encodeURIComponent(address)}`);
+      await page.waitForFunction(() => document.body.dataset.state === 'paused');
+    }
+    head = `<meta name="slicecast-scenes" content="${other.address}scen https://a.example">`;
+    await page.goto(`${server.address}${where}?scene=${encodeURIComponent(address)}`);
+    await page.waitForFunction(() => !document.getElementById('trouble').hidden);
+  }
+});
+
+test('the page around the frame asks, sets and hears, by the origin that the address names', async (t) => {
+  const host = await serve({
+    files: { 'host.html': '<!doctype html><title>Host</title><body></body>' },
+  });
+  t.after(() => host.close());
+  const { page, server } = await openPage(t, browser, {
+    query: 'embed.html?scene=room',
+    expectErrors: true,
+  });
+  await page.goto(`${host.address}host.html`);
+  const talk = (query, isHeard) =>
+    page.evaluate(
+      async ([source, origin, isHeard]) => {
+        const heard = [];
+        window.onmessage = ({ data, origin: from }) => heard.push({ ...data, from });
+        const frame = Object.assign(document.createElement('iframe'), { src: source });
+        document.body.replaceChildren(frame);
+        await new Promise((resolve) => {
+          frame.onload = resolve;
+        });
+        const say = (message) => frame.contentWindow.postMessage({ slicecast: 1, ...message }, '*');
+        const until = async (what) => {
+          for (let wait = 0; wait < 200 && !heard.some(what); ++wait)
+            await new Promise((resolve) => setTimeout(resolve, 50));
+          return heard.find(what) ?? null;
+        };
+        say({ id: 1, call: 'whenReady' });
+        const ready = await (isHeard
+          ? until(({ id }) => id === 1)
+          : new Promise((resolve) => setTimeout(() => resolve(null), 1500)));
+        if (ready === null) return heard;
+        say({ id: 2, call: 'look', arguments: ['2.5,4.5,0.5,90'] });
+        say({ id: 3, set: 'options', value: 'fov=75' });
+        say({ id: 4, get: 'currentView' });
+        say({ id: 5, call: 'set', arguments: ['fvo', 1] });
+        say({ id: 6, call: 'remove' });
+        say({ id: 7, set: 'scene', value: 'https://elsewhere.example/x.json' });
+        say({ id: 8, call: 'snapshot', arguments: [{ width: 32, height: 20 }] });
+        await until(({ id }) => id === 8);
+        say({ id: 9, call: 'get', arguments: ['fov'] });
+        await until(({ id }) => id === 9);
+        return {
+          answers: Object.fromEntries(
+            heard
+              .filter(({ id }) => id >= 1)
+              .map(({ id, result, error }) => [
+                id,
+                error ?? (result instanceof Blob ? 'a picture' : result),
+              ]),
+          ),
+          events: heard.filter(({ event }) => event).map(({ event }) => event),
+          origins: [...new Set(heard.map(({ from }) => from))].map((from) => from === origin),
+        };
+      },
+      [
+        `${server.address}embed.html?scene=room&size=64x40${query}`,
+        new URL(server.address).origin,
+        isHeard,
+      ],
+    );
+  const { answers, events, origins } = await talk(
+    `&origin=${encodeURIComponent(new URL(host.address).origin)}`,
+    true,
+  );
+  assert.equal(answers[1].title, 'The coloured room');
+  assert.equal(answers[2], true);
+  assert.equal(answers[3], null);
+  assert.deepEqual([answers[4].x, answers[4].heading], [2.5, 90]);
+  assert.deepEqual(answers[5], {
+    code: 'option',
+    message: "Unknown option 'fvo'. Did you mean 'fov'?",
+  });
+  assert.match(answers[6].message, /^Expected call with one of play, pause/);
+  assert.equal(answers[7].code, 'address');
+  assert.equal(answers[8], 'a picture');
+  assert.equal(answers[9], '75');
+  assert.ok(events.includes('ready') && events.includes('statechange'));
+  assert.deepEqual(origins, [true]);
+  for (const query of ['', '&origin=https%3A%2F%2Felsewhere.example', '&origin=null', '&origin=*'])
+    assert.deepEqual(await talk(query, false), [], `nobody else is told: ${query}`);
+});
 
 test('it works in a frame of another origin', async (t) => {
   const frame = await openHost(t, { headers: {}, sandbox: null });

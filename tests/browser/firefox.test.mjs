@@ -131,4 +131,45 @@ test(
   },
 );
 
+test(
+  'a slip is warned of, a child stands on its place, another view follows, none is not touched',
+  { skip },
+  async () => {
+    const found = await page.evaluate(async () => {
+      const first = document.querySelector('ray-caster');
+      const other = document.createElement('ray-caster');
+      Object.assign(other, { scene: 'room', size: '64x40', loading: 'eager', id: 'other' });
+      Object.assign(other, { options: 'fvo=75, light=off', interaction: 'none' });
+      other.innerHTML = '<b data-at="5.9,3.5,0.5">Here</b>';
+      document.body.append(other);
+      await other.whenReady();
+      first.look('2.5,3.5,0.5,0');
+      other.syncwith = 'ray-caster';
+      const until = async (isSo) => {
+        for (let wait = 0; wait < 100 && !isSo(); ++wait)
+          await new Promise((resolve) => setTimeout(resolve, 50));
+        return isSo();
+      };
+      const result = {
+        warnings: other.warnings.map(({ message }) => message),
+        light: other.get('light'),
+        follows: await until(() => other.currentView.x === 2.5),
+        stands: await until(
+          () => other.querySelector('b').assignedSlot?.parentElement.className === 'hotspot',
+        ),
+        isShut: other.shadowRoot.querySelector('.cover').getClientRects().length === 0,
+      };
+      other.remove();
+      return result;
+    });
+    assert.deepEqual(found, {
+      warnings: ["Unknown option 'fvo'. Did you mean 'fov'?"],
+      light: 'off',
+      follows: true,
+      stands: true,
+      isShut: true,
+    });
+  },
+);
+
 test('nothing complained', { skip }, () => assert.deepEqual(complaints, []));

@@ -42,6 +42,21 @@ export const jsx = `import 'slicecast/react';          // or slicecast/preact, s
 export const iframe = `<iframe src="slicecast/embed.html?scene=castle" title="A castle above the water"
         width="640" height="400" allow="fullscreen"></iframe>`;
 
+export const messages = `const frame = document.querySelector('iframe');   // its address ends in &origin=https://your.page
+const origin = 'https://slicecast.host';
+
+const say = (message) =>
+  frame.contentWindow.postMessage({ slicecast: 1, ...message }, origin);
+say({ id: 1, call: 'look', arguments: ['4.5,2,0.6,90'] });
+say({ id: 2, set: 'options', value: 'fov=75' });
+say({ id: 3, get: 'currentView' });
+
+addEventListener('message', ({ origin: from, source, data }) => {
+  if (from !== origin || source !== frame.contentWindow) return;
+  const { id, result, error, event, detail } = data;
+  console.log(event === undefined ? [id, error ?? result] : [event, detail]);
+});`;
+
 export const node = `import { writeFile } from 'node:fs/promises';
 import { load } from 'slicecast/node';
 
@@ -179,6 +194,35 @@ export const live = [
             overlay="minimap minimapRays inspector"
             label="A yard, its map with rays, and one slice from the side">
 </ray-caster>`,
+  },
+  {
+    title: 'Labels in the world',
+    text: 'What has data-at stands on that place: it follows the view and hides where it is covered. One looks around here, and goes nowhere.',
+    code: `<ray-caster interaction="look" keys="move" label="Two towers in a yard">
+  <pre>
+#############
+#...........#
+#.......BB..#
+#...........#
+#.>.........#
+#...........#
+#.....RR....#
+#...........#
+#############
+--- colours
+  </pre>
+  <a class="label" href="#shape-View" data-at="8,2.5,1">The brick tower</a>
+  <a class="label" href="#shape-Hits" data-at="6,6.5,1.2">The rubble tower</a>
+</ray-caster>`,
+  },
+  {
+    title: 'Two views that move together',
+    text: 'The same place, drawn exactly and in an old way: turn one, and the other turns.',
+    code: `<ray-caster id="exact" scene="first-steps" size="480x300" controls="play reset"
+            label="A yard"></ray-caster>
+<ray-caster syncwith="#exact" scene="first-steps" size="480x300"
+            options="method=classic classic.projection=equalAngles fov=110"
+            label="The same yard, bent as by a fish eye"></ray-caster>`,
   },
   {
     title: 'Asked by a script',

@@ -25,6 +25,7 @@ export function documentation({ errorCodes, version, options, scenes }) {
     home: snippet(snippets.home),
     jsx: snippet(snippets.jsx),
     iframe: snippet(snippets.iframe),
+    messages: snippet(snippets.messages),
     examples: snippets.live.map(example).join('\n'),
     attributes: rows(
       'attribute',

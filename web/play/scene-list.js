@@ -1,5 +1,6 @@
 // The scenes that come with the page.
 
+import { allowed } from '../engine/allowed.js';
 import { fetchBytes } from '../engine/fetch-bytes.js';
 import { Trouble } from '../engine/trouble.js';
 
@@ -22,10 +23,10 @@ export async function listScenes() {
 }
 
 // A name among the page's scenes ("castle" or "castle.json"), or, with a slash in it, an address
-// relative to the page.
+// relative to the page, as far as the page's owner allows it. Throws a Trouble.
 export function sceneAddress(reference) {
   const file = /\.json$/i.test(reference) ? reference : `${reference}.json`;
-  return new URL(file, file.includes('/') ? document.baseURI : kScenes);
+  return allowed(new URL(file, file.includes('/') ? document.baseURI : kScenes));
 }
 
 // The other way round: what names that address.
