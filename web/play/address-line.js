@@ -6,6 +6,7 @@
 //     address.own(caster => ...);       a scene or a recording of the visitor's, which has no address
 //     address.reference                 what names the scene that is shown, null for one of the visitor's
 
+import { allowed } from '../engine/allowed.js';
 import { Trouble } from '../engine/trouble.js';
 import { referenceOf, sceneAddress, tourAddress } from './scene-list.js';
 
@@ -122,11 +123,13 @@ export class AddressLine {
 function sceneIn(reference) {
   try {
     return sceneAddress(reference).href;
-  } catch {
+  } catch (error) {
+    if (error instanceof Trouble) throw error; // not allowed here
     return reference;
   }
 }
 
 function tourIn(name) {
-  return kTourName.test(name) ? tourAddress(name).href : name;
+  if (kTourName.test(name)) return tourAddress(name).href;
+  return allowed(new URL(name, document.baseURI)).href;
 }
