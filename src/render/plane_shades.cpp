@@ -86,8 +86,11 @@ void PlaneShades::fill(Table& table, int first, int last) const {
             inBothHalves(lighting_.factorAt(depth, table.faceLight, table.glow));
     }
     if (!lighting_.foggy) return;
+    const double inFog = table.rise > lighting_.surface
+                             ? lighting_.surface / 65536.0 * projectionDistance_
+                             : distance;
     for (int row = first; row < last; ++row) {
-        const double depth = distance * inverseOffsets_[row];
+        const double depth = inFog * inverseOffsets_[row];
         table.fogs[static_cast<std::size_t>(row)] = inBothHalves(lighting_.fogAt(depth));
     }
 }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace slicecast {
 
@@ -23,11 +24,20 @@ struct Shade {
     std::uint32_t fog = 0;       // 0 to 255
 };
 
+// The water that the eye is in: its colour and sight take the place of every map's haze and fog.
+struct EyeWater {
+    const CellBlueprint* water = nullptr;  // null for an eye in the air
+    std::int32_t surface = 0;              // above the eye, 1/65536 units
+};
+
 // A map's light as the options leave it.
 struct Lighting {
     bool lit = true;
     bool foggy = false;
-    double strength = 1.0;  // intensity * multiplier, units
+    bool inWater = false;
+    std::int32_t surface =
+        std::numeric_limits<std::int32_t>::max();  // no fog on the way above it, 1/65536 units
+    double strength = 1.0;                         // intensity * multiplier, units
     double darkest = 0.1;
     double brightest = 1.0;
     double fogStart = 0.0;
@@ -44,6 +54,16 @@ struct Lighting {
           fogStart(map.fog.start),
           fogLength(map.fog.end - map.fog.start),
           haze(toPixel(map.haze)) {}
+
+    // What mirrors show comes from below: those rays do not leave the water.
+    void putInWater(const EyeWater& eye, bool mirrored) {
+        if (eye.water == nullptr) return;
+        foggy = inWater = true;
+        if (!mirrored) surface = eye.surface;
+        fogStart = 0.0;
+        fogLength = eye.water->waterSight;
+        haze = toPixel(eye.water->waterColour);
+    }
 
     // 256 times the light at a depth, before a face's own factor.
     double brightnessAt(double depth) const {

@@ -34,6 +34,7 @@ void Slice::draw(int column, Pixel* pixels, SliceTrace* trace) {
     trace_ = trace;
     layers_ = &memory_.layers;
     parts_ = &memory_.parts;
+    waterFogs_ = frame_.vistas.waterFogs();
     parts_->clear();
     memory_.mirrors.clear();
     const Viewpoint& eye = ownVista_.viewpoint;
@@ -513,6 +514,12 @@ void Slice::endCeiling(Border at) {
 void Slice::drawBackground() {
     open_.take(0, projection_->firstFallingRow, [&](int first, int last) {
         vista_->skyRows.fill(pixels_, column_, first, last);
+        const Lighting& lighting = vista_->lighting;
+        for (int row = first; lighting.inWater && row < last; ++row) {
+            const std::uint32_t fog = waterFogs_ != nullptr ? waterFogs_[row] : 255;
+            pixels_[row] =
+                shadedTexel(pixels_[row], 256, fog, lighting.haze, Lay::opaque, pixels_[row]);
+        }
         count(first, last);
         note(kNoLevel, FilledRows::What::sky, Face::top, first, last);
     });

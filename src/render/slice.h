@@ -192,6 +192,10 @@ private:
                 bool endless = false);
     void fill(PlaneRun& run);
     void fillRows(const PlaneRun& run, Lay lay);
+    void fillFromWater(const SideRun& run, Lay lay);
+    std::uint32_t fogOf(std::uint32_t fog, int row) const {
+        return waterFogs_ == nullptr ? fog : std::min<std::uint32_t>(fog, waterFogs_[row]);
+    }
     void layOver();
     bool isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows) const;
     void fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows,
@@ -245,6 +249,7 @@ private:
     SliceTrace* trace_ = nullptr;
     Layers* layers_ = nullptr;
     Parts* parts_ = nullptr;
+    const std::uint8_t* waterFogs_ = nullptr;  // see Vistas; null too for what mirrors show
 
     // Of its part that is being drawn, in the coordinates of the part's map (see vista.h):
     Vista* vista_ = nullptr;

@@ -85,11 +85,30 @@ void Slice::drawSide(const Block& block, Face face, const Crossing& border, cons
                      int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const SideRun run = sideRun(block, face, border, view, first, last);
-        fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step,
-                 run.factor, run.fog, vista_->lighting.haze);
         count(first, last);
+        if (waterFogs_ != nullptr) {
+            fillFromWater(run, Lay::opaque);
+        } else {
+            fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step,
+                     run.factor, run.fog, vista_->lighting.haze);
+        }
         if (trace_) traceSide(block, face, border, view, first, last, false);
     });
+}
+
+// Rows whose rays leave the eye's water before they come to the side have the fog of where they
+// leave it. They are the upper ones.
+void Slice::fillFromWater(const SideRun& run, Lay lay) {
+    SideRun rest = run;
+    const auto fill = [&](int rows, std::uint32_t fog) {
+        fillSide(pixels_ + rest.first, rows, rest.texels, rest.shift, rest.start, rest.step,
+                 rest.factor, fog, rest.haze, lay);
+    };
+    for (; rest.first < rest.last && waterFogs_[rest.first] < rest.fog; ++rest.first) {
+        fill(1, waterFogs_[rest.first]);
+        rest.start += rest.step;
+    }
+    if (rest.first < rest.last) fill(rest.last - rest.first, rest.fog);
 }
 
 void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border,
@@ -117,7 +136,7 @@ void Slice::traceSide(const Block& block, Face face, const Crossing& border, con
             static_cast<int>((run.start + static_cast<std::uint64_t>(row - first) * run.step) >>
                              run.shift),
             run.factor,
-            run.fog};
+            fogOf(run.fog, row)};
     };
     rows.top = texelAt(first);
     rows.bottom = texelAt(last - 1);

@@ -234,6 +234,7 @@ void Slice::layOver() {
     layers_->fromBack(
         [&](const SideRun& run) {
             count(run.first, run.last);
+            if (waterFogs_ != nullptr) return fillFromWater(run, Lay::over);
             fillSide(pixels_ + run.first, run.last - run.first, run.texels, run.shift, run.start,
                      run.step, run.factor, run.fog, run.haze, Lay::over);
         },

@@ -3,6 +3,7 @@
 #include "render/slice.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace slicecast {
 
@@ -168,6 +169,7 @@ void Slice::reflect() {
             memory_.reflectedParts.find(vista, met.walk, above, met.before, met.portals, 0),
             height - run.last, height - run.first);
     }
+    const std::uint8_t* const waterFogs = std::exchange(waterFogs_, nullptr);
     pixels_ = memory_.reflected.data();
     layers_ = &memory_.reflectedLayers;
     parts_ = &memory_.reflectedParts;
@@ -175,6 +177,7 @@ void Slice::reflect() {
     drawParts();
     if (!layers_->empty()) layOver();
     pixels_ = pixels;
+    waterFogs_ = waterFogs;
     layers_ = &memory_.layers;
     trace_ = trace;
     if (trace_) turnUpright(trace_->reflection.back(), height);

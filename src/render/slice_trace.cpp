@@ -101,7 +101,7 @@ void Slice::traceObject(const FrameObject& object, int u, std::uint64_t start, s
             u,
             static_cast<int>((start + static_cast<std::uint64_t>(row - first) * step) >> 32),
             object.factor,
-            object.fog};
+            fogOf(object.fog, row)};
     };
     rows.top = texelAt(first);
     rows.bottom = texelAt(last - 1);

@@ -1,5 +1,7 @@
 #include "render/vista.h"
 
+#include "world/water.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,12 +39,14 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
 }
 
 void Vista::begin(const World& world, const Eye& eye, const RenderOptions& options,
-                  const Detail& detail, const Viewpoint& from, FrameRays rays) {
+                  const Detail& detail, const Viewpoint& from, FrameRays rays,
+                  const EyeWater& water) {
     viewpoint = from;
     map = &world.maps[static_cast<std::size_t>(from.map)];
     projection = &rays.projection;
     inverseOffsets = rays.inverseOffsets;
     lighting = Lighting(*map, options);
+    lighting.putInWater(water, from.upsideDown);
     const double height = Coordinate{from.z}.value();
     const double farRow = projection->rowOf(-height, map->far);
     firstFloorRow =
@@ -78,6 +82,23 @@ void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions&
     fillInverseOffsets(*projection_, inverseOffsets_);
     mirroredInverseOffsets_.assign(inverseOffsets_.rbegin(), inverseOffsets_.rend());
     used_ = 0;
+    findWater();
+}
+
+void Vistas::findWater() {
+    const Coordinate z = eye_->z;
+    const WaterAt here = waterAt(*world_, world_->maps[static_cast<std::size_t>(eye_->map)],
+                                 eye_->x.tile(), eye_->y.tile(), z);
+    water_ = {here.water, (here.surface - z).raw};
+    if (here.water == nullptr) return;
+    Lighting lighting;
+    lighting.putInWater(water_, false);
+    waterFogs_.assign(static_cast<std::size_t>(projection_->height), 255);
+    const double perInverse = Coordinate{water_.surface}.value() * projection_->distance;
+    for (int row = 0; row < projection_->firstFallingRow; ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        waterFogs_[i] = static_cast<std::uint8_t>(lighting.fogAt(perInverse * inverseOffsets_[i]));
+    }
 }
 
 Vista& Vistas::mirrored(const Vista& from, std::int32_t height) {
@@ -95,7 +116,8 @@ Vista& Vistas::find(const Viewpoint& from) {
     Vista& vista = *vistas_[used_++];
     vista.begin(*world_, *eye_, *options_, detail_, from,
                 from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
-                                : FrameRays{*projection_, inverseOffsets_.data()});
+                                : FrameRays{*projection_, inverseOffsets_.data()},
+                water_);
     return vista;
 }
 

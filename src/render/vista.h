@@ -68,7 +68,7 @@ struct FrameRays {
 class Vista {
 public:
     void begin(const World& world, const Eye& eye, const RenderOptions& options,
-               const Detail& detail, const Viewpoint& from, FrameRays rays);
+               const Detail& detail, const Viewpoint& from, FrameRays rays, const EyeWater& water);
 
     GroundDirection ray(int column) const {
         return turned(projection->ray(column), viewpoint.turn);
@@ -101,9 +101,14 @@ public:
     Vista& mirrored(const Vista& from, std::int32_t height);
 
     const Projection& projection() const { return *projection_; }
+    // The most fog of each row, for an eye in water; else null.
+    const std::uint8_t* waterFogs() const {
+        return water_.water != nullptr ? waterFogs_.data() : nullptr;
+    }
 
 private:
     Vista& find(const Viewpoint& from);
+    void findWater();
 
     const World* world_ = nullptr;
     const Eye* eye_ = nullptr;
@@ -114,6 +119,8 @@ private:
     std::unique_ptr<Projection> mirroredProjection_;  // upside down
     std::vector<double> inverseOffsets_;
     std::vector<double> mirroredInverseOffsets_;
+    EyeWater water_;
+    std::vector<std::uint8_t> waterFogs_;  // by row: the fog where its rays leave the eye's water
     std::vector<std::unique_ptr<Vista>> vistas_;
     std::size_t used_ = 0;
 };

@@ -183,6 +183,19 @@ void addMovers(Random& random, World& world) {
     }
 }
 
+// Still blocks become water that lacks faces; an eye that comes to be in one sees its colour.
+void addWater(Random& random, World& world) {
+    for (std::size_t id = 1; id < world.blueprints.size(); ++id) {
+        CellBlueprint& block = world.blueprints[id];
+        if (block.hasPortals || block.mover >= 0 || block.gate >= 0 || !random.oneIn(3)) continue;
+        block.isWater = true;
+        block.waterSight = random.between(1.0, 20.0);
+        for (FaceBlueprint& face : block.faces) {
+            if (face.mirror == 0 && random.oneIn(3)) face.texture = kNoTexture;
+        }
+    }
+}
+
 }  // namespace
 
 void addFeatures(Random& random, World& world) {
@@ -192,8 +205,9 @@ void addFeatures(Random& random, World& world) {
     addObjects(random, world);
     addMovers(random, world);
     if (!makeMovers(world).empty() || !makeGates(world).empty()) std::abort();
-    markSeeThrough(world);
     markPortals(world);
+    addWater(random, world);
+    markSeeThrough(world);
     startObjects(world);
 }
 

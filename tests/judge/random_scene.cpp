@@ -225,6 +225,43 @@ World randomWorld(Random& random, bool coarse) {
     return world;
 }
 
+// Some of the still blocks become water, which may lack faces; numbers of their own, so that the
+// rest of the scene stays what it is.
+void flood(Random& random, World& world) {
+    for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+        CellBlueprint& block = world.blueprints[i];
+        if (block.hasPortals || block.mover >= 0 || random.oneIn(3)) continue;
+        block.isWater = block.seeThrough = true;
+        block.waterColour = anyColour(random);
+        block.waterSight = random.between(0.5, 30.0);
+        for (FaceBlueprint& face : block.faces) {
+            if (face.mirror == 0 && random.oneIn(3)) face.texture = kNoTexture;
+        }
+    }
+}
+
+// The eye somewhere in water, if there is some. Most of the time the whole levels above are water
+// too.
+void dive(Random& random, World& world, View& view) {
+    Map& map = world.maps[static_cast<std::size_t>(view.map)];
+    for (int tries = 0; tries < 200; ++tries) {
+        const int x = random.below(map.width);
+        const int y = random.below(map.depth);
+        const int level = random.below(map.levels);
+        const BlueprintId id = map.cell(x, y, level);
+        const CellBlueprint& block = world.blueprints[id];
+        if (!block.isWater) continue;
+        if (level + 1 < map.levels && map.cell(x, y, level + 1) == kEmptyCell && !random.oneIn(3))
+            map.setCell(x, y, level + 1, id);
+        view.x = {random.between(x * 65536, x * 65536 + 65535)};
+        view.y = {random.between(y * 65536, y * 65536 + 65535)};
+        const int base = level * 65536;
+        view.z = {std::max(1, random.between(base + block.bottom.raw, base + block.top.raw - 1))};
+        if (random.oneIn(6)) view.z = {std::max(1, base + block.bottom.raw)};
+        return;
+    }
+}
+
 bool insideBlock(const World& world, const View& view) {
     const Map& map = world.maps[static_cast<std::size_t>(view.map)];
     const int level = view.z.tile();
@@ -268,6 +305,11 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
         if (random.oneIn(6)) view.z = {std::max(1, view.z.raw >> 13) * 8192};
         if (random.oneIn(12)) view.z = {random.between(1, 40)};
         if (insideBlock(scene.world, view) == wantInside) break;
+    }
+    Random water(seed ^ 0x77617465u);
+    if (water.oneIn(4)) {
+        flood(water, scene.world);
+        if (!water.oneIn(4)) dive(water, scene.world, view);
     }
     return scene;
 }

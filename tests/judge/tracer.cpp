@@ -37,6 +37,8 @@ Tracer::Walk::Walk(const Tracer& tracer, double px, double py, std::vector<Sight
                   d * tracer.forwardY_ + q * tracer.forwardX_};
     up_ = view.height / 2.0 + view.look * view.height - py;
     sideways_ = q / d;
+    leaves_ = up_ > 0.0 ? (tracer.surface_ - view.z.value()) * d / up_ : kNever;
+    if (tracer.water_ != nullptr) note(Note::fromWater);
     eye_ = {view.x.value(), view.y.value()};
     eyeZ_ = view.z.value();
     place_.map = view.map;

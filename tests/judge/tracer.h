@@ -45,9 +45,10 @@ struct Sight {
     TextureId texture = kNoTexture;  // of an object its sprite
     double faceLight = 1.0;
     bool glow = false;
-    double depth = 0.0;  // t
-    double along = 0.0;  // t / d as it was found, so that equal depths come out equal
-    double u = 0.0;      // fractions of the texture, 0 to 1; negative ones count from the other end
+    double depth = 0.0;   // t
+    double leaves = 0.0;  // t at which the ray leaves the eye's water, if that is in some
+    double along = 0.0;   // t / d as it was found, so that equal depths come out equal
+    double u = 0.0;  // fractions of the texture, 0 to 1; negative ones count from the other end
     double v = 0.0;
     Colour colour;            // sky, haze: what they show
     bool seeThrough = false;  // what lies behind may show, depending on the texel's alpha
@@ -93,6 +94,11 @@ enum class Note : std::uint8_t {
     mirrorBehindPortal,
     portalBehindMirror,
     mirrorOutside,  // the floor outside the grid
+    fromWater,      // the eye is in water
+    outOfWater,     // and met something beyond its surface
+    waterSky,       // or the sky through it
+    waterMirror,    // or a mirror
+    noFace,         // a face that water leaves out
     count
 };
 using Notes = std::bitset<static_cast<std::size_t>(Note::count)>;
@@ -121,6 +127,8 @@ private:
 
     const World& world_;
     View view_;
+    const CellBlueprint* water_ = nullptr;  // that the eye is in
+    double surface_ = 0.0;                  // its height
     double distance_;
     double forwardX_;
     double forwardY_;

@@ -46,6 +46,21 @@ Tracer::Tracer(const World& world, const View& view) : world_(world), view_(view
     distance_ = (view.width / 2.0) / tanDegrees(view.fovDegrees / 2.0);
     forwardX_ = cosDegrees(view.headingDegrees);
     forwardY_ = sinDegrees(view.headingDegrees);
+    // The water that the eye is in, and up to where it stands.
+    const Map& map = world.maps[static_cast<std::size_t>(view.map)];
+    const auto blockAt = [&](int level) -> const CellBlueprint& {
+        return world.blueprints[map.cell(view.x.tile(), view.y.tile(), level)];
+    };
+    int level = view.z.tile();
+    const double above = view.z.value() - level;
+    if (const CellBlueprint& block = blockAt(level);
+        block.isWater && above >= block.bottom.value() && above < block.top.value()) {
+        water_ = &block;
+        while (blockAt(level).top.value() == 1.0 && blockAt(level + 1).isWater &&
+               blockAt(level + 1).bottom.value() == 0.0)
+            ++level;
+        surface_ = level + blockAt(level).top.value();
+    }
     // A sheet's frames follow one another for ever.
     const auto frameOf = [&](std::size_t frames, double rate) {
         return frames == 1 ? 0
@@ -93,10 +108,25 @@ int Tracer::level(const Sight& sight, double depthFactor) const {
 }
 
 Colour Tracer::colour(const Sight& sight, double depthFactor) const {
-    if (sight.kind == Sight::Kind::sky || sight.kind == Sight::Kind::haze) return sight.colour;
     const Map& map = world_.maps[static_cast<std::size_t>(sight.map)];
     const double depth = sight.depth * depthFactor;
-    if (sight.kind == Sight::Kind::floor && depth > map.far) return map.haze;
+    const auto mixed = [](Colour a, Colour b, int weight) {
+        const auto channel = [&](int from, int to) {
+            return static_cast<std::uint8_t>((to * weight + from * (255 - weight) + 127) / 255);
+        };
+        return Colour{channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), a.a};
+    };
+    const auto weightOf = [](double share) {
+        return static_cast<int>(std::floor(255.0 * clampTo(share, 0.0, 1.0) + 0.5));
+    };
+    const auto inWater = [&] {
+        return weightOf(std::min(depth, sight.leaves) / water_->waterSight);
+    };
+    const Colour haze = water_ != nullptr ? water_->waterColour : map.haze;
+    if (sight.kind == Sight::Kind::haze || (sight.kind == Sight::Kind::floor && depth > map.far))
+        return haze;
+    if (sight.kind == Sight::Kind::sky)
+        return water_ != nullptr ? mixed(sight.colour, haze, inWater()) : sight.colour;
     const Image& image = levelsOf(sight)[static_cast<std::size_t>(level(sight, depthFactor))];
     // A negative fraction stands for a reversed one: texel N - 1 - i.
     const auto texel = [](double fraction, int n) {
@@ -112,19 +142,13 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
         (sight.glow ? 1.0 : clampTo(falloff, map.light.darkest, map.light.brightest)) *
         sight.faceLight;
     const int q = std::min(256, static_cast<int>(std::floor(256.0 * bright + 0.5)));
-    int fog = 0;
-    if (map.fog.on && view_.fog) {
-        fog = static_cast<int>(std::floor(
-            255.0 * clampTo((depth - map.fog.start) / (map.fog.end - map.fog.start), 0.0, 1.0) +
-            0.5));
-    }
-    const auto channel = [&](int c, int haze) {
-        return static_cast<std::uint8_t>((haze * fog + ((c * q + 128) >> 8) * (255 - fog) + 127) /
-                                         255);
-    };
+    const int fog = water_ != nullptr ? inWater()
+                    : map.fog.on && view_.fog
+                        ? weightOf((depth - map.fog.start) / (map.fog.end - map.fog.start))
+                        : 0;
+    const auto lit = [&](int c) { return static_cast<std::uint8_t>((c * q + 128) >> 8); };
     const std::uint8_t alpha = sight.mirror > 0 ? 255 : raw.a;
-    return {channel(raw.r, map.haze.r), channel(raw.g, map.haze.g), channel(raw.b, map.haze.b),
-            alpha};
+    return mixed({lit(raw.r), lit(raw.g), lit(raw.b), alpha}, haze, fog);
 }
 
 const char* nameOf(Note note) {
@@ -162,7 +186,12 @@ const char* nameOf(Note note) {
                                          "joined mirror",
                                          "mirror behind a portal",
                                          "portal behind a mirror",
-                                         "mirror outside"};
+                                         "mirror outside",
+                                         "eye in water",
+                                         "out of the water",
+                                         "sky through water",
+                                         "mirror through water",
+                                         "no face"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Note::count));
     return kNames[static_cast<std::size_t>(note)];
 }

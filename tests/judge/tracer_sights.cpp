@@ -20,6 +20,12 @@ void Tracer::Walk::push(Sight sight) {
     sight.turn = place_.turn;
     sight.portals = portals_;
     sight.reflected = reflected_;
+    sight.leaves = leaves_;
+    if (tracer_.water_ != nullptr) {
+        if (sight.depth > leaves_) note(Note::outOfWater);
+        if (sight.kind == Sight::Kind::sky) note(Note::waterSky);
+        if (sight.mirror > 0) note(Note::waterMirror);
+    }
     sights_.push_back(sight);
 }
 
@@ -29,7 +35,7 @@ void Tracer::Walk::push(Sight sight) {
 void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
                             const Meeting& meeting, bool fromInside) {
     const FaceBlueprint& look = block.face(which);
-    if (look.texture == kNoTexture) return;  // water may lack faces
+    if (look.texture == kNoTexture) return note(Note::noFace);  // water may lack faces
     const Point point = Place::turned(
         Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
     const double x = clampTo(point.x + (place_.x - mapTile_.x), 0.0, 1.0);
@@ -187,6 +193,7 @@ void Tracer::Walk::addObjects() {
             sight.turn = stretch.place.turn;
             sight.portals = portals;
             sight.reflected = reflected;
+            sight.leaves = leaves_;
             sight.seeThrough = true;
             sight.texture = object.sprite;
             sight.faceLight = object.light;

@@ -122,6 +122,7 @@ private:
     Point direction_;
     double up_;
     double sideways_;
+    double leaves_;  // t at which it leaves the eye's water
     Point eye_;
     double eyeZ_;  // behind a mirror the mirrored eye's
 

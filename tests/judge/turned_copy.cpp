@@ -79,8 +79,9 @@ int addTurnedCopy(World& world, int index, int turn) {
         for (FaceBlueprint& face : block.faces) face.portal = kNoPortal;
         FaceBlueprint& top = block.faces[static_cast<std::size_t>(Face::top)];
         FaceBlueprint& bottom = block.faces[static_cast<std::size_t>(Face::bottom)];
-        top.texture = above[top.texture];
-        bottom.texture = below[bottom.texture];
+        // Water may lack faces.
+        if (top.texture != kNoTexture) top.texture = above[top.texture];
+        if (bottom.texture != kNoTexture) bottom.texture = below[bottom.texture];
         world.blueprints.push_back(block);
         blocks[i] = static_cast<BlueprintId>(world.blueprints.size() - 1);
     }
