@@ -230,8 +230,10 @@ test('attributes and properties are the same thing, also those set before the el
     base: '',
     poster: '',
     loading: 'lazy',
+    interaction: 'walk',
     keys: 'all',
     label: '',
+    syncwith: '',
     engine: 'auto',
   });
   assert.equal(seen.set, '<ray-caster controls="" autoplay="" view="1,2,3,4"></ray-caster>');

@@ -89,7 +89,7 @@ test('keys get other actions, none, and the standard ones back', async () => {
       .keys.map(({ code }) => code);
 
   assert.equal(bind('KeyM', 'forward'), '');
-  assert.deepEqual(codesOf('forward'), ['KeyW', 'KeyM']);
+  assert.deepEqual(codesOf('forward'), ['KeyM', 'KeyW']);
   assert.deepEqual(codesOf('minimap'), []);
   assert.deepEqual(['KeyM', 'KeyB', 'F9', 'KeyZ', 'Tab'].map(scope), [
     'move',
