@@ -15,7 +15,7 @@ set(may_wasm ${may_app} app)
 set(may_headless ${may_app})
 
 # The slow renderer of the old ways shares plain data with the fast one, which knows nothing of it.
-set(classicShares "classic/[a-z_]+|eye|options|picture|shading")
+set(classicShares "classic/[a-z_]+|eye|options|picture|shading|trace")
 
 # The engine draws and simulates the same everywhere: no screen, no clock, no printing, and none of
 # the library functions whose last bit differs.
