@@ -19,7 +19,7 @@ const posters = path.join(folder, 'scenes/posters');
 await mkdir(posters, { recursive: true });
 for (const { file } of JSON.parse(await readFile(path.join(folder, 'scenes/index.json'), 'utf8'))) {
   const scene = await load(path.join(folder, 'scenes', file));
-  const png = encode({ ...scene.picture(kSize), channels: 4, depth: 8 });
+  const png = encode({ ...scene.pixels(kSize), channels: 4, depth: 8 });
   await writeFile(path.join(posters, file.replace(/\.json$/, '.png')), png);
   scene.free();
 }
