@@ -191,6 +191,7 @@ int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 // session/json_text.h says: slicecast_texts then gives the texts that stand in it, as a JSON list.
 // Both hold until the next such call. Null without a game, and for what does not exist.
 
+// The texts of the last packed answer, as a JSON list.
 const char* slicecast_texts(SlicecastSession* session);
 
 // Everything that columns of a picture of that size meet: an array of what session/hits_json.h

@@ -62,7 +62,7 @@ test("a scene's module is the scene, and a URL names a picture anywhere", async 
     { ...imported, textures: { ...imported.textures, rock: shipped } },
   ]) {
     const scene = await load(from);
-    pictures.push(Buffer.from(scene.picture(kSize).data).toString('base64'));
+    pictures.push(Buffer.from(scene.pixels(kSize).data).toString('base64'));
     scene.free();
   }
   const [named, asModule, elsewhere, beside] = pictures;
@@ -222,7 +222,7 @@ test('the old ways of drawing, by name, beside the exact picture', async () => {
     return true;
   };
   assert.deepEqual(scene.leftOut, []);
-  const exact = scene.picture(size);
+  const exact = scene.pixels(size);
   const exactTrace = scene.trace(20, size);
   const fishEye = scene.oldWays.find(({ name }) => name === 'Fish eye');
   assert.deepEqual(fishEye.options, { 'classic.projection': 'equalAngles' });
@@ -240,17 +240,17 @@ test('the old ways of drawing, by name, beside the exact picture', async () => {
   for (const [option, value] of Object.entries(fishEye.options)) scene.set(option, value);
   scene.set('method', 'classic');
   assert.ok(scene.leftOut.every((sentence) => sentence.endsWith('.')) && scene.leftOut.length > 0);
-  const old = scene.picture(size);
+  const old = scene.pixels(size);
   scene.set('method', 'exact');
   scene.set('compare', 0.5);
-  const both = scene.picture(size);
+  const both = scene.pixels(size);
   assert.ok(isSame(both, old, [0, 44]) && !isSame(both, old, [52, 96]));
   assert.ok(isSame(both, exact, [52, 96]) && !isSame(both, exact, [0, 44]));
   // A trace tells of the method that draws the column.
   assert.notDeepEqual(scene.trace(20, size).ray, exactTrace.ray);
   scene.set('compare', 0);
   assert.deepEqual(scene.trace(20, size).ray, exactTrace.ray);
-  assert.ok(isSame(scene.picture(size), exact, [0, 96]));
+  assert.ok(isSame(scene.pixels(size), exact, [0, 96]));
   scene.free();
 });
 

@@ -83,7 +83,7 @@ test('what is recorded can be read and played again', async () => {
   const text = session.takeRecording();
   assert.match(
     text,
-    /^slicecast recording 1\nscene first-walk\nset speed 1\n50 forward 256 turn-degrees 126 jump\nfly on\n70 strafe 77 fly 256\nend 120 [0-9a-f]{16}\n$/,
+    /^slicecast recording 1\nscene first-walk\nset speed 1\nset bob on\n50 forward 256 turn-degrees 126 jump\nfly on\n70 strafe 77 fly 256\nend 120 [0-9a-f]{16}\n$/,
   );
   assert.equal(session.takeRecording(), '', 'it has ended');
 

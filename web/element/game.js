@@ -126,6 +126,12 @@ export class Game {
     this.actions.showCanvas(engine.canvas);
   }
 
+  // Draws from now on. Who prefers reduced motion does not bob on water.
+  begin() {
+    this.engine.begin();
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.engine.setOption('bob', 'off');
+  }
+
   // Sets these options and puts those back that were set before and are no longer named. What the
   // engine refuses is told to `warn`.
   setOptions(pairs, warn) {

@@ -166,7 +166,7 @@ export class Loading {
         this.#pictureCame = resolve;
         setTimeout(resolve, kFirstPictureMilliseconds);
       });
-      this.#game.engine.begin();
+      this.#game.begin();
       await picture;
       if (isStale()) return;
       this.isLoading = false;
@@ -206,7 +206,7 @@ export class Loading {
   #settle() {
     this.#apply();
     this.#failed = null;
-    this.#game.engine.begin(); // it has, unless the first try had a fault
+    this.#game.begin(); // it has, unless the first try had a fault
     const isNew = !this.#isReady;
     this.#isReady = true;
     this.#actions.done(isNew);

@@ -114,7 +114,6 @@ export class Engine {
     if (this.#begun) return;
     this.#begun = true;
     if (this.#module._slicecast_begin() === 0) throw new Error('There is no canvas.');
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.setOption('bob', 'off');
   }
 
   get hasBegun() {

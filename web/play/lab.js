@@ -5,7 +5,6 @@
 //     const lab = new Lab(sheet, caster, { settings, divider, photo, benchmark });
 //     lab.toggle();
 
-import { parseOptions } from '../engine/address.js';
 import { Divider } from './divider.js';
 import { optionRow } from './lab-rows.js';
 
@@ -212,7 +211,8 @@ export class Lab {
       way?.description ?? 'Choose an old way: a divider shows it beside the exact picture.';
     for (const { name: option, standard } of this.#caster.optionList)
       if (option.startsWith('classic.')) this.#caster.set(option, standard);
-    for (const [option, value] of parseOptions(way?.options ?? '')) this.#caster.set(option, value);
+    for (const [option, value] of Object.entries(way?.options ?? {}))
+      this.#caster.set(option, value);
     const share = way === undefined ? 0 : Number(this.#caster.get('compare')) || 0.5;
     this.#caster.set('compare', share);
     this.#divider.show(share);
