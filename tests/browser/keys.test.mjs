@@ -114,7 +114,7 @@ test('Tab moves on from the canvas to the buttons, with a ring around them', asy
   assert.equal(await focused(page), 'open-scenes');
   await inState(page, 'paused');
   const order = [];
-  for (let i = 0; i < 6; ++i) {
+  for (let i = 0; i < 7; ++i) {
     const ring = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
     order.push(`${await focused(page)} ${ring}`);
     await page.keyboard.press('Tab');
@@ -122,6 +122,7 @@ test('Tab moves on from the canvas to the buttons, with a ring around them', asy
   assert.deepEqual(order, [
     'open-scenes solid',
     'open-lessons solid',
+    'open-lab solid',
     'open-keys solid',
     'open-settings solid',
     'open-share solid',

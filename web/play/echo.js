@@ -28,7 +28,8 @@ const kGateActions = ['use', 'open', 'close'];
 
 export function listenForEffects(caster, toast) {
   const values = () => kEffects.map(({ option }) => caster.get(option));
-  caster.addEventListener('keydown', ({ code, repeat, ctrlKey, metaKey, altKey }) => {
+  // Before the engine hears of it.
+  const listen = ({ code, repeat, ctrlKey, metaKey, altKey }) => {
     if (!caster.entered || ctrlKey || metaKey || altKey) return;
     const before = values();
     const hasGate = caster.player.gate !== '';
@@ -39,7 +40,8 @@ export function listenForEffects(caster, toast) {
       else if (!repeat && !hasGate && codesOf(caster, kGateActions).includes(code))
         toast.show('No gate within reach');
     }, kSettle);
-  });
+  };
+  caster.addEventListener('keydown', listen, { capture: true });
   caster.addEventListener('modechange', ({ detail: { mode, on } }) => {
     if (mode === 'fly' && caster.entered)
       toast.show(

@@ -54,6 +54,10 @@ export class Face {
   }
 
   // The list may come after the scene, or after what is wrong with it.
+  get scenes() {
+    return this.#scenes;
+  }
+
   set scenes(scenes) {
     this.#scenes = scenes;
     this.#tellAbout();
