@@ -1,7 +1,6 @@
 // How a command line says from where to look and how large a picture to draw.
 //
-//     --eye 3.5,4,0.5,90,0        x, y, height of the eye (units), heading (degrees, 0 = east, 90 =
-//     south), look (screen heights, positive up)
+//     --eye 3.5,4,0.5,90,0        x, y, height of the eye (units), heading (degrees, 0 = east, 90 = south), look (screen heights, positive up)
 //     --size 1280x720             pixels
 #pragma once
 

@@ -1,12 +1,9 @@
 // What one slice of a picture meets: a line where it is, with a stripe that tells what fills each
 // of its rows, and a view of it from the side.
 //
-//     height |            +-----+       :          |       the blocks that its ground line passes,
-//     brighter where they are seen, objects as bars,
-//            |     +---+--|     |---    :cellar    |       and rays from the eye to the rows that
-//            they fill, in the stripe's colours;
-//        eye o-----|   |  |     |       :    +--+          an upright line where rays go through a
-//        portal into that map
+//     height |            +-----+       :          |       the blocks that its ground line passes, brighter where they are seen, objects as bars,
+//            |     +---+--|     |---    :cellar    |       and rays from the eye to the rows that they fill, in the stripe's colours;
+//        eye o-----|   |  |     |       :    +--+          an upright line where rays go through a portal into that map
 //            +-----+---+--+-----+-------:----+--+-- depth
 //
 // Behind a portal depths and heights go on as the eye sees them. Where the slice meets a mirror, a

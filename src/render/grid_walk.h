@@ -1,13 +1,10 @@
 // The walk over the grid: which tiles a ground ray passes and at which depths it crosses their
 // borders.
 //
-//     +-----+-----+          Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing"
-//     (1987), on two axes. The depth of the n-th border of an |  .--|-*   |          axis is
-//     (distance to the first + n) / |direction|: a quotient of its own each time, so nothing
-//     accumulates, and two borders that | e   |  \  |          are met at the same depth are found
-//     equal.
-//     +-----+---*-+          There the tie rule of projection.h decides: the eye counts as a little
-//     further east (and far less south), so an eastward border
+//     +-----+-----+          Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987), on two axes. The depth of the n-th border of an
+//     |  .--|-*   |          axis is (distance to the first + n) / |direction|: a quotient of its own each time, so nothing accumulates, and two borders that
+//     | e   |  \  |          are met at the same depth are found equal.
+//     +-----+---*-+          There the tie rule of projection.h decides: the eye counts as a little further east (and far less south), so an eastward border
 //           |     |          comes first and a westward one last.
 #pragma once
 

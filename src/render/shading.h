@@ -1,10 +1,10 @@
 // Light and fog at a depth. For what glows the clamped falloff is 1.
 //
-//     falloff = intensity * multiplier / t                                      1 where the light
-//     is off factor  = min(256, floor(256 * clamp(falloff, darkest, brightest) * faceLight + 0.5))
-//     channel = (c * factor + 128) >> 8                                         on the bytes as
-//     they are fog     = floor(255 * clamp((t - start) / (end - start), 0, 1) + 0.5) channel =
-//     (haze * fog + channel * (255 - fog) + 127) / 255                in integers
+//     falloff = intensity * multiplier / t                                      1 where the light is off
+//     factor  = min(256, floor(256 * clamp(falloff, darkest, brightest) * faceLight + 0.5))
+//     channel = (c * factor + 128) >> 8                                         on the bytes as they are
+//     fog     = floor(255 * clamp((t - start) / (end - start), 0, 1) + 0.5)
+//     channel = (haze * fog + channel * (255 - fog) + 127) / 255                in integers
 #pragma once
 
 #include "base/colour.h"

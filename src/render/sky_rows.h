@@ -2,8 +2,7 @@
 // in fog, without levels of detail.
 //
 //     gradient   low + (high - low) * min(1, s / slope)
-//     panorama   column floor(fraction(azimuth / 360) * W), azimuth = heading + atan(k); row
-//     floor((1 - min(1, s / slope)) * H)
+//     panorama   column floor(fraction(azimuth / 360) * W), azimuth = heading + atan(k); row floor((1 - min(1, s / slope)) * H)
 #pragma once
 
 #include "base/colour.h"

@@ -1,12 +1,12 @@
 // One screen column: a walk over the grid, and what it meets drawn front to back into the rows that
 // are still open.
 //
-//      rows                      A block seen from the side fills the rows between its top and
-//      bottom edge where the walk enters the tile; its roof those up to
-//       |    .--------.  back    where the top edge appears at the tile's far border, its underside
-//       likewise below. Floor and ceiling fill what lies between |   /  roof  /|          the two
-//       borders. A row that is drawn is closed, so each pixel is written once, and the walk ends
-//       when no row is open. |  .--------. | |  |  side  | ' v  '--------'  front
+//      rows                      A block seen from the side fills the rows between its top and bottom edge where the walk enters the tile; its roof those up to
+//       |    .--------.  back    where the top edge appears at the tile's far border, its underside likewise below. Floor and ceiling fill what lies between
+//       |   /  roof  /|          the two borders. A row that is drawn is closed, so each pixel is written once, and the walk ends when no row is open.
+//       |  .--------. |
+//       |  |  side  | '
+//       v  '--------'  front
 #pragma once
 
 #include "render/frame.h"

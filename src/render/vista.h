@@ -2,10 +2,8 @@
 // laid on behind them, turned and shifted, and seen as if the eye stood there; what shows in a
 // mirror is seen from as far below it as the eye is above, upside down (see Projection::mirrored):
 //
-//         eye  o                          Beyond a mirror at height h a ray of slope s runs like
-//         one of slope -s that comes from height 2 h - z, and is the true one
-//               \     . reflected         where it is above h. So whatever is drawn of blocks can
-//               be drawn of reflections too.
+//         eye  o                          Beyond a mirror at height h a ray of slope s runs like one of slope -s that comes from height 2 h - z, and is the true one
+//               \     . reflected         where it is above h. So whatever is drawn of blocks can be drawn of reflections too.
 //      h  -------\---/------- mirror
 //                 \ /
 //                  X

@@ -2,8 +2,9 @@
 // place.
 //
 //     ParsedJson json = parseJson(source);
-//     if (json.fault) ...                                 // the text is not JSON: one fault, no
-//     tree JsonValue root = json.tree.root(); for (JsonValue member : root) member.key() ...
+//     if (json.fault) ...                                 // the text is not JSON: one fault, no tree
+//     JsonValue root = json.tree.root();
+//     for (JsonValue member : root) member.key() ...
 //
 // Duplicate keys are kept; `duplicateKeys` lists them.
 #pragma once

@@ -1,11 +1,9 @@
 // Portals: faces of blocks and tiles that lead elsewhere.
 //
-//      map a                  map b         A face's way back, for "twoWay": the block N behind the
-//      exit tile E, as seen by who has just come out, gets a portal . . . .                . . . .
-//      .     on the side towards E. It leads to the tile B before the first portal, so that who
-//      turns around there and . B|A . . - to E - >   . N|E . .     walks back comes out where they
-//      went in. For a top or bottom, N is the block that touches the same plane from the . . . . .
-//      . . . .     other side. A tile's way back is a portal of the exit tile.
+//      map a                  map b         A face's way back, for "twoWay": the block N behind the exit tile E, as seen by who has just come out, gets a
+//      portal . . . .                . . . . .     on the side towards E. It leads to the tile B before the first portal, so that who turns around there and .
+//      B|A . . - to E - >   . N|E . .     walks back comes out where they went in. For a top or bottom, N is the block that touches the same plane from the . .
+//      . .                . . . . .     other side. A tile's way back is a portal of the exit tile.
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/player.h"

@@ -52,8 +52,8 @@ struct Reading {
     std::vector<JsonValue> mapValues = {};
 };
 
-// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate } }; a sheet without a rate is held at its first
-// frame
+// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate } }; a sheet without a rate is held
+// at its first frame
 void readTextures(Reading& reading, JsonValue value);
 
 // A file or a sheet of frames.

@@ -1,9 +1,8 @@
 // Reading a scene file, in two steps because a page loads asynchronously:
 //
-//     ParsedScene scene = parseScene(text, "castle.json");        // checks the text, gives the
-//     names of the files that it needs for (const std::string& name : scene.files) ... // the
-//     caller brings their bytes LoadedScene loaded = loadScene(scene, files);               //
-//     decodes the images and builds the world
+//     ParsedScene scene = parseScene(text, "castle.json");        // checks the text, gives the names of the files that it needs
+//     for (const std::string& name : scene.files) ...             // the caller brings their bytes
+//     LoadedScene loaded = loadScene(scene, files);               // decodes the images and builds the world
 //
 // Both report all faults that they can reach, in the order of the text; a scene with any fault
 // gives no world. At most kMaxFaults (limits.h) are listed, and then one more that says how many

@@ -3,34 +3,28 @@
 // Behind a portal it goes on in the map that the portal leads to: depths go on from the eye,
 // everything else is in that map's coordinates; "portals" is how many were passed before.
 //
-//     { "scene", "map", "size": [W, H], "column", "eye": {"x", "y", "z", "heading", "look"}, "fov",
-//     "horizonRow", "projectionDistance",
-//       "ray": [x, y],                               ground direction per unit of perpendicular
-//       depth "tiles": [ [x, y, depth, map] ],             in order, with the perpendicular depth
-//       on entering "hits": [ { "map", "portals", "tile": [x, y], "level", "blueprint",
-//                   "face",                          through which the ray enters the tile; null in
-//                   the eye's own tile "point": [x, y],                 where it enters, units
-//                   "rawDepth", "depth", "backDepth",     along the ground; perpendicular;
-//                   perpendicular where it leaves the tile (null: never) "bottom", "top", heights
-//                   above the map's floor, units "bottomFrontRow", "topFrontRow", "bottomBackRow",
-//                   "topBackRow",     rows as real numbers; null where infinite "filled": [ {
-//                   "what", "face", "first", "last" } ] } ],              rows from first to last,
-//                   both included
+//     { "scene", "map", "size": [W, H], "column", "eye": {"x", "y", "z", "heading", "look"}, "fov", "horizonRow", "projectionDistance",
+//       "ray": [x, y],                               ground direction per unit of perpendicular depth
+//       "tiles": [ [x, y, depth, map] ],             in order, with the perpendicular depth on entering
+//       "hits": [ { "map", "portals", "tile": [x, y], "level", "blueprint",
+//                   "face",                          through which the ray enters the tile; null in the eye's own tile
+//                   "point": [x, y],                 where it enters, units
+//                   "rawDepth", "depth", "backDepth",     along the ground; perpendicular; perpendicular where it leaves the tile (null: never)
+//                   "bottom", "top",                 heights above the map's floor, units
+//                   "bottomFrontRow", "topFrontRow", "bottomBackRow", "topBackRow",     rows as real numbers; null where infinite
+//                   "filled": [ { "what", "face", "first", "last" } ] } ],              rows from first to last, both included
 //       "planes": [ { "what", "map", "first", "last" } ],     floor, ceiling, sky and haze
 //       "objects": [ { "map", "portals", "sprite",
 //                      "point": [x, y],              of its middle, units
 //                      "bottom", "top", "width",     heights of feet and head; units
-//                      "depth", "first", "last" } ], the rows in which it is seen, through its
-//                      holes or not
+//                      "depth", "first", "last" } ], the rows in which it is seen, through its holes or not
 //       "portals": [ { "portals",
-//                      "from": { "map", "tile": [x, y] }, "to": { "map", "tile" },      its own
-//                      tile and the exit tile "turn", "levels",             degrees clockwise;
-//                      added to heights "depth", "first", "last" } ], of the tile's border; the
-//                      rows whose rays went through
+//                      "from": { "map", "tile": [x, y] }, "to": { "map", "tile" },      its own tile and the exit tile
+//                      "turn", "levels",             degrees clockwise; added to heights
+//                      "depth", "first", "last" } ], of the tile's border; the rows whose rays went through
 //       "mirrors": [ { "map", "height",
 //                      "strength",                   1 to 255
-//                      "first", "last" } ] }         what is seen in them, a trace tells
-//                      (trace_json.h)
+//                      "first", "last" } ] }         what is seen in them, a trace tells (trace_json.h)
 #pragma once
 
 #include "session/json_text.h"

@@ -2,9 +2,8 @@
 // same states and pictures on every machine.
 //
 //     Recorder recorder("harbour-town");
-//     session.record(&recorder);                            from the first step on; the session
-//     notes down what it is asked for std::string text = writeRecording(recorder.finish(session));
-//     (recording_text.h)
+//     session.record(&recorder);                            from the first step on; the session notes down what it is asked for
+//     std::string text = writeRecording(recorder.finish(session));                       (recording_text.h)
 //
 //     Replay replay(recording);
 //     while (replay.step(sessionOfTheSameScene)) ...

@@ -2,9 +2,8 @@
 // page's bindings and the tools talk to.
 //
 //     Session session(std::move(world));
-//     session.step(input);                  exactly 1/120 s (kStepSeconds), as often as time has
-//     passed session.draw(picture, fraction);      `fraction` (0 to 1) of the way from the last
-//     step but one to the last
+//     session.step(input);                  exactly 1/120 s (kStepSeconds), as often as time has passed
+//     session.draw(picture, fraction);      `fraction` (0 to 1) of the way from the last step but one to the last
 //
 // It reads no clock, prints nothing and holds no global state: the same inputs give the same states
 // and pictures everywhere.

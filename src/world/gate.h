@@ -1,7 +1,6 @@
 // Gates: blocks that open and close.
 //
-//     closed -> opening -> open -> closing -> closed         at any moment the other way round,
-//     from the progress reached
+//     closed -> opening -> open -> closing -> closed         at any moment the other way round, from the progress reached
 //
 // Cells of one gate's blueprint that touch, side by side or stacked, are one gate. Bodies go
 // through it only while it is fully open. A gate never closes on anyone: it waits, still open,

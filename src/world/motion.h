@@ -1,10 +1,8 @@
 // Motions: how an edge of a moving block goes to and fro. All of it in whole steps and 1/65536
 // units.
 //
-//     offset  to |      ___                                A period takes the offset from `from` to
-//     `to` and back again. `even` goes at one speed,
-//                |    /     \            smooth            `smooth` begins and ends slowly,
-//                `stopAndGo` does so too and rests for a quarter of the
+//     offset  to |      ___                                A period takes the offset from `from` to `to` and back again. `even` goes at one speed,
+//                |    /     \            smooth            `smooth` begins and ends slowly, `stopAndGo` does so too and rests for a quarter of the
 //           from |__/         \__                          period at either end.
 //                +----------------> steps
 #pragma once

@@ -1,16 +1,11 @@
 // Movers: blocks whose bottom, top or both go up and down by a motion.
 //
-//      |     |  level 2        Cells of one moving blueprint that touch, side by side or stacked,
-//      are one mover: all of it moves by the same offset. A
-//      |:::::|                 shaft is what of it stands in tiles of the same levels. On each
-//      level that a shaft can reach its cells have a blueprint of
-//      |#####|  level 1        their own, which is cut off at the level's borders, and empty while
-//      the shaft is elsewhere.
+//      |     |  level 2        Cells of one moving blueprint that touch, side by side or stacked, are one mover: all of it moves by the same offset. A
+//      |:::::|                 shaft is what of it stands in tiles of the same levels. On each level that a shaft can reach its cells have a blueprint of
+//      |#####|  level 1        their own, which is cut off at the level's borders, and empty while the shaft is elsewhere.
 //      |#####|
-//      |     |  level 0        A mover waits, and its clock with it, as long as it would enter a
-//      body that was free. What stands on its top, or is met by
-//      +-----+                 it from below, goes up with it; what stands there with its weight
-//      goes down with it too.
+//      |     |  level 0        A mover waits, and its clock with it, as long as it would enter a body that was free. What stands on its top, or is met by
+//      +-----+                 it from below, goes up with it; what stands there with its weight goes down with it too.
 #pragma once
 
 #include "base/coordinate.h"

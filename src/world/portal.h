@@ -1,12 +1,9 @@
 // Portals: faces of blocks and whole tiles through which another map, or another place of the same
 // one, is seen and entered.
 //
-//      entry map                 exit map                 The portal's tile is laid on the exit
-//      tile, turned clockwise (as seen from above) about its middle by
-//      +---+---+                 +---+---+                quarter turns and shifted by whole
-//      levels; headings grow by 90 degrees for each quarter turn. What |   | P |   turn = 1      |
-//      Q |   |                enters the portal goes on from there: seen from inside the block, or
-//      for an eye within the tile, the
+//      entry map                 exit map                 The portal's tile is laid on the exit tile, turned clockwise (as seen from above) about its middle by
+//      +---+---+                 +---+---+                quarter turns and shifted by whole levels; headings grow by 90 degrees for each quarter turn. What
+//      |   | P |   turn = 1      | Q |   |                enters the portal goes on from there: seen from inside the block, or for an eye within the tile, the
 //   -> |  ->>>>|  ========>      | v |   |                portal does nothing, and the exit tile's
 //   own portal does not act on what arrives.
 //      +---+---+                 +-v-+---+

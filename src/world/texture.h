@@ -6,8 +6,7 @@
 // m + 1 is made from level m, 2 x 2 texels at a time:
 //
 //     a      = (a0 + a1 + a2 + a3 + 2) / 4
-//     colour = (sum of c * a + half the sum of a) / sum of a, 0 where that sum is 0 (integers,
-//     halves rounded down)
+//     colour = (sum of c * a + half the sum of a) / sum of a, 0 where that sum is 0                  (integers, halves rounded down)
 #pragma once
 
 #include "base/image.h"

@@ -1,12 +1,9 @@
 // Bodies among portals: a box with an eye, which sees through portals and goes through them.
 //
-//           |plane                  The eye decides where a body is. While it is before a portal,
-//           the parts of the box that reach through are tested against
-//      +----|--+                    what is on the other side, and those before the portal against
-//      this side. The moment that the eye crosses the plane, the |  o |::|    o  the eye      whole
-//      body is carried to the other side; from then on until it has left the plane behind, the
-//      parts still before it are |    |::|    ::  tested      tested against where it came from
-//      (`behind`). So a body that fits through gets through, whatever stands around the exit
+//           |plane                  The eye decides where a body is. While it is before a portal, the parts of the box that reach through are tested against
+//      +----|--+                    what is on the other side, and those before the portal against this side. The moment that the eye crosses the plane, the
+//      |  o |::|    o  the eye      whole body is carried to the other side; from then on until it has left the plane behind, the parts still before it are
+//      |    |::|    ::  tested      tested against where it came from (`behind`). So a body that fits through gets through, whatever stands around the exit
 //      +----|--+        beyond      tile, and no body is inside anything on either side.
 //
 // A portal face acts on an eye that goes through its rectangle into its block, a portal tile on one
@@ -18,8 +15,7 @@
 // are within a body's reach, the one it passed last counts.
 //
 //     Traveller body = {.map = 0, .box = box, .eye = eye};
-//     const Travelled way = slide(world, body, x, y, step);            // may be in another map
-//     now: body.turn, body.leaps
+//     const Travelled way = slide(world, body, x, y, step);            // may be in another map now: body.turn, body.leaps
 #pragma once
 
 #include "base/coordinate.h"

@@ -3,8 +3,7 @@
 // laid along it, turned clockwise (as seen from above) by quarter turns and moved by whole tiles
 // and levels, so that nothing is rounded anew:
 //
-//     map point = ray point, turned about the origin by `turn`, plus (x, y)        map height = ray
-//     height + levels
+//     map point = ray point, turned about the origin by `turn`, plus (x, y)        map height = ray height + levels
 #pragma once
 
 #include "world/portal.h"
