@@ -26,8 +26,7 @@ constexpr int kHorizon = kHeight / 2;
 // seen.
 constexpr double kMistEnd = 100.0;
 
-// Bounds, in levels of a colour channel. Before fog reached as far as it does, the castle had a
-// band of 42 rows and the dusk preset an edge of 36.
+// Bounds, in levels of a colour channel.
 constexpr int kLargestEdge = 4;      // between the floor's last row and the sky's first, any column
 constexpr double kLargestStep = 26;  // between the means of two rows of the floor, near the horizon
 constexpr int kMostPlainRows = kHeight * 8 / 100;  // of the floor, all haze
