@@ -18,7 +18,7 @@ const kHints = [
     name: 'walk',
     keys: '{forward}{strafeLeft}{back}{strafeRight} walk',
     touch: 'Your left thumb walks',
-    isNeeded: ({ seconds, moved }) => seconds > 1.5 && moved < 0.5,
+    isNeeded: ({ seconds }) => seconds > 1.5, // until it was followed: nothing blinks on the way
     isFollowed: ({ moved }) => moved > 1,
   },
   {
