@@ -343,6 +343,7 @@ bool App::draw(double nowSeconds) {
 
     // A surface of the picture's size
     if (!surface_ || surface_->w != width_ || surface_->h != height_) {
+        surface_.reset();  // its memory serves the next one
         surface_.reset(
             SDL_CreateRGBSurfaceWithFormat(0, width_, height_, 32, SDL_PIXELFORMAT_RGBA32));
         if (!surface_) return false;

@@ -53,21 +53,41 @@ async function slide(page, selector, value) {
   );
 }
 
-test('the picture follows the window, and never exceeds 1280 x 720 pixels', async (t) => {
+test("the picture has the window's own pixels, or a share of them", async (t) => {
   const { page } = await openScene(t, browser);
   assert.equal(await canvasSize(page), '640x360');
-  for (const [width, height, picture] of [
-    [1280, 720, '1280x720'],
-    [800, 601, '800x601'],
-    [1920, 1080, '960x540'],
-    [1367, 768, '684x384'],
+  for (const [width, height] of [
+    [1280, 720],
+    [800, 601],
+    [1920, 1080],
+    [1367, 767],
   ]) {
     await page.setViewportSize({ width, height });
-    await untilSize(page, picture);
-    assert.deepEqual(await page.evaluate(() => window.slicecast.player !== null), true);
+    await untilSize(page, `${width}x${height}`);
+    assert.equal(await shownSize(page), `${width}x${height}`);
   }
+  const filtering = () =>
+    page.evaluate(
+      () => getComputedStyle(window.slicecast.shadowRoot.querySelector('canvas')).imageRendering,
+    );
+  assert.equal(await filtering(), 'pixelated');
+  await openSettings(page);
+  assert.equal(await page.textContent('#size-now'), '1367 × 767 (100 %)');
+  await page.selectOption('#set-size', '75%');
+  await untilSize(page, '1025x575');
+  assert.equal(await shownSize(page), '1367x767');
+  assert.equal(await filtering(), 'auto');
+  assert.equal(await page.textContent('#size-now'), '1025 × 575 (75 %)');
   // Even pixels, and the window is covered: the odd row or column hangs over its edge.
+  await page.selectOption('#set-size', '50%');
+  await untilSize(page, '684x384');
   assert.equal(await shownSize(page), '1368x768');
+  assert.equal(await filtering(), 'pixelated');
+  // A screen beyond what the engine draws.
+  await page.selectOption('#set-size', 'auto');
+  await page.setViewportSize({ width: 4800, height: 600 });
+  await untilSize(page, '4096x512');
+  assert.equal(await shownSize(page), '4800x600');
 });
 
 for (const ratio of [1, 1.25])

@@ -5,13 +5,14 @@
 
 import { parseOptions, parseOverlay, parseView, wordsOf } from '../engine/address.js';
 import { nearestName, unknown } from '../engine/nearest-name.js';
+import { kLargestSide } from './stage.js';
 
 export const kButtons = ['play', 'reset', 'overlay', 'save', 'share', 'fullscreen'];
 
+const kLeastPercent = 10; // of the box, as a size
+
 const kAllControls = ['true', 'all', 'controls']; // as some write an attribute without a value
 const kNoControls = ['false', 'none'];
-
-export const kLargestSide = 4096; // pixels, as the engine's
 
 // Name -> what the property says without the attribute.
 const kStandard = {
@@ -100,12 +101,14 @@ function readView(text, warn) {
 function readSize(text, warn) {
   const { size: standard } = kStandard;
   if (text.trim() === standard) return standard;
+  const [, percent] = /^\s*(\d{1,3})\s*%\s*$/.exec(text) ?? [];
+  if (percent >= kLeastPercent && percent <= 100) return `${Number(percent)}%`;
   const [, ...sides] = /^\s*(\d{1,5})\s*[x×]\s*(\d{1,5})\s*$/i.exec(text) ?? [];
   const isSide = (side) => side >= 1 && side <= kLargestSide;
   if (sides.length === 2 && sides.every(isSide)) return sides.map(Number).join('x');
   warn(
     'size',
-    `The size is auto or WIDTHxHEIGHT in pixels of at most ${kLargestSide}, not '${text}'.`,
+    `The size is auto, WIDTHxHEIGHT in pixels of at most ${kLargestSide}, or ${kLeastPercent}% to 100% of the box, not '${text}'.`,
   );
   return standard;
 }

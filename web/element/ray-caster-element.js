@@ -1,7 +1,7 @@
 // The class of <ray-caster>: what a page can ask of it. What it does is in show.js.
 
 import { readView } from '../engine/address.js';
-import { kAttributes, kLargestSide, reflectAttributes, takeEarlyProperties } from './attributes.js';
+import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
 import { faultOf, orFault } from './faults.js';
 import { Show } from './show.js';
 import { checkSize, snapshotOf } from './snapshot.js';

@@ -26,6 +26,9 @@ const kDeadMilliseconds = 500; // without a picture after a failure of some engi
 const kModes = ['recording', 'replay', 'cursor', 'fly'];
 const kDegreesPerPixel = 0.15; // of the mouse
 const shows = new WeakMap(); // element -> its show
+const kFramesToPace = 4; // drawn one after the other
+// Options that count columns of the picture: meanwhile its size stays.
+const kCounting = ['grid', 'inspector', 'slow'];
 const kNear = ['pointerenter', 'pointerdown', 'focusin']; // who does this may soon steer
 
 export class Show {
@@ -45,6 +48,8 @@ export class Show {
   #viewStatus;
   #life = null; // while the element is in the document: an AbortController
   #stage = null;
+  #pace = null; // once it moves
+  #frames = 0; // drawn before that
   #mouse = { speed: 1, invert: false };
   #waiting = null; // of whenReady(): {promise, resolve, reject}
   #loading = null; // the same
@@ -173,6 +178,9 @@ export class Show {
     this.#steering?.stop();
     this.#hotspots?.stop();
     this.#partner?.stop();
+    this.#pace?.leave();
+    this.#pace = null;
+    this.#frames = 0;
     this.#hotspots = this.#partner = this.#partnersShow = null;
     this.error = this.#noSteering = null;
     this.#isSeen = this.#isAskedToPlay = false;
@@ -291,6 +299,23 @@ export class Show {
     this.#partner?.stop();
     this.#partner = other === undefined ? null : new Partner(this, other);
     this.#partnersShow = other ?? null;
+  }
+
+  // From now on the picture is as large as the page's budget allows.
+  #keepPace() {
+    const life = this.#life;
+    const isCounted = () =>
+      this.engine !== null &&
+      (kCounting.some((name) => this.engine.option(name) === 'on') ||
+        this.engine.option('drawnColumns') !== '-1');
+    bringMore().then(
+      ({ joinPace }) => {
+        if (life === null || this.#life !== life) return;
+        this.#pace = joinPace({ setScale: (scale) => this.#stage.setScale(scale), isCounted });
+        this.#pace.plays(!this.#stands);
+      },
+      (error) => console.warn(error.message),
+    );
   }
 
   // ---- What is wrong
@@ -472,6 +497,7 @@ export class Show {
               : 'playing';
     this.#stands = state !== 'playing' || !this.#isSeen;
     if (this.engine !== null) this.engine.paused = this.#stands;
+    this.#pace?.plays(!this.#stands);
     if (state === this.state) return;
     this.state = state;
     this.#hotspots?.place();
@@ -555,6 +581,10 @@ export class Show {
         this.#loading?.pictureCame();
         this.#hotspots?.place();
         if (this.ready !== null) this.tell('framechange', frameDetail(this.engine));
+        break;
+      case 'animation':
+        if (this.#pace !== null) this.#pace.drew(value.time, value.milliseconds);
+        else if (++this.#frames === kFramesToPace) this.#keepPace();
         break;
       case 'view':
         this.#viewStatus.moved();

@@ -2,7 +2,7 @@
 //
 //     const blob = await snapshotOf(engine, {width: 1280, height: 800, type: 'image/png'});
 
-import { kLargestSide } from './attributes.js';
+import { kLargestSide } from './stage.js';
 
 export function checkSize(method, { width, height }) {
   for (const [name, side] of Object.entries({ width, height })) {

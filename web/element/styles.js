@@ -2,7 +2,7 @@
 // inline styles.
 //
 //     const styles = new Styles(shadowRoot);
-//     styles.size = '640x400';         // of the picture, or 'auto'
+//     styles.size = '640x400';         // of the picture, if it has one of its own: it gives the shape
 //     styles.add(sheet);               // the text of another one
 //     styles.adopt();                  // in another document
 //
@@ -60,6 +60,7 @@ p, h2, ul { margin: 0; padding: 0; }
 .stage:focus { outline: none; }
 .frame { position: absolute; }
 .frame canvas { display: block; width: 100% !important; height: 100% !important; outline: none; image-rendering: crisp-edges; image-rendering: pixelated; }
+.frame.filtered canvas { image-rendering: auto; }
 .poster { width: 100%; height: 100%; object-fit: cover; transition: opacity calc(2 * var(--quick)); }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 .icon { display: block; width: 16px; height: 16px; fill: currentcolor; shape-rendering: crispedges; }
@@ -187,7 +188,7 @@ export class Styles {
     for (const text of this.#texts) if (!made.has(text)) made.set(text, make(text));
     const [width, height] = this.#size.split('x');
     const own =
-      this.#size === 'auto'
+      height === undefined
         ? []
         : [make(`:host { aspect-ratio: ${width} / ${height}; } .shape { width: ${width}px; }`)];
     this.#root.adoptedStyleSheets = [...this.#texts.map((text) => made.get(text)), ...own];

@@ -65,7 +65,12 @@ export async function createModule(
     },
     now: () => performance.now(),
     showPixels: (at, width, height) => screen.show(module.HEAPU8.buffer, at >>> 0, width, height),
-    askForFrame: () => requestAnimationFrame((time) => exports.slicecastFrame(time)),
+    askForFrame: () =>
+      requestAnimationFrame((time) => {
+        const begin = performance.now();
+        exports.slicecastFrame(time);
+        onSlicecast('animation', { time, milliseconds: performance.now() - begin });
+      }),
     forgetFrame: (frame) => cancelAnimationFrame(frame),
     leaveCanvas: () => canvas.blur(),
     tell: (news, yes) => onSlicecast(kNews[news], yes !== 0),

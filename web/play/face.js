@@ -43,9 +43,9 @@ export class Face {
     on('enterchange', () => this.#show());
     on('error', (detail) => this.#fail(detail));
     on('modechange', ({ mode, on: isOn }) => this.#mode(mode, isOn));
-    on('pace', ({ framesPerSecond, drawMilliseconds }) => {
+    on('pace', ({ framesPerSecond, drawMilliseconds, width, height }) => {
       find('rate').textContent =
-        `${Math.round(framesPerSecond)} fps · ${drawMilliseconds.toFixed(1)} ms`;
+        `${Math.round(framesPerSecond)} fps · ${drawMilliseconds.toFixed(1)} ms · ${width} × ${height}`;
     });
   }
 

@@ -28,6 +28,7 @@ import { listScenes } from './scene-list.js';
 import { SceneMenu } from './scene-menu.js';
 import { Settings } from './settings.js';
 import { ShareDialog } from './share.js';
+import { showSize } from './size-now.js';
 import { ViewOptions } from './view-options.js';
 
 const find = (id) => document.getElementById(id);
@@ -52,6 +53,7 @@ function start() {
   }
   for (const name of settings.names) apply(name, settings.value(name));
 
+  showSize(caster, find('size-now'));
   const share = new ShareDialog(find('share'));
   dialogs.before('settings', () => options.takeFromKeys());
   dialogs.opens('share', () => caster.world !== null && share.open(caster, address));

@@ -9,7 +9,7 @@
 const kStorageKey = 'slicecast.settings';
 
 const kStandard = {
-  size: 'auto', // 'auto', or 'WIDTHxHEIGHT' in pixels
+  size: 'auto', // 'auto', a share of the window's pixels as '50%', or 'WIDTHxHEIGHT'
   fov: 60, // degrees
   light: true,
   fog: true,

@@ -1,0 +1,29 @@
+// What size the picture has: now, and, where that is another one, when it was last in motion.
+//
+//     showSize(caster, output);
+
+export function showSize(caster, output) {
+  let moving = null; // {width, height}
+  const show = () => {
+    const now = textOf(caster, caster.picture);
+    const then = moving === null ? now : textOf(caster, moving);
+    output.textContent = now === then ? now : `${now}; in motion ${then}`;
+  };
+  caster.addEventListener('pace', ({ detail: { width, height } }) => {
+    moving = { width, height };
+    show();
+  });
+  caster.addEventListener('framechange', show);
+  caster.addEventListener('ready', () => {
+    moving = null;
+    show();
+  });
+}
+
+// Of one that has its box's shape also the share of the screen's pixels across.
+function textOf(caster, { width, height }) {
+  const box = caster.clientWidth * (window.devicePixelRatio || 1);
+  const boxHeight = caster.clientHeight * (window.devicePixelRatio || 1);
+  const fills = Math.abs(width / box - height / boxHeight) < 0.01;
+  return `${width} × ${height}${fills ? ` (${Math.round((100 * width) / box)} %)` : ''}`;
+}
