@@ -5,6 +5,8 @@ cacheHome="${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}/slicecast"
 
 # The compiler's cache serves every clone on the machine: paths inside a clone count from its root.
 export CCACHE_BASEDIR="$repo" CCACHE_NOHASHDIR=1
+# It refuses precompiled headers unless it is told that no clock is in them.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 # One line about what happens now.
 say() { printf '%s\n' "$*" >&2; }

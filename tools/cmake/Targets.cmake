@@ -32,12 +32,31 @@ function(slicecastProgram name)
   endif()
 endfunction()
 
+# GoogleTest's header, compiled once for all tests of a build: to read it takes half of the time that
+# a test takes to compile.
+function(slicecastTestHeader)
+  find_package(GTest REQUIRED)
+  set(nothing ${PROJECT_BINARY_DIR}/test_header.cpp)
+  file(GENERATE OUTPUT ${nothing} CONTENT "")
+  add_library(slicecast_test_header OBJECT ${nothing})
+  target_link_libraries(slicecast_test_header PRIVATE GTest::gtest slicecast_flags)
+  target_precompile_headers(slicecast_test_header PRIVATE <gtest/gtest.h>)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    # The same header has the same bytes, or the compiler's cache is of no use.
+    target_compile_options(slicecast_test_header PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+  endif()
+endfunction()
+
 # slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. A long one
 # in several shards keeps several cores busy.
 function(slicecastTest name)
   cmake_parse_arguments(test "" "SHARDS" "SOURCES;WITH" ${ARGN})
   find_package(GTest REQUIRED)
+  if(NOT TARGET slicecast_test_header)
+    slicecastTestHeader()
+  endif()
   add_executable(${name} ${test_SOURCES})
+  target_precompile_headers(${name} REUSE_FROM slicecast_test_header)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE SLICECAST_SOURCE_FOLDER="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${test_WITH} GTest::gtest_main slicecast_flags)
