@@ -205,13 +205,8 @@ export class RayCaster extends Base {
   }
 
   timeDrawing(size) {
-    const { width, height } = size ?? this.picture;
     const engine = this.#engine('timeDrawing');
-    const isSize = (side) => Number.isInteger(side) && side >= 1 && side <= kLargestSide;
-    if (!isSize(width) || !isSize(height))
-      throw new RangeError(
-        `timeDrawing: found ${width}x${height}, expected 1 to ${kLargestSide} pixels each way.`,
-      );
+    const { width, height } = checkSize('timeDrawing', size ?? this.picture);
     return engine.timeDrawing(width, height);
   }
 

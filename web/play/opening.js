@@ -7,10 +7,12 @@
 
 import { Flight } from './flight.js';
 
+const kLongestFrame = 100; // milliseconds of the flight, however late a picture comes
+
 export class Opening {
   #caster;
   #flight = null;
-  #began = 0;
+  #hasBegun = false;
   #frame = 0;
 
   constructor(caster) {
@@ -36,21 +38,28 @@ export class Opening {
   }
 
   #ready() {
-    if (this.#flight === null || this.#began !== 0) return;
-    this.#began = performance.now();
+    if (this.#flight === null || this.#hasBegun) return;
+    this.#hasBegun = true;
     this.#caster.flying = true;
     this.#caster.play();
+    let seconds = 0;
+    let last = performance.now();
+    // Time stands while the picture does: for a benchmark, or behind something else.
     const fly = (time) => {
       if (this.#flight === null) return;
-      this.#caster.look(this.#flight.at(Math.max(0, time - this.#began) / 1000));
+      if (this.#caster.state === 'playing') {
+        seconds += Math.max(0, Math.min(kLongestFrame, time - last)) / 1000;
+        this.#caster.look(this.#flight.at(seconds));
+      }
+      last = time;
       this.#frame = requestAnimationFrame(fly);
     };
-    fly(this.#began);
+    fly(last);
   }
 
   // Who plays begins where the scene begins.
   #land() {
-    const flew = this.#flight !== null && this.#began !== 0;
+    const flew = this.#flight !== null && this.#hasBegun;
     this.end();
     if (!flew) return;
     this.#caster.flying = false;
