@@ -35,7 +35,10 @@ constexpr Colour kDeepGround = {34, 38, 46, 255};
 constexpr double kLeastShade =
     0.25;  // of the way to the darkest, for ground that is at all below the level
 constexpr double kDeepestShade = 5.0;  // units below the level at which the ground is darkest
-constexpr double kWaterShade = 0.6;    // of water over the ground below it
+constexpr Colour kWater = {24, 108, 156,
+                           255};      // of any: what an eye in it sees may be grey or dark
+constexpr double kWaterShade = 0.75;  // of water over the ground below it
+constexpr Colour kRipple = {206, 232, 244, 96};
 
 // Along the edges of tiles
 constexpr Colour kBlockEdge = {236, 240, 244, 190};
@@ -87,22 +90,19 @@ Colour groundTone(double drop) {
         drop > 0.0 ? std::min(kLeastShade + (1.0 - kLeastShade) * drop / kDeepestShade, 1.0) : 0.0);
 }
 
-// The water that is on a level or that one looks down at from it; see-through for none.
-Colour waterColour(const World& world, const Map& map, int x, int y, int level) {
+// True if there is water on a level, or one looks down at some from it.
+bool isWater(const World& world, const Map& map, int x, int y, int level) {
     for (int below = level; below >= 0; --below) {
         const BlueprintId id = map.cell(x, y, below);
-        if (id == kEmptyCell) continue;
-        const CellBlueprint& block = world.blueprints[id];
-        return block.isWater ? block.waterColour : Colour{0, 0, 0, 0};
+        if (id != kEmptyCell) return world.blueprints[id].isWater;
     }
-    return map.isWaterFloor(map.tileIndex(x, y)) ? kWaterColour : Colour{0, 0, 0, 0};
+    return map.isWaterFloor(map.tileIndex(x, y));
 }
 
 Colour groundColour(const World& world, const Map& map, int x, int y, int level) {
     const double drop = (tileEdge(level) - groundBelow(world, map, x, y, level)).value();
     const Colour ground = groundTone(drop);
-    if (const Colour water = waterColour(world, map, x, y, level); water.a != 0)
-        return mixed(ground, water, kWaterShade);
+    if (isWater(world, map, x, y, level)) return mixed(ground, kWater, kWaterShade);
     const BlueprintId id = map.cell(x, y, level);
     if (id == kEmptyCell) return ground;
     const CellBlueprint& block = world.blueprints[id];
@@ -133,6 +133,7 @@ struct Tile {
     bool block = false;            // the level has one
     bool over = false;             // a level above has one
     bool openGate = false;
+    bool water = false;
     bool moves = false;
     unsigned portals = 0;  // bit n is the face of that number
 };
@@ -143,6 +144,7 @@ Tile makeTile(const World& world, const Map& map, int x, int y, int level) {
     tile.colour = withAlpha(tileColour(world, map, x, y, level), 235);
     tile.surface = groundBelow(world, map, x, y, level);
     tile.over = (map.occupied[map.tileIndex(x, y)] >> level >> 1) != 0;
+    tile.water = isWater(world, map, x, y, level);
     const BlueprintId id = map.cell(x, y, level);
     if (id == kEmptyCell) return tile;
     const CellBlueprint& block = world.blueprints[id];
@@ -188,6 +190,8 @@ public:
         // From the north, east, south and west edge
         const std::array<int, 4> from = {fromNorth, size_ - 1 - fromWest, size_ - 1 - fromNorth,
                                          fromWest};
+        if (tile.water && isRipple(fromWest, fromNorth))
+            blendPixel(picture, pictureX, pictureY, kRipple);
         if (tile.moves && (mapX + mapY) / dash_ % 3 == 0)
             blendPixel(picture, pictureX, pictureY, kMover);
         const int broad = std::max(1, size_ / 4);
@@ -216,6 +220,16 @@ public:
     }
 
 private:
+    // Two strokes on each tile of water, one east of the other and below it.
+    bool isRipple(int fromWest, int fromNorth) const {
+        const int part = size_ / 6;  // none on tiles too small for strokes
+        const auto isStroke = [&](int west, int north) {
+            return fromWest >= west && fromWest < west + 2 * part && fromNorth >= north &&
+                   fromNorth < north + line_;
+        };
+        return part > 1 && (isStroke(part / 2, part + part / 2) || isStroke(3 * part, 4 * part));
+    }
+
     // A light edge where a tile is higher than the one beside it, a shadow where it is lower, a
     // dashed line where something above the level begins.
     static Colour edgeTo(const Tile& tile, const Tile& beside, bool onDash) {

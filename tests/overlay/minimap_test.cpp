@@ -373,6 +373,7 @@ TEST(Minimap, TellsGatesMoversWaterAndWhatIsAboveApart) {
     lift.motion = 0;
     CellBlueprint pool;
     pool.isWater = true;
+    pool.waterColour = {60, 60, 60, 255};  // murky
     map.setCell(23, 18, 1, add(shut));
     map.setCell(17, 18, 1, add(open));
     map.setCell(23, 12, 1, add(lift));
@@ -402,6 +403,13 @@ TEST(Minimap, TellsGatesMoversWaterAndWhatIsAboveApart) {
     const Colour water = at(seen, -3, -3, 0, 0);
     EXPECT_GT(water.b, water.r + 30);
     EXPECT_GT(water.g, water.r + 20);
+    int ripples = 0;
+    for (int y = -size / 2 + 4; y < size / 2 - 4; ++y) {
+        for (int x = -size / 2 + 4; x < size / 2 - 4; ++x)
+            ripples += at(seen, -3, -3, x, y) != water;
+    }
+    EXPECT_GT(ripples, size / 4);
+    EXPECT_LT(ripples, size * size / 8);
     EXPECT_EQ(at(seen, 0, 3, 0, 0), at(without, 0, 3, 0, 0)) << "one looks past what is above";
     int dashes = 0;
     for (int x = -size / 2 + 2; x < size / 2 - 2; ++x)
