@@ -18,7 +18,7 @@ struct Ride {
     double steps;       // it takes to get off, in units
 };
 constexpr Ride kRides[] = {
-    {"castle", 23.5, 25.0, 3.2, 5.0, 0.0, 0.8},
+    {"castle", 23.5, 25.0, 6.2, 8.0, 0.0, 0.8},
     {"library", 11.0, 22.0, 0.2, 4.0, 90.0, 2.3},
 };
 

@@ -84,7 +84,9 @@ TEST(Objects, ThoseThatMoveGetAbout) {
                 const Object& object = objectOf(motions[i]);
                 farthest[i] = std::max({farthest[i], std::abs((object.x - begun[i].x).raw),
                                         std::abs((object.y - begun[i].y).raw)});
-                ASSERT_EQ(motions[i].onGround, motions[i].kind != ObjectMotion::Kind::circle);
+                ASSERT_EQ(motions[i].onGround, motions[i].kind != ObjectMotion::Kind::circle)
+                    << scene << ": " << object.x.value() << ", " << object.y.value() << ", "
+                    << object.z.value();
             }
         }
         for (std::size_t i = 0; i < motions.size(); ++i) {

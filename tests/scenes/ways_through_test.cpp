@@ -37,16 +37,16 @@ struct Way {
 
 // clang-format off
 const std::vector<Way> kWays = {
-    {"wayhouse", "not turned", "hall", 3.5, 2.0, 0, 270, "shore", 15.5, 19.5, 1, 270},
-    {"wayhouse", "and back", "shore", 15.5, 18.5, 1, 90, "hall", 3.5, 1.5, 0, 90},
+    {"wayhouse", "not turned", "hall", 3.5, 2.0, 0, 270, "shore", 15.5, 19.5, 4, 270},
+    {"wayhouse", "and back", "shore", 15.5, 18.5, 4, 90, "hall", 3.5, 1.5, 0, 90},
     {"wayhouse", "turned by 90 degrees", "hall", 2.0, 3.5, 0, 180, "moor", 15.5, 22.5, 0, 270},
     {"wayhouse", "and back", "moor", 15.5, 21.5, 0, 90, "hall", 1.5, 3.5, 0, 0},
     {"wayhouse", "turned by 180 degrees", "hall", 9.5, 2.0, 0, 270, "night", 13.5, 3.5, 0, 90},
     {"wayhouse", "and back", "night", 13.5, 4.5, 0, 270, "hall", 9.5, 1.5, 0, 90},
     {"wayhouse", "turned by 270 degrees", "hall", 11.0, 3.5, 0, 0, "deep", 12.5, 20.5, 1, 270},
     {"wayhouse", "and back", "deep", 12.5, 19.5, 1, 90, "hall", 11.5, 3.5, 0, 180},
-    {"wayhouse", "at the edge of a wide gate", "hall", 2.25, 2.0, 0, 270, "shore", 14.5, 19.5, 1, 270},
-    {"wayhouse", "between two tiles of a wide gate", "hall", 3.0, 2.0, 0, 270, "shore", 15.5, 19.5, 1, 270},
+    {"wayhouse", "at the edge of a wide gate", "hall", 2.25, 2.0, 0, 270, "shore", 14.5, 19.5, 4, 270},
+    {"wayhouse", "between two tiles of a wide gate", "hall", 3.0, 2.0, 0, 270, "shore", 15.5, 19.5, 4, 270},
     {"wayhouse", "up two levels", "hall", 6.5, 16.0, 0, 90, "court", 15.5, 1.5, 2, 90},
     {"wayhouse", "between the pale stones, one way", "moor", 10.5, 18.8, 0, 270, "night", 13.5, 21.5, 0, 270},
     {"wayhouse", "into the hut", "court", 21.5, 15.8, 2, 270, "hut", 8.5, 15.5, 0, 270},

@@ -93,7 +93,7 @@ void throughTheCastle(Guide& guide) {
     guide.mark("on-the-great-tower");
     guide.setFlying(true);
     guide.lookTo(-0.3);
-    guide.flyTo({40, 30}, 13.5);
+    guide.flyTo({40, 30}, 16.5);
     guide.turnTo(205.0);
     guide.mark("above-the-castle");
 }
@@ -167,7 +167,7 @@ void throughTheTemple(Guide& guide) {
     guide.mark("in-the-crypt");
     guide.walk({{12.5, 5.5}, {12, 14}});
     guide.setFlying(true);
-    guide.flyTo({14, 18}, 8.0);
+    guide.flyTo({14, 18}, 10.0);
     guide.turnTo(330.0);
     guide.lookTo(-0.3);
     guide.mark("above-the-canyon");
@@ -272,7 +272,7 @@ void throughTheWaterPalace(Guide& guide) {
     guide.mark("in-the-pool");
     guide.walk({{20.5, 15.5}, {20.5, 19.5}});
     guide.setFlying(true);
-    guide.flyTo({16, 31}, 4.0);
+    guide.flyTo({16, 31}, 7.0);
     guide.turnTo(285.0);
     guide.lookTo(-0.2);
     guide.mark("above-the-lake");
