@@ -195,6 +195,37 @@ test('with colours no file is needed, but for doors and objects', async () => {
   );
 });
 
+test('in the water of rows one wades', async () => {
+  const { session } = await play('>~~~~~', {});
+  session.step([1, 0, 0, 0, 0, 0, 0, 0], 60);
+  assert.ok(session.state().feet < -0.1, `feet at ${session.state().feet}`);
+  session.free();
+  assert.equal(sceneOfRows('>..').maps[0].floor.water, undefined);
+  assert.equal(sceneOfRows('>~', { legend: { '~': 'sand floor' } }).maps[0].floor.water, undefined);
+});
+
+// As the shipped scenes do: tests/scenes/horizon_test.cpp.
+test('the ground of rows meets the sky without an edge and without a band of haze', async () => {
+  const width = 480;
+  const height = 300;
+  const horizon = height / 2;
+  for (const options of [{}, { colours: true }]) {
+    const { session, scene } = await play('>', options);
+    assert.ok(session.setEye({ x: 0.5, y: 0.5, z: 6 }));
+    const picture = session.draw(width, height);
+    const row = (y) => picture.subarray(y * width * 4, (y + 1) * width * 4);
+    const apart = (a, b) => Math.max(...a.map((channel, i) => Math.abs(channel - b[i])));
+    assert.ok(apart([...row(horizon - 1)], row(horizon)) <= 4, 'an edge');
+    const haze = [...Buffer.from(scene.maps[0].haze.slice(1), 'hex'), 255];
+    const plain = Array.from({ length: width }, () => haze).flat();
+    const isHaze = (y) => apart(plain, row(y)) <= 3;
+    let band = 0;
+    while (isHaze(horizon + band)) ++band;
+    assert.ok(band > 0 && band <= height * 0.04, `${band} rows of plain haze`);
+    session.free();
+  }
+});
+
 test('rows say what their legend gets wrong', () => {
   const faults = (text, options) => {
     try {

@@ -9,7 +9,7 @@
 //
 //     | characters      | what stands there                                                                          |
 //     | --------------- | ------------------------------------------------------------------------------------------ |
-//     | . , ~           | floor: paving, cobbles, water                                                              |
+//     | . , ~           | floor: paving, cobbles, water that one wades in                                            |
 //     | blank           | floor: grass, also where a row is short and outside of the rows                            |
 //     | # b s r w p m h | a wall one block high: stone, brick, sandstone, rubble, wood, plaster, marble, hedge       |
 //     | % B S R W P M H | the same two blocks high                                                                   |
@@ -36,7 +36,8 @@
 import { readRows } from './rows-text.js';
 import { sceneFault } from './trouble.js';
 
-const kFloors = { ' ': 'grass-meadow', '.': 'flagstones', ',': 'cobbles', '~': 'water' };
+const kWater = 'water'; // the texture in which one wades
+const kFloors = { ' ': 'grass-meadow', '.': 'flagstones', ',': 'cobbles', '~': kWater };
 const kFloorLetter = '▪'; // a floor's legend keeps the full stop for the floor's own texture
 
 // Of one block; the same twice as high has the other character.
@@ -173,8 +174,8 @@ export function sceneOfRows(
         floor,
         objects,
         sky,
-        light: hasColours ? { on: false } : { multiplier: 8, darkest: 0.45 },
-        fog: { start: 14, end: 70 },
+        light: hasColours ? { on: false } : { multiplier: 8, darkest: 0.75 },
+        fog: { start: 30, end: 1500 },
         haze,
         ...Object.fromEntries(kOfMap.filter((key) => key in rest).map((key) => [key, rest[key]])),
       },
@@ -373,7 +374,9 @@ function floorOf(rows, own) {
   const used = Object.entries(own.floors)
     .map(([character, texture]) => [character === '.' ? kFloorLetter : character, texture])
     .filter(([letter]) => letter !== ' ' && tiles.some((row) => row.includes(letter)));
-  return { texture: own.floors[' '], legend: Object.fromEntries(used), tiles };
+  const texture = own.floors[' '];
+  const hasWater = [texture, ...used.map(([, other]) => other)].includes(kWater);
+  return { texture, ...(hasWater && { water: kWater }), legend: Object.fromEntries(used), tiles };
 }
 
 function surroundingsOf(sky, hasColours) {
