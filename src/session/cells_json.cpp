@@ -21,9 +21,14 @@ void writeColour(JsonText& json, const Texture& texture) {
 }
 
 void writeFace(JsonText& json, const World& world, const FaceBlueprint& face) {
-    const Texture& texture = world.textures[face.texture];
-    json.beginObject().key("texture").text(texture.name).key("colour");
-    writeColour(json, texture);
+    json.beginObject().key("texture");
+    if (face.texture == kNoTexture) {
+        json.null().key("colour").null();
+    } else {
+        const Texture& texture = world.textures[face.texture];
+        json.text(texture.name).key("colour");
+        writeColour(json, texture);
+    }
     json.key("light").number(face.light).key("glow").yesNo(face.glow);
     json.key("mirror").number(face.mirror / 255.0).endObject();
 }

@@ -178,7 +178,10 @@ test('the cells of every shipped scene are those of its text', async () => {
       for (const { character, name, faces, top } of blueprints) {
         assert.equal(name, legend[character]);
         assert.ok(Math.abs(top - (text.blueprints[name].top ?? 1)) < 1e-4, name);
-        for (const { texture } of Object.values(faces)) assert.ok(texture in text.textures);
+        for (const { texture, colour } of Object.values(faces)) {
+          if (texture !== null) assert.ok(texture in text.textures);
+          else assert.ok(text.blueprints[name].water && colour === null, name);
+        }
       }
     }
     assert.throws(() => scene.cells('nowhere'), /^RangeError: cells: Unknown map 'nowhere'/);

@@ -218,5 +218,16 @@ TEST(EditCells, BlueprintsAreThoseOfTheLegend) {
               std::string::npos);
 }
 
+TEST(EditCells, AFaceThatIsNotThereHasNoTexture) {
+    World world = yard();
+    for (CellBlueprint& blueprint : world.blueprints) {
+        if (blueprint.name == "wall") blueprint.faces[0].texture = kNoTexture;
+    }
+    const std::string text = blueprintsJson(world, 0);
+    EXPECT_NE(text.find("\"faces\":{\"north\":{\"texture\":null,\"colour\":null,\"light\":1,"),
+              std::string::npos)
+        << text;
+}
+
 }  // namespace
 }  // namespace slicecast
