@@ -270,7 +270,12 @@ void throughTheWaterPalace(Guide& guide) {
     guide.walk({{20.5, 12.5}});
     guide.lookAround();
     guide.mark("in-the-pool");
-    guide.walk({{20.5, 15.5}, {20.5, 19.5}});
+    guide.walk({{20.5, 15.5}, {20.5, 19.5}, {20, 23.5}, {20, 33}});
+    guide.turnTo(270.0);
+    guide.mark("swimming-in-the-lake");
+    guide.creep({{20, 29.5}});
+    guide.mark("below-the-surface");
+    guide.walk({{18, 28}});
     guide.setFlying(true);
     guide.flyTo({16, 31}, 7.0);
     guide.turnTo(285.0);
