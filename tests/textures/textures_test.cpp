@@ -37,8 +37,9 @@ TEST(Textures, TheProgramDrawsTheCommittedFiles) {
                            ("slicecast-textures-" +
                             std::to_string(std::hash<std::string>{}(SLICECAST_TEXTURES_PROGRAM)));
     fs::remove_all(drawn);
-    const std::string command =
-        std::string("\"") + SLICECAST_TEXTURES_PROGRAM + "\" \"" + drawn.string() + "\"";
+    const std::string program = SLICECAST_TEXTURES_PROGRAM;
+    std::string command = "\"";
+    command.append(program).append("\" \"").append(drawn.string()).append("\"");
     ASSERT_EQ(std::system(command.c_str()), 0);
     for (const std::string& folder : kFolders) {
         EXPECT_EQ(namesIn(drawn / folder), namesIn(assetsFolder() / folder));
