@@ -171,6 +171,44 @@ test('the page scrolls under a finger until the game is played', async (t) => {
   assert.equal(await page.evaluate(() => scrollY), scrolled);
 });
 
+test('the sheet of keys tells what fingers do, and the keys on demand', async (t) => {
+  const { page } = await openScene(t, browser, phone);
+  assert.equal(await page.innerText('#open-keys'), 'Touch');
+  await page.tap('#open-keys');
+  await page.waitForSelector('#keys[open]');
+  assert.equal(await page.innerText('#keys-title'), 'Touch');
+  const names = await page.$$eval('#fingers dt', (all) => all.map(({ innerText }) => innerText));
+  for (const name of ['Left thumb', 'Right thumb', 'Jump', 'Crouch', 'Fly', 'Gate'])
+    assert.ok(names.includes(name), name);
+  // Each button is drawn as on the picture.
+  const shapes = (selector) =>
+    page.$$eval(selector, (all) => all.map((path) => path.getAttribute('d')));
+  const shown = await shapes('#fingers path');
+  await page.click('#keys [data-close]');
+  await page.tap('#play');
+  await inState(page, 'playing');
+  for (const shape of await shapes('.thumb-button path')) assert.ok(shown.includes(shape));
+
+  await page.tap('button.leave');
+  await inState(page, 'paused');
+  await page.tap('#open-keys');
+  assert.equal(await page.isVisible('#key-tables'), false);
+  assert.equal(await page.isVisible('[data-keys="change"]'), false);
+  await page.tap('#key-part summary');
+  await page.waitForSelector('#key-tables', { state: 'visible' });
+  assert.ok(await page.isVisible('[data-keys="change"]'));
+});
+
+test('with a mouse the sheet of keys tells of no fingers', async (t) => {
+  const { page } = await openScene(t, browser);
+  assert.equal(await page.innerText('#open-keys'), 'Keys');
+  await page.click('#open-keys');
+  await page.waitForSelector('#key-tables', { state: 'visible' });
+  for (const hidden of ['#fingers', '#key-part summary'])
+    assert.equal(await page.isVisible(hidden), false);
+  assert.equal(await page.innerText('#keys-title'), 'Keys');
+});
+
 test('with a mouse there are no thumbs', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);

@@ -7,7 +7,7 @@
 //     dialogs.opens('share', act);           act() opens it itself
 //     dialogs.open('share');
 
-import { showKeys } from './key-help.js';
+import { showFingers, showKeys } from './key-help.js';
 
 export const kPageKeys = [{ keys: ['Z'], does: 'share this view' }]; // beside the engine's
 
@@ -27,7 +27,10 @@ export class Dialogs {
       this.#opens.set(name, () => find(name).showModal());
       find(`open-${name}`)?.addEventListener('click', () => this.open(name));
     }
-    this.before('keys', () => this.showKeys());
+    this.before('keys', () => {
+      showFingers(find('fingers'), find('key-part'));
+      this.showKeys();
+    });
     for (const dialog of document.querySelectorAll('dialog')) {
       dialog.addEventListener('pointerdown', (event) => {
         if (event.target === dialog && !contains(dialog.getBoundingClientRect(), event))

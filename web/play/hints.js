@@ -6,6 +6,7 @@
 // `now` is what the walk has come to: {seconds, moved, turned, stuck, player}, of which moved is in
 // units, turned in degrees, and stuck in seconds of walking without getting on.
 
+import { isTouch } from './key-help.js';
 import { codesOf, labelOf } from './key-list.js';
 
 const kStorageKey = 'slicecast.hints';
@@ -126,8 +127,6 @@ export class Hints {
     this.#line.classList.toggle('shown', html !== '');
   }
 }
-
-const isTouch = () => matchMedia('(hover: none) and (pointer: coarse)').matches;
 
 function textOf({ keys, touch }) {
   return isTouch() ? touch : keys;
