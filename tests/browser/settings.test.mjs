@@ -194,6 +194,32 @@ test('time of day and mirrors are set there, and show what keys have changed', a
   assert.deepEqual([await option('lightPreset'), await option('mirrors')], ['map', '1']);
 });
 
+test('sliders go as far as the engine has it', async (t) => {
+  const { page } = await openScene(t, browser);
+  const options = await page.evaluate(() => window.slicecast.optionList);
+  const sliders = await page.$$eval('input[type="range"][name]', (all) =>
+    all
+      .filter(({ form }) => form?.parentElement.id === 'settings')
+      .map(({ name, min, max, step, disabled }) => ({
+        name,
+        min: Number(min),
+        max: Number(max),
+        step: Number(step),
+        disabled,
+      })),
+  );
+  for (const [name, step] of [
+    ['fov', 1],
+    ['mirrors', 0.1],
+  ]) {
+    const { least: min, greatest: max } = options.find((option) => option.name === name);
+    assert.deepEqual(
+      sliders.find((one) => one.name === name),
+      { name, min, max, step, disabled: false },
+    );
+  }
+});
+
 test('the field of view changes the picture at once', async (t) => {
   const { page } = await openScene(t, browser);
   const before = await pictureHash(page);

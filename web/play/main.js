@@ -52,6 +52,7 @@ function start() {
     else options.set(name, value);
   }
   for (const name of settings.names) apply(name, settings.value(name));
+  caster.addEventListener('ready', () => settings.ranges(caster.optionList));
 
   showSize(caster, find('size-now'));
   const share = new ShareDialog(find('share'));

@@ -5,6 +5,7 @@
 //     photo.begin();
 
 import { saveFile } from '../element/save-file.js';
+import { fitSliders } from './slider.js';
 
 const kOverlays = [
   'minimap',
@@ -51,6 +52,7 @@ export class Photo {
 
   begin() {
     this.#caster.pause();
+    fitSliders(this.#bar, this.#caster.optionList);
     for (const name of kOverlays) {
       if (this.#caster.get(name) !== 'on') continue;
       this.#before.set(name, 'on');

@@ -2,9 +2,12 @@
 // dialog.
 //
 //     const settings = new Settings(form, (name, value) => ...);       // called for each setting that changes
+//     settings.ranges(caster.optionList)       as soon as there is an engine: how far its sliders go
 //     settings.value('fov')
 //     settings.take('fov', '90');     as the engine writes it; what is no setting is left alone
 //     settings.lend('fov', '90')      the same, but holds until it is changed or taken back, and is not kept
+
+import { fitSliders } from './slider.js';
 
 const kStorageKey = 'slicecast.settings';
 
@@ -41,6 +44,16 @@ export class Settings {
     form.addEventListener('input', (event) => {
       if (event.target.name in kStandard) this.set(event.target.name, this.#read(event.target));
     });
+  }
+
+  // What was kept and is beyond them, another version wrote, or nobody.
+  ranges(options) {
+    fitSliders(this.form, options);
+    for (const { name, kind, least, greatest } of options) {
+      const value = this.#values[name];
+      if (kind === 'number' && (value < least || value > greatest)) this.set(name, kStandard[name]);
+      if (name in kStandard) this.#show(name);
+    }
   }
 
   value(name) {
@@ -118,6 +131,7 @@ export class Settings {
       Object.entries(stored).filter(([name, value]) => {
         const field = this.form.elements[name];
         if (!(name in kStandard) || typeof value !== typeof kStandard[name]) return false;
+        if (field.type === 'range' && !kOfPage.includes(name)) return Number.isFinite(value);
         if (field.type === 'range') return value >= Number(field.min) && value <= Number(field.max);
         return (
           field.type === 'checkbox' || [...field.options].some((option) => option.value === value)
