@@ -1,6 +1,7 @@
-// Draws the pictures of the menu of scenes into a built page: each scene of its list from the start.
+// Draws the pictures of the menu of scenes into a built page: each scene of its list from the start,
+// and names them in the list. A scene that stands there without one has no picture in the menu.
 //
-//     node tools/scene-posters.mjs FOLDER        // FOLDER/scenes/posters/NAME.png
+//     node tools/scene-posters.mjs FOLDER        // FOLDER/scenes/posters/NAME.png, "poster" in FOLDER/scenes/index.json
 
 import { encode } from 'fast-png';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
@@ -17,9 +18,14 @@ const folder = path.resolve(given);
 const { load } = await import(pathToFileURL(path.join(folder, 'node/index.js')));
 const posters = path.join(folder, 'scenes/posters');
 await mkdir(posters, { recursive: true });
-for (const { file } of JSON.parse(await readFile(path.join(folder, 'scenes/index.json'), 'utf8'))) {
-  const scene = await load(path.join(folder, 'scenes', file));
+const index = path.join(folder, 'scenes/index.json');
+const list = JSON.parse(await readFile(index, 'utf8'));
+for (const entry of list) {
+  const scene = await load(path.join(folder, 'scenes', entry.file));
   const png = encode({ ...scene.pixels(kSize), channels: 4, depth: 8 });
-  await writeFile(path.join(posters, file.replace(/\.json$/, '.png')), png);
+  const name = entry.file.replace(/\.json$/, '.png');
+  await writeFile(path.join(posters, name), png);
+  entry.poster = `posters/${name}`;
   scene.free();
 }
+await writeFile(index, JSON.stringify(list));

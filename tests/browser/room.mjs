@@ -62,8 +62,18 @@ export function roomPictures(prefix = '') {
 export function roomFiles(options = {}) {
   return {
     'scenes/index.json': JSON.stringify([
-      { file: 'room.json', title: 'The coloured room', about: 'Four walls.' },
-      { file: 'other.json', title: 'The other room', about: 'Four walls too.' },
+      {
+        file: 'room.json',
+        title: 'The coloured room',
+        about: 'Four walls.',
+        poster: 'posters/room.png',
+      },
+      {
+        file: 'other.json',
+        title: 'The other room',
+        about: 'Four walls too.',
+        poster: 'posters/other.png',
+      },
     ]),
     'scenes/room.json': JSON.stringify(roomScene(options)),
     'scenes/other.json': JSON.stringify({

@@ -8,6 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { startServer } from '../../tools/serve.mjs';
 import {
+  frames,
   inState,
   launch,
   openPage,
@@ -127,6 +128,34 @@ test('the list of scenes names every scene by its own title, and each opens with
     await page.waitForFunction((wanted) => document.title.startsWith(wanted), title);
     await inState(page, 'paused');
   }
+});
+
+test('the menu asks for no picture that the list does not name', async (t) => {
+  const list = [
+    { file: 'room.json', title: 'First', about: 'A room.', poster: 'posters/room.png' },
+    { file: 'other.json', title: 'Other', about: 'A room without a picture.' },
+  ];
+  const { page, server } = await openScene(t, browser, {
+    server: {
+      files: { 'scenes/index.json': JSON.stringify(list), 'scenes/posters/other.png': null },
+    },
+  });
+  await page.click('#open-scenes');
+  await page.waitForFunction(() => document.querySelector('#scene-list img').naturalWidth > 0);
+  await frames(page);
+  assert.deepEqual(
+    server.asked.filter((name) => name.includes('posters/')),
+    ['scenes/posters/room.png'],
+  );
+  // Its place is held all the same.
+  const heights = await page.$$eval('#scene-list img', (all) => all.map((one) => one.clientHeight));
+  assert.ok(heights[1] > 50 && Math.abs(heights[1] - heights[0]) <= 1, `${heights}`);
+});
+
+test('the built page names a picture of each scene', async () => {
+  const folder = new URL('../../build/web/scenes/', import.meta.url);
+  for (const { poster } of JSON.parse(await readFile(new URL('index.json', folder), 'utf8')))
+    assert.ok((await readFile(new URL(poster, folder))).length > 1000, poster);
 });
 
 test('the menu sets the teaching rooms apart', async (t) => {

@@ -6,9 +6,10 @@ import { Trouble } from '../engine/trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
 
-// [{file, title, about, tour, group, flight}], the opening scene first; `tour` is true where a
-// recorded tour has the scene's name, `group` names those that stand apart, one after the other,
-// under a title of their own; `flight` is that of the opening (flight.js).
+// [{file, title, about, tour, group, flight, poster}], the opening scene first; `tour` is true where
+// a recorded tour has the scene's name, `group` names those that stand apart, one after the other,
+// under a title of their own; `flight` is that of the opening (flight.js); `poster` is the path of
+// its picture for the menu, which tools/page draws and writes into the list.
 export async function listScenes() {
   const address = new URL('index.json', kScenes);
   const bytes = await fetchBytes(address).catch((error) => {
@@ -40,7 +41,7 @@ export function tourAddress(name) {
   return new URL(`tours/${name}.txt`, document.baseURI);
 }
 
-// The picture of a scene for the menu, which tools/page draws.
-export function posterAddress(file) {
-  return new URL(`posters/${file.replace(/\.json$/i, '')}.png`, kScenes);
+// The picture of a scene for the menu, by the path that the list has for it.
+export function posterAddress(path) {
+  return new URL(path, kScenes);
 }

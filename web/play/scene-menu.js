@@ -55,8 +55,10 @@ function card(scene, address) {
   // Its place is held until it is there.
   const view = document.createElement('img');
   Object.assign(view, { alt: '', width: 480, height: 270, loading: 'lazy' });
-  view.addEventListener('error', () => view.removeAttribute('src'), { once: true });
-  view.src = posterAddress(scene.file).href;
+  if (scene.poster !== undefined) {
+    view.addEventListener('error', () => view.removeAttribute('src'), { once: true });
+    view.src = posterAddress(scene.poster).href;
+  }
   const title = document.createElement('h3');
   title.textContent = scene.title;
   const about = document.createElement('p');
