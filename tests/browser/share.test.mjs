@@ -96,6 +96,78 @@ test('a slip in the address is warned of, and the rest is shown', async (t) => {
   }
 });
 
+test('what the address says that cannot be stands over the picture, until it is closed', async (t) => {
+  const { page, server } = await openScene(t, browser, { query: '?scene=room' });
+  const lines = () => page.$$eval('#slips li', (all) => all.map(({ innerText }) => innerText));
+  assert.equal(await page.isVisible('#slips'), false);
+  for (const [query, ...expected] of [
+    ['options=nonsense:1,fog:off', /^options Unknown option 'nonsense'\. All options$/],
+    ['options='],
+    ['options=fov=500', /^options Option 'fov' takes a number from 10 to 150, not '500'\./],
+    ['view=abc', /^view Found "abc", expected x,y,z,heading or /],
+    ['view=2.5,2.5,0.5,0,0,cellar', /^view Unknown map 'cellar'\. Expected room\.$/],
+    ['view=', /^view Found nothing, expected view=4\.5,2,0\.5,90/],
+    ['overlay=minmap', /^overlay Unknown overlay 'minmap'\. Did you mean 'minimap'\?$/],
+    ['engine=fast', /^engine .*'fast'\. Expected auto, simd or scalar\.$/],
+    ['tour=', /^tour Found nothing, expected tour=/],
+    ['opions=fov=90', /^opions Unknown name 'opions'\. Did you mean 'options'\?$/],
+    ['utm_source=letter'],
+    ['view=1,2&overlay=nothing', /^view Found "1,2"/, /^overlay Unknown overlay 'nothing'/],
+  ]) {
+    await page.goto(`${server.address}?scene=room&${query}`);
+    await inState(page, 'paused');
+    const said = await lines();
+    assert.equal(said.length, expected.length, `${query}: ${said}`);
+    expected.forEach((pattern) =>
+      assert.ok(
+        said.some((line) => pattern.test(line)),
+        `${said}`,
+      ),
+    );
+    assert.equal(await page.isVisible('#slips'), expected.length > 0, query);
+    if (query.includes('fog:off')) assert.equal(await option(page, 'fog'), 'off');
+  }
+  await page.click('#slips button');
+  assert.equal(await page.isVisible('#slips'), false);
+
+  // Who goes elsewhere, or plays, has read it.
+  await page.goto(`${server.address}?scene=room&view=abc`);
+  await page.waitForSelector('#slips', { state: 'visible' });
+  await page.click('#open-scenes');
+  await page.click('#scene-list a:has-text("The other room")');
+  await page.waitForFunction(() => document.title.startsWith('The other room'));
+  assert.equal(await page.isVisible('#slips'), false);
+  await page.goBack();
+  await page.waitForSelector('#slips', { state: 'visible' });
+  await play(page);
+  assert.equal(await page.isVisible('#slips'), false);
+});
+
+test('a scene or a tour that is nearly one of the list: the page asks whether that was meant', async (t) => {
+  const { page, server } = await openPage(t, browser, {
+    query: '?scene=othr&options=fov=80',
+    expectErrors: true,
+  });
+  await inState(page, 'trouble');
+  await page.waitForSelector('#trouble-near', { state: 'visible' });
+  assert.equal(
+    await page.innerText('#trouble-near'),
+    "Unknown scene 'othr'. Did you mean 'other'? Open other",
+  );
+  await page.click('#trouble-near a');
+  await page.waitForFunction(() => document.title.startsWith('The other room'));
+  await inState(page, 'paused');
+  assert.equal(await option(page, 'fov'), '80');
+  assert.equal(await page.isVisible('#trouble'), false);
+
+  for (const query of ['?scene=nowhere', '?tour=othr']) {
+    await page.goto(`${server.address}${query}`);
+    await inState(page, 'trouble');
+    await page.waitForSelector('#trouble-scenes', { state: 'visible' });
+    assert.equal(await page.isVisible('#trouble-near'), false, query);
+  }
+});
+
 test('the link leads somebody else to the very same picture', async (t) => {
   const { page, server } = await openScene(t, browser, { query: '?scene=other' });
   await page.evaluate(() => {

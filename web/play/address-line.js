@@ -1,6 +1,6 @@
 // The page's address and the element: what the one names, the other shows.
 //
-//     const address = new AddressLine(caster, options);
+//     const address = new AddressLine(caster, options, slips);
 //     address.open(scenes);             shows what the address names; scenes is a promise of scene-list.js's list; throws a Trouble
 //     address.go('castle.json');        another scene of the list, in the address too
 //     address.own(caster => ...);       a scene or a recording of the visitor's, which has no address
@@ -10,22 +10,27 @@ import { allowed } from '../engine/allowed.js';
 import { Trouble } from '../engine/trouble.js';
 import { referenceOf, sceneAddress, tourAddress } from './scene-list.js';
 
+const kNamed = ['scene', 'tour', 'view']; // nothing is no name
 const kTourName = /^[\w-]+$/;
 
 export class AddressLine {
   #caster;
   #options;
+  #slips;
   #files = []; // of the list
   #opens = 0;
   #shown = null; // what the address named, the last time
 
-  constructor(caster, options) {
+  constructor(caster, options, slips) {
     this.#caster = caster;
     this.#options = options;
+    this.#slips = slips;
   }
 
   get parameters() {
-    return new URLSearchParams(location.search);
+    const parameters = new URLSearchParams(location.search);
+    for (const name of kNamed) if (parameters.get(name) === '') parameters.delete(name);
+    return parameters;
   }
 
   // Nothing in particular is asked for.
@@ -55,6 +60,7 @@ export class AddressLine {
 
   async open(scenes) {
     const open = ++this.#opens;
+    this.#slips.begin(new URLSearchParams(location.search));
     this.#options.take(this.parameters);
     const isNamed = this.parameters.has('scene') || this.parameters.has('tour');
     if (isNamed) this.#show();
@@ -72,6 +78,7 @@ export class AddressLine {
   go(file) {
     ++this.#opens;
     history.pushState(null, '', this.of(file));
+    this.#slips.begin(this.parameters);
     this.#options.take(this.parameters);
     this.#show();
   }
@@ -86,6 +93,7 @@ export class AddressLine {
 
   own(show) {
     ++this.#opens;
+    this.#slips.begin(new URLSearchParams());
     this.#shown = null;
     show(this.#caster);
     this.#begin();

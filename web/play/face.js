@@ -7,6 +7,7 @@
 //     face.isQuiet = true;     the next load shows nothing of itself
 
 import { asTrouble } from '../engine/trouble.js';
+import { nearOf } from './slips.js';
 import { TroubleSheet } from './trouble-sheet.js';
 
 const kEngineShare = 0.5; // of the loading bar, until there was a picture
@@ -61,7 +62,15 @@ export class Face {
   set scenes(scenes) {
     this.#scenes = scenes;
     this.#tellAbout();
+    this.#trouble.near(this.#near);
     find('trouble-scenes').hidden = scenes.length === 0;
+  }
+
+  // What the address probably meant.
+  get #near() {
+    return ['fetch', 'mime', 'tour'].includes(this.#caster.error?.code)
+      ? nearOf(this.#address.parameters, this.#scenes)
+      : null;
   }
 
   #tellAbout() {
@@ -124,6 +133,7 @@ export class Face {
         back: this.#caster.world === null ? null : () => this.#back(),
       },
     );
+    this.#trouble.near(this.#near);
     find('trouble-scenes').hidden = this.#scenes.length === 0;
   }
 

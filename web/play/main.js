@@ -2,6 +2,7 @@
 // plays is the element's affair; the page sets its attributes and hears its events.
 //
 //     address-line.js    what the page's address names, as attributes of the element
+//     slips.js           what the address says that cannot be
 //     face.js            what the page shows of the element: title, progress, trouble, modes
 //     dialogs.js         scenes, keys, settings, share; page-keys.js opens them too
 //     settings.js        what somebody likes; view-options.js hands the options on
@@ -29,6 +30,7 @@ import { SceneMenu } from './scene-menu.js';
 import { Settings } from './settings.js';
 import { ShareDialog } from './share.js';
 import { showSize } from './size-now.js';
+import { Slips } from './slips.js';
 import { ViewOptions } from './view-options.js';
 
 const find = (id) => document.getElementById(id);
@@ -39,7 +41,7 @@ function start() {
     apply(name, value),
   );
   const options = new ViewOptions(caster, settings);
-  const address = new AddressLine(caster, options);
+  const address = new AddressLine(caster, options, new Slips(find('slips'), caster));
   const dialogs = new Dialogs(caster);
   const face = new Face(caster, address, dialogs);
 

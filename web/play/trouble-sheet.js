@@ -1,6 +1,7 @@
 // The sheet that says what keeps a scene from being shown.
 //
 //     sheet.show({title, message, faults}, {again, scenes, back});      as the element's event `error` tells it
+//     sheet.near(meant);
 
 const kActions = ['again', 'scenes', 'back'];
 
@@ -24,6 +25,18 @@ export class TroubleSheet {
     for (const name of kActions) this.find(name).hidden = actions[name] === null;
     this.find('actions').hidden = false;
     this.root.hidden = false;
+  }
+
+  // What was probably meant (nearOf), or null.
+  near(meant) {
+    const line = this.find('near');
+    line.hidden = meant === null;
+    if (meant === null) return;
+    const link = Object.assign(document.createElement('a'), {
+      href: meant.query,
+      textContent: `Open ${meant.name}`,
+    });
+    line.replaceChildren(`${meant.message} `, link);
   }
 
   hide() {
