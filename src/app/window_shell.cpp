@@ -2,6 +2,7 @@
 
 #ifndef __EMSCRIPTEN__
 
+#include "app/help_pages.h"
 #include "overlay/text.h"
 
 #include <algorithm>
@@ -130,6 +131,7 @@ void WindowShell::fitPicture() {
     const Fit fit =
         settings_.picture ? letterbox(*settings_.picture, windowSize()) : fillWindow(windowSize());
     place_ = fit.place;
+    pictureSize_ = fit.picture;
     app_->resize(fit.picture.width, fit.picture.height);
 }
 
@@ -143,14 +145,8 @@ void WindowShell::drawPanels(SDL_Surface& surface) const {
                       rates_.drawMilliseconds);
         drawTextPanel(picture, Anchor::top, text);
     }
-    if (showsHelp_) {
-        std::string text;
-        for (const KeyHelp& line : app_->keys().help()) {
-            if (line.keys.empty()) continue;
-            text += (text.empty() ? "" : "\n") + keysText(line) + '\t' + std::string(line.does);
-        }
-        drawTextPanel(picture, Anchor::middle, text);
-    }
+    const std::vector<std::string> pages = helpPages(app_->keys(), {surface.w, surface.h});
+    if (helpPage_ < pages.size()) drawTextPanel(picture, Anchor::middle, pages[helpPage_]);
 }
 
 void WindowShell::show(SDL_Surface& picture) {
@@ -186,13 +182,19 @@ void WindowShell::tell(News news, bool yes) {
             SDL_SetWindowFullscreen(window_.get(), full ? 0u : kFullscreen);
             break;
         }
-        case News::help:
-        case News::rate: {
-            bool& shown = news == News::help ? showsHelp_ : showsRate_;
-            shown = yes && !shown;
+        case News::help: {
+            const bool hasNext = helpPage_ + 1 < helpPages(app_->keys(), pictureSize_).size();
+            helpPage_ = !yes                   ? kNoPage
+                        : helpPage_ == kNoPage ? 0
+                        : hasNext              ? helpPage_ + 1
+                                               : kNoPage;
             app_->redraw();
             break;
         }
+        case News::rate:
+            showsRate_ = yes && !showsRate_;
+            app_->redraw();
+            break;
         case News::ready:
         case News::pointer:
         case News::cursor:

@@ -12,6 +12,8 @@
 
 #include <SDL2/SDL.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -60,6 +62,8 @@ private:
         void operator()(SDL_GameController* gamepad) const { SDL_GameControllerClose(gamepad); }
     };
 
+    static constexpr std::size_t kNoPage = SIZE_MAX;
+
     std::string shownTitle() const;
     Size windowSize() const;
     void fitPicture();
@@ -75,11 +79,12 @@ private:
     std::unique_ptr<SDL_GameController, CloseGamepad> gamepad_;  // the last one that was connected
     std::string title_;
     SDL_Rect place_ = {};
+    Size pictureSize_;
     std::filesystem::path dropped_;
     FrameRates rates_;
     bool running_ = false;
     bool recordAsked_ = false;
-    bool showsHelp_ = false;
+    std::size_t helpPage_ = kNoPage;
     bool showsRate_ = false;
 };
 
