@@ -55,7 +55,7 @@ void shareOut(SliceTrace& trace) {
 }  // namespace
 
 bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& options,
-                    const Picture& picture) {
+                    const Picture& picture, int firstColumn) {
     if (!canDraw(world, eye, options, picture.width, picture.height) || !picture.pixels ||
         picture.pitch < picture.width)
         return false;
@@ -64,8 +64,9 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     s.strip.resize(picture.height);
     const Frame frame(world, eye, options, picture.width, picture.height, s.textures, s.vistas);
     Slice slice(frame, s.slice, s.report);
-    for (int x = 0; x < picture.width; x += kStripColumns) {
-        const int columns = std::min(kStripColumns, picture.width - x);
+    int columns = 0;
+    for (int x = std::max(0, firstColumn); x < picture.width; x += columns) {
+        columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
         for (int c = 0; c < columns; ++c) slice.draw(x + c, s.strip.column(c), nullptr);
         s.strip.copyTo(picture, x, columns);
     }

@@ -35,11 +35,11 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    // Draws the whole picture. Returns false and leaves the picture alone if the eye is not above
-    // the floor, its map does not exist, the field of view or look is not within its limits, or the
-    // picture is empty or larger than kMaxPictureSide.
+    // Draws the picture, all of it or from one column on. Returns false and leaves the picture
+    // alone if the eye is not above the floor, its map does not exist, the field of view or look is
+    // not within its limits, or the picture is empty or larger than kMaxPictureSide.
     bool draw(const World& world, const Eye& eye, const RenderOptions& options,
-              const Picture& picture);
+              const Picture& picture, int firstColumn = 0);
 
     // What the last draw did.
     const FrameReport& report() const;

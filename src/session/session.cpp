@@ -134,7 +134,9 @@ bool Session::draw(const Picture& picture, double fraction) {
 bool Session::drawView(const Eye& seen, const Picture& picture) {
     const int classic = classicColumns(picture.width);
     const bool isAllClassic = classic > 0 && classic >= picture.width;
-    if (!isAllClassic && !renderer_.draw(world_, seen, options_.render, picture)) return false;
+    // What the classic method draws over is not drawn before.
+    if (!isAllClassic && !renderer_.draw(world_, seen, options_.render, picture, classic))
+        return false;
     if (classic > 0 && !drawClassic(world_, seen, options_.render, options_.classic, picture,
                                     &classicReport_, classic))
         return false;

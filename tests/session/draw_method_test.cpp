@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -182,6 +183,30 @@ TEST(DrawMethod, AComparisonDrawsNoMoreThanItsColumns) {
     EXPECT_EQ(all.rowsFilled, 96 * 60);
     EXPECT_EQ(part.rowsFilled, 24 * 60);
     EXPECT_LT(part.tilesWalked, all.tilesWalked / 2);
+}
+
+// Nor does the exact one draw what the other draws over; what it draws is the same to the byte.
+TEST(DrawMethod, TheExactMethodDrawsFromAColumnOn) {
+    const World world = yard();
+    const Session session{yard()};
+    Renderer renderer;
+    Image whole(96, 60);
+    ASSERT_TRUE(renderer.draw(world, session.eye(), {}, {whole.pixels.data(), 96, 60, 96}));
+    const std::int64_t tiles = renderer.report().tilesWalked;
+    for (const int first : {0, 1, 16, 25, 72, 95, 96}) {
+        Image image(96, 60);
+        const Pixel untouched = toPixel({1, 2, 3, 4});
+        std::fill(image.pixels.begin(), image.pixels.end(), untouched);
+        ASSERT_TRUE(
+            renderer.draw(world, session.eye(), {}, {image.pixels.data(), 96, 60, 96}, first));
+        for (int y = 0; y < 60; ++y) {
+            for (int x = 0; x < 96; ++x)
+                ASSERT_EQ(image.at(x, y), x < first ? untouched : whole.at(x, y)) << x << "," << y;
+        }
+        if (first >= 72) {
+            EXPECT_LT(renderer.report().tilesWalked, tiles / 2);
+        }
+    }
 }
 
 // Of each column, by the method that draws it.
