@@ -34,6 +34,7 @@ struct FilledRows {
     int portals = 0;     // that the rays had passed before
     int hit = -1;        // whose block it is: index into SliceTrace::hits; of what is no block, -1
     int object = -1;     // index into SliceTrace::objects
+    int begun = 0;       // of the classic method: its place before it was sorted by depth
     bool layer = false;  // laid over what is behind, which is told too
     TextureId texture = kNoTexture;  // or the sprite's number; none for the sky and haze
     TracedTexel top = {};            // of the first row, where there is a texture

@@ -118,7 +118,8 @@ void writeSeen(JsonText& json, const World& world, const SliceTrace& trace, int 
         json.key("alpha").number(255);
     }
     json.key("reflection");
-    if (isThing && !rows.layer && isMirrored(trace) && !trace.reflection[0].seen.empty()) {
+    if (isThing && !rows.layer && isMirrored(trace) && !trace.reflection.empty() &&
+        !trace.reflection[0].seen.empty()) {
         writeSeen(json, world, trace.reflection[0], column);
     } else {
         json.null();

@@ -369,7 +369,7 @@ void Session::trace(int width, int height, std::span<const int> columns,
 SliceTrace Session::traceFrom(const Eye& seen, int width, int height, int column, int watchedRow) {
     return column < classicColumns(width)
                ? traceClassic(world_, seen, options_.render, options_.classic, width, height,
-                              column)
+                              column, watchedRow)
                : renderer_.trace(world_, seen, options_.render, width, height, column, watchedRow);
 }
 

@@ -125,6 +125,12 @@ protected:
         EXPECT_TRUE(session.draw({pixels.data(), kWidth, kHeight, kWidth}));
         return pixels;
     }
+    void expectTexelsOfPictures();
+    void expectPointsInTheirPixels();
+    bool isDivider(int column) const {
+        const double share = session.options().compare;
+        return share > 0.0 && std::abs(column + 0.5 - share * kWidth) < 4.0;
+    }
     Colour texelOf(const Json& picked) const {
         const World& world = session.world();
         const std::string name = picked["texture"].GetString();
@@ -149,7 +155,8 @@ protected:
     rapidjson::Document json;
 };
 
-TEST_F(PickTest, EveryPixelShowsTheTexelThatIsPicked) {
+// Of every pixel, by whichever method draws it.
+void PickTest::expectTexelsOfPictures() {
     std::map<std::string, int> seen;
     int behindPortals = 0;
     int throughHoles = 0;
@@ -169,11 +176,12 @@ TEST_F(PickTest, EveryPixelShowsTheTexelThatIsPicked) {
                 }
                 behindPortals += picked["portals"].GetInt();
                 // Smaller images of holes and colours are neither one nor the other.
-                if (picked["alpha"].GetInt() < 255) continue;
+                if (picked["alpha"].GetInt() < 255 || isDivider(column)) continue;
                 const Pixel pixel = pixels[static_cast<std::size_t>(row * kWidth + column)];
                 ASSERT_EQ(toColour(pixel), texelOf(picked)) << what << column << "," << row;
-                if (session.trace(kWidth, kHeight, column, row).seen.size() > 1 &&
-                    picked["texture"] != "fence" && picked["texture"] != "lamp")
+                const SliceTrace trace = session.trace(kWidth, kHeight, column, row);
+                if (trace.seen.size() > 1 && picked["texture"] != "fence" &&
+                    picked["texture"] != "lamp")
                     ++throughHoles;
             }
         }
@@ -184,7 +192,44 @@ TEST_F(PickTest, EveryPixelShowsTheTexelThatIsPicked) {
     EXPECT_GT(throughHoles, 20);
 }
 
+TEST_F(PickTest, EveryPixelShowsTheTexelThatIsPicked) {
+    expectTexelsOfPictures();
+}
+
+TEST_F(PickTest, EveryPixelOfTheClassicMethodShowsTheTexelThatIsPicked) {
+    EXPECT_EQ(session.setOption("method", "classic"), "");
+    expectTexelsOfPictures();
+    EXPECT_EQ(session.setOption("method", "exact"), "");
+    EXPECT_EQ(session.setOption("compare", "0.6"), "");
+    // The divider is no thing of the world; its columns show what is beside it.
+    expectTexelsOfPictures();
+}
+
+TEST_F(PickTest, EveryPixelOfAnOldWayShowsTheTexelThatIsPicked) {
+    EXPECT_EQ(session.setOption("method", "classic"), "");
+    for (const auto& [name, value] : std::map<const char*, const char*>{
+             {"classic.projection", "equalAngles"},
+             {"classic.painter", "on"},
+             {"classic.mirroredTextures", "on"},
+             {"classic.pixelSize", "3"},
+         }) {
+        const std::string before = session.option(name);
+        EXPECT_EQ(session.setOption(name, value), "");
+        expectTexelsOfPictures();
+        EXPECT_EQ(session.setOption(name, before), "");
+    }
+}
+
 TEST_F(PickTest, APointIsProjectedIntoThePixelThatShowsIt) {
+    expectPointsInTheirPixels();
+}
+
+TEST_F(PickTest, APointOfTheClassicMethodIsProjectedIntoThePixelThatShowsIt) {
+    EXPECT_EQ(session.setOption("compare", "0.5"), "");
+    expectPointsInTheirPixels();
+}
+
+void PickTest::expectPointsInTheirPixels() {
     int points = 0;
     for (int row = 0; row < kHeight; ++row) {
         for (int column = 0; column < kWidth; ++column) {
@@ -257,9 +302,31 @@ protected:
               world.maps[0].floor.mirror = 255;
               return world;
           }()) {}
+    void expectReflections();
 };
 
 TEST_F(PickMirrorTest, TellsWhatShowsInAMirror) {
+    expectReflections();
+}
+
+TEST_F(PickMirrorTest, TellsWhatShowsInAMirrorOfTheClassicMethod) {
+    EXPECT_EQ(session.setOption("method", "classic"), "");
+    expectReflections();
+}
+
+TEST_F(PickMirrorTest, AMirrorThatFlipsThePictureTellsOfNoRay) {
+    EXPECT_EQ(session.setOption("method", "classic"), "");
+    EXPECT_EQ(session.setOption("classic.flippedMirrors", "on"), "");
+    int floors = 0;
+    for (int row = 0; row < kHeight; ++row) {
+        const Json& picked = pick(10, row);
+        if (picked["what"] == "floor") ++floors;
+        EXPECT_TRUE(picked["reflection"].IsNull());
+    }
+    EXPECT_GT(floors, 10);
+}
+
+void PickMirrorTest::expectReflections() {
     look(5.0);
     const std::vector<Pixel> pixels = picture();
     int reflected = 0;

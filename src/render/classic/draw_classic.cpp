@@ -53,7 +53,8 @@ bool drawClassic(const World& world, const Eye& eye, const RenderOptions& option
 }
 
 SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions& options,
-                        const ClassicOptions& classic, int width, int height, int column) {
+                        const ClassicOptions& classic, int width, int height, int column,
+                        int watchedRow) {
     if (!canSee(world, eye, options) || !areInRange(classic) || !canBe(width, height) ||
         column < 0 || column >= width)
         return {};
@@ -61,7 +62,7 @@ SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions&
     const int size = classic.pixelSize;
     classic::Column drawn(world, eye, options, classic, width, height, counted);
     drawn.draw(column / size * size + size / 2.0);
-    SliceTrace trace = classic::traceOf(drawn, world, height);
+    SliceTrace trace = classic::traceOf(drawn, world, height, watchedRow);
     trace.column = column;
     return trace;
 }

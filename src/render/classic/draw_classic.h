@@ -32,8 +32,10 @@ bool drawClassic(const World& world, const Eye& eye, const RenderOptions& option
                  FrameReport* report = nullptr, int columns = kMaxPictureSide);
 
 // What one column of such a picture shows and met on its way. An invalid eye or column gives an
-// empty trace. Of a march, the borders of tiles are where it found them.
+// empty trace. Of a march, the borders of tiles are where it found them. `watchedRow` (-1 for none)
+// is told in full, as SliceTrace::seen: the middle of its pixel, however coarse that is.
 SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions& options,
-                        const ClassicOptions& classic, int width, int height, int column);
+                        const ClassicOptions& classic, int width, int height, int column,
+                        int watchedRow = -1);
 
 }  // namespace slicecast

@@ -19,10 +19,11 @@ double nearestOf(const FilledRows& rows) {
 
 class Telling {
 public:
-    Telling(const Column& column, const World& world, int pictureHeight)
+    Telling(const Column& column, const World& world, int pictureHeight, int watchedRow)
         : column_(column),
           world_(world),
           pictureHeight_(pictureHeight),
+          watchedRow_(watchedRow),
           firstHits_(column.partsUsed()) {}
 
     SliceTrace tell() {
@@ -53,7 +54,8 @@ private:
 
     Account& of(const Part& part) { return part.isMirrored() ? reflected_ : upright_; }
 
-    static void begin(const Part& part, SliceTrace& trace) {
+    void begin(const Part& part, SliceTrace& trace) const {
+        trace.watchedRow = watchedRow_;
         trace.rayX = part.ray.x / part.ray.depthPerAlong;
         trace.rayY = part.ray.y / part.ray.depthPerAlong;
         trace.horizonRow = part.view.horizon;
@@ -113,13 +115,16 @@ private:
             const Part& part = *marks[i].part;
             const bool isLayer =
                 i + 1 < marks.size() && marks[i + 1].part->isMirrored() == part.isMirrored();
-            addRun(marks[i], isLayer, first, last);
+            const int run = addRun(marks[i], isLayer, first, last);
+            if (first <= watchedRow_ && watchedRow_ < last)
+                of(part).trace.seen.push_back(seenAt(marks[i], run, row));
             if (marks[i].shown.mirror > 0) addMirror(marks[i], first, last);
             if (i == 0 || marks[i - 1].part != &part) addPortals(part, first, last);
         }
     }
 
-    void addRun(const Mark& mark, bool isLayer, int first, int last) {
+    // Gives the run's index.
+    int addRun(const Mark& mark, bool isLayer, int first, int last) {
         Account& account = of(*mark.part);
         std::vector<FilledRows>& runs = account.trace.filled;
         FilledRows* run = nullptr;
@@ -132,6 +137,7 @@ private:
         }
         if (run == nullptr) {
             run = &runs.emplace_back();
+            run->begun = static_cast<int>(runs.size()) - 1;
             account.marks.push_back(mark);
             run->what = mark.shown.what;
             run->first = first;
@@ -149,6 +155,30 @@ private:
                 static_cast<std::uint16_t>(last - first);
         if (run->object >= 0)
             account.trace.objects[static_cast<std::size_t>(run->object)].last = last;
+        return static_cast<int>(run - runs.data());
+    }
+
+    // Where the ray of a row meets what it shows.
+    SeenPoint seenAt(const Mark& mark, int run, int row) const {
+        SeenPoint point;
+        point.run = run;
+        point.texel = mark.shown.texel;
+        if (mark.shown.texture == kNoTexture) {
+            point.texel.depth = std::numeric_limits<double>::infinity();
+            return point;
+        }
+        const View& view = mark.part->view;
+        const ColumnRay& ray = mark.part->ray;
+        const Surface* surface = mark.surface;
+        const double depth = point.texel.depth;
+        const double along =
+            surface != nullptr && surface->isUpright() ? surface->along : depth / ray.depthPerAlong;
+        const double stretch = surface != nullptr ? surface->stretch : 1.0;
+        point.x = view.eyeX + along * ray.x;
+        point.y = view.eyeY + along * ray.y;
+        point.z = view.storey + view.eyeZ +
+                  depth * stretch * view.upwardSlopeAt(column_.rows().middle(row));
+        return point;
     }
 
     // Whose rows they are
@@ -212,11 +242,17 @@ private:
         mergeSort(trace.filled, [](const FilledRows& a, const FilledRows& b) {
             return nearestOf(a) < nearestOf(b);
         });
+        for (SeenPoint& point : trace.seen) {
+            int at = 0;
+            while (trace.filled[static_cast<std::size_t>(at)].begun != point.run) ++at;
+            point.run = at;
+        }
     }
 
     const Column& column_;
     const World& world_;
     const int pictureHeight_;
+    const int watchedRow_;
     std::vector<std::size_t> firstHits_;  // by part, the index of its first hit
     Account upright_;
     Account reflected_;
@@ -224,8 +260,8 @@ private:
 
 }  // namespace
 
-SliceTrace traceOf(const Column& column, const World& world, int pictureHeight) {
-    return Telling(column, world, pictureHeight).tell();
+SliceTrace traceOf(const Column& column, const World& world, int pictureHeight, int watchedRow) {
+    return Telling(column, world, pictureHeight, watchedRow).tell();
 }
 
 }  // namespace slicecast::classic

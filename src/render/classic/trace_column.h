@@ -7,6 +7,6 @@
 namespace slicecast::classic {
 
 // Of the column that was drawn last, in a picture of that height.
-SliceTrace traceOf(const Column& column, const World& world, int pictureHeight);
+SliceTrace traceOf(const Column& column, const World& world, int pictureHeight, int watchedRow);
 
 }  // namespace slicecast::classic
