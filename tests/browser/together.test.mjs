@@ -175,6 +175,53 @@ test('two views move together, whoever of them is moved', async (t) => {
   assert.equal(await page.evaluate(() => document.getElementById('first').currentView.heading), 90);
 });
 
+test('who follows shows the view in the same frame, and draws it once', async (t) => {
+  const { page } = await openElements(
+    t,
+    browser,
+    `<ray-caster id="first" scene="room" size="64x40" syncwith="#second"></ray-caster>
+     <ray-caster id="second" scene="room" size="64x40" view="2.5,4.5,0.6,30"></ray-caster>`,
+  );
+  for (const id of ['first', 'second']) await ready(page, id);
+  await page.waitForTimeout(250);
+  // The headings that each has drawn, by the frame's time, while one of them is turned.
+  const turned = (id, plays) =>
+    page.evaluate(
+      async ([leader, isPlaying]) => {
+        const elements = ['first', 'second'].map((name) => document.getElementById(name));
+        const life = new AbortController();
+        const drawn = elements.map((element) => {
+          const headings = [];
+          element.addEventListener(
+            'framechange',
+            () =>
+              headings.push(
+                `${document.timeline.currentTime} ${Math.round(element.currentView.heading)}`,
+              ),
+            { signal: life.signal },
+          );
+          return headings;
+        });
+        for (const element of elements) element[isPlaying ? 'play' : 'pause']();
+        for (let i = 0; i < 12; ++i) {
+          document.getElementById(leader).look({ heading: 40 + i });
+          await new Promise(requestAnimationFrame);
+        }
+        life.abort();
+        return drawn.map((headings) => headings.filter((line) => / 4[4-9]$/.test(line)));
+      },
+      [id, plays],
+    );
+  for (const plays of [false, true]) {
+    for (const id of ['second', 'first']) {
+      const [first, second] = await turned(id, plays);
+      assert.deepEqual(first, second, `${id} leads`);
+      assert.equal(first.length, 6, `${first}`);
+      await page.waitForTimeout(250);
+    }
+  }
+});
+
 test('interaction="none" shows no sign, takes no press, no key and no touch', async (t) => {
   const { page } = await openElements(
     t,

@@ -35,7 +35,13 @@ export class Partner {
     const { view } = leader.engine;
     if (isSame(view, follower.engine.view)) return;
     this.#led.set(follower, now);
-    if (follower.engine.look(view)) follower.engine.flying = leader.engine.state.flying;
+    if (!follower.engine.look(view)) return;
+    follower.engine.flying = leader.engine.state.flying;
+    // In the same frame, and after the leader has asked for its next one: so the leader goes first
+    // there, and nothing is drawn twice.
+    queueMicrotask(
+      () => follower.ready !== null && follower.engine.drawNow(document.timeline.currentTime),
+    );
   }
 }
 

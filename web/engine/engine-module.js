@@ -44,6 +44,13 @@ export async function createModule(
   };
   let bytes = new Uint8Array();
   let screen = null;
+  let asked = 0; // the browser's number of the frame that was asked for last
+
+  const drawFrame = (time) => {
+    const begin = performance.now();
+    exports.slicecastFrame(time);
+    onSlicecast('animation', { time, milliseconds: performance.now() - begin });
+  };
 
   // src/app/page_shell.cpp
   const page = {
@@ -65,12 +72,7 @@ export async function createModule(
     },
     now: () => performance.now(),
     showPixels: (at, width, height) => screen.show(module.HEAPU8.buffer, at >>> 0, width, height),
-    askForFrame: () =>
-      requestAnimationFrame((time) => {
-        const begin = performance.now();
-        exports.slicecastFrame(time);
-        onSlicecast('animation', { time, milliseconds: performance.now() - begin });
-      }),
+    askForFrame: () => (asked = requestAnimationFrame(drawFrame)),
     forgetFrame: (frame) => cancelAnimationFrame(frame),
     leaveCanvas: () => canvas.blur(),
     tell: (news, yes) => onSlicecast(kNews[news], yes !== 0),
@@ -113,5 +115,10 @@ export async function createModule(
   });
   exports._initialize();
   for (const [name, value] of Object.entries(exports)) module[`_${name}`] = value;
+  // In place of the frame that was asked for.
+  module.frameNow = (time) => {
+    cancelAnimationFrame(asked);
+    drawFrame(time);
+  };
   return module;
 }

@@ -257,6 +257,11 @@ export class Engine {
     return this.restore({ ...state, ...given });
   }
 
+  // Draws what has changed in the frame that began at that time, not in the next one.
+  drawNow(time) {
+    this.#module.frameNow(time);
+  }
+
   // Fly mode, or walk mode.
   set flying(flying) {
     this.#module._slicecast_setFlying(this.#session, flying ? 1 : 0);
