@@ -32,6 +32,11 @@ struct OverlayLayout {
 // 1600 x 960 on ...
 int readableScale(int pictureWidth, int pictureHeight);
 
+// Of a fine line at a scale of text, pixels: so it is seen in large pictures too.
+constexpr int lineWidth(int scale) {
+    return (scale + 1) / 2;
+}
+
 // From the picture's edge to a panel.
 int overlayMargin(int pictureWidth, int pictureHeight);
 

@@ -7,6 +7,8 @@
 namespace slicecast {
 namespace {
 
+constexpr int kWidestRing = 16;  // pixels
+
 // Lays a part of a colour over a pixel, if it is inside.
 void blendPart(const Picture& picture, PixelRect inside, int x, int y, Colour colour, double part) {
     if (x < inside.x || y < inside.y || x >= inside.x + inside.width ||
@@ -20,7 +22,7 @@ void blendPart(const Picture& picture, PixelRect inside, int x, int y, Colour co
 template <typename Part>
 void drawRound(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
                Part part) {
-    const int reach = static_cast<int>(radius) + 2;
+    const int reach = static_cast<int>(radius) + kWidestRing / 2 + 2;
     const int centreX = static_cast<int>(std::floor(middle.x));
     const int centreY = static_cast<int>(std::floor(middle.y));
     const PixelRect around =
@@ -45,8 +47,9 @@ PixelRect shared(PixelRect a, PixelRect b) {
 }
 
 // One step along the longer way at a time; the pixel's worth of colour is shared by the two pixels
-// across.
-void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Colour colour) {
+// across, with whole ones between them where the line is wider.
+void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Colour colour,
+              int width) {
     const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
     const auto along = [steep](Point p) { return steep ? p.y : p.x; };
     const auto across = [steep](Point p) { return steep ? p.x : p.y; };
@@ -62,12 +65,13 @@ void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Co
     const int last = static_cast<int>(
         std::clamp(std::floor(along(to)), double(least) - 1.0, double(most) - 1.0));
     for (int step = first; step <= last; ++step) {
-        const double middle = across(from) + (step + 0.5 - along(from)) * slope - 0.5;
+        const double middle = across(from) + (step + 0.5 - along(from)) * slope - 0.5 * width;
         if (!(std::abs(middle) < 1e6)) continue;
         const double whole = std::floor(middle);
         const double rest = middle - whole;
         const int near = static_cast<int>(whole);
-        for (const auto& [place, part] : {std::pair{near, 1.0 - rest}, std::pair{near + 1, rest}}) {
+        for (int place = near; place <= near + width; ++place) {
+            const double part = place == near ? 1.0 - rest : place < near + width ? 1.0 : rest;
             blendPart(picture, inside, steep ? place : step, steep ? step : place, colour, part);
         }
     }
@@ -78,10 +82,10 @@ void drawDot(const Picture& picture, PixelRect inside, Point middle, double radi
               [radius](double distance) { return std::clamp(radius - distance + 0.5, 0.0, 1.0); });
 }
 
-void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius,
-              Colour colour) {
-    drawRound(picture, inside, middle, radius, colour, [radius](double distance) {
-        return std::clamp(1.0 - std::abs(distance - radius), 0.0, 1.0);
+void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
+              int width) {
+    drawRound(picture, inside, middle, radius, colour, [radius, width](double distance) {
+        return std::clamp(0.5 * (width + 1) - std::abs(distance - radius), 0.0, 1.0);
     });
 }
 

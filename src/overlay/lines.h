@@ -14,13 +14,15 @@ struct Point {
 // The part of two rectangles that they share.
 PixelRect shared(PixelRect a, PixelRect b);
 
-// A line, one pixel wide; nothing outside `inside`. Both ends are finite.
-void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Colour colour);
+// A line so many pixels wide; nothing outside `inside`. Both ends are finite.
+void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Colour colour,
+              int width = 1);
 
 // A filled circle.
 void drawDot(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour);
 
-// A circle's edge, one pixel wide.
-void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour);
+// A circle's edge, so many pixels wide.
+void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
+              int width = 1);
 
 }  // namespace slicecast

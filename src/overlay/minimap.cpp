@@ -310,7 +310,7 @@ void drawRays(const World& world, const Map& map, int level, const MinimapView& 
         const Point onPicture =
             view.toPicture({end.x * view.pixelsPerTile, end.y * view.pixelsPerTile});
         const Point to = {view.centre().x + onPicture.x, view.centre().y + onPicture.y};
-        drawLine(picture, view.area, view.centre(), to, kRay);
+        drawLine(picture, view.area, view.centre(), to, kRay, view.line);
         if (end.met)
             drawDot(picture, view.area, to, std::max(1.0, view.area.width / 120.0),
                     end.portal ? kPortal : kRayEnd);
@@ -321,7 +321,7 @@ void drawRays(const World& world, const Map& map, int level, const MinimapView& 
 void drawReach(const MinimapView& view, double reach, const Picture& picture) {
     const double radius = reach * view.pixelsPerTile;
     drawDot(picture, view.area, view.centre(), radius, kReach);
-    drawRing(picture, view.area, view.centre(), radius, kReachRim);
+    drawRing(picture, view.area, view.centre(), radius, kReachRim, view.line);
 }
 
 // Where north is, on the rim.
@@ -448,6 +448,7 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
     const Map& map = world.maps[static_cast<std::size_t>(eye.map)];
     const int level = minimapLevel(map, eye, options);
 
+    const int scale = layoutOverlays(picture.width, picture.height).scale;
     const MinimapView view = {
         .area = {layout.left + 1, layout.top + 1, layout.side - 2, layout.side - 2},
         .pixelsPerTile = layout.pixelsPerTile,
@@ -455,8 +456,8 @@ void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& optio
         .eyeY = scaled(eye.y, layout.pixelsPerTile),
         .centreX = layout.left + layout.side / 2,
         .centreY = layout.top + layout.side / 2,
-        .up = sineCosineDegrees(options.turns ? eye.headingDegrees : kNorth)};
-    const int scale = layoutOverlays(picture.width, picture.height).scale;
+        .up = sineCosineDegrees(options.turns ? eye.headingDegrees : kNorth),
+        .line = lineWidth(scale)};
     drawPanel(picture, {layout.left, layout.top, layout.side, layout.side}, scale);
     drawTiles(world, map, level, view, scale, picture);
     drawMinimapObjects(world, eye.map, level, view, picture);

@@ -54,7 +54,7 @@ void drawHeading(const MinimapView& view, const Object& object, const ObjectMoti
     const Point to = view.place(object.x.value() + length * cosDegrees(motion.headingDegrees),
                                 object.y.value() + length * sinDegrees(motion.headingDegrees));
     if (isInside(view, from, length * view.pixelsPerTile))
-        drawLine(picture, view.area, from, to, faded(kMoving, strength));
+        drawLine(picture, view.area, from, to, faded(kMoving, strength), view.line);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ struct MinimapView {
     int centreX;  // the same pixel of the picture
     int centreY;
     SineCosine up;  // the heading that is up in the picture
+    int line = 1;   // width of fine lines, pixels
 
     // From so many pixels to the right and down to as many east and south, and back.
     Point toMap(Point p) const {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kFine = 10;
 constexpr int kClear = 100;
+constexpr int kLabelDots = 4 * kGlyphAdvance + 6;  // of four digits, and a gap
 // A dark line beside each light one shows it over bright scenes too.
 constexpr Colour kFineLight = {255, 255, 255, 26};
 constexpr Colour kFineDark = {0, 0, 0, 26};
@@ -28,25 +29,30 @@ void drawLabel(const Picture& picture, int x, int y, int number, int scale) {
 }  // namespace
 
 void drawPixelGrid(const Picture& picture) {
+    const int scale = readableScale(picture.width, picture.height);
+    const int wide = lineWidth(scale);
     for (int x = kFine; x < picture.width; x += kFine) {
         const bool clear = x % kClear == 0;
-        blendRect(picture, {x, 0, 1, picture.height}, clear ? kClearLight : kFineLight);
-        blendRect(picture, {x + 1, 0, 1, picture.height}, clear ? kClearDark : kFineDark);
+        const int width = clear ? wide : 1;
+        blendRect(picture, {x, 0, width, picture.height}, clear ? kClearLight : kFineLight);
+        blendRect(picture, {x + width, 0, width, picture.height}, clear ? kClearDark : kFineDark);
     }
     for (int y = kFine; y < picture.height; y += kFine) {
         const bool clear = y % kClear == 0;
-        blendRect(picture, {0, y, picture.width, 1}, clear ? kClearLight : kFineLight);
-        blendRect(picture, {0, y + 1, picture.width, 1}, clear ? kClearDark : kFineDark);
+        const int width = clear ? wide : 1;
+        blendRect(picture, {0, y, picture.width, width}, clear ? kClearLight : kFineLight);
+        blendRect(picture, {0, y + width, picture.width, width}, clear ? kClearDark : kFineDark);
     }
 
-    // The numbers run along the middle lines, where no panel stands.
-    const int scale = readableScale(picture.width, picture.height);
+    // The numbers run along the middle lines, where no panel stands; at every second line or more
+    // where they are wider than it is to the next.
+    const int step = (kLabelDots * scale + kClear - 1) / kClear * kClear;
     const int middleX = picture.width / 2 / kClear * kClear;
     const int middleY = picture.height / 2 / kClear * kClear;
-    for (int x = kClear; x < picture.width; x += kClear)
-        drawLabel(picture, x + 2, middleY + 2, x, scale);
+    for (int x = step; x < picture.width; x += step)
+        drawLabel(picture, x + 2 * wide, middleY + 2 * wide, x, scale);
     for (int y = kClear; y < picture.height; y += kClear) {
-        if (y != middleY) drawLabel(picture, middleX + 2, y + 2, y, scale);
+        if (y != middleY) drawLabel(picture, middleX + 2 * wide, y + 2 * wide, y, scale);
     }
 }
 

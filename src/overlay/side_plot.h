@@ -14,6 +14,7 @@ namespace slicecast {
 struct SidePlot {
     PixelRect area;
     int scale = 1;        // of text and strong lines
+    int line = 1;         // width of fine lines, pixels
     double depth = 1.0;   // units, at the right edge
     double lowest = 0.0;  // heights at the lower and the upper edge
     double highest = 1.0;

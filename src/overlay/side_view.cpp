@@ -26,7 +26,7 @@ constexpr Colour kEyeLevel = {255, 214, 74, 70};
 constexpr int kRayAlpha = 110;
 constexpr int kReflectedAlpha = 56;
 constexpr int kObjectAlpha = 90;
-constexpr int kRowsPerRay = 24;  // between the rays to one run of rows
+constexpr int kRowsPerRay = 24;  // between the rays to one run of rows, where they are fine
 constexpr double kLeastDepth = 4.0;
 constexpr double kGreatestDepth = 200.0;
 constexpr double kLeastHeight = 2.0;
@@ -60,6 +60,7 @@ SidePlot makePlot(const SliceTrace& trace, double eyeZ, PixelRect area, int scal
     if (depth == 0.0 && !trace.tiles.empty()) depth = trace.tiles.back().depth;
     return {.area = area,
             .scale = scale,
+            .line = lineWidth(scale),
             .depth = std::clamp(depth * 1.08, kLeastDepth, kGreatestDepth),
             .lowest = lowest,
             .highest = std::max(highest + 0.4, kLeastHeight),
@@ -77,7 +78,7 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
     std::array<char, 16> text;
     const int scale = plot.scale;
     const int bottom = plot.area.y + plot.area.height;
-    blendRect(picture, {plot.area.x, bottom, plot.area.width, 1}, kAxisLine);
+    blendRect(picture, {plot.area.x, bottom, plot.area.width, plot.line}, kAxisLine);
     blendRect(picture, {plot.area.x - 1, plot.area.y, 1, plot.area.height + 1}, kAxisLine);
 
     // Depths below, heights on the left; "+ 0.0" makes 0 of -0
@@ -85,7 +86,7 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
     for (double depth = across; depth < plot.depth * 0.97; depth += across) {
         const std::string_view label = write(text, Fixed{depth, 0});
         const int x = static_cast<int>(plot.x(depth));
-        blendRect(picture, {x, bottom, 1, 3 * scale}, kAxis);
+        blendRect(picture, {x, bottom, plot.line, 3 * scale}, kAxis);
         drawText(picture, x - textWidth(label, scale) / 2, bottom + 4 * scale, label,
                  {.colour = kAxis, .scale = scale});
     }
@@ -95,13 +96,13 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
         const std::string_view label = write(text, Fixed{height, 0});
         const int y = static_cast<int>(plot.y(height));
         if (y - 4 * scale < plot.area.y) break;
-        blendRect(picture, {plot.area.x - 3 * scale, y, 3 * scale, 1}, kAxis);
+        blendRect(picture, {plot.area.x - 3 * scale, y, 3 * scale, plot.line}, kAxis);
         drawText(picture, plot.area.x - 5 * scale - textWidth(label, scale), y - 3 * scale, label,
                  {.colour = kAxis, .scale = scale});
     }
     const int eyeRow = static_cast<int>(plot.y(plot.eyeZ));
     for (int x = plot.area.x; x < plot.area.x + plot.area.width; x += 4 * scale)
-        blendRect(picture, {x, eyeRow, 2 * scale, 1}, kEyeLevel);
+        blendRect(picture, {x, eyeRow, 2 * scale, plot.line}, kEyeLevel);
 }
 
 // Behind portals only what is seen, for other rays may be elsewhere at the same depth.
@@ -118,8 +119,8 @@ void drawBlocks(const SliceTrace& trace, const SidePlot& plot, const Picture& pi
         };
         blendInside({left, top, right - left, bottom - top},
                     hit.filled.empty() ? kUnseenBlock : kSeenBlock);
-        blendInside({left, top, right - left, 1}, kBlockEdge);
-        blendInside({left, top, 1, bottom - top}, kBlockEdge);
+        blendInside({left, top, right - left, plot.line}, kBlockEdge);
+        blendInside({left, top, plot.line, bottom - top}, kBlockEdge);
     }
 }
 
@@ -137,7 +138,8 @@ struct Met {
 template <typename DepthOf>
 void drawRays(const SliceTrace& trace, int first, int last, const SidePlot& plot, const Met& met,
               DepthOf depthOf, const Picture& picture) {
-    const int count = std::max(1, (last - first + kRowsPerRay - 1) / kRowsPerRay);
+    const int rowsPerRay = kRowsPerRay * plot.line;
+    const int count = std::max(1, (last - first + rowsPerRay - 1) / rowsPerRay);
     Point before;
     for (int i = 0; i <= count; ++i) {
         const double slope =
@@ -145,7 +147,7 @@ void drawRays(const SliceTrace& trace, int first, int last, const SidePlot& plot
         const double depth = depthOf(slope);
         const Point rayEnd = plot.onRay(slope, depth);
         drawLine(picture, plot.area, {plot.x(0.0), plot.y(plot.eyeZ)}, rayEnd,
-                 withAlpha(met.colour, kRayAlpha));
+                 withAlpha(met.colour, kRayAlpha), plot.line);
         // What is level stays so where it goes on beyond the plot
         const Point end = met.isLevel ? Point{plot.x(depth), plot.y(met.height)} : rayEnd;
         if (i > 0 && met.isThing) {
@@ -255,7 +257,7 @@ void drawMirrors(const SliceTrace& trace, const World& world, int eyeMap, const 
             const double to = std::min(plot.depth, from + (plot.highest - height) / -slope);
             drawLine(picture, plot.area, {plot.x(from), plot.y(height)},
                      {plot.x(to), plot.y(height - slope * (to - from))},
-                     withAlpha(kMirrorColour, kReflectedAlpha));
+                     withAlpha(kMirrorColour, kReflectedAlpha), plot.line);
         }
     }
 }

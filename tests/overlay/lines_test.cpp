@@ -38,6 +38,28 @@ TEST(Lines, SlantedOnesShareTheirColourBetweenTwoPixels) {
     }
 }
 
+TEST(Lines, AreAsWideAsIsAsked) {
+    for (int width = 1; width <= 4; ++width) {
+        Canvas canvas(40, 30);
+        for (Pixel& pixel : canvas.image.pixels) pixel = toPixel({0, 0, 0, 255});
+        drawLine(canvas.picture, kAll, {2.0, 4.0}, {34.0, 20.0}, kWhite, width);
+        drawRing(canvas.picture, kAll, {8.5, 22.5}, 5.0, kWhite, width);
+        for (int x = 18; x < 34; ++x) {
+            int sum = 0;
+            double middle = 0.0;
+            for (int y = 0; y < 30; ++y) {
+                sum += toColour(canvas.at(x, y)).r;
+                middle += toColour(canvas.at(x, y)).r * (y + 0.5);
+            }
+            EXPECT_NEAR(sum, 255 * width, 1);
+            EXPECT_NEAR(middle / sum, 4.0 + (x + 0.5 - 2.0) / 2.0, 0.01);
+        }
+        int ring = 0;
+        for (int y = 23; y < 30; ++y) ring += toColour(canvas.at(8, y)).r;
+        EXPECT_NEAR(ring, 255 * width, 1);
+    }
+}
+
 TEST(Lines, StayInside) {
     Canvas canvas(40, 30);
     const PixelRect inside = {10, 8, 20, 12};
