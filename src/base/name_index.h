@@ -1,10 +1,11 @@
 // Finds numbers by names.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <unordered_map>
+#include <vector>
 
 namespace slicecast {
 
@@ -16,7 +17,19 @@ public:
     std::optional<std::uint32_t> find(std::string_view name) const;
 
 private:
-    std::unordered_map<std::string_view, std::uint32_t> numbers_;
+    struct Entry {
+        std::string_view name;
+        std::uint32_t number = 0;
+        bool isTaken = false;
+    };
+
+    std::size_t placeOf(std::string_view name) const;
+    void grow();
+
+    // A name stands where its hash says, or in the next free place behind that. At least half of
+    // the places are free.
+    std::vector<Entry> entries_;  // as many as a power of two
+    std::size_t count_ = 0;
 };
 
 }  // namespace slicecast
