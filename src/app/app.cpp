@@ -3,7 +3,6 @@
 #include "base/angle.h"
 #include "base/number_text.h"
 #include "overlay/minimap.h"
-#include "session/hits_json.h"
 
 #include <algorithm>
 #include <array>
@@ -183,8 +182,7 @@ bool App::actInGame(Action action) {
             game_->setFlying(!game_->player().flying);
             return true;
         case Action::hits:
-            shell_.tellHits(hitsJson(*game_, game_->world().title, width_, height_,
-                                     game_->inspectedColumn(width_)));
+            shell_.tellHits(*game_, width_, height_, game_->inspectedColumn(width_));
             return true;
         case Action::minimapLevelDown:
             changeMinimapLevel(-1);

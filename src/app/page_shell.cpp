@@ -33,7 +33,7 @@ SLICECAST_PAGE("tellRates")
 void slicecastTellRates(double framesPerSecond, double drawMilliseconds,
                         double longestMilliseconds);
 SLICECAST_PAGE("tellSize") void slicecastTellSize(int width, int height);
-SLICECAST_PAGE("tellHits") void slicecastTellHits(const char* json);
+SLICECAST_PAGE("tellHits") void slicecastTellHits(int width, int height, int column);
 
 // What SDL would wait with, if it were asked to: a page cannot wait.
 void emscripten_sleep(unsigned) {}
@@ -65,7 +65,9 @@ public:
                            rates.longestMilliseconds);
     }
     void tellSize(int width, int height) override { slicecastTellSize(width, height); }
-    void tellHits(const std::string& json) override { slicecastTellHits(json.c_str()); }
+    void tellHits(Session&, int width, int height, int column) override {
+        slicecastTellHits(width, height, column);
+    }
     void leave() override { slicecastLeaveCanvas(); }
 
     bool isOpen = false;

@@ -11,6 +11,8 @@
 
 namespace slicecast {
 
+class Session;
+
 // What happens in the program, each with a yes or no. web/engine/engine-module.js names them in
 // this order.
 enum class News {
@@ -49,8 +51,8 @@ public:
     virtual void tellRates(const FrameRates& rates) = 0;
     virtual void tellSize(int width, int height) = 0;
 
-    // What the inspected slice meets, as JSON (see session/hits_json.h).
-    virtual void tellHits(const std::string& json) = 0;
+    // What that slice of a picture of that size meets is asked for (see session/hits_json.h).
+    virtual void tellHits(Session& game, int width, int height, int column) = 0;
 
     // Escape: frees the mouse, or, where it is free, leaves.
     virtual void leave() = 0;

@@ -162,7 +162,8 @@ void WindowShell::show(SDL_Surface& picture) {
 }
 
 // Alone on the standard output, for whatever reads it.
-void WindowShell::tellHits(const std::string& json) {
+void WindowShell::tellHits(Session& game, int width, int height, int column) {
+    const std::string json = hitsJson(game, game.world().title, width, height, column);
     std::fwrite(json.data(), 1, json.size(), stdout);
     std::fflush(stdout);
 }

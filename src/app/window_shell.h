@@ -50,7 +50,7 @@ public:
     void tellPortal(const std::string&, const std::string&) override {}
     void tellRates(const FrameRates& rates) override { rates_ = rates; }
     void tellSize(int, int) override {}
-    void tellHits(const std::string& json) override;
+    void tellHits(Session& game, int width, int height, int column) override;
     void leave() override;
 
 private:

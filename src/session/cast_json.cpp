@@ -10,10 +10,11 @@ namespace {
 
 constexpr std::array kEnds = {"block", "edge", "portal", "floor"};  // in the order of CastRay::End
 
-void writeTile(JsonText& json, const World& world, const CastTile& tile) {
+template <typename Json>
+void writeTile(Json& json, const World& world, const CastTile& tile) {
     json.beginObject().key("map").text(mapName(world, tile.map));
     json.key("portals").number(tile.portals);
-    writePair(json, "tile", tile.x, tile.y);
+    json.key("tile").pair(tile.x, tile.y);
     json.key("axis");
     if (tile.entered) {
         json.text(tile.alongX ? "x" : "y");
@@ -21,13 +22,14 @@ void writeTile(JsonText& json, const World& world, const CastTile& tile) {
         json.null();
     }
     json.key("distance").number(tile.distance);
-    writePair(json, "next", tile.nextX, tile.nextY);
+    json.key("next").pair(tile.nextX, tile.nextY);
     json.endObject();
 }
 
-void writeHit(JsonText& json, const World& world, const CastHit& hit) {
+template <typename Json>
+void writeHit(Json& json, const World& world, const CastHit& hit) {
     json.beginObject().key("map").text(mapName(world, hit.map)).key("portals").number(hit.portals);
-    writePair(json, "tile", hit.tileX, hit.tileY);
+    json.key("tile").pair(hit.tileX, hit.tileY);
     json.key("level").number(hit.level);
     json.key("blueprint").text(world.blueprints[hit.blueprint].name).key("face");
     if (hit.entered) {
@@ -35,29 +37,31 @@ void writeHit(JsonText& json, const World& world, const CastHit& hit) {
     } else {
         json.null();
     }
-    writePair(json, "point", hit.x, hit.y);
+    json.key("point").pair(hit.x, hit.y);
     json.key("distance").number(hit.distance).key("backDistance").number(hit.backDistance);
     json.key("bottom").number(hit.bottom.value()).key("top").number(hit.top.value());
     json.endObject();
 }
 
-void writePortal(JsonText& json, const World& world, const CastPortal& passed) {
+template <typename Json>
+void writePortal(Json& json, const World& world, const CastPortal& passed) {
     json.beginObject();
     writePortalEnds(json, world, passed.portal, passed.portals);
     json.key("distance").number(passed.distance).endObject();
 }
 
-template <typename Thing>
-void writeAll(JsonText& json, const World& world, const char* key, const std::vector<Thing>& things,
-              void (*writeOne)(JsonText&, const World&, const Thing&)) {
-    json.key(key).beginArray();
+template <typename Json, typename Thing>
+void writeAll(Json& json, const World& world, const char* key, const std::vector<Thing>& things,
+              void (*writeOne)(Json&, const World&, const Thing&)) {
+    json.key(key).beginList(things.size());
     for (const Thing& thing : things) writeOne(json, world, thing);
     json.endArray();
 }
 
 }  // namespace
 
-void writeCast(JsonText& json, const World& world, const CastFrom& from) {
+template <typename Json>
+void writeCast(Json& json, const World& world, const CastFrom& from) {
     const CastRay ray = cast(world, from);
     json.beginObject().key("map").text(mapName(world, from.map));
     json.key("x").number(from.x.value()).key("y").number(from.y.value()).key("z");
@@ -67,14 +71,17 @@ void writeCast(JsonText& json, const World& world, const CastFrom& from) {
         json.null();
     }
     json.key("heading").number(from.headingDegrees);
-    writePair(json, "ray", ray.direction.x, ray.direction.y);
-    writeAll(json, world, "tiles", ray.tiles, writeTile);
-    writeAll(json, world, "hits", ray.hits, writeHit);
-    writeAll(json, world, "portals", ray.portals, writePortal);
+    json.key("ray").pair(ray.direction.x, ray.direction.y);
+    writeAll(json, world, "tiles", ray.tiles, writeTile<Json>);
+    writeAll(json, world, "hits", ray.hits, writeHit<Json>);
+    writeAll(json, world, "portals", ray.portals, writePortal<Json>);
     json.key("end").beginObject().key("why").text(kEnds[static_cast<std::size_t>(ray.end)]);
     json.key("map").text(mapName(world, ray.map));
-    writePair(json, "point", ray.x, ray.y);
+    json.key("point").pair(ray.x, ray.y);
     json.key("distance").number(ray.distance).endObject().endObject();
 }
+
+template void writeCast(JsonText&, const World&, const CastFrom&);
+template void writeCast(PackedJson&, const World&, const CastFrom&);
 
 }  // namespace slicecast

@@ -25,7 +25,8 @@
 
 namespace slicecast {
 
-// The map exists, the heading is a number.
-void writeCast(JsonText& json, const World& world, const CastFrom& from);
+// The map exists, the heading is a number; `Json` is JsonText or PackedJson.
+template <typename Json>
+void writeCast(Json& json, const World& world, const CastFrom& from);
 
 }  // namespace slicecast

@@ -34,13 +34,15 @@ const std::string& mapName(const World& world, int map) {
     return world.maps[static_cast<std::size_t>(map)].name;
 }
 
-static void writeEnd(JsonText& json, const World& world, const char* key, int map, int x, int y) {
+template <typename Json>
+static void writeEnd(Json& json, const World& world, const char* key, int map, int x, int y) {
     json.key(key).beginObject().key("map").text(mapName(world, map));
-    writePair(json, "tile", x, y);
+    json.key("tile").pair(x, y);
     json.endObject();
 }
 
-void writePortalEnds(JsonText& json, const World& world, PortalId id, int portalsBefore) {
+template <typename Json>
+void writePortalEnds(Json& json, const World& world, PortalId id, int portalsBefore) {
     const Portal& portal = world.portals[id];
     json.key("portals").number(portalsBefore);
     writeEnd(json, world, "from", portal.fromMap, portal.fromX, portal.fromY);
@@ -48,11 +50,13 @@ void writePortalEnds(JsonText& json, const World& world, PortalId id, int portal
     json.key("turn").number(90 * portal.turn).key("levels").number(portal.levels);
 }
 
-void writeRows(JsonText& json, int first, int last) {
+template <typename Json>
+void writeRows(Json& json, int first, int last) {
     json.key("first").number(first).key("last").number(last - 1);
 }
 
-void writeView(JsonText& json, const Session& session, const std::string& sceneName, int width,
+template <typename Json>
+void writeView(Json& json, const Session& session, const std::string& sceneName, int width,
                int height) {
     const Eye eye = session.eye();
     json.line(1).key("scene").text(sceneName);
@@ -74,9 +78,10 @@ void writeView(JsonText& json, const Session& session, const std::string& sceneN
 namespace {
 
 // Planes need no face: the kind says it. They name their map, as blocks do elsewhere.
-void writeFilled(JsonText& json, const World& world, const std::vector<FilledRows>& filled,
+template <typename Json>
+void writeFilled(Json& json, const World& world, const std::vector<FilledRows>& filled,
                  bool arePlanes) {
-    json.beginArray();
+    json.beginList(filled.size());
     for (const FilledRows& rows : filled) {
         json.beginObject().key("what").text(nameOf(rows.what));
         if (arePlanes) {
@@ -90,8 +95,9 @@ void writeFilled(JsonText& json, const World& world, const std::vector<FilledRow
     json.endArray();
 }
 
-void writeTile(JsonText& json, const World& world, const WalkedTile& tile) {
-    json.beginArray()
+template <typename Json>
+void writeTile(Json& json, const World& world, const WalkedTile& tile) {
+    json.beginTuple()
         .number(tile.x)
         .number(tile.y)
         .number(tile.depth)
@@ -99,9 +105,10 @@ void writeTile(JsonText& json, const World& world, const WalkedTile& tile) {
         .endArray();
 }
 
-void writeHit(JsonText& json, const World& world, const Hit& hit) {
+template <typename Json>
+void writeHit(Json& json, const World& world, const Hit& hit) {
     json.beginObject().key("map").text(mapName(world, hit.map)).key("portals").number(hit.portals);
-    writePair(json, "tile", hit.tileX, hit.tileY);
+    json.key("tile").pair(hit.tileX, hit.tileY);
     json.key("level")
         .number(hit.level)
         .key("blueprint")
@@ -112,7 +119,7 @@ void writeHit(JsonText& json, const World& world, const Hit& hit) {
     } else {
         json.null();
     }
-    writePair(json, "point", hit.x, hit.y);
+    json.key("point").pair(hit.x, hit.y);
     json.key("rawDepth")
         .number(hit.rawDepth)
         .key("depth")
@@ -129,7 +136,8 @@ void writeHit(JsonText& json, const World& world, const Hit& hit) {
     json.endObject();
 }
 
-void writeObject(JsonText& json, const World& world, const SeenObject& seen) {
+template <typename Json>
+void writeObject(Json& json, const World& world, const SeenObject& seen) {
     const Object& object = world.maps[static_cast<std::size_t>(seen.map)]
                                .objects[static_cast<std::size_t>(seen.object)];
     json.beginObject()
@@ -138,7 +146,7 @@ void writeObject(JsonText& json, const World& world, const SeenObject& seen) {
         .key("portals")
         .number(seen.portals);
     json.key("sprite").text(world.sprites[object.sprite].name);
-    writePair(json, "point", object.x.value(), object.y.value());
+    json.key("point").pair(object.x.value(), object.y.value());
     json.key("bottom")
         .number(object.z.value())
         .key("top")
@@ -150,7 +158,8 @@ void writeObject(JsonText& json, const World& world, const SeenObject& seen) {
     json.endObject();
 }
 
-void writePortal(JsonText& json, const World& world, const PassedPortal& passed) {
+template <typename Json>
+void writePortal(Json& json, const World& world, const PassedPortal& passed) {
     json.beginObject();
     writePortalEnds(json, world, passed.portal, passed.portals);
     json.key("depth").number(passed.depth);
@@ -158,7 +167,8 @@ void writePortal(JsonText& json, const World& world, const PassedPortal& passed)
     json.endObject();
 }
 
-void writeMirror(JsonText& json, const World& world, const MirroredRows& mirror) {
+template <typename Json>
+void writeMirror(Json& json, const World& world, const MirroredRows& mirror) {
     json.beginObject()
         .key("map")
         .text(mapName(world, mirror.map))
@@ -170,10 +180,10 @@ void writeMirror(JsonText& json, const World& world, const MirroredRows& mirror)
     json.endObject();
 }
 
-template <typename Thing>
-void writeAll(JsonText& json, const World& world, const char* key, const std::vector<Thing>& things,
-              void (*writeOne)(JsonText&, const World&, const Thing&)) {
-    json.line(1).key(key).beginArray();
+template <typename Json, typename Thing>
+void writeAll(Json& json, const World& world, const char* key, const std::vector<Thing>& things,
+              void (*writeOne)(Json&, const World&, const Thing&)) {
+    json.line(1).key(key).beginList(things.size());
     for (const Thing& thing : things) writeOne(json.line(2), world, thing);
     if (!things.empty()) json.line(1);
     json.endArray();
@@ -181,23 +191,34 @@ void writeAll(JsonText& json, const World& world, const char* key, const std::ve
 
 }  // namespace
 
-void writeHits(JsonText& json, const Session& session, const SliceTrace& trace) {
+template <typename Json>
+void writeHits(Json& json, const Session& session, const SliceTrace& trace) {
     const World& world = session.world();
     json.line(1).key("column").number(trace.column);
     json.line(1).key("horizonRow").number(trace.horizonRow);
     json.line(1).key("projectionDistance").number(trace.projectionDistance);
     json.line(1).key("ray").pair(trace.rayX, trace.rayY);
-    writeAll(json, world, "tiles", trace.tiles, writeTile);
-    writeAll(json, world, "hits", trace.hits, writeHit);
+    writeAll(json, world, "tiles", trace.tiles, writeTile<Json>);
+    writeAll(json, world, "hits", trace.hits, writeHit<Json>);
     writeFilled(json.line(1).key("planes"), world, trace.planes, true);
-    writeAll(json, world, "objects", trace.objects, writeObject);
-    writeAll(json, world, "portals", trace.portals, writePortal);
-    writeAll(json, world, "mirrors", trace.mirrors, writeMirror);
+    writeAll(json, world, "objects", trace.objects, writeObject<Json>);
+    writeAll(json, world, "portals", trace.portals, writePortal<Json>);
+    writeAll(json, world, "mirrors", trace.mirrors, writeMirror<Json>);
 }
+
+template void writeView(JsonText&, const Session&, const std::string&, int, int);
+template void writeView(PackedJson&, const Session&, const std::string&, int, int);
+template void writeHits(JsonText&, const Session&, const SliceTrace&);
+template void writeHits(PackedJson&, const Session&, const SliceTrace&);
+template void writeRows(JsonText&, int, int);
+template void writeRows(PackedJson&, int, int);
+template void writePortalEnds(JsonText&, const World&, PortalId, int);
+template void writePortalEnds(PackedJson&, const World&, PortalId, int);
 
 namespace {
 
-void writeColumn(JsonText& json, const Session& session, const std::string& sceneName, int width,
+template <typename Json>
+void writeColumn(Json& json, const Session& session, const std::string& sceneName, int width,
                  int height, const SliceTrace& trace) {
     json.beginObject();
     writeView(json, session, sceneName, width, height);
@@ -216,8 +237,8 @@ std::string hitsJson(Session& session, const std::string& sceneName, int width, 
 
 void packHits(Session& session, const std::string& sceneName, int width, int height,
               std::span<const int> columns, PackedValues& packed) {
-    JsonText json(packed);
-    json.beginArray();
+    PackedJson json(packed);
+    json.beginList(columns.size());
     session.trace(width, height, columns, [&](const SliceTrace& trace) {
         writeColumn(json, session, sceneName, width, height, trace);
     });

@@ -44,17 +44,18 @@ std::string hitsJson(Session& session, const std::string& sceneName, int width, 
 void packHits(Session& session, const std::string& sceneName, int width, int height,
               std::span<const int> columns, PackedValues& packed);
 
-// Parts of it, which traces consist of too (trace_json.h). From "scene" to "fov":
-void writeView(JsonText& json, const Session& session, const std::string& sceneName, int width,
+// Parts of it, which traces consist of too (trace_json.h); `Json` is JsonText or PackedJson. From
+// "scene" to "fov":
+template <typename Json>
+void writeView(Json& json, const Session& session, const std::string& sceneName, int width,
                int height);
 // The rest, from "column" on:
-void writeHits(JsonText& json, const Session& session, const SliceTrace& trace);
-template <std::size_t size>
-void writePair(JsonText& json, const char (&key)[size], double a, double b) {
-    json.key(key).pair(a, b);
-}
-void writeRows(JsonText& json, int first, int last);  // [first, last) as both included
-void writePortalEnds(JsonText& json, const World& world, PortalId id, int portalsBefore);
+template <typename Json>
+void writeHits(Json& json, const Session& session, const SliceTrace& trace);
+template <typename Json>
+void writeRows(Json& json, int first, int last);  // [first, last) as both included
+template <typename Json>
+void writePortalEnds(Json& json, const World& world, PortalId id, int portalsBefore);
 const char* nameOf(FilledRows::What what);
 const char* nameOf(Face face);
 const std::string& mapName(const World& world, int map);

@@ -2,23 +2,9 @@
 
 #include "base/number_text.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace slicecast {
-
-void JsonText::growPacked() {
-    packed_->numbers.resize(2 * packed_->count + 1024);
-}
-
-double JsonText::indexOf(std::string_view text) {
-    std::vector<std::string>& texts = packed_->texts;
-    const auto known = std::find(texts.begin(), texts.end(), text);
-    const auto index = static_cast<double>(known - texts.begin());
-    if (known == texts.end()) texts.emplace_back(text);
-    return index;
-}
 
 void JsonText::separate() {
     if (needsComma_) out_ += ',';
@@ -39,17 +25,6 @@ JsonText& JsonText::line(int steps) {
 }
 
 JsonText& JsonText::open(char bracket) {
-    if (packed_ != nullptr) {
-        // An object among an array's elements counts there, and takes no place of its own.
-        if (bracket == '[') {
-            pack(0.0);
-            open_.push_back(packed_->count - 1);
-        } else {
-            if (!open_.empty() && open_.back() != kObject) packed_->numbers[open_.back()] += 1.0;
-            open_.push_back(kObject);
-        }
-        return *this;
-    }
     separate();
     out_ += bracket;
     needsComma_ = false;
@@ -57,30 +32,21 @@ JsonText& JsonText::open(char bracket) {
 }
 
 JsonText& JsonText::close(char bracket) {
-    if (packed_ != nullptr) {
-        open_.pop_back();
-        return *this;
-    }
     beginLine();
     out_ += bracket;
     needsComma_ = true;
     return *this;
 }
 
-JsonText& JsonText::key(const char* name, std::size_t size) {
-    if (packed_ != nullptr) return *this;
+JsonText& JsonText::key(std::string_view name) {
     separate();
-    quote({name, size});
+    quote(name);
     out_ += ':';
     needsComma_ = false;
     return *this;
 }
 
 JsonText& JsonText::text(std::string_view value) {
-    if (packed_ != nullptr) {
-        packText(value);
-        return *this;
-    }
     separate();
     quote(value);
     return *this;
@@ -88,34 +54,22 @@ JsonText& JsonText::text(std::string_view value) {
 
 JsonText& JsonText::number(double value) {
     if (!std::isfinite(value)) return null();
-    if (packed_ != nullptr) {
-        pack(value);
-        return *this;
-    }
     separate();
     out_ += std::string_view(shortestText(value));
     return *this;
 }
 
 JsonText& JsonText::pair(double a, double b) {
-    return beginArray().number(a).number(b).endArray();
+    return beginTuple().number(a).number(b).endArray();
 }
 
 JsonText& JsonText::yesNo(bool value) {
-    if (packed_ != nullptr) {
-        pack(value ? 1.0 : 0.0);
-        return *this;
-    }
     separate();
     out_ += value ? "true" : "false";
     return *this;
 }
 
 JsonText& JsonText::null() {
-    if (packed_ != nullptr) {
-        pack(std::numeric_limits<double>::quiet_NaN());
-        return *this;
-    }
     separate();
     out_ += "null";
     return *this;

@@ -70,19 +70,21 @@ double heightOf(const World& world, const SliceTrace& trace, const FilledRows& r
     }
 }
 
-void writeTile(JsonText& json, const SliceTrace& trace, const Picked& picked) {
+template <typename Json>
+void writeTile(Json& json, const SliceTrace& trace, const Picked& picked) {
     const FilledRows& rows = *picked.rows;
     if (rows.hit >= 0) {
         const Hit& hit = trace.hits[static_cast<std::size_t>(rows.hit)];
-        writePair(json, "tile", hit.tileX, hit.tileY);
+        json.key("tile").pair(hit.tileX, hit.tileY);
     } else if (rows.what == What::floor || rows.what == What::ceiling) {
-        writePair(json, "tile", std::floor(picked.point->x), std::floor(picked.point->y));
+        json.key("tile").pair(std::floor(picked.point->x), std::floor(picked.point->y));
     } else {
         json.key("tile").null();
     }
 }
 
-void writeSeen(JsonText& json, const World& world, const SliceTrace& trace, int column) {
+template <typename Json>
+void writeSeen(Json& json, const World& world, const SliceTrace& trace, int column) {
     const Picked picked = nearest(world, trace);
     const FilledRows& rows = *picked.rows;
     const SeenPoint& point = *picked.point;
@@ -108,7 +110,7 @@ void writeSeen(JsonText& json, const World& world, const SliceTrace& trace, int 
     json.key("texture");
     if (isThing) {
         json.text(textureName(world, rows));
-        json.key("point").beginArray().number(point.x).number(point.y);
+        json.key("point").beginTuple().number(point.x).number(point.y);
         json.number(heightOf(world, trace, rows, point.z)).endArray();
         json.key("depth").number(point.texel.depth).key("texel");
         writeTexel(json, world, rows, point.texel, trace.watchedRow);
@@ -129,22 +131,25 @@ void writeSeen(JsonText& json, const World& world, const SliceTrace& trace, int 
 
 }  // namespace
 
-void writePick(JsonText& json, Session& session, int width, int height, int column, int row) {
+template <typename Json>
+void writePick(Json& json, Session& session, int width, int height, int column, int row) {
     writeSeen(json, session.world(), session.trace(width, height, column, row), column);
 }
 
-std::optional<PicturePoint> project(const Session& session, int map, double x, double y, double z,
-                                    int width, int height) {
-    const Eye eye = session.eye();
+template void writePick(JsonText&, Session&, int, int, int, int);
+template void writePick(PackedJson&, Session&, int, int, int, int);
+
+std::optional<PicturePoint> project(const Session& session, const Eye& eye, const Place& place,
+                                    int map, int width, int height) {
     if (map != eye.map) return std::nullopt;
     const Projection projection(eye, session.options().render, width, height);
-    const double east = x - eye.x.value();
-    const double south = y - eye.y.value();
+    const double east = place.x - eye.x.value();
+    const double south = place.y - eye.y.value();
     const double depth = east * projection.forward.x + south * projection.forward.y;
     if (!(depth > 0.0)) return std::nullopt;
     const double sideways = east * projection.right.x + south * projection.right.y;
     return PicturePoint{width / 2.0 + sideways * projection.distance / depth,
-                        projection.rowOf(z - eye.z.value(), depth), depth};
+                        projection.rowOf(place.z - eye.z.value(), depth), depth};
 }
 
 }  // namespace slicecast

@@ -1,7 +1,7 @@
 // What one pixel of a session's picture shows, and where a point of the world lies in it: each
 // answers what the other asks.
 //
-//     project(session, map, x, y, z, 640, 400)     -> column and row, real numbers: the middle of
+//     project(session, session.eye(), {x, y, z}, map, 640, 400)     -> column and row, real numbers: the middle of
 //                                                     the pixel (c, r) is at c + 0.5, r + 0.5
 //     writePick(json, session, 640, 400, c, r)     -> the numbers of the pixel's ray
 //
@@ -23,13 +23,15 @@
 
 #include "session/json_text.h"
 #include "session/session.h"
+#include "world/line_of_sight.h"
 
 #include <optional>
 
 namespace slicecast {
 
-// The column and the row lie within the picture.
-void writePick(JsonText& json, Session& session, int width, int height, int column, int row);
+// The column and the row lie within the picture; `Json` is JsonText or PackedJson.
+template <typename Json>
+void writePick(Json& json, Session& session, int width, int height, int column, int row);
 
 struct PicturePoint {
     double x = 0.0;  // pixels from the left; may be outside the picture
@@ -38,7 +40,7 @@ struct PicturePoint {
 };
 
 // Nothing for a point that is not before the eye, or in another map.
-std::optional<PicturePoint> project(const Session& session, int map, double x, double y, double z,
-                                    int width, int height);
+std::optional<PicturePoint> project(const Session& session, const Eye& eye, const Place& place,
+                                    int map, int width, int height);
 
 }  // namespace slicecast

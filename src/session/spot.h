@@ -4,17 +4,13 @@
 //     if (spot && spot->isSeen) ...      at spot->x, spot->y
 #pragma once
 
-#include "session/session.h"
-#include "world/line_of_sight.h"
+#include "session/pick.h"
 
 #include <optional>
 
 namespace slicecast {
 
-struct Spot {
-    double x = 0.0;       // pixels from the left of a picture of that size; may be outside of it
-    double y = 0.0;       // from the top
-    double depth = 0.0;   // perpendicular, units
+struct Spot : PicturePoint {
     bool isSeen = false;  // within the picture, and nothing in between (world/line_of_sight.h)
 };
 

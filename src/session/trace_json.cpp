@@ -24,7 +24,8 @@ bool hasTexture(const FilledRows& rows) {
     return rows.texture != kNoTexture;
 }
 
-void writeIndex(JsonText& json, const char* key, int index) {
+template <typename Json>
+void writeIndex(Json& json, const char* key, int index) {
     json.key(key);
     if (index < 0) {
         json.null();
@@ -33,14 +34,14 @@ void writeIndex(JsonText& json, const char* key, int index) {
     }
 }
 
-void writeTile(JsonText& json, const World& world, const WalkedTile& tile,
-               double projectionDistance) {
+template <typename Json>
+void writeTile(Json& json, const World& world, const WalkedTile& tile, double projectionDistance) {
     json.beginObject()
         .key("map")
         .text(mapName(world, tile.map))
         .key("portals")
         .number(tile.portals);
-    writePair(json, "tile", tile.x, tile.y);
+    json.key("tile").pair(tile.x, tile.y);
     json.key("axis");
     if (tile.entered) {
         json.text(tile.alongX ? "x" : "y");
@@ -49,7 +50,7 @@ void writeTile(JsonText& json, const World& world, const WalkedTile& tile,
     }
     json.key("distance").number(tile.distance).key("speed").number(tile.speed);
     json.key("along").number(tile.along).key("depth").number(tile.along * projectionDistance);
-    writePair(json, "next", tile.nextX, tile.nextY);
+    json.key("next").pair(tile.nextX, tile.nextY);
     json.endObject();
 }
 
@@ -63,8 +64,9 @@ const std::string& textureName(const World& world, const FilledRows& rows) {
     return textureName(world, rows.what == What::object, rows.texture);
 }
 
-void writeTexel(JsonText& json, const World& world, const FilledRows& rows,
-                const TracedTexel& texel, int row) {
+template <typename Json>
+void writeTexel(Json& json, const World& world, const FilledRows& rows, const TracedTexel& texel,
+                int row) {
     const auto detail = static_cast<std::size_t>(texel.detail);
     json.beginObject()
         .key("row")
@@ -75,10 +77,10 @@ void writeTexel(JsonText& json, const World& world, const FilledRows& rows,
         .number(texel.detail);
     if (rows.what == What::object) {
         const SpriteLevel& level = world.sprites[rows.texture].frames[0][detail];
-        writePair(json, "size", level.width, level.height);
+        json.key("size").pair(level.width, level.height);
     } else {
         const TextureLevel& level = world.textures[rows.texture].levels[detail];
-        writePair(json, "size", level.size, level.size);
+        json.key("size").pair(level.size, level.size);
     }
     json.key("u")
         .number(texel.u)
@@ -91,9 +93,13 @@ void writeTexel(JsonText& json, const World& world, const FilledRows& rows,
         .endObject();
 }
 
+template void writeTexel(JsonText&, const World&, const FilledRows&, const TracedTexel&, int);
+template void writeTexel(PackedJson&, const World&, const FilledRows&, const TracedTexel&, int);
+
 namespace {
 
-void writeRun(JsonText& json, const World& world, const FilledRows& rows) {
+template <typename Json>
+void writeRun(Json& json, const World& world, const FilledRows& rows) {
     json.beginObject()
         .key("what")
         .text(nameOf(rows.what))
@@ -116,7 +122,8 @@ void writeRun(JsonText& json, const World& world, const FilledRows& rows) {
         json.null();
     }
     writeRows(json, rows.first, rows.last);
-    json.key("layer").yesNo(rows.layer).key("texels").beginArray();
+    json.key("layer").yesNo(rows.layer);
+    json.key("texels").beginList(hasTexture(rows) ? 2 : 0);
     if (hasTexture(rows)) {
         writeTexel(json, world, rows, rows.top, rows.first);
         writeTexel(json, world, rows, rows.bottom, rows.last - 1);
@@ -124,12 +131,13 @@ void writeRun(JsonText& json, const World& world, const FilledRows& rows) {
     json.endArray().endObject();
 }
 
-void writeSlice(JsonText& json, const Session& session, const SliceTrace& trace) {
+template <typename Json>
+void writeSlice(Json& json, const Session& session, const SliceTrace& trace) {
     writeHits(json, session, trace);
-    json.line(1).key("walk").beginArray();
+    json.line(1).key("walk").beginList(trace.tiles.size());
     for (const WalkedTile& tile : trace.tiles)
         writeTile(json.line(2), session.world(), tile, trace.projectionDistance);
-    json.endArray().line(1).key("runs").beginArray();
+    json.endArray().line(1).key("runs").beginList(trace.filled.size());
     for (const FilledRows& rows : trace.filled) writeRun(json.line(2), session.world(), rows);
     json.endArray();
 }
@@ -207,7 +215,8 @@ void writeTextures(JsonText& json, const World& world, const Sums& sums) {
     json.endArray();
 }
 
-void writeTrace(JsonText& json, const Session& session, const std::string& sceneName, int width,
+template <typename Json>
+void writeTrace(Json& json, const Session& session, const std::string& sceneName, int width,
                 int height, const SliceTrace& trace) {
     json.beginObject();
     writeView(json, session, sceneName, width, height);
@@ -234,8 +243,8 @@ std::string traceJson(Session& session, const std::string& sceneName, int width,
 
 void packTraces(Session& session, const std::string& sceneName, int width, int height,
                 std::span<const int> columns, PackedValues& packed) {
-    JsonText json(packed);
-    json.beginArray();
+    PackedJson json(packed);
+    json.beginList(columns.size());
     session.trace(width, height, columns, [&](const SliceTrace& trace) {
         writeTrace(json, session, sceneName, width, height, trace);
     });

@@ -85,8 +85,9 @@ void packTraces(Session& session, const std::string& sceneName, int width, int h
 std::string frameTraceJson(Session& session, const std::string& sceneName, int width, int height);
 
 // Parts of it, for what tells of one row.
-void writeTexel(JsonText& json, const World& world, const FilledRows& rows,
-                const TracedTexel& texel, int row);
+template <typename Json>
+void writeTexel(Json& json, const World& world, const FilledRows& rows, const TracedTexel& texel,
+                int row);
 const std::string& textureName(const World& world, const FilledRows& rows);  // not of sky and haze
 
 }  // namespace slicecast

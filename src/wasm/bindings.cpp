@@ -62,6 +62,13 @@ struct SlicecastSession {
         packed.clear();
         return packed;
     }
+    const double* tell(const PicturePoint& point, bool isSeen) {
+        spot[0] = point.x;
+        spot[1] = point.y;
+        spot[2] = point.depth;
+        spot[3] = isSeen ? 1.0 : 0.0;
+        return spot;
+    }
     const char* give(std::string text) {
         answer = std::move(text);
         return answer.c_str();
@@ -445,7 +452,7 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_cast(SlicecastSession* session, int
                                                   double y, double z, double headingDegrees) {
     const Session* game = session->game();
     if (game == nullptr || !hasMap(*game, map)) return nullptr;
-    JsonText json(session->pack());
+    PackedJson json(session->pack());
     writeCast(json, game->world(),
               {.map = map,
                .x = toCoordinate(x),
@@ -460,7 +467,7 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_pick(SlicecastSession* session, int
     Session* game = session->game();
     if (game == nullptr || !canBe(width, height)) return nullptr;
     if (column < 0 || column >= width || row < 0 || row >= height) return nullptr;
-    JsonText json(session->pack());
+    PackedJson json(session->pack());
     writePick(json, *game, width, height, column, row);
     return session->packed.numbers.data();
 }
@@ -477,12 +484,8 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_project(SlicecastSession* session, 
                                                      int32_t height) {
     const Session* game = session->game();
     if (game == nullptr || !canBe(width, height)) return nullptr;
-    const auto point = project(*game, map, x, y, z, width, height);
-    if (!point) return nullptr;
-    session->view[0] = point->x;
-    session->view[1] = point->y;
-    session->view[2] = point->depth;
-    return session->view;
+    const auto point = project(*game, game->eye(), {x, y, z}, map, width, height);
+    return point ? session->tell(*point, false) : nullptr;
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_cells(SlicecastSession* session, int32_t map) {
@@ -512,12 +515,7 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_spot(SlicecastSession* session, int
     const Session* game = session->game();
     if (game == nullptr || !canBe(width, height)) return nullptr;
     const std::optional<Spot> spot = spotOf(*game, {x, y, z}, map, width, height);
-    if (!spot) return nullptr;
-    session->spot[0] = spot->x;
-    session->spot[1] = spot->y;
-    session->spot[2] = spot->depth;
-    session->spot[3] = spot->isSeen ? 1.0 : 0.0;
-    return session->spot;
+    return spot ? session->tell(*spot, spot->isSeen) : nullptr;
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecast_setFlying(SlicecastSession* session, int32_t flying) {

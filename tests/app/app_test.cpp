@@ -34,7 +34,9 @@ public:
     }
     void tellRates(const FrameRates& told) override { rates.push_back(told); }
     void tellSize(int width, int height) override { sizes.emplace_back(width, height); }
-    void tellHits(const std::string& json) override { hits.push_back(json); }
+    void tellHits(Session& game, int width, int height, int column) override {
+        hits.push_back(hitsJson(game, "", width, height, column));
+    }
     void leave() override { ++left; }
 
     double now = 100.0;

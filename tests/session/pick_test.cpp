@@ -237,8 +237,10 @@ void PickTest::expectPointsInTheirPixels() {
             if (picked["point"].IsNull()) continue;
             const Json& point = picked["point"];
             const int map = picked["map"] == "hall" ? 0 : 1;
-            const auto back = project(session, map, point[0].GetDouble(), point[1].GetDouble(),
-                                      point[2].GetDouble(), kWidth, kHeight);
+            const auto back =
+                project(session, session.eye(),
+                        {point[0].GetDouble(), point[1].GetDouble(), point[2].GetDouble()}, map,
+                        kWidth, kHeight);
             if (map == 1) {
                 EXPECT_FALSE(back.has_value()) << "in another map";
                 continue;
@@ -355,10 +357,13 @@ void PickMirrorTest::expectReflections() {
 
 TEST_F(PickTest, WhatIsNotBeforeTheEyeIsNotProjected) {
     look(0.0, 0.0);
-    EXPECT_FALSE(project(session, 0, 2.2, 5.2, 0.6, kWidth, kHeight).has_value());
-    EXPECT_FALSE(project(session, 0, session.eye().x.value(), 9.0, 0.6, kWidth, kHeight));
-    const auto ahead = project(session, 0, session.eye().x.value() + 2.0, session.eye().y.value(),
-                               session.eye().z.value() + 1.0, kWidth, kHeight);
+    EXPECT_FALSE(project(session, session.eye(), {2.2, 5.2, 0.6}, 0, kWidth, kHeight).has_value());
+    EXPECT_FALSE(
+        project(session, session.eye(), {session.eye().x.value(), 9.0, 0.6}, 0, kWidth, kHeight));
+    const auto ahead = project(
+        session, session.eye(),
+        {session.eye().x.value() + 2.0, session.eye().y.value(), session.eye().z.value() + 1.0}, 0,
+        kWidth, kHeight);
     ASSERT_TRUE(ahead.has_value());
     EXPECT_DOUBLE_EQ(ahead->x, kWidth / 2.0);
     EXPECT_DOUBLE_EQ(ahead->depth, 2.0);

@@ -88,7 +88,7 @@ export async function createModule(
       canvas.width = width;
       canvas.height = height;
     },
-    tellHits: (json) => onSlicecast('hits', JSON.parse(module.UTF8ToString(json))),
+    tellHits: (width, height, column) => onSlicecast('hits', { width, height, column }),
   };
   const system = {
     proc_exit(status) {

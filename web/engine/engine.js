@@ -31,16 +31,14 @@ export class Engine {
   #sceneEnd = 0; // of the memory, once the scene was there
 
   static async create({ files, canvas = null, onEvent = () => {}, takesKey }) {
+    let engine;
+    const onSlicecast = (event, value) =>
+      onEvent(event, event === 'hits' ? engine.#hitsOf(value) : value);
     try {
-      return new Engine(
-        await createModule(files.program, {
-          canvas,
-          openCanvas: files.openCanvas,
-          onSlicecast: onEvent,
-          takesKey,
-        }),
-        canvas,
-      );
+      const { program, openCanvas } = files;
+      const module = await createModule(program, { canvas, openCanvas, onSlicecast, takesKey });
+      engine = new Engine(module, canvas);
+      return engine;
     } catch (error) {
       throw new Trouble('The engine does not start', error.message);
     }
@@ -307,6 +305,10 @@ export class Engine {
       return false;
     this.#module._slicecast_setFlying(this.#session, flying ? 1 : 0);
     return true;
+  }
+
+  #hitsOf({ width, height, column }) {
+    return this.questions.hits(width, height, column);
   }
 
   // Rays, pixels, points and cells.

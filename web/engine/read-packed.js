@@ -16,10 +16,23 @@ export function readPacked(packed, itsTexts, read) {
   return answer;
 }
 
+// Each kind of number has a function of its own: an engine of JavaScript keeps whole numbers and
+// lists of real ones in less memory when it never meets anything else there.
+
+// Never null.
+function whole() {
+  return numbers[next++] | 0;
+}
+
 // NaN is null.
 function number() {
   const value = numbers[next++];
   return value === value ? value : null;
+}
+
+function index() {
+  const value = numbers[next++];
+  return value === value ? value | 0 : null;
 }
 
 function text() {
@@ -30,15 +43,14 @@ function flag() {
   return numbers[next++] === 1;
 }
 
-function pair() {
-  ++next; // its length
-  return [number(), number()];
-}
+const wholePair = () => [whole(), whole()];
+const realPair = () => [numbers[next++], numbers[next++]];
+const pair = () => [number(), number()];
 
 export function list(read) {
-  const count = numbers[next++];
-  const values = [];
-  for (let i = 0; i < count; ++i) values.push(read());
+  const count = whole();
+  const values = new Array(count);
+  for (let i = 0; i < count; ++i) values[i] = read();
   return values;
 }
 
@@ -58,22 +70,21 @@ const eye = () => ({
   heading: number(),
   look: number(),
 });
-const view = () => ({ scene: text(), map: text(), size: pair(), eye: eye(), fov: number() });
+const view = () => ({ scene: text(), map: text(), size: wholePair(), eye: eye(), fov: number() });
 
 const tile = () => {
-  ++next;
-  return [number(), number(), number(), text()];
+  return [whole(), whole(), number(), text()];
 };
-const filled = () => ({ what: text(), face: text(), first: number(), last: number() });
-const plane = () => ({ what: text(), map: text(), first: number(), last: number() });
+const filled = () => ({ what: text(), face: text(), first: whole(), last: whole() });
+const plane = () => ({ what: text(), map: text(), first: whole(), last: whole() });
 const hit = () => ({
   map: text(),
-  portals: number(),
-  tile: pair(),
-  level: number(),
+  portals: whole(),
+  tile: wholePair(),
+  level: whole(),
   blueprint: text(),
   face: text(),
-  point: pair(),
+  point: realPair(),
   rawDepth: number(),
   depth: number(),
   backDepth: number(),
@@ -87,39 +98,39 @@ const hit = () => ({
 });
 const object = () => ({
   map: text(),
-  portals: number(),
+  portals: whole(),
   sprite: text(),
-  point: pair(),
+  point: realPair(),
   bottom: number(),
   top: number(),
   width: number(),
   depth: number(),
-  first: number(),
-  last: number(),
+  first: whole(),
+  last: whole(),
 });
-const end = () => ({ map: text(), tile: pair() });
+const end = () => ({ map: text(), tile: wholePair() });
 const portal = () => ({
-  portals: number(),
+  portals: whole(),
   from: end(),
   to: end(),
-  turn: number(),
-  levels: number(),
+  turn: whole(),
+  levels: whole(),
   depth: number(),
-  first: number(),
-  last: number(),
+  first: whole(),
+  last: whole(),
 });
 const mirror = () => ({
   map: text(),
   height: number(),
-  strength: number(),
-  first: number(),
-  last: number(),
+  strength: whole(),
+  first: whole(),
+  last: whole(),
 });
 const slice = () => ({
-  column: number(),
+  column: whole(),
   horizonRow: number(),
   projectionDistance: number(),
-  ray: pair(),
+  ray: realPair(),
   tiles: list(tile),
   hits: list(hit),
   planes: list(plane),
@@ -134,8 +145,8 @@ export const readHits = () => ({ ...view(), ...slice() });
 
 const walked = () => ({
   map: text(),
-  portals: number(),
-  tile: pair(),
+  portals: whole(),
+  tile: wholePair(),
   axis: text(),
   distance: number(),
   speed: number(),
@@ -144,25 +155,25 @@ const walked = () => ({
   next: pair(),
 });
 const texel = () => ({
-  row: number(),
+  row: whole(),
   depth: number(),
-  detail: number(),
-  size: pair(),
-  u: number(),
-  v: number(),
-  light: number(),
-  fog: number(),
+  detail: whole(),
+  size: wholePair(),
+  u: whole(),
+  v: whole(),
+  light: whole(),
+  fog: whole(),
 });
 const run = () => ({
   what: text(),
   map: text(),
-  portals: number(),
-  hit: number(),
-  object: number(),
+  portals: whole(),
+  hit: index(),
+  object: index(),
   face: text(),
   texture: text(),
-  first: number(),
-  last: number(),
+  first: whole(),
+  last: whole(),
   layer: flag(),
   texels: list(texel),
 });
@@ -179,31 +190,31 @@ export const readTrace = () => ({
 
 const castTile = () => ({
   map: text(),
-  portals: number(),
-  tile: pair(),
+  portals: whole(),
+  tile: wholePair(),
   axis: text(),
   distance: number(),
   next: pair(),
 });
 const castHit = () => ({
   map: text(),
-  portals: number(),
-  tile: pair(),
-  level: number(),
+  portals: whole(),
+  tile: wholePair(),
+  level: whole(),
   blueprint: text(),
   face: text(),
-  point: pair(),
+  point: realPair(),
   distance: number(),
   backDistance: number(),
   bottom: number(),
   top: number(),
 });
 const castPortal = () => ({
-  portals: number(),
+  portals: whole(),
   from: end(),
   to: end(),
-  turn: number(),
-  levels: number(),
+  turn: whole(),
+  levels: whole(),
   distance: number(),
 });
 
@@ -213,7 +224,7 @@ export const readCast = () => ({
   y: number(),
   z: number(),
   heading: number(),
-  ray: pair(),
+  ray: realPair(),
   tiles: list(castTile),
   hits: list(castHit),
   portals: list(castPortal),
@@ -223,20 +234,20 @@ export const readCast = () => ({
 // ---- src/session/pick.h
 
 export const readPick = () => ({
-  column: number(),
-  row: number(),
+  column: whole(),
+  row: whole(),
   what: text(),
   map: text(),
-  portals: number(),
-  tile: orNull(pair),
-  level: number(),
+  portals: whole(),
+  tile: orNull(wholePair),
+  level: index(),
   blueprint: text(),
   face: text(),
-  object: number(),
+  object: index(),
   texture: text(),
-  point: orNull(() => list(number)),
+  point: orNull(() => [...realPair(), number()]),
   depth: number(),
   texel: orNull(texel),
-  alpha: number(),
+  alpha: whole(),
   reflection: orNull(readPick),
 });
