@@ -254,7 +254,7 @@ test('I shows the frame rate', async (t) => {
   assert.equal(await page.isVisible('#rate'), false);
   await page.keyboard.press('i');
   await page.waitForFunction(() =>
-    /^[1-9]\d* fps · \d+\.\d ms$/.test(document.getElementById('rate').textContent),
+    /^[1-9]\d* fps · \d+\.\d ms · \d+ × \d+$/.test(document.getElementById('rate').textContent),
   );
   assert.equal(await page.isVisible('#rate'), true);
 });
