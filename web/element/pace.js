@@ -8,8 +8,9 @@
 // All times in milliseconds, on one clock.
 //
 // - Frames are judged in windows of half a second. Where they come later than the screen's
-//   interval, pixels go: as many as drawing took too long, or a few where drawing is not what took
-//   the time. Where a larger picture would leave room to spare for a whole second, it grows.
+//   interval, or are about to, pixels go: as many as drawing took too long, or a few where drawing
+//   is not what took the time. Where a larger picture would leave room to spare for a whole second,
+//   it grows.
 // - The scale goes from rung to rung of a ladder, each a few percent, so that nobody sees a leap.
 // - A larger picture that had to be given up again at once is tried later and later: no hunting.
 // - Where fewer pixels have not helped, something else keeps the page busy. Then the picture gets
@@ -32,6 +33,7 @@ const kRemembered = 8; // windows, from which the screen's interval is known
 
 const kLate = 1.2; // intervals of the screen, from frame to frame
 const kMostLate = 0.3; // of the frames of a window, that may be late: others use the machine, too
+const kTight = 0.92; // of the interval: drawing that takes as much is about to be late
 const kFull = 0.8; // of the interval, that drawing may take
 const kSpare = 0.72; // the same, with a larger picture, before it is tried
 const kLateShrink = 0.88; // of the pixels, where drawing is not what takes the time
@@ -139,7 +141,8 @@ export class Pace {
     const screen = this.#screenInterval();
     const interval = quantile(this.#intervals, 1 - kMostLate);
     const busy = quantile(this.#busy, 0.5);
-    if (interval > kLate * screen) this.#shrink(time, interval, busy, screen);
+    if (interval > kLate * screen || busy > kTight * screen)
+      this.#shrink(time, interval, busy, screen);
     else this.#grow(time, busy, screen);
   }
 
