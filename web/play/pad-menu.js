@@ -9,6 +9,7 @@ const kBack = 1;
 const kStart = 9;
 const kSteps = { 12: -1, 13: 1, 14: -1, 15: 1 }; // up, down, left, right
 const kSideways = [14, 15];
+const kPressesAcross = 30; // of a slider, about
 
 const kControls = 'a[href], button:not(:disabled), input:not(:disabled), select:not(:disabled)';
 
@@ -60,8 +61,10 @@ const find = (selector) => document.querySelector(selector);
 // Sets a slider or a list; false for what is neither.
 function turn(control, by) {
   if (control.type === 'range') {
-    if (by > 0) control.stepUp();
-    else control.stepDown();
+    const { min, max, step: width } = control;
+    const steps = Math.max(1, Math.round((max - min) / width / kPressesAcross));
+    if (by > 0) control.stepUp(steps);
+    else control.stepDown(steps);
   } else if (control.tagName === 'SELECT') {
     const last = control.options.length - 1;
     control.selectedIndex = Math.min(last, Math.max(0, control.selectedIndex + by));
