@@ -4,6 +4,7 @@
 
 #include "app/help_pages.h"
 #include "overlay/text.h"
+#include "session/hits_json.h"
 
 #include <algorithm>
 #include <array>
