@@ -80,22 +80,24 @@ const FrameReport& Renderer::report() const {
 SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options,
                            int width, int height, int column, int watchedRow) {
     SliceTrace one;
-    one.watchedRow = watchedRow;
-    traceInto(world, eye, options, width, height, {&column, 1}, one, [](SliceTrace&) {});
+    traceInto(world, eye, options, {width, height, {&column, 1}, watchedRow}, one,
+              [](SliceTrace&) {});
     return one;
 }
 
-void Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
-                     int height, std::span<const int> columns,
-                     const std::function<void(SliceTrace&)>& take) {
+void Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options,
+                     const TraceRequest& request, const std::function<void(SliceTrace&)>& take) {
     SliceTrace trace;
-    traceInto(world, eye, options, width, height, columns, trace, take);
+    traceInto(world, eye, options, request, trace, take);
 }
 
 // Each column in turn, in the memory of the one before.
 void Renderer::traceInto(const World& world, const Eye& eye, const RenderOptions& options,
-                         int width, int height, std::span<const int> columns, SliceTrace& trace,
+                         const TraceRequest& request, SliceTrace& trace,
                          const std::function<void(SliceTrace&)>& take) {
+    const auto [width, height, columns, watchedRow, reflections] = request;
+    trace.watchedRow = watchedRow;
+    trace.asksReflection = reflections;
     const bool canTrace = canDraw(world, eye, options, width, height);
     Scratch& s = *scratch_;
     std::optional<Frame> frame;

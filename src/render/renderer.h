@@ -22,7 +22,6 @@
 
 #include <functional>
 #include <memory>
-#include <span>
 
 namespace slicecast {
 
@@ -50,13 +49,12 @@ public:
                      int height, int column, int watchedRow = -1);
 
     // The same for many columns, one after another: what they share is worked out once.
-    void trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
-               int height, std::span<const int> columns,
-               const std::function<void(SliceTrace&)>& take);
+    void trace(const World& world, const Eye& eye, const RenderOptions& options,
+               const TraceRequest& request, const std::function<void(SliceTrace&)>& take);
 
 private:
-    void traceInto(const World& world, const Eye& eye, const RenderOptions& options, int width,
-                   int height, std::span<const int> columns, SliceTrace& trace,
+    void traceInto(const World& world, const Eye& eye, const RenderOptions& options,
+                   const TraceRequest& request, SliceTrace& trace,
                    const std::function<void(SliceTrace&)>& take);
 
     struct Scratch;

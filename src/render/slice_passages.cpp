@@ -154,6 +154,7 @@ void Slice::mirror(std::int32_t rise, int first, int last, int strength) {
 // Draws what the mirrors of this slice show into a column that stands upside down, and blends it
 // over them.
 void Slice::reflect() {
+    if (trace_ && !trace_->asksReflection) return;
     Pixel* const pixels = pixels_;
     SliceTrace* const trace = trace_;
     const int height = frame_.vistas.projection().height;

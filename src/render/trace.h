@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace slicecast {
@@ -130,7 +131,8 @@ struct SeenPoint {
 
 // Everything that one slice did, in the order in which it happened.
 struct SliceTrace {
-    int watchedRow = -1;  // asked for: the row of which `seen` tells; -1 for none
+    int watchedRow = -1;         // asked for: the row of which `seen` tells; -1 for none
+    bool asksReflection = true;  // asked for: what mirrors show
     int column = 0;
     double rayX = 0.0;  // the ground direction per unit of perpendicular depth
     double rayY = 0.0;
@@ -173,6 +175,15 @@ struct FrameReport {
     std::int64_t objectSlices = 0;  // columns of objects that were drawn
     std::int64_t rowsFilled =
         0;  // rows of slices: each once, and again for each see-through layer over it
+};
+
+// Which columns of a picture are traced, and how much of them is told.
+struct TraceRequest {
+    int width = 0;  // of the picture, pixels
+    int height = 0;
+    std::span<const int> columns = {};
+    int watchedRow = -1;      // see SliceTrace
+    bool reflections = true;  // without them the trace takes up to half the time
 };
 
 }  // namespace slicecast

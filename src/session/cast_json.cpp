@@ -55,7 +55,7 @@ void writeAll(Json& json, const World& world, const char* key, const std::vector
               void (*writeOne)(Json&, const World&, const Thing&)) {
     json.key(key).beginList(things.size());
     for (const Thing& thing : things) writeOne(json, world, thing);
-    json.endArray();
+    json.endList();
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ void writeFilled(Json& json, const World& world, const std::vector<FilledRows>& 
         writeRows(json, rows.first, rows.last);
         json.endObject();
     }
-    json.endArray();
+    json.endList();
 }
 
 template <typename Json>
@@ -186,7 +186,7 @@ void writeAll(Json& json, const World& world, const char* key, const std::vector
     json.line(1).key(key).beginList(things.size());
     for (const Thing& thing : things) writeOne(json.line(2), world, thing);
     if (!things.empty()) json.line(1);
-    json.endArray();
+    json.endList();
 }
 
 }  // namespace
@@ -239,10 +239,12 @@ void packHits(Session& session, const std::string& sceneName, int width, int hei
               std::span<const int> columns, PackedValues& packed) {
     PackedJson json(packed);
     json.beginList(columns.size());
-    session.trace(width, height, columns, [&](const SliceTrace& trace) {
+    const TraceRequest request = {
+        .width = width, .height = height, .columns = columns, .reflections = false};
+    session.trace(request, [&](const SliceTrace& trace) {
         writeColumn(json, session, sceneName, width, height, trace);
     });
-    json.endArray();
+    json.endList();
 }
 
 }  // namespace slicecast

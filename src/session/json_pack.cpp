@@ -3,9 +3,7 @@
 #include "session/json_text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace slicecast {
 
@@ -13,7 +11,7 @@ void PackedJson::grow() {
     packed_.numbers.resize(2 * packed_.count + 1024);
 }
 
-double PackedJson::indexOf(std::string_view text) {
+double PackedJson::indexOf(const char* text) {
     std::vector<std::string>& texts = packed_.texts;
     const auto known = std::find(texts.begin(), texts.end(), text);
     const auto index = static_cast<double>(known - texts.begin());
@@ -21,30 +19,22 @@ double PackedJson::indexOf(std::string_view text) {
     return index;
 }
 
-PackedJson& PackedJson::pack(double value) {
-    if (packed_.count == packed_.numbers.size()) grow();
-    packed_.numbers[packed_.count++] = value;
+PackedJson& PackedJson::beginList(std::size_t count) {
+    pack(static_cast<double>(count)).pack(0.0);
+    lists_[openLists_++] = packed_.count;
     return *this;
 }
 
-PackedJson& PackedJson::text(std::string_view value) {
-    PackedText& lately =
-        packedTexts_[reinterpret_cast<std::uintptr_t>(value.data()) / 4 % kPackedTexts];
-    if (lately.data != value.data() || lately.size != value.size())
-        lately = {value.data(), value.size(), indexOf(value)};
+PackedJson& PackedJson::endList() {
+    const std::size_t begin = lists_[--openLists_];
+    packed_.numbers[begin - 1] = static_cast<double>(packed_.count - begin);
+    return *this;
+}
+
+PackedJson& PackedJson::text(const char* value) {
+    PackedText& lately = packedTexts_[reinterpret_cast<std::uintptr_t>(value) / 4 % kPackedTexts];
+    if (lately.data != value) lately = {value, indexOf(value)};
     return pack(lately.index);
-}
-
-PackedJson& PackedJson::number(double value) {
-    return std::isfinite(value) ? pack(value) : null();
-}
-
-PackedJson& PackedJson::pair(double a, double b) {
-    return number(a).number(b);
-}
-
-PackedJson& PackedJson::null() {
-    return pack(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace slicecast

@@ -15,7 +15,7 @@
 //     number              itself; NaN where JSON has null
 //     text                its index in PackedValues::texts; NaN for null
 //     true, false         1, 0
-//     list                how many elements it has, and then those
+//     list                how many elements it has, how many numbers those are, and then those
 //     tuple               its elements: their number is known
 //     object              its members' values; keys are left out
 //
@@ -23,6 +23,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,7 +49,8 @@ public:
     JsonText& beginArray() { return open('['); }
     JsonText& beginList(std::size_t) { return open('['); }  // of so many elements
     JsonText& beginTuple() { return open('['); }
-    JsonText& endArray() { return close(']'); }
+    JsonText& endList() { return close(']'); }
+    JsonText& endArray() { return close(']'); }  // also of a tuple
     JsonText& key(std::string_view name);
     JsonText& text(std::string_view value);  // UTF-8
     JsonText& number(
@@ -81,32 +83,44 @@ public:
 
     PackedJson& beginObject() { return *this; }
     PackedJson& endObject() { return *this; }
-    PackedJson& beginList(std::size_t count) { return pack(static_cast<double>(count)); }
+    PackedJson& beginList(std::size_t count);
+    PackedJson& endList();
     PackedJson& beginTuple() { return *this; }
     PackedJson& endArray() { return *this; }
-    PackedJson& key(std::string_view) { return *this; }
-    PackedJson& text(std::string_view value);
-    PackedJson& number(double value);
-    PackedJson& pair(double a, double b);
+    PackedJson& key(const char*) { return *this; }
+    PackedJson& text(const char* value);  // ends with a 0
+    PackedJson& text(const std::string& value) { return text(value.c_str()); }
+    __attribute__((always_inline)) PackedJson& number(double value) {
+        return pack(value - value == 0.0 ? value : kNull);
+    }
+    PackedJson& pair(double a, double b) { return number(a).number(b); }
     PackedJson& yesNo(bool value) { return pack(value ? 1.0 : 0.0); }
-    PackedJson& null();
+    PackedJson& null() { return pack(kNull); }
     PackedJson& line(int) { return *this; }
 
 private:
-    PackedJson& pack(double value);
+    // Inlined always: it runs a million times for all columns of a picture.
+    __attribute__((always_inline)) PackedJson& pack(double value) {
+        if (packed_.count == packed_.numbers.size()) grow();
+        packed_.numbers[packed_.count++] = value;
+        return *this;
+    }
     void grow();
-    double indexOf(std::string_view text);
+    static constexpr double kNull = std::numeric_limits<double>::quiet_NaN();
+    double indexOf(const char* text);
 
     // Texts that were packed lately, by where they stand in memory.
     struct PackedText {
         const char* data = nullptr;
-        std::size_t size = 0;
         double index = 0.0;
     };
     static constexpr std::size_t kPackedTexts = 64;
+    static constexpr std::size_t kDeepestList = 8;
 
     PackedValues& packed_;
     PackedText packedTexts_[kPackedTexts];
+    std::size_t lists_[kDeepestList];  // where the elements of the open lists begin
+    std::size_t openLists_ = 0;
 };
 
 }  // namespace slicecast

@@ -346,19 +346,21 @@ SliceTrace Session::trace(int width, int height, int column, int watchedRow) {
     return traceFrom(eye(), width, height, column, watchedRow);
 }
 
-void Session::trace(int width, int height, std::span<const int> columns,
-                    const std::function<void(SliceTrace&)>& take) {
+void Session::trace(const TraceRequest& request, const std::function<void(SliceTrace&)>& take) {
     // Neighbours of one method are traced together.
-    const int old = classicColumns(width);
+    TraceRequest together = request;
+    std::span<const int> columns = request.columns;
+    const int old = classicColumns(request.width);
     const auto isOld = [old](int column) { return column < old; };
     while (!columns.empty()) {
         const auto exactEnd = std::find_if(columns.begin(), columns.end(), isOld);
         const auto count = static_cast<std::size_t>(exactEnd - columns.begin());
         if (count > 0) {
-            renderer_.trace(world_, eye(), options_.render, width, height, columns.first(count),
-                            take);
+            together.columns = columns.first(count);
+            renderer_.trace(world_, eye(), options_.render, together, take);
         } else {
-            SliceTrace slice = traceFrom(eye(), width, height, columns.front());
+            SliceTrace slice = traceFrom(eye(), request.width, request.height, columns.front(),
+                                         request.watchedRow);
             take(slice);
         }
         columns = columns.subspan(std::max<std::size_t>(count, 1));

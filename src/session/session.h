@@ -120,8 +120,7 @@ public:
     // Everything that one column of a picture of that size does, by the method that draws it.
     SliceTrace trace(int width, int height, int column, int watchedRow = -1);
     // The same for many of them, which takes far less time than one after another.
-    void trace(int width, int height, std::span<const int> columns,
-               const std::function<void(SliceTrace&)>& take);
+    void trace(const TraceRequest& request, const std::function<void(SliceTrace&)>& take);
     // What it takes to draw a picture of that size, overlays apart; all 0 where it cannot be drawn.
     // Of a comparison, the exact method's part.
     FrameReport measure(int width, int height);

@@ -128,7 +128,7 @@ void writeRun(Json& json, const World& world, const FilledRows& rows) {
         writeTexel(json, world, rows, rows.top, rows.first);
         writeTexel(json, world, rows, rows.bottom, rows.last - 1);
     }
-    json.endArray().endObject();
+    json.endList().endObject();
 }
 
 template <typename Json>
@@ -137,9 +137,9 @@ void writeSlice(Json& json, const Session& session, const SliceTrace& trace) {
     json.line(1).key("walk").beginList(trace.tiles.size());
     for (const WalkedTile& tile : trace.tiles)
         writeTile(json.line(2), session.world(), tile, trace.projectionDistance);
-    json.endArray().line(1).key("runs").beginList(trace.filled.size());
+    json.endList().line(1).key("runs").beginList(trace.filled.size());
     for (const FilledRows& rows : trace.filled) writeRun(json.line(2), session.world(), rows);
-    json.endArray();
+    json.endList();
 }
 
 // One number for each column.
@@ -245,10 +245,10 @@ void packTraces(Session& session, const std::string& sceneName, int width, int h
                 std::span<const int> columns, PackedValues& packed) {
     PackedJson json(packed);
     json.beginList(columns.size());
-    session.trace(width, height, columns, [&](const SliceTrace& trace) {
+    session.trace({width, height, columns}, [&](const SliceTrace& trace) {
         writeTrace(json, session, sceneName, width, height, trace);
     });
-    json.endArray();
+    json.endList();
 }
 
 std::string frameTraceJson(Session& session, const std::string& sceneName, int width, int height) {
@@ -259,7 +259,9 @@ std::string frameTraceJson(Session& session, const std::string& sceneName, int w
         columns[static_cast<std::size_t>(column)] = column;
     double horizonRow = 0.0;
     double projectionDistance = 0.0;
-    session.trace(width, height, columns, [&](const SliceTrace& slice) {
+    const TraceRequest request = {
+        .width = width, .height = height, .columns = columns, .reflections = false};
+    session.trace(request, [&](const SliceTrace& slice) {
         sums.add(slice);
         horizonRow = slice.horizonRow;
         projectionDistance = slice.projectionDistance;

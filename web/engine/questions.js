@@ -8,7 +8,7 @@
 
 import { withBytes } from './module-memory.js';
 import { unknown } from './nearest-name.js';
-import { list, readCast, readHits, readPacked, readPick, readTrace } from './read-packed.js';
+import { readCast, readColumns, readHits, readPacked, readPick, readTrace } from './read-packed.js';
 
 const kColumnsAtOnce = 16; // a few hundred KB of the module's memory
 const kMostColumns = 8192; // as the engine's pictures
@@ -56,7 +56,16 @@ export class Questions {
           name === 'heading' ? 'degrees' : `a number from -${limit} to ${limit}`,
         );
     }
-    return this.#packed('cast', readCast, this.#mapIndex('cast', map), x, y, z ?? NaN, heading);
+    return this.#packed(
+      readPacked,
+      'cast',
+      readCast,
+      this.#mapIndex('cast', map),
+      x,
+      y,
+      z ?? NaN,
+      heading,
+    );
   }
 
   // null outside of the picture.
@@ -66,7 +75,15 @@ export class Questions {
     }
     const isInside = column >= 0 && column < width && row >= 0 && row < height;
     return isInside
-      ? this.#packed('pick', readPick, width, height, Math.floor(column), Math.floor(row))
+      ? this.#packed(
+          readPacked,
+          'pick',
+          readPick,
+          width,
+          height,
+          Math.floor(column),
+          Math.floor(row),
+        )
       : null;
   }
 
@@ -124,7 +141,7 @@ export class Questions {
     for (let i = 0; i < valid.length; i += kColumnsAtOnce) {
       const part = Int32Array.from(valid.slice(i, i + kColumnsAtOnce));
       withBytes(this.#module, new Uint8Array(part.buffer), (at) => {
-        const told = this.#packed(method, () => list(read), width, height, at, part.length);
+        const told = this.#packed(readColumns, method, read, width, height, at, part.length);
         answers.push(...(told ?? []));
       });
     }
@@ -150,11 +167,11 @@ export class Questions {
     return JSON.parse(this.#text(this.#call(name, ...words)));
   }
 
-  #packed(name, read, ...words) {
+  #packed(readAll, name, read, ...words) {
     const at = this.#call(name, ...words);
     if (at === 0) return null;
     const texts = this.#json('texts');
-    return readPacked(this.#numbers(at), texts, read);
+    return readAll(this.#numbers(at), texts, read);
   }
 }
 

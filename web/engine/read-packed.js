@@ -1,16 +1,31 @@
 // Reads what the engine has packed (src/session/json_text.h): numbers one after another, in the
 // order in which the headers of src/session list the members of each object.
 //
-//     const hits = readPacked(numbers, texts, readHits);      // numbers: a Float64Array
+//     const answer = readPacked(numbers, texts, readCast);    // numbers: a Float64Array
+//     const slices = readColumns(numbers, texts, readHits);
+//
+// All columns of a picture may have a hundred thousand things to tell, of which a figure wants a
+// few: the lists of each column are made when they are first read.
 
 let numbers;
 let texts;
 let next;
+let isLazy;
 
 export function readPacked(packed, itsTexts, read) {
+  return readFrom(packed, itsTexts, 0, read);
+}
+
+export function readColumns(packed, itsTexts, read) {
+  const own = packed.slice(0, 2 + packed[1]); // the engine's memory is written anew
+  return readFrom(own, itsTexts, 0, () => list(read), own[0] > 1);
+}
+
+function readFrom(packed, itsTexts, first, read, lazily = false) {
   numbers = packed;
   texts = itsTexts;
-  next = 0;
+  next = first;
+  isLazy = lazily;
   const answer = read();
   numbers = null;
   return answer;
@@ -47,11 +62,35 @@ const wholePair = () => [whole(), whole()];
 const realPair = () => [numbers[next++], numbers[next++]];
 const pair = () => [number(), number()];
 
-export function list(read) {
+function list(read) {
   const count = whole();
+  ++next;
   const values = new Array(count);
   for (let i = 0; i < count; ++i) values[i] = read();
   return values;
+}
+
+// Gives `told` lists of its own, each a pair of a name and what reads one element.
+function lists(told, readers) {
+  for (const [name, read] of Object.entries(readers)) {
+    if (isLazy) {
+      listLater(told, name, read);
+    } else {
+      told[name] = list(read);
+    }
+  }
+}
+
+function listLater(told, name, read) {
+  const [packed, itsTexts, first] = [numbers, texts, next];
+  next += 2 + packed[first + 1];
+  const set = (value) => {
+    const kept = { value, writable: true, enumerable: true, configurable: true };
+    Object.defineProperty(told, name, kept);
+    return value;
+  };
+  const get = () => set(readFrom(packed, itsTexts, first, () => list(read)));
+  Object.defineProperty(told, name, { get, set, enumerable: true, configurable: true });
 }
 
 function orNull(read) {
@@ -126,20 +165,24 @@ const mirror = () => ({
   first: whole(),
   last: whole(),
 });
-const slice = () => ({
-  column: whole(),
-  horizonRow: number(),
-  projectionDistance: number(),
-  ray: realPair(),
-  tiles: list(tile),
-  hits: list(hit),
-  planes: list(plane),
-  objects: list(object),
-  portals: list(portal),
-  mirrors: list(mirror),
-});
+const kHitLists = {
+  tiles: tile,
+  hits: hit,
+  planes: plane,
+  objects: object,
+  portals: portal,
+  mirrors: mirror,
+};
+const slice = (told, itsLists) => {
+  told.column = whole();
+  told.horizonRow = number();
+  told.projectionDistance = number();
+  told.ray = realPair();
+  lists(told, itsLists);
+  return told;
+};
 
-export const readHits = () => ({ ...view(), ...slice() });
+export const readHits = () => slice(view(), kHitLists);
 
 // ---- src/session/trace_json.h
 
@@ -177,14 +220,13 @@ const run = () => ({
   layer: flag(),
   texels: list(texel),
 });
-const work = () => ({ walk: list(walked), runs: list(run) });
+const kTraceLists = { ...kHitLists, walk: walked, runs: run };
 
-export const readTrace = () => ({
-  ...view(),
-  ...slice(),
-  ...work(),
-  reflection: orNull(() => ({ ...slice(), ...work() })),
-});
+export const readTrace = () => {
+  const told = slice(view(), kTraceLists);
+  told.reflection = orNull(() => slice({}, kTraceLists));
+  return told;
+};
 
 // ---- src/session/cast_json.h
 
