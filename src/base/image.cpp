@@ -76,7 +76,8 @@ std::int64_t pixelsOfPng(std::span<const std::uint8_t> bytes) {
     return std::int64_t{width} * height;
 }
 
-DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight) {
+DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight,
+                       bool blank) {
     constexpr std::uint8_t kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     if (bytes.size() < sizeof kSignature ||
         std::memcmp(bytes.data(), kSignature, sizeof kSignature) != 0)
@@ -96,6 +97,7 @@ DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int ma
                 words("is ", width, "x", height, " pixels; at most ", maxWidth, "x", maxHeight,
                       " are read")};
     }
+    if (blank) return {Image(width, height), {}};
     stbi_uc* decoded = stbi_load_from_memory(bytes.data(), length, &width, &height, &channels, 4);
     if (!decoded) return {{}, words("is a damaged PNG file (", stbi_failure_reason(), ")")};
     Image image;

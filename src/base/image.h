@@ -44,8 +44,9 @@ struct DecodedImage {
 std::int64_t pixelsOfPng(std::span<const std::uint8_t> bytes);
 
 // Reads a PNG of at most maxWidth x maxHeight pixels; the size is checked before any pixel memory
-// is taken.
-DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight);
+// is taken. With `blank` it gives an image of that size, for pixels that somebody else has.
+DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight,
+                       bool blank = false);
 
 // Bytes as the compressed data of a PNG file (zlib, RFC 1950).
 std::vector<std::uint8_t> compressed(std::span<const std::uint8_t> bytes);

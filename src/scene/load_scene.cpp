@@ -159,12 +159,13 @@ void widenObjects(const World& world, Map& map) {
 
 }  // namespace
 
-void EarlyImages::decode(const std::string& name, std::span<const std::uint8_t> bytes) {
+std::span<Pixel> EarlyImages::decode(const std::string& name, std::span<const std::uint8_t> bytes,
+                                     bool blank) {
     // What is wrong with others is found when it is known what they are for.
-    if (texels_ + pixelsOfPng(bytes) > kMaxSceneTexels) return;
-    Image image = decodePng(bytes, kMaxPanoramaWidth, kMaxPanoramaHeight).image;
+    if (texels_ + pixelsOfPng(bytes) > kMaxSceneTexels) return {};
+    Image image = decodePng(bytes, kMaxPanoramaWidth, kMaxPanoramaHeight, blank).image;
     texels_ += static_cast<std::int64_t>(image.pixels.size());
-    images_[name] = std::move(image);
+    return (images_[name] = std::move(image)).pixels;
 }
 
 Image EarlyImages::take(const std::string& name) {

@@ -71,7 +71,10 @@ using SceneFiles = std::map<std::string, std::vector<std::uint8_t>>;
 // Images that are decoded while other files are still on their way, as far as they are images.
 class EarlyImages {
 public:
-    void decode(const std::string& name, std::span<const std::uint8_t> bytes);
+    // Gives the pixels, none if it is no image. Who knows them already asks for `blank` ones, of
+    // the size that the bytes tell, and writes them.
+    std::span<Pixel> decode(const std::string& name, std::span<const std::uint8_t> bytes,
+                            bool blank = false);
     // An empty one if there is none, or no longer.
     Image take(const std::string& name);
 

@@ -52,6 +52,7 @@ struct SlicecastSession {
     PackedValues packed;
     double view[6] = {};
     double spot[4] = {};
+    uint32_t supplied[2] = {};
 
     Session* game() const { return ofProgram ? pageProgram().game() : own.get(); }
     void changed() const {
@@ -195,10 +196,15 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, cons
     return session->give(json.endObject().str());
 }
 
-EMSCRIPTEN_KEEPALIVE void slicecast_supply(SlicecastSession* session, const char* fileName,
-                                           const uint8_t* bytes, int32_t byteCount) {
-    session->files[fileName].assign(bytes, bytes + byteCount);
-    session->early.decode(fileName, session->files[fileName]);
+EMSCRIPTEN_KEEPALIVE const uint32_t* slicecast_supply(SlicecastSession* session,
+                                                      const char* fileName, const uint8_t* bytes,
+                                                      int32_t byteCount, int32_t blank) {
+    std::vector<std::uint8_t>& file = session->files[fileName];
+    file.assign(bytes, bytes + byteCount);
+    const std::span<Pixel> pixels = session->early.decode(fileName, file, blank != 0);
+    session->supplied[0] = static_cast<uint32_t>(reinterpret_cast<std::uintptr_t>(pixels.data()));
+    session->supplied[1] = static_cast<uint32_t>(pixels.size_bytes());
+    return session->supplied;
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {

@@ -79,10 +79,13 @@ SlicecastSession* slicecast_programSession(void);
 const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes,
                             const char* fileName);
 
-// Supplies the bytes of one of those files, whose picture is decoded at once. A file never supplied
-// becomes a fault ("could not be read").
-void slicecast_supply(SlicecastSession* session, const char* fileName, const uint8_t* bytes,
-                      int32_t byteCount);
+// Supplies the bytes of one of those files, whose picture is decoded at once. Gives where its
+// pixels are and how many bytes they have, R, G, B, A each; 0 where it is no picture, which is told
+// by slicecast_start. With `blank` 1 nothing is decoded: the caller knows the pixels of these very
+// bytes from another module, and writes them there. The place holds until the next call for the
+// same session. A file never supplied becomes a fault ("could not be read").
+const uint32_t* slicecast_supply(SlicecastSession* session, const char* fileName,
+                                 const uint8_t* bytes, int32_t byteCount, int32_t blank);
 
 // Builds the world and begins to play it. Gives {"faults": [...], "warnings": [...]}; with any
 // fault the game that ran before, if any, goes on, warnings keep nothing from playing. Options are

@@ -39,6 +39,22 @@ const watched = { prepare: (page) => page.addInitScript(watchPage) };
 
 const scriptsOf = (server) => server.asked.filter((path) => path.endsWith('.js')).sort();
 
+// In the page, before anything else: lists in `supplied` what engines get.
+function countDecoded() {
+  window.supplied = { decoded: [], known: [] };
+  const instantiate = WebAssembly.instantiate.bind(WebAssembly);
+  WebAssembly.instantiate = async (program, imports) => {
+    const { exports } = await instantiate(program, imports);
+    const supply = (session, name, at, length, blank) => {
+      const bytes = new Uint8Array(exports.memory.buffer).slice(name, name + 100);
+      const file = new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+      window.supplied[blank ? 'known' : 'decoded'].push(file);
+      return exports.slicecast_supply(session, name, at, length, blank);
+    };
+    return { exports: { ...exports, slicecast_supply: supply } };
+  };
+}
+
 // Nothing is scheduled any more.
 function atRest(page) {
   return until(page, () => window.watch.pending.size === 0 && document.readyState === 'complete');
@@ -112,6 +128,72 @@ test('several elements fetch each file once and compile once; each tells what it
     return document.querySelector('#late').whenReady();
   });
   assert.equal(server.asked.length, before);
+});
+
+test('a picture that one element has decoded is not decoded by another, whatever its scene', async (t) => {
+  const lazy = (scene) =>
+    `<ray-caster id="${scene}" scene="${scene}" loading="click" size="160x100" style="width: 160px"></ray-caster>`;
+  const { page, server } = await openGuest(t, browser, {
+    body: lazy('castle') + lazy('garden') + lazy('library'),
+    prepare: (newPage) => newPage.addInitScript(countDecoded),
+  });
+  // The files that an element's engine has decoded, and those that it has got as pixels.
+  const show = (id) =>
+    page.evaluate(async (which) => {
+      await customElements.whenDefined('ray-caster');
+      window.supplied = { decoded: [], known: [] };
+      await document.getElementById(which).whenReady();
+      return window.supplied;
+    }, id);
+  const castle = await show('castle');
+  assert.deepEqual(castle.known, []);
+  const garden = await show('garden');
+  assert.deepEqual(
+    garden.known.sort(),
+    [...garden.known, ...garden.decoded].filter((file) => castle.decoded.includes(file)).sort(),
+  );
+  assert.ok(garden.known.length > 15 && garden.decoded.length > 10);
+  // The last one to come finds what is there; then nothing is kept for anybody.
+  const library = await show('library');
+  assert.ok(library.known.some((file) => castle.decoded.includes(file)));
+  await page.evaluate(() =>
+    document
+      .querySelector('main')
+      .insertAdjacentHTML('beforeend', '<ray-caster id="late" scene="temple"></ray-caster>'),
+  );
+  const late = await show('late');
+  assert.deepEqual(late.known, []);
+  assert.ok(late.decoded.some((file) => castle.decoded.includes(file)));
+  const often = server.asked.filter((path, index) => server.asked.indexOf(path) !== index);
+  assert.deepEqual(often, []);
+
+  // What came as pixels looks like what was decoded.
+  const pixelsOf = (which) =>
+    which.evaluate((id) => [...document.getElementById(id).pixels().data], 'garden');
+  const alone = await openGuest(t, browser, { body: lazy('garden') });
+  await ready(alone.page);
+  assert.deepEqual(await pixelsOf(page), await pixelsOf(alone.page));
+});
+
+test('an element alone makes no copy of what it decodes, whatever it shows in turn', async (t) => {
+  const { page } = await openGuest(t, browser, {
+    body: kRoom,
+    prepare: (newPage) =>
+      newPage.addInitScript(() => {
+        window.copies = 0;
+        const { slice } = Uint8Array.prototype;
+        Uint8Array.prototype.slice = function count(...values) {
+          window.copies += 1;
+          return slice.apply(this, values);
+        };
+      }),
+  });
+  await ready(page);
+  await page.evaluate(() => {
+    document.querySelector('ray-caster').scene = 'other';
+  });
+  await until(page, () => document.querySelector('ray-caster').world?.title === 'The other room');
+  assert.equal(await page.evaluate(() => window.copies), 0);
 });
 
 test('what one steers by is fetched when somebody comes near, and by a bar after the picture', async (t) => {

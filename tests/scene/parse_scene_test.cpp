@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 
 namespace slicecast {
 namespace {
@@ -496,6 +497,31 @@ TEST(LoadScene, TakesImagesThatWereDecodedEarly) {
         EXPECT_EQ(loaded.world->textures[i].levels[0].texels,
                   expected.world->textures[i].levels[0].texels);
     }
+}
+
+TEST(LoadScene, TakesPixelsThatWereDecodedElsewhere) {
+    const ParsedScene parsed = parseScene(smallScene(), "test.json");
+    const SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
+    const LoadedScene expected = loadScene(parsed, files);
+    EarlyImages other;
+    EarlyImages early;
+    for (const auto& [name, bytes] : files) {
+        const std::span<const Pixel> pixels = other.decode(name, bytes);
+        const std::span<Pixel> blank = early.decode(name, bytes, true);
+        ASSERT_EQ(blank.size(), pixels.size());
+        ASSERT_FALSE(std::equal(pixels.begin(), pixels.end(), blank.begin()));
+        std::copy(pixels.begin(), pixels.end(), blank.begin());
+    }
+    const LoadedScene loaded = loadScene(parsed, files, std::move(early));
+    ASSERT_TRUE(loaded.world.has_value());
+    ASSERT_EQ(loaded.world->textures.size(), expected.world->textures.size());
+    for (std::size_t i = 0; i < loaded.world->textures.size(); ++i) {
+        EXPECT_EQ(loaded.world->textures[i].levels[0].texels,
+                  expected.world->textures[i].levels[0].texels);
+    }
+    const std::vector<std::uint8_t> noPicture = {1, 2, 3};
+    EXPECT_TRUE(other.decode("none.png", noPicture).empty());
+    EXPECT_TRUE(other.decode("none.png", noPicture, true).empty());
 }
 
 TEST(LoadScene, TellsTheFaultsOfImagesThatWereDecodedEarly) {

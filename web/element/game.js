@@ -8,7 +8,7 @@
 
 import { Engine } from '../engine/engine.js';
 import { faultOf, orFault } from './faults.js';
-import { players, sharedEngineFiles } from './page-cache.js';
+import { nowPlays, players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
 import { withReason } from '../engine/source-parts.js';
 import { sceneFault } from '../engine/trouble.js';
@@ -93,10 +93,10 @@ export class Game {
       this.#tour = recording;
       if (isNew) this.#take(engine, files.kind);
       this.#key = key;
-      players.set(engine, key);
+      nowPlays(engine, key);
     } catch (error) {
       if (isNew) engine.stop();
-      else if (wasPlayer && !isStale()) players.set(engine, this.#key); // it plays on
+      else if (wasPlayer && !isStale()) nowPlays(engine, this.#key); // it plays on
       throw error;
     }
     if (recording !== null) engine.replay();

@@ -1,27 +1,56 @@
 // What all elements of a page share: the engine is fetched and compiled once, each file that scenes
-// name is fetched once, and a scene that one of them plays is loaded once.
+// name is fetched once, its picture is decoded once, and a scene that one of them plays is loaded
+// once.
 //
 //     const release = holdCache();                                    // while an element is in the page
 //     const files = await sharedEngineFiles('auto', onBytes);         // for Engine.create({files, canvas})
 //     const bytes = await fetchOnce(address, onBytes);                // the same bytes for everybody: not to be written to
-//     players.set(engine, key);                                       // a further engine of that key can adopt its scene
+//     const pixels = pictures.get(bytes);                             // of a file's picture, if another engine has decoded it
+//     pictures.keep(bytes, pixels);                                   // copies them, if anybody may want them
+//     nowPlays(engine, key);                                          // a further engine of that key can adopt its scene
 //     release();
 //     forgetFiles();                                                  // before another try
 //
 // What has failed is forgotten, so that another try asks again. Files are kept while anybody holds
-// the cache; the compiled engine stays with the page.
+// the cache, pixels only until all of these play; the compiled engine stays with the page.
 
 import { browserHasWebAssembly, chooseBuild } from '../engine/builds.js';
 import { fetchEngine } from '../engine/engine-files.js';
 import { askAnew, fetchBytes } from '../engine/fetch-bytes.js';
 
+const kMostPixels = 16 << 20; // bytes: more than all shipped pictures have
+
 const engines = new Map();
 const files = new Map();
+const pixelsOf = new Map(); // a file's bytes -> its picture's pixels
+let pixelBytes = 0;
 let holders = 0;
 
 // The engines that play, with all that was asked of each: build, scene and tour. Who stops one
 // takes it out.
 export const players = new Map();
+
+export function nowPlays(engine, key) {
+  players.set(engine, key);
+  dropPixels();
+}
+
+// What engines have decoded, for other elements whose scenes are still to come. An element alone
+// keeps nothing.
+export const pictures = {
+  get: (bytes) => pixelsOf.get(bytes),
+  keep(bytes, pixels) {
+    if (holders - players.size < 2 || pixelBytes + pixels.length > kMostPixels) return;
+    pixelBytes += pixels.length;
+    pixelsOf.set(bytes, pixels.slice());
+  },
+};
+
+function dropPixels() {
+  if (players.size < holders) return;
+  pixelsOf.clear();
+  pixelBytes = 0;
+}
 
 // What fetchEngine gives, once per page and build.
 export function sharedEngineFiles(kind = 'auto', onBytes = () => {}) {
@@ -55,6 +84,7 @@ export function holdCache() {
     isHeld = false;
     holders -= 1;
     if (holders === 0) files.clear();
+    dropPixels();
   };
 }
 

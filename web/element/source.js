@@ -8,7 +8,7 @@
 import { finalAddress } from '../engine/fetch-bytes.js';
 import { kHome, reachable } from '../engine/home.js';
 import { bringRows } from './late.js';
-import { fetchOnce } from './page-cache.js';
+import { fetchOnce, pictures } from './page-cache.js';
 import { readSceneObject } from '../engine/scene-object.js';
 import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
 import { Trouble, coded } from '../engine/trouble.js';
@@ -199,6 +199,7 @@ function sceneFrom(address) {
   return {
     name: nameOf(address),
     address,
+    pictures,
     readText: () =>
       fetchFile(address).catch((error) => {
         throw new Trouble(
@@ -216,6 +217,7 @@ function sceneOf(name, read, addressOfFile) {
   return {
     name,
     address: null,
+    pictures,
     readText: async () => new TextEncoder().encode(await read()),
     ...filesBy((file, onBytes) => fetchFile(addressOfFile(file), onBytes)),
   };

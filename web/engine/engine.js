@@ -456,12 +456,7 @@ async function supplyFiles(
       report();
     });
     if (isOver || !isWanted()) return;
-    if (bytes !== null)
-      withBytes(module, bytes, (at) =>
-        withStrings(module, [name], (nameAt) =>
-          module._slicecast_supply(session, nameAt, at, bytes.length),
-        ),
-      );
+    if (bytes !== null) supplyFile(module, session, name, bytes, source.pictures);
     shares[index] = 1;
     report();
   };
@@ -471,6 +466,20 @@ async function supplyFiles(
   } finally {
     isOver = true;
   }
+}
+
+// What another engine has decoded is handed over. A file that is no picture has no pixels.
+function supplyFile(module, session, name, bytes, pictures) {
+  const known = pictures?.get(bytes);
+  const place = withBytes(module, bytes, (at) =>
+    withStrings(module, [name], (nameAt) =>
+      module._slicecast_supply(session, nameAt, at, bytes.length, known !== undefined),
+    ),
+  );
+  const [at, length] = new Uint32Array(module.HEAPU8.buffer, place, 2);
+  if (length === 0) return;
+  if (known === undefined) pictures?.keep(bytes, module.HEAPU8.subarray(at, at + length));
+  else module.HEAPU8.set(known, at);
 }
 
 // The world: {faults, warnings}. A file that could not be read becomes one, with the place that

@@ -4,6 +4,8 @@
 //     name               as it stands in messages
 //     readText()         the scene's bytes; throws a Trouble
 //     readFile(name)     the bytes of a file that the scene names, or null: `failures` then has the reason
+//     pictures           perhaps: get(bytes) gives the pixels of a file that another engine has decoded,
+//                        keep(bytes, pixels) hears of those that this one has
 //
 //     const source = { name: nameOf(address), readText, ...filesBy((file, onBytes) => fetchBytes(new URL(file, address), onBytes)) };
 //     faults.map((fault) => withReason(fault, source.failures));
