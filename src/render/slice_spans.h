@@ -97,19 +97,27 @@ inline constexpr std::size_t kMaxLayers = 4096;
 // walk's time.
 class SpanList {
 public:
-    void clear() { count_ = 0; }
+    void clear() { end_ = spans_.data(); }
     Span& add() {
-        if (count_ == spans_.size()) spans_.resize(2 * count_ + 64);
-        return spans_[count_++];
+        if (end_ == room_) grow();
+        return *end_++;
     }
-    std::size_t count() const { return count_; }
+    std::size_t count() const { return static_cast<std::size_t>(end_ - spans_.data()); }
     Span& operator[](std::size_t i) { return spans_[i]; }
     const Span* begin() const { return spans_.data(); }
-    const Span* end() const { return spans_.data() + count_; }
+    const Span* end() const { return end_; }
 
 private:
+    void grow() {
+        const std::size_t used = count();
+        spans_.resize(2 * used + 64);
+        end_ = spans_.data() + used;
+        room_ = spans_.data() + spans_.size();
+    }
+
     std::vector<Span> spans_;
-    std::size_t count_ = 0;
+    Span* end_ = nullptr;   // one past the last that is used
+    Span* room_ = nullptr;  // one past the last that is there
 };
 
 // What is found on the way of a column's rays. Memory is kept from slice to slice.

@@ -17,6 +17,43 @@ constexpr double kBeyond = 1.0 + 1.0 / 1099511627776.0;
 
 constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 
+// From a tile outside the grid, on one axis.
+bool leadsAway(int tile, int step, int size) {
+    return tile < 0 ? step <= 0 : tile >= size && step >= 0;
+}
+
+// Between which heights the rays of the open rows run.
+class OpenSlopes {
+public:
+    OpenSlopes(const Projection& projection, const OpenRows& open, double eyeHeight)
+        : highestEye_(eyeHeight + kSlack),
+          lowestEye_(eyeHeight - kSlack),
+          upper_(projection.horizon - open.first()),
+          lower_(projection.horizon - open.last()) {}
+
+    // A bit for each level that they come through in a tile.
+    __attribute__((always_inline)) std::uint32_t levelsReached(double entered, double left) const {
+        const double highest = highestEye_ + upper_ * (upper_ > 0.0 ? left : entered);
+        const double lowest = lowestEye_ + lower_ * (lower_ < 0.0 ? left : entered);
+        if (highest < 0.0 || lowest >= kMaxLevels) return 0;
+        // Rounded down: what lies exactly on a level's edge is meant a little to the other side of
+        // it, by the slack.
+        const int top = highest >= kMaxLevels
+                            ? kMaxLevels - 1
+                            : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
+        const int bottom = lowest <= 0.5 ? 0 : static_cast<int>(nearestInteger(lowest - 0.5));
+        return static_cast<std::uint32_t>((std::uint64_t{2} << top) - (std::uint64_t{1} << bottom));
+    }
+
+private:
+    static constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
+
+    double highestEye_;
+    double lowestEye_;
+    double upper_;
+    double lower_;
+};
+
 }  // namespace
 
 SliceWalk::SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report)
@@ -147,26 +184,13 @@ double SliceWalk::whereToStop() const {
                              vista_->inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
 }
 
-// Outside the grid, and not on the way to it.
-bool SliceWalk::isBeyondGrid(const GridWalk& walk) const {
-    const bool leavesX =
-        walk.tileX < 0 ? walk.stepX <= 0 : walk.tileX >= map_->width && walk.stepX >= 0;
-    const bool leavesY =
-        walk.tileY < 0 ? walk.stepY <= 0 : walk.tileY >= map_->depth && walk.stepY >= 0;
-    return leavesX || leavesY;
-}
-
 // Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open
 // row may meet.
 template <bool portals>
 SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     if (object_ != objectsEnd_) skipHiddenObjects();
-    constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
     const double stop = whereToStop();
-    const double highestEye = eyeHeight_ + kSlack;
-    const double lowestEye = eyeHeight_ - kSlack;
-    const double upper = projection_->horizon - open_.first();
-    const double lower = projection_->horizon - open_.last();
+    const OpenSlopes slopes(*projection_, open_, eyeHeight_);
     const TextureId* const floorTiles = map_->floor.tiles.data();
     const TextureId* const ceilingTiles = ceilingTiles_;
     const std::uint32_t* const occupiedTiles = map_->occupied.data();
@@ -189,7 +213,8 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
             static_cast<unsigned>(walk.tileY) >= depth) {
             // Outside the grid there is only the floor. The walk goes on while it may still come to
             // the grid.
-            if (isBeyondGrid(walk)) {
+            if (leadsAway(walk.tileX, walk.stepX, map_->width) ||
+                leadsAway(walk.tileY, walk.stepY, map_->depth)) {
                 pass = Pass::left;
                 break;
             }
@@ -207,24 +232,7 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
             }
         }
         reached = occupiedTiles[tile];
-        if (reached != 0) {
-            const double left = walk.left();
-            const double highest = highestEye + upper * (upper > 0.0 ? left : walk.entered);
-            const double lowest = lowestEye + lower * (lower < 0.0 ? left : walk.entered);
-            if (highest < 0.0 || lowest >= kMaxLevels) {
-                reached = 0;
-            } else {
-                // Rounded down: what lies exactly on a level's edge is meant a little to the other
-                // side of it, by the slack.
-                const int top = highest >= kMaxLevels
-                                    ? kMaxLevels - 1
-                                    : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
-                const int bottom =
-                    lowest <= 0.5 ? 0 : static_cast<int>(nearestInteger(lowest - 0.5));
-                reached &= static_cast<std::uint32_t>((std::uint64_t{2} << top) -
-                                                      (std::uint64_t{1} << bottom));
-            }
-        }
+        if (reached != 0) reached &= slopes.levelsReached(walk.entered, walk.left());
         if (reached != 0 || floorTiles[tile] != floorTexture ||
             (ceilingTiles && ceilingTiles[tile] != ceilingTexture) || walk.left() > objectAlong) {
             break;

@@ -83,7 +83,6 @@ private:
     }
     template <bool portals>
     Pass passTilesWith(bool leaveFirst);
-    bool isBeyondGrid(const GridWalk& walk) const;
     void meetTile();
     void meetStretch();
     void takeFloor(Border upTo);
