@@ -3,7 +3,6 @@
 #include "base/bits.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -14,8 +13,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // A walk that stops at a border must be past it for certain: by more than roundings.
 constexpr double kBeyond = 1.0 + 1.0 / 1099511627776.0;
-
-constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 
 // From a tile outside the grid, on one axis.
 bool leadsAway(int tile, int step, int size) {
