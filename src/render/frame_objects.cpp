@@ -53,8 +53,9 @@ void FrameObjects::beginFrame(const World& world, const Map& map, std::int64_t e
         shown.width = object.width.value();
         const std::vector<SpriteLevel>& levels =
             world.sprites[object.sprite].levelsAt(world.seconds);
-        shown.level = &levels[static_cast<std::size_t>(
-            detail.levelAt(seen.depth, levels[0].height, static_cast<int>(levels.size()) - 1))];
+        shown.detail =
+            detail.levelAt(seen.depth, levels[0].height, static_cast<int>(levels.size()) - 1);
+        shown.level = &levels[static_cast<std::size_t>(shown.detail)];
         const Shade shade = lighting.at(seen.depth, object.light, object.glow);
         shown.factor = shade.factor;
         shown.fog = shade.fog;

@@ -24,6 +24,7 @@ struct FrameObject {
     int firstRow = 0;  // where it appears: the rows [firstRow, lastRow)
     int lastRow = 0;
     const SpriteLevel* level = nullptr;
+    int detail = 0;  // which level of the sprite it is
     std::uint32_t factor = 256;
     std::uint32_t fog = 0;
     int index = 0;  // in the map

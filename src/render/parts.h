@@ -47,15 +47,8 @@ struct Part {
     Before before;
     int portals = 0;  // passed so far
     std::vector<OpenRows::Run> rows;
-};
-
-// Rows that show something in a mirror.
-struct MirrorRun {
-    std::size_t part = 0;     // whose rays met the mirror
-    std::int32_t height = 0;  // of the mirror above that part's viewpoint, 1/65536 units
-    int first = 0;
-    int last = 0;
-    std::uint32_t strength = 0;  // 1 to 255
+    int tiles = 0;              // that the walk has come through, the first among them
+    bool endsInPortal = false;  // the last of them is a portal, and nothing else was met in it
 };
 
 class Parts {
@@ -63,6 +56,7 @@ public:
     void clear() { used_ = 0; }
     std::size_t count() const { return used_; }
     Part& operator[](std::size_t i) { return parts_[i]; }
+    const Part& operator[](std::size_t i) const { return parts_[i]; }
 
     // Rows that go the same way share a part, if that has not begun: `begun` of them have.
     Part& find(Vista& vista, const GridWalk& walk, const HeightClip& clip, const Before& before,
@@ -83,6 +77,8 @@ public:
         part.before = before;
         part.portals = portals;
         part.rows.clear();
+        part.tiles = 0;
+        part.endsInPortal = false;
         return part;
     }
 

@@ -1,20 +1,22 @@
 #include "render/renderer.h"
 
-#include "base/sort.h"
 #include "render/frame.h"
-#include "render/slice.h"
+#include "render/slice_paint.h"
+#include "render/slice_trace.h"
+#include "render/slice_walk.h"
 #include "render/strip.h"
 
 #include <algorithm>
 #include <optional>
-#include <tuple>
 
 namespace slicecast {
 
 struct Renderer::Scratch {
     std::vector<FrameTexture> textures;
     Vistas vistas;
-    SliceMemory slice;
+    OpenRows open;
+    SliceSpans spans;
+    std::vector<Pixel> reflected;
     Strip strip;
     FrameReport report;
 };
@@ -37,21 +39,6 @@ bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, i
            width <= kMaxPictureSide && height <= kMaxPictureSide;
 }
 
-// Gives the blocks their rows, from the top, and the planes theirs.
-void shareOut(SliceTrace& trace) {
-    for (const FilledRows& rows : trace.filled) {
-        if (rows.hit >= 0) trace.hits[static_cast<std::size_t>(rows.hit)].filled.push_back(rows);
-        if (rows.hit < 0 && rows.object < 0) trace.planes.push_back(rows);
-    }
-    for (Hit& hit : trace.hits) {
-        if (hit.filled.size() < 2) continue;
-        mergeSort(hit.filled, [](const FilledRows& a, const FilledRows& b) {
-            return std::tie(a.first, a.last, a.what, a.face) <
-                   std::tie(b.first, b.last, b.what, b.face);
-        });
-    }
-}
-
 }  // namespace
 
 bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& options,
@@ -63,11 +50,15 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     s.report = {};
     s.strip.resize(picture.height);
     const Frame frame(world, eye, options, picture.width, picture.height, s.textures, s.vistas);
-    Slice slice(frame, s.slice, s.report);
+    SliceWalk walk(frame, s.open, s.report);
+    SlicePainter painter(frame, s.reflected, s.report);
     int columns = 0;
     for (int x = std::max(0, firstColumn); x < picture.width; x += columns) {
         columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
-        for (int c = 0; c < columns; ++c) slice.draw(x + c, s.strip.column(c), nullptr);
+        for (int c = 0; c < columns; ++c) {
+            walk.find(x + c, s.spans);
+            painter.paint(s.spans, s.strip.column(c));
+        }
         s.strip.copyTo(picture, x, columns);
     }
     return true;
@@ -101,19 +92,17 @@ void Renderer::traceInto(const World& world, const Eye& eye, const RenderOptions
     const bool canTrace = canDraw(world, eye, options, width, height);
     Scratch& s = *scratch_;
     std::optional<Frame> frame;
-    std::optional<Slice> slice;
+    std::optional<SliceWalk> walk;
     FrameReport report;
     if (canTrace) {
-        s.strip.resize(height);
         frame.emplace(world, eye, options, width, height, s.textures, s.vistas);
-        slice.emplace(*frame, s.slice, report);
+        walk.emplace(*frame, s.open, report);
     }
     for (const int column : columns) {
         trace.clear();
         if (canTrace && column >= 0 && column < width) {
-            slice->draw(column, s.strip.column(0), &trace);
-            shareOut(trace);
-            for (SliceTrace& reflection : trace.reflection) shareOut(reflection);
+            walk->find(column, s.spans, reflections);
+            traceSlice(*frame, s.spans, trace);
         }
         take(trace);
     }

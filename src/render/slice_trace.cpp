@@ -1,131 +1,245 @@
-// What a slice tells of itself, for those who ask.
-#include "render/slice.h"
+#include "render/slice_trace.h"
+
+#include "base/sort.h"
+#include "render/plane_points.h"
 
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace slicecast {
+namespace {
 
-FilledRows& Slice::traceRun(int level, FilledRows::What what, Face face, int first, int last,
-                            TextureId texture, bool layer) {
-    FilledRows rows;
-    rows.what = what;
-    rows.face = face;
-    rows.first = first;
-    rows.last = last;
-    rows.map = vista_->viewpoint.map;
-    rows.portals = portals_;
-    rows.layer = layer;
-    rows.texture = texture;
-    if (level != kNoLevel)
-        rows.hit = static_cast<int>(trace_->hits.size()) - std::popcount(tracedLevels_ >> level);
-    if (watches(first, last)) {
-        SeenPoint& point = trace_->seen.emplace_back();
-        point.run = static_cast<int>(trace_->filled.size());
-        point.texel.depth = std::numeric_limits<double>::infinity();
+using What = FilledRows::What;
+
+bool hasTexels(What what) {
+    return what == What::side || what == What::object;
+}
+
+bool isPlane(What what) {
+    return !hasTexels(what) && what != What::sky && what != What::haze;
+}
+
+// Of the upright column, or of the one that stands upside down.
+class Teller {
+public:
+    Teller(const Frame& frame, int column, const ColumnSpans& found, bool isUpright,
+           SliceTrace& trace)
+        : frame_(frame),
+          column_(column),
+          found_(found),
+          waterFogs_(isUpright ? frame.vistas.waterFogs() : nullptr),
+          trace_(trace) {}
+
+    void tell() {
+        for (std::size_t i = 0; i < found_.parts.count(); ++i) {
+            firstHits_.push_back(trace_.hits.size());
+            tellWay(found_.parts[i]);
+        }
+        firstHits_.push_back(trace_.hits.size());
+        for (const Span& span : found_.spans) tellSpan(span);
+        for (const PortalSpan& span : found_.portals)
+            trace_.portals.push_back(
+                {span.portal, span.portals, span.depth, span.first, span.last});
+        for (const MirrorSpan& span : found_.mirrors) {
+            const Viewpoint& from =
+                found_.parts[static_cast<std::size_t>(span.part)].vista->viewpoint;
+            trace_.mirrors.push_back({from.map,
+                                      static_cast<int>(span.strength),
+                                      {from.z + span.height},
+                                      span.first,
+                                      span.last});
+        }
     }
-    trace_->filled.push_back(rows);
-    return trace_->filled.back();
-}
 
-// The point that the watched row shows of the run that has just been told.
-void Slice::tracePoint(const TracedTexel& texel) {
-    SeenPoint& point = trace_->seen.back();
-    const double along = texel.depth / projection_->distance;
-    point.texel = texel;
-    point.x = eyeTileX_ + eyeFractionX_ + ray_.x * along;
-    point.y = eyeTileY_ + eyeFractionY_ + ray_.y * along;
-    point.z = eyeHeight_ + projection_->upwardSlope(trace_->watchedRow) * texel.depth;
-}
-
-// What is no side: the rows of a plane have just been gathered.
-void Slice::traceRows(int level, FilledRows::What what, Face face, int first, int last) {
-    if (what == FilledRows::What::sky || what == FilledRows::What::haze) {
-        traceRun(level, what, face, first, last, kNoTexture, false);
-    } else {
-        tracePlane(level, what, face,
-                   falling_.first <= first && last <= falling_.last ? falling_ : rising_, first,
-                   last, false);
+private:
+    // The way of a part, walked again: its tiles, and the blocks that stand in them.
+    void tellWay(const Part& part) {
+        const Vista& vista = *part.vista;
+        GridWalk walk = part.walk;
+        for (int tile = 0; tile < part.tiles; ++tile) {
+            if (tile > 0) walk.advance();
+            if (!vista.map->contains(walk.tileX, walk.tileY)) continue;
+            tellTile(part, walk);
+            if (part.endsInPortal && tile == part.tiles - 1) return;
+            std::uint32_t levels =
+                vista.map->occupied[vista.map->tileIndex(walk.tileX, walk.tileY)];
+            for (; levels != 0; levels &= levels - 1)
+                tellBlock(part, walk, std::countr_zero(levels));
+        }
     }
-}
 
-void Slice::tracePlane(int level, FilledRows::What what, Face face, const PlaneRun& run, int first,
-                       int last, bool layer) {
-    const Plane& plane = run.plane;
-    FilledRows& traced = traceRun(level, what, face, first, last, plane.texture, layer);
-    const FrameTexture& texture = frame_.textures[plane.texture];
-    const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
-    const PlaneLine line = {eyeFractionX_, eyeFractionY_, distance * ray_.x, distance * ray_.y,
-                            plane.southReversed};
-    const TileBox box = boxAround(run);
-    const auto texelAt = [&](int row) {
-        const double inverse = vista_->inverseOffsets[row];
-        const double depth = distance * projection_->distance * inverse;
-        const int detail = frame_.detail.levelAt(depth, texture.size, texture.last);
-        const TextureLevel& shown = texture.levels[detail];
-        const PlanePoint point = planePoint(line, box, inverse);
-        const int v = static_cast<int>(std::uint64_t{point.south} >> (32 - shown.bits));
-        const Shade shade = vista_->lighting.at(depth, plane.light, plane.glow);
-        return TracedTexel{depth,
-                           detail,
-                           static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits)),
-                           plane.southReversed ? shown.size - 1 - v : v,
-                           shade.factor,
-                           shade.fog};
-    };
-    traced.top = texelAt(first);
-    traced.bottom = texelAt(last - 1);
-    if (watches(first, last)) tracePoint(texelAt(trace_->watchedRow));
-    for (int row = first; row < last; ++row) {
-        ++traced.rowsOfDetail[static_cast<std::size_t>(
-            frame_.detail.levelAt(distance * projection_->distance * vista_->inverseOffsets[row],
-                                  texture.size, texture.last))];
+    void tellTile(const Part& part, const GridWalk& walk) {
+        const Crossing border = walk.enter();
+        trace_.tiles.push_back({part.vista->viewpoint.map, walk.tileX, walk.tileY,
+                                walk.entered * part.vista->projection->distance, part.portals,
+                                walk.hasEntered(), border.alongX, walk.entered, border.distance,
+                                border.speed, walk.nextAlongX(), walk.nextAlongY()});
     }
-}
 
-// An object's column of texels, `u` of it; positions as drawObject counts them.
-void Slice::traceObject(const FrameObject& object, int u, std::uint64_t start, std::uint64_t step,
-                        int first, int last) {
-    const SpriteId sprite = map_->objects[static_cast<std::size_t>(object.index)].sprite;
-    FilledRows& rows =
-        traceRun(kNoLevel, FilledRows::What::object, Face::top, first, last, sprite, true);
-    rows.object = static_cast<int>(trace_->objects.size());
-    const int detail = static_cast<int>(
-        object.level - frame_.world->sprites[sprite].levelsAt(frame_.world->seconds).data());
-    const auto texelAt = [&](int row) {
-        return TracedTexel{
-            object.depth,
-            detail,
-            u,
-            static_cast<int>((start + static_cast<std::uint64_t>(row - first) * step) >> 32),
-            object.factor,
-            fogOf(object.fog, row)};
-    };
-    rows.top = texelAt(first);
-    rows.bottom = texelAt(last - 1);
-    if (watches(first, last)) tracePoint(texelAt(trace_->watchedRow));
-    rows.rowsOfDetail[static_cast<std::size_t>(detail)] = static_cast<std::uint16_t>(last - first);
-    trace_->objects.push_back(
-        {vista_->viewpoint.map, portals_, object.index, object.depth, first, last});
-}
+    void tellBlock(const Part& part, const GridWalk& walk, int level) {
+        const Vista& vista = *part.vista;
+        const Projection& projection = *vista.projection;
+        const GroundDirection ray = vista.ray(column_);
+        const Crossing enter = walk.enter();
+        Hit& hit = trace_.hits.emplace_back();
+        hit.map = vista.viewpoint.map;
+        hit.portals = part.portals;
+        hit.tileX = walk.tileX;
+        hit.tileY = walk.tileY;
+        hit.level = level;
+        hit.blueprint = vista.map->cell(walk.tileX, walk.tileY, level);
+        hit.entered = enter.along > 0.0;
+        hit.face = enteredFace(enter);
+        hit.depth = enter.along * projection.distance;
+        hit.backDepth = walk.leave().along * projection.distance;
+        hit.x = vista.viewpoint.tileX() + vista.viewpoint.fractionX() + ray.x * enter.along;
+        hit.y = vista.viewpoint.tileY() + vista.viewpoint.fractionY() + ray.y * enter.along;
+        hit.rawDepth = enter.along * std::sqrt(ray.x * ray.x + ray.y * ray.y);
+        const CellBlueprint& blueprint = frame_.world->blueprints[hit.blueprint];
+        hit.bottom = tileEdge(level) + blueprint.bottom;
+        hit.top = tileEdge(level) + blueprint.top;
+        const auto rowOf = [&](Coordinate height, double depth) {
+            const Coordinate rise{height.raw - vista.viewpoint.z};
+            return rise.raw == 0 ? projection.horizon : projection.rowOf(rise.value(), depth);
+        };
+        hit.topFrontRow = rowOf(hit.top, hit.depth);
+        hit.bottomFrontRow = rowOf(hit.bottom, hit.depth);
+        hit.topBackRow = rowOf(hit.top, hit.backDepth);
+        hit.bottomBackRow = rowOf(hit.bottom, hit.backDepth);
+    }
 
-SliceTrace& Slice::traceReflection() {
-    SliceTrace& reflection = trace_->reflection.emplace_back();
-    reflection.column = column_;
-    reflection.rayX = trace_->rayX;
-    reflection.rayY = trace_->rayY;
-    reflection.horizonRow = trace_->horizonRow;
-    reflection.projectionDistance = trace_->projectionDistance;
-    // The column stands upside down until turnUpright.
-    if (trace_->watchedRow >= 0)
-        reflection.watchedRow = frame_.vistas.projection().height - 1 - trace_->watchedRow;
-    return reflection;
-}
+    int hitOf(const Span& span) const {
+        if (span.level == kNoLevel) return -1;
+        const auto part = static_cast<std::size_t>(span.part);
+        for (std::size_t i = firstHits_[part]; i < firstHits_[part + 1]; ++i) {
+            const Hit& hit = trace_.hits[i];
+            if (hit.tileX == span.tiles.fromX && hit.tileY == span.tiles.fromY &&
+                hit.level == span.level)
+                return static_cast<int>(i);
+        }
+        return -1;
+    }
 
-// Of what was drawn upside down.
-void Slice::turnUpright(SliceTrace& trace, int height) {
+    void tellSpan(const Span& span) {
+        FilledRows rows;
+        rows.what = span.what;
+        rows.face = span.face;
+        rows.first = span.first;
+        rows.last = span.last;
+        rows.map = span.vista->viewpoint.map;
+        rows.portals = span.portals;
+        rows.hit = hitOf(span);
+        rows.layer = span.layer;
+        if (span.what == What::object) {
+            rows.object = static_cast<int>(trace_.objects.size());
+            trace_.objects.push_back(
+                {rows.map, span.portals, span.object, span.column.depth, span.first, span.last});
+        }
+        const bool isWatched = span.first <= trace_.watchedRow && trace_.watchedRow < span.last;
+        if (isWatched) {
+            SeenPoint& point = trace_.seen.emplace_back();
+            point.run = static_cast<int>(trace_.filled.size());
+            point.texel.depth = std::numeric_limits<double>::infinity();
+        }
+        if (hasTexels(span.what)) {
+            tellTexels(span, rows, isWatched);
+        } else if (isPlane(span.what)) {
+            tellPlane(span, rows, isWatched);
+        }
+        trace_.filled.push_back(rows);
+    }
+
+    void tellTexels(const Span& span, FilledRows& rows, bool isWatched) {
+        const TexelColumn& column = span.column;
+        rows.texture = span.plane.texture;
+        const auto texelAt = [&](int row) {
+            const std::uint64_t position =
+                column.start + static_cast<std::uint64_t>(row - span.first) * column.step;
+            const std::uint32_t fog = waterFogs_ == nullptr
+                                          ? column.fog
+                                          : std::min<std::uint32_t>(column.fog, waterFogs_[row]);
+            return TracedTexel{column.depth,       column.detail,
+                               columnNumber(span), static_cast<int>(position >> column.shift),
+                               column.factor,      fog};
+        };
+        rows.top = texelAt(span.first);
+        rows.bottom = texelAt(span.last - 1);
+        if (isWatched) tellPoint(span, texelAt(trace_.watchedRow));
+        rows.rowsOfDetail[static_cast<std::size_t>(column.detail)] =
+            static_cast<std::uint16_t>(span.last - span.first);
+    }
+
+    // Which column of texels it is, from the left.
+    int columnNumber(const Span& span) const {
+        const auto detail = static_cast<std::size_t>(span.column.detail);
+        if (span.what == What::object) {
+            const World& world = *frame_.world;
+            const SpriteLevel& level =
+                world.sprites[span.plane.texture].levelsAt(world.seconds)[detail];
+            return static_cast<int>((span.column.texels - level.texels.data()) / level.height);
+        }
+        const TextureLevel& level = frame_.textures[span.plane.texture].levels[detail];
+        return static_cast<int>((span.column.texels - level.texels.data()) >> level.bits);
+    }
+
+    void tellPlane(const Span& span, FilledRows& rows, bool isWatched) {
+        const Plane& plane = span.plane;
+        const Vista& vista = *span.vista;
+        const FrameTexture& texture = frame_.textures[plane.texture];
+        const PlanePoints points(vista, vista.ray(column_), plane, span.tiles);
+        const auto detailAt = [&](int row) {
+            return frame_.detail.levelAt(points.depthPerInverse * vista.inverseOffsets[row],
+                                         texture.size, texture.last);
+        };
+        const auto texelAt = [&](int row) {
+            const double inverse = vista.inverseOffsets[row];
+            const double depth = points.depthPerInverse * inverse;
+            const int detail = detailAt(row);
+            const TextureLevel& shown = texture.levels[detail];
+            const PlanePoints::Point point = points.at(inverse);
+            const int v = static_cast<int>(std::uint64_t{point.south} >> (32 - shown.bits));
+            const Shade shade = vista.lighting.at(depth, plane.light, plane.glow);
+            return TracedTexel{depth,
+                               detail,
+                               static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits)),
+                               plane.southReversed ? shown.size - 1 - v : v,
+                               shade.factor,
+                               shade.fog};
+        };
+        rows.texture = plane.texture;
+        rows.top = texelAt(span.first);
+        rows.bottom = texelAt(span.last - 1);
+        if (isWatched) tellPoint(span, texelAt(trace_.watchedRow));
+        for (int row = span.first; row < span.last; ++row)
+            ++rows.rowsOfDetail[static_cast<std::size_t>(detailAt(row))];
+    }
+
+    // The point that the watched row shows.
+    void tellPoint(const Span& span, const TracedTexel& texel) {
+        const Vista& vista = *span.vista;
+        const GroundDirection ray = vista.ray(column_);
+        const double along = texel.depth / vista.projection->distance;
+        SeenPoint& point = trace_.seen.back();
+        point.texel = texel;
+        point.x = vista.viewpoint.tileX() + vista.viewpoint.fractionX() + ray.x * along;
+        point.y = vista.viewpoint.tileY() + vista.viewpoint.fractionY() + ray.y * along;
+        point.z = Coordinate{vista.viewpoint.z}.value() +
+                  vista.projection->upwardSlope(trace_.watchedRow) * texel.depth;
+    }
+
+    const Frame& frame_;
+    const int column_;
+    const ColumnSpans& found_;
+    const std::uint8_t* const waterFogs_;
+    SliceTrace& trace_;
+    std::vector<std::size_t> firstHits_;  // of each part, and one past the last
+};
+
+// Of what stands upside down.
+void turnUpright(SliceTrace& trace, int height) {
     const auto turn = [height](auto& rows) {
         rows.first = height - std::exchange(rows.last, height - rows.first);
     };
@@ -143,48 +257,45 @@ void Slice::turnUpright(SliceTrace& trace, int height) {
     }
 }
 
-// The walk itself goes on with its own numbers only; it is walked again up to here.
-void Slice::traceTile(int x, int y, double along) {
-    while (tracedWalk_.tileX != x || tracedWalk_.tileY != y || tracedWalk_.entered != along)
-        tracedWalk_.advance();
-    const Crossing border = tracedWalk_.enter();
-    trace_->tiles.push_back({vista_->viewpoint.map, x, y, along * projection_->distance, portals_,
-                             tracedWalk_.hasEntered(), border.alongX, along, border.distance,
-                             border.speed, tracedWalk_.nextAlongX(), tracedWalk_.nextAlongY()});
+// Gives the blocks their rows, from the top, and the planes theirs.
+void shareOut(SliceTrace& trace) {
+    for (const FilledRows& rows : trace.filled) {
+        if (rows.hit >= 0) trace.hits[static_cast<std::size_t>(rows.hit)].filled.push_back(rows);
+        if (rows.hit < 0 && rows.object < 0) trace.planes.push_back(rows);
+    }
+    for (Hit& hit : trace.hits) {
+        if (hit.filled.size() < 2) continue;
+        mergeSort(hit.filled, [](const FilledRows& a, const FilledRows& b) {
+            return std::tie(a.first, a.last, a.what, a.face) <
+                   std::tie(b.first, b.last, b.what, b.face);
+        });
+    }
 }
 
-void Slice::traceBlocks(std::uint32_t levels) {
-    tracedLevels_ = levels;
-    for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1)
-        traceBlock(blockAt(std::countr_zero(rest)));
-}
+}  // namespace
 
-void Slice::traceBlock(const Block& block) {
-    Hit hit;
-    hit.map = vista_->viewpoint.map;
-    hit.portals = portals_;
-    hit.tileX = walk_.tileX;
-    hit.tileY = walk_.tileY;
-    hit.level = block.level;
-    hit.blueprint = map_->cell(walk_.tileX, walk_.tileY, block.level);
-    hit.entered = enter_.along > 0.0;
-    hit.face = enteredFace(enter_);
-    hit.depth = enter_.along * projection_->distance;
-    hit.backDepth = leave_.along * projection_->distance;
-    hit.x = eyeTileX_ + eyeFractionX_ + ray_.x * enter_.along;
-    hit.y = eyeTileY_ + eyeFractionY_ + ray_.y * enter_.along;
-    hit.rawDepth = enter_.along * std::sqrt(ray_.x * ray_.x + ray_.y * ray_.y);
-    hit.bottom = tileEdge(block.level) + block.blueprint->bottom;
-    hit.top = tileEdge(block.level) + block.blueprint->top;
-    const auto rowOf = [&](std::int32_t rise, double depth) {
-        return rise == 0 ? projection_->horizon
-                         : projection_->rowOf(Coordinate{rise}.value(), depth);
-    };
-    hit.topFrontRow = rowOf(block.top, hit.depth);
-    hit.bottomFrontRow = rowOf(block.bottom, hit.depth);
-    hit.topBackRow = rowOf(block.top, hit.backDepth);
-    hit.bottomBackRow = rowOf(block.bottom, hit.backDepth);
-    trace_->hits.push_back(std::move(hit));
+void traceSlice(const Frame& frame, const SliceSpans& slice, SliceTrace& trace) {
+    const Vista& own = frame.vistas.ofEye();
+    const Projection& projection = *own.projection;
+    const GroundDirection ray = own.ray(slice.column);
+    trace.column = slice.column;
+    trace.rayX = ray.x / projection.distance;
+    trace.rayY = ray.y / projection.distance;
+    trace.horizonRow = projection.horizon;
+    trace.projectionDistance = projection.distance;
+    Teller(frame, slice.column, slice.upright, true, trace).tell();
+    shareOut(trace);
+    if (!trace.asksReflection || slice.upright.mirrors.empty()) return;
+    SliceTrace& reflection = trace.reflection.emplace_back();
+    reflection.column = slice.column;
+    reflection.rayX = trace.rayX;
+    reflection.rayY = trace.rayY;
+    reflection.horizonRow = trace.horizonRow;
+    reflection.projectionDistance = trace.projectionDistance;
+    if (trace.watchedRow >= 0) reflection.watchedRow = projection.height - 1 - trace.watchedRow;
+    Teller(frame, slice.column, slice.reflected, false, reflection).tell();
+    turnUpright(reflection, projection.height);
+    shareOut(reflection);
 }
 
 }  // namespace slicecast

@@ -1,0 +1,108 @@
+// Objects on the way of a slice.
+#include "base/bits.h"
+#include "render/slice_walk.h"
+
+#include <algorithm>
+
+namespace slicecast {
+
+// Objects that this column's ray passes, in the current tile: each splits the tile's stretch of the
+// ray in two, for what the tile holds may lie before it or behind it.
+void SliceWalk::meetTileWithObjects() {
+    const Crossing leave = leave_;
+    for (; object_ != objectsEnd_ && vista_->objects[*object_].along < leave.along;
+         ++object_, skipHiddenObjects()) {
+        const FrameObject& object = vista_->objects[*object_];
+        leave_ = crossingAt(object);
+        meetStretch();
+        meetObject(object);
+        enter_ = leave_;
+    }
+    leave_ = leave;
+    meetStretch();
+}
+
+// Objects outside the grid, where there is only the floor.
+void SliceWalk::meetObjectsBeyond() {
+    for (; object_ != objectsEnd_ && !open_.none(); ++object_, skipHiddenObjects()) {
+        const FrameObject& object = vista_->objects[*object_];
+        leave_ = crossingAt(object);
+        takeFloorBeyond(rowBelow(floorRise_, leave_));
+        meetObject(object);
+    }
+}
+
+// Several columns share a list of objects; those that this one passes by split nothing, nor do
+// those whose rows are closed.
+void SliceWalk::skipHiddenObjects() {
+    for (; object_ != objectsEnd_; ++object_) {
+        const FrameObject& object = vista_->objects[*object_];
+        if (!open_.mayHold(object.firstRow, object.lastRow)) continue;
+        const double share = across(object);
+        if (share >= 0.0 && share < 1.0) return;
+    }
+}
+
+// Where the ray passes an object, as a share of its width from the left.
+double SliceWalk::across(const FrameObject& object) const {
+    return (projection_->sidewaysSlope(column_) * object.depth - object.left) / object.width;
+}
+
+// The ray where it comes to an object's depth; no border of a tile.
+Crossing SliceWalk::crossingAt(const FrameObject& object) const {
+    Crossing at;
+    at.along = object.along;
+    at.distance = object.depth;
+    at.speed = projection_->distance;
+    at.rowsPerRaw = projection_->distance / object.depth * (1.0 / 65536.0);
+    at.border = false;
+    return at;
+}
+
+// An object's column of texels that this slice shows. A row through the lower edge's height is on
+// the object, one through the upper edge's is not.
+void SliceWalk::meetObject(const FrameObject& object) {
+    const SpriteLevel& level = *object.level;
+    const int u = std::min(level.width - 1, static_cast<int>(across(object) * level.width));
+    // Positions are in texels from the upper edge, with 32 bits after the point.
+    constexpr double kTexel = 4294967296.0;
+    const double perUnit = level.height * kTexel / ((object.top - object.bottom) / 65536.0);
+    const double perRow = object.along;
+    const auto end = static_cast<std::int64_t>(level.height) << 32;
+    const SpriteId sprite = map_->objects[static_cast<std::size_t>(object.index)].sprite;
+    bool drawn = false;
+    const int firstRow =
+        object.top <= clip_.high
+            ? object.firstRow
+            : FrameObjects::firstRowBelow(*projection_, clip_.high, object.depth, true);
+    const int lastRow = object.bottom >= clip_.low
+                            ? object.lastRow
+                            : FrameObjects::firstRowBelow(*projection_, clip_.low, object.depth);
+    open_.each(firstRow, lastRow, [&](int first, int last) {
+        const double down = object.top / 65536.0 - (projection_->horizon - (first + 0.5)) * perRow;
+        const std::int64_t start = std::clamp<std::int64_t>(
+            nearestInteger(std::clamp(down * perUnit, 0.0, static_cast<double>(end))), 0, end - 1);
+        const int steps = last - first - 1;
+        std::int64_t step =
+            steps > 0 ? nearestInteger(std::min(perRow * perUnit, static_cast<double>(end))) : 0;
+        if (start + steps * step >= end) step = (end - 1 - start) / steps;
+        if (!hasRoomForLayer()) return;
+        Span& span = add(What::object, first, last);
+        span.layer = true;
+        span.object = object.index;
+        span.plane.texture = sprite;
+        span.column = {.texels = level.texels.data() + static_cast<std::size_t>(u) *
+                                                           static_cast<std::size_t>(level.height),
+                       .shift = 32,
+                       .detail = object.detail,
+                       .start = static_cast<std::uint64_t>(start),
+                       .step = static_cast<std::uint64_t>(step),
+                       .factor = object.factor,
+                       .fog = object.fog,
+                       .depth = object.depth};
+        drawn = true;
+    });
+    if (drawn) ++report_.objectSlices;
+}
+
+}  // namespace slicecast

@@ -1,0 +1,229 @@
+#include "render/slice_paint.h"
+
+#include "render/plane_points.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+using What = FilledRows::What;
+
+// Where a row of a plane lies in a texture, and its light.
+struct PlaneTexel {
+    const TextureLevel& level;
+    PlanePoints::Point point;
+    bool southReversed;
+};
+
+Pixel shadedPlaneTexel(const PlaneTexel& texel, int row, const PlaneRows& rows, Pixel haze, Lay lay,
+                       Pixel there) {
+    const TextureLevel& level = texel.level;
+    const auto texelOf = [&](std::uint32_t bits) {
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits));
+    };
+    const std::uint32_t u = texelOf(texel.point.east);
+    std::uint32_t v = texelOf(texel.point.south);
+    if (texel.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
+    return shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff,
+                       rows.fogs ? rows.fogs[row] & 0xffff : 0, haze, lay, there);
+}
+
+}  // namespace
+
+void SlicePainter::paint(const SliceSpans& slice, Pixel* pixels) {
+    column_ = slice.column;
+    pixels_ = pixels;
+    waterFogs_ = frame_.vistas.waterFogs();
+    paintOpaque(slice.upright);
+    if (!slice.upright.mirrors.empty()) paintReflection(slice);
+    if (slice.upright.layers > 0) paintLayers(slice.upright);
+}
+
+void SlicePainter::paintOpaque(const ColumnSpans& column) {
+    for (const Span& span : column.spans) {
+        if (span.layer) continue;
+        switch (span.what) {
+            case What::side:
+                paintTexels(span, Lay::opaque);
+                break;
+            case What::sky:
+                paintSky(span);
+                break;
+            case What::haze:
+                std::fill(pixels_ + span.first, pixels_ + span.last, span.vista->lighting.haze);
+                count(span.first, span.last);
+                break;
+            default:
+                gather(span);
+        }
+    }
+    paintGathered(falling_);
+    paintGathered(rising_);
+}
+
+// From back to front.
+void SlicePainter::paintLayers(const ColumnSpans& column) {
+    report_.layers += static_cast<std::int64_t>(column.layers);
+    for (const Span* span = column.spans.end(); span != column.spans.begin();) {
+        --span;
+        if (!span->layer) continue;
+        if (span->what == What::side || span->what == What::object) {
+            paintTexels(*span, Lay::over);
+        } else {
+            paintPlane({span->plane, span->vista, span->tiles, span->part, span->first, span->last},
+                       Lay::over);
+        }
+    }
+}
+
+// What mirrors show, into a column that stands upside down, which is blended over them.
+void SlicePainter::paintReflection(const SliceSpans& slice) {
+    Pixel* const pixels = pixels_;
+    const std::uint8_t* const waterFogs = waterFogs_;
+    const int height = frame_.vistas.projection().height;
+    reflected_.resize(static_cast<std::size_t>(height));
+    pixels_ = reflected_.data();
+    waterFogs_ = nullptr;
+    paintOpaque(slice.reflected);
+    if (slice.reflected.layers > 0) paintLayers(slice.reflected);
+    pixels_ = pixels;
+    waterFogs_ = waterFogs;
+    for (const MirrorSpan& span : slice.upright.mirrors) {
+        blendReversed(pixels_ + span.first, span.last - span.first,
+                      reflected_.data() + (height - span.last), span.strength);
+    }
+}
+
+void SlicePainter::paintTexels(const Span& span, Lay lay) {
+    count(span.first, span.last);
+    if (waterFogs_ != nullptr) return paintTexelsFromWater(span, lay);
+    const TexelColumn& column = span.column;
+    fillSide(pixels_ + span.first, span.last - span.first, column.texels, column.shift,
+             column.start, column.step, column.factor, column.fog, span.vista->lighting.haze, lay);
+}
+
+// Rows whose rays leave the eye's water before they come to the span have the fog of where they
+// leave it. They are the upper ones.
+void SlicePainter::paintTexelsFromWater(const Span& span, Lay lay) {
+    const TexelColumn& column = span.column;
+    int row = span.first;
+    std::uint64_t start = column.start;
+    const auto fill = [&](int rows, std::uint32_t fog) {
+        fillSide(pixels_ + row, rows, column.texels, column.shift, start, column.step,
+                 column.factor, fog, span.vista->lighting.haze, lay);
+    };
+    for (; row < span.last && waterFogs_[row] < column.fog; ++row) {
+        fill(1, waterFogs_[row]);
+        start += column.step;
+    }
+    if (row < span.last) fill(span.last - row, column.fog);
+}
+
+void SlicePainter::paintSky(const Span& span) {
+    span.vista->skyRows.fill(pixels_, column_, span.first, span.last);
+    const Lighting& lighting = span.vista->lighting;
+    for (int row = span.first; lighting.inWater && row < span.last; ++row) {
+        const std::uint32_t fog = waterFogs_ != nullptr ? waterFogs_[row] : 255;
+        pixels_[row] =
+            shadedTexel(pixels_[row], 256, fog, lighting.haze, Lay::opaque, pixels_[row]);
+    }
+    count(span.first, span.last);
+}
+
+// Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the
+// horizon, so a run grows towards it.
+void SlicePainter::gather(const Span& span) {
+    const bool falls = span.plane.rise < 0;
+    PlaneRun& run = falls ? falling_ : rising_;
+    if ((falls ? run.first == span.last : run.last == span.first) && run.part == span.part &&
+        run.plane == span.plane) {
+        (falls ? run.first : run.last) = falls ? span.first : span.last;
+        run.tiles.toX = span.tiles.toX;
+        run.tiles.toY = span.tiles.toY;
+        run.tiles.endless = span.tiles.endless;
+    } else {
+        paintGathered(run);
+        run = {span.plane, span.vista, span.tiles, span.part, span.first, span.last};
+    }
+}
+
+// Leaves the run empty.
+void SlicePainter::paintGathered(PlaneRun& run) {
+    if (run.first == run.last) return;
+    Lay lay = Lay::opaque;
+    if (frame_.textures[run.plane.texture].seeThrough && !run.plane.mirror) {
+        // Only a floor closes its rows although it is see-through: below it there is haze.
+        std::fill(pixels_ + run.first, pixels_ + run.last, run.vista->lighting.haze);
+        count(run.first, run.last);
+        ++report_.layers;
+        lay = Lay::over;
+    }
+    paintPlane(run, lay);
+    run.first = run.last = -1;
+}
+
+// The rows are split where the level of detail changes. The first and the last row may lie within a
+// rounding of their tiles' border: their texel is held inside it, so that never a texel of the far
+// side of the texture shows.
+void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
+    const int first = run.first;
+    const int last = run.last;
+    count(first, last);
+    const Plane& plane = run.plane;
+    const FrameTexture& texture = frame_.textures[plane.texture];
+    const PlanePoints points(*run.vista, run.vista->ray(column_), plane, run.tiles);
+    const Pixel haze = run.vista->lighting.haze;
+    const PlaneRows rows =
+        run.vista->planeShades.rows(plane.rise, plane.light, plane.glow, first, last);
+    if (points.anyOnBorder(rows.inverseOffsets, first, last))
+        return paintPlaneByRows(run, points, rows, lay);
+    const auto levelAt = [&](int row) {
+        return frame_.detail.levelAt(points.depthPerInverse * rows.inverseOffsets[row],
+                                     texture.size, texture.last);
+    };
+    const int firstLevel = levelAt(first);
+    const int lastLevel = last - first == 1 ? firstLevel : levelAt(last - 1);
+    const Pixel firstThere = pixels_[first];
+    const Pixel lastThere = pixels_[last - 1];
+    int row = first;
+    for (int level = firstLevel; level != lastLevel;) {
+        int same = row;  // the last row known to have this level; the first known not to is `end`
+        int end = last - 1;
+        while (end - same > 1) {
+            const int middle = same + (end - same) / 2;
+            (levelAt(middle) == level ? same : end) = middle;
+        }
+        fillPlane(pixels_, row, end, texture.levels[level], points.line, rows, haze, lay);
+        row = end;
+        level = levelAt(row);
+    }
+    fillPlane(pixels_, row, last, texture.levels[lastLevel], points.line, rows, haze, lay);
+    const auto holdInside = [&](int held, int level, Pixel there) {
+        const double inverse = rows.inverseOffsets[held];
+        if (points.isInside(inverse)) return;
+        const PlaneTexel texel = {texture.levels[level], points.heldAt(inverse),
+                                  plane.southReversed};
+        pixels_[held] = shadedPlaneTexel(texel, held, rows, haze, lay, there);
+    };
+    holdInside(first, firstLevel, firstThere);
+    if (last - first > 1) holdInside(last - 1, lastLevel, lastThere);
+}
+
+// Runs with a point on a tile's border exactly are rare behind portals that turn, and painted
+// slowly.
+void SlicePainter::paintPlaneByRows(const PlaneRun& run, const PlanePoints& points,
+                                    const PlaneRows& rows, Lay lay) {
+    const FrameTexture& texture = frame_.textures[run.plane.texture];
+    for (int row = run.first; row < run.last; ++row) {
+        const double inverse = rows.inverseOffsets[row];
+        const int level =
+            frame_.detail.levelAt(points.depthPerInverse * inverse, texture.size, texture.last);
+        const PlaneTexel texel = {texture.levels[level], points.at(inverse),
+                                  run.plane.southReversed};
+        pixels_[row] =
+            shadedPlaneTexel(texel, row, rows, run.vista->lighting.haze, lay, pixels_[row]);
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,353 @@
+#include "render/slice_walk.h"
+
+#include "base/bits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slicecast {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// A walk that stops at a border must be past it for certain: by more than roundings.
+constexpr double kBeyond = 1.0 + 1.0 / 1099511627776.0;
+
+// From a tile outside the grid, on one axis.
+bool leadsAway(int tile, int step, int size) {
+    return tile < 0 ? step <= 0 : tile >= size && step >= 0;
+}
+
+// Between which heights the rays of the open rows run.
+class OpenSlopes {
+public:
+    OpenSlopes(const Projection& projection, const OpenRows& open, double eyeHeight)
+        : highestEye_(eyeHeight + kSlack),
+          lowestEye_(eyeHeight - kSlack),
+          upper_(projection.horizon - open.first()),
+          lower_(projection.horizon - open.last()) {}
+
+    // A bit for each level that they come through in a tile.
+    __attribute__((always_inline)) std::uint32_t levelsReached(double entered, double left) const {
+        const double highest = highestEye_ + upper_ * (upper_ > 0.0 ? left : entered);
+        const double lowest = lowestEye_ + lower_ * (lower_ < 0.0 ? left : entered);
+        if (highest < 0.0 || lowest >= kMaxLevels) return 0;
+        // Rounded down: what lies exactly on a level's edge is meant a little to the other side of
+        // it, by the slack.
+        const int top = highest >= kMaxLevels
+                            ? kMaxLevels - 1
+                            : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
+        const int bottom = lowest <= 0.5 ? 0 : static_cast<int>(nearestInteger(lowest - 0.5));
+        return static_cast<std::uint32_t>((std::uint64_t{2} << top) - (std::uint64_t{1} << bottom));
+    }
+
+private:
+    static constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
+
+    double highestEye_;
+    double lowestEye_;
+    double upper_;
+    double lower_;
+};
+
+}  // namespace
+
+SliceWalk::SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report)
+    : frame_(frame),
+      ownVista_(frame.vistas.ofEye()),
+      open_(open),
+      report_(report),
+      walk_({}, {}, {}) {}
+
+void SliceWalk::find(int column, SliceSpans& found, bool withReflection) {
+    column_ = column;
+    found.column = column;
+    found.upright.clear();
+    found.reflected.clear();
+    found_ = &found.upright;
+    const Viewpoint& eye = ownVista_.viewpoint;
+    const GridWalk start({static_cast<std::int32_t>(eye.x)}, {static_cast<std::int32_t>(eye.y)},
+                         ownVista_.ray(column));
+    Part& whole = found_->parts.find(ownVista_, start, {}, {}, 0, 0);
+    whole.rows.assign(1, {0, ownVista_.projection->height});
+    walkParts();
+    if (withReflection && !found.upright.mirrors.empty()) reflect(found);
+}
+
+// Each part may add further ones.
+void SliceWalk::walkParts() {
+    for (part_ = 0; part_ < static_cast<int>(found_->parts.count()); ++part_) {
+        begin(found_->parts[static_cast<std::size_t>(part_)]);
+        walkPart();
+        takeBackground();
+        // Others may have come meanwhile, so it may stand elsewhere.
+        Part& part = found_->parts[static_cast<std::size_t>(part_)];
+        part.tiles = tiles_;
+        part.endsInPortal = endsInPortal_;
+    }
+}
+
+void SliceWalk::begin(const Part& part) {
+    lookInto(*part.vista);
+    open_.openOnly(part.rows, projection_->height);
+    walk_ = part.walk;
+    clip_ = part.clip;
+    clipped_ = clip_.any();
+    portals_ = part.portals;
+    startX_ = walk_.tileX;
+    startY_ = walk_.tileY;
+    before_ = part.before;
+    tiles_ = 0;
+    floorSpan_ = kNone;
+    const bool ceilingMet =
+        !clipped_ || (clip_.isMirror ? ceilingRise_ > clip_.low
+                                     : ceilingRise_ >= clip_.low && ceilingRise_ <= clip_.high);
+    ceilingTiles_ =
+        map_->ceiling.tiles.empty() || !ceilingMet ? nullptr : map_->ceiling.tiles.data();
+    report_.deepestPortal = std::max(report_.deepestPortal, portals_);
+    if (portals_ > 0) ++report_.partsBehindPortals;
+}
+
+void SliceWalk::lookInto(Vista& vista) {
+    ray_ = vista.ray(column_);
+    if (vista_ == &vista) return;
+    vista_ = &vista;
+    map_ = vista.map;
+    projection_ = vista.projection;
+    hasTilePortals_ = !map_->tilePortals.empty();
+    floorMirror_ = mirrorStrength(map_->floor.mirror);
+    eyeTileX_ = vista.viewpoint.tileX();
+    eyeTileY_ = vista.viewpoint.tileY();
+    eyeFractionX_ = vista.viewpoint.fractionX();
+    eyeFractionY_ = vista.viewpoint.fractionY();
+    eyeZ_ = vista.viewpoint.z;
+    eyeHeight_ = Coordinate{eyeZ_}.value();
+    const int eyeLevel = std::min(eyeZ_ >> 16, kMaxLevels - 1);
+    levelsToEye_ =
+        eyeLevel < 0 ? 0 : static_cast<std::uint32_t>((std::uint64_t{2} << eyeLevel) - 1);
+    floorRise_ = -eyeZ_;
+    ceilingRise_ = map_->ceiling.height.raw - eyeZ_;
+}
+
+void SliceWalk::walkPart() {
+    floor_ = {map_->floor.texture, projection_->height, walk_.tileX, walk_.tileY};
+    ceiling_ = {};
+    object_ = objectsEnd_ = nullptr;
+    if (!vista_->objects.none()) {
+        const std::vector<int>& objects = vista_->objects.inColumn(column_);
+        object_ = objects.data();
+        objectsEnd_ = object_ + objects.size();
+        while (object_ != objectsEnd_ && vista_->objects[*object_].along < walk_.entered) ++object_;
+    }
+    Pass pass = passTiles(false);
+    while (pass == Pass::tile) {
+        enter_ = walk_.enter();
+        leave_ = walk_.leave();
+        enteredSideKnown_ = false;
+        meetTile();
+        if (open_.none()) break;
+        pass = passTiles(true);
+    }
+    const bool stopped = pass == Pass::stopped;
+    endsInPortal_ = pass == Pass::portal;
+    enter_ = walk_.enter();
+
+    // What is left beyond the walk: the ceiling ends with the grid, the floor goes on outside it.
+    endCeiling(Border::enter);
+    if (pass == Pass::portal) return enterPortalTile();
+    if (!stopped && floor_.texture != map_->floor.texture) {
+        takeFloor(Border::enter);
+        floor_.texture = map_->floor.texture;
+    }
+    if (pass == Pass::left) meetObjectsBeyond();
+    takeFloorBeyond(0);
+}
+
+// How far along the ray to walk: beyond, nothing but the floor that is under way and the sky can be
+// met. When all open rows look down, that is where the flattest of them meets the floor; when all
+// look up, where the flattest of them is above everything but portal tiles, which act at all
+// heights.
+double SliceWalk::whereToStop() const {
+    if (open_.none()) return 0.0;
+    const int firstFalling = projection_->firstFallingRow;
+    if (open_.first() >= firstFalling)
+        return kBeyond * eyeHeight_ *
+               vista_->inverseOffsets[static_cast<std::size_t>(open_.first())];
+    if (open_.last() > firstFalling || hasTilePortals_) return kNever;
+    const double rise = vista_->highest - eyeHeight_;
+    return rise <= 0.0 ? 0.0
+                       : kBeyond * rise *
+                             vista_->inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
+}
+
+// Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open
+// row may meet.
+template <bool portals>
+SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
+    if (object_ != objectsEnd_) skipHiddenObjects();
+    const double stop = whereToStop();
+    const OpenSlopes slopes(*projection_, open_, eyeHeight_);
+    const TextureId* const floorTiles = map_->floor.tiles.data();
+    const TextureId* const ceilingTiles = ceilingTiles_;
+    const std::uint32_t* const occupiedTiles = map_->occupied.data();
+    const TextureId floorTexture = floor_.texture;
+    const TextureId ceilingTexture = ceiling_.texture;
+    const auto width = static_cast<unsigned>(map_->width);
+    const auto depth = static_cast<unsigned>(map_->depth);
+    const double objectAlong = object_ == objectsEnd_ ? kNever : vista_->objects[*object_].along;
+    GridWalk walk = walk_;
+    std::uint32_t reached = 0;
+    int tiles = 0;
+    Pass pass = Pass::tile;
+    for (bool leave = leaveFirst;; leave = true) {
+        if (leave) walk.advance();
+        if (walk.entered > stop) {
+            pass = Pass::stopped;
+            break;
+        }
+        if (static_cast<unsigned>(walk.tileX) >= width ||
+            static_cast<unsigned>(walk.tileY) >= depth) {
+            // Outside the grid there is only the floor. The walk goes on while it may still come to
+            // the grid.
+            if (leadsAway(walk.tileX, walk.stepX, map_->width) ||
+                leadsAway(walk.tileY, walk.stepY, map_->depth)) {
+                pass = Pass::left;
+                break;
+            }
+            ++tiles;
+            if (walk.left() > objectAlong) break;
+            continue;
+        }
+        ++tiles;
+        const std::size_t tile =
+            static_cast<std::size_t>(walk.tileY) * width + static_cast<std::size_t>(walk.tileX);
+        if constexpr (portals) {
+            if (leave && map_->tilePortals[tile] != kNoPortal) {
+                pass = Pass::portal;
+                break;
+            }
+        }
+        reached = occupiedTiles[tile];
+        if (reached != 0) reached &= slopes.levelsReached(walk.entered, walk.left());
+        if (reached != 0 || floorTiles[tile] != floorTexture ||
+            (ceilingTiles && ceilingTiles[tile] != ceilingTexture) || walk.left() > objectAlong) {
+            break;
+        }
+    }
+    walk_.comeTo(walk);
+    reached_ = reached;
+    report_.tilesWalked += tiles;
+    tiles_ += tiles;
+    return pass;
+}
+
+// A tile in which something changes.
+void SliceWalk::meetTile() {
+    if (object_ != objectsEnd_ && vista_->objects[*object_].along < leave_.along) {
+        meetTileWithObjects();
+    } else {
+        meetStretch();
+    }
+}
+
+// What lies in the current tile between `enter_` and `leave_`.
+void SliceWalk::meetStretch() {
+    const bool inGrid = map_->contains(walk_.tileX, walk_.tileY);
+    const std::size_t tile = inGrid ? map_->tileIndex(walk_.tileX, walk_.tileY) : 0;
+    const TextureId floorTexture = inGrid ? map_->floor.tiles[tile] : map_->floor.texture;
+    const TextureId ceilingTexture = !inGrid || !ceilingTiles_ ? kNoTexture : ceilingTiles_[tile];
+    const bool floorChanges = floorTexture != floor_.texture;
+    // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be
+    // drawn before the ceiling above it.
+    const TextureId ceilingAlone = reached_ ? kNoTexture : ceilingTexture;
+    if (ceilingAlone != ceiling_.texture || floorChanges) {
+        endCeiling(Border::enter);
+        startCeiling(ceilingAlone);
+    }
+    if (floorChanges) {
+        takeFloor(Border::enter);
+        floor_.texture = floorTexture;
+    }
+    if (reached_) meetBlocks(reached_, ceilingTexture);
+    // An object may stand behind: what lies before it is closed first, the ceiling before the
+    // floor.
+    if (!leave_.border) endCeiling(Border::leave);
+    if (reached_ || !leave_.border) takeFloor(Border::leave);
+}
+
+// Closes the rows that have met the floor by a border; behind it the floor goes on. Rows beyond the
+// map's `far` are left for the haze.
+void SliceWalk::takeFloor(Border upTo) {
+    const TileRange tiles = {floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo), false};
+    takeFloorRows(rowBelow(floorRise_, upTo), tiles);
+    floor_.fromX = behindX(upTo);
+    floor_.fromY = behindY(upTo);
+}
+
+// From the current tile on without end, down to where `row` is the first one below the floor.
+void SliceWalk::takeFloorBeyond(int row) {
+    takeFloorRows(row, {floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true});
+}
+
+// A floor that goes on from one tile to the next is one span.
+void SliceWalk::takeFloorRows(int row, const TileRange& tiles) {
+    open_.take(std::max(row, vista_->firstFloorRow), projection_->height, [&](int first, int last) {
+        if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
+        if (Span* const before = floorSpan_ == kNone ? nullptr : &found_->spans[floorSpan_];
+            before != nullptr && before->first == last && before->plane.texture == floor_.texture) {
+            before->first = first;
+            before->tiles.toX = tiles.toX;
+            before->tiles.toY = tiles.toY;
+            before->tiles.endless = tiles.endless;
+            return;
+        }
+        floorSpan_ = found_->spans.count();
+        addPlane(What::floor,
+                 {floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false,
+                  floorMirror_ > 0},
+                 first, last, tiles);
+    });
+}
+
+// From the current tile on.
+void SliceWalk::startCeiling(TextureId texture) {
+    ceiling_.texture = texture;
+    ceiling_.row = rowBelow(ceilingRise_, enter_);
+    ceiling_.fromX = walk_.tileX;
+    ceiling_.fromY = walk_.tileY;
+}
+
+// Closes the rows that have met the ceiling, if there is one, up to a border. At the eye's own
+// height it cannot be seen.
+void SliceWalk::endCeiling(Border at) {
+    if (ceiling_.texture != kNoTexture && ceilingRise_ != 0) {
+        const int row = rowBelow(ceilingRise_, at);
+        const int firstRow = std::min(ceiling_.row, row);
+        const int lastRow = std::max(ceiling_.row, row);
+        const Plane plane = {
+            ceilingRise_, ceiling_.texture, map_->ceiling.light, map_->ceiling.glow, true, false};
+        const TileRange tiles = {ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at), false};
+        if (frame_.textures[ceiling_.texture].seeThrough) {
+            seeThroughPlane(What::ceiling, plane, firstRow, lastRow, tiles);
+        } else {
+            open_.take(firstRow, lastRow, [&](int first, int last) {
+                addPlane(What::ceiling, plane, first, last, tiles);
+            });
+        }
+    }
+    ceiling_.texture = kNoTexture;
+}
+
+void SliceWalk::takeBackground() {
+    open_.take(0, projection_->firstFallingRow,
+               [&](int first, int last) { add(What::sky, first, last); });
+    takeHaze(projection_->firstFallingRow);
+}
+
+void SliceWalk::takeHaze(int firstRow) {
+    open_.take(firstRow, projection_->height,
+               [&](int first, int last) { add(What::haze, first, last); });
+}
+
+}  // namespace slicecast

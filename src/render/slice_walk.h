@@ -1,0 +1,266 @@
+// The walk of one screen column over the grid: what its rays meet, front to back, as spans.
+//
+//      rows                      A block seen from the side fills the rows between its top and bottom edge where the walk enters the tile; its roof those up to
+//       |    .--------.  back    where the top edge appears at the tile's far border, its underside likewise below. Floor and ceiling fill what lies between
+//       |   /  roof  /|          the two borders. A row that is filled is closed, so each pixel has one opaque span, and the walk ends when no row is open.
+//       |  .--------. |
+//       |  |  side  | '
+//       v  '--------'  front
+//
+// slice_walk.cpp      over tiles in which nothing changes, floor and ceiling, what lies beyond
+// slice_blocks.cpp    the blocks of a tile, their sides, roofs and undersides
+// slice_layers.cpp    see-through blocks
+// slice_objects.cpp   objects
+// slice_passages.cpp  portals and mirrors, where the walk goes on elsewhere
+#pragma once
+
+#include "render/frame.h"
+#include "render/grid_walk.h"
+#include "render/open_rows.h"
+#include "render/slice_spans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace slicecast {
+
+class SliceWalk {
+public:
+    // All three outlive the walk; `open` and what `find` is given keep their memory from slice to
+    // slice.
+    SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report);
+
+    // What all rows of a column show.
+    void find(int column, SliceSpans& found, bool withReflection = true);
+
+private:
+    using What = FilledRows::What;
+
+    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+    // Why a walk over tiles was interrupted: something changes in a tile, the tile is a portal,
+    // nothing more can be met, or the grid lies behind.
+    enum class Pass { tile, portal, stopped, left };
+
+    // One of the current tile's two borders.
+    enum class Border { enter, leave };
+
+    // A block in the current tile. Heights are in 1/65536 units, relative to the eye.
+    struct Block {
+        const CellBlueprint* blueprint;
+        int level;
+        std::int32_t bottom;
+        std::int32_t top;
+        bool cut = false;  // by the part's height clip: there is no face at that end, and rays that
+                           // begin there are inside
+    };
+
+    // What the sides at one border have in common.
+    struct SideView {
+        std::uint32_t fraction;  // of a tile, from its northern or western end, in 1/2^32
+        double depth;            // units
+        double brightness;       // see Lighting
+        std::uint32_t fog;
+    };
+
+    // Floor or ceiling from a border on, as long as it has one texture.
+    struct Cover {
+        TextureId texture = kNoTexture;
+        int row = 0;    // the first row below the plane at that border
+        int fromX = 0;  // the tile behind it
+        int fromY = 0;
+    };
+
+    // ---- slice_walk.cpp
+    void walkParts();
+    void begin(const Part& part);
+    void lookInto(Vista& vista);
+    void walkPart();
+    double whereToStop() const;
+    Pass passTiles(bool leaveFirst) {
+        return hasTilePortals_ ? passTilesWith<true>(leaveFirst) : passTilesWith<false>(leaveFirst);
+    }
+    template <bool portals>
+    Pass passTilesWith(bool leaveFirst);
+    void meetTile();
+    void meetStretch();
+    void takeFloor(Border upTo);
+    void takeFloorBeyond(int row);
+    void takeFloorRows(int row, const TileRange& tiles);
+    void startCeiling(TextureId texture);
+    void endCeiling(Border at);
+    void takeBackground();
+    void takeHaze(int firstRow);
+    Span& add(What what, int first, int last);
+    Span& addPlane(What what, const Plane& plane, int first, int last, const TileRange& tiles);
+    bool hasRoomForLayer();
+
+    // ---- slice_blocks.cpp
+    Block blockAt(int level) const;
+    void meetBlocks(std::uint32_t reached, TextureId ceilingTexture);
+    void meetFalling(std::uint32_t levels, TextureId ceilingTexture);
+    void meetRising(std::uint32_t levels, TextureId ceilingTexture);
+    SideView sideView(const Crossing& border) const;
+    TexelColumn sideColumn(const Block& block, Face face, const Crossing& border,
+                           const SideView& view, int first, int last) const;
+    Span& addSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                  int first, int last);
+    void takeSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                  int firstRow, int lastRow);
+    void takeEnteredSide(const Block& block, int firstRow, int lastRow);
+    void takeRoof(const Block& block, int firstRow, int lastRow, bool fromInside = false);
+    void takeUnderside(const Block& block, int firstRow, int lastRow);
+    void takeCeilingHere(TextureId texture);
+    Plane planeOf(const Block& block, Face face) const;
+    TileRange here() const { return {walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false}; }
+
+    // ---- slice_layers.cpp
+    // Water may lack faces.
+    static bool isThere(const Block& block, Face face) {
+        return block.blueprint->face(face).texture != kNoTexture;
+    }
+    bool isJoined(const Block& block, const Map& map, int x, int y, int level) const;
+    bool joinsBefore(const Block& block) const;
+    bool joinsNext(const Block& block, int up, bool leaving) const;
+    void enterThroughSide(const Block& block, int firstRow, int lastRow);
+    void passThroughPlane(const Block& block, Face face, int firstRow, int lastRow, bool leaving);
+    void leaveThroughSide(const Block& block, int firstRow, int lastRow);
+    void seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                        int firstRow, int lastRow);
+    void seeThroughPlane(What what, const Plane& plane, int firstRow, int lastRow,
+                         const TileRange& tiles, int level = kNoLevel);
+
+    // ---- slice_objects.cpp
+    void meetTileWithObjects();
+    void meetObjectsBeyond();
+    void skipHiddenObjects();
+    double across(const FrameObject& object) const;
+    Crossing crossingAt(const FrameObject& object) const;
+    void meetObject(const FrameObject& object);
+
+    // ---- slice_passages.cpp
+    bool acts(PortalId portal) const;
+    bool isArrival() const {
+        return portals_ > 0 && walk_.tileX == startX_ && walk_.tileY == startY_;
+    }
+    void enterSide(const Block& block, int firstRow, int lastRow);
+    void enterTop(const Block& block, int firstRow, int lastRow);
+    void enterBottom(const Block& block, int firstRow, int lastRow);
+    void leaveSide(const Block& block, int firstRow, int lastRow);
+    void leaveTop(const Block& block, int firstRow, int lastRow);
+    void leaveBottom(const Block& block, int firstRow, int lastRow);
+    bool cutToClip(Block& block) const;
+    void sendThrough(PortalId id, int firstRow, int lastRow, const HeightClip& clip);
+    void enterPortalTile();
+    void mirror(std::int32_t rise, int first, int last, int strength);
+    void reflect(SliceSpans& found);
+    int mirrorStrength(std::uint8_t strength) const {
+        return strength == 0
+                   ? 0
+                   : static_cast<int>(std::min(255.0, std::floor(strength * frame_.mirrors + 0.5)));
+    }
+
+    int rowBelow(std::int32_t rise, const Crossing& border) const {
+        return firstRowBelow(*projection_, rise, border);
+    }
+    int rowBelow(std::int32_t rise, Border border) const {
+        return rowBelow(rise, border == Border::enter ? enter_ : leave_);
+    }
+
+    // The tile before a border of the current one, and the tile behind it.
+    int beforeX(Border border) const {
+        return walk_.tileX -
+               (border == Border::enter && enter_.border && enter_.alongX ? walk_.stepX : 0);
+    }
+    int beforeY(Border border) const {
+        return walk_.tileY -
+               (border == Border::enter && enter_.border && !enter_.alongX ? walk_.stepY : 0);
+    }
+    int behindX(Border border) const {
+        return walk_.tileX +
+               (border == Border::leave && leave_.border && leave_.alongX ? walk_.stepX : 0);
+    }
+    int behindY(Border border) const {
+        return walk_.tileY +
+               (border == Border::leave && leave_.border && !leave_.alongX ? walk_.stepY : 0);
+    }
+
+    const Frame& frame_;
+    Vista& ownVista_;  // of the eye
+    OpenRows& open_;
+    FrameReport& report_;
+
+    // Of the slice:
+    int column_ = 0;
+    ColumnSpans* found_ = nullptr;
+
+    // Of the part of it that is walked, in the coordinates of the part's map (see vista.h):
+    Vista* vista_ = nullptr;
+    const Map* map_ = nullptr;
+    const Projection* projection_ = nullptr;
+    GroundDirection ray_;
+    int eyeTileX_ = 0;
+    int eyeTileY_ = 0;
+    double eyeFractionX_ = 0.0;
+    double eyeFractionY_ = 0.0;
+    std::int32_t eyeZ_ = 0;  // 1/65536 units; may be below the floor behind a portal or in a mirror
+    double eyeHeight_ = 0.0;      // the same in units
+    std::int32_t floorRise_ = 0;  // 1/65536 units above the eye
+    std::int32_t ceilingRise_ = 0;
+    std::uint32_t levelsToEye_ = 0;  // a bit for each level that begins at or below the eye
+    const TextureId* ceilingTiles_ = nullptr;  // null where no ceiling can be met
+    int floorMirror_ = 0;                      // strength
+    bool hasTilePortals_ = false;
+    HeightClip clip_;
+    bool clipped_ = false;
+    int part_ = 0;     // its number
+    int portals_ = 0;  // passed so far
+    int startX_ = 0;   // the tile in which it began
+    int startY_ = 0;
+    int tiles_ = 0;  // that it has come through
+    bool endsInPortal_ = false;
+    Before before_;
+
+    GridWalk walk_;
+    Crossing enter_;  // how the current tile was entered
+    Crossing leave_;  // and how it will be left; where objects stand in it, the stretch between two
+                      // of them
+    const int* object_ = nullptr;  // the next object that covers the column
+    const int* objectsEnd_ = nullptr;
+    SideView enteredSide_;  // worked out where a side is seen
+    bool enteredSideKnown_ = false;
+    std::uint32_t reached_ = 0;  // its levels whose blocks an open row may meet
+    Cover floor_;
+    std::size_t floorSpan_ = kNone;  // the last one of this part
+    Cover ceiling_;
+};
+
+inline Span& SliceWalk::add(What what, int first, int last) {
+    Span& span = found_->spans.add();
+    span.what = what;
+    span.face = Face::top;
+    span.layer = false;
+    span.first = first;
+    span.last = last;
+    span.level = kNoLevel;
+    span.object = -1;
+    span.part = part_;
+    span.portals = portals_;
+    span.vista = vista_;
+    return span;
+}
+
+inline Span& SliceWalk::addPlane(What what, const Plane& plane, int first, int last,
+                                 const TileRange& tiles) {
+    Span& span = add(what, first, last);
+    span.plane = plane;
+    span.tiles = tiles;
+    return span;
+}
+
+inline bool SliceWalk::hasRoomForLayer() {
+    return found_->layers < kMaxLayers && ++found_->layers > 0;
+}
+
+}  // namespace slicecast
