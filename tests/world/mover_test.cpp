@@ -1,6 +1,8 @@
 // Moving blocks: where they are at each step, whom they carry, and whom they wait for.
 #include "moving.h"
 
+#include "base/random.h"
+
 #include <gtest/gtest.h>
 
 namespace slicecast {
@@ -88,6 +90,39 @@ TEST(Motion, HasTheShapeThatItSays) {
     for (const int rest : {kPeriod * 3 / 8, kPeriod / 2, kPeriod * 5 / 8})
         EXPECT_EQ(offsetAt(lift(MotionShape::stopAndGo), rest), 2.0_u) << rest;
     EXPECT_EQ(offsetAt(lift(MotionShape::stopAndGo), kPeriod / 4), 1.0_u);
+}
+
+// By whole numbers: the offset is the raw number nearest to from + (to - from) * 2 * at / period,
+// halves going up.
+TEST(Motion, IsRoundedOnce) {
+    Random random(77);
+    for (int i = 0; i < 20000; ++i) {
+        Motion motion = lift(MotionShape::even);
+        motion.from = {random.between(-100000, 100000)};
+        motion.to = {random.between(-100000, 100000)};
+        motion.periodSteps = random.between(2, 5000);
+        motion.phaseSteps = random.below(motion.periodSteps);
+        const int steps = random.below(motion.periodSteps);
+        const std::int64_t period = motion.periodSteps;
+        const std::int64_t at = (steps + motion.phaseSteps) % period;
+        const std::int64_t way =
+            2 * std::min(at, period - at) * (std::int64_t{motion.to.raw} - motion.from.raw);
+        const std::int64_t off =
+            std::int64_t{offsetAt(motion, steps).raw - motion.from.raw} * period - way;
+        ASSERT_GT(2 * off, -period) << i;
+        ASSERT_LE(2 * off, period) << i;
+    }
+}
+
+// `part` is a third here: 3 / 9 - 2 / 27 = 7 / 27, and what stops and goes is at q = 1 / 6.
+TEST(Motion, IsRoundedOnceInEveryShape) {
+    Motion motion = lift(MotionShape::smooth);
+    motion.periodSteps = 6;
+    EXPECT_EQ(offsetAt(motion, 1), toCoordinate(2.0 * 7.0 / 27.0));
+    motion.shape = MotionShape::stopAndGo;
+    EXPECT_EQ(offsetAt(motion, 1), toCoordinate(2.0 * (3.0 / 36.0 - 2.0 / 216.0)));
+    motion.shape = MotionShape::even;
+    EXPECT_EQ(offsetAt(motion, 1), toCoordinate(2.0 / 3.0));
 }
 
 TEST(Movers, AreAtTheirMotionsPlaceOnAllLevels) {
