@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -314,11 +315,13 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
     std::int32_t edge = kHighest;
     int edgeRow = 0;
     bool opaqueAbove = false;
+    bool inside = false;  // the rays that leave the block above are in this one, unhindered
     for (std::uint32_t rest = levels; rest != 0;) {
         const int level = static_cast<int>(std::bit_width(rest)) - 1;
         rest ^= std::uint32_t{1} << level;
         Block block = blockAt(level);
         if ((clipped_ && !cutToClip(block)) || block.bottom > 0) continue;
+        block.cut |= std::exchange(inside, false);
         const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
@@ -344,6 +347,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
                 leaveSide(block,
                           std::max(rowBelow(block.top, leave_), projection_->firstFallingRow),
                           below);
+                inside = !block.blueprint->seeThrough && goesOn(block, -1);
             }
             continue;
         }
@@ -358,6 +362,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
             const int below = rowBelow(block.bottom, leave_);
             leaveBottom(block, std::max(below, projection_->firstFallingRow), edgeRow);
             leaveSide(block, projection_->firstFallingRow, below);
+            inside = goesOn(block, -1);
         }
     }
     ceilingAbove(-kHighest);
@@ -377,9 +382,11 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
     std::int32_t edge = -kHighest;
     int edgeRow = 0;
     bool opaqueBelow = false;
+    bool inside = false;  // see drawFalling
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
         Block block = blockAt(std::countr_zero(rest));
         if (clipped_ && !cutToClip(block)) continue;
+        block.cut |= std::exchange(inside, false);
         const bool isPlain =
             !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
         if (block.bottom > 0) {
@@ -398,6 +405,7 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
                     const int below = rowBelow(block.top, leave_);
                     leaveTop(block, edgeRow, below);
                     leaveSide(block, below, rowBelow(block.bottom, leave_));
+                    inside = !block.blueprint->seeThrough && goesOn(block, 1);
                 }
                 continue;
             }
@@ -415,6 +423,7 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
             leaveTop(block, edgeRow, std::min(below, projection_->firstFallingRow));
             leaveSide(block, below,
                       std::min(rowBelow(block.bottom, leave_), projection_->firstFallingRow));
+            inside = !block.blueprint->seeThrough && goesOn(block, 1);
         }
     }
     ceilingBelow(kHighest);

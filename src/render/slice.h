@@ -60,8 +60,8 @@ private:
         int level;
         std::int32_t bottom;
         std::int32_t top;
-        bool cut = false;  // by the part's height clip: there is no face at that end, and rays that
-                           // begin there are inside
+        bool cut = false;  // by the part's height clip, or the border between levels: there is no
+                           // face at that end, and rays that begin there are inside
     };
 
     // What the sides at one border have in common.
@@ -147,9 +147,13 @@ private:
     static bool isThere(const Block& block, Face face) {
         return block.blueprint->face(face).texture != kNoTexture;
     }
-    bool isJoined(const Block& block, const Map& map, int x, int y, int level) const;
-    bool joinsBefore(const Block& block) const;
+    const CellBlueprint* joinedAt(const Block& block, const Map& map, int x, int y,
+                                  int level) const;
+    const CellBlueprint* joinedBefore(const Block& block) const;
+    bool goesOn(const Block& block, int up) const;
     bool joinsNext(const Block& block, int up, bool leaving) const;
+    void drawUnjoined(const Block& block, const CellBlueprint* joined, Face face,
+                      const Crossing& border, int firstRow, int lastRow);
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
     void passThroughTop(const Block& block, int firstRow, int lastRow, bool leaving);
     void passThroughBottom(const Block& block, int firstRow, int lastRow, bool leaving);

@@ -65,7 +65,7 @@ void Slice::leaveTop(const Block& block, int firstRow, int lastRow) {
     if (block.blueprint->face(Face::top).portal != kNoPortal) return;
     if (block.blueprint->seeThrough) {
         passThroughTop(block, firstRow, lastRow, true);
-    } else {
+    } else if (!goesOn(block, 1)) {
         drawRoof(block, firstRow, lastRow, true);
     }
 }
@@ -74,7 +74,7 @@ void Slice::leaveBottom(const Block& block, int firstRow, int lastRow) {
     if (block.blueprint->face(Face::bottom).portal != kNoPortal) return;
     if (block.blueprint->seeThrough) {
         passThroughBottom(block, firstRow, lastRow, true);
-    } else {
+    } else if (!goesOn(block, -1)) {
         drawUnderside(block, firstRow, lastRow);
     }
 }

@@ -84,7 +84,12 @@ private:
     bool acts(const CellBlueprint& block, Face face) const {
         return block.face(face).portal != kNoPortal && !arrived_;
     }
+    BlueprintId originOf(BlueprintId id) const {
+        return blueprint(id).origin == kEmptyCell ? id : blueprint(id).origin;
+    }
     bool join(BlueprintId a, BlueprintId b) const;
+    bool isOneBlock(BlueprintId a, BlueprintId b) const;
+    BlueprintId touchingNext(const Event& event) const;
     BlueprintId blockBehind(const Place& place, Tile tile, const Border& border) const;
     BlueprintId touching(const Place& place, int level, bool above) const;
     BlueprintId behindLevel(int level, bool above) const;
