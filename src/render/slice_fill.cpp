@@ -27,6 +27,25 @@ std::uint32_t held(double first, double end, double start, double perInverse, do
 
 }  // namespace
 
+constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
+
+// The texture of what moves may come to its lower edge within a side, and begins anew there: calls
+// fn for the run, or for the two that it falls into.
+template <typename Fn>
+inline void eachTurn(SideRun run, Fn&& fn) {
+    if (run.start >= kWholeTexture) run.start -= kWholeTexture;
+    const auto rows = static_cast<std::uint64_t>(run.last - run.first);
+    if (run.start + (rows - 1) * run.step >= kWholeTexture) {
+        const std::uint64_t above = (kWholeTexture - run.start + run.step - 1) / run.step;
+        SideRun upper = run;
+        upper.last = upper.first + static_cast<int>(above);
+        fn(upper);
+        run.first = upper.last;
+        run.start += above * run.step - kWholeTexture;
+    }
+    fn(run);
+}
+
 // What the sides at one border have in common.
 Slice::SideView Slice::sideView(const Crossing& border) const {
     // Along x on the northern and southern sides, along y on the others.
@@ -54,7 +73,7 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
 
     // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the
-    // block covers of the level.
+    // block covers of the level. What has risen shows what is farther down: see eachTurn.
     constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
     constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
     const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
@@ -70,11 +89,12 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     // A block of several rows is no higher than a tile, so a row's step is less.
     std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
     if (start + steps * step >= end) step = (end - 1 - start) / steps;
+    const std::int64_t rise = block.blueprint->textureRise.raw * kPositionsPerRaw;
     return {level.texels.data() + (static_cast<std::size_t>(u) << level.bits),
             kTexturePositionBits - level.bits,
             first,
             last,
-            static_cast<std::uint64_t>(start),
+            static_cast<std::uint64_t>(start + rise),
             static_cast<std::uint64_t>(step),
             vista_->lighting.factorOf(look.glow ? kFullBrightness : view.brightness, look.light),
             view.fog,
@@ -86,12 +106,11 @@ void Slice::drawSide(const Block& block, Face face, const Crossing& border, cons
     open_.take(firstRow, lastRow, [&](int first, int last) {
         const SideRun run = sideRun(block, face, border, view, first, last);
         count(first, last);
-        if (waterFogs_ != nullptr) {
-            fillFromWater(run, Lay::opaque);
-        } else {
-            fillSide(pixels_ + first, last - first, run.texels, run.shift, run.start, run.step,
-                     run.factor, run.fog, vista_->lighting.haze);
-        }
+        eachTurn(run, [&](const SideRun& part) {
+            if (waterFogs_ != nullptr) return fillFromWater(part, Lay::opaque);
+            fillSide(pixels_ + part.first, part.last - part.first, part.texels, part.shift,
+                     part.start, part.step, part.factor, part.fog, part.haze);
+        });
         if (trace_) traceSide(block, face, border, view, first, last, false);
     });
 }
@@ -114,7 +133,8 @@ void Slice::fillFromWater(const SideRun& run, Lay lay) {
 void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border,
                            const SideView& view, int firstRow, int lastRow) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
-        layers_->add(sideRun(block, face, border, view, first, last));
+        eachTurn(sideRun(block, face, border, view, first, last),
+                 [&](const SideRun& part) { layers_->add(part); });
         if (trace_) traceSide(block, face, border, view, first, last, true);
     });
 }
@@ -133,7 +153,8 @@ void Slice::traceSide(const Block& block, Face face, const Crossing& border, con
             view.depth,
             detail,
             static_cast<int>((run.texels - level.texels.data()) >> level.bits),
-            static_cast<int>((run.start + static_cast<std::uint64_t>(row - first) * run.step) >>
+            static_cast<int>(((run.start + static_cast<std::uint64_t>(row - first) * run.step) &
+                              (kWholeTexture - 1)) >>
                              run.shift),
             run.factor,
             fogOf(run.fog, row)};

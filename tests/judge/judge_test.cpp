@@ -143,6 +143,7 @@ TEST(Judge, SmallPictures) {
                          {"haze behind a portal", 15000},
                          {"object behind a portal", 8000},
                          {"joined mover", 3000},
+                         {"risen texture", 100000},
                          {"joined kin", 3000},
                          {"whole mover", 3000},
                          {"inside a mover", 3000},

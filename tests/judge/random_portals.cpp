@@ -197,13 +197,18 @@ void addKin(Random& random, World& world) {
     }
 }
 
-void unjoinMovers(Random& random, World& world) {
+void changeMovers(Random& random, World& world) {
     bool join = true;
+    Coordinate rise;
     for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
         CellBlueprint& part = world.blueprints[i];
         if (part.mover < 0) continue;
-        if (part.mover != world.blueprints[i - 1].mover) join = !random.oneIn(2);
+        if (part.mover != world.blueprints[i - 1].mover) {
+            join = !random.oneIn(2);
+            rise = {random.oneIn(3) ? 8192 * random.below(8) : random.below(65536)};
+        }
         part.join = part.join && join;
+        part.textureRise = rise;
     }
 }
 

@@ -330,7 +330,7 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     }
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
-    unjoinMovers(more, scene.world);
+    changeMovers(more, scene.world);
     if (more.oneIn(6)) enterMover(more, scene.world, view);
     return scene;
 }
@@ -356,7 +356,7 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     view.z = {random.between(1, map.levels * 8 + 4) * 8192};
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
-    unjoinMovers(more, scene.world);
+    changeMovers(more, scene.world);
     return scene;
 }
 

@@ -87,10 +87,11 @@ enum class Note : std::uint8_t {
     leftThroughPortal,  // out of a block through a portal face
     joinedByPortal,     // two faces left out between which lies a portal
     joinedMover,        // two faces left out between parts of one thing that moves
-    joinedKin,    // two faces left out between blocks of one blueprint, one of which has portals
-    wholeMover,   // two faces that do not join, between parts of one thing that moves
-    insideMover,  // went on from one part to the other inside an opaque one
-    emptyMover,   // went through a tile in which a block is empty at the moment
+    joinedKin,     // two faces left out between blocks of one blueprint, one of which has portals
+    wholeMover,    // two faces that do not join, between parts of one thing that moves
+    insideMover,   // went on from one part to the other inside an opaque one
+    risenTexture,  // on a side of what moves
+    emptyMover,    // went through a tile in which a block is empty at the moment
     floorMirror,
     roofMirror,
     mirrorJoined,  // a mirrored roof that is left out

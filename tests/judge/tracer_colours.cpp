@@ -183,6 +183,7 @@ const char* nameOf(Note note) {
                                          "joined kin",
                                          "whole mover",
                                          "inside a mover",
+                                         "risen texture",
                                          "empty mover",
                                          "floor mirror",
                                          "roof mirror",

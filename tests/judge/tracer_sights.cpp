@@ -80,7 +80,11 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
         sight.v = -y;
     } else {
         sight.kind = Sight::Kind::side;
-        sight.v = 1.0 - z;
+        // What moves carries its textures along; where they end they begin anew.
+        const double rise = block.textureRise.value();
+        sight.v = 1.0 - z + rise;
+        if (rise > 0.0) note(Note::risenTexture);
+        if (rise > 0.0 && sight.v >= 1.0) sight.v -= 1.0;
     }
     push(sight);
 }

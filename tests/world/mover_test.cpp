@@ -140,6 +140,9 @@ TEST(Movers, AreAtTheirMotionsPlaceOnAllLevels) {
             if (low < high) {
                 ASSERT_EQ(seenLow, low) << step;
                 ASSERT_EQ(seenHigh, high) << step;
+                const int level = high.raw > 65536 ? 1 : 0;
+                const CellBlueprint& part = world.blueprints[world.maps[0].cell(2, 2, level)];
+                ASSERT_EQ(part.textureRise, Coordinate{offset.raw & 0xffff}) << step;
             } else {
                 ASSERT_EQ(seenHigh, Coordinate{0}) << step;
                 ASSERT_EQ(world.maps[0].occupied[world.maps[0].tileIndex(2, 2)], 0u);

@@ -165,6 +165,8 @@ private:
         side.along = along;
         side.textureTop = block.textureTop;
         side.textureBottom = block.textureBottom;
+        if (!classic_.stretched && !classic_.oneLevel)
+            side.textureRise = block.blueprint->textureRise.value();
         const double depth = along * ray_.depthPerAlong;
         add(side, view_.rowOf(block.top, depth), view_.rowOf(block.bottom, depth));
     }
