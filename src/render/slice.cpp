@@ -335,10 +335,8 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
             if (!block.cut && !covered && block.top < 0)
                 enterTop(block, rowBelow(block.top, leave_), topRow);
             // Whoever stands exactly on a portal falls in at once.
-            if (block.top == 0 && !walk_.hasEntered() &&
-                acts(block.blueprint->face(Face::top).portal)) {
+            if (block.top == 0 && !walk_.hasEntered() && actsAtTop(block))
                 enterTop(block, projection_->firstFallingRow, projection_->height);
-            }
             if (block.bottom < 0 &&
                 (block.blueprint->seeThrough || block.cut || (atEye && block.top >= 0))) {
                 ceilingAbove(block.bottom);

@@ -96,7 +96,9 @@ private:
     double whereToStop() const;
 
     // What a portal leads away, and what a mirror shows.
-    bool acts(PortalId portal) const;
+    bool acts(PortalId portal, bool atExit) const;
+    bool actsAtTop(const Block& block) const;
+    bool actsAtBottom(const Block& block) const;
     void sendThrough(const Portal& portal, int firstRow, int lastRow, const HeightClip& clip);
     void enterPortalTile();
     void mirror(std::int32_t rise, int first, int last, int strength);

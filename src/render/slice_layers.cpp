@@ -59,7 +59,7 @@ bool Slice::joinsNext(const Block& block, int up, bool leaving) const {
         frame_.world->blueprints[map_->cell(walk_.tileX, walk_.tileY, level)];
     const PortalId portal =
         reachesEnd(next, -up) ? next.face(up > 0 ? Face::bottom : Face::top).portal : kNoPortal;
-    if (!leaving || !acts(portal)) return joins(*map_, walk_.tileX, walk_.tileY, level);
+    if (!leaving || !acts(portal, false)) return joins(*map_, walk_.tileX, walk_.tileY, level);
     const Portal& to = frame_.world->portals[portal];
     return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
                  level + to.levels);

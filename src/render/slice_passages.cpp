@@ -12,7 +12,7 @@ namespace slicecast {
 void Slice::enterSide(const Block& block, int firstRow, int lastRow) {
     if (!enter_.border || !open_.mayHold(firstRow, lastRow)) return;
     const PortalId portal = block.blueprint->face(enteredFace(enter_)).portal;
-    if (acts(portal)) {
+    if (acts(portal, isArrival())) {
         sendThrough(frame_.world->portals[portal], firstRow, lastRow, {});
     } else if (walk_.entered > 0.0) {
         if (block.blueprint->seeThrough) {
@@ -25,7 +25,7 @@ void Slice::enterSide(const Block& block, int firstRow, int lastRow) {
 
 void Slice::enterTop(const Block& block, int firstRow, int lastRow) {
     const FaceBlueprint& look = block.blueprint->face(Face::top);
-    if (acts(look.portal)) {
+    if (actsAtTop(block)) {
         HeightClip below;
         below.high = block.top;
         sendThrough(frame_.world->portals[look.portal], firstRow, lastRow, below);
@@ -39,7 +39,7 @@ void Slice::enterTop(const Block& block, int firstRow, int lastRow) {
 
 void Slice::enterBottom(const Block& block, int firstRow, int lastRow) {
     const PortalId portal = block.blueprint->face(Face::bottom).portal;
-    if (acts(portal)) {
+    if (actsAtBottom(block)) {
         HeightClip above;
         above.low = block.bottom;
         sendThrough(frame_.world->portals[portal], firstRow, lastRow, above);
@@ -90,9 +90,19 @@ bool Slice::cutToClip(Block& block) const {
     return true;
 }
 
-// The portals of the tile in which a ray has come out do not act on it.
-bool Slice::acts(PortalId portal) const {
-    return portal != kNoPortal && portals_ < frame_.world->portalLimit && !isArrival();
+// Where a ray has just come out of a portal no other acts on it: not that of the exit tile, and no
+// face that lies in the very plane; else it might go round for ever without getting on.
+bool Slice::acts(PortalId portal, bool atExit) const {
+    return portal != kNoPortal && portals_ < frame_.world->portalLimit && !atExit;
+}
+
+bool Slice::actsAtTop(const Block& block) const {
+    return acts(block.blueprint->face(Face::top).portal, isArrival() && block.top == clip_.high);
+}
+
+bool Slice::actsAtBottom(const Block& block) const {
+    return acts(block.blueprint->face(Face::bottom).portal,
+                isArrival() && block.bottom == clip_.low);
 }
 
 // Closes rows here and opens them behind the portal, in a part that goes on from this tile. Those
@@ -140,7 +150,8 @@ void Slice::enterPortalTile() {
     takeFloor(Border::enter);
     const PortalId id = map_->tilePortal(walk_.tileX, walk_.tileY);
     // Rays that have met the floor beyond `far` do not come here.
-    if (acts(id)) sendThrough(frame_.world->portals[id], 0, rowBelow(floorRise_, enter_), {});
+    if (acts(id, isArrival()))
+        sendThrough(frame_.world->portals[id], 0, rowBelow(floorRise_, enter_), {});
     drawHaze(0);
 }
 

@@ -130,6 +130,7 @@ TEST(Judge, SmallPictures) {
                          {"below the floor", 5000},
                          {"out inside a block", 500},
                          {"face at the exit", 5000},
+                         {"face behind the exit", 5000},
                          {"tile at the exit", 10000},
                          {"left through a portal", 10000},
                          {"joined by a portal", 500},

@@ -164,7 +164,7 @@ BlueprintId Tracer::Walk::behindLevel(int level, bool above) const {
     const BlueprintId id = touching(place_, next, above);
     if (id == kEmptyCell) return id;
     const Face facing = above ? Face::bottom : Face::top;
-    if (!acts(blueprint(id), facing) || !mayPass()) return id;
+    if (blueprint(id).face(facing).portal == kNoPortal || !mayPass()) return id;
     const Portal& portal = world_.portals[blueprint(id).face(facing).portal];
     return touching(place_.through(portal), next + portal.levels, above);
 }
@@ -277,14 +277,15 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
         if (!join(id, next)) pushFace(block, event.level, which, meeting, true);
         return block.seeThrough ? Then::leaves : Then::ended;
     }
-    if (acts(block, which) && mayPass()) {
+    if (acts(block, which, event.height) && mayPass()) {
+        if (arrived_) note(Note::faceBehindExit);
         const bool left = before != nullptr && before->height == event.height && before->order == 0;
         return throughHeight(block.face(which).portal, event,
                              left ? map().cell(mapTile_.x, mapTile_.y, before->level) : kEmptyCell);
     }
     inside_ = event.level;
     if (event.along <= 0.0) return Then::leaves;
-    const bool atPortal = start_ == Start::portal && event.height == startHeight_;
+    const bool atPortal = isWhereItCameOut(event.height);
     const BlueprintId left = atPortal ? left_ : atLevelsEnd ? touchingNext(event) : kEmptyCell;
     if (join(left, id) || (!atPortal && isOneBlock(left, id))) {
         if (atPortal) note(Note::joinedByPortal);
@@ -292,7 +293,7 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
         return Then::leaves;
     }
     if (block.face(which).portal != kNoPortal)
-        note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
+        note(atPortal ? Note::faceAtExit : Note::faceAtLimit);
     pushFace(block, event.level, which, meeting, false);
     if (block.face(which).texture != kNoTexture && sights_.back().mirror > 0) {
         note(Note::roofMirror);

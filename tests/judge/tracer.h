@@ -82,7 +82,8 @@ enum class Note : std::uint8_t {
     tileAtLimit,
     belowFloor,         // came out below the floor
     outInsideBlock,     // came out within a block, upwards or downwards
-    faceAtExit,         // a portal face of the exit tile, drawn like any other
+    faceAtExit,         // a portal face where the ray comes out, drawn like any other
+    faceBehindExit,     // passed a portal face that stands farther on in the exit tile
     tileAtExit,         // a tile portal that does not act on what arrives
     leftThroughPortal,  // out of a block through a portal face
     joinedByPortal,     // two faces left out between which lies a portal

@@ -176,6 +176,7 @@ const char* nameOf(Note note) {
                                          "below the floor",
                                          "out inside a block",
                                          "face at the exit",
+                                         "face behind the exit",
                                          "tile at the exit",
                                          "left through a portal",
                                          "joined by a portal",

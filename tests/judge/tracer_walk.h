@@ -81,8 +81,12 @@ private:
     }
     const CellBlueprint& blueprint(BlueprintId id) const { return world_.blueprints[id]; }
     bool mayPass() const { return portals_ < world_.portalLimit; }
-    bool acts(const CellBlueprint& block, Face face) const {
-        return block.face(face).portal != kNoPortal && !arrived_;
+    // Where the ray has just come out of one, no face portal acts at that very height.
+    bool acts(const CellBlueprint& block, Face face, double height) const {
+        return block.face(face).portal != kNoPortal && !isWhereItCameOut(height);
+    }
+    bool isWhereItCameOut(double height) const {
+        return start_ == Start::portal && height == startHeight_;
     }
     BlueprintId originOf(BlueprintId id) const {
         return blueprint(id).origin == kEmptyCell ? id : blueprint(id).origin;
