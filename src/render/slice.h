@@ -204,8 +204,10 @@ private:
     }
     void layOver();
     bool isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows) const;
-    void fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows,
-                      const FrameTexture& texture, Lay lay);
+    void fillInside(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, int first,
+                    int last, Lay lay);
+    void fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, int first,
+                      int last, Lay lay);
     void drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east, std::uint32_t south,
                         bool southReversed, const PlaneRows& rows, Lay lay, Pixel there);
     // The point of a plane that one row shows, as fractions of a tile in 1/2^32.
@@ -215,8 +217,7 @@ private:
     };
     PlanePoint planePoint(const PlaneLine& line, const TileBox& box, double inverse) const;
     TileBox boxAround(const PlaneRun& run) const;
-    void holdInside(int row, const TextureLevel& level, const PlaneLine& line,
-                    const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there);
+    static bool isInside(const TileBox& box, const PlaneLine& line, double inverse);
     void count(int first, int last) {
         ++report_.spansDrawn;
         report_.rowsFilled += last - first;

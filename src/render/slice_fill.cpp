@@ -17,12 +17,25 @@ constexpr double kSnap = 1.0 / 17179869184.0;
 // up to the next one.
 constexpr double kHalfStep = 1.0 / 8589934592.0;
 
-// The fraction of a tile at a position of a plane's row, in 1/2^32, held within [first, end).
-std::uint32_t held(double first, double end, double start, double perInverse, double inverse) {
+// Whether a position lies within a rounding before the border on which the eye is.
+bool isRoundedToEye(double position) {
+    return position < 0.0 && position >= -kHalfStep;
+}
+
+// The fraction of a tile at a position of a plane's row, in 1/2^32, held within [first, end). On a
+// border between tiles within it is 0, or as far as it goes if the point belongs to the tile
+// `before`; along a border on which the eye is, the ray's direction tells.
+std::uint32_t held(double first, double end, double start, double perInverse, double inverse,
+                   bool before) {
+    constexpr std::uint32_t kEnd = ~std::uint32_t{0};
     const double position = start + perInverse * inverse;
-    if (position < first) return 0;
-    if (position >= end - kHalfStep) return ~std::uint32_t{0};
-    return PlaneLine::fractionBits(start, perInverse, inverse);
+    if (position < first + kHalfStep) return 0;
+    if (position >= end - kHalfStep) return kEnd;
+    const std::uint32_t bits = PlaneLine::fractionBits(start, perInverse, inverse);
+    if (bits != 0) return bits;
+    const bool isAlong =
+        start == 0.0 && perInverse != 0.0 && position < kHalfStep && position >= -kHalfStep;
+    return (isAlong ? perInverse < 0.0 : before) ? kEnd : 0;
 }
 
 }  // namespace
@@ -179,32 +192,45 @@ void Slice::fill(PlaneRun& run) {
     run.first = run.last = -1;
 }
 
-// The rows are split where the level of detail changes. The first and the last row may lie within a
-// rounding of their tiles' border: their texel is held inside it, so that never a texel of the far
-// side of the texture shows.
+// The first and the last rows may lie within a rounding of their tiles' border, all of them where
+// the ray runs along it: their texel is held inside, so that never one of the far side of the
+// texture shows.
 void Slice::fillRows(const PlaneRun& run, Lay lay) {
-    const int first = run.first;
-    const int last = run.last;
-    count(first, last);
+    count(run.first, run.last);
     const Plane& plane = run.plane;
-    const FrameTexture& texture = frame_.textures[plane.texture];
     const double distance = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
     const PlaneLine line = {eyeFractionX_, eyeFractionY_, distance * ray_.x, distance * ray_.y,
                             plane.southReversed};
     const PlaneRows rows =
-        vista_->planeShades.rows(plane.rise, plane.light, plane.glow, first, last);
-    const double depthPerInverse = distance * projection_->distance;
+        vista_->planeShades.rows(plane.rise, plane.light, plane.glow, run.first, run.last);
+    if (isOnBorder(run, line, rows)) return fillRowByRow(run, line, rows, run.first, run.last, lay);
+    const TileBox box = boxAround(run);
+    int first = run.first;
+    int last = run.last;
+    while (first < last && !isInside(box, line, rows.inverseOffsets[first])) ++first;
+    while (first < last && !isInside(box, line, rows.inverseOffsets[last - 1])) --last;
+    if (run.first < first) fillRowByRow(run, line, rows, run.first, first, lay);
+    if (last < run.last) fillRowByRow(run, line, rows, last, run.last, lay);
+    if (first < last) fillInside(run, line, rows, first, last, lay);
+}
+
+// The rows are split where the level of detail changes.
+void Slice::fillInside(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, int first,
+                       int last, Lay lay) {
+    const FrameTexture& texture = frame_.textures[run.plane.texture];
+    const double depthPerInverse =
+        Coordinate{run.plane.rise < 0 ? -run.plane.rise : run.plane.rise}.value() *
+        projection_->distance;
     const auto levelAt = [&](int row) {
         return frame_.detail.levelAt(depthPerInverse * rows.inverseOffsets[row], texture.size,
                                      texture.last);
     };
-    const auto texelsOf = [&](int level) -> const TextureLevel& { return texture.levels[level]; };
-    if (isOnBorder(run, line, rows)) return fillRowByRow(run, line, rows, texture, lay);
+    const auto fillTo = [&](int from, int end, int level) {
+        fillPlane(pixels_, from, end, texture.levels[level], line, rows, vista_->lighting.haze,
+                  lay);
+    };
     const int firstLevel = levelAt(first);
     const int lastLevel = last - first == 1 ? firstLevel : levelAt(last - 1);
-
-    const Pixel firstThere = pixels_[first];
-    const Pixel lastThere = pixels_[last - 1];
     int row = first;
     for (int level = firstLevel; level != lastLevel;) {
         int same = row;  // the last row known to have this level; the first known not to is `end`
@@ -213,15 +239,11 @@ void Slice::fillRows(const PlaneRun& run, Lay lay) {
             const int middle = same + (end - same) / 2;
             (levelAt(middle) == level ? same : end) = middle;
         }
-        fillPlane(pixels_, row, end, texelsOf(level), line, rows, vista_->lighting.haze, lay);
+        fillTo(row, end, level);
         row = end;
         level = levelAt(row);
     }
-    fillPlane(pixels_, row, last, texelsOf(lastLevel), line, rows, vista_->lighting.haze, lay);
-    const TileBox box = boxAround(run);
-    holdInside(first, texelsOf(firstLevel), line, rows, box, lay, firstThere);
-    if (last - first > 1)
-        holdInside(last - 1, texelsOf(lastLevel), line, rows, box, lay, lastThere);
+    fillTo(row, last, lastLevel);
 }
 
 // A point on the border of two tiles exactly belongs to the one behind it, for the eye counts as a
@@ -244,12 +266,13 @@ bool Slice::isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRo
 
 // Those are rare, so a run that has one is drawn slowly, row by row.
 void Slice::fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows,
-                         const FrameTexture& texture, Lay lay) {
+                         int first, int last, Lay lay) {
+    const FrameTexture& texture = frame_.textures[run.plane.texture];
     const TileBox box = boxAround(run);
     const double depthPerInverse =
         Coordinate{run.plane.rise < 0 ? -run.plane.rise : run.plane.rise}.value() *
         projection_->distance;
-    for (int row = run.first; row < run.last; ++row) {
+    for (int row = first; row < last; ++row) {
         const double inverse = rows.inverseOffsets[row];
         const PlanePoint point = planePoint(line, box, inverse);
         drawPlaneTexel(row,
@@ -262,13 +285,10 @@ void Slice::fillRowByRow(const PlaneRun& run, const PlaneLine& line, const Plane
 Slice::PlanePoint Slice::planePoint(const PlaneLine& line, const TileBox& box,
                                     double inverse) const {
     const int turn = vista_->viewpoint.turn;
-    const auto before = [turn](std::uint32_t bits, bool isTurned) {
-        return bits == 0 && turn != 0 && isTurned ? ~std::uint32_t{0} : bits;
-    };
-    return {before(held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse),
-                   turn != 3),
-            before(held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse),
-                   turn != 1)};
+    return {held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse,
+                 turn == 1 || turn == 2),
+            held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse,
+                 turn == 2 || turn == 3)};
 }
 
 // One row from the texel at a fraction of a tile, in 1/2^32.
@@ -301,19 +321,12 @@ Slice::TileBox Slice::boxAround(const PlaneRun& run) const {
     return box;
 }
 
-// Draws a row anew if its point was rounded out of its tiles.
-void Slice::holdInside(int row, const TextureLevel& level, const PlaneLine& line,
-                       const PlaneRows& rows, const TileBox& box, Lay lay, Pixel there) {
-    const double inverse = rows.inverseOffsets[row];
+// Whether a row's point lies within the run's tiles, and by more than a rounding.
+bool Slice::isInside(const TileBox& box, const PlaneLine& line, double inverse) {
     const double east = line.eastStart + line.eastPerInverse * inverse;
     const double south = line.southStart + line.southPerInverse * inverse;
-    const bool eastInside = east >= box.east && east < box.eastEnd - kHalfStep;
-    const bool southInside = south >= box.south && south < box.southEnd - kHalfStep;
-    if (eastInside && southInside) return;
-    drawPlaneTexel(row, level,
-                   held(box.east, box.eastEnd, line.eastStart, line.eastPerInverse, inverse),
-                   held(box.south, box.southEnd, line.southStart, line.southPerInverse, inverse),
-                   line.southReversed, rows, lay, there);
+    return east >= box.east && east < box.eastEnd - kHalfStep && south >= box.south &&
+           south < box.southEnd - kHalfStep && !isRoundedToEye(east) && !isRoundedToEye(south);
 }
 
 }  // namespace slicecast

@@ -184,6 +184,15 @@ TEST(Judge, PicturesMadeToTie) {
     EXPECT_LE(static_cast<double>(verdict.excused), 0.005 * static_cast<double>(verdict.pixels));
 }
 
+// In the middle column every neighbour of a point shows another tile, so nearly all could be
+// excused: there must be next to none.
+TEST(Judge, PicturesAlongBorders) {
+    const Verdict verdict = judgeAll(alongBorderScene, 1, 1200 / kShare, kOddSizes);
+    report("pictures along borders", verdict);
+    expectNoComplaint(verdict);
+    EXPECT_LE(static_cast<double>(verdict.excused), 0.00002 * static_cast<double>(verdict.pixels));
+}
+
 // The judge itself must be able to say no: one pixel of another colour is found.
 TEST(Judge, FindsOneWrongPixel) {
     Renderer renderer;

@@ -360,4 +360,16 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     return scene;
 }
 
+Scene alongBorderScene(std::uint64_t seed, int width, int height) {
+    Scene scene = randomScene(seed, width, height);
+    Random random(seed ^ 0x616c6f6eu);
+    View& view = scene.view;
+    constexpr double kRounding = 1.0 / 17592186044416.0;  // 2^-44, of numbers below 360 degrees
+    const int quarter = random.below(4);
+    view.headingDegrees = 90.0 * quarter + random.between(-2, 2) * kRounding;
+    Coordinate& across = quarter % 2 == 0 ? view.y : view.x;
+    across = tileEdge(across.tile());
+    return scene;
+}
+
 }  // namespace slicecast::judge
