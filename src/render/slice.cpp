@@ -298,6 +298,16 @@ void Slice::drawBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     if (rising != 0 || ceilingTexture != kNoTexture) drawRising(rising, ceilingTexture);
 }
 
+// A block that rays are in: they leave it downwards or through the far side. Whether the first ones
+// go on within the one below, unhindered.
+bool Slice::leaveDownwards(const Block& block, int edgeRow) {
+    const int falling = projection_->firstFallingRow;
+    const int below = rowBelow(block.bottom, leave_);
+    leaveBottom(block, std::max(below, falling), edgeRow);
+    leaveSide(block, std::max(rowBelow(block.top, leave_), falling), below);
+    return !block.blueprint->seeThrough && goesOn(block, -1);
+}
+
 // Blocks that are not wholly above the eye, downwards. At depth 0 the eye may be inside a block, or
 // on its roof: a face met at depth 0 is not drawn, so the ray is inside the block then and leaves
 // it downwards or through the far side.
@@ -315,7 +325,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
     std::int32_t edge = kHighest;
     int edgeRow = 0;
     bool opaqueAbove = false;
-    bool inside = false;  // the rays that leave the block above are in this one, unhindered
+    bool inside = false;  // see leaveDownwards
     for (std::uint32_t rest = levels; rest != 0;) {
         const int level = static_cast<int>(std::bit_width(rest)) - 1;
         rest ^= std::uint32_t{1} << level;
@@ -340,12 +350,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
             if (block.bottom < 0 &&
                 (block.blueprint->seeThrough || block.cut || (atEye && block.top >= 0))) {
                 ceilingAbove(block.bottom);
-                const int below = rowBelow(block.bottom, leave_);
-                leaveBottom(block, std::max(below, projection_->firstFallingRow), edgeRow);
-                leaveSide(block,
-                          std::max(rowBelow(block.top, leave_), projection_->firstFallingRow),
-                          below);
-                inside = !block.blueprint->seeThrough && goesOn(block, -1);
+                inside = leaveDownwards(block, edgeRow);
             }
             continue;
         }
@@ -357,10 +362,7 @@ void Slice::drawFalling(std::uint32_t levels, TextureId ceilingTexture) {
                 drawRoof(block, rowBelow(block.top, leave_), topRow);
         } else if (atEye && block.bottom < 0) {
             ceilingAbove(block.bottom);
-            const int below = rowBelow(block.bottom, leave_);
-            leaveBottom(block, std::max(below, projection_->firstFallingRow), edgeRow);
-            leaveSide(block, projection_->firstFallingRow, below);
-            inside = goesOn(block, -1);
+            inside = leaveDownwards(block, edgeRow);
         }
     }
     ceilingAbove(-kHighest);
@@ -380,7 +382,7 @@ void Slice::drawRising(std::uint32_t levels, TextureId ceilingTexture) {
     std::int32_t edge = -kHighest;
     int edgeRow = 0;
     bool opaqueBelow = false;
-    bool inside = false;  // see drawFalling
+    bool inside = false;  // as in drawFalling
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
         Block block = blockAt(std::countr_zero(rest));
         if (clipped_ && !cutToClip(block)) continue;

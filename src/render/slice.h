@@ -124,6 +124,7 @@ private:
     void drawObject(const FrameObject& object);
     Block blockAt(int level) const;
     void drawBlocks(std::uint32_t reached, TextureId ceilingTexture);
+    bool leaveDownwards(const Block& block, int edgeRow);
     void drawFalling(std::uint32_t levels, TextureId ceilingTexture);
     void drawRising(std::uint32_t levels, TextureId ceilingTexture);
     SideView sideView(const Crossing& border) const;
