@@ -1,7 +1,11 @@
 // Blocks that touch and have no faces between them.
 #include "scenes.h"
 
+#include "render/classic/draw_classic.h"
+
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace slicecast::known {
 namespace {
@@ -9,8 +13,16 @@ namespace {
 // Half black: two of its faces, one behind the other, are darker than one.
 constexpr Colour kPane = {0, 0, 0, 128};
 
-Image drawEast(const World& world, const Eye& eye) {
-    return draw(world, eye, 81, 81, {.fovDegrees = 60.0});
+Image drawBy(bool classic, const World& world, const Eye& eye, int size, double fovDegrees) {
+    if (!classic) return draw(world, eye, size, size, {.fovDegrees = fovDegrees});
+    Image image(size, size);
+    EXPECT_TRUE(drawClassic(world, eye, {.fovDegrees = fovDegrees}, {},
+                            {image.pixels.data(), size, size, size}));
+    return image;
+}
+
+Image drawEast(const World& world, const Eye& eye, bool classic = false) {
+    return drawBy(classic, world, eye, 81, 60.0);
 }
 
 int differences(const Image& a, const Image& b) {
@@ -22,7 +34,8 @@ int differences(const Image& a, const Image& b) {
 // Four panes in a row, or one upon another; the third one has a portal on its north face, whose
 // texture is a hole.
 TEST(Joins, APaneWithAPortalIsAPaneLikeTheOthers) {
-    for (const bool stacked : {false, true}) {
+    for (const auto& [stacked, classic] :
+         {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
         World world = emptyWorld(9, 5, 4, plain("floor", kWhite));
         const BlueprintId pane = addBlock(world, addTexture(world, plain("pane", kPane)));
         world.blueprints[pane].faces[static_cast<std::size_t>(Face::north)].texture =
@@ -31,17 +44,17 @@ TEST(Joins, APaneWithAPortalIsAPaneLikeTheOthers) {
         Map& map = world.maps[0];
         for (int i = 0; i < 4; ++i) map.setCell(stacked ? 4 : 3 + i, 2, stacked ? i : 0, pane);
         const Eye eye = stacked ? eyeAt(1.3, 2.6, 1.4, 0.0) : eyeAt(1.3, 2.6, 0.4, 3.0);
-        const Image before = drawEast(world, eye);
+        const Image before = drawEast(world, eye, classic);
         world.portals.push_back({.fromX = 5, .fromY = 2, .toX = 1, .toY = 1});
         CellBlueprint withPortal = instanceOf(world, pane);
         withPortal.faces[static_cast<std::size_t>(Face::north)].portal = 0;
         world.blueprints.push_back(withPortal);
         markPortals(world);
         map.setCell(stacked ? 4 : 5, 2, stacked ? 2 : 0, static_cast<BlueprintId>(pane + 1));
-        EXPECT_EQ(differences(before, drawEast(world, eye)), 0) << stacked;
+        EXPECT_EQ(differences(before, drawEast(world, eye, classic)), 0) << stacked;
         // The faces between show where it says so.
         world.blueprints.back().join = false;
-        EXPECT_GT(differences(before, drawEast(world, eye)), 0) << stacked;
+        EXPECT_GT(differences(before, drawEast(world, eye, classic)), 0) << stacked;
     }
 }
 
@@ -79,14 +92,15 @@ World movingBlock(Colour colour, bool join) {
 }
 
 TEST(Joins, WhatMovesHasNoFacesInsideItself) {
-    for (const bool join : {true, false}) {
-        World world = movingBlock(kPane, join);
+    for (const bool classic : {true, false}) {
+        World world = movingBlock(kPane, false);
         World still = movingBlock(kPane, true);
         EXPECT_TRUE(makeMovers(world).empty());
         EXPECT_TRUE(makeMovers(still).empty());
         // The faces of a block that joins are known to be its own.
         for (const Eye& eye : {eyeAt(1.2, 3.4, 2.2, 5.0, -0.4), eyeAt(1.2, 3.4, 0.2, 5.0, 0.4)})
-            EXPECT_EQ(differences(drawEast(world, eye), drawEast(still, eye)), 0) << join;
+            EXPECT_EQ(differences(drawEast(world, eye, classic), drawEast(still, eye, classic)), 0)
+                << classic;
     }
 }
 
@@ -103,12 +117,14 @@ TEST(Joins, WhatMovesIsHollowFromInside) {
     EXPECT_TRUE(makeMovers(world).empty());
     // It lies between 0.6 and 1.4. Seen from 0.3 before its east side at a height of 0.8, that side
     // reaches up to twice the picture's slope of one.
-    for (const double height : {0.8, 1.2}) {
-        const Image level = draw(world, eyeAt(3.3, 3.5, height, 0.0), 80, 80, {.fovDegrees = 90.0});
-        const Image up =
-            draw(world, eyeAt(3.3, 3.5, height, 0.0, 1.6), 80, 80, {.fovDegrees = 90.0});
-        const Image down =
-            draw(world, eyeAt(3.3, 3.5, height, 0.0, -1.6), 80, 80, {.fovDegrees = 90.0});
+    for (const int i : {0, 1, 2, 3}) {
+        const double height = i % 2 == 0 ? 0.8 : 1.2;
+        const auto looking = [&](double look) {
+            return drawBy(i / 2 == 1, world, eyeAt(3.3, 3.5, height, 0.0, look), 80, 90.0);
+        };
+        const Image level = looking(0.0);
+        const Image up = looking(1.6);
+        const Image down = looking(-1.6);
         int side = 0;
         for (int row = 0; row < 80; ++row) side += level.at(40, row) == toPixel({10, 200, 10, 255});
         // 40 rows are 0.7 units at the side: 0.8 are 45.7.
