@@ -38,26 +38,24 @@ std::uint32_t held(double first, double end, double start, double perInverse, do
     return (isAlong ? perInverse < 0.0 : before) ? kEnd : 0;
 }
 
-}  // namespace
-
 constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
 
-// The texture of what moves may come to its lower edge within a side, and begins anew there: calls
-// fn for the run, or for the two that it falls into.
-template <typename Fn>
-inline void eachTurn(SideRun run, Fn&& fn) {
+// The texture of what moves may come to its lower edge within a side, and begins anew there. Cuts
+// the part above off a run and gives it; the run is empty when there is none left.
+SideRun takeTurn(SideRun& run) {
     if (run.start >= kWholeTexture) run.start -= kWholeTexture;
+    SideRun part = run;
     const auto rows = static_cast<std::uint64_t>(run.last - run.first);
     if (run.start + (rows - 1) * run.step >= kWholeTexture) {
         const std::uint64_t above = (kWholeTexture - run.start + run.step - 1) / run.step;
-        SideRun upper = run;
-        upper.last = upper.first + static_cast<int>(above);
-        fn(upper);
-        run.first = upper.last;
+        part.last = part.first + static_cast<int>(above);
         run.start += above * run.step - kWholeTexture;
     }
-    fn(run);
+    run.first = part.last;
+    return part;
 }
+
+}  // namespace
 
 // What the sides at one border have in common.
 Slice::SideView Slice::sideView(const Crossing& border) const {
@@ -86,7 +84,7 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
     const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
 
     // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the
-    // block covers of the level. What has risen shows what is farther down: see eachTurn.
+    // block covers of the level. What has risen shows what is farther down: see takeTurn.
     constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
     constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
     const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
@@ -117,13 +115,17 @@ __attribute__((always_inline)) inline SideRun Slice::sideRun(const Block& block,
 void Slice::drawSide(const Block& block, Face face, const Crossing& border, const SideView& view,
                      int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
-        const SideRun run = sideRun(block, face, border, view, first, last);
+        SideRun run = sideRun(block, face, border, view, first, last);
         count(first, last);
-        eachTurn(run, [&](const SideRun& part) {
-            if (waterFogs_ != nullptr) return fillFromWater(part, Lay::opaque);
-            fillSide(pixels_ + part.first, part.last - part.first, part.texels, part.shift,
-                     part.start, part.step, part.factor, part.fog, part.haze);
-        });
+        while (run.first < run.last) {
+            const SideRun part = takeTurn(run);
+            if (waterFogs_ != nullptr) {
+                fillFromWater(part, Lay::opaque);
+            } else {
+                fillSide(pixels_ + part.first, part.last - part.first, part.texels, part.shift,
+                         part.start, part.step, part.factor, part.fog, part.haze);
+            }
+        }
         if (trace_) traceSide(block, face, border, view, first, last, false);
     });
 }
@@ -146,8 +148,8 @@ void Slice::fillFromWater(const SideRun& run, Lay lay) {
 void Slice::seeThroughSide(const Block& block, Face face, const Crossing& border,
                            const SideView& view, int firstRow, int lastRow) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
-        eachTurn(sideRun(block, face, border, view, first, last),
-                 [&](const SideRun& part) { layers_->add(part); });
+        SideRun run = sideRun(block, face, border, view, first, last);
+        while (run.first < run.last) layers_->add(takeTurn(run));
         if (trace_) traceSide(block, face, border, view, first, last, true);
     });
 }
