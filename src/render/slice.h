@@ -124,7 +124,7 @@ private:
     void drawObject(const FrameObject& object);
     Block blockAt(int level) const;
     void drawBlocks(std::uint32_t reached, TextureId ceilingTexture);
-    bool leaveDownwards(const Block& block, int edgeRow);
+    __attribute__((noinline)) bool leaveDownwards(const Block& block, int edgeRow);
     void drawFalling(std::uint32_t levels, TextureId ceilingTexture);
     void drawRising(std::uint32_t levels, TextureId ceilingTexture);
     SideView sideView(const Crossing& border) const;
@@ -150,13 +150,15 @@ private:
     static bool isThere(const Block& block, Face face) {
         return block.blueprint->face(face).texture != kNoTexture;
     }
-    const CellBlueprint* joinedAt(const Block& block, const Map& map, int x, int y,
-                                  int level) const;
+    __attribute__((noinline)) const CellBlueprint* joinedAt(const Block& block, const Map& map,
+                                                            int x, int y, int level) const;
     const CellBlueprint* joinedBefore(const Block& block) const;
-    bool goesOn(const Block& block, int up) const;
+    // Called at many places, and seldom: a copy at each would be loaded for nothing.
+    __attribute__((noinline)) bool goesOn(const Block& block, int up) const;
     bool joinsNext(const Block& block, int up, bool leaving) const;
-    void drawUnjoined(const Block& block, const CellBlueprint* joined, Face face,
-                      const Crossing& border, int firstRow, int lastRow);
+    __attribute__((noinline)) void drawUnjoined(const Block& block, const CellBlueprint* joined,
+                                                Face face, const Crossing& border, int firstRow,
+                                                int lastRow);
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
     void passThroughTop(const Block& block, int firstRow, int lastRow, bool leaving);
     void passThroughBottom(const Block& block, int firstRow, int lastRow, bool leaving);
@@ -207,8 +209,9 @@ private:
     bool isOnBorder(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows) const;
     void fillInside(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, int first,
                     int last, Lay lay);
-    void fillRowByRow(const PlaneRun& run, const PlaneLine& line, const PlaneRows& rows, int first,
-                      int last, Lay lay);
+    __attribute__((noinline)) void fillRowByRow(const PlaneRun& run, const PlaneLine& line,
+                                                const PlaneRows& rows, int first, int last,
+                                                Lay lay);
     void drawPlaneTexel(int row, const TextureLevel& level, std::uint32_t east, std::uint32_t south,
                         bool southReversed, const PlaneRows& rows, Lay lay, Pixel there);
     // The point of a plane that one row shows, as fractions of a tile in 1/2^32.
@@ -218,7 +221,8 @@ private:
     };
     PlanePoint planePoint(const PlaneLine& line, const TileBox& box, double inverse) const;
     TileBox boxAround(const PlaneRun& run) const;
-    static bool isInside(const TileBox& box, const PlaneLine& line, double inverse);
+    __attribute__((noinline)) static bool isInside(const TileBox& box, const PlaneLine& line,
+                                                   double inverse);
     void count(int first, int last) {
         ++report_.spansDrawn;
         report_.rowsFilled += last - first;

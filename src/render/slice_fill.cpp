@@ -25,8 +25,8 @@ bool isRoundedToEye(double position) {
 // The fraction of a tile at a position of a plane's row, in 1/2^32, held within [first, end). On a
 // border between tiles within it is 0, or as far as it goes if the point belongs to the tile
 // `before`; along a border on which the eye is, the ray's direction tells.
-std::uint32_t held(double first, double end, double start, double perInverse, double inverse,
-                   bool before) {
+__attribute__((noinline)) std::uint32_t held(double first, double end, double start,
+                                             double perInverse, double inverse, bool before) {
     constexpr std::uint32_t kEnd = ~std::uint32_t{0};
     const double position = start + perInverse * inverse;
     if (position < first + kHalfStep) return 0;

@@ -20,18 +20,12 @@ Coordinate offsetAt(const Motion& motion, int steps) {
     const std::int64_t twice = 2 * std::min(at, period - at);
     const std::int64_t distance = std::int64_t{motion.to.raw} - motion.from.raw;
     const double part = static_cast<double>(twice) / static_cast<double>(period);
-    double way = 0.0;
-    switch (motion.shape) {
-        case MotionShape::even:
-            way = static_cast<double>(distance * twice) / static_cast<double>(period);
-            break;
-        case MotionShape::smooth:
-            way = static_cast<double>(distance) * eased(part);
-            break;
-        case MotionShape::stopAndGo:
-            way = static_cast<double>(distance) * eased(std::clamp(2.0 * part - 0.5, 0.0, 1.0));
-            break;
-    }
+    const double way =
+        motion.shape == MotionShape::even
+            ? static_cast<double>(distance * twice) / static_cast<double>(period)
+            : static_cast<double>(distance) * eased(motion.shape == MotionShape::smooth
+                                                        ? part
+                                                        : std::clamp(2.0 * part - 0.5, 0.0, 1.0));
     return {motion.from.raw + static_cast<std::int32_t>(std::floor(way + 0.5))};
 }
 

@@ -127,13 +127,13 @@ private:
 
     // Whether the eye is in it, or in another part of the same thing that moves.
     bool holdsEye(const TileSpan& span, const Block& block) const {
-        double low = block.bottom;
-        double high = block.top;
-        for (Block part = block; goesOn(span, part, false); low = part.bottom)
-            part = blockAt(span, part.level - 1);
-        for (Block part = block; goesOn(span, part, true); high = part.top)
-            part = blockAt(span, part.level + 1);
-        return low <= view_.eyeZ && view_.eyeZ < high;
+        const auto isIn = [&](const Block& part) {
+            return part.bottom <= view_.eyeZ && view_.eyeZ < part.top;
+        };
+        const int level = static_cast<int>(std::floor(view_.eyeZ));
+        const CellBlueprint* own = blueprintAt(span.x, span.y, level);
+        return isIn(block) || (own != nullptr && areOneMover(*own, *block.blueprint) &&
+                               isIn(blockAt(span, level)));
     }
 
     // Two see-through blocks that touch here have no faces between them.
