@@ -1,29 +1,31 @@
 #include "render/plane_points.h"
 
 namespace slicecast {
-// The fraction of a tile at a position of a plane's row, in 1/2^32, held within [first, end).
-std::uint32_t PlanePoints::held(double first, double end, double start, double perInverse,
-                                double inverse) {
+// The fraction of a tile at a position of a plane's row, in 1/2^32, held within [first, end). On a
+// border between tiles within it is 0, or as far as it goes if the point belongs to the tile
+// `before`; along a border on which the eye is, the ray's direction tells.
+__attribute__((noinline)) std::uint32_t PlanePoints::held(double first, double end, double start,
+                                                          double perInverse, double inverse,
+                                                          bool before) {
+    constexpr std::uint32_t kEnd = ~std::uint32_t{0};
     const double position = start + perInverse * inverse;
-    if (position < first) return 0;
-    if (position >= end - kHalfStep) return ~std::uint32_t{0};
-    return PlaneLine::fractionBits(start, perInverse, inverse);
-}
-
-PlanePoints::Point PlanePoints::heldAt(double inverseOffset) const {
-    return {held(box_.east, box_.eastEnd, line.eastStart, line.eastPerInverse, inverseOffset),
-            held(box_.south, box_.southEnd, line.southStart, line.southPerInverse, inverseOffset)};
+    if (position < first + kHalfStep) return 0;
+    if (position >= end - kHalfStep) return kEnd;
+    const std::uint32_t bits = PlaneLine::fractionBits(start, perInverse, inverse);
+    if (bits != 0) return bits;
+    const bool isAlong =
+        start == 0.0 && perInverse != 0.0 && position < kHalfStep && position >= -kHalfStep;
+    return (isAlong ? perInverse < 0.0 : before) ? kEnd : 0;
 }
 
 // A point on the border of two tiles exactly belongs to the one behind it, for the eye counts as a
 // trifle further east and south. Behind a portal that turns, that may be west or north: then it
 // belongs to the one before, and its fraction there is 1 and not 0.
 PlanePoints::Point PlanePoints::at(double inverseOffset) const {
-    const auto before = [this](std::uint32_t bits, bool isTurned) {
-        return bits == 0 && turn_ != 0 && isTurned ? ~std::uint32_t{0} : bits;
-    };
-    const Point point = heldAt(inverseOffset);
-    return {before(point.east, turn_ != 3), before(point.south, turn_ != 1)};
+    return {held(box_.east, box_.eastEnd, line.eastStart, line.eastPerInverse, inverseOffset,
+                 turn_ == 1 || turn_ == 2),
+            held(box_.south, box_.southEnd, line.southStart, line.southPerInverse, inverseOffset,
+                 turn_ == 2 || turn_ == 3)};
 }
 
 bool PlanePoints::anyOnBorderTurned(const double* inverseOffsets, int first, int last) const {

@@ -26,9 +26,7 @@ public:
     // What a row sees, by its 1 / |horizon - (row + 0.5)|. It is held within the tiles: roundings
     // never lead out of them.
     Point at(double inverseOffset) const;
-    // The same where no ray has turned: `at` differs on borders behind a portal only.
-    Point heldAt(double inverseOffset) const;
-    // Whether a point stays within the tiles without being held.
+    // Whether a point lies within the tiles, and by more than a rounding.
     bool isInside(double inverseOffset) const;
     // Whether one of the rows [first, last) may see a point on the border of two tiles exactly, for
     // which a rule behind portals applies (see `at`).
@@ -57,7 +55,9 @@ private:
     }
     bool anyOnBorderTurned(const double* inverseOffsets, int first, int last) const;
     static std::uint32_t held(double first, double end, double start, double perInverse,
-                              double inverse);
+                              double inverse, bool before);
+    // Whether a position lies within a rounding before the border on which the eye is.
+    static bool isRoundedToEye(double position) { return position < 0.0 && position >= -kHalfStep; }
 
     Box box_;
     int turn_;
@@ -87,7 +87,7 @@ inline bool PlanePoints::isInside(double inverseOffset) const {
     const double east = line.eastStart + line.eastPerInverse * inverseOffset;
     const double south = line.southStart + line.southPerInverse * inverseOffset;
     return east >= box_.east && east < box_.eastEnd - kHalfStep && south >= box_.south &&
-           south < box_.southEnd - kHalfStep;
+           south < box_.southEnd - kHalfStep && !isRoundedToEye(east) && !isRoundedToEye(south);
 }
 
 }  // namespace slicecast

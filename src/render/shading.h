@@ -1,6 +1,6 @@
-// Light and fog at a depth. For what glows the clamped falloff is 1.
+// Light and fog at a depth. For what glows, and where the light is off, the clamped falloff is 1.
 //
-//     falloff = intensity * multiplier / t                                      1 where the light is off
+//     falloff = intensity * multiplier / t
 //     factor  = min(256, floor(256 * clamp(falloff, darkest, brightest) * faceLight + 0.5))
 //     channel = (c * factor + 128) >> 8                                         on the bytes as they are
 //     fog     = floor(255 * clamp((t - start) / (end - start), 0, 1) + 0.5)
@@ -67,7 +67,8 @@ struct Lighting {
 
     // 256 times the light at a depth, before a face's own factor.
     double brightnessAt(double depth) const {
-        const double falloff = lit ? strength / depth : 1.0;
+        if (!lit) return kFullBrightness;
+        const double falloff = strength / depth;
         return 256.0 * std::min(std::max(falloff, darkest), brightest);
     }
     static std::uint32_t factorOf(double brightness, double faceLight) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -15,6 +16,8 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 // A point that lies on the border of two texels exactly may come out a rounding before it:
 // positions are moved by this much of a tile, far less than a pixel and far more than a rounding.
 constexpr double kSnap = 1.0 / 17179869184.0;
+
+constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
 
 }  // namespace
 
@@ -36,6 +39,16 @@ void SliceWalk::meetBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     if (rising != 0 || ceilingTexture != kNoTexture) meetRising(rising, ceilingTexture);
 }
 
+// A block that rays are in: they leave it downwards or through the far side. Whether the first ones
+// go on within the one below, unhindered.
+bool SliceWalk::leaveDownwards(const Block& block, int edgeRow) {
+    const int falling = projection_->firstFallingRow;
+    const int below = rowBelow(block.bottom, leave_);
+    leaveBottom(block, std::max(below, falling), edgeRow);
+    leaveSide(block, std::max(rowBelow(block.top, leave_), falling), below);
+    return !block.blueprint->seeThrough && goesOn(block, -1);
+}
+
 // Blocks that are not wholly above the eye, downwards. At depth 0 the eye may be inside a block, or
 // on its roof: a face met at depth 0 is not drawn, so the ray is inside the block then and leaves
 // it downwards or through the far side.
@@ -53,11 +66,13 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
     std::int32_t edge = kHighest;
     int edgeRow = 0;
     bool opaqueAbove = false;
+    bool inside = false;  // see leaveDownwards
     for (std::uint32_t rest = levels; rest != 0;) {
         const int level = static_cast<int>(std::bit_width(rest)) - 1;
         rest ^= std::uint32_t{1} << level;
         Block block = blockAt(level);
         if ((clipped_ && !cutToClip(block)) || block.bottom > 0) continue;
+        block.cut |= std::exchange(inside, false);
         const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
@@ -71,18 +86,12 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
             if (!block.cut && !covered && block.top < 0)
                 enterTop(block, rowBelow(block.top, leave_), topRow);
             // Whoever stands exactly on a portal falls in at once.
-            if (block.top == 0 && !walk_.hasEntered() &&
-                acts(block.blueprint->face(Face::top).portal)) {
+            if (block.top == 0 && !walk_.hasEntered() && actsAtTop(block))
                 enterTop(block, projection_->firstFallingRow, projection_->height);
-            }
             if (block.bottom < 0 &&
                 (block.blueprint->seeThrough || block.cut || (atEye && block.top >= 0))) {
                 ceilingAbove(block.bottom);
-                const int below = rowBelow(block.bottom, leave_);
-                leaveBottom(block, std::max(below, projection_->firstFallingRow), edgeRow);
-                leaveSide(block,
-                          std::max(rowBelow(block.top, leave_), projection_->firstFallingRow),
-                          below);
+                inside = leaveDownwards(block, edgeRow);
             }
             continue;
         }
@@ -94,9 +103,7 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
                 takeRoof(block, rowBelow(block.top, leave_), topRow);
         } else if (atEye && block.bottom < 0) {
             ceilingAbove(block.bottom);
-            const int below = rowBelow(block.bottom, leave_);
-            leaveBottom(block, std::max(below, projection_->firstFallingRow), edgeRow);
-            leaveSide(block, projection_->firstFallingRow, below);
+            inside = leaveDownwards(block, edgeRow);
         }
     }
     ceilingAbove(-kHighest);
@@ -116,9 +123,11 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
     std::int32_t edge = -kHighest;
     int edgeRow = 0;
     bool opaqueBelow = false;
+    bool inside = false;  // as in meetFalling
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
         Block block = blockAt(std::countr_zero(rest));
         if (clipped_ && !cutToClip(block)) continue;
+        block.cut |= std::exchange(inside, false);
         const bool isPlain =
             !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
         if (block.bottom > 0) {
@@ -137,6 +146,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
                     const int below = rowBelow(block.top, leave_);
                     leaveTop(block, edgeRow, below);
                     leaveSide(block, below, rowBelow(block.bottom, leave_));
+                    inside = !block.blueprint->seeThrough && goesOn(block, 1);
                 }
                 continue;
             }
@@ -154,6 +164,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
             leaveTop(block, edgeRow, std::min(below, projection_->firstFallingRow));
             leaveSide(block, below,
                       std::min(rowBelow(block.bottom, leave_), projection_->firstFallingRow));
+            inside = !block.blueprint->seeThrough && goesOn(block, 1);
         }
     }
     ceilingBelow(kHighest);
@@ -195,7 +206,7 @@ __attribute__((always_inline)) inline TexelColumn SliceWalk::sideColumn(const Bl
     const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
 
     // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the
-    // block covers of the level.
+    // block covers of the level. What has risen shows what is farther down.
     constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
     constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
     const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
@@ -211,10 +222,11 @@ __attribute__((always_inline)) inline TexelColumn SliceWalk::sideColumn(const Bl
     // A block of several rows is no higher than a tile, so a row's step is less.
     std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
     if (start + steps * step >= end) step = (end - 1 - start) / steps;
+    const std::int64_t rise = block.blueprint->textureRise.raw * kPositionsPerRaw;
     return {.texels = level.texels.data() + (static_cast<std::size_t>(u) << level.bits),
             .shift = kTexturePositionBits - level.bits,
             .detail = detail,
-            .start = static_cast<std::uint64_t>(start),
+            .start = static_cast<std::uint64_t>(start + rise),
             .step = static_cast<std::uint64_t>(step),
             .factor = vista_->lighting.factorOf(look.glow ? kFullBrightness : view.brightness,
                                                 look.light),
@@ -224,19 +236,37 @@ __attribute__((always_inline)) inline TexelColumn SliceWalk::sideColumn(const Bl
 
 void SliceWalk::takeSide(const Block& block, Face face, const Crossing& border,
                          const SideView& view, int firstRow, int lastRow) {
-    open_.take(firstRow, lastRow,
-               [&](int first, int last) { addSide(block, face, border, view, first, last); });
+    open_.take(firstRow, lastRow, [&](int first, int last) {
+        addSide(block, face, border, view, first, last, false);
+    });
 }
 
-Span& SliceWalk::addSide(const Block& block, Face face, const Crossing& border,
-                         const SideView& view, int first, int last) {
+// The texture of what moves may come to its lower edge within a side, and begins anew there: then
+// the side is two spans.
+void SliceWalk::addSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                        int first, int last, bool layer) {
+    TexelColumn column = sideColumn(block, face, border, view, first, last);
+    if (column.start >= kWholeTexture) column.start -= kWholeTexture;
+    const auto steps = static_cast<std::uint64_t>(last - first - 1);
+    if (column.start + steps * column.step >= kWholeTexture) {
+        const std::uint64_t above = (kWholeTexture - column.start + column.step - 1) / column.step;
+        const int turn = first + static_cast<int>(above);
+        addSideSpan(block, face, column, first, turn, layer);
+        column.start += above * column.step - kWholeTexture;
+        first = turn;
+    }
+    addSideSpan(block, face, column, first, last, layer);
+}
+
+void SliceWalk::addSideSpan(const Block& block, Face face, const TexelColumn& column, int first,
+                            int last, bool layer) {
     Span& span = add(What::side, first, last);
     span.face = face;
+    span.layer = layer;
     span.level = block.level;
     span.tiles = here();
     span.plane.texture = block.blueprint->face(face).texture;
-    span.column = sideColumn(block, face, border, view, first, last);
-    return span;
+    span.column = column;
 }
 
 Plane SliceWalk::planeOf(const Block& block, Face face) const {

@@ -8,55 +8,82 @@
 #include <algorithm>
 
 namespace slicecast {
+namespace {
 
-// Of two touching see-through blocks of one blueprint the faces between them are left out, and so
-// they are where a portal lies between.
-bool SliceWalk::isJoined(const Block& block, const Map& map, int x, int y, int level) const {
-    return block.blueprint->join &&
-           &frame_.world->blueprints[map.cell(x, y, level)] == block.blueprint;
+// Only a block that ends where its level does can touch the one above it, or below.
+bool reachesEnd(const CellBlueprint& blueprint, int up) {
+    return up > 0 ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
 }
 
-// Whether a block joins one in the tile before.
-bool SliceWalk::joinsBefore(const Block& block) const {
+}  // namespace
+
+// The block of a cell if it joins that one; null if it does not. Of two touching see-through blocks
+// of one kind the faces between them are left out, and so they are where a portal lies between.
+const CellBlueprint* SliceWalk::joinedAt(const Block& block, const Map& map, int x, int y,
+                                         int level) const {
+    const CellBlueprint& other = frame_.world->blueprints[map.cell(x, y, level)];
+    return areJoined(*frame_.world, *block.blueprint, other) ? &other : nullptr;
+}
+
+// What a block in the tile before joins.
+const CellBlueprint* SliceWalk::joinedBefore(const Block& block) const {
     if (isArrival())
-        return isJoined(block, *before_.map, before_.x, before_.y, block.level - before_.levels);
-    return isJoined(block, *map_, beforeX(Border::enter), beforeY(Border::enter), block.level);
+        return joinedAt(block, *before_.map, before_.x, before_.y, block.level - before_.levels);
+    return joinedAt(block, *map_, beforeX(Border::enter), beforeY(Border::enter), block.level);
+}
+
+// Whether a block and the one above it, or below, are parts of one thing that moves: then there is
+// nothing between them, whether or not they are see-through.
+bool SliceWalk::goesOn(const Block& block, int up) const {
+    if (block.blueprint->mover < 0 || !reachesEnd(*block.blueprint, up)) return false;
+    if (up > 0 ? block.top == clip_.high : block.bottom == clip_.low) return false;
+    const CellBlueprint& next =
+        frame_.world->blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level + up)];
+    return areOneMover(*block.blueprint, next) && reachesEnd(next, -up);
 }
 
 // Whether a block of the current tile joins the one above it, or below: a block that it touches, of
-// its own blueprint or a part of the same thing that moves. A ray that leaves it may go through a
-// portal there.
+// its own kind or a part of the same thing that moves. A ray that leaves it may go through a portal
+// there.
 bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
-    const bool above = up > 0;
-    const auto reaches = [](const CellBlueprint& blueprint, bool top) {
-        return top ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
-    };
-    if (!reaches(*block.blueprint, above) || !block.blueprint->join) return false;
-    const auto at = [&](const Map& map, int x, int y, int level) -> const CellBlueprint& {
-        return frame_.world->blueprints[map.cell(x, y, level)];
-    };
-    const auto joins = [&](const CellBlueprint& next) {
-        return reaches(next, !above) && (&next == block.blueprint ||
-                                         (next.mover >= 0 && next.mover == block.blueprint->mover));
+    if (goesOn(block, up)) return true;
+    if (!reachesEnd(*block.blueprint, up) || !block.blueprint->join) return false;
+    const auto joins = [&](const Map& map, int x, int y, int level) {
+        const CellBlueprint* const next = joinedAt(block, map, x, y, level);
+        return next != nullptr && reachesEnd(*next, -up);
     };
     const int level = block.level + up;
-    if (clipped_ && (above ? block.top == clip_.high : block.bottom == clip_.low)) {
-        return isArrival() && joins(at(*before_.map, before_.x, before_.y, level - before_.levels));
-    }
-    const CellBlueprint& next = at(*map_, walk_.tileX, walk_.tileY, level);
+    if (clipped_ && (up > 0 ? block.top == clip_.high : block.bottom == clip_.low))
+        return isArrival() && joins(*before_.map, before_.x, before_.y, level - before_.levels);
+    const CellBlueprint& next =
+        frame_.world->blueprints[map_->cell(walk_.tileX, walk_.tileY, level)];
     const PortalId portal =
-        reaches(next, !above) ? next.face(above ? Face::bottom : Face::top).portal : kNoPortal;
-    if (!leaving || !acts(portal)) return joins(next);
+        reachesEnd(next, -up) ? next.face(up > 0 ? Face::bottom : Face::top).portal : kNoPortal;
+    if (!leaving || !acts(portal, false)) return joins(*map_, walk_.tileX, walk_.tileY, level);
     const Portal& to = frame_.world->portals[portal];
-    return joins(at(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
-                    level + to.levels));
+    return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
+                 level + to.levels);
+}
+
+// A side at a border, but for what of it touches a block that it joins.
+void SliceWalk::seeUnjoined(const Block& block, const CellBlueprint* joined, Face face,
+                            const Crossing& border, int firstRow, int lastRow) {
+    const CellBlueprint& own = *block.blueprint;
+    const SideView view = sideView(border);
+    const auto draw = [&](int first, int last) {
+        if (first < last) seeThroughSide(block, face, border, view, first, last);
+    };
+    if (joined == nullptr) return draw(firstRow, lastRow);
+    const std::int32_t base = tileEdge(block.level).raw - eyeZ_;
+    if (joined->top < own.top)
+        draw(firstRow, std::min(lastRow, rowBelow(base + joined->top.raw, border)));
+    if (joined->bottom > own.bottom)
+        draw(std::max(firstRow, rowBelow(base + joined->bottom.raw, border)), lastRow);
 }
 
 void SliceWalk::enterThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, enteredFace(enter_)) ||
-        joinsBefore(block))
-        return;
-    seeThroughSide(block, enteredFace(enter_), enter_, sideView(enter_), firstRow, lastRow);
+    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, enteredFace(enter_))) return;
+    seeUnjoined(block, joinedBefore(block), enteredFace(enter_), enter_, firstRow, lastRow);
 }
 
 // Behind the side there may be a portal: one of the whole tile, or one in the face of a block,
@@ -67,29 +94,30 @@ void SliceWalk::leaveThroughSide(const Block& block, int firstRow, int lastRow) 
         return;
     const int x = behindX(Border::leave);
     const int y = behindY(Border::leave);
-    const SideView view = sideView(leave_);
-    const auto draw = [&](int first, int last) {
-        seeThroughSide(block, leftFace(leave_), leave_, view, first, last);
-    };
-    const auto isJoinedBeyond = [&](PortalId portal) {
-        const Portal& to = frame_.world->portals[portal];
-        return isJoined(block, frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX,
-                        to.toY, block.level + to.levels);
+    const auto draw = [&](const CellBlueprint* joined, int first, int last) {
+        seeUnjoined(block, joined, leftFace(leave_), leave_, first, last);
     };
     const bool mayPass = portals_ < frame_.world->portalLimit;
-    if (const PortalId portal = map_->tilePortal(x, y); portal != kNoPortal) {
-        if (!mayPass || !isJoinedBeyond(portal)) draw(firstRow, lastRow);
-        return;
-    }
+    const auto joinedBeyond = [&](PortalId portal) {
+        const Portal& to = frame_.world->portals[portal];
+        return mayPass ? joinedAt(block, frame_.world->maps[static_cast<std::size_t>(to.toMap)],
+                                  to.toX, to.toY, block.level + to.levels)
+                       : nullptr;
+    };
+    if (const PortalId portal = map_->tilePortal(x, y); portal != kNoPortal)
+        return draw(joinedBeyond(portal), firstRow, lastRow);
     const CellBlueprint& behind = frame_.world->blueprints[map_->cell(x, y, block.level)];
-    if (const PortalId portal = behind.face(enteredFace(leave_)).portal;
-        portal != kNoPortal && mayPass && isJoinedBeyond(portal)) {
-        const std::int32_t base = tileEdge(block.level).raw - eyeZ_;
-        draw(firstRow, std::min(lastRow, rowBelow(base + behind.top.raw, leave_)));
-        draw(std::max(firstRow, rowBelow(base + behind.bottom.raw, leave_)), lastRow);
-        return;
-    }
-    if (!isJoined(block, *map_, x, y, block.level)) draw(firstRow, lastRow);
+    const PortalId portal = behind.face(enteredFace(leave_)).portal;
+    if (portal == kNoPortal || !mayPass)
+        return draw(joinedAt(block, *map_, x, y, block.level), firstRow, lastRow);
+    const CellBlueprint* const joined = joinedBeyond(portal);
+    if (joined == nullptr) return draw(nullptr, firstRow, lastRow);
+    const std::int32_t base = tileEdge(block.level).raw - eyeZ_;
+    const int top = rowBelow(base + behind.top.raw, leave_);
+    const int bottom = rowBelow(base + behind.bottom.raw, leave_);
+    draw(nullptr, firstRow, std::min(lastRow, top));
+    draw(joined, std::max(firstRow, top), std::min(lastRow, bottom));
+    draw(nullptr, std::max(firstRow, bottom), lastRow);
 }
 
 // The roof or the underside.
@@ -107,7 +135,7 @@ void SliceWalk::seeThroughSide(const Block& block, Face face, const Crossing& bo
                                const SideView& view, int firstRow, int lastRow) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
         if (!hasRoomForLayer()) return;
-        addSide(block, face, border, view, first, last).layer = true;
+        addSide(block, face, border, view, first, last, true);
     });
 }
 

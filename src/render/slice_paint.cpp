@@ -163,30 +163,50 @@ void SlicePainter::paintGathered(PlaneRun& run) {
     run.first = run.last = -1;
 }
 
-// The rows are split where the level of detail changes. The first and the last row may lie within a
-// rounding of their tiles' border: their texel is held inside it, so that never a texel of the far
-// side of the texture shows.
+// The first and the last rows may lie within a rounding of their tiles' border, all of them where
+// the ray runs along it: their texel is held inside, so that never one of the far side of the
+// texture shows.
 void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
-    const int first = run.first;
-    const int last = run.last;
-    count(first, last);
+    count(run.first, run.last);
     const Plane& plane = run.plane;
-    const FrameTexture& texture = frame_.textures[plane.texture];
     const PlanePoints points(*run.vista, run.vista->ray(column_), plane, run.tiles);
-    const Pixel haze = run.vista->lighting.haze;
     const PlaneRows rows =
-        run.vista->planeShades.rows(plane.rise, plane.light, plane.glow, first, last);
-    if (points.anyOnBorder(rows.inverseOffsets, first, last))
+        run.vista->planeShades.rows(plane.rise, plane.light, plane.glow, run.first, run.last);
+    const double* const inverses = rows.inverseOffsets;
+    if (points.anyOnBorder(inverses, run.first, run.last))
         return paintPlaneByRows(run, points, rows, lay);
+    PlaneRun inside = run;
+    while (inside.first < run.last && !points.isInside(inverses[inside.first])) ++inside.first;
+    while (inside.last > inside.first && !points.isInside(inverses[inside.last - 1])) --inside.last;
+    if (run.first < inside.first) {
+        PlaneRun above = run;
+        above.last = inside.first;
+        paintPlaneByRows(above, points, rows, lay);
+    }
+    if (inside.last < run.last) {
+        PlaneRun below = run;
+        below.first = inside.last;
+        paintPlaneByRows(below, points, rows, lay);
+    }
+    if (inside.first < inside.last) paintPlaneInside(inside, points, rows, lay);
+}
+
+// The rows are split where the level of detail changes.
+void SlicePainter::paintPlaneInside(const PlaneRun& run, const PlanePoints& points,
+                                    const PlaneRows& rows, Lay lay) {
+    const FrameTexture& texture = frame_.textures[run.plane.texture];
     const auto levelAt = [&](int row) {
         return frame_.detail.levelAt(points.depthPerInverse * rows.inverseOffsets[row],
                                      texture.size, texture.last);
     };
-    const int firstLevel = levelAt(first);
-    const int lastLevel = last - first == 1 ? firstLevel : levelAt(last - 1);
-    const Pixel firstThere = pixels_[first];
-    const Pixel lastThere = pixels_[last - 1];
-    int row = first;
+    const auto fillTo = [&](int from, int end, int level) {
+        fillPlane(pixels_, from, end, texture.levels[level], points.line, rows,
+                  run.vista->lighting.haze, lay);
+    };
+    const int last = run.last;
+    int row = run.first;
+    const int firstLevel = levelAt(row);
+    const int lastLevel = last - row == 1 ? firstLevel : levelAt(last - 1);
     for (int level = firstLevel; level != lastLevel;) {
         int same = row;  // the last row known to have this level; the first known not to is `end`
         int end = last - 1;
@@ -194,20 +214,11 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
             const int middle = same + (end - same) / 2;
             (levelAt(middle) == level ? same : end) = middle;
         }
-        fillPlane(pixels_, row, end, texture.levels[level], points.line, rows, haze, lay);
+        fillTo(row, end, level);
         row = end;
         level = levelAt(row);
     }
-    fillPlane(pixels_, row, last, texture.levels[lastLevel], points.line, rows, haze, lay);
-    const auto holdInside = [&](int held, int level, Pixel there) {
-        const double inverse = rows.inverseOffsets[held];
-        if (points.isInside(inverse)) return;
-        const PlaneTexel texel = {texture.levels[level], points.heldAt(inverse),
-                                  plane.southReversed};
-        pixels_[held] = shadedPlaneTexel(texel, held, rows, haze, lay, there);
-    };
-    holdInside(first, firstLevel, firstThere);
-    if (last - first > 1) holdInside(last - 1, lastLevel, lastThere);
+    fillTo(row, last, lastLevel);
 }
 
 // Runs with a point on a tile's border exactly are rare behind portals that turn, and painted

@@ -42,8 +42,10 @@ private:
     void gather(const Span& span);
     void paintGathered(PlaneRun& run);
     void paintPlane(const PlaneRun& run, Lay lay);
-    void paintPlaneByRows(const PlaneRun& run, const PlanePoints& points, const PlaneRows& rows,
+    void paintPlaneInside(const PlaneRun& run, const PlanePoints& points, const PlaneRows& rows,
                           Lay lay);
+    __attribute__((noinline)) void paintPlaneByRows(const PlaneRun& run, const PlanePoints& points,
+                                                    const PlaneRows& rows, Lay lay);
     void count(int first, int last) {
         ++report_.spansDrawn;
         report_.rowsFilled += last - first;

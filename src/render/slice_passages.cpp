@@ -11,7 +11,7 @@ namespace slicecast {
 void SliceWalk::enterSide(const Block& block, int firstRow, int lastRow) {
     if (!enter_.border || !open_.mayHold(firstRow, lastRow)) return;
     const PortalId portal = block.blueprint->face(enteredFace(enter_)).portal;
-    if (acts(portal)) {
+    if (acts(portal, isArrival())) {
         sendThrough(portal, firstRow, lastRow, {});
     } else if (walk_.entered > 0.0) {
         if (block.blueprint->seeThrough) {
@@ -24,7 +24,7 @@ void SliceWalk::enterSide(const Block& block, int firstRow, int lastRow) {
 
 void SliceWalk::enterTop(const Block& block, int firstRow, int lastRow) {
     const FaceBlueprint& look = block.blueprint->face(Face::top);
-    if (acts(look.portal)) {
+    if (actsAtTop(block)) {
         HeightClip below;
         below.high = block.top;
         sendThrough(look.portal, firstRow, lastRow, below);
@@ -38,7 +38,7 @@ void SliceWalk::enterTop(const Block& block, int firstRow, int lastRow) {
 
 void SliceWalk::enterBottom(const Block& block, int firstRow, int lastRow) {
     const PortalId portal = block.blueprint->face(Face::bottom).portal;
-    if (acts(portal)) {
+    if (actsAtBottom(block)) {
         HeightClip above;
         above.low = block.bottom;
         sendThrough(portal, firstRow, lastRow, above);
@@ -64,7 +64,7 @@ void SliceWalk::leaveTop(const Block& block, int firstRow, int lastRow) {
     if (block.blueprint->face(Face::top).portal != kNoPortal) return;
     if (block.blueprint->seeThrough) {
         passThroughPlane(block, Face::top, firstRow, lastRow, true);
-    } else {
+    } else if (!goesOn(block, 1)) {
         takeRoof(block, firstRow, lastRow, true);
     }
 }
@@ -73,7 +73,7 @@ void SliceWalk::leaveBottom(const Block& block, int firstRow, int lastRow) {
     if (block.blueprint->face(Face::bottom).portal != kNoPortal) return;
     if (block.blueprint->seeThrough) {
         passThroughPlane(block, Face::bottom, firstRow, lastRow, true);
-    } else {
+    } else if (!goesOn(block, -1)) {
         takeUnderside(block, firstRow, lastRow);
     }
 }
@@ -89,9 +89,19 @@ bool SliceWalk::cutToClip(Block& block) const {
     return true;
 }
 
-// The portals of the tile in which a ray has come out do not act on it.
-bool SliceWalk::acts(PortalId portal) const {
-    return portal != kNoPortal && portals_ < frame_.world->portalLimit && !isArrival();
+// Where a ray has just come out of a portal no other acts on it: not that of the exit tile, and no
+// face that lies in the very plane; else it might go round for ever without getting on.
+bool SliceWalk::acts(PortalId portal, bool atExit) const {
+    return portal != kNoPortal && portals_ < frame_.world->portalLimit && !atExit;
+}
+
+bool SliceWalk::actsAtTop(const Block& block) const {
+    return acts(block.blueprint->face(Face::top).portal, isArrival() && block.top == clip_.high);
+}
+
+bool SliceWalk::actsAtBottom(const Block& block) const {
+    return acts(block.blueprint->face(Face::bottom).portal,
+                isArrival() && block.bottom == clip_.low);
 }
 
 // Closes rows here and opens them behind the portal, in a part that goes on from this tile. Those
@@ -133,7 +143,7 @@ void SliceWalk::enterPortalTile() {
     takeFloor(Border::enter);
     const PortalId id = map_->tilePortal(walk_.tileX, walk_.tileY);
     // Rays that have met the floor beyond `far` do not come here.
-    if (acts(id)) sendThrough(id, 0, rowBelow(floorRise_, enter_), {});
+    if (acts(id, isArrival())) sendThrough(id, 0, rowBelow(floorRise_, enter_), {});
     takeHaze(0);
 }
 

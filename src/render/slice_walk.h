@@ -52,8 +52,8 @@ private:
         int level;
         std::int32_t bottom;
         std::int32_t top;
-        bool cut = false;  // by the part's height clip: there is no face at that end, and rays that
-                           // begin there are inside
+        bool cut = false;  // by the part's height clip, or the border between levels: there is no
+                           // face at that end, and rays that begin there are inside
     };
 
     // What the sides at one border have in common.
@@ -99,13 +99,16 @@ private:
     // ---- slice_blocks.cpp
     Block blockAt(int level) const;
     void meetBlocks(std::uint32_t reached, TextureId ceilingTexture);
+    __attribute__((noinline)) bool leaveDownwards(const Block& block, int edgeRow);
     void meetFalling(std::uint32_t levels, TextureId ceilingTexture);
     void meetRising(std::uint32_t levels, TextureId ceilingTexture);
     SideView sideView(const Crossing& border) const;
     TexelColumn sideColumn(const Block& block, Face face, const Crossing& border,
                            const SideView& view, int first, int last) const;
-    Span& addSide(const Block& block, Face face, const Crossing& border, const SideView& view,
-                  int first, int last);
+    void addSide(const Block& block, Face face, const Crossing& border, const SideView& view,
+                 int first, int last, bool layer);
+    void addSideSpan(const Block& block, Face face, const TexelColumn& column, int first, int last,
+                     bool layer);
     void takeSide(const Block& block, Face face, const Crossing& border, const SideView& view,
                   int firstRow, int lastRow);
     void takeEnteredSide(const Block& block, int firstRow, int lastRow);
@@ -120,9 +123,15 @@ private:
     static bool isThere(const Block& block, Face face) {
         return block.blueprint->face(face).texture != kNoTexture;
     }
-    bool isJoined(const Block& block, const Map& map, int x, int y, int level) const;
-    bool joinsBefore(const Block& block) const;
+    // Called at many places, and seldom: a copy at each would be loaded for nothing.
+    __attribute__((noinline)) const CellBlueprint* joinedAt(const Block& block, const Map& map,
+                                                            int x, int y, int level) const;
+    const CellBlueprint* joinedBefore(const Block& block) const;
+    __attribute__((noinline)) bool goesOn(const Block& block, int up) const;
     bool joinsNext(const Block& block, int up, bool leaving) const;
+    __attribute__((noinline)) void seeUnjoined(const Block& block, const CellBlueprint* joined,
+                                               Face face, const Crossing& border, int firstRow,
+                                               int lastRow);
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
     void passThroughPlane(const Block& block, Face face, int firstRow, int lastRow, bool leaving);
     void leaveThroughSide(const Block& block, int firstRow, int lastRow);
@@ -140,7 +149,9 @@ private:
     void meetObject(const FrameObject& object);
 
     // ---- slice_passages.cpp
-    bool acts(PortalId portal) const;
+    bool acts(PortalId portal, bool atExit) const;
+    bool actsAtTop(const Block& block) const;
+    bool actsAtBottom(const Block& block) const;
     bool isArrival() const {
         return portals_ > 0 && walk_.tileX == startX_ && walk_.tileY == startY_;
     }

@@ -363,7 +363,7 @@ private:
                              "fewer of them");
                 return false;
             }
-            CellBlueprint own = world_.blueprints[id];
+            CellBlueprint own = instanceOf(world_, id);
             own.hasPortals = true;
             id = static_cast<BlueprintId>(world_.blueprints.size());
             world_.blueprints.push_back(std::move(own));

@@ -55,6 +55,10 @@ struct CellBlueprint {
     Colour waterColour = kWaterColour;  // what an eye in it sees all in, the more the farther
     double waterSight = kWaterSight;    // units, > 0: from there on it sees this colour alone
     bool hasPortals = false;            // a face has one; set by markPortals
+    Coordinate textureRise;  // by which what moves has carried its sides' textures up, 0 to 1; they
+                             // begin anew where they end
+    BlueprintId origin = kEmptyCell;  // what it was made from, as one that moves, opens or has
+                                      // portals; empty for those of the scene's text
     int mover = -1;   // the thing that moves as one, of which this block is a part; -1 for none
     int motion = -1;  // index into World::motions; -1 for what stands still
     int gate = -1;    // index into World::gateKinds; -1 for what is no gate

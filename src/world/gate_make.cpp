@@ -26,7 +26,7 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
             partOf.emplace_back(id, static_cast<BlueprintId>(world.blueprints.size()));
             known = partOf.end() - 1;
             gate.parts.push_back(known->second);
-            CellBlueprint part = world.blueprints[id];
+            CellBlueprint part = instanceOf(world, id);
             world.blueprints.push_back(std::move(part));
         }
         map.setCell(at.x, at.y, at.level, known->second);

@@ -56,8 +56,8 @@ struct Sky {
                      // clockwise
 };
 
-// Brightness at depth t is clamp(intensity * multiplier / t, darkest, brightest), times a face's
-// own factor.
+// Brightness at depth t is clamp(intensity * multiplier / t, darkest, brightest), or 1 where the
+// light is off, times a face's own factor.
 struct Light {
     bool on = true;
     double intensity = 1.5;

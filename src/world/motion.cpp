@@ -1,29 +1,32 @@
 #include "world/motion.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slicecast {
 namespace {
 
-constexpr std::int64_t kOne = 65536;
-
-// 3 p^2 - 2 p^3, for p from 0 to kOne.
-constexpr std::int64_t eased(std::int64_t p) {
-    return p * p * (3 * kOne - 2 * p) >> 32;
+constexpr double eased(double p) {
+    return p * p * (3.0 - 2.0 * p);
 }
 
 }  // namespace
 
+// Rounded once, at the end. The product of whole numbers is exact, so `even` is right to the last
+// bit.
 Coordinate offsetAt(const Motion& motion, int steps) {
     const std::int64_t period = motion.periodSteps;
     const std::int64_t at = (std::int64_t{steps} + motion.phaseSteps) % period;
-    const std::int64_t part = 2 * std::min(at, period - at) * kOne / period;
-    std::int64_t way = part;
-    if (motion.shape == MotionShape::smooth) way = eased(part);
-    if (motion.shape == MotionShape::stopAndGo)
-        way = eased(std::clamp(2 * part - kOne / 2, std::int64_t{0}, kOne));
+    const std::int64_t twice = 2 * std::min(at, period - at);
     const std::int64_t distance = std::int64_t{motion.to.raw} - motion.from.raw;
-    return {static_cast<std::int32_t>(motion.from.raw + (distance * way >> 16))};
+    const double part = static_cast<double>(twice) / static_cast<double>(period);
+    const double way =
+        motion.shape == MotionShape::even
+            ? static_cast<double>(distance * twice) / static_cast<double>(period)
+            : static_cast<double>(distance) * eased(motion.shape == MotionShape::smooth
+                                                        ? part
+                                                        : std::clamp(2.0 * part - 0.5, 0.0, 1.0));
+    return {motion.from.raw + static_cast<std::int32_t>(std::floor(way + 0.5))};
 }
 
 double fastestSpeed(MotionShape shape, double distance, double periodSeconds) {

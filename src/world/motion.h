@@ -1,10 +1,16 @@
-// Motions: how an edge of a moving block goes to and fro. All of it in whole steps and 1/65536
-// units.
+// Motions: how an edge of a moving block goes to and fro. Time counts in whole steps, and an offset
+// is rounded once, to 1/65536 of a unit.
 //
 //     offset  to |      ___                                A period takes the offset from `from` to `to` and back again. `even` goes at one speed,
 //                |    /     \            smooth            `smooth` begins and ends slowly, `stopAndGo` does so too and rests for a quarter of the
 //           from |__/         \__                          period at either end.
 //                +----------------> steps
+//
+//     part   = 2 * min(at, period - at) / period, at = (steps + phase) modulo period
+//     way    = part                                 even
+//              3 part^2 - 2 part^3                  smooth
+//              3 q^2 - 2 q^3                        stopAndGo, q = clamp(2 part - 1/2, 0, 1)
+//     offset = from + (to - from) * way
 #pragma once
 
 #include "base/coordinate.h"

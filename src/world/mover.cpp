@@ -30,7 +30,9 @@ constexpr Coordinate withinLevel(Coordinate height, int level) {
     return std::clamp(height - tileEdge(level), Coordinate{0}, tileEdge(1));
 }
 
-void placeShaft(World& world, Map& map, const Shaft& shaft, const Extent& extent) {
+// The textures of its sides go with it.
+void placeShaft(World& world, Map& map, const Shaft& shaft, const Extent& extent,
+                Coordinate offset) {
     for (int level = shaft.firstLevel; level <= shaft.lastLevel; ++level) {
         CellBlueprint& part =
             world
@@ -38,6 +40,7 @@ void placeShaft(World& world, Map& map, const Shaft& shaft, const Extent& extent
         const bool wasEmpty = part.top <= part.bottom;
         part.bottom = withinLevel(extent.low, level);
         part.top = withinLevel(extent.high, level);
+        part.textureRise = {offset.raw & 0xffff};
         const bool isEmpty = part.top <= part.bottom;
         if (isEmpty == wasEmpty) continue;
         for (const std::size_t tile : shaft.tiles) map.occupied[tile] ^= 1u << level;
@@ -48,7 +51,7 @@ void place(World& world, const Mover& mover, Coordinate offset) {
     const MovingEdges edges = world.motions[static_cast<std::size_t>(mover.motion)].edges;
     Map& map = world.maps[static_cast<std::size_t>(mover.map)];
     for (const Shaft& shaft : mover.shafts)
-        placeShaft(world, map, shaft, extentOf(shaft, edges, offset));
+        placeShaft(world, map, shaft, extentOf(shaft, edges, offset), offset);
 }
 
 // One mover that is about to move.

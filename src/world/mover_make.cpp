@@ -93,7 +93,7 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     shaft.firstPart = static_cast<BlueprintId>(world.blueprints.size());
     for (int level = shaft.firstLevel; level <= shaft.lastLevel; ++level) {
         const int source = std::clamp(level, run.firstLevel, run.lastLevel()) - run.firstLevel;
-        CellBlueprint part = world.blueprints[run.blueprints[static_cast<std::size_t>(source)]];
+        CellBlueprint part = instanceOf(world, run.blueprints[static_cast<std::size_t>(source)]);
         part.bottom = Coordinate{0};
         part.top = tileEdge(1);
         part.mover = mover;

@@ -3,6 +3,24 @@
 #include <algorithm>
 
 namespace slicecast {
+namespace {
+
+const CellBlueprint& originOf(const World& world, const CellBlueprint& blueprint) {
+    return blueprint.origin == kEmptyCell ? blueprint : world.blueprints[blueprint.origin];
+}
+
+}  // namespace
+
+CellBlueprint instanceOf(const World& world, BlueprintId id) {
+    CellBlueprint instance = world.blueprints[id];
+    if (instance.origin == kEmptyCell) instance.origin = id;
+    return instance;
+}
+
+bool areJoined(const World& world, const CellBlueprint& a, const CellBlueprint& b) {
+    return a.seeThrough && a.join && b.seeThrough && b.join &&
+           &originOf(world, a) == &originOf(world, b);
+}
 
 void markSeeThrough(World& world) {
     for (CellBlueprint& blueprint : world.blueprints) {

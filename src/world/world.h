@@ -45,6 +45,19 @@ struct World {
     double seconds = 0.0;  // since the world began; animated textures follow it
 };
 
+// A copy of a blueprint for a block that moves, opens or has portals.
+CellBlueprint instanceOf(const World& world, BlueprintId id);
+
+// Whether two see-through blocks are of one kind, so that where they touch there are no faces
+// between them.
+bool areJoined(const World& world, const CellBlueprint& a, const CellBlueprint& b);
+
+// Parts of one thing that moves, which a border between levels has cut, are one block where they
+// touch.
+inline bool areOneMover(const CellBlueprint& a, const CellBlueprint& b) {
+    return a.mover >= 0 && a.mover == b.mover;
+}
+
 // Finds out which blueprints are see-through; water always is. For a world whose textures and faces
 // are complete.
 void markSeeThrough(World& world);

@@ -130,6 +130,7 @@ TEST(Judge, SmallPictures) {
                          {"below the floor", 5000},
                          {"out inside a block", 500},
                          {"face at the exit", 5000},
+                         {"face behind the exit", 5000},
                          {"tile at the exit", 10000},
                          {"left through a portal", 10000},
                          {"joined by a portal", 500},
@@ -143,6 +144,10 @@ TEST(Judge, SmallPictures) {
                          {"haze behind a portal", 15000},
                          {"object behind a portal", 8000},
                          {"joined mover", 3000},
+                         {"risen texture", 100000},
+                         {"joined kin", 3000},
+                         {"whole mover", 3000},
+                         {"inside a mover", 3000},
                          {"empty mover", 100000},
                          {"floor mirror", 300000},
                          {"roof mirror", 20000},
@@ -177,6 +182,15 @@ TEST(Judge, PicturesMadeToTie) {
     report("pictures made to tie", verdict);
     expectNoComplaint(verdict);
     EXPECT_LE(static_cast<double>(verdict.excused), 0.005 * static_cast<double>(verdict.pixels));
+}
+
+// In the middle column every neighbour of a point shows another tile, so nearly all could be
+// excused: there must be next to none.
+TEST(Judge, PicturesAlongBorders) {
+    const Verdict verdict = judgeAll(alongBorderScene, 1, 1200 / kShare, kOddSizes);
+    report("pictures along borders", verdict);
+    expectNoComplaint(verdict);
+    EXPECT_LE(static_cast<double>(verdict.excused), 0.00002 * static_cast<double>(verdict.pixels));
 }
 
 // The judge itself must be able to say no: one pixel of another colour is found.

@@ -13,24 +13,28 @@ int main(int argc, char** argv) {
     const int batches = sound ? 4 : 40;
     Verdict random;
     Verdict ties;
+    Verdict along;
     const auto share = [&] {
         return static_cast<double>(random.excused) / static_cast<double>(random.pixels);
     };
     const auto noticed = [&] {
         return random.unexcused > 0 || ties.unexcused > 0 || random.crowded > 0 ||
-               share() > kExcusedShareOfSuite;
+               along.unexcused > 0 || share() > kExcusedShareOfSuite;
     };
     for (int batch = 0; batch < batches && (batch == 0 || !noticed()); ++batch) {
         random.add(judgeAll(randomScene, static_cast<std::uint64_t>(1000 + batch * kBatch), kBatch,
                             kSmallSizes));
+        along.add(judgeAll(alongBorderScene, static_cast<std::uint64_t>(1 + batch * kBatch),
+                           kBatch / 4, kOddSizes));
         ties.add(judgeAll(tieScene, static_cast<std::uint64_t>(1 + batch * kBatch), kBatch,
                           kSmallSizes));
     }
     std::printf(
-        "%lld unexcused pixels, %lld where pictures were made to tie; %.4f %% of %lld excused, "
+        "%lld unexcused pixels, %lld along borders, %lld where pictures were made to tie; %.4f %% "
+        "of %lld excused, "
         "%lld pictures with too many\n",
-        static_cast<long long>(random.unexcused), static_cast<long long>(ties.unexcused),
-        100.0 * share(), static_cast<long long>(random.pixels),
-        static_cast<long long>(random.crowded));
+        static_cast<long long>(random.unexcused), static_cast<long long>(along.unexcused),
+        static_cast<long long>(ties.unexcused), 100.0 * share(),
+        static_cast<long long>(random.pixels), static_cast<long long>(random.crowded));
     return noticed() != sound ? 0 : 1;
 }

@@ -159,7 +159,7 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
         view.look = random.between(-0.2, 0.2);
         view.fovDegrees = random.between(40.0, 80.0);
         view.headingDegrees = 90.0 * direction + random.between(-20.0, 20.0);
-        // Nothing stands where the eye is, in either map, and nothing but this portal leads out of
+        // Nothing stands where the eye is, in either map, and no other tile's portal leads out of
         // there.
         const Tile before = {entry.x - step.x, entry.y - step.y};
         const Tile carried = place.tileOf(before);
@@ -167,9 +167,22 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
         other.occupied[other.tileIndex(carried.x, carried.y)] = 0;
         if (!other.tilePortals.empty())
             other.tilePortals[other.tileIndex(exit.x, exit.y)] = kNoPortal;
+        // Faces in the plane in which rays come out do not act on them; all others do.
+        const auto side = static_cast<std::size_t>((direction + turn + 3) % 4);
         for (int i = 0; i < other.levels; ++i) {
-            const BlueprintId cell = other.cells[other.cellIndex(exit.x, exit.y, i)];
-            if (world.blueprints[cell].hasPortals) other.setCell(exit.x, exit.y, i, kEmptyCell);
+            const BlueprintId cell = other.cell(exit.x, exit.y, i);
+            if (!world.blueprints[cell].hasPortals && !random.oneIn(3)) continue;
+            CellBlueprint block =
+                instanceOf(world, cell == kEmptyCell ? static_cast<BlueprintId>(1) : cell);
+            block.faces[side].portal = kNoPortal;
+            if (block.top <= block.bottom) continue;
+            for (const Face face : {Face::top, Face::bottom}) {
+                if (random.oneIn(2))
+                    block.faces[static_cast<std::size_t>(face)].portal =
+                        static_cast<PortalId>(random.below(static_cast<int>(id) + 1));
+            }
+            world.blueprints.push_back(block);
+            other.setCell(exit.x, exit.y, i, static_cast<BlueprintId>(world.blueprints.size() - 1));
         }
         const auto leadThere = [&] {
             if (random.oneIn(2)) {

@@ -18,8 +18,8 @@ Cell anyCell(Random& random, const Map& map) {
 }
 
 // A blueprint of its own for what moves or leads elsewhere.
-BlueprintId instanceOf(World& world, BlueprintId blueprint) {
-    world.blueprints.push_back(world.blueprints[blueprint]);
+BlueprintId addInstance(World& world, BlueprintId blueprint) {
+    world.blueprints.push_back(instanceOf(world, blueprint));
     return static_cast<BlueprintId>(world.blueprints.size() - 1);
 }
 
@@ -102,7 +102,7 @@ void addPortals(Random& random, World& world) {
                    world.blueprints[from].top <= world.blueprints[from].bottom) {
                 from = static_cast<BlueprintId>(random.between(1, shape - 1));
             }
-            const BlueprintId id = instanceOf(world, from);
+            const BlueprintId id = addInstance(world, from);
             const bool all = random.oneIn(4);
             for (FaceBlueprint& face : world.blueprints[id].faces) {
                 if (all || random.oneIn(2))
@@ -157,7 +157,7 @@ void addMovers(Random& random, World& world) {
             const int empty = random.oneIn(4) ? random.below(levels) : levels;
             const int mover = 1000 + static_cast<int>(world.blueprints.size());
             for (int level = 0; level < levels; ++level) {
-                const BlueprintId id = instanceOf(world, shape);
+                const BlueprintId id = addInstance(world, shape);
                 CellBlueprint& part = world.blueprints[id];
                 part.mover = mover;
                 if (level > 0) part.bottom = {};
@@ -171,6 +171,44 @@ void addMovers(Random& random, World& world) {
                 }
             }
         }
+    }
+}
+
+void addKin(Random& random, World& world) {
+    for (Map& map : world.maps) {
+        for (int y = 0; y < map.depth; ++y) {
+            for (int x = 0; x < map.width; ++x) {
+                for (int level = 0; level < map.levels; ++level) {
+                    const CellBlueprint& block = world.blueprints[map.cell(x, y, level)];
+                    if (!block.hasPortals || !block.seeThrough || block.origin == kEmptyCell)
+                        continue;
+                    const BlueprintId kin = block.origin;
+                    const int up = random.between(-1, 1);
+                    const int east = up == 0 ? random.between(-1, 1) : 0;
+                    const int south = up == 0 && east == 0 ? 1 : 0;
+                    const Cell at = {x + east, y + south, level + up};
+                    if (at.level < 0 || at.level >= map.levels || !map.contains(at.x, at.y) ||
+                        world.blueprints[map.cell(at.x, at.y, at.level)].hasPortals)
+                        continue;
+                    map.setCell(at.x, at.y, at.level, kin);
+                }
+            }
+        }
+    }
+}
+
+void changeMovers(Random& random, World& world) {
+    bool join = true;
+    Coordinate rise;
+    for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+        CellBlueprint& part = world.blueprints[i];
+        if (part.mover < 0) continue;
+        if (part.mover != world.blueprints[i - 1].mover) {
+            join = !random.oneIn(2);
+            rise = {random.oneIn(3) ? 8192 * random.below(8) : random.below(65536)};
+        }
+        part.join = part.join && join;
+        part.textureRise = rise;
     }
 }
 

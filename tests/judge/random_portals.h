@@ -19,4 +19,10 @@ void addMirrors(Random& random, World& world);
 // cells that are empty just now.
 void addMovers(Random& random, World& world);
 
+// Beside see-through blocks with portals, blocks of the same blueprint without.
+void addKin(Random& random, World& world);
+
+// Some of what moves does not join, and most has carried its textures up.
+void changeMovers(Random& random, World& world);
+
 }  // namespace slicecast::judge

@@ -262,6 +262,23 @@ void dive(Random& random, World& world, View& view) {
     }
 }
 
+// The eye somewhere in what moves, if there is some.
+void enterMover(Random& random, const World& world, View& view) {
+    const Map& map = world.maps[static_cast<std::size_t>(view.map)];
+    for (int tries = 0; tries < 200; ++tries) {
+        const int x = random.below(map.width);
+        const int y = random.below(map.depth);
+        const int level = random.below(map.levels);
+        const CellBlueprint& block = world.blueprints[map.cell(x, y, level)];
+        if (block.mover < 0) continue;
+        view.x = {random.between(x * 65536, x * 65536 + 65535)};
+        view.y = {random.between(y * 65536, y * 65536 + 65535)};
+        const int base = level * 65536;
+        view.z = {std::max(1, random.between(base + block.bottom.raw, base + block.top.raw - 1))};
+        return;
+    }
+}
+
 bool insideBlock(const World& world, const View& view) {
     const Map& map = world.maps[static_cast<std::size_t>(view.map)];
     const int level = view.z.tile();
@@ -311,6 +328,10 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
         flood(water, scene.world);
         if (!water.oneIn(4)) dive(water, scene.world, view);
     }
+    Random more(seed ^ 0x6d6f7265u);
+    addKin(more, scene.world);
+    changeMovers(more, scene.world);
+    if (more.oneIn(6)) enterMover(more, scene.world, view);
     return scene;
 }
 
@@ -333,6 +354,21 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     view.x = onGrid(map.width);
     view.y = onGrid(map.depth);
     view.z = {random.between(1, map.levels * 8 + 4) * 8192};
+    Random more(seed ^ 0x6d6f7265u);
+    addKin(more, scene.world);
+    changeMovers(more, scene.world);
+    return scene;
+}
+
+Scene alongBorderScene(std::uint64_t seed, int width, int height) {
+    Scene scene = randomScene(seed, width, height);
+    Random random(seed ^ 0x616c6f6eu);
+    View& view = scene.view;
+    constexpr double kRounding = 1.0 / 17592186044416.0;  // 2^-44, of numbers below 360 degrees
+    const int quarter = random.below(4);
+    view.headingDegrees = 90.0 * quarter + random.between(-2, 2) * kRounding;
+    Coordinate& across = quarter % 2 == 0 ? view.y : view.x;
+    across = tileEdge(across.tile());
     return scene;
 }
 

@@ -21,4 +21,8 @@ Scene randomScene(std::uint64_t seed, int width, int height);
 // degrees, so that many rays meet borders exactly.
 Scene tieScene(std::uint64_t seed, int width, int height);
 
+// Eyes on borders that look along them, but for a rounding; for pictures of an odd width, whose
+// middle column runs along the border.
+Scene alongBorderScene(std::uint64_t seed, int width, int height);
+
 }  // namespace slicecast::judge

@@ -23,6 +23,9 @@ inline constexpr std::array<Size, 8> kSmallSizes = {
 inline constexpr std::array<Size, 4> kLargeSizes = {
     {{1280, 720}, {641, 399}, {1280, 720}, {1279, 721}}};
 
+// With a middle column.
+inline constexpr std::array<Size, 3> kOddSizes = {{{33, 120}, {97, 53}, {7, 90}}};
+
 using MakeScene = Scene (*)(std::uint64_t seed, int width, int height);
 
 // Judges the pictures of the seeds [first, first + count). A refused picture counts as an unexcused

@@ -117,7 +117,13 @@ bool Tracer::Walk::join(BlueprintId a, BlueprintId b) const {
     const CellBlueprint& first = blueprint(a);
     const CellBlueprint& second = blueprint(b);
     return first.seeThrough && second.seeThrough && first.join && second.join &&
-           (a == b || (first.mover >= 0 && first.mover == second.mover));
+           originOf(a) == originOf(b);
+}
+
+// What moves is one block, though a border between levels cuts it.
+bool Tracer::Walk::isOneBlock(BlueprintId a, BlueprintId b) const {
+    return a != kEmptyCell && b != kEmptyCell && blueprint(a).mover >= 0 &&
+           blueprint(a).mover == blueprint(b).mover;
 }
 
 // The block that the ray is in as soon as it has crossed a border into a tile.
@@ -146,6 +152,11 @@ BlueprintId Tracer::Walk::touching(const Place& place, int level, bool above) co
     return touches ? id : kEmptyCell;
 }
 
+// What touches the end of an event's level.
+BlueprintId Tracer::Walk::touchingNext(const Event& event) const {
+    return touching(place_, event.top ? event.level + 1 : event.level - 1, event.top);
+}
+
 // What touches the end of the current tile's `level` from the next one: what the ray meets there,
 // behind a portal if there is one.
 BlueprintId Tracer::Walk::behindLevel(int level, bool above) const {
@@ -153,7 +164,7 @@ BlueprintId Tracer::Walk::behindLevel(int level, bool above) const {
     const BlueprintId id = touching(place_, next, above);
     if (id == kEmptyCell) return id;
     const Face facing = above ? Face::bottom : Face::top;
-    if (!acts(blueprint(id), facing) || !mayPass()) return id;
+    if (blueprint(id).face(facing).portal == kNoPortal || !mayPass()) return id;
     const Portal& portal = world_.portals[blueprint(id).face(facing).portal];
     return touching(place_.through(portal), next + portal.levels, above);
 }
@@ -203,7 +214,7 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
         if (isAboveAtStart(bottom, Edge::bottom) && !isAboveAtStart(top, Edge::top)) {
             if (start_ == Start::border && enter_.along > 0.0) {
                 const Face entered = enteredFace(Place::turned(enter_.step, place_.turn));
-                if (!(left_ == id && join(left_, id))) {
+                if (!join(left_, id)) {
                     if (block.face(entered).portal != kNoPortal)
                         note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
                     pushFace(block, level, entered, enter_.meeting, false);
@@ -256,33 +267,33 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
             return Then::leaves;
         }
         if (event.along <= 0.0) return Then::leaves;
-        const BlueprintId next = atLevelsEnd ? behindLevel(event.level, event.top) : kEmptyCell;
-        if (!join(id, next)) {
-            pushFace(block, event.level, which, meeting, true);
-        } else if (next != id) {
-            note(Note::joinedMover);
+        if (atLevelsEnd && isOneBlock(id, touchingNext(event))) {
+            note(block.seeThrough && block.join ? Note::joinedMover
+                 : block.seeThrough             ? Note::wholeMover
+                                                : Note::insideMover);
+            return Then::leaves;
         }
+        const BlueprintId next = atLevelsEnd ? behindLevel(event.level, event.top) : kEmptyCell;
+        if (!join(id, next)) pushFace(block, event.level, which, meeting, true);
         return block.seeThrough ? Then::leaves : Then::ended;
     }
-    if (acts(block, which) && mayPass()) {
+    if (acts(block, which, event.height) && mayPass()) {
+        if (arrived_) note(Note::faceBehindExit);
         const bool left = before != nullptr && before->height == event.height && before->order == 0;
         return throughHeight(block.face(which).portal, event,
                              left ? map().cell(mapTile_.x, mapTile_.y, before->level) : kEmptyCell);
     }
     inside_ = event.level;
     if (event.along <= 0.0) return Then::leaves;
-    const bool atPortal = start_ == Start::portal && event.height == startHeight_;
-    const BlueprintId left =
-        atPortal      ? left_
-        : atLevelsEnd ? touching(place_, event.top ? event.level + 1 : event.level - 1, event.top)
-                      : kEmptyCell;
-    if (join(left, id)) {
+    const bool atPortal = isWhereItCameOut(event.height);
+    const BlueprintId left = atPortal ? left_ : atLevelsEnd ? touchingNext(event) : kEmptyCell;
+    if (join(left, id) || (!atPortal && isOneBlock(left, id))) {
         if (atPortal) note(Note::joinedByPortal);
         if (event.top && block.face(which).mirror > 0) note(Note::mirrorJoined);
         return Then::leaves;
     }
     if (block.face(which).portal != kNoPortal)
-        note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
+        note(atPortal ? Note::faceAtExit : Note::faceAtLimit);
     pushFace(block, event.level, which, meeting, false);
     if (block.face(which).texture != kNoTexture && sights_.back().mirror > 0) {
         note(Note::roofMirror);
@@ -383,10 +394,12 @@ bool Tracer::Walk::leaveTile(const Border& leave) {
         if (block.face(leftFace(mapStep)).portal != kNoPortal) {
             note(Note::leftThroughPortal);
         } else if (leave.along > 0.0) {
-            if (left != ahead || !join(left, ahead)) {
+            if (!join(left, ahead)) {
                 pushFace(block, inside_, leftFace(mapStep), leave.meeting, true);
             } else if (passes) {
                 note(Note::joinedByPortal);
+            } else if (left != ahead) {
+                note(Note::joinedKin);
             }
             if (!block.seeThrough) return false;
         }

@@ -82,12 +82,17 @@ enum class Note : std::uint8_t {
     tileAtLimit,
     belowFloor,         // came out below the floor
     outInsideBlock,     // came out within a block, upwards or downwards
-    faceAtExit,         // a portal face of the exit tile, drawn like any other
+    faceAtExit,         // a portal face where the ray comes out, drawn like any other
+    faceBehindExit,     // passed a portal face that stands farther on in the exit tile
     tileAtExit,         // a tile portal that does not act on what arrives
     leftThroughPortal,  // out of a block through a portal face
     joinedByPortal,     // two faces left out between which lies a portal
     joinedMover,        // two faces left out between parts of one thing that moves
-    emptyMover,         // went through a tile in which a block is empty at the moment
+    joinedKin,     // two faces left out between blocks of one blueprint, one of which has portals
+    wholeMover,    // two faces that do not join, between parts of one thing that moves
+    insideMover,   // went on from one part to the other inside an opaque one
+    risenTexture,  // on a side of what moves
+    emptyMover,    // went through a tile in which a block is empty at the moment
     floorMirror,
     roofMirror,
     mirrorJoined,  // a mirrored roof that is left out

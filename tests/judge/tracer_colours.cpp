@@ -136,11 +136,10 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
     const Colour raw =
         toColour(image.at(texel(sight.u, image.width), texel(sight.v, image.height)));
 
-    const double falloff =
-        map.light.on && view_.light ? map.light.intensity * map.light.multiplier / depth : 1.0;
+    const bool unlit = sight.glow || !map.light.on || !view_.light;
+    const double falloff = map.light.intensity * map.light.multiplier / depth;
     const double bright =
-        (sight.glow ? 1.0 : clampTo(falloff, map.light.darkest, map.light.brightest)) *
-        sight.faceLight;
+        (unlit ? 1.0 : clampTo(falloff, map.light.darkest, map.light.brightest)) * sight.faceLight;
     const int q = std::min(256, static_cast<int>(std::floor(256.0 * bright + 0.5)));
     const int fog = water_ != nullptr ? inWater()
                     : map.fog.on && view_.fog
@@ -176,10 +175,15 @@ const char* nameOf(Note note) {
                                          "below the floor",
                                          "out inside a block",
                                          "face at the exit",
+                                         "face behind the exit",
                                          "tile at the exit",
                                          "left through a portal",
                                          "joined by a portal",
                                          "joined mover",
+                                         "joined kin",
+                                         "whole mover",
+                                         "inside a mover",
+                                         "risen texture",
                                          "empty mover",
                                          "floor mirror",
                                          "roof mirror",

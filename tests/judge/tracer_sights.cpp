@@ -80,7 +80,11 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
         sight.v = -y;
     } else {
         sight.kind = Sight::Kind::side;
-        sight.v = 1.0 - z;
+        // What moves carries its textures along; where they end they begin anew.
+        const double rise = block.textureRise.value();
+        sight.v = 1.0 - z + rise;
+        if (rise > 0.0) note(Note::risenTexture);
+        if (rise > 0.0 && sight.v >= 1.0) sight.v -= 1.0;
     }
     push(sight);
 }
@@ -89,9 +93,14 @@ void Tracer::Walk::pushPlane(Sight::Kind kind, TextureId texture, double light, 
                              const Meeting& meeting, bool outside) {
     const Point rayPoint = {eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)};
     const Point point = Place::turned(rayPoint, place_.turn);
-    // Outside the grid, the tile is the one that the point is in.
-    const Tile tile = outside ? place_.tileOf({static_cast<int>(std::floor(rayPoint.x)),
-                                               static_cast<int>(std::floor(rayPoint.y))})
+    // Outside the grid, the tile is the one that the point is in; beside a border, the way from the
+    // eye counts, which is smaller than what a sum would keep.
+    const auto tileAt = [](double eye, double way) {
+        const double border = std::floor(eye);
+        return static_cast<int>(border + std::floor(eye - border + way));
+    };
+    const Tile tile = outside ? place_.tileOf({tileAt(eye_.x, meeting.at(direction_.x)),
+                                               tileAt(eye_.y, meeting.at(direction_.y))})
                               : mapTile_;
     Sight sight;
     sight.kind = kind;

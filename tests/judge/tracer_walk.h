@@ -81,10 +81,19 @@ private:
     }
     const CellBlueprint& blueprint(BlueprintId id) const { return world_.blueprints[id]; }
     bool mayPass() const { return portals_ < world_.portalLimit; }
-    bool acts(const CellBlueprint& block, Face face) const {
-        return block.face(face).portal != kNoPortal && !arrived_;
+    // Where the ray has just come out of one, no face portal acts at that very height.
+    bool acts(const CellBlueprint& block, Face face, double height) const {
+        return block.face(face).portal != kNoPortal && !isWhereItCameOut(height);
+    }
+    bool isWhereItCameOut(double height) const {
+        return start_ == Start::portal && height == startHeight_;
+    }
+    BlueprintId originOf(BlueprintId id) const {
+        return blueprint(id).origin == kEmptyCell ? id : blueprint(id).origin;
     }
     bool join(BlueprintId a, BlueprintId b) const;
+    bool isOneBlock(BlueprintId a, BlueprintId b) const;
+    BlueprintId touchingNext(const Event& event) const;
     BlueprintId blockBehind(const Place& place, Tile tile, const Border& border) const;
     BlueprintId touching(const Place& place, int level, bool above) const;
     BlueprintId behindLevel(int level, bool above) const;

@@ -45,6 +45,20 @@ TEST(KnownAnswers, WallHeightsToThePixel) {
     }
 }
 
+// Where the light is off, the map's or the viewer's, colours are as they are: a limit on what light
+// gives darkens nothing.
+TEST(KnownAnswers, UnlitIsUnlit) {
+    World world = emptyWorld(9, 9, 1, plain("floor", {200, 100, 50, 255}));
+    world.maps[0].light = {.on = true, .darkest = 0.1, .brightest = 0.5};
+    const auto floorSeen = [&](bool light) {
+        return draw(world, eyeAt(4.5, 4.5, 0.5, 30.0), 20, 20, {.light = light}).at(10, 18);
+    };
+    EXPECT_EQ(floorSeen(true), toPixel({100, 50, 25, 255}));
+    EXPECT_EQ(floorSeen(false), toPixel({200, 100, 50, 255}));
+    world.maps[0].light.on = false;
+    EXPECT_EQ(floorSeen(true), toPixel({200, 100, 50, 255}));
+}
+
 // An edge that meets the centres of a row exactly: at depth 4 the upper edge is at row 87.5. A
 // border that is crossed eastward counts as a little nearer, so the edge lies a little higher and
 // row 87 is wall; crossed westward it counts as a little farther and row 87 is not. The lower edge

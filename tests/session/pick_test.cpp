@@ -56,6 +56,7 @@ World hall() {
     world.blueprints.push_back(blueprintOf("wall", 0, 0.0, 1.0));
     world.blueprints.push_back(blueprintOf("bench", 0, 0.0, 0.375));
     world.blueprints.push_back(blueprintOf("beam", 0, 0.5, 0.75));
+    world.blueprints.back().textureRise = toCoordinate(0.35);
     world.blueprints.push_back(blueprintOf("fence", 1, 0.25, 1.0));
     Map map = makeMap("hall", 14, 11, 3, 2);
     for (int x = 0; x < 14; ++x) {

@@ -1,6 +1,8 @@
 // Moving blocks: where they are at each step, whom they carry, and whom they wait for.
 #include "moving.h"
 
+#include "base/random.h"
+
 #include <gtest/gtest.h>
 
 namespace slicecast {
@@ -90,6 +92,39 @@ TEST(Motion, HasTheShapeThatItSays) {
     EXPECT_EQ(offsetAt(lift(MotionShape::stopAndGo), kPeriod / 4), 1.0_u);
 }
 
+// By whole numbers: the offset is the raw number nearest to from + (to - from) * 2 * at / period,
+// halves going up.
+TEST(Motion, IsRoundedOnce) {
+    Random random(77);
+    for (int i = 0; i < 20000; ++i) {
+        Motion motion = lift(MotionShape::even);
+        motion.from = {random.between(-100000, 100000)};
+        motion.to = {random.between(-100000, 100000)};
+        motion.periodSteps = random.between(2, 5000);
+        motion.phaseSteps = random.below(motion.periodSteps);
+        const int steps = random.below(motion.periodSteps);
+        const std::int64_t period = motion.periodSteps;
+        const std::int64_t at = (steps + motion.phaseSteps) % period;
+        const std::int64_t way =
+            2 * std::min(at, period - at) * (std::int64_t{motion.to.raw} - motion.from.raw);
+        const std::int64_t off =
+            std::int64_t{offsetAt(motion, steps).raw - motion.from.raw} * period - way;
+        ASSERT_GT(2 * off, -period) << i;
+        ASSERT_LE(2 * off, period) << i;
+    }
+}
+
+// `part` is a third here: 3 / 9 - 2 / 27 = 7 / 27, and what stops and goes is at q = 1 / 6.
+TEST(Motion, IsRoundedOnceInEveryShape) {
+    Motion motion = lift(MotionShape::smooth);
+    motion.periodSteps = 6;
+    EXPECT_EQ(offsetAt(motion, 1), toCoordinate(2.0 * 7.0 / 27.0));
+    motion.shape = MotionShape::stopAndGo;
+    EXPECT_EQ(offsetAt(motion, 1), toCoordinate(2.0 * (3.0 / 36.0 - 2.0 / 216.0)));
+    motion.shape = MotionShape::even;
+    EXPECT_EQ(offsetAt(motion, 1), toCoordinate(2.0 / 3.0));
+}
+
 TEST(Movers, AreAtTheirMotionsPlaceOnAllLevels) {
     for (const MovingEdges edges : {MovingEdges::both, MovingEdges::top, MovingEdges::bottom}) {
         Motion motion = lift();
@@ -105,6 +140,9 @@ TEST(Movers, AreAtTheirMotionsPlaceOnAllLevels) {
             if (low < high) {
                 ASSERT_EQ(seenLow, low) << step;
                 ASSERT_EQ(seenHigh, high) << step;
+                const int level = high.raw > 65536 ? 1 : 0;
+                const CellBlueprint& part = world.blueprints[world.maps[0].cell(2, 2, level)];
+                ASSERT_EQ(part.textureRise, Coordinate{offset.raw & 0xffff}) << step;
             } else {
                 ASSERT_EQ(seenHigh, Coordinate{0}) << step;
                 ASSERT_EQ(world.maps[0].occupied[world.maps[0].tileIndex(2, 2)], 0u);

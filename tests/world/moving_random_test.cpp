@@ -277,7 +277,7 @@ std::uint64_t hashOfManySteps() {
 
 TEST(RandomMovingWorlds, GoTheSameWayEverywhere) {
     EXPECT_EQ(hashOfManySteps(), hashOfManySteps());
-    EXPECT_EQ(hashOfManySteps(), 0xbc70c579dfe84c1au);
+    EXPECT_EQ(hashOfManySteps(), 0x3c39f6c72cf0c8abu);
 }
 
 }  // namespace

@@ -67,6 +67,12 @@ TEST(Texture, KnowsWhetherItIsSeeThrough) {
     EXPECT_FALSE(makeTexture("t", image).seeThrough);
     image.at(7, 7) = toPixel({9, 9, 9, 254});
     EXPECT_TRUE(makeTexture("t", image).seeThrough);
+    // Of a sheet all frames count.
+    Image sheet(16, 8);
+    for (Pixel& pixel : sheet.pixels) pixel = toPixel({0, 0, 0, 255});
+    EXPECT_FALSE(makeTexture("t", sheet, 2, 1.0).seeThrough);
+    sheet.at(12, 3) = toPixel({0, 0, 0, 254});
+    EXPECT_TRUE(makeTexture("t", sheet, 2, 1.0).seeThrough);
 }
 
 }  // namespace

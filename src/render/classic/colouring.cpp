@@ -56,6 +56,10 @@ Shown Colouring::ofSurface(const Surface& surface, double y) const {
     const double height = view_.eyeZ + depth * surface.stretch * view_.upwardSlopeAt(y);
     texel.vReversed = false;
     texel.v = (surface.textureTop - height) / (surface.textureTop - surface.textureBottom);
+    if (surface.textureRise > 0.0) {
+        texel.v = std::clamp(texel.v, 0.0, 1.0) + surface.textureRise;
+        if (texel.v >= 1.0) texel.v -= 1.0;
+    }
     if (surface.what == FilledRows::What::object) {
         texel.u = surface.u;
     } else {

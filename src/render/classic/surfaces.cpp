@@ -97,8 +97,7 @@ private:
         const double distance = distanceOf(span, (block.bottom + block.top) / 2.0);
         // The ray begins inside it, or may do so where it comes out of a portal.
         const bool beginsInside =
-            !classic_.oneLevel &&
-            (span.enter <= 0.0 ? block.bottom <= view_.eyeZ && view_.eyeZ < block.top : span.first);
+            !classic_.oneLevel && (span.enter <= 0.0 ? holdsEye(span, block) : span.first);
         const bool hasPlanes = !classic_.oneLevel && classic_.roofs != ClassicRoofs::missing;
         const bool leavesTop = view_.eyeZ < block.top;  // a ray that meets it rises
         const bool leavesBottom = view_.eyeZ >= block.bottom;
@@ -116,19 +115,44 @@ private:
         if (!span.first) addSide(span, block, span.entered, Passing::entered, span.enter, distance);
     }
 
+    // Whether it and the block above, or below, are parts of one thing that moves.
+    bool goesOn(const TileSpan& span, const Block& block, bool up) const {
+        const auto reachesEnd = [](const CellBlueprint& blueprint, bool top) {
+            return top ? blueprint.top == tileEdge(1) : blueprint.bottom.raw == 0;
+        };
+        if (classic_.oneLevel || !reachesEnd(*block.blueprint, up)) return false;
+        const CellBlueprint* next = blueprintAt(span.x, span.y, block.level + (up ? 1 : -1));
+        return next != nullptr && areOneMover(*block.blueprint, *next) && reachesEnd(*next, !up);
+    }
+
+    // Whether the eye is in it, or in another part of the same thing that moves.
+    bool holdsEye(const TileSpan& span, const Block& block) const {
+        const auto isIn = [&](const Block& part) {
+            return part.bottom <= view_.eyeZ && view_.eyeZ < part.top;
+        };
+        const int level = static_cast<int>(std::floor(view_.eyeZ));
+        const CellBlueprint* own = blueprintAt(span.x, span.y, level);
+        return isIn(block) || (own != nullptr && areOneMover(*own, *block.blueprint) &&
+                               isIn(blockAt(span, level)));
+    }
+
     // Two see-through blocks that touch here have no faces between them.
     bool isJoined(const TileSpan& span, const Block& block, Face face) const {
         const CellBlueprint& blueprint = *block.blueprint;
-        if (!blueprint.seeThrough || !blueprint.join) return false;
+        const auto joins = [&](const CellBlueprint* other) {
+            return other != nullptr && areJoined(world_, blueprint, *other) &&
+                   other->bottom == blueprint.bottom && other->top == blueprint.top;
+        };
         if (face == Face::top || face == Face::bottom) {
             const bool spansLevel = blueprint.bottom.raw == 0 && blueprint.top == tileEdge(1);
-            return spansLevel &&
-                   blueprintAt(span.x, span.y, block.level + (face == Face::top ? 1 : -1)) ==
-                       &blueprint;
+            return goesOn(span, block, face == Face::top) ||
+                   (spansLevel &&
+                    joins(blueprintAt(span.x, span.y, block.level + (face == Face::top ? 1 : -1))));
         }
+        if (!blueprint.seeThrough) return false;
         const int x = span.x + (face == Face::east ? 1 : face == Face::west ? -1 : 0);
         const int y = span.y + (face == Face::south ? 1 : face == Face::north ? -1 : 0);
-        return blueprintAt(x, y, block.level) == &blueprint;
+        return joins(blueprintAt(x, y, block.level));
     }
 
     void addSide(const TileSpan& span, const Block& block, Face face, Passing passing, double along,
@@ -141,6 +165,8 @@ private:
         side.along = along;
         side.textureTop = block.textureTop;
         side.textureBottom = block.textureBottom;
+        if (!classic_.stretched && !classic_.oneLevel)
+            side.textureRise = block.blueprint->textureRise.value();
         const double depth = along * ray_.depthPerAlong;
         add(side, view_.rowOf(block.top, depth), view_.rowOf(block.bottom, depth));
     }

@@ -50,6 +50,7 @@ struct Surface {
     double height = 0.0;      // of level planes: units
     double textureTop = 0.0;  // of what is upright: heights at which the texture begins and ends
     double textureBottom = 0.0;
+    double textureRise = 0.0;    // see CellBlueprint
     double stretch = 1.0;        // of objects: units of height to what the row's slope gives
     double u = 0.0;              // of objects: from the left of the picture, 0 to 1
     double thingDistance = 0.0;  // of the middle of the block, ceiling tile or object from the eye,
