@@ -1,8 +1,60 @@
 #include "overlay/blend.h"
 
+#include "render/vectors.h"
+
 #include <algorithm>
 
 namespace slicecast {
+namespace {
+
+constexpr Pixel kOpaque = 0xff000000u;
+
+// Four pixels at a time, as blended() does one.
+[[maybe_unused]] inline U32x4 blended(U32x4 under, U32x4 over) {
+    const U32x4 two = allLanes(kTwoChannels);
+    const U32x4 alphas = over >> 24;
+    const U16x8 alpha = (U16x8)(alphas | alphas << 16);
+    const U16x8 rest = (U16x8)two - alpha;
+    const U16x8 half = (U16x8)allLanes(0x00800080);
+    const U16x8 even = (U16x8)(over & two) * alpha + ((U16x8)(under & two) * rest + half);
+    const U16x8 odd = ((U16x8)over >> 8) * alpha + (((U16x8)under >> 8) * rest + half);
+    return (U32x4)((even + (even >> 8)) >> 8) | ((U32x4)(odd + (odd >> 8)) & ~two) |
+           allLanes(kOpaque);
+}
+
+// True if none of four pixels covers anything.
+[[maybe_unused]] inline bool isClear(const Pixel* four) {
+    std::uint64_t halves[2];
+    std::memcpy(halves, four, sizeof halves);
+    return (halves[0] | halves[1]) == 0;
+}
+
+}  // namespace
+
+void blendRow(Pixel* row, int count, Colour colour) {
+    const Pixel over = toPixel(colour);
+    if (over >= kOpaque) {
+        std::fill(row, row + std::max(count, 0), over);
+        return;
+    }
+    int x = 0;
+    if constexpr (kHasVectors) {
+        for (; x + 4 <= count; x += 4)
+            storeVector(row + x, blended(loadVector<U32x4>(row + x), allLanes(over)));
+    }
+    for (; x < count; ++x) row[x] = blended(row[x], over);
+}
+
+void blendRow(Pixel* row, int count, const Pixel* over) {
+    int x = 0;
+    if constexpr (kHasVectors) {
+        for (; x + 4 <= count; x += 4) {
+            if (isClear(over + x)) continue;
+            storeVector(row + x, blended(loadVector<U32x4>(row + x), loadVector<U32x4>(over + x)));
+        }
+    }
+    for (; x < count; ++x) row[x] = blended(row[x], over[x]);
+}
 
 void blendPixel(const Picture& picture, int x, int y, Colour colour) {
     if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
@@ -15,12 +67,7 @@ void blendRect(const Picture& picture, PixelRect rect, Colour colour) {
     const int firstY = std::max(rect.y, 0);
     const int lastX = std::min(rect.x + rect.width, picture.width);
     const int lastY = std::min(rect.y + rect.height, picture.height);
-    for (int y = firstY; y < lastY; ++y) {
-        for (int x = firstX; x < lastX; ++x) {
-            Pixel& pixel = picture.row(y)[x];
-            pixel = blended(pixel, colour);
-        }
-    }
+    for (int y = firstY; y < lastY; ++y) blendRow(picture.row(y) + firstX, lastX - firstX, colour);
 }
 
 void drawPanel(const Picture& picture, PixelRect rect, int scale) {
