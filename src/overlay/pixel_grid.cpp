@@ -5,6 +5,7 @@
 #include "overlay/layout.h"
 #include "overlay/text.h"
 
+#include <algorithm>
 #include <array>
 
 namespace slicecast {
@@ -26,17 +27,26 @@ void drawLabel(const Picture& picture, int x, int y, int number, int scale) {
     drawText(picture, x + 2 * scale, y + 2 * scale, label, {.scale = scale});
 }
 
+// What the upright lines leave of a row; clear ones are `wide` pixels wide.
+void drawUpright(Pixel* row, int count, int wide) {
+    for (int x = kFine; x < count; x += kFine) {
+        if (x % kClear == 0) {
+            blendRow(row + x, std::min(wide, count - x), kClearLight);
+            blendRow(row + x + wide, std::min(wide, count - x - wide), kClearDark);
+        } else {
+            row[x] = blended(row[x], kFineLight);
+            if (x + 1 < count) row[x + 1] = blended(row[x + 1], kFineDark);
+        }
+    }
+}
+
 }  // namespace
 
 void drawPixelGrid(const Picture& picture) {
     const int scale = readableScale(picture.width, picture.height);
     const int wide = lineWidth(scale);
-    for (int x = kFine; x < picture.width; x += kFine) {
-        const bool clear = x % kClear == 0;
-        const int width = clear ? wide : 1;
-        blendRect(picture, {x, 0, width, picture.height}, clear ? kClearLight : kFineLight);
-        blendRect(picture, {x + width, 0, width, picture.height}, clear ? kClearDark : kFineDark);
-    }
+    // Row by row, for the next pixel of an upright line is far away in memory
+    for (int y = 0; y < picture.height; ++y) drawUpright(picture.row(y), picture.width, wide);
     for (int y = kFine; y < picture.height; y += kFine) {
         const bool clear = y % kClear == 0;
         const int width = clear ? wide : 1;
