@@ -2,36 +2,75 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace slicecast {
 namespace {
 
-constexpr int kWidestRing = 16;  // pixels
-
-// Lays a part of a colour over a pixel, if it is inside.
-void blendPart(const Picture& picture, PixelRect inside, int x, int y, Colour colour, double part) {
-    if (x < inside.x || y < inside.y || x >= inside.x + inside.width ||
-        y >= inside.y + inside.height)
-        return;
+// Lays a part of a colour over a pixel.
+inline void blendPart(Pixel& pixel, Colour colour, double part) {
     const int alpha = static_cast<int>(part * colour.a + 0.5);
-    if (alpha > 0) blendPixel(picture, x, y, withAlpha(colour, alpha));
+    if (alpha > 0) pixel = blended(pixel, withAlpha(colour, alpha));
 }
 
-// The pixels that a circle may touch.
+int floored(double value) {
+    const int whole = static_cast<int>(value);
+    return whole - (value < whole ? 1 : 0);
+}
+
+PixelRect onPicture(PixelRect inside, const Picture& picture) {
+    return shared(inside, {0, 0, picture.width, picture.height});
+}
+
+// Places on a row or a column, [first, last).
+struct Run {
+    int first;
+    int last;
+};
+
+// Where a row crosses a circle, so far from its middle; empty where it does not.
+Run chord(Point middle, double fromMiddle, double radius, Run within) {
+    const double square = radius * radius - fromMiddle * fromMiddle;
+    if (!(square > 0.0) || radius <= 0.0) return {within.last, within.last};
+    const double half = std::sqrt(square);
+    const int first = floored(std::clamp(middle.x - half, -1e6, 1e6)) + 1;
+    const int last = floored(std::clamp(middle.x + half, -1e6, 1e6));
+    return {std::clamp(first, within.first, within.last),
+            std::clamp(last, within.first, within.last)};
+}
+
+// What is round, by the distance from its middle: from `outer` on nothing; up to `inner` all of the
+// colour, or again nothing where it is hollow.
+struct Round {
+    Point middle;
+    double inner;
+    double outer;
+    bool hollow;
+};
+
 template <typename Part>
-void drawRound(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
+void drawRound(const Picture& picture, PixelRect inside, const Round& round, Colour colour,
                Part part) {
-    const int reach = static_cast<int>(radius) + kWidestRing / 2 + 2;
-    const int centreX = static_cast<int>(std::floor(middle.x));
-    const int centreY = static_cast<int>(std::floor(middle.y));
-    const PixelRect around =
-        shared(inside, {centreX - reach, centreY - reach, 2 * reach + 1, 2 * reach + 1});
-    for (int y = around.y; y < around.y + around.height; ++y) {
-        for (int x = around.x; x < around.x + around.width; ++x) {
-            const double east = x + 0.5 - middle.x;
-            const double south = y + 0.5 - middle.y;
-            blendPart(picture, inside, x, y, colour, part(std::sqrt(east * east + south * south)));
+    const PixelRect clip = onPicture(inside, picture);
+    const Run columns = {clip.x, clip.x + clip.width};
+    const auto row = [&](double y) {
+        return floored(std::clamp(y, clip.y - 1.0, double(clip.y + clip.height)));
+    };
+    const int last = std::min(row(round.middle.y + round.outer), clip.y + clip.height - 1);
+    for (int y = std::max(row(round.middle.y - round.outer), clip.y); y <= last; ++y) {
+        const double south = y + 0.5 - round.middle.y;
+        Pixel* const pixels = picture.row(y);
+        // Neither is exact, and need not be: a pixel more or less
+        const Run wide = chord(round.middle, south, round.outer + 2.0, columns);
+        const Run core = chord(round.middle, south, round.inner - 1.0, columns);
+        if (!round.hollow && core.first < core.last)
+            blendRow(pixels + core.first, core.last - core.first, colour);
+        for (int x = wide.first; x < wide.last; ++x) {
+            if (x == core.first && core.first < core.last) x = core.last;
+            if (x >= wide.last) break;
+            const double east = x + 0.5 - round.middle.x;
+            blendPart(pixels[x], colour, part(std::sqrt(east * east + south * south)));
         }
     }
 }
@@ -58,35 +97,40 @@ void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Co
     const double slope = length > 0.0 ? (across(to) - across(from)) / length : 0.0;
 
     // Only the steps inside
-    const int least = steep ? inside.y : inside.x;
-    const int most = steep ? inside.y + inside.height : inside.x + inside.width;
-    const int first =
-        static_cast<int>(std::clamp(std::floor(along(from)), double(least), double(most)));
-    const int last = static_cast<int>(
-        std::clamp(std::floor(along(to)), double(least) - 1.0, double(most) - 1.0));
-    for (int step = first; step <= last; ++step) {
-        const double middle = across(from) + (step + 0.5 - along(from)) * slope - 0.5 * width;
+    const PixelRect clip = onPicture(inside, picture);
+    const Run steps = steep ? Run{clip.y, clip.y + clip.height} : Run{clip.x, clip.x + clip.width};
+    const Run places = steep ? Run{clip.x, clip.x + clip.width} : Run{clip.y, clip.y + clip.height};
+    const auto step = [&](double at) {
+        return static_cast<int>(std::clamp(std::floor(at), steps.first - 1.0, double(steps.last)));
+    };
+    const std::ptrdiff_t pitch = picture.pitch;
+    for (int at = std::max(step(along(from)), steps.first);
+         at <= std::min(step(along(to)), steps.last - 1); ++at) {
+        const double middle = across(from) + (at + 0.5 - along(from)) * slope - 0.5 * width;
         if (!(std::abs(middle) < 1e6)) continue;
-        const double whole = std::floor(middle);
-        const double rest = middle - whole;
-        const int near = static_cast<int>(whole);
+        const int near = floored(middle);
+        const double rest = middle - near;
+        Pixel* const pixels = picture.pixels + (steep ? at * pitch : at);
         for (int place = near; place <= near + width; ++place) {
+            if (place < places.first || place >= places.last) continue;
             const double part = place == near ? 1.0 - rest : place < near + width ? 1.0 : rest;
-            blendPart(picture, inside, steep ? place : step, steep ? step : place, colour, part);
+            blendPart(pixels[steep ? place : place * pitch], colour, part);
         }
     }
 }
 
 void drawDot(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour) {
-    drawRound(picture, inside, middle, radius, colour,
+    drawRound(picture, inside, {middle, radius - 0.5, radius + 0.5, false}, colour,
               [radius](double distance) { return std::clamp(radius - distance + 0.5, 0.0, 1.0); });
 }
 
 void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
               int width) {
-    drawRound(picture, inside, middle, radius, colour, [radius, width](double distance) {
-        return std::clamp(0.5 * (width + 1) - std::abs(distance - radius), 0.0, 1.0);
-    });
+    const double half = 0.5 * (width + 1);
+    drawRound(picture, inside, {middle, radius - half, radius + half, true}, colour,
+              [radius, half](double distance) {
+                  return std::clamp(half - std::abs(distance - radius), 0.0, 1.0);
+              });
 }
 
 }  // namespace slicecast
