@@ -92,12 +92,13 @@ std::unique_ptr<Walk> beginWalk(const std::string& path, const Case& each) {
 
 }  // namespace
 
-bool printOverlays(const std::string& assets, int frames) {
+bool printOverlays(const std::string& assets, int frames, const std::string& only) {
     std::vector<Pixel> pixels(static_cast<std::size_t>(kWidth) * kHeight);
     const Picture picture = {pixels.data(), kWidth, kHeight, kWidth};
     const int warmUp = 5 + frames / 10;
     for (const char* scene : kScenes) {
         for (const Case& each : kCases) {
+            if (!only.empty() && only != each.name) continue;
             const auto walk = beginWalk(assets + "/scenes/" + scene + ".json", each);
             if (!walk) return false;
             for (int i = -warmUp; i < frames; ++i) walk->draw(picture, i >= 0);

@@ -2,8 +2,8 @@
 // the frame. Everything takes its turn round by round, so that whatever else the machine does falls
 // on all alike; figures are medians over the rounds.
 //
-//     slicecast-bench ASSETS_FOLDER ROUNDS             prints JSON; tools/bench makes a table of it
-//     slicecast-bench ASSETS_FOLDER ROUNDS overlays    prints what each overlay takes instead
+//     slicecast-bench ASSETS_FOLDER ROUNDS                    prints JSON for tools/bench
+//     slicecast-bench ASSETS_FOLDER ROUNDS overlays [NAME]    prints what each overlay takes, or one
 
 #include "headless/scene_file.h"
 #include "limit_kernel.h"
@@ -204,11 +204,12 @@ int run(const std::string& assets, int rounds) {
 }  // namespace slicecast
 
 int main(int argc, char** argv) {
-    const int rounds = argc == 3 || argc == 4 ? std::atoi(argv[2]) : 0;
+    const int rounds = argc >= 3 && argc <= 5 ? std::atoi(argv[2]) : 0;
     if (rounds < 1) {
-        std::fprintf(stderr, "usage: slicecast-bench ASSETS_FOLDER ROUNDS [overlays]\n");
+        std::fprintf(stderr, "usage: slicecast-bench ASSETS_FOLDER ROUNDS [overlays [NAME]]\n");
         return 2;
     }
-    if (argc == 4) return slicecast::printOverlays(argv[1], rounds) ? 0 : 1;
+    if (argc > 3)
+        return slicecast::printOverlays(argv[1], rounds, argc == 5 ? argv[4] : "") ? 0 : 1;
     return slicecast::run(argv[1], rounds);
 }
