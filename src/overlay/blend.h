@@ -18,8 +18,9 @@ inline constexpr Pixel kTwoChannels = 0x00ff00ff;  // a pixel's red and blue
 
 // `over` laid on an opaque pixel by its alpha: (over * a + under * (255 - a) + 127) / 255 per
 // channel. Two channels at a time: with n = over * a + under * (255 - a) + 128 that is
-// (n + n / 256) / 256, and no n exceeds 16 bits.
-constexpr Pixel blended(Pixel under, Pixel over) {
+// (n + n / 256) / 256, and no n exceeds 16 bits. Inlined even where code is kept small, for that is
+// most of what a pixel takes.
+__attribute__((always_inline)) constexpr Pixel blended(Pixel under, Pixel over) {
     const Pixel a = over >> 24;
     const Pixel even = (over & kTwoChannels) * a + (under & kTwoChannels) * (255 - a) + 0x00800080;
     const Pixel odd =

@@ -34,8 +34,8 @@ void drawUpright(Pixel* row, int count, int wide) {
             blendRow(row + x, std::min(wide, count - x), kClearLight);
             blendRow(row + x + wide, std::min(wide, count - x - wide), kClearDark);
         } else {
-            row[x] = blended(row[x], kFineLight);
-            if (x + 1 < count) row[x + 1] = blended(row[x + 1], kFineDark);
+            for (int i = 0; i < 2 && x + i < count; ++i)
+                row[x + i] = blended(row[x + i], i == 0 ? toPixel(kFineLight) : toPixel(kFineDark));
         }
     }
 }
