@@ -10,7 +10,7 @@ namespace {
 constexpr Pixel kOpaque = 0xff000000u;
 
 // Four pixels at a time, as blended() does one.
-[[maybe_unused]] inline U32x4 blended(U32x4 under, U32x4 over) {
+[[maybe_unused]] inline U32x4 blendedFour(U32x4 under, U32x4 over) {
     const U32x4 two = allLanes(kTwoChannels);
     const U32x4 alphas = over >> 24;
     const U16x8 alpha = (U16x8)(alphas | alphas << 16);
@@ -29,31 +29,30 @@ constexpr Pixel kOpaque = 0xff000000u;
     return (halves[0] | halves[1]) == 0;
 }
 
+// `next` is how far `over` goes on from one pixel to the next: 1, or 0 for four that are all alike.
+void blendRow(Pixel* row, int count, const Pixel* over, int next) {
+    int x = 0;
+    if constexpr (kHasVectors) {
+        for (; x + 4 <= count; x += 4) {
+            const Pixel* const four = over + x * next;
+            if (!isClear(four))
+                storeVector(row + x,
+                            blendedFour(loadVector<U32x4>(row + x), loadVector<U32x4>(four)));
+        }
+    }
+    for (; x < count; ++x) row[x] = blended(row[x], over[x * next]);
+}
+
 }  // namespace
 
 void blendRow(Pixel* row, int count, Colour colour) {
     const Pixel over = toPixel(colour);
-    if (over >= kOpaque) {
-        std::fill(row, row + std::max(count, 0), over);
-        return;
-    }
-    int x = 0;
-    if constexpr (kHasVectors) {
-        for (; x + 4 <= count; x += 4)
-            storeVector(row + x, blended(loadVector<U32x4>(row + x), allLanes(over)));
-    }
-    for (; x < count; ++x) row[x] = blended(row[x], over);
+    const Pixel four[] = {over, over, over, over};
+    blendRow(row, count, four, 0);
 }
 
 void blendRow(Pixel* row, int count, const Pixel* over) {
-    int x = 0;
-    if constexpr (kHasVectors) {
-        for (; x + 4 <= count; x += 4) {
-            if (isClear(over + x)) continue;
-            storeVector(row + x, blended(loadVector<U32x4>(row + x), loadVector<U32x4>(over + x)));
-        }
-    }
-    for (; x < count; ++x) row[x] = blended(row[x], over[x]);
+    blendRow(row, count, over, 1);
 }
 
 void blendPixel(const Picture& picture, int x, int y, Colour colour) {

@@ -30,17 +30,6 @@ struct Run {
     int last;
 };
 
-// Where a row crosses a circle, so far from its middle; empty where it does not.
-Run chord(Point middle, double fromMiddle, double radius, Run within) {
-    const double square = radius * radius - fromMiddle * fromMiddle;
-    if (!(square > 0.0) || radius <= 0.0) return {within.last, within.last};
-    const double half = std::sqrt(square);
-    const int first = floored(std::clamp(middle.x - half, -1e6, 1e6)) + 1;
-    const int last = floored(std::clamp(middle.x + half, -1e6, 1e6));
-    return {std::clamp(first, within.first, within.last),
-            std::clamp(last, within.first, within.last)};
-}
-
 // What is round: all of the colour up to its radius, or along its edge alone. It fades within
 // `half` a pixel or more on both sides of it.
 struct Round {
@@ -51,25 +40,16 @@ struct Round {
 };
 
 void drawRound(const Picture& picture, PixelRect inside, const Round& round, Colour colour) {
-    const PixelRect clip = onPicture(inside, picture);
-    const Run columns = {clip.x, clip.x + clip.width};
-    const double outer = round.radius + round.half;
+    const int reach = static_cast<int>(round.radius + round.half) + 2;
+    const int left = floored(round.middle.x) - reach;
+    const int top = floored(round.middle.y) - reach;
+    const PixelRect around =
+        onPicture(shared(inside, {left, top, 2 * reach + 1, 2 * reach + 1}), picture);
     const Pixel over = toPixel(colour);
-    const auto row = [&](double y) {
-        return floored(std::clamp(y, clip.y - 1.0, double(clip.y + clip.height)));
-    };
-    const int last = std::min(row(round.middle.y + outer), clip.y + clip.height - 1);
-    for (int y = std::max(row(round.middle.y - outer), clip.y); y <= last; ++y) {
-        const double south = y + 0.5 - round.middle.y;
+    for (int y = around.y; y < around.y + around.height; ++y) {
         Pixel* const pixels = picture.row(y);
-        // Neither is exact, and need not be: a pixel more or less
-        const Run wide = chord(round.middle, south, outer + 2.0, columns);
-        const Run core = chord(round.middle, south, round.radius - round.half - 1.0, columns);
-        const bool isSplit = core.first < core.last;
-        if (isSplit && !round.hollow) blendRow(pixels + core.first, core.last - core.first, colour);
-        for (int x = wide.first; x < wide.last; ++x) {
-            if (isSplit && x == core.first) x = core.last;
-            if (x >= wide.last) break;
+        const double south = y + 0.5 - round.middle.y;
+        for (int x = around.x; x < around.x + around.width; ++x) {
             const double east = x + 0.5 - round.middle.x;
             const double beyond = std::sqrt(east * east + south * south) - round.radius;
             const double part = round.half - (round.hollow ? std::abs(beyond) : beyond);

@@ -2,16 +2,16 @@
 // that is shown of it has changed, whatever the reason. Each picture looks all tiles around the eye
 // up anew, which is little beside drawing them.
 //
-// Of each pixel it keeps a mark: the tile that it belongs to, and which of the colours that lie
-// over a tile's own. Tiles have their places by their numbers, counted round, so that those that
-// stay in sight stay where they are when the eye goes on.
+// A kept pixel has the colour of its tile, and instead of an alpha a mark: which colour lies over
+// it. Tiles have their places by their numbers, counted round, so that those that stay in sight
+// stay where they are when the eye goes on.
 #pragma once
 
+#include "base/image.h"
 #include "overlay/minimap_tiles.h"
 #include "overlay/minimap_view.h"
 #include "render/picture.h"
 
-#include <climits>
 #include <cstdint>
 #include <vector>
 
@@ -32,41 +32,38 @@ public:
     long drawnTiles() const { return drawnTiles_; }
 
 private:
-    // All that a tile's pixels depend on.
+    // All that the pixels of a tile depend on. Numbers alone, to be kept and compared as such; no
+    // tile is all 0.
     struct Look {
-        int x = INT_MIN;
+        int x = 0;
         int y = 0;
-        Colour colour;
-        bool openGate = false;
-        bool water = false;
-        bool moves = false;
-        std::uint8_t portals = 0;
-        std::uint8_t edges[4] = {};  // to the north, east, south and west
-        std::uint8_t dashes[4] = {};
-
-        friend bool operator==(const Look&, const Look&) = default;
+        Pixel colour = 0;         // 0 outside the grid
+        std::uint32_t kind = 0;   // what there is on it, and its portals
+        std::uint32_t edges = 0;  // four bits each: off and on a dash, to the north, east ...
     };
 
-    void resize(int across, int size, int scale, int width);
-    void lookUp(const Place& place);
-    Look lookOf(int x, int y) const;
-    void drawTile(const Look& look, int slot);
-    unsigned markOf(const Look& look, int fromWest, int fromNorth) const;
-    void fetch(int count, Coordinate mapX, Coordinate mapY, Coordinate stepX, Coordinate stepY);
+    // From one pixel of a row to the next, in pixels of the map.
+    struct MapStep {
+        Coordinate x;
+        Coordinate y;
+    };
 
-    int size_ = 0;  // of a tile, pixels
-    int line_ = 0;  // pixels that edges are wide
-    int dash_ = 0;
+    void resize(int across, int size, int scale);
+    void lookUp(const Place& place);
+    Look lookOf(const MinimapTile* tile, int x, int y) const;
+    void drawTile(const Look& look, int place);
+    unsigned markOf(const Look& look, int fromWest, int fromNorth) const;
+    void lay(Pixel* row, int count, Coordinate mapX, Coordinate mapY, MapStep step) const;
+
+    int size_ = 0;    // of a tile, pixels
+    int line_ = 0;    // pixels that edges are wide
+    int dash_ = 0;    // and dashes long
     int across_ = 0;  // tiles
     int firstX_ = 0;  // the tile in the upper left corner
     int firstY_ = 0;
     long drawnTiles_ = 0;
-    std::vector<MinimapTile> tiles_;    // from the corner
-    std::vector<Look> looks_;           // by the tile's place, as it is drawn
-    std::vector<std::uint16_t> marks_;  // by the pixel's place
-    std::vector<Pixel> colours_;        // by mark: of the tile
-    std::vector<Pixel> under_;          // of a row
-    std::vector<Pixel> over_;
+    std::vector<std::uint32_t> looks_;  // by place
+    Image image_;
 };
 
 }  // namespace slicecast

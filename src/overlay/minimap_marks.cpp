@@ -38,19 +38,6 @@ double insideArrow(double ahead, double aside, double size) {
     return std::min(side, notch);
 }
 
-// Places on a row.
-struct Range {
-    double low;
-    double high;
-
-    // Leaves those at which start + slope * place is not negative, and perhaps one more.
-    void keep(double start, double slope) {
-        if (slope > 0.0) low = std::max(low, -start / slope);
-        if (slope < 0.0) high = std::min(high, -start / slope);
-        if (slope == 0.0 && start < 0.0) high = low - 3.0;
-    }
-};
-
 }  // namespace
 
 void drawMinimapReach(const MinimapView& view, double reach, const Picture& picture) {
@@ -113,25 +100,13 @@ void drawMinimapEye(const MinimapView& view, const Eye& eye, double fovDegrees,
     const double reach = view.area.width * 0.42;
     const double size = std::max(2.0, view.area.width / 30.0);
     const double rimWidth = std::max(1.0, size / 4.0);
-    for (int y = view.area.y; y < view.area.y + view.area.height; ++y) {
-        const double down = y - view.centreY;
-        // The pixels of the row that may be touched: within reach, not behind the eye, and, where
-        // there is no arrow, within the field of view
-        Range range = {-reach, reach};
-        range.keep(down * forward.y + 2.0 * size, forward.x);
-        if (std::abs(down) > 3.0 * size) {
-            range.keep(down * (forward.y * half.sine - forward.x * half.cosine) + 0.5,
-                       forward.x * half.sine + forward.y * half.cosine);
-            range.keep(down * (forward.y * half.sine + forward.x * half.cosine) + 0.5,
-                       forward.x * half.sine - forward.y * half.cosine);
-        }
-        const int first = std::max(
-            view.centreX + static_cast<int>(std::min(range.low, reach + 2.0)) - 1, view.area.x);
-        const int last =
-            std::min(view.centreX + static_cast<int>(std::max(range.high, -reach - 2.0)) + 1,
-                     view.area.x + view.area.width - 1);
-        for (int x = first; x <= last; ++x) {
+    const int most = static_cast<int>(reach);
+    const PixelRect around =
+        shared(view.area, {view.centreX - most, view.centreY - most, 2 * most + 1, 2 * most + 1});
+    for (int y = around.y; y < around.y + around.height; ++y) {
+        for (int x = around.x; x < around.x + around.width; ++x) {
             const double right = x - view.centreX;
+            const double down = y - view.centreY;
             const double ahead = right * forward.x + down * forward.y;
             const double aside = std::abs(down * forward.x - right * forward.y);
             const double squared = right * right + down * down;

@@ -21,8 +21,7 @@ constexpr double kDeepestShade = 5.0;  // units below the level at which the gro
 constexpr Colour kWater = {24, 108, 156,
                            255};      // of any: what an eye in it sees may be grey or dark
 constexpr double kWaterShade = 0.75;  // of water over the ground below it
-constexpr int kTileAlpha = 235;
-constexpr double kPortalTint = 0.5;  // of a tile that is one
+constexpr double kPortalTint = 0.5;   // of a tile that is one
 
 Colour mixed(Colour a, Colour b, double part) {
     const auto mix = [part](int from, int to) {
@@ -91,7 +90,7 @@ MinimapTile minimapTile(const World& world, const Map& map, int x, int y, int le
     }
     // What leads elsewhere as a whole, or from above or below, is tinted
     if (leads) tile.colour = mixed(tile.colour, kMinimapPortal, kPortalTint);
-    tile.colour.a = kTileAlpha;
+    tile.colour.a = kMinimapTileAlpha;
     return tile;
 }
 

@@ -5,9 +5,12 @@
 #include "base/coordinate.h"
 #include "world/world.h"
 
+#include <cstdint>
+
 namespace slicecast {
 
 inline constexpr Colour kMinimapGate = {238, 186, 70, 255};
+inline constexpr std::uint8_t kMinimapTileAlpha = 235;  // of all tiles
 inline constexpr Colour kMinimapPortal = {64, 224, 208, 255};
 
 // A tile as it is drawn.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace slicecast {
 namespace {
@@ -27,15 +28,25 @@ void drawLabel(const Picture& picture, int x, int y, int number, int scale) {
     drawText(picture, x + 2 * scale, y + 2 * scale, label, {.scale = scale});
 }
 
-// What the upright lines leave of a row; clear ones are `wide` pixels wide.
-void drawUpright(Pixel* row, int count, int wide) {
-    for (int x = kFine; x < count; x += kFine) {
-        if (x % kClear == 0) {
-            blendRow(row + x, std::min(wide, count - x), kClearLight);
-            blendRow(row + x + wide, std::min(wide, count - x - wide), kClearDark);
-        } else {
-            for (int i = 0; i < 2 && x + i < count; ++i)
-                row[x + i] = blended(row[x + i], i == 0 ? toPixel(kFineLight) : toPixel(kFineDark));
+// The upright lines, row by row, for the next pixel of a line is far away in memory. They repeat
+// with each clear one; there is none at the left edge.
+void drawUpright(const Picture& picture, int wide) {
+    std::array<Pixel, kClear> over{};
+    for (int x = 0; x < kClear; ++x) {
+        const bool clear = x < 2 * wide;
+        const int width = clear ? wide : 1;
+        const int from = clear ? x : x % kFine;
+        if (from < width) {
+            over[static_cast<std::size_t>(x)] = toPixel(clear ? kClearLight : kFineLight);
+        } else if (from < 2 * width) {
+            over[static_cast<std::size_t>(x)] = toPixel(clear ? kClearDark : kFineDark);
+        }
+    }
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; x += kClear) {
+            const int edge = x == 0 ? kFine : 0;
+            blendRow(picture.row(y) + x + edge, std::min(kClear, picture.width - x) - edge,
+                     over.data() + edge);
         }
     }
 }
@@ -45,8 +56,7 @@ void drawUpright(Pixel* row, int count, int wide) {
 void drawPixelGrid(const Picture& picture) {
     const int scale = readableScale(picture.width, picture.height);
     const int wide = lineWidth(scale);
-    // Row by row, for the next pixel of an upright line is far away in memory
-    for (int y = 0; y < picture.height; ++y) drawUpright(picture.row(y), picture.width, wide);
+    drawUpright(picture, wide);
     for (int y = kFine; y < picture.height; y += kFine) {
         const bool clear = y % kClear == 0;
         const int width = clear ? wide : 1;
