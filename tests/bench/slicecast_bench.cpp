@@ -2,8 +2,8 @@
 // the frame. Everything takes its turn round by round, so that whatever else the machine does falls
 // on all alike; figures are medians over the rounds.
 //
-//     slicecast-bench ASSETS_FOLDER ROUNDS                    prints JSON for tools/bench
-//     slicecast-bench ASSETS_FOLDER ROUNDS overlays [NAME]    prints what each overlay takes, or one
+//     slicecast-bench ASSETS ROUNDS                    prints JSON for tools/bench
+//     slicecast-bench ASSETS ROUNDS overlays [NAME]    prints what each overlay takes, or one
 
 #include "headless/scene_file.h"
 #include "limit_kernel.h"
