@@ -2,36 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace slicecast {
 namespace {
 
-constexpr int kWidestRing = 16;  // pixels
-
-// Lays a part of a colour over a pixel, if it is inside.
-void blendPart(const Picture& picture, PixelRect inside, int x, int y, Colour colour, double part) {
-    if (x < inside.x || y < inside.y || x >= inside.x + inside.width ||
-        y >= inside.y + inside.height)
-        return;
-    const int alpha = static_cast<int>(part * colour.a + 0.5);
-    if (alpha > 0) blendPixel(picture, x, y, withAlpha(colour, alpha));
+// Lays a part of a colour over a pixel, nothing where it is negative: a number instead of a Colour,
+// so that compilers keep it in a register.
+__attribute__((always_inline)) inline void blendPart(Pixel& pixel, Pixel colour, double part) {
+    const auto alpha = static_cast<int>(part * static_cast<int>(colour >> 24) + 0.5);
+    if (alpha > 0) pixel = blended(pixel, (colour & 0x00ffffff) | static_cast<Pixel>(alpha) << 24);
 }
 
-// The pixels that a circle may touch.
-template <typename Part>
-void drawRound(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
-               Part part) {
-    const int reach = static_cast<int>(radius) + kWidestRing / 2 + 2;
-    const int centreX = static_cast<int>(std::floor(middle.x));
-    const int centreY = static_cast<int>(std::floor(middle.y));
+int floored(double value) {
+    const int whole = static_cast<int>(value);
+    return whole - (value < whole ? 1 : 0);
+}
+
+PixelRect onPicture(PixelRect inside, const Picture& picture) {
+    return shared(inside, {0, 0, picture.width, picture.height});
+}
+
+// Places on a row or a column, [first, last).
+struct Run {
+    int first;
+    int last;
+};
+
+// What is round: all of the colour up to its radius, or along its edge alone. It fades within
+// `half` a pixel or more on both sides of it.
+struct Round {
+    Point middle;
+    double radius;
+    double half;
+    bool hollow;
+};
+
+void drawRound(const Picture& picture, PixelRect inside, const Round& round, Colour colour) {
+    const int reach = static_cast<int>(round.radius + round.half) + 2;
+    const int left = floored(round.middle.x) - reach;
+    const int top = floored(round.middle.y) - reach;
     const PixelRect around =
-        shared(inside, {centreX - reach, centreY - reach, 2 * reach + 1, 2 * reach + 1});
+        onPicture(shared(inside, {left, top, 2 * reach + 1, 2 * reach + 1}), picture);
+    const Pixel over = toPixel(colour);
     for (int y = around.y; y < around.y + around.height; ++y) {
+        Pixel* const pixels = picture.row(y);
+        const double south = y + 0.5 - round.middle.y;
         for (int x = around.x; x < around.x + around.width; ++x) {
-            const double east = x + 0.5 - middle.x;
-            const double south = y + 0.5 - middle.y;
-            blendPart(picture, inside, x, y, colour, part(std::sqrt(east * east + south * south)));
+            const double east = x + 0.5 - round.middle.x;
+            const double beyond = std::sqrt(east * east + south * south) - round.radius;
+            const double part = round.half - (round.hollow ? std::abs(beyond) : beyond);
+            blendPart(pixels[x], over, part < 1.0 ? part : 1.0);
         }
     }
 }
@@ -58,35 +80,36 @@ void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Co
     const double slope = length > 0.0 ? (across(to) - across(from)) / length : 0.0;
 
     // Only the steps inside
-    const int least = steep ? inside.y : inside.x;
-    const int most = steep ? inside.y + inside.height : inside.x + inside.width;
-    const int first =
-        static_cast<int>(std::clamp(std::floor(along(from)), double(least), double(most)));
-    const int last = static_cast<int>(
-        std::clamp(std::floor(along(to)), double(least) - 1.0, double(most) - 1.0));
-    for (int step = first; step <= last; ++step) {
-        const double middle = across(from) + (step + 0.5 - along(from)) * slope - 0.5 * width;
+    const PixelRect clip = onPicture(inside, picture);
+    const Run steps = steep ? Run{clip.y, clip.y + clip.height} : Run{clip.x, clip.x + clip.width};
+    const Run places = steep ? Run{clip.x, clip.x + clip.width} : Run{clip.y, clip.y + clip.height};
+    const auto step = [&](double at) {
+        return static_cast<int>(std::clamp(std::floor(at), steps.first - 1.0, double(steps.last)));
+    };
+    const std::ptrdiff_t pitch = picture.pitch;
+    const Pixel over = toPixel(colour);
+    const int last = std::min(step(along(to)), steps.last - 1);
+    for (int at = std::max(step(along(from)), steps.first); at <= last; ++at) {
+        const double middle = across(from) + (at + 0.5 - along(from)) * slope - 0.5 * width;
         if (!(std::abs(middle) < 1e6)) continue;
-        const double whole = std::floor(middle);
-        const double rest = middle - whole;
-        const int near = static_cast<int>(whole);
+        const int near = floored(middle);
+        const double rest = middle - near;
+        Pixel* const pixels = picture.pixels + (steep ? at * pitch : at);
         for (int place = near; place <= near + width; ++place) {
+            if (place < places.first || place >= places.last) continue;
             const double part = place == near ? 1.0 - rest : place < near + width ? 1.0 : rest;
-            blendPart(picture, inside, steep ? place : step, steep ? step : place, colour, part);
+            blendPart(pixels[steep ? place : place * pitch], over, part);
         }
     }
 }
 
 void drawDot(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour) {
-    drawRound(picture, inside, middle, radius, colour,
-              [radius](double distance) { return std::clamp(radius - distance + 0.5, 0.0, 1.0); });
+    drawRound(picture, inside, {middle, radius, 0.5, false}, colour);
 }
 
 void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
               int width) {
-    drawRound(picture, inside, middle, radius, colour, [radius, width](double distance) {
-        return std::clamp(0.5 * (width + 1) - std::abs(distance - radius), 0.0, 1.0);
-    });
+    drawRound(picture, inside, {middle, radius, 0.5 * (width + 1), true}, colour);
 }
 
 }  // namespace slicecast

@@ -18,7 +18,7 @@ PixelRect shared(PixelRect a, PixelRect b);
 void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Colour colour,
               int width = 1);
 
-// A filled circle.
+// A filled circle, not a million pixels away.
 void drawDot(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour);
 
 // A circle's edge, so many pixels wide.

@@ -23,6 +23,7 @@
 // height or to a portal, never into the map behind it.
 #pragma once
 
+#include "overlay/minimap_map.h"
 #include "render/classic/classic_options.h"
 #include "render/eye.h"
 #include "render/picture.h"
@@ -55,8 +56,18 @@ MinimapLayout layoutMinimap(int pictureWidth, int pictureHeight);
 // The level that is shown.
 int minimapLevel(const Map& map, const Eye& eye, const MinimapOptions& options);
 
-// Draws it, without allocating memory. Nothing for an eye in a map that does not exist.
-void drawMinimap(const World& world, const Eye& eye, const MinimapOptions& options,
-                 const Picture& picture);
+class Minimap {
+public:
+    // Draws it; without allocating memory, once it has drawn one of that size. Nothing for an eye
+    // in a map that does not exist.
+    void draw(const World& world, const Eye& eye, const MinimapOptions& options,
+              const Picture& picture);
+
+    // Of the map, so far: only those of which something has changed.
+    long drawnTiles() const { return map_.drawnTiles(); }
+
+private:
+    MinimapMap map_;
+};
 
 }  // namespace slicecast

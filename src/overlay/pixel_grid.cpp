@@ -5,7 +5,9 @@
 #include "overlay/layout.h"
 #include "overlay/text.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace slicecast {
 namespace {
@@ -26,17 +28,35 @@ void drawLabel(const Picture& picture, int x, int y, int number, int scale) {
     drawText(picture, x + 2 * scale, y + 2 * scale, label, {.scale = scale});
 }
 
+// The upright lines, row by row, for the next pixel of a line is far away in memory. They repeat
+// with each clear one; there is none at the left edge.
+void drawUpright(const Picture& picture, int wide) {
+    std::array<Pixel, kClear> over{};
+    for (int x = 0; x < kClear; ++x) {
+        const bool clear = x < 2 * wide;
+        const int width = clear ? wide : 1;
+        const int from = clear ? x : x % kFine;
+        if (from < width) {
+            over[static_cast<std::size_t>(x)] = toPixel(clear ? kClearLight : kFineLight);
+        } else if (from < 2 * width) {
+            over[static_cast<std::size_t>(x)] = toPixel(clear ? kClearDark : kFineDark);
+        }
+    }
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; x += kClear) {
+            const int edge = x == 0 ? kFine : 0;
+            blendRow(picture.row(y) + x + edge, std::min(kClear, picture.width - x) - edge,
+                     over.data() + edge);
+        }
+    }
+}
+
 }  // namespace
 
 void drawPixelGrid(const Picture& picture) {
     const int scale = readableScale(picture.width, picture.height);
     const int wide = lineWidth(scale);
-    for (int x = kFine; x < picture.width; x += kFine) {
-        const bool clear = x % kClear == 0;
-        const int width = clear ? wide : 1;
-        blendRect(picture, {x, 0, width, picture.height}, clear ? kClearLight : kFineLight);
-        blendRect(picture, {x + width, 0, width, picture.height}, clear ? kClearDark : kFineDark);
-    }
+    drawUpright(picture, wide);
     for (int y = kFine; y < picture.height; y += kFine) {
         const bool clear = y % kClear == 0;
         const int width = clear ? wide : 1;

@@ -190,13 +190,17 @@ const Glyph& glyphOf(char c) {
                                           kFirstGlyph)];
 }
 
+// Dots side by side are one rectangle.
 void drawGlyph(const Picture& picture, int x, int y, const Glyph& glyph, const TextStyle& style) {
+    const int scale = style.scale;
     for (int row = 0; row < kGlyphHeight; ++row) {
-        const unsigned bits = glyph.rows[static_cast<std::size_t>(row)];
-        for (int column = 0; column < kGlyphWidth; ++column) {
-            if ((bits >> column & 1u) == 0) continue;
+        unsigned bits = glyph.rows[static_cast<std::size_t>(row)];
+        for (int column = 0; bits != 0; ++column, bits >>= 1) {
+            if ((bits & 1u) == 0) continue;
+            const int first = column;
+            for (; (bits & 2u) != 0; bits >>= 1) ++column;
             blendRect(picture,
-                      {x + column * style.scale, y + row * style.scale, style.scale, style.scale},
+                      {x + first * scale, y + row * scale, (column + 1 - first) * scale, scale},
                       style.colour);
         }
     }

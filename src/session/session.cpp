@@ -3,7 +3,6 @@
 #include "base/angle.h"
 #include "base/hash.h"
 #include "overlay/divider.h"
-#include "overlay/minimap.h"
 #include "overlay/panels.h"
 #include "overlay/pixel_grid.h"
 #include "overlay/slice_inspector.h"
@@ -170,7 +169,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
                                         .reach = o.minimapReach,
                                         .classicShare = classicShare(),
                                         .classic = o.classic};
-        drawMinimap(world_, seen, minimap, picture);
+        minimap_.draw(world_, seen, minimap, picture);
     }
     const Map& map = world_.maps[static_cast<std::size_t>(seen.map)];
     if (o.playerPanel) {

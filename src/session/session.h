@@ -9,6 +9,7 @@
 // and pictures everywhere.
 #pragma once
 
+#include "overlay/minimap.h"
 #include "overlay/slow_drawing.h"
 #include "render/eye.h"
 #include "render/options.h"
@@ -154,6 +155,7 @@ private:
     FrameReport
         classicReport_;  // of the last picture, or part of one, that the classic method drew
     SlowDrawing slowDrawing_;
+    Minimap minimap_;
     PhaseClock clock_;
     double drawnFraction_ = 1.0;
     std::int64_t steps_ = 0;

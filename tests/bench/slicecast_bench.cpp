@@ -2,11 +2,14 @@
 // the frame. Everything takes its turn round by round, so that whatever else the machine does falls
 // on all alike; figures are medians over the rounds.
 //
-//     slicecast-bench ASSETS_FOLDER ROUNDS        prints JSON; tools/bench makes a table of it
+//     slicecast-bench ASSETS ROUNDS                    prints JSON for tools/bench
+//     slicecast-bench ASSETS ROUNDS overlays [NAME]    prints what each overlay takes, or one
 
 #include "headless/scene_file.h"
 #include "limit_kernel.h"
 #include "many_objects.h"
+#include "overlays.h"
+#include "processor_time.h"
 #include "session/session.h"
 
 #include <algorithm>
@@ -14,17 +17,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#ifdef __EMSCRIPTEN__
-#include <emscripten.h>
-#endif
 
 namespace slicecast {
 namespace {
@@ -76,27 +74,13 @@ struct Item {
     int comparedWith = -1;                // another item, which it should not be much slower than
 };
 
-// Time that the processor has spent on this program, so that programs beside it count less.
-#ifdef __EMSCRIPTEN__
-EM_JS(double, seconds, (), {
-    const usage = process.cpuUsage();
-    return (usage.user + usage.system) * 1e-6;
-})
-#else
-double seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-#endif
-
 // The first frame brings its textures into the caches, as the frame before would have done in a
 // game.
 double measure(const Item& item) {
     item.draw();
-    const double begin = seconds();
+    const double begin = processorSeconds();
     for (int i = 0; i < item.frames; ++i) item.draw();
-    return (seconds() - begin) / item.frames * 1e9 / kPixels;
+    return (processorSeconds() - begin) / item.frames * 1e9 / kPixels;
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -220,10 +204,12 @@ int run(const std::string& assets, int rounds) {
 }  // namespace slicecast
 
 int main(int argc, char** argv) {
-    const int rounds = argc == 3 ? std::atoi(argv[2]) : 0;
+    const int rounds = argc >= 3 && argc <= 5 ? std::atoi(argv[2]) : 0;
     if (rounds < 1) {
-        std::fprintf(stderr, "usage: slicecast-bench ASSETS_FOLDER ROUNDS\n");
+        std::fprintf(stderr, "usage: slicecast-bench ASSETS_FOLDER ROUNDS [overlays [NAME]]\n");
         return 2;
     }
+    if (argc > 3)
+        return slicecast::printOverlays(argv[1], rounds, argc == 5 ? argv[4] : "") ? 0 : 1;
     return slicecast::run(argv[1], rounds);
 }

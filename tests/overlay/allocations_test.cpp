@@ -30,11 +30,12 @@ TEST(Allocations, ThereAreNoneAfterTheFirstPicture) {
                                 .overlayMilliseconds = 1.0};
     const FrameReport report;
     SlowDrawing slow;
+    Minimap minimap;
     const auto draw = [&] {
         slow.show(canvas.picture, 2);
         drawPixelGrid(canvas.picture);
-        drawMinimap(world, eye, {.level = 0, .rays = true, .turns = true, .reach = 2.0},
-                    canvas.picture);
+        minimap.draw(world, eye, {.level = 0, .rays = true, .turns = true, .reach = 2.0},
+                     canvas.picture);
         drawPlayerPanel({.map = world.maps[0].name, .x = 20.5, .y = 20.5, .z = 0.5},
                         canvas.picture);
         drawProcessPanel({.times = &times, .report = &report}, canvas.picture);

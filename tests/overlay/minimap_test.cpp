@@ -49,7 +49,7 @@ struct Seen {
     Seen(const World& world, const Eye& eye, const MinimapOptions& options = {}, int width = 640,
          int height = 400)
         : canvas(width, height), layout(layoutMinimap(width, height)) {
-        drawMinimap(world, eye, options, canvas.picture);
+        Minimap().draw(world, eye, options, canvas.picture);
     }
 
     // The colour in the middle of the tile that is so many tiles east and south of an eye in the
@@ -203,7 +203,7 @@ TEST(Minimap, TurnedItMarksWhereNorthIs) {
     const World world = smallWorld();
     // Heading east, north is on the left.
     Canvas canvas(640, 400);
-    drawMinimap(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.turns = true}, canvas.picture);
+    Minimap().draw(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.turns = true}, canvas.picture);
     const MinimapLayout layout = layoutMinimap(640, 400);
     int bright = 0;
     for (int y = -6; y <= 6; ++y) {

@@ -1,0 +1,97 @@
+#include "overlay/minimap_tiles.h"
+
+#include "overlay/blend.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace slicecast {
+namespace {
+
+constexpr Colour kLowBlock = {122, 66, 46, 255};
+constexpr Colour kHighBlock = {226, 142, 92, 255};
+constexpr Colour kWholeBlock = {112, 142, 182, 255};
+constexpr double kFloatingShade =
+    0.5;  // of a block's colour, the rest is that of the ground under it
+constexpr Colour kNearGround = {104, 110, 108, 255};
+constexpr Colour kDeepGround = {34, 38, 46, 255};
+constexpr double kLeastShade =
+    0.25;  // of the way to the darkest, for ground that is at all below the level
+constexpr double kDeepestShade = 5.0;  // units below the level at which the ground is darkest
+constexpr Colour kWater = {24, 108, 156,
+                           255};      // of any: what an eye in it sees may be grey or dark
+constexpr double kWaterShade = 0.75;  // of water over the ground below it
+constexpr double kPortalTint = 0.5;   // of a tile that is one
+
+Colour mixed(Colour a, Colour b, double part) {
+    const auto mix = [part](int from, int to) {
+        return static_cast<std::uint8_t>(
+            from + static_cast<int>((to - from) * part + (to < from ? -0.5 : 0.5)));
+    };
+    return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 255};
+}
+
+// Where the highest block of a tile below a level is; -1 without one.
+int levelBelow(const Map& map, int x, int y, int level) {
+    do --level;
+    while (level >= 0 && map.cell(x, y, level) == kEmptyCell);
+    return level;
+}
+
+// Of what stands on the level, or is seen down there; `block` is that of the level, or null.
+Colour colourOf(const CellBlueprint* block, double drop, bool isWater) {
+    const Colour ground = minimapGround(drop);
+    if (isWater) return mixed(ground, kWater, kWaterShade);
+    if (block == nullptr) return ground;
+    if (block->gate >= 0) return block->passable ? ground : kMinimapGate;
+    const Colour colour =
+        block->top == tileEdge(1) ? kWholeBlock : mixed(kLowBlock, kHighBlock, block->top.value());
+    return block->bottom.raw > 0 ? mixed(ground, colour, kFloatingShade) : colour;
+}
+
+}  // namespace
+
+Colour minimapGround(double drop) {
+    return mixed(
+        kNearGround, kDeepGround,
+        drop > 0.0 ? std::min(kLeastShade + (1.0 - kLeastShade) * drop / kDeepestShade, 1.0) : 0.0);
+}
+
+MinimapTile minimapTile(const World& world, const Map& map, int x, int y, int level) {
+    MinimapTile tile;
+    if (!map.contains(x, y)) return tile;
+    const auto blockAt = [&](int at) {
+        const BlueprintId id = at >= 0 ? map.cell(x, y, at) : kEmptyCell;
+        return id != kEmptyCell ? &world.blueprints[id] : nullptr;
+    };
+    const int below = levelBelow(map, x, y, level);
+    const CellBlueprint* const ground = blockAt(below);
+    const CellBlueprint* const block = blockAt(level);
+    const CellBlueprint* const seen = block != nullptr ? block : ground;
+    if (ground != nullptr) tile.surface = tileEdge(below) + ground->top;
+    tile.water = seen != nullptr ? seen->isWater : map.isWaterFloor(map.tileIndex(x, y));
+    tile.over = (map.occupied[map.tileIndex(x, y)] >> level >> 1) != 0;
+    tile.colour = colourOf(block, (tileEdge(level) - tile.surface).value(), tile.water);
+    bool leads = map.tilePortal(x, y) != kNoPortal;
+    if (block != nullptr) {
+        tile.openGate = block->gate >= 0 && block->passable;
+        tile.block = !tile.openGate && !block->isWater;
+        tile.moves = block->motion >= 0;
+        if (tile.block) tile.surface = tileEdge(level) + block->top;
+        for (int i = 0; i < kFaces; ++i) {
+            const auto face = static_cast<Face>(i);
+            if (block->face(face).portal == kNoPortal) continue;
+            if (face == Face::top || face == Face::bottom) {
+                leads = true;
+            } else {
+                tile.portals |= 1u << i;
+            }
+        }
+    }
+    // What leads elsewhere as a whole, or from above or below, is tinted
+    if (leads) tile.colour = mixed(tile.colour, kMinimapPortal, kPortalTint);
+    tile.colour.a = kMinimapTileAlpha;
+    return tile;
+}
+
+}  // namespace slicecast

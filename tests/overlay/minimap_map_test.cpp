@@ -1,0 +1,151 @@
+// The minimap's map is drawn anew where something has changed, and only there.
+
+#include "base/random.h"
+#include "canvas.h"
+#include "overlay/minimap.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+enum : BlueprintId { kEmpty, kWall, kGate, kMover, kWater };
+
+World makeWorld() {
+    World world;
+    CellBlueprint block;
+    world.blueprints.push_back(block);
+    block.gate = 0;
+    world.blueprints.push_back(block);
+    block.gate = -1;
+    block.motion = 0;
+    block.top = toCoordinate(0.25);
+    world.blueprints.push_back(block);
+    block.motion = -1;
+    block.isWater = true;
+    world.blueprints.push_back(block);
+    world.maps.push_back(makeMap("map", 40, 30, 3, kNoTexture));
+    Map& map = world.maps[0];
+    map.setCell(20, 13, 0, kWall);
+    map.setCell(22, 15, 0, kGate);
+    map.setCell(18, 15, 0, kMover);
+    map.setCell(20, 18, 0, kWater);
+    map.setCell(16, 15, 1, kWall);
+    return world;
+}
+
+Eye eyeAt(double x, double y, double heading = 20.0) {
+    return {.map = 0,
+            .x = toCoordinate(x),
+            .y = toCoordinate(y),
+            .z = toCoordinate(0.5),
+            .headingDegrees = heading};
+}
+
+// A minimap that is kept; each picture is compared with one that begins anew.
+struct Kept {
+    World world = makeWorld();
+    Minimap minimap;
+    Eye eye = eyeAt(20.5, 15.5);
+    MinimapOptions options;
+    int width = 640;
+    int height = 400;
+
+    // How many tiles were drawn for the next picture.
+    long draw() {
+        Canvas canvas(width, height);
+        Canvas anew(width, height);
+        const long before = minimap.drawnTiles();
+        minimap.draw(world, eye, options, canvas.picture);
+        Minimap().draw(world, eye, options, anew.picture);
+        EXPECT_EQ(canvas.image.pixels, anew.image.pixels);
+        return minimap.drawnTiles() - before;
+    }
+};
+
+TEST(MinimapMap, NothingIsDrawnAgainWithoutAChange) {
+    Kept kept;
+    EXPECT_GT(kept.draw(), 400);
+    EXPECT_EQ(kept.draw(), 0);
+    kept.world.seconds = 3.0;
+    EXPECT_EQ(kept.draw(), 0);
+    // What lies on the map is no reason either
+    kept.eye = eyeAt(20.6, 15.4, 200.0);
+    kept.options = {.fovDegrees = 90.0, .rays = true, .turns = true, .reach = 3.0};
+    EXPECT_EQ(kept.draw(), 0);
+    kept.world.maps[0].objects.resize(5);
+    EXPECT_EQ(kept.draw(), 0);
+}
+
+TEST(MinimapMap, AChangeDrawsItsTileAndThoseBesideIt) {
+    Kept kept;
+    kept.draw();
+    const auto drawsFew = [&](const char* what) {
+        const long drawn = kept.draw();
+        EXPECT_GE(drawn, 1) << what;
+        EXPECT_LE(drawn, 5) << what;
+        EXPECT_EQ(kept.draw(), 0) << what;
+    };
+    kept.world.maps[0].setCell(21, 16, 0, kWall);
+    drawsFew("a cell");
+    kept.world.maps[0].setCell(23, 16, 1, kWall);
+    drawsFew("a cell above");
+    kept.world.blueprints[kGate].passable = true;
+    drawsFew("a gate");
+    kept.world.blueprints[kMover].top = toCoordinate(0.75);
+    drawsFew("a mover");
+    kept.world.maps[0].setCell(20, 18, 0, kEmpty);
+    drawsFew("water");
+}
+
+TEST(MinimapMap, GoingOnDrawsOnlyWhatComesIntoSight) {
+    Kept kept;
+    kept.draw();
+    kept.eye = eyeAt(21.5, 15.5);
+    const long across = kept.draw();
+    EXPECT_GT(across, 10);
+    EXPECT_LT(across, 60);
+    kept.eye = eyeAt(23.5, 15.5);
+    EXPECT_EQ(kept.draw(), 2 * across);
+}
+
+TEST(MinimapMap, AnotherSizeLevelOrMapDrawsItAll) {
+    Kept kept;
+    const long all = kept.draw();
+    kept.width = 800;
+    kept.height = 600;
+    EXPECT_GT(kept.draw(), 400);
+    EXPECT_EQ(kept.draw(), 0);
+    kept.width = 640;
+    kept.height = 400;
+    EXPECT_EQ(kept.draw(), all);
+    kept.options.level = 1;
+    EXPECT_GT(kept.draw(), 400) << "each floor is a level further down";
+    kept.world.maps.push_back(makeMap("other", 40, 30, 3, kNoTexture));
+    kept.eye.map = 1;
+    EXPECT_GT(kept.draw(), 1);
+    EXPECT_EQ(kept.draw(), 0);
+}
+
+TEST(MinimapMap, IsAsIfDrawnAnewAfterAnyChanges) {
+    Kept kept;
+    Random random(7);
+    const auto below = [&](int count) { return random.below(count); };
+    for (int i = 0; i < 300; ++i) {
+        kept.world.maps[0].setCell(below(40), below(30), below(3),
+                                   static_cast<BlueprintId>(below(5)));
+        kept.world.blueprints[kGate].passable = below(2) == 0;
+        kept.world.blueprints[kMover].top = Coordinate{below(65536)};
+        kept.eye = eyeAt(below(400) * 0.1, below(300) * 0.1, below(360));
+        kept.options.turns = below(2) == 0;
+        kept.options.level = below(8) == 0 ? below(4) - 1 : kept.options.level;
+        if (below(20) == 0) std::swap(kept.width, kept.height);
+        kept.draw();
+        ASSERT_FALSE(HasFailure()) << i;
+    }
+}
+
+}  // namespace
+}  // namespace slicecast
