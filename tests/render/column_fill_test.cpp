@@ -2,6 +2,8 @@
 // Lengths and beginnings are such that four rows at a time and single ones both occur.
 #include "render/column_fill.h"
 
+#include "defined_shade.h"
+
 #include "base/random.h"
 
 #include <gtest/gtest.h>
@@ -11,49 +13,12 @@
 #include <functional>
 #include <vector>
 
-namespace slicecast {
+namespace slicecast::known {
 namespace {
 
 constexpr int kMostBits = 10;
 constexpr int kMostRows = 20;
 constexpr int kRoom = 64;
-
-// ---- the definition
-
-int lit(int c, std::uint32_t factor) {
-    return (c * static_cast<int>(factor) + 128) >> 8;
-}
-
-int mixed(int colour, int there, std::uint32_t share) {
-    const int w = static_cast<int>(share);
-    return (colour * w + there * (255 - w) + 127) / 255;
-}
-
-template <typename Channel>
-Pixel byChannel(Pixel a, Pixel b, Channel&& channel) {
-    const Colour x = toColour(a);
-    const Colour y = toColour(b);
-    const auto byte = [&](int p, int q) { return static_cast<std::uint8_t>(channel(p, q)); };
-    return toPixel({byte(x.r, y.r), byte(x.g, y.g), byte(x.b, y.b), 255});
-}
-
-Pixel over(Pixel colour, Pixel there, std::uint32_t alpha) {
-    return byChannel(colour, there, [&](int c, int t) { return mixed(c, t, alpha); });
-}
-
-struct Light {
-    std::uint32_t factor;
-    std::uint32_t fog;
-    Pixel haze;
-};
-
-Pixel defined(Pixel texel, const Light& light, Lay lay, Pixel there) {
-    const Pixel colour = byChannel(
-        texel, light.haze, [&](int c, int h) { return mixed(h, lit(c, light.factor), light.fog); });
-    return lay == Lay::opaque ? colour : over(colour, there, texel >> 24);
-}
-
-// ---- random input
 
 // Holes and opaque texels are as frequent as those between.
 Pixel anyPixel(Random& random) {
@@ -118,7 +83,7 @@ TEST(ColumnFill, Sides) {
         const auto count = static_cast<std::uint64_t>(rows.last - rows.first);
         const std::uint64_t start = random.next() % kTile;
         const std::uint64_t step = random.next() % ((kTile - start - 1) / (count + 1) + 1);
-        const Light light = {anyFactor(random), anyFog(random), anyPixel(random)};
+        const DefinedLight light = {anyFactor(random), anyFog(random), anyPixel(random)};
         const Lay lay = random.oneIn(2) ? Lay::opaque : Lay::over;
         const std::vector<Pixel> expected = rows.filled([&](int row, Pixel there) {
             const std::uint64_t at = start + static_cast<std::uint64_t>(row - rows.first) * step;
@@ -141,7 +106,7 @@ TEST(ColumnFill, ColumnsOfAnyLength) {
         const auto count = static_cast<std::uint64_t>(rows.last - rows.first);
         const std::uint64_t start = random.next() % end;
         const std::uint64_t step = (end - start - 1) / (count + 1);
-        const Light light = {anyFactor(random), anyFog(random), anyPixel(random)};
+        const DefinedLight light = {anyFactor(random), anyFog(random), anyPixel(random)};
         const std::vector<Pixel> expected = rows.filled([&](int row, Pixel there) {
             const std::uint64_t at = start + static_cast<std::uint64_t>(row - rows.first) * step;
             return defined(texels[static_cast<std::size_t>(at >> 32)], light, Lay::over, there);
@@ -158,7 +123,7 @@ TEST(ColumnFill, EveryColour) {
     for (std::uint32_t c = 0; c < 256; ++c) texels[c] = c | (255 - c) << 8 | c << 16 | 255u << 24;
     std::vector<Pixel> out(256);
     std::vector<Pixel> expected(256);
-    const auto compare = [&](const Light& light) {
+    const auto compare = [&](const DefinedLight& light) {
         std::transform(texels.begin(), texels.end(), expected.begin(),
                        [&](Pixel texel) { return defined(texel, light, Lay::opaque, 0); });
         fillSide(out.data(), 256, texels.data(), 0, 0, 1, light.factor, light.fog, light.haze);
@@ -195,7 +160,7 @@ struct Tables {
         }
     }
 
-    Light at(int row, bool foggy, Pixel haze) const {
+    DefinedLight at(int row, bool foggy, Pixel haze) const {
         const auto i = static_cast<std::size_t>(row);
         return {factors[i], foggy ? fogs[i] : 0, haze};
     }
@@ -273,7 +238,7 @@ TEST(ColumnFill, SingleTexels) {
     for (int i = 0; i < 50000; ++i) {
         const Pixel texel = anyPixel(random);
         const Pixel there = anyPixel(random);
-        const Light light = {anyFactor(random), anyFog(random), anyPixel(random)};
+        const DefinedLight light = {anyFactor(random), anyFog(random), anyPixel(random)};
         for (const Lay lay : {Lay::opaque, Lay::over}) {
             ASSERT_EQ(shadedTexel(texel, light.factor, light.fog, light.haze, lay, there),
                       defined(texel, light, lay, there));
@@ -291,4 +256,4 @@ TEST(ColumnFill, FractionsOfATile) {
 }
 
 }  // namespace
-}  // namespace slicecast
+}  // namespace slicecast::known

@@ -328,6 +328,30 @@ reflected sky 0-57
 )");
 }
 
+// A mirror at height 0.5, a unit below the eye, so the viewpoint is at -0.5. Its rows 129 to 140
+// show rows 60 to 71: the wall, cut off at the mirror, and not the step before it, which the rays
+// from below would meet first.
+TEST(SliceSpans, AMirrorRoof) {
+    World world = hall();
+    setRow(world, 4, addNamed(world, "step", 0.0, 0.25));
+    const BlueprintId pool = addNamed(world, "pool", 0.0, 0.5);
+    world.blueprints[pool].faces[static_cast<std::size_t>(Face::top)].mirror = 200;
+    setRow(world, 5, pool);
+    setRow(world, 6, addNamed(world, "wall"));
+    EXPECT_EQ(found(world, eyeInHall(1.5)), R"(
+side 183-200 west of 4,2,0: step detail 0, u 4, v 6-7, depth 1.5, light 256, fog 0
+roof 150-183 of 4,2,0: step at -1.25, light 1
+side 140-150 west of 5,2,0: pool detail 0, u 4, v 4-5, depth 2.5, light 256, fog 0
+roof 129-140 of 5,2,0: pool at -1, light 1, mirror
+side 114-129 west of 6,2,0: wall detail 0, u 4, v 0-3, depth 3.5, light 256, fog 0
+roof 111-114 of 6,2,0: wall at -0.5, light 1
+floor 100-111 over 7,2 to 12,2 and on: floor at -1.5, light 1
+sky 0-100
+mirror 129-140 at -1, strength 200
+reflected side 60-71 west of 6,2,0: wall detail 0, u 4, v 0-3, depth 3.5, light 256, fog 0
+)");
+}
+
 // From 0.75 before the far side of a block: its side, 100 -+ 66.67, and beside it the underside and
 // the roof, all seen from inside.
 TEST(SliceSpans, TheEyeInABlock) {
