@@ -228,16 +228,19 @@ TEST_F(SlicePaint, RunsEndWhereThePlaneChanges) {
     EXPECT_EQ(stage_.report().spansDrawn, 5);
 }
 
-// Row 133 sees (3.99, 2.5), a trifle before tile 4. If the walk says that it is in tile 4, its
-// texel is the first of that, not the last of the tile before.
+// Row 133 sees (3.99, 2.51), a trifle before tile 4, and row 119 (5.06, 2.51), behind it. If the
+// walk says that they are in tile 4, their texels are the first and the last of that.
 TEST_F(SlicePaint, TexelsAreHeldInsideTheirTiles) {
-    const Span& floor = addPlane(What::floor, 114, 134, -0.5, {4, 2, 5, 2, false});
-    const Plane plane = floor.plane;
+    const Plane plane = addPlane(What::floor, 119, 134, -0.5, {4, 2, 4, 2, false}).plane;
     const std::vector<Pixel> pixels = painted();
+    const auto texelAt = [&](std::size_t u) {
+        return world_.textures[0].levels[0].texels[(u << 3) + 4];
+    };
+    EXPECT_EQ(at(pixels, 133), defined(texelAt(0), {256, 0, 0}, Lay::opaque, 0));
+    EXPECT_EQ(at(pixels, 119), defined(texelAt(7), {256, 5, toPixel(kHaze)}, Lay::opaque, 0));
     EXPECT_NE(at(pixels, 133), planePixel(133, plane));
-    const Pixel texel = world_.textures[0].levels[0].texels[(0 << 3) + 4];
-    EXPECT_EQ(at(pixels, 133), defined(texel, {256, 0, 0}, Lay::opaque, 0));
-    for (int row = 114; row < 133; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, plane)) << row;
+    EXPECT_NE(at(pixels, 119), planePixel(119, plane));
+    for (int row = 120; row < 133; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, plane)) << row;
 }
 
 // Row r of what mirrors show stands in row 199 - r of the picture.
