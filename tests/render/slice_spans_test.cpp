@@ -125,6 +125,21 @@ sky 0-100
 )");
 }
 
+// From 2.5: edges 0.5, 1.5 and 2.5 below the eye, at 120, 160 and 200 before and 114.29 behind for
+// the roof. Between the two blocks there is none.
+TEST(SliceSpans, ATowerFromAbove) {
+    World world = hall(2);
+    setRow(world, 5, addNamed(world, "base"));
+    setRow(world, 5, addNamed(world, "top"), 1);
+    EXPECT_EQ(found(world, eyeInHall(2.5)), R"(
+side 120-160 west of 5,2,1: top detail 0, u 4, v 0-7, depth 2.5, light 256, fog 0
+roof 114-120 of 5,2,1: top at -0.5, light 1
+side 160-200 west of 5,2,0: base detail 0, u 4, v 0-7, depth 2.5, light 256, fog 0
+floor 100-114 over 6,2 to 12,2 and on: floor at -2.5, light 1
+sky 0-100
+)");
+}
+
 // Between 1.5 and 1.75, which is 1 and 1.25 above the eye: 100 - 40 and 100 - 50 before, 100 -
 // 28.57 for the lower edge behind. Rows are seen above it and below it.
 TEST(SliceSpans, ABridgeFromBelow) {
@@ -165,6 +180,20 @@ TEST(SliceSpans, ACeilingFromAbove) {
 ceiling 111-120 over 5,2 to 6,2: boards at -0.5, light 1, glows, from below
 floor 100-111 over 2,2 to 12,2 and on: floor at -1.5, light 1
 floor 120-200 over 2,2 to 12,2 and on: floor at -1.5, light 1
+sky 0-100
+)");
+}
+
+// A see-through ceiling closes no rows.
+TEST(SliceSpans, ACeilingOfGlass) {
+    World world = hall();
+    const TextureId glass = addTexture(world, plain("glass", kGlass));
+    Map& map = world.maps[0];
+    map.ceiling.height = tileEdge(1);
+    map.ceiling.tiles.assign(map.floor.tiles.size(), glass);
+    EXPECT_EQ(found(world, eyeInHall()), R"(
+layer ceiling 0-95 over 2,2 to 11,2: glass at 0.5, light 1, from below
+floor 100-200 over 2,2 to 12,2 and on: floor at -0.5, light 1
 sky 0-100
 )");
 }
