@@ -98,10 +98,13 @@ protected:
         const int v = plane.southReversed ? level.size - 1 - texelOf(y) : texelOf(y);
         const double bright = std::clamp(3.0 / depth, 0.1, 1.0) * plane.light;
         const double fog = std::clamp((depth - 2.0) / 28.0, 0.0, 1.0);
-        return defined(level.texels[static_cast<std::size_t>((u << level.bits) + v)],
-                       {static_cast<std::uint32_t>(256 * bright + 0.5),
-                        static_cast<std::uint32_t>(255 * fog + 0.5), toPixel(kHaze)},
-                       lay, there);
+        const std::size_t texel =
+            (static_cast<std::size_t>(u) << level.bits) + static_cast<std::size_t>(v);
+        const auto rounded = [](double value) {
+            return static_cast<std::uint32_t>(std::floor(value + 0.5));
+        };
+        return defined(level.texels[texel],
+                       {rounded(256 * bright), rounded(255 * fog), toPixel(kHaze)}, lay, there);
     }
 
     World world_;
