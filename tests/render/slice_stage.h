@@ -1,0 +1,50 @@
+// The two stages of one slice, each by itself: the walk that finds spans, and the painter.
+#pragma once
+
+#include "render/frame.h"
+#include "render/slice_paint.h"
+#include "render/slice_walk.h"
+#include "world/world.h"
+
+#include <vector>
+
+namespace slicecast::known {
+
+// A frame of a picture. World and spans must not outlive it, nor it them.
+class SliceStage {
+public:
+    SliceStage(const World& world, const Eye& eye, int width, int height,
+               const RenderOptions& options = {.fovDegrees = 90.0})
+        : eye_(eye),
+          options_(options),
+          frame_(world, eye_, options_, width, height, textures_, vistas_) {}
+
+    const SliceSpans& find(int column) {
+        SliceWalk(frame_, open_, report_).find(column, spans_);
+        return spans_;
+    }
+
+    std::vector<Pixel> paint(const SliceSpans& spans, Pixel before = 0) {
+        std::vector<Pixel> pixels(static_cast<std::size_t>(vistas_.projection().height), before);
+        SlicePainter(frame_, reflected_, report_).paint(spans, pixels.data());
+        return pixels;
+    }
+
+    const Frame& frame() const { return frame_; }
+    Vista& ofEye() { return vistas_.ofEye(); }
+    Vistas& vistas() { return vistas_; }
+    const FrameReport& report() const { return report_; }
+
+private:
+    Eye eye_;
+    RenderOptions options_;
+    std::vector<FrameTexture> textures_;
+    Vistas vistas_;
+    Frame frame_;
+    OpenRows open_;
+    FrameReport report_;
+    SliceSpans spans_;
+    std::vector<Pixel> reflected_;
+};
+
+}  // namespace slicecast::known
