@@ -131,8 +131,6 @@ TEST_F(PointsOfPlanes, BordersBehindTurnedPortals) {
         EXPECT_EQ(all.at(onX).south, 0x40000000u) << c.turn;
         EXPECT_EQ(all.at(onY).south, c.south) << c.turn;
         EXPECT_EQ(all.at(onY).east, 0x80000000u) << c.turn;
-        EXPECT_EQ(all.heldAt(onX).east, 0u) << c.turn;
-        EXPECT_EQ(all.heldAt(onY).south, 0u) << c.turn;
         const double rows[] = {atEast(1.3), onX, atEast(1.1), onY, atEast(1.2)};
         EXPECT_EQ(all.anyOnBorder(rows, 0, 3), c.east == kEnd) << c.turn;
         EXPECT_EQ(all.anyOnBorder(rows, 2, 5), c.south == kEnd) << c.turn;
@@ -140,6 +138,14 @@ TEST_F(PointsOfPlanes, BordersBehindTurnedPortals) {
         EXPECT_FALSE(all.anyOnBorder(rows, 2, 3)) << c.turn;
         EXPECT_FALSE(all.anyOnBorder(rows, 3, 3)) << c.turn;
     }
+}
+
+// Where the tiles begin a point is held, whichever tile a border within them would go to.
+TEST_F(PointsOfPlanes, HeldAtTheNearEdgeBehindTurnedPortals) {
+    const PlanePoints two = pointsTurned(1, {4, 2, 5, 9});
+    EXPECT_EQ(two.at(atEast(1.5 - kTiny)).east, 0u);
+    EXPECT_EQ(two.at(atEast(1.5 + kTiny)).east, 0u);
+    EXPECT_EQ(two.at(atEast(2.5)).east, kEnd) << "the border of the two";
 }
 
 // A fraction worked out without any trick, of a position held inside [first, end).
