@@ -1,0 +1,252 @@
+// The plain walk and the fast one before random worlds: row by row they must find the same.
+#include "draw.h"
+#include "random_scene.h"
+#include "suite.h"
+
+#include "render/plain_walk.h"
+#include "render/slice_paint.h"
+#include "render/slice_walk.h"
+#include "render/span_text.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace slicecast::judge {
+namespace {
+
+using What = FilledRows::What;
+
+#ifdef SLICECAST_SANITIZED
+constexpr int kShare = 10;  // sanitizers take a tenth
+#else
+constexpr int kShare = 1;
+#endif
+
+// What one row shows.
+struct Row {
+    const Span* opaque = nullptr;
+    std::vector<const Span*> layers;         // front to back
+    std::vector<const PortalSpan*> portals;  // in the order in which they are passed
+    std::vector<const MirrorSpan*> mirrors;
+};
+
+std::vector<Row> rowsOf(const ColumnSpans& column, int height) {
+    std::vector<Row> rows(static_cast<std::size_t>(height));
+    const auto each = [&](const auto& span, auto fn) {
+        for (int row = span.first; row < span.last; ++row) fn(rows[static_cast<std::size_t>(row)]);
+    };
+    for (const Span& span : column.spans) {
+        each(span, [&](Row& row) {
+            if (span.layer) {
+                row.layers.push_back(&span);
+            } else {
+                EXPECT_EQ(row.opaque, nullptr) << "two opaque spans share a row";
+                row.opaque = &span;
+            }
+        });
+    }
+    for (const PortalSpan& span : column.portals)
+        each(span, [&](Row& row) { row.portals.push_back(&span); });
+    for (const MirrorSpan& span : column.mirrors)
+        each(span, [&](Row& row) { row.mirrors.push_back(&span); });
+    return rows;
+}
+
+std::int64_t positionAt(const Span& span, int row) {
+    return static_cast<std::int64_t>(span.column.start) +
+           (row - span.first) * static_cast<std::int64_t>(span.column.step);
+}
+
+// Whether the one tile of the plain walk's span is among those of the fast one's.
+bool covers(const TileRange& fast, const TileRange& plain, GroundDirection ray) {
+    const auto holds = [&](int from, int to, int tile, double direction) {
+        if (fast.endless && direction > 0.0) return tile >= from;
+        if (fast.endless && direction < 0.0) return tile <= from;
+        return std::min(from, to) <= tile && tile <= std::max(from, to);
+    };
+    return holds(fast.fromX, fast.toX, plain.fromX, ray.x) &&
+           holds(fast.fromY, fast.toY, plain.fromY, ray.y);
+}
+
+// Two spans that begin and end in the same rows have the same steps; else they have been rounded at
+// each row.
+bool isSameColumn(const Span& fast, const Span& plain, int row) {
+    const TexelColumn& a = fast.column;
+    const TexelColumn& b = plain.column;
+    if (a.texels != b.texels || a.shift != b.shift || a.detail != b.detail ||
+        a.factor != b.factor || a.fog != b.fog || a.depth != b.depth)
+        return false;
+    const std::int64_t apart = std::abs(positionAt(fast, row) - positionAt(plain, row));
+    if (fast.first == plain.first && fast.last == plain.last) return apart == 0;
+    return apart <= 2 + (row - std::min(fast.first, plain.first));
+}
+
+bool isSame(const Span& fast, const Span& plain, int row, int column) {
+    if (fast.what != plain.what || fast.layer != plain.layer || fast.vista != plain.vista ||
+        fast.portals != plain.portals || fast.level != plain.level || fast.object != plain.object)
+        return false;
+    if (fast.level != kNoLevel && fast.face != plain.face) return false;
+    if (isPlane(fast))
+        return fast.plane == plain.plane &&
+               covers(fast.tiles, plain.tiles, fast.vista->ray(column));
+    if (!hasTexelColumn(fast)) return true;
+    if (fast.what == What::side && !covers(fast.tiles, plain.tiles, {})) return false;
+    return fast.plane.texture == plain.plane.texture && isSameColumn(fast, plain, row);
+}
+
+template <typename Things, typename Equal>
+bool areAll(const Things& a, const Things& b, Equal equal) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
+}
+
+bool isSameRow(const Row& fast, const Row& plain, int row, int column) {
+    const auto span = [&](const Span* a, const Span* b) { return isSame(*a, *b, row, column); };
+    if ((fast.opaque == nullptr) != (plain.opaque == nullptr) ||
+        (fast.opaque != nullptr && !span(fast.opaque, plain.opaque)))
+        return false;
+    return areAll(fast.layers, plain.layers, span) &&
+           areAll(fast.portals, plain.portals,
+                  [](const PortalSpan* a, const PortalSpan* b) {
+                      return a->portal == b->portal && a->portals == b->portals &&
+                             a->depth == b->depth;
+                  }) &&
+           areAll(fast.mirrors, plain.mirrors, [](const MirrorSpan* a, const MirrorSpan* b) {
+               return a->height == b->height && a->strength == b->strength;
+           });
+}
+
+// The first row that differs; -1 if none does.
+int firstDifference(const ColumnSpans& fast, const ColumnSpans& plain, int column, int height) {
+    const std::vector<Row> fastRows = rowsOf(fast, height);
+    const std::vector<Row> plainRows = rowsOf(plain, height);
+    for (int row = 0; row < height; ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        if (!isSameRow(fastRows[i], plainRows[i], row, column)) return row;
+    }
+    return -1;
+}
+
+// What both have found, and how often.
+struct Sum {
+    int worlds = 0;
+    int columns = 0;
+    std::int64_t rows = 0;
+    int differences = 0;
+    std::int64_t pixelsApart = 0;
+    std::map<std::string, std::int64_t> seen;  // rows of each kind
+
+    void add(const ColumnSpans& column, const char* prefix) {
+        for (const Span& span : column.spans) {
+            const std::string name = std::string(prefix) + (span.layer ? "layer " : "") +
+                                     nameOf(span.what) +
+                                     (span.portals > 0 ? " behind portals" : "");
+            seen[name] += span.last - span.first;
+        }
+    }
+};
+
+class Walks {
+public:
+    Walks(const Scene& scene, std::string name, Sum& sum)
+        : view_(scene.view),
+          name_(std::move(name)),
+          sum_(sum),
+          eye_(eyeOf(view_)),
+          options_(optionsOf(view_)),
+          frame_(scene.world, eye_, options_, view_.width, view_.height, textures_, vistas_) {}
+
+    void compareAll() {
+        ++sum_.worlds;
+        SliceWalk fast(frame_, open_, report_);
+        PlainWalk plain(frame_, open_);
+        SliceSpans fastSpans;
+        SliceSpans plainSpans;
+        for (int column = 0; column < view_.width; ++column) {
+            fast.find(column, fastSpans);
+            plain.find(column, plainSpans);
+            compare(fastSpans, plainSpans);
+            sum_.add(fastSpans.upright, "");
+            sum_.add(fastSpans.reflected, "mirrored ");
+        }
+    }
+
+private:
+    void compare(const SliceSpans& fast, const SliceSpans& plain) {
+        ++sum_.columns;
+        sum_.rows += view_.height;
+        const char* where = "";
+        int row = firstDifference(fast.upright, plain.upright, fast.column, view_.height);
+        if (row < 0) {
+            row = firstDifference(fast.reflected, plain.reflected, fast.column, view_.height);
+            where = " in mirrors";
+        }
+        if (row >= 0) return complain("row " + std::to_string(row) + where, fast, plain);
+        const std::vector<Pixel> fastPixels = paint(fast);
+        const std::vector<Pixel> plainPixels = paint(plain);
+        for (int y = 0; y < view_.height; ++y) {
+            const auto i = static_cast<std::size_t>(y);
+            if (fastPixels[i] == plainPixels[i]) continue;
+            ++sum_.pixelsApart;
+            complain("the pixel of row " + std::to_string(y), fast, plain);
+        }
+    }
+
+    std::vector<Pixel> paint(const SliceSpans& slice) {
+        std::vector<Pixel> pixels(static_cast<std::size_t>(view_.height));
+        SlicePainter(frame_, reflected_, report_).paint(slice, pixels.data());
+        return pixels;
+    }
+
+    void complain(const std::string& where, const SliceSpans& fast, const SliceSpans& plain) {
+        if (++sum_.differences > 5) return;  // one shows enough
+        ADD_FAILURE() << name_ << ", " << where << " differs\nthe fast walk: " << textOf(fast)
+                      << "the plain walk: " << textOf(plain);
+    }
+
+    const View& view_;
+    std::string name_;
+    Sum& sum_;
+    Eye eye_;
+    RenderOptions options_;
+    std::vector<FrameTexture> textures_;
+    Vistas vistas_;
+    Frame frame_;
+    OpenRows open_;
+    std::vector<Pixel> reflected_;
+    FrameReport report_;
+};
+
+Sum compareAll(MakeScene make, const char* what, std::uint64_t first, int count) {
+    Sum sum;
+    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
+        const Size size = kSmallSizes[seed % kSmallSizes.size()];
+        const Scene scene = make(seed, size.width, size.height);
+        Walks(scene, std::string(what) + " " + std::to_string(seed), sum).compareAll();
+    }
+    std::printf(
+        "%s: %d worlds, %d columns, %lld rows; %d differences, %lld of them in pixels alone\n",
+        what, sum.worlds, sum.columns, static_cast<long long>(sum.rows), sum.differences,
+        static_cast<long long>(sum.pixelsApart));
+    return sum;
+}
+
+TEST(PlainWalk, FindsWhatTheFastOneFinds) {
+    const Sum sum = compareAll(randomScene, "random scene", 1, 800 / kShare);
+    EXPECT_EQ(sum.differences, 0);
+    for (const auto& [name, rows] : sum.seen)
+        std::printf("  %s %lld\n", name.c_str(), static_cast<long long>(rows));
+}
+
+TEST(PlainWalk, FindsTheSameWhereRaysMeetEdgesExactly) {
+    const Sum sum = compareAll(tieScene, "tie scene", 1, 800 / kShare);
+    EXPECT_EQ(sum.differences, 0);
+}
+
+}  // namespace
+}  // namespace slicecast::judge
