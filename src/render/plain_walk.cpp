@@ -445,7 +445,7 @@ void PlainWalk::sendThrough(PortalId id, Rows rows, const HeightClip& clip) {
             ++haze.portals;
         }
         found_->portals.push_back(
-            {id, part_.portals, enter_.along * projection().distance, first, last});
+            {id, part_.portals, walk_.entered * projection().distance, first, last});
     });
 }
 
