@@ -28,8 +28,10 @@
 #include "render/grid_walk.h"
 #include "render/open_rows.h"
 #include "render/slice_spans.h"
+#include "world/portal.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace slicecast {
@@ -66,13 +68,13 @@ private:
         Block block;  // of roofs and undersides
     };
 
+    // ---- plain_walk.cpp
     void walkParts();
     void walkPart();
     bool isGridLeft() const;
     void meetTile();
     void meetStretch();
     void meetBackground();
-
     void findBlocks();
     void findPlanes();
     void enterSide(const Block& block);
@@ -81,23 +83,28 @@ private:
     void meetFace(const LevelPlane& plane, Rows rows);
     void meetFloor(Rows rows, bool endless);
     void meetCeiling(Rows rows);
-    void meetObject(const FrameObject& object);
+    Span spanOf(What what) const;
+    using Finish = std::function<void(Span&)>;
+    void show(const Span& look, Rows rows, const Finish& finish = {});
+    void showPlane(const Span& look, Rows rows, int mirror);
 
-    bool isSame(const Block& block, BlueprintId other) const;
+    // ---- plain_texels.cpp
+    void findObjects();
+    Crossing crossingAt(const FrameObject& object) const;
+    void meetObject(const FrameObject& object);
+    void showSide(const Block& block, Face face, const Crossing& border, Rows rows);
+    TexelColumn sideColumn(const Block& block, Face face, const Crossing& border, Rows rows) const;
+
+    // ---- plain_passages.cpp
+    bool joins(const Block& block, BlueprintId other) const;
     bool joinsTileBefore(const Block& block) const;
     bool joinsLevel(const Block& block, int up, bool leaving) const;
-
+    BlueprintId exitCell(PortalId portal, int level) const;
     bool isArrival() const;
     bool acts(PortalId portal) const;
     void sendThrough(PortalId id, Rows rows, const HeightClip& clip);
     void reflect(SliceSpans& found);
     int mirrorStrength(std::uint8_t strength) const;
-
-    Span spanOf(What what) const;
-    void showSide(const Block& block, Face face, const Crossing& border, Rows rows);
-    TexelColumn sideColumn(const Block& block, Face face, const Crossing& border, Rows rows) const;
-    template <typename Finish>
-    void show(const Span& look, Rows rows, Finish finish);
 
     const Map& map() const { return *part_.vista->map; }
     const Projection& projection() const { return *part_.vista->projection; }
@@ -105,10 +112,11 @@ private:
     int rowBelow(std::int32_t rise, const Crossing& border) const {
         return firstRowBelow(projection(), rise, border);
     }
-    PortalId portalOf(const Block& block, Face face) const {
-        return block.blueprint->face(face).portal;
+    // The tile before a border of the current one (`steps` is -1), or behind it (1).
+    GridTile tileAcross(const Crossing& border, int steps) const {
+        return {walk_.tileX + (border.alongX ? steps * walk_.stepX : 0),
+                walk_.tileY + (border.alongX ? 0 : steps * walk_.stepY)};
     }
-    BlueprintId exitCell(PortalId portal, int level) const;
 
     const Frame& frame_;
     OpenRows& open_;
