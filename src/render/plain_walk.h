@@ -1,18 +1,30 @@
 // The walk of one screen column over the grid in its plainest form. It finds what `SliceWalk` finds
 // and leaves out all that makes that one fast: read this one first. A test compares the two.
 //
-// Seen from the side, the rays of one column (one for each row of the screen) cross a tile so:
+// A column has a ray for each of its rows. Seen from the side, those rays come to a tile so:
 //
-//        enter          leave       A height h lies between two rows where the rays enter the tile, and between two others where they leave it:
-//          |              |         `firstRowBelow` finds both. The rays of the rows between the two pass h inside the tile, and see a plane at h;
-//   eye    |    .---------|--       those between a block's top and bottom at the entering border
-//   see its side.
-//    o     |    |  block  |
-//          |    '---------|--       So a tile is drawn in three steps, each of which lies behind the one before on every ray:
-//          |              |
-//   =======|==============|==       1. the sides of its blocks by which rays enter
-//          |     floor    |         2. the level planes: roofs, undersides, ceiling, floor; those nearest to the eye's height first
-//                                   3. the sides by which rays leave, seen from inside
+//                  enter             leave
+//           .- '     |                 |
+//   eye  o ----------|-----------------|---      rising and falling
+//           ' - .    |                 |
+//                '-  +------ roof -----+
+//                    |                 |
+//            entered |                 | left
+//               side |      block      | side
+//                    |                 |
+//                    +--- underside ---+
+//                    |                 |
+//          ==========+====== floor ====+====
+//
+// Where the rays enter the tile a height lies between two rows, and between two others where they
+// leave it; `firstRowBelow` finds them. The rays between a block's top and bottom where they enter
+// meet its side. The rays above a height where they enter and below it where they leave (or the
+// other way round) have passed it inside the tile, and meet a plane that lies there. On each ray
+// three kinds of things come one after another, so a tile is drawn in three steps:
+//
+//   1. the sides of its blocks by which rays enter
+//   2. the level planes, from the eye's height outwards: roofs, undersides, ceiling, floor
+//   3. the sides by which rays leave, seen from inside
 //
 // Rows are open at first. What is opaque closes the rows that it shows in, so nothing behind it is
 // seen in them: a face that lies inside or behind a block needs no thought. What is see-through
@@ -22,6 +34,12 @@
 // Two things send rows elsewhere. Those that enter a portal are closed here, and go on in a walk of
 // their own (a `Part`, which waits in a list) on the portal's other side. Those that meet a mirror
 // show the mirror, and go on in a second picture of the column, which stands upside down.
+//
+// plain_walk.cpp      from tile to tile, and what is met in one: this is the algorithm
+// plain_texels.cpp    objects, and the texels of sides and objects
+// plain_passages.cpp  see-through blocks that join; portals and mirrors
+//
+// It knows all that a scene may hold. Of what it does it counts nothing for a `FrameReport`.
 #pragma once
 
 #include "render/frame.h"

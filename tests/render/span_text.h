@@ -1,7 +1,7 @@
 // The spans of a slice as text, for the messages of tests: a line for each, in their order.
 //
-//     rows   12-40   side north      map 0  tile 3,4 level 1  texture 5  detail 0  light 200 fog 0  depth 2.500  start ... step ...
-//     rows   40-64   floor           map 0  tiles 1,4 to 3,4  texture 2  rise -32768  mirror
+//     rows   12-40   layer side north   map 0  tile 3,4 level 1  texture 5  depth 2.5 ...
+//     rows   40-64         floor        map 0  tile 1,4 to 3,4  texture 2  rise -32768 light 1
 #pragma once
 
 #include "render/slice_spans.h"
