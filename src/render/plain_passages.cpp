@@ -1,63 +1,93 @@
-// Of the plain walk: which see-through blocks join, and where rays go on through portals and off
-// mirrors.
+// Of the plain walk: which blocks join, and where rays go on through portals and off mirrors.
 #include "render/plain_walk.h"
+
+#include "world/world.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace slicecast {
 
-bool PlainWalk::joins(const Block& block, BlueprintId other) const {
-    return block.blueprint->seeThrough && block.blueprint->join &&
-           &frame_.world->blueprints[other] == block.blueprint;
+// The rows between the top and the bottom of a block at a border.
+PlainWalk::Rows PlainWalk::rowsOf(const CellBlueprint& blueprint, int level,
+                                  const Crossing& border) const {
+    const std::int32_t base = riseOf(tileEdge(level).raw);
+    return {rowBelow(base + blueprint.top.raw, border),
+            rowBelow(base + blueprint.bottom.raw, border)};
 }
 
-BlueprintId PlainWalk::exitCell(PortalId portal, int level) const {
-    const Portal& to = frame_.world->portals[portal];
-    return frame_.world->maps[static_cast<std::size_t>(to.toMap)].cell(to.toX, to.toY,
-                                                                       level + to.levels);
+// The rows in which a block touches one that stands beside it, if they are see-through and of one
+// kind: there are no faces between them then.
+PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& other,
+                                      const Crossing& border) const {
+    if (!areJoined(*frame_.world, *block.blueprint, other)) return {0, 0};
+    return rowsOf(other, block.level, border);
 }
 
-bool PlainWalk::joinsTileBefore(const Block& block) const {
-    const Before& before = part_.before;
-    if (isArrival())
-        return joins(block, before.map->cell(before.x, before.y, block.level - before.levels));
-    const GridTile tile = tileAcross(enter_, -1);
-    return joins(block, map().cell(tile.x, tile.y, block.level));
+// The block that rays have left may stand before the portal that they came through.
+PlainWalk::Rows PlainWalk::joinedBefore(const Block& block) const {
+    if (isArrival()) return joinedRows(block, cellBeforePortal(block.level), enter_);
+    return joinedRows(block, cell(map(), tileAcross(enter_, -1), block.level), enter_);
 }
 
-// Whether a block joins the one above it (`up` is 1) or below (-1): of its own blueprint, or of the
-// same thing that moves. Rays that leave it may go through a portal there, and those that enter it
-// may have come through one.
+// And the one that they are about to enter may stand behind a portal: one of the whole tile, or one
+// in a block's face, which may be smaller than the side that is left.
+PlainWalk::Rows PlainWalk::joinedBehind(const Block& block) const {
+    const GridTile tile = tileAcross(leave_, 1);
+    const PortalId ofTile = map().tilePortal(tile.x, tile.y);
+    if (ofTile != kNoPortal)
+        return mayPass() ? joinedRows(block, exitCell(ofTile, block.level), leave_) : Rows{0, 0};
+    const CellBlueprint& behind = cell(map(), tile, block.level);
+    const PortalId portal = behind.face(enteredFace(leave_)).portal;
+    if (portal == kNoPortal || !mayPass()) return joinedRows(block, behind, leave_);
+    const Rows window = rowsOf(behind, block.level, leave_);
+    const Rows joined = joinedRows(block, exitCell(portal, block.level), leave_);
+    return {std::max(window.first, joined.first), std::min(window.last, joined.last)};
+}
+
+// Whether there are no faces between a block and the one above it (`up` is 1) or below (-1). Both
+// must reach the border between their levels. Parts of one thing that moves are one block there;
+// see-through blocks of one kind join, and so they do where rays that leave the block go through a
+// portal there, or those that enter it have come through one.
 bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
-    const auto touches = [](const CellBlueprint& blueprint, bool above) {
-        return above ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
+    const auto reaches = [](const CellBlueprint& blueprint, int end) {
+        return end > 0 ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
     };
     const CellBlueprint& own = *block.blueprint;
-    if (!own.seeThrough || !own.join || !touches(own, up > 0)) return false;
+    const auto joins = [&](const CellBlueprint& other) {
+        return reaches(other, -up) && areJoined(*frame_.world, own, other);
+    };
+    if (!reaches(own, up)) return false;
     const int level = block.level + up;
-    BlueprintId next = map().cell(walk_.tileX, walk_.tileY, level);
-    const Before& before = part_.before;
-    if (up > 0 ? block.top == part_.clip.high : block.bottom == part_.clip.low) {
-        next =
-            isArrival() ? before.map->cell(before.x, before.y, level - before.levels) : kEmptyCell;
-    } else if (leaving && touches(frame_.world->blueprints[next], up < 0)) {
-        const PortalId portal =
-            frame_.world->blueprints[next].face(up > 0 ? Face::bottom : Face::top).portal;
-        if (acts(portal)) next = exitCell(portal, level);
-    }
-    const CellBlueprint& other = frame_.world->blueprints[next];
-    return next != kEmptyCell && touches(other, up < 0) &&
-           (&other == &own || (other.mover >= 0 && other.mover == own.mover));
+    if (isWhereItCameOut(block, up)) return joins(cellBeforePortal(level));
+    const CellBlueprint& next = cell(map(), {walk_.tileX, walk_.tileY}, level);
+    if (!reaches(next, -up)) return false;
+    if (areOneMover(own, next)) return true;
+    const PortalId portal = next.face(up > 0 ? Face::bottom : Face::top).portal;
+    if (leaving && portal != kNoPortal && mayPass()) return joins(exitCell(portal, level));
+    return joins(next);
 }
 
+// What is where a portal leads, and where rays were before they came through one; `level` is that
+// of the current tile.
+const CellBlueprint& PlainWalk::exitCell(PortalId portal, int level) const {
+    const Portal& to = frame_.world->portals[portal];
+    return cell(frame_.world->maps[static_cast<std::size_t>(to.toMap)], {to.toX, to.toY},
+                level + to.levels);
+}
+const CellBlueprint& PlainWalk::cellBeforePortal(int level) const {
+    const Before& before = part_.before;
+    return cell(*before.map, {before.x, before.y}, level - before.levels);
+}
+
+// Whether rays have come out of a portal in the current tile.
 bool PlainWalk::isArrival() const {
     return part_.portals > 0 && walk_.tileX == part_.walk.tileX && walk_.tileY == part_.walk.tileY;
 }
 
-// The portals of the tile in which a ray has come out do not act on it.
-bool PlainWalk::acts(PortalId portal) const {
-    return portal != kNoPortal && part_.portals < frame_.world->portalLimit && !isArrival();
+// And whether that was at the very height where a block ends, above or below.
+bool PlainWalk::isWhereItCameOut(const Block& block, int up) const {
+    return isArrival() && (up > 0 ? block.top == part_.clip.high : block.bottom == part_.clip.low);
 }
 
 // Closes rows here and opens them on the portal's other side; those whose rays come out below the

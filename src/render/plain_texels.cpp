@@ -12,7 +12,9 @@ namespace {
 // this much of a tile.
 constexpr double kSnap = 1.0 / 17179869184.0;
 
-constexpr double kOne = 281474976710656.0;  // a tile as a texture position, 2^48
+// A tile as a texture position.
+constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
+constexpr double kOne = static_cast<double>(kWholeTexture);
 
 // Where a column of texels begins and how far it goes from row to row; it stays in [lowest, end).
 struct Positions {
@@ -104,7 +106,23 @@ void PlainWalk::showSide(const Block& block, Face face, const Crossing& border, 
     span.plane.texture = block.blueprint->face(face).texture;
     show(span, rows, [&](Span& seen) {
         seen.column = sideColumn(block, face, border, {seen.first, seen.last});
+        splitWhereTextureEnds(seen);
     });
+}
+
+// The texture of what moves may end within a side and begin anew: the rows from there on become a
+// span of their own.
+void PlainWalk::splitWhereTextureEnds(Span& seen) {
+    if (seen.column.start >= kWholeTexture) seen.column.start -= kWholeTexture;
+    Span rest = seen;
+    while (rest.first < rest.last && rest.column.start < kWholeTexture) {
+        ++rest.first;
+        rest.column.start += rest.column.step;
+    }
+    if (rest.first == rest.last) return;
+    rest.column.start -= kWholeTexture;
+    seen.last = rest.first;
+    found_->spans.add() = rest;
 }
 
 // Which texels of a side the rows show, and in what light.
@@ -144,6 +162,9 @@ TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing&
           {down * kOne, border.along * kOne, positionOf(block.blueprint->top),
            positionOf(block.blueprint->bottom)},
           rows.last - rows.first);
+    // What has risen shows what is farther down.
+    column.start += static_cast<std::uint64_t>(block.blueprint->textureRise.raw)
+                    << (kTexturePositionBits - 16);
     return column;
 }
 

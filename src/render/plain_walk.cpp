@@ -46,7 +46,7 @@ void PlainWalk::walkPart() {
         if (part_.tiles > 1 && portal != kNoPortal) {
             part_.endsInPortal = true;
             const Rows aboveFloor = {0, rowBelow(riseOf(0), enter_)};
-            if (acts(portal)) sendThrough(portal, aboveFloor, {});
+            if (mayPass()) sendThrough(portal, aboveFloor, {});
             show(spanOf(What::haze), {0, projection().height});
             return;
         }
@@ -139,42 +139,33 @@ void PlainWalk::findPlanes() {
     });
 }
 
-// A side at depth 0 is not drawn, but its portal acts.
+// A side at depth 0 is not drawn, but its portal acts; none acts on rays that have come out of
+// another right there.
 void PlainWalk::enterSide(const Block& block) {
     const Face face = enteredFace(enter_);
     const PortalId portal = block.blueprint->face(face).portal;
     const Rows rows = {rowBelow(block.top, enter_), rowBelow(block.bottom, enter_)};
-    if (acts(portal)) {
+    if (portal != kNoPortal && mayPass() && !isArrival()) {
         sendThrough(portal, rows, {});
-    } else if (enter_.along > 0.0 && !joinsTileBefore(block)) {
-        showSide(block, face, enter_, rows);
+    } else if (enter_.along > 0.0) {
+        showSideBut(block, face, enter_, rows, joinedBefore(block));
     }
 }
 
-// Behind the side there may be another block that it joins, seen through a portal or not: then
-// nothing is seen of either face. A portal in a block's face may be smaller than the side.
+// From inside a block its portals are not there, and nothing is drawn of their faces.
 void PlainWalk::leaveSide(const Block& block) {
     const Face face = leftFace(leave_);
-    const Rows rows = {rowBelow(block.top, leave_), rowBelow(block.bottom, leave_)};
     if (block.blueprint->face(face).portal != kNoPortal) return;
-    const GridTile next = tileAcross(leave_, 1);
-    const BlueprintId behind = map().cell(next.x, next.y, block.level);
-    const CellBlueprint& blueprint = frame_.world->blueprints[behind];
-    const PortalId tile = map().tilePortal(next.x, next.y);
-    const PortalId portal = blueprint.face(enteredFace(leave_)).portal;
-    const bool mayPass = part_.portals < frame_.world->portalLimit;
-    Rows joined = {rows.last, rows.last};
-    if (tile != kNoPortal) {
-        if (mayPass && joins(block, exitCell(tile, block.level))) joined = rows;
-    } else if (portal != kNoPortal && mayPass && joins(block, exitCell(portal, block.level))) {
-        const std::int32_t base = riseOf(tileEdge(block.level).raw);
-        joined = {rowBelow(base + blueprint.top.raw, leave_),
-                  rowBelow(base + blueprint.bottom.raw, leave_)};
-    } else if (joins(block, behind)) {
-        joined = rows;
-    }
-    showSide(block, face, leave_, {rows.first, std::min(rows.last, joined.first)});
-    showSide(block, face, leave_, {std::max(rows.first, joined.last), rows.last});
+    const Rows rows = {rowBelow(block.top, leave_), rowBelow(block.bottom, leave_)};
+    showSideBut(block, face, leave_, rows, joinedBehind(block));
+}
+
+// A side without the rows in which its block touches one that it joins.
+void PlainWalk::showSideBut(const Block& block, Face face, const Crossing& border, Rows rows,
+                            Rows joined) {
+    if (joined.first >= joined.last) return showSide(block, face, border, rows);
+    showSide(block, face, border, {rows.first, std::min(rows.last, joined.first)});
+    showSide(block, face, border, {std::max(rows.first, joined.last), rows.last});
 }
 
 // Rows whose rays pass the plane's height between the two borders: falling ones see it if it is
@@ -191,21 +182,29 @@ void PlainWalk::meetPlane(const LevelPlane& plane) {
         meetCeiling(rows);
     } else {
         // Whoever stands exactly on a portal falls in at once.
-        if (plane.rise == 0 && !walk_.hasEntered() &&
-            acts(plane.block.blueprint->face(Face::top).portal))
+        if (plane.rise == 0 && !walk_.hasEntered() && acts(plane))
             rows = {horizon, projection().height};
         meetFace(plane, rows);
     }
 }
 
-// A roof or an underside. A portal acts on what enters; what leaves sees nothing there.
+// Whether a roof or an underside is a portal that acts on the rays that enter there. It does not on
+// those that have come out of another at this very height.
+bool PlainWalk::acts(const LevelPlane& plane) const {
+    const bool isTop = plane.what == What::roof;
+    const Face face = isTop ? Face::top : Face::bottom;
+    return plane.block.blueprint->face(face).portal != kNoPortal && mayPass() &&
+           !isWhereItCameOut(plane.block, isTop ? 1 : -1);
+}
+
+// A roof or an underside. What leaves through a portal sees nothing there.
 void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
     const Block& block = plane.block;
     const bool isTop = plane.what == What::roof;
     const bool leaving = isTop == (plane.rise > 0);
     const FaceBlueprint& look = block.blueprint->face(isTop ? Face::top : Face::bottom);
     if ((leaving && look.portal != kNoPortal) || (!leaving && block.cut)) return;
-    if (acts(look.portal)) {
+    if (acts(plane)) {
         HeightClip beyond;
         (isTop ? beyond.high : beyond.low) = plane.rise;
         return sendThrough(look.portal, rows, beyond);

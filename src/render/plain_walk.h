@@ -37,7 +37,7 @@
 //
 // plain_walk.cpp      from tile to tile, and what is met in one: this is the algorithm
 // plain_texels.cpp    objects, and the texels of sides and objects
-// plain_passages.cpp  see-through blocks that join; portals and mirrors
+// plain_passages.cpp  blocks that join; portals and mirrors
 //
 // It knows all that a scene may hold. Of what it does it counts nothing for a `FrameReport`.
 #pragma once
@@ -97,7 +97,9 @@ private:
     void findPlanes();
     void enterSide(const Block& block);
     void leaveSide(const Block& block);
+    void showSideBut(const Block& block, Face face, const Crossing& border, Rows rows, Rows joined);
     void meetPlane(const LevelPlane& plane);
+    bool acts(const LevelPlane& plane) const;
     void meetFace(const LevelPlane& plane, Rows rows);
     void meetFloor(Rows rows, bool endless);
     void meetCeiling(Rows rows);
@@ -112,20 +114,28 @@ private:
     void meetObject(const FrameObject& object);
     void showSide(const Block& block, Face face, const Crossing& border, Rows rows);
     TexelColumn sideColumn(const Block& block, Face face, const Crossing& border, Rows rows) const;
+    void splitWhereTextureEnds(Span& seen);
 
     // ---- plain_passages.cpp
-    bool joins(const Block& block, BlueprintId other) const;
-    bool joinsTileBefore(const Block& block) const;
+    Rows rowsOf(const CellBlueprint& blueprint, int level, const Crossing& border) const;
+    Rows joinedRows(const Block& block, const CellBlueprint& other, const Crossing& border) const;
+    Rows joinedBefore(const Block& block) const;
+    Rows joinedBehind(const Block& block) const;
     bool joinsLevel(const Block& block, int up, bool leaving) const;
-    BlueprintId exitCell(PortalId portal, int level) const;
+    const CellBlueprint& exitCell(PortalId portal, int level) const;
+    const CellBlueprint& cellBeforePortal(int level) const;
     bool isArrival() const;
-    bool acts(PortalId portal) const;
+    bool isWhereItCameOut(const Block& block, int up) const;
+    bool mayPass() const { return part_.portals < frame_.world->portalLimit; }
     void sendThrough(PortalId id, Rows rows, const HeightClip& clip);
     void reflect(SliceSpans& found);
     int mirrorStrength(std::uint8_t strength) const;
 
     const Map& map() const { return *part_.vista->map; }
     const Projection& projection() const { return *part_.vista->projection; }
+    const CellBlueprint& cell(const Map& of, GridTile tile, int level) const {
+        return frame_.world->blueprints[of.cell(tile.x, tile.y, level)];
+    }
     std::int32_t riseOf(std::int32_t height) const { return height - part_.vista->viewpoint.z; }
     int rowBelow(std::int32_t rise, const Crossing& border) const {
         return firstRowBelow(projection(), rise, border);

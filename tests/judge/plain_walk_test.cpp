@@ -3,10 +3,10 @@
 #include "random_scene.h"
 #include "suite.h"
 
+#include "raw_span_text.h"
 #include "render/plain_walk.h"
 #include "render/slice_paint.h"
 #include "render/slice_walk.h"
-#include "raw_span_text.h"
 
 #include <gtest/gtest.h>
 
@@ -83,6 +83,14 @@ std::int64_t mayBeApart(const Span& span, int rows) {
     return rows + 2 + (span.what == What::side ? std::int64_t{1} << 14 : 0);
 }
 
+// Whether a side's texture may begin anew in the first row, or behind the last: the texture of what
+// moves does. Then the rows may be a piece of more, which each walk counts from a row of its own.
+bool mayBePiece(const Span& span) {
+    constexpr std::int64_t kEnd = std::int64_t{1} << kTexturePositionBits;
+    return span.what == What::side &&
+           (span.column.start < span.column.step || positionAt(span, span.last) >= kEnd);
+}
+
 bool isSameColumn(const Span& fast, const Span& plain, int row) {
     const TexelColumn& a = fast.column;
     const TexelColumn& b = plain.column;
@@ -90,7 +98,9 @@ bool isSameColumn(const Span& fast, const Span& plain, int row) {
         a.factor != b.factor || a.fog != b.fog || a.depth != b.depth)
         return false;
     const std::int64_t apart = std::abs(positionAt(fast, row) - positionAt(plain, row));
-    if (fast.first == plain.first && fast.last == plain.last) return apart == 0;
+    if (fast.first == plain.first && fast.last == plain.last && !mayBePiece(fast) &&
+        !mayBePiece(plain))
+        return apart == 0;
     return apart <= mayBeApart(fast, row - std::min(fast.first, plain.first));
 }
 
