@@ -133,7 +133,7 @@ void SliceWalk::sendThrough(PortalId id, int firstRow, int lastRow, const Height
             ++haze.portals;
         }
         found_->portals.push_back(
-            {id, portals_, enter_.along * projection_->distance, first, last});
+            {id, portals_, walk_.entered * projection_->distance, first, last});
     });
 }
 

@@ -1,0 +1,152 @@
+// Of the plain walk: which blocks join, and where rays go on through portals and off mirrors.
+#include "render/plain_walk.h"
+
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slicecast {
+
+// The rows between the top and the bottom of a block at a border.
+PlainWalk::Rows PlainWalk::rowsOf(const CellBlueprint& blueprint, int level,
+                                  const Crossing& border) const {
+    const std::int32_t base = riseOf(tileEdge(level).raw);
+    return {rowBelow(base + blueprint.top.raw, border),
+            rowBelow(base + blueprint.bottom.raw, border)};
+}
+
+// The rows in which a block touches one that stands beside it, if they are see-through and of one
+// kind: there are no faces between them then.
+PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& other,
+                                      const Crossing& border) const {
+    if (!areJoined(*frame_.world, *block.blueprint, other)) return {0, 0};
+    return rowsOf(other, block.level, border);
+}
+
+// The block that rays have left may stand before the portal that they came through.
+PlainWalk::Rows PlainWalk::joinedBefore(const Block& block) const {
+    if (isArrival()) return joinedRows(block, cellBeforePortal(block.level), enter_);
+    return joinedRows(block, cell(map(), tileAcross(enter_, -1), block.level), enter_);
+}
+
+// And the one that they are about to enter may stand behind a portal: one of the whole tile, or one
+// in a block's face, which may be smaller than the side that is left.
+PlainWalk::Rows PlainWalk::joinedBehind(const Block& block) const {
+    const GridTile tile = tileAcross(leave_, 1);
+    const PortalId ofTile = map().tilePortal(tile.x, tile.y);
+    if (ofTile != kNoPortal)
+        return mayPass() ? joinedRows(block, exitCell(ofTile, block.level), leave_) : Rows{0, 0};
+    const CellBlueprint& behind = cell(map(), tile, block.level);
+    const PortalId portal = behind.face(enteredFace(leave_)).portal;
+    if (portal == kNoPortal || !mayPass()) return joinedRows(block, behind, leave_);
+    const Rows window = rowsOf(behind, block.level, leave_);
+    const Rows joined = joinedRows(block, exitCell(portal, block.level), leave_);
+    return {std::max(window.first, joined.first), std::min(window.last, joined.last)};
+}
+
+// Whether there are no faces between a block and the one above it (`up` is 1) or below (-1). Both
+// must reach the border between their levels. Parts of one thing that moves are one block there;
+// see-through blocks of one kind join, and so they do where rays that leave the block go through a
+// portal there, or those that enter it have come through one.
+bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
+    const auto reaches = [](const CellBlueprint& blueprint, int end) {
+        return end > 0 ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
+    };
+    const CellBlueprint& own = *block.blueprint;
+    const auto joins = [&](const CellBlueprint& other) {
+        return reaches(other, -up) && areJoined(*frame_.world, own, other);
+    };
+    if (!reaches(own, up)) return false;
+    const int level = block.level + up;
+    if (isWhereItCameOut(block, up)) return joins(cellBeforePortal(level));
+    const CellBlueprint& next = cell(map(), {walk_.tileX, walk_.tileY}, level);
+    if (!reaches(next, -up)) return false;
+    if (areOneMover(own, next)) return true;
+    const PortalId portal = next.face(up > 0 ? Face::bottom : Face::top).portal;
+    if (leaving && portal != kNoPortal && mayPass()) return joins(exitCell(portal, level));
+    return joins(next);
+}
+
+// What is where a portal leads, and where rays were before they came through one; `level` is that
+// of the current tile.
+const CellBlueprint& PlainWalk::exitCell(PortalId portal, int level) const {
+    const Portal& to = frame_.world->portals[portal];
+    return cell(frame_.world->maps[static_cast<std::size_t>(to.toMap)], {to.toX, to.toY},
+                level + to.levels);
+}
+const CellBlueprint& PlainWalk::cellBeforePortal(int level) const {
+    const Before& before = part_.before;
+    return cell(*before.map, {before.x, before.y}, level - before.levels);
+}
+
+// Whether rays have come out of a portal in the current tile.
+bool PlainWalk::isArrival() const {
+    return part_.portals > 0 && walk_.tileX == part_.walk.tileX && walk_.tileY == part_.walk.tileY;
+}
+
+// And whether that was at the very height where a block ends, above or below.
+bool PlainWalk::isWhereItCameOut(const Block& block, int up) const {
+    return isArrival() && (up > 0 ? block.top == part_.clip.high : block.bottom == part_.clip.low);
+}
+
+// Closes rows here and opens them on the portal's other side; those whose rays come out below the
+// floor end in the haze there. Through a roof or an underside rays come at one height, and meet
+// nothing on the other side of it: that is `clip`.
+void PlainWalk::sendThrough(PortalId id, Rows rows, const HeightClip& clip) {
+    const Portal& portal = frame_.world->portals[id];
+    Vista& beyond = frame_.vistas.through(*part_.vista, portal);
+    const std::int32_t floorRise = -beyond.viewpoint.z;
+    GridTile from = {walk_.tileX, walk_.tileY};
+    int hazeRow = 0;
+    if (clip.any()) {
+        const std::int32_t height = clip.high != HeightClip{}.high ? clip.high : clip.low;
+        const bool isBelow = height < floorRise || (height == 0 && floorRise == 0);
+        hazeRow = isBelow ? 0 : projection().height;
+    } else {
+        hazeRow = rowBelow(floorRise, enter_);
+        from = tileAcross(enter_, -1);
+    }
+    const Before before = {&map(), from.x, from.y, portal.levels};
+    const GridWalk onward = walk_.turned(portal.turn, portal.toX, portal.toY);
+    const auto begun = static_cast<std::size_t>(number_) + 1;
+    open_.take(rows.first, rows.last, [&](int first, int last) {
+        if (first < hazeRow) {
+            Part& part = found_->parts.find(beyond, onward, clip, before, part_.portals + 1, begun);
+            Parts::addRows(part, first, std::min(last, hazeRow));
+        }
+        if (last > hazeRow) {
+            Span& haze = found_->spans.add();
+            haze = spanOf(What::haze);
+            haze.first = std::max(first, hazeRow);
+            haze.last = last;
+            haze.vista = &beyond;
+            ++haze.portals;
+        }
+        found_->portals.push_back(
+            {id, part_.portals, walk_.entered * projection().distance, first, last});
+    });
+}
+
+// What the mirrors show: for each, the walk that met it once more, seen from as far below the
+// mirror as the eye is above (see vista.h).
+void PlainWalk::reflect(SliceSpans& found) {
+    found_ = &found.reflected;
+    for (const MirrorSpan& span : found.upright.mirrors) {
+        const Part& met = found.upright.parts[static_cast<std::size_t>(span.part)];
+        const int height = met.vista->projection->height;
+        Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + span.height);
+        HeightClip above;
+        above.low = -span.height;
+        above.isMirror = true;
+        Parts::addRows(found_->parts.find(vista, met.walk, above, met.before, met.portals, 0),
+                       height - span.last, height - span.first);
+    }
+    walkParts();
+}
+
+int PlainWalk::mirrorStrength(std::uint8_t strength) const {
+    return static_cast<int>(std::min(255.0, std::floor(strength * frame_.mirrors + 0.5)));
+}
+
+}  // namespace slicecast

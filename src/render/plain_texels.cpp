@@ -1,0 +1,171 @@
+// Of the plain walk: objects, and which texels of objects and sides are seen.
+#include "render/plain_walk.h"
+
+#include "base/bits.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+// A point on the border of two texels may come out a rounding before it: positions are moved by
+// this much of a tile.
+constexpr double kSnap = 1.0 / 17179869184.0;
+
+// A tile as a texture position.
+constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
+constexpr double kOne = static_cast<double>(kWholeTexture);
+
+// Where a column of texels begins and how far it goes from row to row; it stays in [lowest, end).
+struct Positions {
+    double start;
+    double step;
+    std::int64_t lowest;
+    std::int64_t end;
+};
+void place(TexelColumn& column, const Positions& at, int rows) {
+    const auto within = [&](double position) {
+        return nearestInteger(std::clamp(position, 0.0, static_cast<double>(at.end)));
+    };
+    const std::int64_t start = std::clamp(within(at.start), at.lowest, at.end - 1);
+    column.start = static_cast<std::uint64_t>(start);
+    column.step = 0;
+    if (rows > 1)
+        column.step = static_cast<std::uint64_t>(
+            std::min(within(at.step), (at.end - 1 - start) / (rows - 1)));
+}
+
+// Where a column's ray passes an object, as a share of its width from the left.
+double across(const FrameObject& object, const Projection& projection, int column) {
+    return (projection.sidewaysSlope(column) * object.depth - object.left) / object.width;
+}
+
+}  // namespace
+
+// Those that the column's rays pass, from where the part begins.
+void PlainWalk::findObjects() {
+    objects_.clear();
+    for (const int i : part_.vista->objects.inColumn(column_)) {
+        const FrameObject& object = part_.vista->objects[i];
+        const double share = across(object, projection(), column_);
+        if (object.along >= walk_.entered && share >= 0.0 && share < 1.0)
+            objects_.push_back(&object);
+    }
+}
+
+// The ray at an object's depth: no border of a tile.
+Crossing PlainWalk::crossingAt(const FrameObject& object) const {
+    Crossing at;
+    at.along = object.along;
+    at.distance = object.depth;
+    at.speed = projection().distance;
+    at.rowsPerRaw = projection().distance / object.depth * (1.0 / 65536.0);
+    at.border = false;
+    return at;
+}
+
+// A row through the height of its lower edge is on the object, one through its upper edge is not.
+void PlainWalk::meetObject(const FrameObject& object) {
+    const auto rowAt = [&](std::int32_t rise, bool tieIsBelow) {
+        return FrameObjects::firstRowBelow(projection(), rise, object.depth, tieIsBelow);
+    };
+    const HeightClip& clip = part_.clip;
+    const Rows rows = {object.top <= clip.high ? object.firstRow : rowAt(clip.high, true),
+                       object.bottom >= clip.low ? object.lastRow : rowAt(clip.low, false)};
+    const SpriteLevel& level = *object.level;
+    const double share = across(object, projection(), column_);
+    const int u = std::min(level.width - 1, static_cast<int>(share * level.width));
+    Span span = spanOf(What::object);
+    span.layer = true;
+    span.object = object.index;
+    span.plane.texture = map().objects[static_cast<std::size_t>(object.index)].sprite;
+    span.column = {.texels = level.texels.data() + static_cast<std::ptrdiff_t>(u) * level.height,
+                   .shift = 32,
+                   .detail = object.detail,
+                   .start = 0,
+                   .step = 0,
+                   .factor = object.factor,
+                   .fog = object.fog,
+                   .depth = object.depth};
+    const std::int64_t end = static_cast<std::int64_t>(level.height) << 32;
+    const double perUnit = static_cast<double>(end) / ((object.top - object.bottom) / 65536.0);
+    show(span, rows, [&](Span& seen) {
+        const double down =
+            object.top / 65536.0 - (projection().horizon - (seen.first + 0.5)) * object.along;
+        place(seen.column, {down * perUnit, object.along * perUnit, 0, end},
+              seen.last - seen.first);
+    });
+}
+
+void PlainWalk::showSide(const Block& block, Face face, const Crossing& border, Rows rows) {
+    if (block.blueprint->face(face).texture == kNoTexture) return;
+    Span span = spanOf(What::side);
+    span.face = face;
+    span.level = block.level;
+    span.layer = block.blueprint->seeThrough;
+    span.plane.texture = block.blueprint->face(face).texture;
+    show(span, rows, [&](Span& seen) {
+        seen.column = sideColumn(block, face, border, {seen.first, seen.last});
+        splitWhereTextureEnds(seen);
+    });
+}
+
+// The texture of what moves may end within a side and begin anew: the rows from there on become a
+// span of their own.
+void PlainWalk::splitWhereTextureEnds(Span& seen) {
+    if (seen.column.start >= kWholeTexture) seen.column.start -= kWholeTexture;
+    Span rest = seen;
+    while (rest.first < rest.last && rest.column.start < kWholeTexture) {
+        ++rest.first;
+        rest.column.start += rest.column.step;
+    }
+    if (rest.first == rest.last) return;
+    rest.column.start -= kWholeTexture;
+    seen.last = rest.first;
+    found_->spans.add() = rest;
+}
+
+// Which texels of a side the rows show, and in what light.
+TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing& border,
+                                  Rows rows) const {
+    const Vista& vista = *part_.vista;
+    const FaceBlueprint& look = block.blueprint->face(face);
+    const FrameTexture& texture = frame_.textures[look.texture];
+    TexelColumn column;
+    column.depth = border.along * projection().distance;
+    column.detail = frame_.detail.levelAt(column.depth, texture.size, texture.last);
+    column.factor = vista.lighting.factorAt(column.depth, look.light, look.glow);
+    column.fog = vista.lighting.fogAt(column.depth);
+
+    // Where the ray meets the border: how far from its northern or western end.
+    const Viewpoint& eye = vista.viewpoint;
+    const GroundDirection ray = vista.ray(column_);
+    const double fraction = border.alongX ? eye.fractionY() + (eye.tileY() - walk_.tileY) +
+                                                ray.y * border.distance / border.speed
+                                          : eye.fractionX() + (eye.tileX() - walk_.tileX) +
+                                                ray.x * border.distance / border.speed;
+    const TextureLevel& level = texture.levels[column.detail];
+    const double texel = std::max(0.0, fraction + kSnap) * level.size;
+    int u = static_cast<int>(std::min(texel, level.size - 1.0));
+    if (face == Face::north || face == Face::east) u = level.size - 1 - u;
+    column.texels = level.texels.data() + static_cast<std::ptrdiff_t>(u) * level.size;
+    column.shift = kTexturePositionBits - level.bits;
+
+    // And how far below the level's upper edge; within what the block covers of the level.
+    const double upperEdge = riseOf(tileEdge(block.level + 1).raw) / 65536.0;
+    const double down =
+        upperEdge + (rows.first + 0.5 - projection().horizon) * border.along + kSnap;
+    const auto positionOf = [](Coordinate height) {
+        return (std::int64_t{65536} - height.raw) << (kTexturePositionBits - 16);
+    };
+    place(column,
+          {down * kOne, border.along * kOne, positionOf(block.blueprint->top),
+           positionOf(block.blueprint->bottom)},
+          rows.last - rows.first);
+    // What has risen shows what is farther down.
+    column.start += static_cast<std::uint64_t>(block.blueprint->textureRise.raw)
+                    << (kTexturePositionBits - 16);
+    return column;
+}
+
+}  // namespace slicecast

@@ -1,0 +1,292 @@
+#include "render/plain_walk.h"
+
+#include "base/sort.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace slicecast {
+
+void PlainWalk::find(int column, SliceSpans& found) {
+    column_ = column;
+    found.column = column;
+    found.upright.clear();
+    found.reflected.clear();
+    found_ = &found.upright;
+    Vista& vista = frame_.vistas.ofEye();
+    const GridWalk start({static_cast<std::int32_t>(vista.viewpoint.x)},
+                         {static_cast<std::int32_t>(vista.viewpoint.y)}, vista.ray(column));
+    Parts::addRows(found_->parts.find(vista, start, {}, {}, 0, 0), 0, vista.projection->height);
+    walkParts();
+    reflect(found);
+}
+
+// Each part may add further ones.
+void PlainWalk::walkParts() {
+    for (number_ = 0; number_ < static_cast<int>(found_->parts.count()); ++number_) {
+        part_ = found_->parts[static_cast<std::size_t>(number_)];
+        walkPart();
+        Part& part = found_->parts[static_cast<std::size_t>(number_)];
+        part.tiles = part_.tiles;
+        part.endsInPortal = part_.endsInPortal;
+    }
+}
+
+void PlainWalk::walkPart() {
+    open_.openOnly(part_.rows, projection().height);
+    walk_ = part_.walk;
+    findObjects();
+    for (;; walk_.advance()) {
+        enter_ = walk_.enter();
+        leave_ = walk_.leave();
+        if (open_.none() || (isGridLeft() && objects_.empty())) break;
+        ++part_.tiles;
+        // A portal tile does not act on an eye that is in it, nor on what arrives.
+        const PortalId portal = map().tilePortal(walk_.tileX, walk_.tileY);
+        if (part_.tiles > 1 && portal != kNoPortal) {
+            part_.endsInPortal = true;
+            const Rows aboveFloor = {0, rowBelow(riseOf(0), enter_)};
+            if (mayPass()) sendThrough(portal, aboveFloor, {});
+            show(spanOf(What::haze), {0, projection().height});
+            return;
+        }
+        meetTile();
+    }
+    meetBackground();
+}
+
+// Whether the tile is outside the grid, and not on the way to it.
+bool PlainWalk::isGridLeft() const {
+    const auto isBehind = [](int tile, int tiles, int step) {
+        return tile < 0 ? step <= 0 : tile >= tiles && step >= 0;
+    };
+    return isBehind(walk_.tileX, map().width, walk_.stepX) ||
+           isBehind(walk_.tileY, map().depth, walk_.stepY);
+}
+
+// An object lies behind what is met before its depth, and before the rest.
+void PlainWalk::meetTile() {
+    const Crossing leave = leave_;
+    while (!objects_.empty() && objects_.front()->along < leave.along) {
+        const FrameObject& object = *objects_.front();
+        objects_.erase(objects_.begin());
+        leave_ = crossingAt(object);
+        meetStretch();
+        meetObject(object);
+        enter_ = leave_;
+    }
+    leave_ = leave;
+    meetStretch();
+}
+
+// What lies in the tile between `enter_` and `leave_`.
+void PlainWalk::meetStretch() {
+    findBlocks();
+    findPlanes();
+    if (enter_.border) {
+        for (const Block& block : blocks_) enterSide(block);
+    }
+    for (const LevelPlane& plane : planes_) meetPlane(plane);
+    if (leave_.border && leave_.along > 0.0) {
+        for (const Block& block : blocks_) leaveSide(block);
+    }
+}
+
+// Beyond the grid the floor has no end.
+void PlainWalk::meetBackground() {
+    meetFloor({0, rowBelow(riseOf(0), enter_)}, true);
+    show(spanOf(What::sky), {0, projection().firstFallingRow});
+    show(spanOf(What::haze), {0, projection().height});
+}
+
+// ---- what a tile holds
+
+// The blocks, as far as they lie between the heights of the part's rays.
+void PlainWalk::findBlocks() {
+    blocks_.clear();
+    const HeightClip& clip = part_.clip;
+    for (int level = 0; level < map().levels; ++level) {
+        const BlueprintId id = map().cell(walk_.tileX, walk_.tileY, level);
+        if (id == kEmptyCell) continue;
+        const CellBlueprint& blueprint = frame_.world->blueprints[id];
+        const std::int32_t bottom = riseOf(tileEdge(level).raw) + blueprint.bottom.raw;
+        const std::int32_t top = riseOf(tileEdge(level).raw) + blueprint.top.raw;
+        if (top <= clip.low || bottom >= clip.high) continue;
+        const bool cut =
+            bottom < clip.low || top > clip.high || (clip.isMirror && bottom == clip.low);
+        blocks_.push_back(
+            {&blueprint, level, std::max(bottom, clip.low), std::min(top, clip.high), cut});
+    }
+}
+
+// The level planes, from the eye's height upwards and downwards: a ray meets those of its own
+// direction in that order. At one height the face of the block that is left comes first, then that
+// of the block entered, then ceiling or floor.
+void PlainWalk::findPlanes() {
+    planes_.clear();
+    for (const Block& block : blocks_) {
+        if (block.top > 0) planes_.push_back({What::roof, block.top, block});
+        if (block.bottom < 0) planes_.push_back({What::underside, block.bottom, block});
+    }
+    for (const Block& block : blocks_) {
+        if (block.top <= 0) planes_.push_back({What::roof, block.top, block});
+        if (block.bottom > 0) planes_.push_back({What::underside, block.bottom, block});
+    }
+    planes_.push_back({What::ceiling, riseOf(map().ceiling.height.raw), {}});
+    planes_.push_back({What::floor, riseOf(0), {}});
+    mergeSort(planes_, [](const LevelPlane& a, const LevelPlane& b) {
+        return std::abs(a.rise) < std::abs(b.rise);
+    });
+}
+
+// A side at depth 0 is not drawn, but its portal acts; none acts on rays that have come out of
+// another right there.
+void PlainWalk::enterSide(const Block& block) {
+    const Face face = enteredFace(enter_);
+    const PortalId portal = block.blueprint->face(face).portal;
+    const Rows rows = {rowBelow(block.top, enter_), rowBelow(block.bottom, enter_)};
+    if (portal != kNoPortal && mayPass() && !isArrival()) {
+        sendThrough(portal, rows, {});
+    } else if (enter_.along > 0.0) {
+        showSideBut(block, face, enter_, rows, joinedBefore(block));
+    }
+}
+
+// From inside a block its portals are not there, and nothing is drawn of their faces.
+void PlainWalk::leaveSide(const Block& block) {
+    const Face face = leftFace(leave_);
+    if (block.blueprint->face(face).portal != kNoPortal) return;
+    const Rows rows = {rowBelow(block.top, leave_), rowBelow(block.bottom, leave_)};
+    showSideBut(block, face, leave_, rows, joinedBehind(block));
+}
+
+// A side without the rows in which its block touches one that it joins.
+void PlainWalk::showSideBut(const Block& block, Face face, const Crossing& border, Rows rows,
+                            Rows joined) {
+    if (joined.first >= joined.last) return showSide(block, face, border, rows);
+    showSide(block, face, border, {rows.first, std::min(rows.last, joined.first)});
+    showSide(block, face, border, {std::max(rows.first, joined.last), rows.last});
+}
+
+// Rows whose rays pass the plane's height between the two borders: falling ones see it if it is
+// below the eye, rising ones if it is above.
+void PlainWalk::meetPlane(const LevelPlane& plane) {
+    const int atEnter = rowBelow(plane.rise, enter_);
+    const int atLeave = rowBelow(plane.rise, leave_);
+    const int horizon = projection().firstFallingRow;
+    Rows rows = plane.rise < 0 ? Rows{std::max(atLeave, horizon), atEnter}
+                               : Rows{atEnter, std::min(atLeave, horizon)};
+    if (plane.what == What::floor) {
+        meetFloor(rows, false);
+    } else if (plane.what == What::ceiling) {
+        meetCeiling(rows);
+    } else {
+        // Whoever stands exactly on a portal falls in at once.
+        if (plane.rise == 0 && !walk_.hasEntered() && acts(plane))
+            rows = {horizon, projection().height};
+        meetFace(plane, rows);
+    }
+}
+
+// Whether a roof or an underside is a portal that acts on the rays that enter there. It does not on
+// those that have come out of another at this very height.
+bool PlainWalk::acts(const LevelPlane& plane) const {
+    const bool isTop = plane.what == What::roof;
+    const Face face = isTop ? Face::top : Face::bottom;
+    return plane.block.blueprint->face(face).portal != kNoPortal && mayPass() &&
+           !isWhereItCameOut(plane.block, isTop ? 1 : -1);
+}
+
+// A roof or an underside. What leaves through a portal sees nothing there.
+void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
+    const Block& block = plane.block;
+    const bool isTop = plane.what == What::roof;
+    const bool leaving = isTop == (plane.rise > 0);
+    const FaceBlueprint& look = block.blueprint->face(isTop ? Face::top : Face::bottom);
+    if ((leaving && look.portal != kNoPortal) || (!leaving && block.cut)) return;
+    if (acts(plane)) {
+        HeightClip beyond;
+        (isTop ? beyond.high : beyond.low) = plane.rise;
+        return sendThrough(look.portal, rows, beyond);
+    }
+    if (look.texture == kNoTexture || joinsLevel(block, isTop ? 1 : -1, leaving)) return;
+    const int strength = leaving ? 0 : mirrorStrength(look.mirror);
+    Span span = spanOf(plane.what);
+    span.face = isTop ? Face::top : Face::bottom;
+    span.level = block.level;
+    span.layer = block.blueprint->seeThrough && strength == 0;
+    span.plane = {plane.rise, look.texture, look.light, look.glow, !isTop, strength > 0};
+    showPlane(span, rows, strength);
+}
+
+// Rows that look beyond the map's `far` are left for the haze.
+void PlainWalk::meetFloor(Rows rows, bool endless) {
+    const Floor& floor = map().floor;
+    if (riseOf(0) >= 0) return;
+    rows.first = std::max(rows.first, part_.vista->firstFloorRow);
+    const int strength = mirrorStrength(floor.mirror);
+    Span span = spanOf(What::floor);
+    span.tiles.endless = endless;
+    span.plane = {riseOf(0), floor.texture, floor.light, floor.glow, false, strength > 0};
+    if (map().contains(walk_.tileX, walk_.tileY))
+        span.plane.texture = floor.tiles[map().tileIndex(walk_.tileX, walk_.tileY)];
+    showPlane(span, rows, strength);
+}
+
+void PlainWalk::meetCeiling(Rows rows) {
+    const Ceiling& ceiling = map().ceiling;
+    const HeightClip& clip = part_.clip;
+    const std::int32_t rise = riseOf(ceiling.height.raw);
+    if (ceiling.tiles.empty() || !map().contains(walk_.tileX, walk_.tileY) || rise < clip.low ||
+        rise > clip.high || (clip.isMirror && rise == clip.low))
+        return;
+    const TextureId texture = ceiling.tiles[map().tileIndex(walk_.tileX, walk_.tileY)];
+    if (texture == kNoTexture) return;
+    Span span = spanOf(What::ceiling);
+    span.face = Face::bottom;
+    span.layer = frame_.textures[texture].seeThrough;
+    span.plane = {rise, texture, ceiling.light, ceiling.glow, true, false};
+    show(span, rows);
+}
+
+// ---- spans
+
+Span PlainWalk::spanOf(What what) const {
+    Span span;
+    span.what = what;
+    span.part = number_;
+    span.portals = part_.portals;
+    span.vista = part_.vista;
+    span.tiles = {walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false};
+    return span;
+}
+
+// Adds a span for each run of open rows, which `finish` completes, and closes them unless it is a
+// layer.
+void PlainWalk::show(const Span& look, Rows rows, const Finish& finish) {
+    const auto add = [&](int first, int last) {
+        if (look.layer && found_->layers == kMaxLayers) return;
+        if (look.layer) ++found_->layers;
+        Span& span = found_->spans.add();
+        span = look;
+        span.first = first;
+        span.last = last;
+        if (finish) finish(span);
+    };
+    if (look.layer) {
+        open_.each(rows.first, rows.last, add);
+    } else {
+        open_.take(rows.first, rows.last, add);
+    }
+}
+
+// Where `mirror` is not 0, something shows in the plane.
+void PlainWalk::showPlane(const Span& look, Rows rows, int mirror) {
+    show(look, rows, [&](const Span& span) {
+        if (mirror > 0)
+            found_->mirrors.push_back({number_, span.plane.rise, span.first, span.last,
+                                       static_cast<std::uint32_t>(mirror)});
+    });
+}
+
+}  // namespace slicecast

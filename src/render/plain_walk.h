@@ -1,0 +1,165 @@
+// The walk of one screen column over the grid in its plainest form. It finds what `SliceWalk` finds
+// and leaves out all that makes that one fast: read this one first. A test compares the two.
+//
+// A column has a ray for each of its rows. Seen from the side, those rays come to a tile so:
+//
+//                  enter             leave
+//           .- '     |                 |
+//   eye  o ----------|-----------------|---      rising and falling
+//           ' - .    |                 |
+//                '-  +------ roof -----+
+//                    |                 |
+//            entered |                 | left
+//               side |      block      | side
+//                    |                 |
+//                    +--- underside ---+
+//                    |                 |
+//          ==========+====== floor ====+====
+//
+// Where the rays enter the tile a height lies between two rows, and between two others where they
+// leave it; `firstRowBelow` finds them. The rays between a block's top and bottom where they enter
+// meet its side. The rays above a height where they enter and below it where they leave (or the
+// other way round) have passed it inside the tile, and meet a plane that lies there. On each ray
+// three kinds of things come one after another, so a tile is drawn in three steps:
+//
+//   1. the sides of its blocks by which rays enter
+//   2. the level planes, from the eye's height outwards: roofs, undersides, ceiling, floor
+//   3. the sides by which rays leave, seen from inside
+//
+// Rows are open at first. What is opaque closes the rows that it shows in, so nothing behind it is
+// seen in them: a face that lies inside or behind a block needs no thought. What is see-through
+// closes none, and is noted as a layer. Then the walk goes on to the next tile, until no row is
+// open or the grid lies behind; what is still open then shows floor, sky or haze.
+//
+// Two things send rows elsewhere. Those that enter a portal are closed here, and go on in a walk of
+// their own (a `Part`, which waits in a list) on the portal's other side. Those that meet a mirror
+// show the mirror, and go on in a second picture of the column, which stands upside down.
+//
+// plain_walk.cpp      from tile to tile, and what is met in one: this is the algorithm
+// plain_texels.cpp    objects, and the texels of sides and objects
+// plain_passages.cpp  blocks that join; portals and mirrors
+//
+// It knows all that a scene may hold. Of what it does it counts nothing for a `FrameReport`.
+#pragma once
+
+#include "render/frame.h"
+#include "render/grid_walk.h"
+#include "render/open_rows.h"
+#include "render/slice_spans.h"
+#include "world/portal.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace slicecast {
+
+class PlainWalk {
+public:
+    // Both outlive the walk.
+    PlainWalk(const Frame& frame, OpenRows& open) : frame_(frame), open_(open) {}
+
+    // What all rows of a column show.
+    void find(int column, SliceSpans& found);
+
+private:
+    using What = FilledRows::What;
+
+    struct Rows {
+        int first;
+        int last;  // one past the end
+    };
+
+    // A block of the current tile. Heights are in 1/65536 units above the eye.
+    struct Block {
+        const CellBlueprint* blueprint;
+        int level;
+        std::int32_t bottom;
+        std::int32_t top;
+        bool cut;  // reaches beyond the heights of the part's rays, which begin inside it
+    };
+
+    // A plane of the current tile, at `rise` above the eye.
+    struct LevelPlane {
+        What what;
+        std::int32_t rise;
+        Block block;  // of roofs and undersides
+    };
+
+    // ---- plain_walk.cpp
+    void walkParts();
+    void walkPart();
+    bool isGridLeft() const;
+    void meetTile();
+    void meetStretch();
+    void meetBackground();
+    void findBlocks();
+    void findPlanes();
+    void enterSide(const Block& block);
+    void leaveSide(const Block& block);
+    void showSideBut(const Block& block, Face face, const Crossing& border, Rows rows, Rows joined);
+    void meetPlane(const LevelPlane& plane);
+    bool acts(const LevelPlane& plane) const;
+    void meetFace(const LevelPlane& plane, Rows rows);
+    void meetFloor(Rows rows, bool endless);
+    void meetCeiling(Rows rows);
+    Span spanOf(What what) const;
+    using Finish = std::function<void(Span&)>;
+    void show(const Span& look, Rows rows, const Finish& finish = {});
+    void showPlane(const Span& look, Rows rows, int mirror);
+
+    // ---- plain_texels.cpp
+    void findObjects();
+    Crossing crossingAt(const FrameObject& object) const;
+    void meetObject(const FrameObject& object);
+    void showSide(const Block& block, Face face, const Crossing& border, Rows rows);
+    TexelColumn sideColumn(const Block& block, Face face, const Crossing& border, Rows rows) const;
+    void splitWhereTextureEnds(Span& seen);
+
+    // ---- plain_passages.cpp
+    Rows rowsOf(const CellBlueprint& blueprint, int level, const Crossing& border) const;
+    Rows joinedRows(const Block& block, const CellBlueprint& other, const Crossing& border) const;
+    Rows joinedBefore(const Block& block) const;
+    Rows joinedBehind(const Block& block) const;
+    bool joinsLevel(const Block& block, int up, bool leaving) const;
+    const CellBlueprint& exitCell(PortalId portal, int level) const;
+    const CellBlueprint& cellBeforePortal(int level) const;
+    bool isArrival() const;
+    bool isWhereItCameOut(const Block& block, int up) const;
+    bool mayPass() const { return part_.portals < frame_.world->portalLimit; }
+    void sendThrough(PortalId id, Rows rows, const HeightClip& clip);
+    void reflect(SliceSpans& found);
+    int mirrorStrength(std::uint8_t strength) const;
+
+    const Map& map() const { return *part_.vista->map; }
+    const Projection& projection() const { return *part_.vista->projection; }
+    const CellBlueprint& cell(const Map& of, GridTile tile, int level) const {
+        return frame_.world->blueprints[of.cell(tile.x, tile.y, level)];
+    }
+    std::int32_t riseOf(std::int32_t height) const { return height - part_.vista->viewpoint.z; }
+    int rowBelow(std::int32_t rise, const Crossing& border) const {
+        return firstRowBelow(projection(), rise, border);
+    }
+    // The tile before a border of the current one (`steps` is -1), or behind it (1).
+    GridTile tileAcross(const Crossing& border, int steps) const {
+        return {walk_.tileX + (border.alongX ? steps * walk_.stepX : 0),
+                walk_.tileY + (border.alongX ? 0 : steps * walk_.stepY)};
+    }
+
+    const Frame& frame_;
+    OpenRows& open_;
+    int column_ = 0;
+    ColumnSpans* found_ = nullptr;
+
+    Part part_;  // that is walked
+    int number_ = 0;
+    std::vector<const FrameObject*> objects_;  // that its column passes, nearest first
+
+    GridWalk walk_{{}, {}, {}};  // stands in the current tile
+    Crossing enter_;             // how the tile is entered, or the last object in it that was met
+    Crossing leave_;             // how it is left, or the next object in it
+    std::vector<Block> blocks_;  // in the tile, from below
+    std::vector<LevelPlane> planes_;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,297 @@
+// The plain walk and the fast one before random worlds: row by row they must find the same.
+#include "draw.h"
+#include "random_scene.h"
+#include "suite.h"
+
+#include "raw_span_text.h"
+#include "render/plain_walk.h"
+#include "render/slice_paint.h"
+#include "render/slice_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace slicecast::judge {
+namespace {
+
+using What = FilledRows::What;
+
+#ifdef SLICECAST_SANITIZED
+constexpr int kShare = 10;  // sanitizers take a tenth
+#else
+constexpr int kShare = 1;
+#endif
+
+// What one row shows.
+struct Row {
+    const Span* opaque = nullptr;
+    std::vector<const Span*> layers;         // front to back
+    std::vector<const PortalSpan*> portals;  // in the order in which they are passed
+    std::vector<const MirrorSpan*> mirrors;
+};
+
+std::vector<Row> rowsOf(const ColumnSpans& column, int height) {
+    std::vector<Row> rows(static_cast<std::size_t>(height));
+    const auto each = [&](const auto& span, auto fn) {
+        for (int row = span.first; row < span.last; ++row) fn(rows[static_cast<std::size_t>(row)]);
+    };
+    for (const Span& span : column.spans) {
+        each(span, [&](Row& row) {
+            if (span.layer) {
+                row.layers.push_back(&span);
+            } else {
+                EXPECT_EQ(row.opaque, nullptr) << "two opaque spans share a row";
+                row.opaque = &span;
+            }
+        });
+    }
+    for (const PortalSpan& span : column.portals)
+        each(span, [&](Row& row) { row.portals.push_back(&span); });
+    for (const MirrorSpan& span : column.mirrors)
+        each(span, [&](Row& row) { row.mirrors.push_back(&span); });
+    return rows;
+}
+
+std::int64_t positionAt(const Span& span, int row) {
+    return static_cast<std::int64_t>(span.column.start) +
+           (row - span.first) * static_cast<std::int64_t>(span.column.step);
+}
+
+// Whether the one tile of the plain walk's span is among those of the fast one's.
+bool covers(const TileRange& fast, const TileRange& plain, GroundDirection ray) {
+    const auto holds = [&](int from, int to, int tile, double direction) {
+        if (fast.endless && direction > 0.0) return tile >= from;
+        if (fast.endless && direction < 0.0) return tile <= from;
+        return std::min(from, to) <= tile && tile <= std::max(from, to);
+    };
+    return holds(fast.fromX, fast.toX, plain.fromX, ray.x) &&
+           holds(fast.fromY, fast.toY, plain.fromY, ray.y);
+}
+
+// How far the texel positions of a row may lie apart where spans begin or end in other rows: steps
+// are rounded once a row, and shortened where the last row would come to lie beyond the block,
+// which positions may do by the trifle that they are moved by, 2^14 of 2^48.
+std::int64_t mayBeApart(const Span& span, int rows) {
+    return rows + 2 + (span.what == What::side ? std::int64_t{1} << 14 : 0);
+}
+
+// Whether a side's texture may begin anew in the first row, or behind the last: the texture of what
+// moves does. Then the rows may be a piece of more, which each walk counts from a row of its own.
+bool mayBePiece(const Span& span) {
+    constexpr std::int64_t kEnd = std::int64_t{1} << kTexturePositionBits;
+    return span.what == What::side &&
+           (span.column.start < span.column.step || positionAt(span, span.last) >= kEnd);
+}
+
+bool isSameColumn(const Span& fast, const Span& plain, int row) {
+    const TexelColumn& a = fast.column;
+    const TexelColumn& b = plain.column;
+    if (a.texels != b.texels || a.shift != b.shift || a.detail != b.detail ||
+        a.factor != b.factor || a.fog != b.fog || a.depth != b.depth)
+        return false;
+    const std::int64_t apart = std::abs(positionAt(fast, row) - positionAt(plain, row));
+    if (fast.first == plain.first && fast.last == plain.last && !mayBePiece(fast) &&
+        !mayBePiece(plain))
+        return apart == 0;
+    return apart <= mayBeApart(fast, row - std::min(fast.first, plain.first));
+}
+
+bool isSame(const Span& fast, const Span& plain, int row, int column) {
+    if (fast.what != plain.what || fast.layer != plain.layer || fast.vista != plain.vista ||
+        fast.portals != plain.portals || fast.level != plain.level || fast.object != plain.object)
+        return false;
+    if (fast.level != kNoLevel && fast.face != plain.face) return false;
+    if (isPlane(fast))
+        return fast.plane == plain.plane &&
+               covers(fast.tiles, plain.tiles, fast.vista->ray(column));
+    if (!hasTexelColumn(fast)) return true;
+    if (fast.what == What::side && !covers(fast.tiles, plain.tiles, {})) return false;
+    return fast.plane.texture == plain.plane.texture && isSameColumn(fast, plain, row);
+}
+
+template <typename Things, typename Equal>
+bool areAll(const Things& a, const Things& b, Equal equal) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
+}
+
+bool isSameRow(const Row& fast, const Row& plain, int row, int column) {
+    const auto span = [&](const Span* a, const Span* b) { return isSame(*a, *b, row, column); };
+    if ((fast.opaque == nullptr) != (plain.opaque == nullptr) ||
+        (fast.opaque != nullptr && !span(fast.opaque, plain.opaque)))
+        return false;
+    return areAll(fast.layers, plain.layers, span) &&
+           areAll(fast.portals, plain.portals,
+                  [](const PortalSpan* a, const PortalSpan* b) {
+                      return a->portal == b->portal && a->portals == b->portals &&
+                             a->depth == b->depth;
+                  }) &&
+           areAll(fast.mirrors, plain.mirrors, [](const MirrorSpan* a, const MirrorSpan* b) {
+               return a->height == b->height && a->strength == b->strength;
+           });
+}
+
+// A row's spans, front to back.
+std::string textOf(const Row& row) {
+    std::string text;
+    for (const Span* layer : row.layers) text += "    " + slicecast::textOf(*layer) + "\n";
+    text += "    " + (row.opaque ? slicecast::textOf(*row.opaque) : std::string("nothing")) + "\n";
+    for (const PortalSpan* span : row.portals)
+        appendFormatted(text, "    through portal %d, after %d others, at depth %g\n",
+                        static_cast<int>(span->portal), span->portals, span->depth);
+    for (const MirrorSpan* span : row.mirrors)
+        appendFormatted(text, "    mirror with strength %u at a rise of %d\n", span->strength,
+                        span->height);
+    return text;
+}
+
+// Tells of the first row that differs; empty if none does.
+std::string difference(const ColumnSpans& fast, const ColumnSpans& plain, int column, int height) {
+    const std::vector<Row> fastRows = rowsOf(fast, height);
+    const std::vector<Row> plainRows = rowsOf(plain, height);
+    for (int row = 0; row < height; ++row) {
+        const Row& a = fastRows[static_cast<std::size_t>(row)];
+        const Row& b = plainRows[static_cast<std::size_t>(row)];
+        if (!isSameRow(a, b, row, column))
+            return "row " + std::to_string(row) + " differs\n  the fast walk:\n" + textOf(a) +
+                   "  the plain walk:\n" + textOf(b);
+    }
+    return {};
+}
+
+constexpr int kMostTold = 3;  // differences: one shows enough
+
+// What both have found, and how often.
+struct Sum {
+    int worlds = 0;
+    int columns = 0;
+    std::int64_t rows = 0;
+    int differences = 0;
+    std::int64_t pixelsApart = 0;
+    std::map<std::string, std::int64_t> seen;  // rows of each kind
+
+    void add(const ColumnSpans& column, const char* prefix) {
+        for (const Span& span : column.spans) {
+            const std::string name = std::string(prefix) + (span.layer ? "layer " : "") +
+                                     nameOf(span.what) +
+                                     (span.portals > 0 ? " behind portals" : "");
+            seen[name] += span.last - span.first;
+        }
+    }
+};
+
+class Walks {
+public:
+    Walks(const Scene& scene, std::string name, Sum& sum)
+        : view_(scene.view),
+          name_(std::move(name)),
+          sum_(sum),
+          eye_(eyeOf(view_)),
+          options_(optionsOf(view_)),
+          frame_(scene.world, eye_, options_, view_.width, view_.height, textures_, vistas_) {}
+
+    void compareAll() {
+        ++sum_.worlds;
+        SliceWalk fast(frame_, open_, report_);
+        PlainWalk plain(frame_, open_);
+        SliceSpans fastSpans;
+        SliceSpans plainSpans;
+        for (int column = 0; column < view_.width; ++column) {
+            fast.find(column, fastSpans);
+            plain.find(column, plainSpans);
+            compare(fastSpans, plainSpans);
+            sum_.add(fastSpans.upright, "");
+            sum_.add(fastSpans.reflected, "mirrored ");
+        }
+    }
+
+private:
+    void compare(const SliceSpans& fast, const SliceSpans& plain) {
+        ++sum_.columns;
+        sum_.rows += view_.height;
+        std::string apart = difference(fast.upright, plain.upright, fast.column, view_.height);
+        if (apart.empty()) {
+            apart = difference(fast.reflected, plain.reflected, fast.column, view_.height);
+            if (!apart.empty()) apart = "in mirrors: " + apart;
+        }
+        if (!apart.empty()) return complain(apart, fast, plain);
+        const std::vector<Pixel> fastPixels = paint(fast);
+        const std::vector<Pixel> plainPixels = paint(plain);
+        for (int y = 0; y < view_.height; ++y) {
+            const auto i = static_cast<std::size_t>(y);
+            if (fastPixels[i] == plainPixels[i]) continue;
+            ++sum_.pixelsApart;
+            complain("the pixel of row " + std::to_string(y) + " differs\n", fast, plain);
+        }
+    }
+
+    std::vector<Pixel> paint(const SliceSpans& slice) {
+        std::vector<Pixel> pixels(static_cast<std::size_t>(view_.height));
+        SlicePainter(frame_, reflected_, report_).paint(slice, pixels.data());
+        return pixels;
+    }
+
+    void complain(const std::string& apart, const SliceSpans& fast, const SliceSpans& plain) {
+        if (++sum_.differences > kMostTold) return;
+        ADD_FAILURE() << name_ << ", column " << fast.column << ", " << apart
+                      << "all that the fast walk has found: " << slicecast::textOf(fast)
+                      << "all that the plain walk has found: " << slicecast::textOf(plain);
+    }
+
+    const View& view_;
+    std::string name_;
+    Sum& sum_;
+    Eye eye_;
+    RenderOptions options_;
+    std::vector<FrameTexture> textures_;
+    Vistas vistas_;
+    Frame frame_;
+    OpenRows open_;
+    std::vector<Pixel> reflected_;
+    FrameReport report_;
+};
+
+Sum compareAll(MakeScene make, const char* what, std::uint64_t first, int count) {
+    Sum sum;
+    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
+        const Size size = kSmallSizes[seed % kSmallSizes.size()];
+        const Scene scene = make(seed, size.width, size.height);
+        Walks(scene, std::string(what) + " " + std::to_string(seed), sum).compareAll();
+    }
+    std::printf(
+        "%s: %d worlds, %d columns, %lld rows; %d differences, %lld of them in pixels alone\n",
+        what, sum.worlds, sum.columns, static_cast<long long>(sum.rows), sum.differences,
+        static_cast<long long>(sum.pixelsApart));
+    return sum;
+}
+
+TEST(PlainWalk, FindsWhatTheFastOneFinds) {
+    Sum sum = compareAll(randomScene, "random scenes", 1, 1500 / kShare);
+    EXPECT_EQ(sum.differences, 0);
+    // What is never seen is not compared; a share of the worlds does not hold all.
+    if (kShare > 1) return;
+    for (const char* kind :
+         {"side", "roof", "underside", "floor", "ceiling", "sky", "haze", "layer side",
+          "layer roof", "layer underside", "layer ceiling", "layer object"}) {
+        EXPECT_GE(sum.seen[kind], 20'000) << kind;
+        EXPECT_GE(sum.seen[std::string(kind) + " behind portals"], 1'000) << kind;
+    }
+    for (const char* kind : {"side", "underside", "ceiling", "sky", "layer side", "layer roof",
+                             "layer underside", "layer ceiling", "layer object"})
+        EXPECT_GE(sum.seen[std::string("mirrored ") + kind], 5'000) << kind;
+}
+
+TEST(PlainWalk, FindsTheSameWhereRaysMeetEdgesExactly) {
+    const Sum sum = compareAll(tieScene, "scenes made to tie", 1, 1500 / kShare);
+    EXPECT_EQ(sum.differences, 0);
+}
+
+}  // namespace
+}  // namespace slicecast::judge
