@@ -90,11 +90,16 @@ function table(runs) {
   const cell = (figures, unit) =>
     `${figures.nsPerPixel.toFixed(3)} ±${String(Math.round((figures.spread / 2) * 100)).padStart(2)} % ${
       figures.ratio === undefined ? '' : `${figures.ratio.toFixed(2)} ${unit}`
+    }${
+      figures.painting === undefined
+        ? ''
+        : ` (${figures.painting.toFixed(2)}, ${Math.round(figures.walkShare * 100)} %)`
     }`;
   const line = (name, cells) =>
-    `${name.padEnd(nameWidth)}${cells.map((text) => text.padEnd(26)).join('')}`.trimEnd();
+    `${name.padEnd(nameWidth)}${cells.map((text) => text.padEnd(40)).join('')}`.trimEnd();
   return [
     `ns per pixel of ${runs[0].width}x${runs[0].height}, medians of ${runs[0].rounds} rounds; ± half the range of the middle half; x: times the limit`,
+    'In brackets: its painting alone, times the limit, under which no walk can come; the share of the walk.',
     '',
     line(
       '',

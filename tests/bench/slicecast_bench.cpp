@@ -11,6 +11,7 @@
 #include "overlays.h"
 #include "processor_time.h"
 #include "session/session.h"
+#include "walk_alone.h"
 
 #include <algorithm>
 #include <array>
@@ -72,6 +73,7 @@ struct Item {
     std::function<void()> draw;
     std::vector<double> nsPerPixel = {};  // by round
     int comparedWith = -1;                // another item, which it should not be much slower than
+    int walk = -1;                        // another item: its walk alone
 };
 
 // The first frame brings its textures into the caches, as the frame before would have done in a
@@ -130,17 +132,28 @@ bool addManyObjects(const std::string& assets, const Picture& picture, std::vect
     return true;
 }
 
-void printFigures(const Item& item, const Item* other, const Item* comparedWith, const char* end) {
+// `items` are all, of which the second is the limit.
+void printFigures(const Item& item, const std::vector<Item>& items, const char* end) {
     const double median = quantile(item.nsPerPixel, 0.5);
     const double spread =
         (quantile(item.nsPerPixel, 0.75) - quantile(item.nsPerPixel, 0.25)) / median;
     std::printf("{ \"scene\": \"%s\", \"name\": \"%s\", \"nsPerPixel\": %.4f, \"spread\": %.4f",
                 item.scene.c_str(), item.name.c_str(), median, spread);
-    if (other != nullptr)
-        std::printf(", \"ratio\": %.4f", ratio(item.nsPerPixel, other->nsPerPixel));
-    if (comparedWith != nullptr) {
-        std::printf(", \"comparedWith\": \"%s\", \"timesThat\": %.4f", comparedWith->name.c_str(),
-                    ratio(item.nsPerPixel, comparedWith->nsPerPixel));
+    const std::vector<double>& limit = items[1].nsPerPixel;
+    if (&item != &items[0]) {
+        const Item& other = items[&item == &items[1] ? 0 : 1];
+        std::printf(", \"ratio\": %.4f", ratio(item.nsPerPixel, other.nsPerPixel));
+    }
+    if (item.comparedWith >= 0) {
+        const Item& compared = items[static_cast<std::size_t>(item.comparedWith)];
+        std::printf(", \"comparedWith\": \"%s\", \"timesThat\": %.4f", compared.name.c_str(),
+                    ratio(item.nsPerPixel, compared.nsPerPixel));
+    }
+    if (item.walk >= 0) {
+        const double walk =
+            ratio(items[static_cast<std::size_t>(item.walk)].nsPerPixel, item.nsPerPixel);
+        std::printf(", \"walkShare\": %.4f, \"painting\": %.4f", walk,
+                    (1.0 - walk) * ratio(item.nsPerPixel, limit));
     }
     std::printf(" }%s\n", end);
 }
@@ -168,6 +181,10 @@ int run(const std::string& assets, int rounds) {
             {view.scene, view.name, 2, [session, picture, fraction = view.steps > 0 ? 0.5 : 1.0] {
                  session->draw(picture, fraction);
              }});
+        const auto walk = std::make_shared<WalkAlone>(session->world(), session->eye(),
+                                                      session->options().render);
+        items.back().walk = static_cast<int>(items.size());
+        items.push_back({"", "walk", 2, [session, walk] { walk->walk(kWidth, kHeight); }});
     }
     if (!addManyObjects(assets, picture, items)) {
         std::fprintf(stderr, "slicecast-bench: there is no room for many objects in the garden\n");
@@ -185,16 +202,14 @@ int run(const std::string& assets, int rounds) {
 
     std::printf("{ \"width\": %d, \"height\": %d, \"rounds\": %d,\n  \"copy\": ", kWidth, kHeight,
                 rounds);
-    printFigures(items[0], nullptr, nullptr, ",");
+    printFigures(items[0], items, ",");
     std::printf("  \"limit\": ");
-    printFigures(items[1], &items[0], nullptr, ",");
+    printFigures(items[1], items, ",");
     std::printf("  \"views\": [\n");
     for (std::size_t i = 2; i < items.size(); ++i) {
+        if (items[i].scene.empty()) continue;
         std::printf("    ");
-        const Item* comparedWith = items[i].comparedWith < 0
-                                       ? nullptr
-                                       : &items[static_cast<std::size_t>(items[i].comparedWith)];
-        printFigures(items[i], &items[1], comparedWith, i + 1 < items.size() ? "," : "");
+        printFigures(items[i], items, i + 1 < items.size() ? "," : "");
     }
     std::printf("  ] }\n");
     return 0;
