@@ -1,8 +1,11 @@
-// Painting over a picture with translucent colours. Everything is clipped to the picture.
+// Painting over a picture with translucent colours. Everything but rows is clipped to the
+// picture.
 #pragma once
 
 #include "base/colour.h"
 #include "render/picture.h"
+
+#include <cstdint>
 
 namespace slicecast {
 
@@ -38,10 +41,6 @@ constexpr Colour withAlpha(Colour colour, int alpha) {
 
 // Lays a colour over one pixel.
 void blendPixel(const Picture& picture, int x, int y, Colour colour);
-
-// Lays a colour over pixels of a row, or as many pixels over them, each by its own alpha.
-void blendRow(Pixel* row, int count, Colour colour);
-void blendRow(Pixel* row, int count, const Pixel* over);
 
 // Lays a colour over pixels of a row, or as many others, each by its own alpha. Nothing is clipped.
 void blendRow(Pixel* row, int count, Colour colour);

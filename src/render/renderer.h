@@ -44,7 +44,8 @@ public:
     const FrameReport& report() const;
 
     // Everything that one column of such a picture does, drawn nowhere. An invalid eye or column
-    // gives an empty trace. `watchedRow` (-1 for none) is told in full: FilledRows::watched.
+    // gives an empty trace. SliceTrace::seen tells what
+    // the ray of `watchedRow` (-1 for none) meets.
     SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
                      int height, int column, int watchedRow = -1);
 

@@ -39,8 +39,8 @@ void SliceWalk::meetBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     if (rising != 0 || ceilingTexture != kNoTexture) meetRising(rising, ceilingTexture);
 }
 
-// A block that rays are in: they leave it downwards or through the far side. Whether the first ones
-// go on within the one below, unhindered.
+// A block that rays are in: they leave it downwards or through the far side. True if the block
+// below is a part of the same mover: then it has no roof, and rays enter it from inside.
 bool SliceWalk::leaveDownwards(const Block& block, int edgeRow) {
     const int falling = projection_->firstFallingRow;
     const int below = rowBelow(block.bottom, leave_);

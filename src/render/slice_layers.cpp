@@ -134,7 +134,7 @@ void SliceWalk::passThroughPlane(const Block& block, Face face, int firstRow, in
 void SliceWalk::seeThroughSide(const Block& block, Face face, const Crossing& border,
                                const SideView& view, int firstRow, int lastRow) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
-        if (!hasRoomForLayer()) return;
+        if (!countLayer()) return;
         addSide(block, face, border, view, first, last, true);
     });
 }
@@ -142,7 +142,7 @@ void SliceWalk::seeThroughSide(const Block& block, Face face, const Crossing& bo
 void SliceWalk::seeThroughPlane(What what, const Plane& plane, int firstRow, int lastRow,
                                 const TileRange& tiles, int level) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
-        if (!hasRoomForLayer()) return;
+        if (!countLayer()) return;
         Span& span = addPlane(what, plane, first, last, tiles);
         span.face = what == What::roof ? Face::top : Face::bottom;
         span.level = level;

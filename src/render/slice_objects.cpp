@@ -86,7 +86,7 @@ void SliceWalk::meetObject(const FrameObject& object) {
         std::int64_t step =
             steps > 0 ? nearestInteger(std::min(perRow * perUnit, static_cast<double>(end))) : 0;
         if (start + steps * step >= end) step = (end - 1 - start) / steps;
-        if (!hasRoomForLayer()) return;
+        if (!countLayer()) return;
         Span& span = add(What::object, first, last);
         span.layer = true;
         span.object = object.index;

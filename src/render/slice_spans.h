@@ -54,7 +54,8 @@ struct TexelColumn {
 
 inline constexpr int kNoLevel = -1;  // of what belongs to no block
 
-// Rows [first, last) of a slice.
+// Rows [first, last) of a slice. Sides and objects have a column of texels, and planes a plane;
+// what a kind of span does not have holds anything (see SpanList).
 struct Span {
     FilledRows::What what = FilledRows::What::haze;
     Face face = Face::top;  // of a block
@@ -66,9 +67,9 @@ struct Span {
     int part = 0;            // index of the walk that has found it, into ColumnSpans::parts
     int portals = 0;         // passed before
     Vista* vista = nullptr;  // the map as it is seen from there
-    TileRange tiles;         // of a plane; of a block its own
+    TileRange tiles;         // of a plane; of a block its own; none of sky, haze and objects
     TexelColumn column;      // of sides and objects
-    Plane plane;             // of floors, ceilings, roofs and undersides
+    Plane plane;             // of planes; of sides and objects its texture only, or the sprite
 };
 
 // Rows that show something in a mirror.
@@ -89,7 +90,8 @@ struct PortalSpan {
     int last = 0;
 };
 
-// At most this many layers of one column are seen; the farthest beyond are left out.
+// At most this many layers of one column are seen; the farthest beyond are left out. A side that
+// its texture falls into two spans is one.
 inline constexpr std::size_t kMaxLayers = 4096;
 
 // A list that keeps its memory. What is added holds what stood there before: a slice has dozens of
@@ -97,7 +99,12 @@ inline constexpr std::size_t kMaxLayers = 4096;
 // walk's time.
 class SpanList {
 public:
+    SpanList() = default;
+    SpanList(const SpanList&) = delete;
+    SpanList& operator=(const SpanList&) = delete;
+
     void clear() { end_ = spans_.data(); }
+    // Valid until the next one is added.
     Span& add() {
         if (end_ == room_) grow();
         return *end_++;

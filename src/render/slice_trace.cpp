@@ -158,18 +158,20 @@ private:
         const auto texelAt = [&](int row) {
             const std::uint64_t position =
                 column.start + static_cast<std::uint64_t>(row - span.first) * column.step;
-            const std::uint32_t fog = waterFogs_ == nullptr
-                                          ? column.fog
-                                          : std::min<std::uint32_t>(column.fog, waterFogs_[row]);
             return TracedTexel{column.depth,       column.detail,
                                columnNumber(span), static_cast<int>(position >> column.shift),
-                               column.factor,      fog};
+                               column.factor,      fogIn(row, column.fog)};
         };
         rows.top = texelAt(span.first);
         rows.bottom = texelAt(span.last - 1);
         if (isWatched) tellPoint(span, texelAt(trace_.watchedRow));
         rows.rowsOfDetail[static_cast<std::size_t>(column.detail)] =
             static_cast<std::uint16_t>(span.last - span.first);
+    }
+
+    // Above the eye's water there is no more fog than to its surface.
+    std::uint32_t fogIn(int row, std::uint32_t fog) const {
+        return waterFogs_ == nullptr ? fog : std::min<std::uint32_t>(fog, waterFogs_[row]);
     }
 
     // Which column of texels it is, from the left.
@@ -207,7 +209,7 @@ private:
                                static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits)),
                                plane.southReversed ? shown.size - 1 - v : v,
                                shade.factor,
-                               shade.fog};
+                               fogIn(row, shade.fog)};
         };
         rows.texture = plane.texture;
         rows.top = texelAt(span.first);

@@ -94,7 +94,7 @@ private:
     void takeHaze(int firstRow);
     Span& add(What what, int first, int last);
     Span& addPlane(What what, const Plane& plane, int first, int last, const TileRange& tiles);
-    bool hasRoomForLayer();
+    bool countLayer();  // false where there is no room for one more
 
     // ---- slice_blocks.cpp
     Block blockAt(int level) const;
@@ -270,8 +270,10 @@ inline Span& SliceWalk::addPlane(What what, const Plane& plane, int first, int l
     return span;
 }
 
-inline bool SliceWalk::hasRoomForLayer() {
-    return found_->layers < kMaxLayers && ++found_->layers > 0;
+inline bool SliceWalk::countLayer() {
+    if (found_->layers == kMaxLayers) return false;
+    ++found_->layers;
+    return true;
 }
 
 }  // namespace slicecast

@@ -3,7 +3,7 @@
 // Behind a portal it goes on in the map that the portal leads to: depths go on from the eye,
 // everything else is in that map's coordinates; "portals" is how many were passed before.
 //
-//     { "scene", "map", "size": [W, H], "column", "eye": {"x", "y", "z", "heading", "look"}, "fov", "horizonRow", "projectionDistance",
+//     { "scene", "map", "size": [W, H], "eye": {"x", "y", "z", "heading", "look"}, "fov", "column", "horizonRow", "projectionDistance",
 //       "ray": [x, y],                               ground direction per unit of perpendicular depth
 //       "tiles": [ [x, y, depth, map] ],             in order, with the perpendicular depth on entering
 //       "hits": [ { "map", "portals", "tile": [x, y], "level", "blueprint",

@@ -1,0 +1,42 @@
+// What a trace tells of a slice, beside what is painted.
+#include "render/slice_trace.h"
+
+#include "scenes.h"
+#include "slice_stage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace slicecast::known {
+namespace {
+
+// The eye stands in water, 0.25 below its surface, under a ceiling 1.5 above it. There is no more
+// fog than to the surface.
+TEST(SliceTraces, FogEndsAtTheSurfaceOfTheEyesWater) {
+    World world = emptyWorld(5, 5, 3, plain("floor", kWhite));
+    const BlueprintId water = addBlock(world, kNoTexture, {}, toCoordinate(0.75));
+    world.blueprints[water].isWater = true;
+    world.blueprints[water].waterColour = kMagenta;
+    world.blueprints[water].waterSight = 8.0;
+    world.maps[0].setCell(2, 2, 0, water);
+    world.maps[0].ceiling.height = tileEdge(2);
+    world.maps[0].ceiling.tiles.assign(25, 0);
+    markSeeThrough(world);
+
+    SliceStage stage(world, eyeAt(2.5, 2.5, 0.5, 0.0), 200, 200);
+    SliceTrace trace;
+    traceSlice(stage.frame(), stage.find(100), trace);
+    int ceilings = 0;
+    for (const FilledRows& rows : trace.filled) {
+        if (rows.what != FilledRows::What::ceiling) continue;
+        ++ceilings;
+        const double slope = (100.0 - (rows.first + 0.5)) / 100.0;
+        EXPECT_NEAR(rows.top.depth, 1.5 / slope, 1e-9);
+        EXPECT_EQ(rows.top.fog, static_cast<std::uint32_t>(255 * 0.25 / slope / 8.0 + 0.5));
+    }
+    EXPECT_GT(ceilings, 0);
+}
+
+}  // namespace
+}  // namespace slicecast::known
