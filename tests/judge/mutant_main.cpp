@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     const bool sound = argc > 1 && std::string_view(argv[1]) == "sound";
     // Most faults show in the first few pictures; some need a rare meeting of blocks.
     constexpr int kBatch = 100;
-    const int batches = sound ? 4 : 40;
+    const int batches = sound ? 4 : 120;
     Verdict random;
     Verdict ties;
     Verdict along;
