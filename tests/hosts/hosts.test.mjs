@@ -44,7 +44,16 @@ before(async () => {
   await rm(installed, { recursive: true, force: true });
   await run(
     'npm',
-    ['install', '--no-save', '--offline', '--no-audit', '--no-fund', '--ignore-scripts', tarball],
+    [
+      'install',
+      '--no-save',
+      '--offline',
+      '--legacy-peer-deps', // or it asks the network for versions that fit better
+      '--no-audit',
+      '--no-fund',
+      '--ignore-scripts',
+      tarball,
+    ],
     { cwd: hosts },
   );
   await rm(built, { recursive: true, force: true });
