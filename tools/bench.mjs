@@ -99,7 +99,7 @@ function table(runs) {
     `${name.padEnd(nameWidth)}${cells.map((text) => text.padEnd(40)).join('')}`.trimEnd();
   return [
     `ns per pixel of ${runs[0].width}x${runs[0].height}, medians of ${runs[0].rounds} rounds; ± half the range of the middle half; x: times the limit`,
-    'In brackets: its painting alone, times the limit, under which no walk can come; the share of the walk.',
+    "In brackets: painting alone, times the limit; the walk's share of the time.",
     '',
     line(
       '',

@@ -3,6 +3,8 @@
 #include "render/vectors.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 namespace slicecast {
 namespace {

@@ -135,9 +135,9 @@ void PlainWalk::reflect(SliceSpans& found) {
     for (const MirrorSpan& span : found.upright.mirrors) {
         const Part& met = found.upright.parts[static_cast<std::size_t>(span.part)];
         const int height = met.vista->projection->height;
-        Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + span.height);
+        Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + span.rise);
         HeightClip above;
-        above.low = -span.height;
+        above.low = -span.rise;
         above.isMirror = true;
         Parts::addRows(found_->parts.find(vista, met.walk, above, met.before, met.portals, 0),
                        height - span.last, height - span.first);

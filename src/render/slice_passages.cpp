@@ -159,9 +159,10 @@ void SliceWalk::reflect(SliceSpans& found) {
     for (const MirrorSpan& span : found.upright.mirrors) {
         const Part& met = found.upright.parts[static_cast<std::size_t>(span.part)];
         HeightClip above;
-        above.low = -span.height;
+        // Seen from as far below the mirror as the eye is above it.
+        above.low = -span.rise;
         above.isMirror = true;
-        Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + span.height);
+        Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + span.rise);
         Parts::addRows(found_->parts.find(vista, met.walk, above, met.before, met.portals, 0),
                        height - span.last, height - span.first);
     }

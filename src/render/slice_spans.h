@@ -74,8 +74,8 @@ struct Span {
 
 // Rows that show something in a mirror.
 struct MirrorSpan {
-    int part = 0;             // whose rays met the mirror
-    std::int32_t height = 0;  // of the mirror above that part's viewpoint, 1/65536 units
+    int part = 0;           // whose rays met the mirror
+    std::int32_t rise = 0;  // of the mirror above that part's viewpoint, 1/65536 units
     int first = 0;
     int last = 0;
     std::uint32_t strength = 0;  // 1 to 255
@@ -94,9 +94,8 @@ struct PortalSpan {
 // its texture falls into two spans is one.
 inline constexpr std::size_t kMaxLayers = 4096;
 
-// A list that keeps its memory. What is added holds what stood there before: a slice has dozens of
-// spans, of which each uses a part of the members only, and clearing them all takes a tenth of the
-// walk's time.
+// A list that keeps its memory. What is added holds what stood there before: each span uses a part
+// of the members only, and clearing them all would take its time, dozens of times a slice.
 class SpanList {
 public:
     SpanList() = default;

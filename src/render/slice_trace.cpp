@@ -48,7 +48,7 @@ public:
                 found_.parts[static_cast<std::size_t>(span.part)].vista->viewpoint;
             trace_.mirrors.push_back({from.map,
                                       static_cast<int>(span.strength),
-                                      {from.z + span.height},
+                                      {from.z + span.rise},
                                       span.first,
                                       span.last});
         }

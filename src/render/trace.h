@@ -183,7 +183,7 @@ struct TraceRequest {
     int height = 0;
     std::span<const int> columns = {};
     int watchedRow = -1;      // see SliceTrace
-    bool reflections = true;  // without them the trace takes up to half the time
+    bool reflections = true;  // without them there is less to find
 };
 
 }  // namespace slicecast

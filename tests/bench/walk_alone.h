@@ -1,5 +1,5 @@
 // The walk of a view without the painting: frame after frame the same spans are found, and nothing
-// is done with them. What is left of a view's time is painting, under which no walk can come.
+// is done with them. The rest of a view's time is painting, which no faster walk makes shorter.
 #pragma once
 
 #include "render/frame.h"

@@ -5,8 +5,7 @@
 
 #include "raw_span_text.h"
 #include "render/plain_walk.h"
-#include "render/slice_paint.h"
-#include "render/slice_walk.h"
+#include "render/slice_stage.h"
 
 #include <gtest/gtest.h>
 
@@ -134,7 +133,7 @@ bool isSameRow(const Row& fast, const Row& plain, int row, int column) {
                              a->depth == b->depth;
                   }) &&
            areAll(fast.mirrors, plain.mirrors, [](const MirrorSpan* a, const MirrorSpan* b) {
-               return a->height == b->height && a->strength == b->strength;
+               return a->rise == b->rise && a->strength == b->strength;
            });
 }
 
@@ -148,7 +147,7 @@ std::string textOf(const Row& row) {
                         static_cast<int>(span->portal), span->portals, span->depth);
     for (const MirrorSpan* span : row.mirrors)
         appendFormatted(text, "    mirror with strength %u at a rise of %d\n", span->strength,
-                        span->height);
+                        span->rise);
     return text;
 }
 
@@ -193,18 +192,15 @@ public:
         : view_(scene.view),
           name_(std::move(name)),
           sum_(sum),
-          eye_(eyeOf(view_)),
-          options_(optionsOf(view_)),
-          frame_(scene.world, eye_, options_, view_.width, view_.height, textures_, vistas_) {}
+          stage_(scene.world, eyeOf(view_), view_.width, view_.height, optionsOf(view_)) {}
 
     void compareAll() {
         ++sum_.worlds;
-        SliceWalk fast(frame_, open_, report_);
-        PlainWalk plain(frame_, open_);
-        SliceSpans fastSpans;
+        OpenRows open;
+        PlainWalk plain(stage_.frame(), open);
         SliceSpans plainSpans;
         for (int column = 0; column < view_.width; ++column) {
-            fast.find(column, fastSpans);
+            const SliceSpans& fastSpans = stage_.find(column);
             plain.find(column, plainSpans);
             compare(fastSpans, plainSpans);
             sum_.add(fastSpans.upright, "");
@@ -222,20 +218,14 @@ private:
             if (!apart.empty()) apart = "in mirrors: " + apart;
         }
         if (!apart.empty()) return complain(apart, fast, plain);
-        const std::vector<Pixel> fastPixels = paint(fast);
-        const std::vector<Pixel> plainPixels = paint(plain);
+        const std::vector<Pixel> fastPixels = stage_.paint(fast);
+        const std::vector<Pixel> plainPixels = stage_.paint(plain);
         for (int y = 0; y < view_.height; ++y) {
             const auto i = static_cast<std::size_t>(y);
             if (fastPixels[i] == plainPixels[i]) continue;
             ++sum_.pixelsApart;
             complain("the pixel of row " + std::to_string(y) + " differs\n", fast, plain);
         }
-    }
-
-    std::vector<Pixel> paint(const SliceSpans& slice) {
-        std::vector<Pixel> pixels(static_cast<std::size_t>(view_.height));
-        SlicePainter(frame_, reflected_, report_).paint(slice, pixels.data());
-        return pixels;
     }
 
     void complain(const std::string& apart, const SliceSpans& fast, const SliceSpans& plain) {
@@ -248,14 +238,7 @@ private:
     const View& view_;
     std::string name_;
     Sum& sum_;
-    Eye eye_;
-    RenderOptions options_;
-    std::vector<FrameTexture> textures_;
-    Vistas vistas_;
-    Frame frame_;
-    OpenRows open_;
-    std::vector<Pixel> reflected_;
-    FrameReport report_;
+    known::SliceStage stage_;
 };
 
 Sum compareAll(MakeScene make, const char* what, std::uint64_t first, int count) {

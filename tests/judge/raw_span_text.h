@@ -87,7 +87,7 @@ inline std::string textOf(const ColumnSpans& column) {
                         span.depth);
     for (const MirrorSpan& span : column.mirrors)
         appendFormatted(text, "rows %4d-%-4d mirror with strength %u, at a rise of %d\n",
-                        span.first, span.last, span.strength, span.height);
+                        span.first, span.last, span.strength, span.rise);
     return text;
 }
 

@@ -47,7 +47,7 @@ private:
         }
         for (const MirrorSpan& span : column.mirrors)
             text_ << before << "mirror " << span.first << '-' << span.last << " at "
-                  << Coordinate{span.height}.value() << ", strength " << span.strength << '\n';
+                  << Coordinate{span.rise}.value() << ", strength " << span.strength << '\n';
     }
 
     void tell(const Span& span) {
