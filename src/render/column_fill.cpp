@@ -9,7 +9,6 @@ namespace {
 constexpr std::uint32_t kEvenBytes = 0x00ff00ff;
 constexpr std::uint32_t kOpaque = 0xff000000;
 constexpr std::uint32_t kFullLight = 256;  // the factor that leaves a colour as it is
-constexpr std::uint32_t kFullLightTwice = inBothHalves(kFullLight);
 
 // A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with
 // alpha; no product or sum below exceeds 16 bits. A machine without vectors leaves the vector forms
@@ -162,8 +161,11 @@ struct Over {
 };
 
 template <typename Put, typename ShadeRows>
-void fillSideRows(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t position,
-                  std::uint64_t step, ShadeRows shade) {
+void fillSideRows(Pixel* out, int rows, const TexelColumn& column, ShadeRows shade) {
+    const Pixel* const texels = column.texels;
+    const int shift = column.shift;
+    const std::uint64_t step = column.step;
+    std::uint64_t position = column.start;
     int row = 0;
     if constexpr (kHasVectors) {
         for (; row + 4 <= rows; row += 4) {
@@ -193,10 +195,11 @@ inline std::uint32_t lowHalf(double value) {
 }
 
 template <typename Put, typename ShadeRows>
-void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level,
-                   const PlaneLine& line, const double* inverseOffsets, ShadeRows shade) {
-    const Pixel* texels = level.texels.data();
-    const int bits = level.bits;
+void fillPlaneRows(Pixel* column, int first, int last, const PlaneTexels& from, ShadeRows shade) {
+    const PlaneLine& line = from.line;
+    const double* const inverseOffsets = from.rows.inverseOffsets;
+    const Pixel* const texels = from.level.texels.data();
+    const int bits = from.level.bits;
     const int shift = 32 - bits;
     const std::uint32_t reverse = line.southReversed ? (1u << bits) - 1 : 0;
     const double eastStart = line.eastStart + kFractionMagic;
@@ -230,27 +233,6 @@ void fillPlaneRows(Pixel* column, int first, int last, const TextureLevel& level
     }
 }
 
-// Splits rows in which something is so from one row on, or up to one row, into the one or two runs
-// that they make.
-template <typename IsSo, typename Fill>
-void eachRun(int first, int last, IsSo&& isSo, Fill&& fill) {
-    const bool atFirst = isSo(first);
-    const bool atLast = isSo(last - 1);
-    if (atFirst == atLast) {
-        fill(first, last, atFirst);
-        return;
-    }
-    int same = first;  // the last row known to be like the first one; `other` is the first row
-                       // known to be unlike it
-    int other = last - 1;
-    while (other - same > 1) {
-        const int middle = same + (other - same) / 2;
-        (isSo(middle) == atFirst ? same : other) = middle;
-    }
-    fill(first, other, atFirst);
-    fill(other, last, atLast);
-}
-
 template <typename Put, typename ShadeRows>
 void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows shade) {
     for (int row = first; row < last; ++row)
@@ -258,78 +240,49 @@ void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows sha
 }
 
 template <typename Put>
-void fillSideAs(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start,
-                std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze) {
-    const std::uint32_t factorTwice = inBothHalves(factor);
-    if (fog != 0) {
-        fillSideRows<Put>(out, rows, texels, shift, start, step,
-                          EvenShade<true>{factorTwice, inBothHalves(fog), haze});
-    } else if (factor == kFullLight) {
-        fillSideRows<Put>(out, rows, texels, shift, start, step, NoShade{});
+void fillSideAs(Pixel* out, int rows, const TexelColumn& column, Pixel haze) {
+    const std::uint32_t factor = inBothHalves(column.factor);
+    if (column.fog != 0) {
+        fillSideRows<Put>(out, rows, column,
+                          EvenShade<true>{factor, inBothHalves(column.fog), haze});
+    } else if (column.factor == kFullLight) {
+        fillSideRows<Put>(out, rows, column, NoShade{});
     } else {
-        fillSideRows<Put>(out, rows, texels, shift, start, step,
-                          EvenShade<false>{factorTwice, 0, haze});
+        fillSideRows<Put>(out, rows, column, EvenShade<false>{factor, 0, haze});
     }
 }
 
 template <typename Put>
-void fillPlaneAs(Pixel* column, int first, int last, const TextureLevel& level,
-                 const PlaneLine& line, const PlaneRows& rows, Pixel haze) {
-    const auto fill = [&](int from, int to, auto shade) {
+void fillPlaneAs(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade kind) {
+    const auto fill = [&](auto shade) {
         // A single texel needs no position (and a shift by all 32 bits has no meaning).
-        if (level.bits == 0) {
-            fillOneTexel<Put>(column, from, to, level.texels[0], shade);
+        if (texels.level.bits == 0) {
+            fillOneTexel<Put>(column, first, last, texels.level.texels[0], shade);
         } else {
-            fillPlaneRows<Put>(column, from, to, level, line, rows.inverseOffsets, shade);
+            fillPlaneRows<Put>(column, first, last, texels, shade);
         }
     };
-    // Near rows may be without fog, and some of those in full light. Depth goes one way along the
-    // rows, so each kind is a run; a short run is not worth a look.
-    constexpr int kShort = 8;
-    if (last - first <= kShort) {
-        if (rows.fogs) {
-            fill(first, last, RowShade<true>{rows.factors, rows.fogs, haze});
-        } else {
-            fill(first, last, RowShade<false>{rows.factors, nullptr, haze});
-        }
-        return;
+    const PlaneRows& rows = texels.rows;
+    switch (kind) {
+        case PlaneShade::full:
+            return fill(NoShade{});
+        case PlaneShade::dimmed:
+            return fill(RowShade<false>{rows.factors, nullptr, texels.haze});
+        case PlaneShade::foggy:
+            return fill(RowShade<true>{rows.factors, rows.fogs, texels.haze});
     }
-    const auto fogs = [&](int row) { return rows.fogs[row] != 0; };
-    const auto dimmed = [&](int row) { return rows.factors[row] != kFullLightTwice; };
-    const auto fillClear = [&](int from, int to) {
-        eachRun(from, to, dimmed, [&](int runFirst, int runLast, bool isDimmed) {
-            if (isDimmed) {
-                fill(runFirst, runLast, RowShade<false>{rows.factors, nullptr, haze});
-            } else {
-                fill(runFirst, runLast, NoShade{});
-            }
-        });
-    };
-    if (!rows.fogs) {
-        fillClear(first, last);
-        return;
-    }
-    eachRun(first, last, fogs, [&](int runFirst, int runLast, bool isFoggy) {
-        if (isFoggy) {
-            fill(runFirst, runLast, RowShade<true>{rows.factors, rows.fogs, haze});
-        } else {
-            fillClear(runFirst, runLast);
-        }
-    });
 }
 
 }  // namespace
 
-void fillSide(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start,
-              std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay) {
-    (lay == Lay::opaque ? fillSideAs<Opaque> : fillSideAs<Over>)(out, rows, texels, shift, start,
-                                                                 step, factor, fog, haze);
+void fillSide(Pixel* out, int rows, const TexelColumn& column, Pixel haze, Lay lay) {
+    (lay == Lay::opaque ? fillSideAs<Opaque> : fillSideAs<Over>)(out, rows, column, haze);
 }
 
-void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line,
-               const PlaneRows& rows, Pixel haze, Lay lay) {
-    (lay == Lay::opaque ? fillPlaneAs<Opaque> : fillPlaneAs<Over>)(column, first, last, level, line,
-                                                                   rows, haze);
+void fillPlane(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade shade,
+               Lay lay) {
+    (lay == Lay::opaque ? fillPlaneAs<Opaque> : fillPlaneAs<Over>)(column, first, last, texels,
+                                                                   shade);
 }
 
 void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength) {

@@ -21,12 +21,22 @@ inline constexpr int kTexturePositionBits = 48;
 //     channel = (texel * alpha + there * (255 - alpha) + 127) / 255
 enum class Lay { opaque, over };
 
-// Fills `rows` rows from one column of texels, from position `start` on, `step` further each row:
-// texels[position >> shift], within the column throughout. On a side positions are in 1/2^48 of a
-// tile.
-void fillSide(Pixel* out, int rows, const Pixel* texels, int shift, std::uint64_t start,
-              std::uint64_t step, std::uint32_t factor, std::uint32_t fog, Pixel haze,
-              Lay lay = Lay::opaque);
+// One column of texels, of a side or an object. Row r of a run that begins with row `first` shows
+// texels[(start + (r - first) * step) >> shift], within the column throughout. On a side positions
+// are in 1/2^48 of a tile.
+struct TexelColumn {
+    const Pixel* texels = nullptr;
+    std::uint64_t start = 0;
+    std::uint64_t step = 0;
+    double depth = 0.0;          // perpendicular, units
+    std::uint32_t factor = 256;  // light, 0 to 256
+    std::uint32_t fog = 0;       // weight, 0 to 255
+    int shift = 0;
+    int detail = 0;  // level of detail
+};
+
+// Fills `rows` rows.
+void fillSide(Pixel* out, int rows, const TexelColumn& column, Pixel haze, Lay lay = Lay::opaque);
 
 // How the points of a level plane that a slice sees follow from the row: east = eastStart +
 // eastPerInverse * inverseOffset, and so for south, in tiles, where only the fraction counts.
@@ -42,7 +52,7 @@ struct PlaneLine {
 };
 
 // Per-row figures of a plane: the tables are indexed by row. `fogs` is null where there is no fog.
-// Each entry holds its value twice, in either half.
+// Light and fog are there twice in each entry, in either half.
 struct PlaneRows {
     const double* inverseOffsets = nullptr;  // 1 / |horizon - (row + 0.5)|
     const std::uint32_t* factors = nullptr;
@@ -53,9 +63,19 @@ constexpr std::uint32_t inBothHalves(std::uint32_t value) {
     return value | value << 16;
 }
 
-// Fills the rows [first, last) of the slice that starts at `column`.
-void fillPlane(Pixel* column, int first, int last, const TextureLevel& level, const PlaneLine& line,
-               const PlaneRows& rows, Pixel haze, Lay lay = Lay::opaque);
+// What is done to the colours of some rows: nothing, in full light; light alone; light and fog.
+enum class PlaneShade : std::uint8_t { full, dimmed, foggy };
+
+struct PlaneTexels {
+    const TextureLevel& level;
+    const PlaneLine& line;
+    const PlaneRows& rows;
+    Pixel haze;
+};
+
+// Fills the rows [first, last) of the slice that starts at `column`. All of them have the shade.
+void fillPlane(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade shade,
+               Lay lay = Lay::opaque);
 
 // Blends `rows` pixels over what is there, out = (there * (255 - strength) + colour * strength +
 // 127) / 255, taking the last of them first.

@@ -78,15 +78,15 @@ void PlainWalk::meetObject(const FrameObject& object) {
     Span span = spanOf(What::object);
     span.layer = true;
     span.object = object.index;
-    span.plane.texture = map().objects[static_cast<std::size_t>(object.index)].sprite;
+    span.image = map().objects[static_cast<std::size_t>(object.index)].sprite;
     span.column = {.texels = level.texels.data() + static_cast<std::ptrdiff_t>(u) * level.height,
-                   .shift = 32,
-                   .detail = object.detail,
                    .start = 0,
                    .step = 0,
+                   .depth = object.depth,
                    .factor = object.factor,
                    .fog = object.fog,
-                   .depth = object.depth};
+                   .shift = 32,
+                   .detail = object.detail};
     const std::int64_t end = static_cast<std::int64_t>(level.height) << 32;
     const double perUnit = static_cast<double>(end) / ((object.top - object.bottom) / 65536.0);
     show(span, rows, [&](Span& seen) {
@@ -103,7 +103,7 @@ void PlainWalk::showSide(const Block& block, Face face, const Crossing& border, 
     span.face = face;
     span.level = block.level;
     span.layer = block.blueprint->seeThrough;
-    span.plane.texture = block.blueprint->face(face).texture;
+    span.image = block.blueprint->face(face).texture;
     show(span, rows, [&](Span& seen) {
         seen.column = sideColumn(block, face, border, {seen.first, seen.last});
         splitWhereTextureEnds(seen);

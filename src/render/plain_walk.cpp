@@ -215,7 +215,7 @@ void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
     span.face = isTop ? Face::top : Face::bottom;
     span.level = block.level;
     span.layer = block.blueprint->seeThrough && strength == 0;
-    span.plane = {plane.rise, look.texture, look.light, look.glow, !isTop, strength > 0};
+    span.look = &lookOf({plane.rise, look.texture, look.light, look.glow, !isTop, strength > 0});
     showPlane(span, rows, strength);
 }
 
@@ -227,9 +227,10 @@ void PlainWalk::meetFloor(Rows rows, bool endless) {
     const int strength = mirrorStrength(floor.mirror);
     Span span = spanOf(What::floor);
     span.tiles.endless = endless;
-    span.plane = {riseOf(0), floor.texture, floor.light, floor.glow, false, strength > 0};
-    if (map().contains(walk_.tileX, walk_.tileY))
-        span.plane.texture = floor.tiles[map().tileIndex(walk_.tileX, walk_.tileY)];
+    const TextureId texture = map().contains(walk_.tileX, walk_.tileY)
+                                  ? floor.tiles[map().tileIndex(walk_.tileX, walk_.tileY)]
+                                  : floor.texture;
+    span.look = &lookOf({riseOf(0), texture, floor.light, floor.glow, false, strength > 0});
     showPlane(span, rows, strength);
 }
 
@@ -245,7 +246,7 @@ void PlainWalk::meetCeiling(Rows rows) {
     Span span = spanOf(What::ceiling);
     span.face = Face::bottom;
     span.layer = frame_.textures[texture].seeThrough;
-    span.plane = {rise, texture, ceiling.light, ceiling.glow, true, false};
+    span.look = &lookOf({rise, texture, ceiling.light, ceiling.glow, true, false});
     show(span, rows);
 }
 
@@ -284,7 +285,7 @@ void PlainWalk::show(const Span& look, Rows rows, const Finish& finish) {
 void PlainWalk::showPlane(const Span& look, Rows rows, int mirror) {
     show(look, rows, [&](const Span& span) {
         if (mirror > 0)
-            found_->mirrors.push_back({number_, span.plane.rise, span.first, span.last,
+            found_->mirrors.push_back({number_, span.look->plane.rise, span.first, span.last,
                                        static_cast<std::uint32_t>(mirror)});
     });
 }

@@ -136,6 +136,9 @@ private:
     const CellBlueprint& cell(const Map& of, GridTile tile, int level) const {
         return frame_.world->blueprints[of.cell(tile.x, tile.y, level)];
     }
+    PlaneLook& lookOf(const Plane& plane) const {
+        return part_.vista->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
+    }
     std::int32_t riseOf(std::int32_t height) const { return height - part_.vista->viewpoint.z; }
     int rowBelow(std::int32_t rise, const Crossing& border) const {
         return firstRowBelow(projection(), rise, border);

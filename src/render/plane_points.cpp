@@ -22,9 +22,9 @@ __attribute__((noinline)) std::uint32_t PlanePoints::held(double first, double e
 // trifle further east and south. Behind a portal that turns, that may be west or north: then it
 // belongs to the one before, and its fraction there is 1 and not 0.
 PlanePoints::Point PlanePoints::at(double inverseOffset) const {
-    return {held(box_.east, box_.eastEnd, line.eastStart, line.eastPerInverse, inverseOffset,
+    return {held(box_.first[0], box_.end[0], line.eastStart, line.eastPerInverse, inverseOffset,
                  turn_ == 1 || turn_ == 2),
-            held(box_.south, box_.southEnd, line.southStart, line.southPerInverse, inverseOffset,
+            held(box_.first[1], box_.end[1], line.southStart, line.southPerInverse, inverseOffset,
                  turn_ == 2 || turn_ == 3)};
 }
 

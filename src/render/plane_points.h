@@ -3,6 +3,7 @@
 
 #include "render/column_fill.h"
 #include "render/slice_spans.h"
+#include "render/vectors.h"
 #include "render/vista.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace slicecast {
 class PlanePoints {
 public:
     // A plane seen from a vista by the rays of a column, `ray` in the coordinates of its map.
-    PlanePoints(const Vista& vista, GroundDirection ray, const Plane& plane,
+    PlanePoints(const Vista& vista, GroundDirection ray, const PlaneLook& look,
                 const TileRange& tiles);
 
     // A point, as fractions of its tile in 1/2^32.
@@ -35,59 +36,54 @@ public:
     }
 
     PlaneLine line;
-    double depthPerInverse;  // the depth of a row's point, by the same number
 
 private:
-    // The tiles, relative to the eye's: points are in [east, eastEnd) x [south, southEnd).
+    // The tiles, relative to the eye's: points are in [first, end), east and south.
     struct Box {
-        double east;
-        double eastEnd;
-        double south;
-        double southEnd;
+        F64x2 first;
+        F64x2 end;
     };
 
     // Half a step of the fraction that is kept; nearer to the end of a tile than that, it would
     // round up to the next one.
     static constexpr double kHalfStep = 1.0 / 8589934592.0;
 
-    static double distanceTo(const Plane& plane) {
-        return Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
-    }
     bool anyOnBorderTurned(const double* inverseOffsets, int first, int last) const;
     static std::uint32_t held(double first, double end, double start, double perInverse,
                               double inverse, bool before);
-    // Whether a position lies within a rounding before the border on which the eye is.
-    static bool isRoundedToEye(double position) { return position < 0.0 && position >= -kHalfStep; }
-
     Box box_;
     int turn_;
 };
 
-inline PlanePoints::PlanePoints(const Vista& vista, GroundDirection ray, const Plane& plane,
+inline PlanePoints::PlanePoints(const Vista& vista, GroundDirection ray, const PlaneLook& look,
                                 const TileRange& tiles)
-    : line{vista.viewpoint.fractionX(), vista.viewpoint.fractionY(), distanceTo(plane) * ray.x,
-           distanceTo(plane) * ray.y, plane.southReversed},
-      depthPerInverse(distanceTo(plane) * vista.projection->distance),
+    : line{vista.viewpoint.fractionX(), vista.viewpoint.fractionY(), look.height * ray.x,
+           look.height * ray.y, look.plane.southReversed},
       turn_(vista.viewpoint.turn) {
     const int eyeX = vista.viewpoint.tileX();
     const int eyeY = vista.viewpoint.tileY();
-    box_ = {static_cast<double>(std::min(tiles.fromX, tiles.toX) - eyeX),
-            static_cast<double>(std::max(tiles.fromX, tiles.toX) + 1 - eyeX),
-            static_cast<double>(std::min(tiles.fromY, tiles.toY) - eyeY),
-            static_cast<double>(std::max(tiles.fromY, tiles.toY) + 1 - eyeY)};
+    box_.first = F64x2{static_cast<double>(std::min(tiles.fromX, tiles.toX) - eyeX),
+                       static_cast<double>(std::min(tiles.fromY, tiles.toY) - eyeY)};
+    box_.end = F64x2{static_cast<double>(std::max(tiles.fromX, tiles.toX) + 1 - eyeX),
+                     static_cast<double>(std::max(tiles.fromY, tiles.toY) + 1 - eyeY)};
     if (!tiles.endless) return;
     constexpr double kNever = std::numeric_limits<double>::infinity();
-    if (ray.x > 0.0) box_.eastEnd = kNever;
-    if (ray.x < 0.0) box_.east = -kNever;
-    if (ray.y > 0.0) box_.southEnd = kNever;
-    if (ray.y < 0.0) box_.south = -kNever;
+    if (ray.x > 0.0) box_.end[0] = kNever;
+    if (ray.x < 0.0) box_.first[0] = -kNever;
+    if (ray.y > 0.0) box_.end[1] = kNever;
+    if (ray.y < 0.0) box_.first[1] = -kNever;
 }
 
+// East and south at once. A position within a rounding before the border on which the eye is
+// counts as outside, too.
 inline bool PlanePoints::isInside(double inverseOffset) const {
-    const double east = line.eastStart + line.eastPerInverse * inverseOffset;
-    const double south = line.southStart + line.southPerInverse * inverseOffset;
-    return east >= box_.east && east < box_.eastEnd - kHalfStep && south >= box_.south &&
-           south < box_.southEnd - kHalfStep && !isRoundedToEye(east) && !isRoundedToEye(south);
+    const F64x2 start = {line.eastStart, line.southStart};
+    const F64x2 perInverse = {line.eastPerInverse, line.southPerInverse};
+    const F64x2 half = {kHalfStep, kHalfStep};
+    const F64x2 position = start + perInverse * inverseOffset;
+    const I64x2 outside = (position < box_.first) | (position >= box_.end - half) |
+                          ((position < 0.0) & (position >= -half));
+    return (outside[0] | outside[1]) == 0;
 }
 
 }  // namespace slicecast

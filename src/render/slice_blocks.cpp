@@ -224,14 +224,14 @@ __attribute__((always_inline)) inline TexelColumn SliceWalk::sideColumn(const Bl
     if (start + steps * step >= end) step = (end - 1 - start) / steps;
     const std::int64_t rise = block.blueprint->textureRise.raw * kPositionsPerRaw;
     return {.texels = level.texels.data() + (static_cast<std::size_t>(u) << level.bits),
-            .shift = kTexturePositionBits - level.bits,
-            .detail = detail,
             .start = static_cast<std::uint64_t>(start + rise),
             .step = static_cast<std::uint64_t>(step),
+            .depth = view.depth,
             .factor = vista_->lighting.factorOf(look.glow ? kFullBrightness : view.brightness,
                                                 look.light),
             .fog = view.fog,
-            .depth = view.depth};
+            .shift = kTexturePositionBits - level.bits,
+            .detail = detail};
 }
 
 void SliceWalk::takeSide(const Block& block, Face face, const Crossing& border,
@@ -265,7 +265,7 @@ void SliceWalk::addSideSpan(const Block& block, Face face, const TexelColumn& co
     span.layer = layer;
     span.level = block.level;
     span.tiles = here();
-    span.plane.texture = block.blueprint->face(face).texture;
+    span.image = block.blueprint->face(face).texture;
     span.column = column;
 }
 
@@ -282,13 +282,14 @@ void SliceWalk::takeRoof(const Block& block, int firstRow, int lastRow, bool fro
         if (strength > 0) mirror(block.top, first, last, strength);
         Plane plane = planeOf(block, Face::top);
         plane.mirror = strength > 0;
-        addPlane(What::roof, plane, first, last, here()).level = block.level;
+        addPlane(What::roof, lookOf(plane), first, last, here()).level = block.level;
     });
 }
 
 void SliceWalk::takeUnderside(const Block& block, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
-        Span& span = addPlane(What::underside, planeOf(block, Face::bottom), first, last, here());
+        Span& span =
+            addPlane(What::underside, lookOf(planeOf(block, Face::bottom)), first, last, here());
         span.level = block.level;
         span.face = Face::bottom;
     });

@@ -143,7 +143,7 @@ void SliceWalk::seeThroughPlane(What what, const Plane& plane, int firstRow, int
                                 const TileRange& tiles, int level) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
         if (!countLayer()) return;
-        Span& span = addPlane(what, plane, first, last, tiles);
+        Span& span = addPlane(what, lookOf(plane), first, last, tiles);
         span.face = what == What::roof ? Face::top : Face::bottom;
         span.level = level;
         span.layer = true;

@@ -90,16 +90,16 @@ void SliceWalk::meetObject(const FrameObject& object) {
         Span& span = add(What::object, first, last);
         span.layer = true;
         span.object = object.index;
-        span.plane.texture = sprite;
+        span.image = sprite;
         span.column = {.texels = level.texels.data() + static_cast<std::size_t>(u) *
                                                            static_cast<std::size_t>(level.height),
-                       .shift = 32,
-                       .detail = object.detail,
                        .start = static_cast<std::uint64_t>(start),
                        .step = static_cast<std::uint64_t>(step),
+                       .depth = object.depth,
                        .factor = object.factor,
                        .fog = object.fog,
-                       .depth = object.depth};
+                       .shift = 32,
+                       .detail = object.detail};
         drawn = true;
     });
     if (drawn) ++report_.objectSlices;

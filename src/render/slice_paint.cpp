@@ -71,7 +71,7 @@ void SlicePainter::paintLayers(const ColumnSpans& column) {
         if (span->what == What::side || span->what == What::object) {
             paintTexels(*span, Lay::over);
         } else {
-            paintPlane({span->plane, span->vista, span->tiles, span->part, span->first, span->last},
+            paintPlane({span->look, span->vista, span->tiles, span->part, span->first, span->last},
                        Lay::over);
         }
     }
@@ -98,26 +98,23 @@ void SlicePainter::paintReflection(const SliceSpans& slice) {
 void SlicePainter::paintTexels(const Span& span, Lay lay) {
     count(span.first, span.last);
     if (waterFogs_ != nullptr) return paintTexelsFromWater(span, lay);
-    const TexelColumn& column = span.column;
-    fillSide(pixels_ + span.first, span.last - span.first, column.texels, column.shift,
-             column.start, column.step, column.factor, column.fog, span.vista->lighting.haze, lay);
+    fillSide(pixels_ + span.first, span.last - span.first, span.column, span.vista->lighting.haze,
+             lay);
 }
 
 // Rows whose rays leave the eye's water before they come to the span have the fog of where they
 // leave it. They are the upper ones.
 void SlicePainter::paintTexelsFromWater(const Span& span, Lay lay) {
-    const TexelColumn& column = span.column;
+    TexelColumn column = span.column;
+    const Pixel haze = span.vista->lighting.haze;
     int row = span.first;
-    std::uint64_t start = column.start;
-    const auto fill = [&](int rows, std::uint32_t fog) {
-        fillSide(pixels_ + row, rows, column.texels, column.shift, start, column.step,
-                 column.factor, fog, span.vista->lighting.haze, lay);
-    };
-    for (; row < span.last && waterFogs_[row] < column.fog; ++row) {
-        fill(1, waterFogs_[row]);
-        start += column.step;
+    for (; row < span.last && waterFogs_[row] < span.column.fog; ++row) {
+        column.fog = waterFogs_[row];
+        fillSide(pixels_ + row, 1, column, haze, lay);
+        column.start += column.step;
     }
-    if (row < span.last) fill(span.last - row, column.fog);
+    column.fog = span.column.fog;
+    if (row < span.last) fillSide(pixels_ + row, span.last - row, column, haze, lay);
 }
 
 void SlicePainter::paintSky(const Span& span) {
@@ -134,17 +131,17 @@ void SlicePainter::paintSky(const Span& span) {
 // Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the
 // horizon, so a run grows towards it.
 void SlicePainter::gather(const Span& span) {
-    const bool falls = span.plane.rise < 0;
+    const bool falls = span.look->plane.rise < 0;
     PlaneRun& run = falls ? falling_ : rising_;
     if ((falls ? run.first == span.last : run.last == span.first) && run.part == span.part &&
-        run.plane == span.plane) {
+        run.look == span.look) {
         (falls ? run.first : run.last) = falls ? span.first : span.last;
         run.tiles.toX = span.tiles.toX;
         run.tiles.toY = span.tiles.toY;
         run.tiles.endless = span.tiles.endless;
     } else {
         paintGathered(run);
-        run = {span.plane, span.vista, span.tiles, span.part, span.first, span.last};
+        run = {span.look, span.vista, span.tiles, span.part, span.first, span.last};
     }
 }
 
@@ -152,7 +149,7 @@ void SlicePainter::gather(const Span& span) {
 void SlicePainter::paintGathered(PlaneRun& run) {
     if (run.first == run.last) return;
     Lay lay = Lay::opaque;
-    if (frame_.textures[run.plane.texture].seeThrough && !run.plane.mirror) {
+    if (run.look->seeThrough && !run.look->plane.mirror) {
         // Only a floor closes its rows although it is see-through: below it there is haze.
         std::fill(pixels_ + run.first, pixels_ + run.last, run.vista->lighting.haze);
         count(run.first, run.last);
@@ -168,70 +165,42 @@ void SlicePainter::paintGathered(PlaneRun& run) {
 // texture shows.
 void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     count(run.first, run.last);
-    const Plane& plane = run.plane;
-    const PlanePoints points(*run.vista, run.vista->ray(column_), plane, run.tiles);
-    const PlaneRows rows =
-        run.vista->planeShades.rows(plane.rise, plane.light, plane.glow, run.first, run.last);
+    PlaneLook& look = *run.look;
+    const PlanePoints points(*run.vista, run.vista->ray(column_), look, run.tiles);
+    const PlaneRows rows = look.rows(run.first, run.last);
     const double* const inverses = rows.inverseOffsets;
-    if (points.anyOnBorder(inverses, run.first, run.last))
-        return paintPlaneByRows(run, points, rows, lay);
-    PlaneRun inside = run;
-    while (inside.first < run.last && !points.isInside(inverses[inside.first])) ++inside.first;
-    while (inside.last > inside.first && !points.isInside(inverses[inside.last - 1])) --inside.last;
-    if (run.first < inside.first) {
-        PlaneRun above = run;
-        above.last = inside.first;
-        paintPlaneByRows(above, points, rows, lay);
-    }
-    if (inside.last < run.last) {
-        PlaneRun below = run;
-        below.first = inside.last;
-        paintPlaneByRows(below, points, rows, lay);
-    }
-    if (inside.first < inside.last) paintPlaneInside(inside, points, rows, lay);
-}
-
-// The rows are split where the level of detail changes.
-void SlicePainter::paintPlaneInside(const PlaneRun& run, const PlanePoints& points,
-                                    const PlaneRows& rows, Lay lay) {
-    const FrameTexture& texture = frame_.textures[run.plane.texture];
-    const auto levelAt = [&](int row) {
-        return frame_.detail.levelAt(points.depthPerInverse * rows.inverseOffsets[row],
-                                     texture.size, texture.last);
-    };
-    const auto fillTo = [&](int from, int end, int level) {
-        fillPlane(pixels_, from, end, texture.levels[level], points.line, rows,
-                  run.vista->lighting.haze, lay);
-    };
-    const int last = run.last;
-    int row = run.first;
-    const int firstLevel = levelAt(row);
-    const int lastLevel = last - row == 1 ? firstLevel : levelAt(last - 1);
-    for (int level = firstLevel; level != lastLevel;) {
-        int same = row;  // the last row known to have this level; the first known not to is `end`
-        int end = last - 1;
-        while (end - same > 1) {
-            const int middle = same + (end - same) / 2;
-            (levelAt(middle) == level ? same : end) = middle;
-        }
-        fillTo(row, end, level);
+    int first = run.first;
+    int last = run.last;
+    if (points.anyOnBorder(inverses, first, last)) last = first;
+    while (first < last && !points.isInside(inverses[first])) ++first;
+    while (first < last && !points.isInside(inverses[last - 1])) --last;
+    paintPlaneByRows(run, run.first, first, points, lay);
+    paintPlaneByRows(run, last, run.last, points, lay);
+    const TextureLevel* const levels = frame_.textures[look.plane.texture].levels;
+    const PlaneLook::Stretch* stretch = look.stretches().data();
+    for (int row = first; row < last; ++stretch) {
+        if (stretch->last <= row) continue;
+        const int end = std::min(stretch->last, last);
+        fillPlane(pixels_, row, end,
+                  {levels[stretch->detail], points.line, rows, run.vista->lighting.haze},
+                  stretch->shade, lay);
         row = end;
-        level = levelAt(row);
     }
-    fillTo(row, last, lastLevel);
 }
 
 // Runs with a point on a tile's border exactly are rare behind portals that turn, and painted
 // slowly.
-void SlicePainter::paintPlaneByRows(const PlaneRun& run, const PlanePoints& points,
-                                    const PlaneRows& rows, Lay lay) {
-    const FrameTexture& texture = frame_.textures[run.plane.texture];
-    for (int row = run.first; row < run.last; ++row) {
+void SlicePainter::paintPlaneByRows(const PlaneRun& run, int first, int last,
+                                    const PlanePoints& points, Lay lay) {
+    if (first == last) return;
+    const PlaneRows rows = run.look->rows(first, last);
+    const FrameTexture& texture = frame_.textures[run.look->plane.texture];
+    for (int row = first; row < last; ++row) {
         const double inverse = rows.inverseOffsets[row];
         const int level =
-            frame_.detail.levelAt(points.depthPerInverse * inverse, texture.size, texture.last);
+            frame_.detail.levelAt(run.look->depthPerInverse * inverse, texture.size, texture.last);
         const PlaneTexel texel = {texture.levels[level], points.at(inverse),
-                                  run.plane.southReversed};
+                                  run.look->plane.southReversed};
         pixels_[row] =
             shadedPlaneTexel(texel, row, rows, run.vista->lighting.haze, lay, pixels_[row]);
     }

@@ -25,7 +25,7 @@ public:
 private:
     // Neighbouring rows of one plane that several spans of a walk hold.
     struct PlaneRun {
-        Plane plane;
+        PlaneLook* look = nullptr;
         Vista* vista = nullptr;
         TileRange tiles;
         int part = 0;
@@ -42,10 +42,8 @@ private:
     void gather(const Span& span);
     void paintGathered(PlaneRun& run);
     void paintPlane(const PlaneRun& run, Lay lay);
-    void paintPlaneInside(const PlaneRun& run, const PlanePoints& points, const PlaneRows& rows,
+    void paintPlaneByRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
                           Lay lay);
-    __attribute__((noinline)) void paintPlaneByRows(const PlaneRun& run, const PlanePoints& points,
-                                                    const PlaneRows& rows, Lay lay);
     void count(int first, int last) {
         ++report_.spansDrawn;
         report_.rowsFilled += last - first;

@@ -7,7 +7,9 @@
 // what stands behind them, the farthest first.
 #pragma once
 
+#include "render/column_fill.h"
 #include "render/parts.h"
+#include "render/plane_looks.h"
 #include "render/trace.h"
 #include "world/blueprint.h"
 #include "world/texture.h"
@@ -18,18 +20,6 @@
 
 namespace slicecast {
 
-// A level plane: the floor, a ceiling, or the roofs or undersides of blocks that end at one height.
-struct Plane {
-    std::int32_t rise = 0;  // 1/65536 units above the eye, never 0 where anything is drawn
-    TextureId texture = kNoTexture;
-    double light = 1.0;
-    bool glow = false;
-    bool southReversed = false;  // undersides and ceilings
-    bool mirror = false;         // its texels count as opaque
-
-    friend bool operator==(const Plane&, const Plane&) = default;
-};
-
 // The tiles over which a plane's rows lie: one, or several in a row.
 struct TileRange {
     int fromX = 0;  // nearest to the eye
@@ -39,22 +29,9 @@ struct TileRange {
     bool endless = false;  // goes on in the ray's direction for ever
 };
 
-// One column of texels, of a side or an object. Row r of the span shows texels[(start + (r - first)
-// * step) >> shift], within the column throughout.
-struct TexelColumn {
-    const Pixel* texels = nullptr;
-    int shift = 0;
-    int detail = 0;  // level of detail
-    std::uint64_t start = 0;
-    std::uint64_t step = 0;
-    std::uint32_t factor = 256;  // light, 0 to 256
-    std::uint32_t fog = 0;       // weight, 0 to 255
-    double depth = 0.0;          // perpendicular, units
-};
-
 inline constexpr int kNoLevel = -1;  // of what belongs to no block
 
-// Rows [first, last) of a slice. Sides and objects have a column of texels, and planes a plane;
+// Rows [first, last) of a slice. Sides and objects have a column of texels, and planes a look;
 // what a kind of span does not have holds anything (see SpanList).
 struct Span {
     FilledRows::What what = FilledRows::What::haze;
@@ -62,14 +39,15 @@ struct Span {
     bool layer = false;
     int first = 0;
     int last = 0;
-    int level = kNoLevel;    // of the block
-    int object = -1;         // index into Map::objects
-    int part = 0;            // index of the walk that has found it, into ColumnSpans::parts
-    int portals = 0;         // passed before
-    Vista* vista = nullptr;  // the map as it is seen from there
-    TileRange tiles;         // of a plane; of a block its own; none of sky, haze and objects
-    TexelColumn column;      // of sides and objects
-    Plane plane;             // of planes; of sides and objects its texture only, or the sprite
+    int level = kNoLevel;          // of the block
+    int object = -1;               // index into Map::objects
+    int part = 0;                  // index of the walk that has found it, into ColumnSpans::parts
+    int portals = 0;               // passed before
+    Vista* vista = nullptr;        // the map as it is seen from there
+    TileRange tiles;               // of a plane; of a block its own; none of sky, haze and objects
+    TextureId image = kNoTexture;  // of sides; of objects the sprite
+    TexelColumn column;            // of sides and objects
+    PlaneLook* look = nullptr;     // of planes
 };
 
 // Rows that show something in a mirror.

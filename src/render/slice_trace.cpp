@@ -154,7 +154,7 @@ private:
 
     void tellTexels(const Span& span, FilledRows& rows, bool isWatched) {
         const TexelColumn& column = span.column;
-        rows.texture = span.plane.texture;
+        rows.texture = span.image;
         const auto texelAt = [&](int row) {
             const std::uint64_t position =
                 column.start + static_cast<std::uint64_t>(row - span.first) * column.step;
@@ -179,26 +179,25 @@ private:
         const auto detail = static_cast<std::size_t>(span.column.detail);
         if (span.what == What::object) {
             const World& world = *frame_.world;
-            const SpriteLevel& level =
-                world.sprites[span.plane.texture].levelsAt(world.seconds)[detail];
+            const SpriteLevel& level = world.sprites[span.image].levelsAt(world.seconds)[detail];
             return static_cast<int>((span.column.texels - level.texels.data()) / level.height);
         }
-        const TextureLevel& level = frame_.textures[span.plane.texture].levels[detail];
+        const TextureLevel& level = frame_.textures[span.image].levels[detail];
         return static_cast<int>((span.column.texels - level.texels.data()) >> level.bits);
     }
 
     void tellPlane(const Span& span, FilledRows& rows, bool isWatched) {
-        const Plane& plane = span.plane;
+        const Plane& plane = span.look->plane;
         const Vista& vista = *span.vista;
         const FrameTexture& texture = frame_.textures[plane.texture];
-        const PlanePoints points(vista, vista.ray(column_), plane, span.tiles);
+        const PlanePoints points(vista, vista.ray(column_), *span.look, span.tiles);
         const auto detailAt = [&](int row) {
-            return frame_.detail.levelAt(points.depthPerInverse * vista.inverseOffsets[row],
+            return frame_.detail.levelAt(span.look->depthPerInverse * vista.inverseOffsets[row],
                                          texture.size, texture.last);
         };
         const auto texelAt = [&](int row) {
             const double inverse = vista.inverseOffsets[row];
-            const double depth = points.depthPerInverse * inverse;
+            const double depth = span.look->depthPerInverse * inverse;
             const int detail = detailAt(row);
             const TextureLevel& shown = texture.levels[detail];
             const PlanePoints::Point point = points.at(inverse);

@@ -295,7 +295,8 @@ void SliceWalk::takeFloorRows(int row, const TileRange& tiles) {
     open_.take(std::max(row, vista_->firstFloorRow), projection_->height, [&](int first, int last) {
         if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
         if (Span* const before = floorSpan_ == kNone ? nullptr : &found_->spans[floorSpan_];
-            before != nullptr && before->first == last && before->plane.texture == floor_.texture) {
+            before != nullptr && before->first == last &&
+            before->look->plane.texture == floor_.texture) {
             before->first = first;
             before->tiles.toX = tiles.toX;
             before->tiles.toY = tiles.toY;
@@ -303,10 +304,9 @@ void SliceWalk::takeFloorRows(int row, const TileRange& tiles) {
             return;
         }
         floorSpan_ = found_->spans.count();
-        addPlane(What::floor,
-                 {floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false,
-                  floorMirror_ > 0},
-                 first, last, tiles);
+        PlaneLook& look = lookOf({floorRise_, floor_.texture, map_->floor.light, map_->floor.glow,
+                                  false, floorMirror_ > 0});
+        addPlane(What::floor, look, first, last, tiles);
     });
 }
 
@@ -332,7 +332,7 @@ void SliceWalk::endCeiling(Border at) {
             seeThroughPlane(What::ceiling, plane, firstRow, lastRow, tiles);
         } else {
             open_.take(firstRow, lastRow, [&](int first, int last) {
-                addPlane(What::ceiling, plane, first, last, tiles);
+                addPlane(What::ceiling, lookOf(plane), first, last, tiles);
             });
         }
     }

@@ -93,7 +93,10 @@ private:
     void takeBackground();
     void takeHaze(int firstRow);
     Span& add(What what, int first, int last);
-    Span& addPlane(What what, const Plane& plane, int first, int last, const TileRange& tiles);
+    Span& addPlane(What what, PlaneLook& look, int first, int last, const TileRange& tiles);
+    PlaneLook& lookOf(const Plane& plane) {
+        return vista_->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
+    }
     bool countLayer();  // false where there is no room for one more
 
     // ---- slice_blocks.cpp
@@ -262,10 +265,10 @@ inline Span& SliceWalk::add(What what, int first, int last) {
     return span;
 }
 
-inline Span& SliceWalk::addPlane(What what, const Plane& plane, int first, int last,
+inline Span& SliceWalk::addPlane(What what, PlaneLook& look, int first, int last,
                                  const TileRange& tiles) {
     Span& span = add(what, first, last);
-    span.plane = plane;
+    span.look = &look;
     span.tiles = tiles;
     return span;
 }

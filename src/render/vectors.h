@@ -17,6 +17,7 @@ inline constexpr bool kHasVectors = false;
 using U16x8 = std::uint16_t __attribute__((vector_size(16)));
 using U32x4 = std::uint32_t __attribute__((vector_size(16)));
 using F64x2 = double __attribute__((vector_size(16)));
+using I64x2 = std::int64_t __attribute__((vector_size(16)));
 
 template <typename Vector>
 inline Vector loadVector(const void* from) {

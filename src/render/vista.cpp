@@ -56,7 +56,8 @@ void Vista::begin(const World& world, const Eye& eye, const RenderOptions& optio
     highest = std::max({static_cast<double>(map->levels),
                         map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(),
                         objects.highest()});
-    planeShades.beginFrame(lighting, projection->distance, inverseOffsets, projection->height);
+    planeLooks.beginFrame({lighting, projection->distance, inverseOffsets,
+                           projection->firstFallingRow, projection->height});
     skyRows.beginFrame(map->sky, *projection, eye.headingDegrees + 90.0 * from.turn);
 }
 

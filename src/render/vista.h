@@ -18,7 +18,7 @@
 #include "render/eye.h"
 #include "render/frame_objects.h"
 #include "render/options.h"
-#include "render/plane_shades.h"
+#include "render/plane_looks.h"
 #include "render/projection.h"
 #include "render/shading.h"
 #include "render/sky_rows.h"
@@ -80,7 +80,7 @@ public:
     int firstFloorRow = 0;  // rows above it, down to the horizon, look beyond the map's `far`
     double highest = 0.0;   // no block, no ceiling and no object lies higher, units
     FrameObjects objects;
-    PlaneShades planeShades;
+    PlaneLooks planeLooks;
     SkyRows skyRows;
 };
 

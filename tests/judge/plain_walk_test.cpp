@@ -109,11 +109,10 @@ bool isSame(const Span& fast, const Span& plain, int row, int column) {
         return false;
     if (fast.level != kNoLevel && fast.face != plain.face) return false;
     if (isPlane(fast))
-        return fast.plane == plain.plane &&
-               covers(fast.tiles, plain.tiles, fast.vista->ray(column));
+        return fast.look == plain.look && covers(fast.tiles, plain.tiles, fast.vista->ray(column));
     if (!hasTexelColumn(fast)) return true;
     if (fast.what == What::side && !covers(fast.tiles, plain.tiles, {})) return false;
-    return fast.plane.texture == plain.plane.texture && isSameColumn(fast, plain, row);
+    return fast.image == plain.image && isSameColumn(fast, plain, row);
 }
 
 template <typename Things, typename Equal>

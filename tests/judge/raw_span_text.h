@@ -1,5 +1,5 @@
-// The spans of a slice as text, by their bare numbers, for the messages of tests: a line for each, in
-// their order. tests/render/span_text.h tells the same by names.
+// The spans of a slice as text, by their bare numbers, for the messages of tests: a line for each,
+// in their order. tests/render/span_text.h tells the same by names.
 //
 //     rows   12-40   layer side north   map 0  tile 3,4 level 1  texture 5  depth 2.5 ...
 //     rows   40-64         floor        map 0  tile 1,4 to 3,4  texture 2  rise -32768 light 1
@@ -60,10 +60,11 @@ inline std::string textOf(const Span& span) {
         if (span.level != kNoLevel) appendFormatted(text, " level %d", span.level);
     }
     if (isPlane(span) || hasTexelColumn(span))
-        appendFormatted(text, "  texture %d", static_cast<int>(span.plane.texture));
+        appendFormatted(text, "  texture %d", static_cast<int>(span.image));
     if (isPlane(span)) {
-        appendFormatted(text, "  rise %d light %g%s%s", span.plane.rise, span.plane.light,
-                        span.plane.glow ? " glow" : "", span.plane.mirror ? " mirror" : "");
+        appendFormatted(text, "  rise %d light %g%s%s", span.look->plane.rise,
+                        span.look->plane.light, span.look->plane.glow ? " glow" : "",
+                        span.look->plane.mirror ? " mirror" : "");
     }
     if (hasTexelColumn(span)) {
         const TexelColumn& column = span.column;

@@ -89,8 +89,14 @@ TEST(ColumnFill, Sides) {
             const std::uint64_t at = start + static_cast<std::uint64_t>(row - rows.first) * step;
             return defined(texels[static_cast<std::size_t>(at >> shift)], light, lay, there);
         });
-        fillSide(rows.pixels.data() + rows.first, rows.last - rows.first, texels.data(), shift,
-                 start, step, light.factor, light.fog, light.haze, lay);
+        fillSide(rows.pixels.data() + rows.first, rows.last - rows.first,
+                 {.texels = texels.data(),
+                  .start = start,
+                  .step = step,
+                  .factor = light.factor,
+                  .fog = light.fog,
+                  .shift = shift},
+                 light.haze, lay);
         ASSERT_EQ(rows.pixels, expected) << "case " << i;
     }
 }
@@ -111,8 +117,14 @@ TEST(ColumnFill, ColumnsOfAnyLength) {
             const std::uint64_t at = start + static_cast<std::uint64_t>(row - rows.first) * step;
             return defined(texels[static_cast<std::size_t>(at >> 32)], light, Lay::over, there);
         });
-        fillSide(rows.pixels.data() + rows.first, rows.last - rows.first, texels.data(), 32, start,
-                 step, light.factor, light.fog, light.haze, Lay::over);
+        fillSide(rows.pixels.data() + rows.first, rows.last - rows.first,
+                 {.texels = texels.data(),
+                  .start = start,
+                  .step = step,
+                  .factor = light.factor,
+                  .fog = light.fog,
+                  .shift = 32},
+                 light.haze, Lay::over);
         ASSERT_EQ(rows.pixels, expected) << "case " << i;
     }
 }
@@ -126,7 +138,9 @@ TEST(ColumnFill, EveryColour) {
     const auto compare = [&](const DefinedLight& light) {
         std::transform(texels.begin(), texels.end(), expected.begin(),
                        [&](Pixel texel) { return defined(texel, light, Lay::opaque, 0); });
-        fillSide(out.data(), 256, texels.data(), 0, 0, 1, light.factor, light.fog, light.haze);
+        fillSide(out.data(), 256,
+                 {.texels = texels.data(), .step = 1, .factor = light.factor, .fog = light.fog},
+                 light.haze);
         ASSERT_EQ(out, expected) << "light " << light.factor << ", fog " << light.fog;
     };
     for (std::uint32_t factor = 0; factor <= 256; ++factor) compare({factor, 0, 0});
@@ -135,7 +149,7 @@ TEST(ColumnFill, EveryColour) {
     }
 }
 
-// A plane's tables: depth goes one way along the rows, so light and fog do.
+// A plane's tables.
 struct Tables {
     std::vector<double> inverseOffsets;
     std::vector<std::uint32_t> factors;
@@ -152,17 +166,12 @@ struct Tables {
             fogs.push_back(
                 static_cast<std::uint32_t>(std::clamp(random.between(-300, 300), 0, 255)));
         }
-        std::sort(factors.begin(), factors.end(), std::greater<>());
-        std::sort(fogs.begin(), fogs.end());
-        if (random.oneIn(2)) {
-            std::reverse(factors.begin(), factors.end());
-            std::reverse(fogs.begin(), fogs.end());
-        }
     }
 
-    DefinedLight at(int row, bool foggy, Pixel haze) const {
+    DefinedLight at(int row, PlaneShade shade, Pixel haze) const {
         const auto i = static_cast<std::size_t>(row);
-        return {factors[i], foggy ? fogs[i] : 0, haze};
+        return {shade == PlaneShade::full ? 256 : factors[i],
+                shade == PlaneShade::foggy ? fogs[i] : 0, haze};
     }
 };
 
@@ -196,7 +205,7 @@ TEST(ColumnFill, Planes) {
         const bool onGrid = random.oneIn(4);
         const Tables tables(random, onGrid);
         const PlaneLine line = anyLine(random, onGrid);
-        const bool foggy = random.oneIn(2);
+        const PlaneShade shade = static_cast<PlaneShade>(random.below(3));
         const Pixel haze = anyPixel(random);
         const Lay lay = random.oneIn(2) ? Lay::opaque : Lay::over;
         Rows rows(random, random.oneIn(4) ? 50 : kMostRows);
@@ -206,14 +215,14 @@ TEST(ColumnFill, Planes) {
                 texelAt(line.eastStart + line.eastPerInverse * inverse, level.size);
             std::size_t v = texelAt(line.southStart + line.southPerInverse * inverse, level.size);
             if (line.southReversed) v = static_cast<std::size_t>(level.size) - 1 - v;
-            return defined(level.texels[(u << level.bits) + v], tables.at(row, foggy, haze), lay,
+            return defined(level.texels[(u << level.bits) + v], tables.at(row, shade, haze), lay,
                            there);
         });
         const std::vector<std::uint32_t> factors = twice(tables.factors);
         const std::vector<std::uint32_t> fogs = twice(tables.fogs);
-        fillPlane(rows.pixels.data(), rows.first, rows.last, level, line,
-                  {tables.inverseOffsets.data(), factors.data(), foggy ? fogs.data() : nullptr},
-                  haze, lay);
+        fillPlane(rows.pixels.data(), rows.first, rows.last,
+                  {level, line, {tables.inverseOffsets.data(), factors.data(), fogs.data()}, haze},
+                  shade, lay);
         ASSERT_EQ(rows.pixels, expected) << "case " << i;
     }
 }

@@ -27,8 +27,11 @@ protected:
     }
 
     PlanePoints points(const TileRange& tiles, GroundDirection ray = kRay,
-                       const Plane& plane = {.rise = -32768}) const {
-        return {vista_, ray, plane, tiles};
+                       bool southReversed = false) const {
+        PlaneLook look;
+        look.plane.southReversed = southReversed;
+        look.height = 0.5;
+        return {vista_, ray, look, tiles};
     }
     PlanePoints pointsTurned(int turn, const TileRange& tiles, GroundDirection ray = kRay) {
         vista_.viewpoint.turn = turn;
@@ -45,7 +48,6 @@ private:
 
 TEST_F(PointsOfPlanes, KnownPoints) {
     const PlanePoints floor = points({2, 2, 12, 8});
-    EXPECT_EQ(floor.depthPerInverse, 50.0) << "half a unit times d";
     EXPECT_FALSE(floor.line.southReversed);
     // 1.5625 east and 0.78125 south of (2.5, 2.5) is (4.0625, 3.28125).
     const PlanePoints::Point point = floor.at(atEast(1.5625));
@@ -55,9 +57,8 @@ TEST_F(PointsOfPlanes, KnownPoints) {
 }
 
 TEST_F(PointsOfPlanes, ACeilingIsAsFarAsAFloor) {
-    const PlanePoints ceiling = points({2, 2, 12, 8}, kRay, {.rise = 32768, .southReversed = true});
+    const PlanePoints ceiling = points({2, 2, 12, 8}, kRay, true);
     EXPECT_TRUE(ceiling.line.southReversed);
-    EXPECT_EQ(ceiling.depthPerInverse, 50.0);
     EXPECT_EQ(ceiling.at(atEast(1.5625)).south, 0x48000000u);
 }
 

@@ -22,6 +22,10 @@ constexpr int kHeight = 200;
 constexpr Pixel kBefore = 0x12345678;
 constexpr Colour kHaze = {10, 200, 90, 255};
 
+// Half a unit below the eye, and above it.
+constexpr Plane kFloor = {.rise = -32768, .texture = 0};
+constexpr Plane kCeiling = {.rise = 32768, .texture = 0};
+
 Texture noise(const char* name, bool seeThrough = false) {
     Random random(7);
     Image image(8, 8);
@@ -72,9 +76,11 @@ protected:
         ++slice_.upright.layers;
         return span;
     }
-    Span& addPlane(What what, int first, int last, double rise, const TileRange& tiles) {
+    Span& addPlane(What what, int first, int last, const Plane& plane, const TileRange& tiles) {
         Span& span = add(what, first, last);
-        span.plane = {.rise = toCoordinate(rise).raw, .texture = 0};
+        const Frame& frame = stage_.frame();
+        span.look =
+            &span.vista->planeLooks.find(plane, frame.textures[plane.texture], frame.detail);
         span.tiles = tiles;
         return span;
     }
@@ -154,9 +160,9 @@ TEST_F(SlicePaint, ASideStretchesItsTexels) {
     constexpr int kShift = kTexturePositionBits - 2;
     Span& side = add(What::side, 50, 64);
     side.column = {.texels = texels.data(),
-                   .shift = kShift,
                    .start = std::uint64_t{1} << (kShift - 1),
-                   .step = std::uint64_t{1} << (kShift - 2)};
+                   .step = std::uint64_t{1} << (kShift - 2),
+                   .shift = kShift};
     const std::vector<Pixel> pixels = painted();
     for (int row = 50; row < 64; ++row) ASSERT_EQ(at(pixels, row), at(texels, (row - 48) / 4));
 }
@@ -183,50 +189,51 @@ TEST_F(SlicePaint, LayersAreLaidOverFromTheBack) {
 
 // Depths from 0.5 to 100: light, fog and all levels of detail.
 TEST_F(SlicePaint, AFloorIsDrawnRowByRow) {
-    Span& floor = addPlane(What::floor, 100, 200, -0.5, {2, 2, 12, 2, true});
-    floor.plane.light = 0.75;
+    Plane floor = kFloor;
+    floor.light = 0.75;
+    addPlane(What::floor, 100, 200, floor, {2, 2, 12, 2, true});
     const std::vector<Pixel> pixels = painted();
     for (int row = 0; row < kHeight; ++row)
-        ASSERT_EQ(at(pixels, row), row < 100 ? kBefore : planePixel(row, floor.plane)) << row;
+        ASSERT_EQ(at(pixels, row), row < 100 ? kBefore : planePixel(row, floor)) << row;
 }
 
 TEST_F(SlicePaint, ACeilingIsReversed) {
-    Span& ceiling = addPlane(What::ceiling, 0, 95, 0.5, {2, 2, 12, 2, false});
-    ceiling.plane.southReversed = true;
+    Plane ceiling = kCeiling;
+    ceiling.southReversed = true;
+    addPlane(What::ceiling, 0, 95, ceiling, {2, 2, 12, 2, false});
     const std::vector<Pixel> pixels = painted();
-    for (int row = 0; row < 95; ++row)
-        ASSERT_EQ(at(pixels, row), planePixel(row, ceiling.plane)) << row;
+    for (int row = 0; row < 95; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, ceiling)) << row;
 }
 
 // The floor at depths 1.5 and 3.5 is at 133.33 and 114.29, the ceiling at 66.67 and 85.71. Rows of
 // one plane that follow each other towards the horizon are filled at once, whatever stands between.
 TEST_F(SlicePaint, RunsOfAPlaneAreFilledAtOnce) {
-    addPlane(What::floor, 133, 200, -0.5, {2, 2, 3, 2, false});
-    const Plane ceiling = addPlane(What::ceiling, 0, 67, 0.5, {2, 2, 3, 2, false}).plane;
+    addPlane(What::floor, 133, 200, kFloor, {2, 2, 3, 2, false});
+    addPlane(What::ceiling, 0, 67, kCeiling, {2, 2, 3, 2, false});
     add(What::haze, 95, 100);
-    addPlane(What::floor, 114, 133, -0.5, {4, 2, 5, 2, false});
-    addPlane(What::ceiling, 67, 86, 0.5, {4, 2, 5, 2, false});
-    const Plane floor = addPlane(What::floor, 100, 114, -0.5, {6, 2, 12, 2, true}).plane;
+    addPlane(What::floor, 114, 133, kFloor, {4, 2, 5, 2, false});
+    addPlane(What::ceiling, 67, 86, kCeiling, {4, 2, 5, 2, false});
+    addPlane(What::floor, 100, 114, kFloor, {6, 2, 12, 2, true});
     const std::vector<Pixel> pixels = painted();
-    for (int row = 0; row < 86; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, ceiling)) << row;
-    for (int row = 100; row < 200; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, floor)) << row;
+    for (int row = 0; row < 86; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, kCeiling)) << row;
+    for (int row = 100; row < 200; ++row)
+        ASSERT_EQ(at(pixels, row), planePixel(row, kFloor)) << row;
     EXPECT_EQ(stage_.report().spansDrawn, 3);
 }
 
 TEST_F(SlicePaint, RunsEndWhereThePlaneChanges) {
-    addPlane(What::floor, 133, 200, -0.5, {2, 2, 3, 2, false});
-    Span& dark = addPlane(What::floor, 114, 133, -0.5, {4, 2, 5, 2, false});
-    dark.plane.light = 0.25;
-    addPlane(What::floor, 100, 114, -0.5, {6, 2, 12, 2, true}).plane.light = 0.25;
-    slice_.upright.spans[2].part = 1;
-    const Plane plane = dark.plane;
+    addPlane(What::floor, 133, 200, kFloor, {2, 2, 3, 2, false});
+    Plane dark = kFloor;
+    dark.light = 0.25;
+    addPlane(What::floor, 114, 133, dark, {4, 2, 5, 2, false});
+    addPlane(What::floor, 100, 114, dark, {6, 2, 12, 2, true}).part = 1;
     const std::vector<Pixel> pixels = painted();
-    for (int row = 100; row < 133; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, plane)) << row;
+    for (int row = 100; row < 133; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, dark)) << row;
     EXPECT_EQ(stage_.report().spansDrawn, 3) << "of another light, then of another walk";
     // A gap between rows ends a run too.
     slice_.upright.clear();
-    addPlane(What::floor, 150, 200, -0.5, {2, 2, 3, 2, false});
-    addPlane(What::floor, 114, 133, -0.5, {4, 2, 5, 2, false});
+    addPlane(What::floor, 150, 200, kFloor, {2, 2, 3, 2, false});
+    addPlane(What::floor, 114, 133, kFloor, {4, 2, 5, 2, false});
     EXPECT_EQ(at(painted(), 140), kBefore);
     EXPECT_EQ(stage_.report().spansDrawn, 5);
 }
@@ -234,16 +241,17 @@ TEST_F(SlicePaint, RunsEndWhereThePlaneChanges) {
 // Row 133 sees (3.99, 2.51), a trifle before tile 4, and row 119 (5.06, 2.51), behind it. If the
 // walk says that they are in tile 4, their texels are the first and the last of that.
 TEST_F(SlicePaint, TexelsAreHeldInsideTheirTiles) {
-    const Plane plane = addPlane(What::floor, 119, 134, -0.5, {4, 2, 4, 2, false}).plane;
+    addPlane(What::floor, 119, 134, kFloor, {4, 2, 4, 2, false});
     const std::vector<Pixel> pixels = painted();
     const auto texelAt = [&](std::size_t u) {
         return world_.textures[0].levels[0].texels[(u << 3) + 4];
     };
     EXPECT_EQ(at(pixels, 133), defined(texelAt(0), {256, 0, 0}, Lay::opaque, 0));
     EXPECT_EQ(at(pixels, 119), defined(texelAt(7), {256, 5, toPixel(kHaze)}, Lay::opaque, 0));
-    EXPECT_NE(at(pixels, 133), planePixel(133, plane));
-    EXPECT_NE(at(pixels, 119), planePixel(119, plane));
-    for (int row = 120; row < 133; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, plane)) << row;
+    EXPECT_NE(at(pixels, 133), planePixel(133, kFloor));
+    EXPECT_NE(at(pixels, 119), planePixel(119, kFloor));
+    for (int row = 120; row < 133; ++row)
+        ASSERT_EQ(at(pixels, row), planePixel(row, kFloor)) << row;
 }
 
 // Row r of what mirrors show stands in row 199 - r of the picture.
@@ -289,26 +297,26 @@ protected:
 
 // Below a floor there is haze; a mirror's texels count as opaque.
 TEST_F(SlicePaintSeeThrough, FloorsShowHaze) {
-    addPlane(What::floor, 120, 200, -0.5, {2, 2, 12, 2, true});
-    Span& mirror = addPlane(What::floor, 105, 120, -0.5, {2, 2, 12, 2, true});
-    mirror.plane.mirror = true;
-    const Plane plane = mirror.plane;
+    addPlane(What::floor, 120, 200, kFloor, {2, 2, 12, 2, true});
+    Plane mirror = kFloor;
+    mirror.mirror = true;
+    addPlane(What::floor, 105, 120, mirror, {2, 2, 12, 2, true});
     const std::vector<Pixel> pixels = painted();
     for (int row = 120; row < 200; ++row)
-        ASSERT_EQ(at(pixels, row), planePixel(row, plane, Lay::over, toPixel(kHaze))) << row;
-    for (int row = 105; row < 120; ++row) ASSERT_EQ(at(pixels, row), planePixel(row, plane)) << row;
+        ASSERT_EQ(at(pixels, row), planePixel(row, kFloor, Lay::over, toPixel(kHaze))) << row;
+    for (int row = 105; row < 120; ++row)
+        ASSERT_EQ(at(pixels, row), planePixel(row, mirror)) << row;
 }
 
 TEST_F(SlicePaintSeeThrough, PlanesAsLayers) {
-    Span& roof = addPlane(What::roof, 120, 200, -0.5, {2, 2, 12, 2, true});
+    Span& roof = addPlane(What::roof, 120, 200, kFloor, {2, 2, 12, 2, true});
     roof.layer = true;
     slice_.upright.layers = 1;
-    const Plane plane = roof.plane;
     add(What::sky, 0, 160);
     const std::vector<Pixel> pixels = painted();
     for (int row = 0; row < kHeight; ++row) {
         const Pixel there = row < 160 ? toPixel(kMagenta) : kBefore;
-        ASSERT_EQ(at(pixels, row), row < 120 ? there : planePixel(row, plane, Lay::over, there))
+        ASSERT_EQ(at(pixels, row), row < 120 ? there : planePixel(row, kFloor, Lay::over, there))
             << row;
     }
 }

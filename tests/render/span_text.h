@@ -69,12 +69,12 @@ private:
             case What::roof:
             case What::underside:
                 tellCell(span);
-                tellPlane(span.plane);
+                tellPlane(span.look->plane);
                 break;
             case What::floor:
             case What::ceiling:
                 tellTiles(span.tiles);
-                tellPlane(span.plane);
+                tellPlane(span.look->plane);
                 break;
             case What::sky:
             case What::haze:
@@ -105,14 +105,14 @@ private:
     }
 
     void tellSide(const Span& span) {
-        const Texture& texture = world_.textures[span.plane.texture];
+        const Texture& texture = world_.textures[span.image];
         const TextureLevel& level = texture.levelsOf(
             texture.frameAt(world_.seconds))[static_cast<std::size_t>(span.column.detail)];
         tellTexels(span, texture.name, level.texels, level.size);
     }
 
     void tellObject(const Span& span) {
-        const Sprite& sprite = world_.sprites[span.plane.texture];
+        const Sprite& sprite = world_.sprites[span.image];
         const SpriteLevel& level =
             sprite.levelsAt(world_.seconds)[static_cast<std::size_t>(span.column.detail)];
         tellTexels(span, sprite.name, level.texels, level.height);

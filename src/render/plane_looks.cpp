@@ -1,0 +1,128 @@
+#include "render/plane_looks.h"
+
+#include "base/bits.h"
+#include "render/frame.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+constexpr std::size_t kFirstSlots = 128;
+
+}  // namespace
+
+std::uint32_t PlaneLook::factorAt(int row) const {
+    return rays_->lighting.factorAt(depthPerInverse * rays_->inverseOffsets[row], plane.light,
+                                    plane.glow);
+}
+
+std::uint32_t PlaneLook::fogAt(int row) const {
+    return rays_->lighting.fogAt(fogPerInverse_ * rays_->inverseOffsets[row]);
+}
+
+// Depth goes one way along the rows, so rows that are alike lie together.
+void PlaneLook::begin(const Plane& looked, const FrameTexture& texture, const Detail& detail,
+                      const PlaneRays& rays) {
+    plane = looked;
+    rays_ = &rays;
+    seeThrough = texture.seeThrough;
+    height = Coordinate{plane.rise < 0 ? -plane.rise : plane.rise}.value();
+    depthPerInverse = height * rays.projectionDistance;
+    const std::int32_t surface = rays.lighting.surface;
+    fogPerInverse_ = plane.rise > surface ? Coordinate{surface}.value() * rays.projectionDistance
+                                          : depthPerInverse;
+    first_ = last_ = 0;
+    stretches_.clear();
+    const auto at = [&](int row) {
+        const int level =
+            detail.levelAt(depthPerInverse * rays.inverseOffsets[row], texture.size, texture.last);
+        const PlaneShade shade = fogAt(row) != 0        ? PlaneShade::foggy
+                                 : factorAt(row) != 256 ? PlaneShade::dimmed
+                                                        : PlaneShade::full;
+        return Stretch{row + 1, static_cast<std::uint8_t>(level), shade};
+    };
+    const auto alike = [](const Stretch& a, const Stretch& b) {
+        return a.detail == b.detail && a.shade == b.shade;
+    };
+    const int end = plane.rise < 0 ? rays.height : rays.firstFallingRow;
+    int row = plane.rise < 0 ? rays.firstFallingRow : 0;
+    if (row == end) return;
+    const Stretch last = at(end - 1);
+    for (Stretch here = at(row);; here = at(row)) {
+        if (alike(here, last)) break;
+        int other = end - 1;  // the first row known to be unlike
+        while (other - row > 1) {
+            const int middle = row + (other - row) / 2;
+            if (alike(at(middle), here)) {
+                row = middle;
+            } else {
+                other = middle;
+            }
+        }
+        here.last = row = other;
+        stretches_.push_back(here);
+    }
+    stretches_.push_back(last);
+}
+
+void PlaneLook::extend(int first, int last) {
+    factors_.resize(static_cast<std::size_t>(rays_->height));
+    if (rays_->lighting.foggy) fogs_.resize(factors_.size());
+    if (first_ == last_) first_ = last_ = first;
+    if (first < first_) {
+        fill(first, first_);
+        first_ = first;
+    }
+    if (last > last_) {
+        fill(last_, last);
+        last_ = last;
+    }
+}
+
+void PlaneLook::fill(int first, int last) {
+    for (int row = first; row < last; ++row)
+        factors_[static_cast<std::size_t>(row)] = inBothHalves(factorAt(row));
+    if (!rays_->lighting.foggy) return;
+    for (int row = first; row < last; ++row)
+        fogs_[static_cast<std::size_t>(row)] = inBothHalves(fogAt(row));
+}
+
+void PlaneLooks::beginFrame(const PlaneRays& rays) {
+    rays_ = rays;
+    used_ = 0;
+    slots_.assign(std::max(kFirstSlots, slots_.size()), nullptr);
+}
+
+std::size_t PlaneLooks::slotOf(const Plane& plane) const {
+    const std::uint64_t key = static_cast<std::uint32_t>(plane.rise) * 0x9e3779b97f4a7c15u +
+                              (bitCast<std::uint64_t>(plane.light) ^
+                               (std::uint64_t{plane.texture} << 8 | (plane.glow ? 4u : 0u) |
+                                (plane.mirror ? 2u : 0u) | (plane.southReversed ? 1u : 0u))) *
+                                  0xbf58476d1ce4e5b9u;
+    return static_cast<std::size_t>(key >> 40) & (slots_.size() - 1);
+}
+
+PlaneLook& PlaneLooks::find(const Plane& plane, const FrameTexture& texture, const Detail& detail) {
+    std::size_t slot = slotOf(plane);
+    for (; slots_[slot] != nullptr; slot = (slot + 1) & (slots_.size() - 1)) {
+        if (slots_[slot]->plane == plane) return *slots_[slot];
+    }
+    if (used_ == looks_.size()) looks_.push_back(std::make_unique<PlaneLook>());
+    PlaneLook& look = *looks_[used_++];
+    look.begin(plane, texture, detail, rays_);
+    slots_[slot] = &look;
+    if (2 * used_ > slots_.size()) grow();
+    return look;
+}
+
+void PlaneLooks::grow() {
+    slots_.assign(2 * slots_.size(), nullptr);
+    for (std::size_t i = 0; i < used_; ++i) {
+        std::size_t slot = slotOf(looks_[i]->plane);
+        while (slots_[slot] != nullptr) slot = (slot + 1) & (slots_.size() - 1);
+        slots_[slot] = looks_[i].get();
+    }
+}
+
+}  // namespace slicecast
