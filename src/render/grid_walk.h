@@ -138,6 +138,17 @@ struct GridWalk {
         way_ = walk.way_;
     }
 
+    // To another tile of its way, which it enters along x or along y: as if it had come there.
+    void comeTo(int x, int y, bool enteredAlongX) {
+        x_.goOn(x > tileX ? x - tileX : tileX - x);
+        y_.goOn(y > tileY ? y - tileY : tileY - y);
+        tileX = x;
+        tileY = y;
+        way_ = enteredAlongX ? Way::alongX : Way::alongY;
+        const Axis& axis = enteredAlongX ? x_ : y_;
+        entered = (axis.distance - 1.0) / axis.speed;
+    }
+
     // Where the next border of either axis lies.
     double nextAlongX() const { return x_.along; }
     double nextAlongY() const { return y_.along; }
@@ -182,6 +193,10 @@ private:
         }
         void advance() {
             distance += 1.0;
+            along = distance / speed;
+        }
+        void goOn(int borders) {
+            distance += borders;
             along = distance / speed;
         }
     };

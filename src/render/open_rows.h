@@ -21,6 +21,22 @@ public:
         findEnds();
     }
 
+    // Opens none, one run, or two, in the room that is there.
+    void closeAll() {
+        runs_.clear();
+        findEnds();
+    }
+    void open(Run only) {
+        runs_.assign(1, only);
+        findEnds();
+    }
+    void open(Run upper, Run lower) {
+        runs_.assign({upper, lower});
+        findEnds();
+    }
+
+    const std::vector<Run>& runs() const { return runs_; }
+
     bool none() const { return first_ >= last_; }
     int first() const { return first_; }
     int last() const { return last_; }

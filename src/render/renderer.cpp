@@ -5,6 +5,7 @@
 #include "render/slice_trace.h"
 #include "render/slice_walk.h"
 #include "render/strip.h"
+#include "render/strip_walk.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,6 +17,7 @@ struct Renderer::Scratch {
     Vistas vistas;
     OpenRows open;
     SliceSpans spans;
+    StripScratch strips;
     std::vector<Pixel> reflected;
     Strip strip;
     FrameReport report;
@@ -50,15 +52,13 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     s.report = {};
     s.strip.resize(picture.height);
     const Frame frame(world, eye, options, picture.width, picture.height, s.textures, s.vistas);
-    SliceWalk walk(frame, s.open, s.report);
+    StripWalk walk(frame, s.strips, s.report);
     SlicePainter painter(frame, s.reflected, s.report);
     int columns = 0;
     for (int x = std::max(0, firstColumn); x < picture.width; x += columns) {
         columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
-        for (int c = 0; c < columns; ++c) {
-            walk.find(x + c, s.spans);
-            painter.paint(s.spans, s.strip.column(c));
-        }
+        walk.begin(x, columns);
+        for (int c = 0; c < columns; ++c) painter.paint(walk.finish(c), s.strip.column(c));
         s.strip.copyTo(picture, x, columns);
     }
     return true;

@@ -21,8 +21,8 @@ constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits
 
 }  // namespace
 
-SliceWalk::Block SliceWalk::blockAt(int level) const {
-    const BlueprintId id = map_->cells[map_->cellIndex(walk_.tileX, walk_.tileY, level)];
+SliceWalk::Block SliceWalk::blockAt(int x, int y, int level) const {
+    const BlueprintId id = map_->cells[map_->cellIndex(x, y, level)];
     const CellBlueprint& blueprint = frame_.world->blueprints[id];
     const std::int32_t base = tileEdge(level).raw - eyeZ_;
     return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw, false};
@@ -70,7 +70,7 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
     for (std::uint32_t rest = levels; rest != 0;) {
         const int level = static_cast<int>(std::bit_width(rest)) - 1;
         rest ^= std::uint32_t{1} << level;
-        Block block = blockAt(level);
+        Block block = blockAt(walk_.tileX, walk_.tileY, level);
         if ((clipped_ && !cutToClip(block)) || block.bottom > 0) continue;
         block.cut |= std::exchange(inside, false);
         const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
@@ -125,7 +125,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
     bool opaqueBelow = false;
     bool inside = false;  // as in meetFalling
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
-        Block block = blockAt(std::countr_zero(rest));
+        Block block = blockAt(walk_.tileX, walk_.tileY, std::countr_zero(rest));
         if (clipped_ && !cutToClip(block)) continue;
         block.cut |= std::exchange(inside, false);
         const bool isPlain =
@@ -183,8 +183,8 @@ SliceWalk::SideView SliceWalk::sideView(const Crossing& border) const {
     // Along x on the northern and southern sides, along y on the others.
     const double fraction =
         border.alongX
-            ? eyeFractionY_ + (eyeTileY_ - walk_.tileY) + ray_.y * border.distance / border.speed
-            : eyeFractionX_ + (eyeTileX_ - walk_.tileX) + ray_.x * border.distance / border.speed;
+            ? eyeFractionY_ + (eyeTileY_ - here_.fromY) + ray_.y * border.distance / border.speed
+            : eyeFractionX_ + (eyeTileX_ - here_.fromX) + ray_.x * border.distance / border.speed;
     const double depth = border.along * projection_->distance;
     constexpr double kEnd = 4294967295.0;  // of 1 << 32
     return {
@@ -264,7 +264,7 @@ void SliceWalk::addSideSpan(const Block& block, Face face, const TexelColumn& co
     span.face = face;
     span.layer = layer;
     span.level = block.level;
-    span.tiles = here();
+    span.tiles = here_;
     span.image = block.blueprint->face(face).texture;
     span.column = column;
 }
@@ -282,14 +282,14 @@ void SliceWalk::takeRoof(const Block& block, int firstRow, int lastRow, bool fro
         if (strength > 0) mirror(block.top, first, last, strength);
         Plane plane = planeOf(block, Face::top);
         plane.mirror = strength > 0;
-        addPlane(What::roof, lookOf(plane), first, last, here()).level = block.level;
+        addPlane(What::roof, lookOf(plane), first, last, here_).level = block.level;
     });
 }
 
 void SliceWalk::takeUnderside(const Block& block, int firstRow, int lastRow) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
         Span& span =
-            addPlane(What::underside, lookOf(planeOf(block, Face::bottom)), first, last, here());
+            addPlane(What::underside, lookOf(planeOf(block, Face::bottom)), first, last, here_);
         span.level = block.level;
         span.face = Face::bottom;
     });

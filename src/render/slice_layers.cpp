@@ -128,7 +128,7 @@ void SliceWalk::passThroughPlane(const Block& block, Face face, int firstRow, in
         joinsNext(block, isTop ? 1 : -1, leaving))
         return;
     seeThroughPlane(isTop ? What::roof : What::underside, planeOf(block, face), firstRow, lastRow,
-                    here(), block.level);
+                    here_, block.level);
 }
 
 void SliceWalk::seeThroughSide(const Block& block, Face face, const Crossing& border,

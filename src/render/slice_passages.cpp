@@ -166,7 +166,7 @@ void SliceWalk::reflect(SliceSpans& found) {
         Parts::addRows(found_->parts.find(vista, met.walk, above, met.before, met.portals, 0),
                        height - span.last, height - span.first);
     }
-    walkParts();
+    walkParts(0);
 }
 
 }  // namespace slicecast

@@ -1,9 +1,8 @@
 #include "render/slice_walk.h"
 
-#include "base/bits.h"
+#include "render/open_slopes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace slicecast {
@@ -19,38 +18,6 @@ bool leadsAway(int tile, int step, int size) {
     return tile < 0 ? step <= 0 : tile >= size && step >= 0;
 }
 
-// Between which heights the rays of the open rows run.
-class OpenSlopes {
-public:
-    OpenSlopes(const Projection& projection, const OpenRows& open, double eyeHeight)
-        : highestEye_(eyeHeight + kSlack),
-          lowestEye_(eyeHeight - kSlack),
-          upper_(projection.horizon - open.first()),
-          lower_(projection.horizon - open.last()) {}
-
-    // A bit for each level that they come through in a tile.
-    __attribute__((always_inline)) std::uint32_t levelsReached(double entered, double left) const {
-        const double highest = highestEye_ + upper_ * (upper_ > 0.0 ? left : entered);
-        const double lowest = lowestEye_ + lower_ * (lower_ < 0.0 ? left : entered);
-        if (highest < 0.0 || lowest >= kMaxLevels) return 0;
-        // Rounded down: what lies exactly on a level's edge is meant a little to the other side of
-        // it, by the slack.
-        const int top = highest >= kMaxLevels
-                            ? kMaxLevels - 1
-                            : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
-        const int bottom = lowest <= 0.5 ? 0 : static_cast<int>(nearestInteger(lowest - 0.5));
-        return static_cast<std::uint32_t>((std::uint64_t{2} << top) - (std::uint64_t{1} << bottom));
-    }
-
-private:
-    static constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
-
-    double highestEye_;
-    double lowestEye_;
-    double upper_;
-    double lower_;
-};
-
 }  // namespace
 
 SliceWalk::SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report)
@@ -61,6 +28,13 @@ SliceWalk::SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report)
       walk_({}, {}, {}) {}
 
 void SliceWalk::find(int column, SliceSpans& found, bool withReflection) {
+    beginColumn(column, found);
+    goOn(false);
+    endColumn(found, withReflection);
+}
+
+// The first part, before its first tile.
+void SliceWalk::beginColumn(int column, SliceSpans& found) {
     column_ = column;
     found.column = column;
     found.upright.clear();
@@ -71,21 +45,31 @@ void SliceWalk::find(int column, SliceSpans& found, bool withReflection) {
                          ownVista_.ray(column));
     Part& whole = found_->parts.find(ownVista_, start, {}, {}, 0, 0);
     whole.rows.assign(1, {0, ownVista_.projection->height});
-    walkParts();
+    part_ = 0;
+    begin(whole);
+}
+
+// Behind the first part's last tile.
+void SliceWalk::endColumn(SliceSpans& found, bool withReflection) {
+    endPart();
+    walkParts(1);
     if (withReflection && !found.upright.mirrors.empty()) reflect(found);
 }
 
 // Each part may add further ones.
-void SliceWalk::walkParts() {
-    for (part_ = 0; part_ < static_cast<int>(found_->parts.count()); ++part_) {
+void SliceWalk::walkParts(int first) {
+    for (part_ = first; part_ < static_cast<int>(found_->parts.count()); ++part_) {
         begin(found_->parts[static_cast<std::size_t>(part_)]);
-        walkPart();
-        takeBackground();
-        // Others may have come meanwhile, so it may stand elsewhere.
-        Part& part = found_->parts[static_cast<std::size_t>(part_)];
-        part.tiles = tiles_;
-        part.endsInPortal = endsInPortal_;
+        goOn(false);
+        endPart();
     }
+}
+
+void SliceWalk::endPart() {
+    takeBackground();
+    Part& part = found_->parts[static_cast<std::size_t>(part_)];
+    part.tiles = tiles_;
+    part.endsInPortal = endsInPortal_;
 }
 
 void SliceWalk::begin(const Part& part) {
@@ -107,6 +91,14 @@ void SliceWalk::begin(const Part& part) {
         map_->ceiling.tiles.empty() || !ceilingMet ? nullptr : map_->ceiling.tiles.data();
     report_.deepestPortal = std::max(report_.deepestPortal, portals_);
     if (portals_ > 0) ++report_.partsBehindPortals;
+    floor_ = {map_->floor.texture, projection_->height, walk_.tileX, walk_.tileY};
+    ceiling_ = {};
+    object_ = objectsEnd_ = nullptr;
+    if (vista_->objects.none()) return;
+    const std::vector<int>& objects = vista_->objects.inColumn(column_);
+    object_ = objects.data();
+    objectsEnd_ = object_ + objects.size();
+    while (object_ != objectsEnd_ && vista_->objects[*object_].along < walk_.entered) ++object_;
 }
 
 void SliceWalk::lookInto(Vista& vista) {
@@ -130,33 +122,33 @@ void SliceWalk::lookInto(Vista& vista) {
     ceilingRise_ = map_->ceiling.height.raw - eyeZ_;
 }
 
-void SliceWalk::walkPart() {
-    floor_ = {map_->floor.texture, projection_->height, walk_.tileX, walk_.tileY};
-    ceiling_ = {};
-    object_ = objectsEnd_ = nullptr;
-    if (!vista_->objects.none()) {
-        const std::vector<int>& objects = vista_->objects.inColumn(column_);
-        object_ = objects.data();
-        objectsEnd_ = object_ + objects.size();
-        while (object_ != objectsEnd_ && vista_->objects[*object_].along < walk_.entered) ++object_;
-    }
-    Pass pass = passTiles(false);
+// From the current tile on, or from the next one, to the end of the part.
+void SliceWalk::goOn(bool leaveFirst) {
+    Pass pass = passTiles(leaveFirst);
     while (pass == Pass::tile) {
-        enter_ = walk_.enter();
-        leave_ = walk_.leave();
-        enteredSideKnown_ = false;
-        meetTile();
+        meetHere();
         if (open_.none()) break;
         pass = passTiles(true);
     }
-    const bool stopped = pass == Pass::stopped;
+    endWay(pass);
+}
+
+void SliceWalk::meetHere() {
+    enter_ = walk_.enter();
+    leave_ = walk_.leave();
+    here_ = {walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false};
+    enteredSideKnown_ = false;
+    meetTile();
+}
+
+void SliceWalk::endWay(Pass pass) {
     endsInPortal_ = pass == Pass::portal;
     enter_ = walk_.enter();
 
     // What is left beyond the walk: the ceiling ends with the grid, the floor goes on outside it.
     endCeiling(Border::enter);
     if (pass == Pass::portal) return enterPortalTile();
-    if (!stopped && floor_.texture != map_->floor.texture) {
+    if (pass != Pass::stopped && floor_.texture != map_->floor.texture) {
         takeFloor(Border::enter);
         floor_.texture = map_->floor.texture;
     }
@@ -164,21 +156,20 @@ void SliceWalk::walkPart() {
     takeFloorBeyond(0);
 }
 
-// How far along the ray to walk: beyond, nothing but the floor that is under way and the sky can be
-// met. When all open rows look down, that is where the flattest of them meets the floor; when all
-// look up, where the flattest of them is above everything but portal tiles, which act at all
-// heights.
-double SliceWalk::whereToStop() const {
-    if (open_.none()) return 0.0;
+// How far along the ray to walk while the rows [first, last) are open: beyond, nothing but the
+// floor that is under way and the sky can be met. When all open rows look down, that is where the
+// flattest of them meets the floor; when all look up, where the flattest of them is above
+// everything but portal tiles, which act at all heights.
+double SliceWalk::whereToStop(int first, int last) const {
+    if (first >= last) return 0.0;
     const int firstFalling = projection_->firstFallingRow;
-    if (open_.first() >= firstFalling)
-        return kBeyond * eyeHeight_ *
-               vista_->inverseOffsets[static_cast<std::size_t>(open_.first())];
-    if (open_.last() > firstFalling || hasTilePortals_) return kNever;
+    if (first >= firstFalling)
+        return kBeyond * eyeHeight_ * vista_->inverseOffsets[static_cast<std::size_t>(first)];
+    if (last > firstFalling || hasTilePortals_) return kNever;
     const double rise = vista_->highest - eyeHeight_;
-    return rise <= 0.0 ? 0.0
-                       : kBeyond * rise *
-                             vista_->inverseOffsets[static_cast<std::size_t>(open_.last() - 1)];
+    return rise <= 0.0
+               ? 0.0
+               : kBeyond * rise * vista_->inverseOffsets[static_cast<std::size_t>(last - 1)];
 }
 
 // Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open
@@ -186,8 +177,8 @@ double SliceWalk::whereToStop() const {
 template <bool portals>
 SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     if (object_ != objectsEnd_) skipHiddenObjects();
-    const double stop = whereToStop();
-    const OpenSlopes slopes(*projection_, open_, eyeHeight_);
+    const double stop = whereToStop(open_.first(), open_.last());
+    const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_);
     const TextureId* const floorTiles = map_->floor.tiles.data();
     const TextureId* const ceilingTiles = ceilingTiles_;
     const std::uint32_t* const occupiedTiles = map_->occupied.data();
@@ -195,7 +186,7 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     const TextureId ceilingTexture = ceiling_.texture;
     const auto width = static_cast<unsigned>(map_->width);
     const auto depth = static_cast<unsigned>(map_->depth);
-    const double objectAlong = object_ == objectsEnd_ ? kNever : vista_->objects[*object_].along;
+    const double objectAlong = nextObjectAlong();
     GridWalk walk = walk_;
     std::uint32_t reached = 0;
     int tiles = 0;
@@ -240,6 +231,19 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     report_.tilesWalked += tiles;
     tiles_ += tiles;
     return pass;
+}
+
+// The tile to which the walk has come, whether or not something changes there.
+void SliceWalk::meetCurrent() {
+    if (object_ != objectsEnd_) skipHiddenObjects();
+    const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_);
+    reached_ = map_->occupied[map_->tileIndex(walk_.tileX, walk_.tileY)];
+    if (reached_ != 0) reached_ &= slopes.levelsReached(walk_.entered, walk_.left());
+    meetHere();
+}
+
+double SliceWalk::nextObjectAlong() const {
+    return object_ == objectsEnd_ ? kNever : vista_->objects[*object_].along;
 }
 
 // A tile in which something changes.
@@ -290,24 +294,27 @@ void SliceWalk::takeFloorBeyond(int row) {
     takeFloorRows(row, {floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true});
 }
 
-// A floor that goes on from one tile to the next is one span.
 void SliceWalk::takeFloorRows(int row, const TileRange& tiles) {
-    open_.take(std::max(row, vista_->firstFloorRow), projection_->height, [&](int first, int last) {
-        if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
-        if (Span* const before = floorSpan_ == kNone ? nullptr : &found_->spans[floorSpan_];
-            before != nullptr && before->first == last &&
-            before->look->plane.texture == floor_.texture) {
-            before->first = first;
-            before->tiles.toX = tiles.toX;
-            before->tiles.toY = tiles.toY;
-            before->tiles.endless = tiles.endless;
-            return;
-        }
-        floorSpan_ = found_->spans.count();
-        PlaneLook& look = lookOf({floorRise_, floor_.texture, map_->floor.light, map_->floor.glow,
-                                  false, floorMirror_ > 0});
-        addPlane(What::floor, look, first, last, tiles);
-    });
+    open_.take(std::max(row, vista_->firstFloorRow), projection_->height,
+               [&](int first, int last) { addFloor(first, last, tiles); });
+}
+
+// A floor that goes on from one tile to the next is one span.
+void SliceWalk::addFloor(int first, int last, const TileRange& tiles) {
+    if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
+    if (Span* const before = floorSpan_ == kNone ? nullptr : &found_->spans[floorSpan_];
+        before != nullptr && before->first == last &&
+        before->look->plane.texture == floor_.texture) {
+        before->first = first;
+        before->tiles.toX = tiles.toX;
+        before->tiles.toY = tiles.toY;
+        before->tiles.endless = tiles.endless;
+        return;
+    }
+    floorSpan_ = found_->spans.count();
+    PlaneLook& look = lookOf(
+        {floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false, floorMirror_ > 0});
+    addPlane(What::floor, look, first, last, tiles);
 }
 
 // From the current tile on.

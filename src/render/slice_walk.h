@@ -29,12 +29,14 @@ class SliceWalk {
 public:
     // All three outlive the walk; `open` and what `find` is given keep their memory from slice to
     // slice.
-    SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report);
+    __attribute__((noinline)) SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report);
 
     // What all rows of a column show.
     void find(int column, SliceSpans& found, bool withReflection = true);
 
 private:
+    friend class StripWalk;
+
     using What = FilledRows::What;
 
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -73,11 +75,18 @@ private:
     };
 
     // ---- slice_walk.cpp
-    void walkParts();
+    void beginColumn(int column, SliceSpans& found);
+    void endColumn(SliceSpans& found, bool withReflection);
+    void walkParts(int first);
+    void endPart();
     void begin(const Part& part);
     void lookInto(Vista& vista);
-    void walkPart();
-    double whereToStop() const;
+    void goOn(bool leaveFirst);
+    void meetHere();
+    void meetCurrent();
+    double nextObjectAlong() const;
+    void endWay(Pass pass);
+    double whereToStop(int first, int last) const;
     Pass passTiles(bool leaveFirst) {
         return hasTilePortals_ ? passTilesWith<true>(leaveFirst) : passTilesWith<false>(leaveFirst);
     }
@@ -88,6 +97,7 @@ private:
     void takeFloor(Border upTo);
     void takeFloorBeyond(int row);
     void takeFloorRows(int row, const TileRange& tiles);
+    void addFloor(int first, int last, const TileRange& tiles);
     void startCeiling(TextureId texture);
     void endCeiling(Border at);
     void takeBackground();
@@ -100,7 +110,7 @@ private:
     bool countLayer();  // false where there is no room for one more
 
     // ---- slice_blocks.cpp
-    Block blockAt(int level) const;
+    Block blockAt(int x, int y, int level) const;
     void meetBlocks(std::uint32_t reached, TextureId ceilingTexture);
     __attribute__((noinline)) bool leaveDownwards(const Block& block, int edgeRow);
     void meetFalling(std::uint32_t levels, TextureId ceilingTexture);
@@ -119,7 +129,6 @@ private:
     void takeUnderside(const Block& block, int firstRow, int lastRow);
     void takeCeilingHere(TextureId texture);
     Plane planeOf(const Block& block, Face face) const;
-    TileRange here() const { return {walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false}; }
 
     // ---- slice_layers.cpp
     // Water may lack faces.
@@ -237,6 +246,7 @@ private:
     Before before_;
 
     GridWalk walk_;
+    TileRange here_;  // the current tile
     Crossing enter_;  // how the current tile was entered
     Crossing leave_;  // and how it will be left; where objects stand in it, the stretch between two
                       // of them

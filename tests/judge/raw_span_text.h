@@ -60,7 +60,8 @@ inline std::string textOf(const Span& span) {
         if (span.level != kNoLevel) appendFormatted(text, " level %d", span.level);
     }
     if (isPlane(span) || hasTexelColumn(span))
-        appendFormatted(text, "  texture %d", static_cast<int>(span.image));
+        appendFormatted(text, "  texture %d",
+                        static_cast<int>(isPlane(span) ? span.look->plane.texture : span.image));
     if (isPlane(span)) {
         appendFormatted(text, "  rise %d light %g%s%s", span.look->plane.rise,
                         span.look->plane.light, span.look->plane.glow ? " glow" : "",

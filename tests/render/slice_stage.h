@@ -4,8 +4,10 @@
 #include "render/frame.h"
 #include "render/slice_paint.h"
 #include "render/slice_walk.h"
+#include "render/strip_walk.h"
 #include "world/world.h"
 
+#include <span>
 #include <vector>
 
 namespace slicecast::known {
@@ -22,6 +24,14 @@ public:
     const SliceSpans& find(int column) {
         SliceWalk(frame_, open_, report_).find(column, spans_);
         return spans_;
+    }
+
+    // Of the columns [first, first + count), at most 16.
+    std::span<const SliceSpans> findTogether(int first, int count) {
+        StripWalk walk(frame_, strip_, report_);
+        walk.begin(first, count);
+        for (int i = 0; i < count; ++i) walk.finish(i);
+        return {strip_.found.data(), static_cast<std::size_t>(count)};
     }
 
     std::vector<Pixel> paint(const SliceSpans& spans, Pixel before = 0) {
@@ -44,6 +54,7 @@ private:
     OpenRows open_;
     FrameReport report_;
     SliceSpans spans_;
+    StripScratch strip_;
     std::vector<Pixel> reflected_;
 };
 

@@ -1,0 +1,178 @@
+// Sixteen whole numbers at once, one for each column of a strip: rows, tiles, textures. Each is in
+// -32768 to 32767. A mask has all bits of a lane set, or none.
+#pragma once
+
+#include "render/vectors.h"
+
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
+
+namespace slicecast {
+
+inline constexpr int kLanes = 16;
+
+using I16x8 = std::int16_t __attribute__((vector_size(16)));
+
+struct Lanes {
+    I16x8 low;   // of columns 0 to 7
+    I16x8 high;  // of columns 8 to 15
+};
+
+inline Lanes inAllLanes(int value) {
+    const auto v = static_cast<std::int16_t>(value);
+    const I16x8 eight = {v, v, v, v, v, v, v, v};
+    return {eight, eight};
+}
+
+inline Lanes operator<(Lanes a, Lanes b) {
+    return {(I16x8)(a.low < b.low), (I16x8)(a.high < b.high)};
+}
+inline Lanes operator==(Lanes a, Lanes b) {
+    return {(I16x8)(a.low == b.low), (I16x8)(a.high == b.high)};
+}
+inline Lanes operator&(Lanes a, Lanes b) {
+    return {a.low & b.low, a.high & b.high};
+}
+inline Lanes operator|(Lanes a, Lanes b) {
+    return {a.low | b.low, a.high | b.high};
+}
+inline Lanes operator~(Lanes a) {
+    return {~a.low, ~a.high};
+}
+inline Lanes operator+(Lanes a, Lanes b) {
+    return {a.low + b.low, a.high + b.high};
+}
+// What `mask` has set from `a`, the rest from `b`.
+inline Lanes chosen(Lanes mask, Lanes a, Lanes b) {
+    return {(mask.low & a.low) | (~mask.low & b.low), (mask.high & a.high) | (~mask.high & b.high)};
+}
+
+#if defined(__SSE2__)
+inline Lanes lesser(Lanes a, Lanes b) {
+    return {(I16x8)_mm_min_epi16((__m128i)a.low, (__m128i)b.low),
+            (I16x8)_mm_min_epi16((__m128i)a.high, (__m128i)b.high)};
+}
+inline Lanes greater(Lanes a, Lanes b) {
+    return {(I16x8)_mm_max_epi16((__m128i)a.low, (__m128i)b.low),
+            (I16x8)_mm_max_epi16((__m128i)a.high, (__m128i)b.high)};
+}
+// A bit for each lane of a mask.
+inline unsigned bitsOf(Lanes mask) {
+    return static_cast<unsigned>(
+        _mm_movemask_epi8(_mm_packs_epi16((__m128i)mask.low, (__m128i)mask.high)));
+}
+// Of a mask of four 32-bit numbers, whether any is set.
+inline bool anyOf(U32x4 mask) {
+    return _mm_movemask_epi8((__m128i)mask) != 0;
+}
+inline F64x2 heldBetween(F64x2 value, double low, double high) {
+    return (F64x2)_mm_min_pd(_mm_max_pd((__m128d)value, _mm_set1_pd(low)), _mm_set1_pd(high));
+}
+// Numbers below 32768.
+inline I16x8 narrowed(U32x4 a, U32x4 b) {
+    return (I16x8)_mm_packs_epi32((__m128i)a, (__m128i)b);
+}
+#elif defined(__wasm_simd128__)
+inline Lanes lesser(Lanes a, Lanes b) {
+    return {(I16x8)wasm_i16x8_min((v128_t)a.low, (v128_t)b.low),
+            (I16x8)wasm_i16x8_min((v128_t)a.high, (v128_t)b.high)};
+}
+inline Lanes greater(Lanes a, Lanes b) {
+    return {(I16x8)wasm_i16x8_max((v128_t)a.low, (v128_t)b.low),
+            (I16x8)wasm_i16x8_max((v128_t)a.high, (v128_t)b.high)};
+}
+inline unsigned bitsOf(Lanes mask) {
+    return wasm_i8x16_bitmask(wasm_i8x16_narrow_i16x8((v128_t)mask.low, (v128_t)mask.high));
+}
+inline bool anyOf(U32x4 mask) {
+    return wasm_v128_any_true((v128_t)mask);
+}
+inline F64x2 heldBetween(F64x2 value, double low, double high) {
+    return (F64x2)wasm_f64x2_pmin(wasm_f64x2_pmax((v128_t)value, wasm_f64x2_splat(low)),
+                                  wasm_f64x2_splat(high));
+}
+inline I16x8 narrowed(U32x4 a, U32x4 b) {
+    return (I16x8)wasm_i16x8_narrow_i32x4((v128_t)a, (v128_t)b);
+}
+#else
+inline Lanes lesser(Lanes a, Lanes b) {
+    return chosen(a < b, a, b);
+}
+inline Lanes greater(Lanes a, Lanes b) {
+    return chosen(a < b, b, a);
+}
+inline unsigned bitsOf(Lanes mask) {
+    unsigned bits = 0;
+    for (int lane = 0; lane < 8; ++lane) {
+        bits |= (mask.low[lane] ? 1u : 0u) << lane;
+        bits |= (mask.high[lane] ? 256u : 0u) << lane;
+    }
+    return bits;
+}
+inline bool anyOf(U32x4 mask) {
+    return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+}
+inline F64x2 heldBetween(F64x2 value, double low, double high) {
+    for (int i = 0; i < 2; ++i) {
+        value[i] = value[i] > low ? value[i] : low;
+        value[i] = value[i] < high ? value[i] : high;
+    }
+    return value;
+}
+inline I16x8 narrowed(U32x4 a, U32x4 b) {
+    I16x8 all;
+    for (int i = 0; i < 4; ++i) {
+        all[i] = static_cast<std::int16_t>(a[i]);
+        all[i + 4] = static_cast<std::int16_t>(b[i]);
+    }
+    return all;
+}
+#endif
+
+// The mask of which those are the bits.
+inline Lanes maskOf(unsigned bits) {
+    const I16x8 each = {1, 2, 4, 8, 16, 32, 64, 128};
+    const auto low = static_cast<std::int16_t>(bits & 0xff);
+    const auto high = static_cast<std::int16_t>(bits >> 8);
+    return {(I16x8)((each & I16x8{low, low, low, low, low, low, low, low}) == each),
+            (I16x8)((each & I16x8{high, high, high, high, high, high, high, high}) == each)};
+}
+
+// The lanes as numbers in memory, for one at a time.
+struct LaneValues {
+    alignas(16) std::int16_t at[kLanes];
+
+    LaneValues() = default;
+    explicit LaneValues(Lanes lanes) {
+        storeVector(at, lanes.low);
+        storeVector(at + 8, lanes.high);
+    }
+    Lanes lanes() const { return {loadVector<I16x8>(at), loadVector<I16x8>(at + 8)}; }
+};
+
+inline int leastOf(Lanes lanes) {
+    const LaneValues values(lesser(lanes, {lanes.high, lanes.low}));
+    int least = values.at[0];
+    for (int lane = 1; lane < 8; ++lane) least = values.at[lane] < least ? values.at[lane] : least;
+    return least;
+}
+inline int greatestOf(Lanes lanes) {
+    const LaneValues values(greater(lanes, {lanes.high, lanes.low}));
+    int greatest = values.at[0];
+    for (int lane = 1; lane < 8; ++lane)
+        greatest = values.at[lane] > greatest ? values.at[lane] : greatest;
+    return greatest;
+}
+
+// Calls fn(lane) for each bit, from the lowest.
+template <typename Fn>
+inline void eachLane(unsigned bits, Fn&& fn) {
+    for (; bits != 0; bits &= bits - 1) fn(__builtin_ctz(bits));
+}
+
+}  // namespace slicecast

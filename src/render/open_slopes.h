@@ -1,0 +1,46 @@
+// Which levels the rays of some rows come through on their way.
+#pragma once
+
+#include "base/bits.h"
+#include "render/projection.h"
+#include "world/map.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace slicecast {
+
+// Between which heights the rays of the open rows run.
+class OpenSlopes {
+public:
+    // Of the rows [first, last).
+    OpenSlopes(const Projection& projection, int first, int last, double eyeHeight)
+        : highestEye_(eyeHeight + kSlack),
+          lowestEye_(eyeHeight - kSlack),
+          upper_(projection.horizon - first),
+          lower_(projection.horizon - last) {}
+
+    // A bit for each level that they come through in a tile.
+    __attribute__((always_inline)) std::uint32_t levelsReached(double entered, double left) const {
+        const double highest = highestEye_ + upper_ * (upper_ > 0.0 ? left : entered);
+        const double lowest = lowestEye_ + lower_ * (lower_ < 0.0 ? left : entered);
+        if (highest < 0.0 || lowest >= kMaxLevels) return 0;
+        // Rounded down: what lies exactly on a level's edge is meant a little to the other side of
+        // it, by the slack.
+        const int top = highest >= kMaxLevels
+                            ? kMaxLevels - 1
+                            : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
+        const int bottom = lowest <= 0.5 ? 0 : static_cast<int>(nearestInteger(lowest - 0.5));
+        return static_cast<std::uint32_t>((std::uint64_t{2} << top) - (std::uint64_t{1} << bottom));
+    }
+
+private:
+    static constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
+
+    double highestEye_;
+    double lowestEye_;
+    double upper_;
+    double lower_;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,328 @@
+#include "render/strip_walk.h"
+
+#include "base/bits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// A point so near to a border may lie on the other side of it by its roundings; units.
+constexpr double kNearBorder = 1e-7;
+
+std::size_t indexOf(int lane) {
+    return static_cast<std::size_t>(lane);
+}
+
+std::int16_t small(int value) {
+    return static_cast<std::int16_t>(value);
+}
+
+}  // namespace
+
+template <std::size_t... index>
+StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report,
+                     std::index_sequence<index...>)
+    : frame_(frame),
+      scratch_(scratch),
+      report_(report),
+      open_(scratch.open),
+      lanes_{SliceWalk(frame, scratch.open.rows[index], report)...} {}
+
+StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report)
+    : StripWalk(frame, scratch, report, std::make_index_sequence<kLanes>()) {}
+
+void StripWalk::begin(int first, int count) {
+    first_ = first;
+    together_ = beginTogether(count);
+    if (together_) walk();
+}
+
+const SliceSpans& StripWalk::finish(int i) {
+    SliceSpans& found = scratch_.found[indexOf(i)];
+    if (together_) {
+        lane(i).endColumn(found, true);
+    } else {
+        lane(i).find(first_ + i, found);
+    }
+    return found;
+}
+
+// False where the columns do not go one way: where they are few and wide, or the eye stands outside
+// the grid.
+bool StripWalk::beginTogether(int count) {
+    const Vista& vista = frame_.vistas.ofEye();
+    const Viewpoint& eye = vista.viewpoint;
+    map_ = vista.map;
+    projection_ = vista.projection;
+    if (!map_->contains(eye.tileX(), eye.tileY())) return false;
+    const GroundDirection middle = vista.ray(first_ + count / 2);
+    alongX_ = std::fabs(middle.x) >= std::fabs(middle.y);
+    stepU_ = (alongX_ ? middle.x : middle.y) > 0.0 ? 1 : -1;
+    alongPerU_ = kNever;
+    alongPerUMost_ = 0.0;
+    for (int i = 0; i < kLanes; ++i) {
+        const GroundDirection ray = vista.ray(first_ + std::min(i, count - 1));
+        const double u = (alongX_ ? ray.x : ray.y) * stepU_;
+        const double v = alongX_ ? ray.y : ray.x;
+        if (u <= 0.0 || std::fabs(v) > 2.0 * u) return false;
+        speedU_[indexOf(i)] = u;
+        speedV_[indexOf(i)] = std::fabs(v);
+        slope_[indexOf(i)] = v / u;
+        stepV_[indexOf(i)] = v > 0.0 ? 1 : v < 0.0 ? -1 : 0;
+        alongPerU_ = std::min(alongPerU_, 1.0 / u);
+        alongPerUMost_ = std::max(alongPerUMost_, 1.0 / u);
+    }
+    LaneValues steps;
+    for (int i = 0; i < kLanes; ++i) steps.at[i] = small(stepV_[indexOf(i)]);
+    stepsV_ = steps.lanes();
+    sizeU_ = alongX_ ? map_->width : map_->depth;
+    sizeV_ = alongX_ ? map_->depth : map_->width;
+    eyeU_ = alongX_ ? eye.tileX() : eye.tileY();
+    eyeV_ = alongX_ ? eye.tileY() : eye.tileX();
+    fractionU_ = alongX_ ? eye.fractionX() : eye.fractionY();
+    fractionV_ = alongX_ ? eye.fractionY() : eye.fractionX();
+    for (int i = 0; i < count; ++i) lane(i).beginColumn(first_ + i, scratch_.found[indexOf(i)]);
+    open_.begin((1u << count) - 1);
+    floor_ = LaneValues(inAllLanes(map_->floor.texture));
+    ceiling_ = LaneValues(inAllLanes(kNoTexture));
+    floorFromU_ = ceilingFromU_ = LaneValues(inAllLanes(eyeU_));
+    floorFromV_ = ceilingFromV_ = nearV_ = LaneValues(inAllLanes(eyeV_));
+    ceilingRow_ = LaneValues(inAllLanes(0));
+    floorRise_ = lane(0).floorRise_;
+    u_ = eyeU_;
+    near_ = 0.0;
+    far_ = stepU_ > 0 ? 1.0 - fractionU_ : fractionU_;
+    noticeChange(open_.live());
+    return true;
+}
+
+void StripWalk::walk() {
+    for (;;) {
+        walkSlab();
+        const int next = u_ + stepU_;
+        if (open_.live() == 0) return;
+        if (next < 0 || next >= sizeU_ || isBeyond(far_ * alongPerU_)) return goAlone(open_.live());
+        u_ = next;
+        near_ = far_;
+        far_ += 1.0;
+        nearV_ = farV_;
+    }
+}
+
+void StripWalk::walkSlab() {
+    findFarTiles();
+    constexpr int kLast = kLanes - 1;
+    const auto [least, most] =
+        std::minmax({nearV_.at[0], nearV_.at[kLast], farV_.at[0], farV_.at[kLast]});
+    const int lowest = std::max<int>(least, 0);
+    const int highest = std::min<int>(most, sizeV_ - 1);
+    for (int v = std::max(eyeV_, lowest); v <= highest; ++v) visit(v);
+    for (int v = std::min(eyeV_ - 1, highest); v >= lowest; --v) visit(v);
+    if (lowest != least || highest != most) leaveGridSideways();
+}
+
+// Where the columns leave the slab. Those between the two outer ones do not go beyond these.
+void StripWalk::findFarTiles() {
+    constexpr int kLast = kLanes - 1;
+    const auto at = [&](int i) { return fractionV_ + far_ * slope_[indexOf(i)]; };
+    const auto isClear = [](double v) { return std::fabs(v - std::floor(v + 0.5)) > kNearBorder; };
+    const double first = at(0);
+    const double last = at(kLast);
+    if (isClear(first) && isClear(last) && std::floor(first) == std::floor(last)) {
+        farV_ = LaneValues(inAllLanes(eyeV_ + static_cast<int>(std::floor(first))));
+        isWhole_ = nearV_.at[0] == farV_.at[0] && nearV_.at[kLast] == farV_.at[0];
+        return;
+    }
+    isWhole_ = false;
+    for (int i = 0; i < kLanes; ++i) {
+        const double v = at(i);
+        farV_.at[i] = small(eyeV_ + (isClear(v) ? static_cast<int>(std::floor(v)) : farTile(i, v)));
+    }
+}
+
+// Near a border along v the order of the crossings decides, as it does in GridWalk: `v` lies at
+// that border or beside it, from the eye's tile on.
+int StripWalk::farTile(int lane, double v) const {
+    const auto border = static_cast<int>(std::floor(v + 0.5));
+    const int step = stepV_[indexOf(lane)];
+    if (step == 0 || (step > 0 ? border < 1 : border > 0)) return 0;
+    const double distance = step > 0 ? border - fractionV_ : fractionV_ - border;
+    const double along = distance / speedV_[indexOf(lane)];
+    const double alongU = far_ / speedU_[indexOf(lane)];
+    const bool isFirstOfTwo = alongX_ ? stepU_ < 0 : step > 0;
+    const bool isCrossed = along < alongU || (along == alongU && isFirstOfTwo);
+    return step > 0 ? border - !isCrossed : border - isCrossed;
+}
+
+// Columns that leave the slab beside the grid: their last tile is its outermost one.
+void StripWalk::leaveGridSideways() {
+    unsigned bits = 0;
+    eachLane(open_.live(), [&](int i) {
+        const int last = std::clamp<int>(farV_.at[i], 0, sizeV_ - 1);
+        if (last == farV_.at[i]) return;
+        farV_.at[i] = small(last);
+        bits |= 1u << i;
+    });
+    goAlone(bits);
+}
+
+// Whether nothing can be met there but the floor and the sky: see SliceWalk::whereToStop.
+bool StripWalk::isBeyond(double along) const {
+    const SliceWalk& any = lanes_[0];
+    return along > any.whereToStop(open_.first(), open_.last());
+}
+
+// The rest of the way of some columns, each by itself, from where they leave the slab.
+void StripWalk::goAlone(unsigned bits) {
+    eachLane(bits, [&](int i) {
+        comeTo(i, farV_.at[i]);
+        lane(i).goOn(true);
+    });
+    open_.close(bits);
+    open_.findEnds();
+}
+
+// A tile of the slab.
+void StripWalk::visit(int v) {
+    const SliceWalk& any = lanes_[0];
+    const std::size_t tile = map_->tileIndex(tileX(v), tileY(v));
+    std::uint32_t reached = map_->occupied[tile];
+    const double left = far_ * alongPerUMost_;
+    if (reached != 0) {
+        const OpenSlopes slopes(*projection_, open_.first(), open_.last(), any.eyeHeight_);
+        reached &= slopes.levelsReached(near_ * alongPerU_, left);
+    }
+    const TextureId floor = map_->floor.tiles[tile];
+    const TextureId ceiling = any.ceilingTiles_ ? any.ceilingTiles_[tile] : kNoTexture;
+    const bool isPortal = any.hasTilePortals_ && map_->tilePortals[tile] != kNoPortal;
+    const bool hasObjects = left > nextObject_;
+    if (reached == 0 && floor == onlyFloor_ && ceiling == onlyCeiling_ && !hasObjects && !isPortal)
+        return;
+    const unsigned live = open_.live();
+    unsigned bits = crossing(v);
+    if (bits == 0) return;
+    if (u_ == eyeU_ && v == eyeV_) {
+        meetAlone(bits);
+    } else if (isPortal) {
+        eachLane(bits, [&](int i) {
+            comeTo(i, v);
+            lane(i).endWay(Pass::portal);
+        });
+        open_.close(bits);
+    } else {
+        const unsigned alone = hasObjects ? withObjects(bits) : 0;
+        if (alone != 0) meetAlone(alone);
+        bits &= ~alone;
+        if (bits == 0) {
+        } else if (isAtEye(bits) || !findBlocks(reached)) {
+            meetAlone(bits);
+        } else {
+            meet(bits, floor, ceiling);
+        }
+    }
+    noticeChange(live);
+}
+
+// Whether some columns enter the tile at no distance.
+bool StripWalk::isAtEye(unsigned bits) const {
+    const unsigned alongU = bitsOf(enteredAlongU_) & bits;
+    return (alongU != 0 && near_ <= 0.0) || (alongU != bits && enteredV_ <= 0.0);
+}
+
+// The columns with open rows that come through a tile of the slab, and how.
+unsigned StripWalk::crossing(int v) {
+    v_ = v;
+    enteredV_ = v > eyeV_ ? v - eyeV_ - fractionV_ : fractionV_ + (eyeV_ - v - 1);
+    if (isWhole_) {
+        enteredAlongU_ = leftAlongU_ = inAllLanes(-1);
+        return open_.live();
+    }
+    const Lanes tile = inAllLanes(v);
+    const Lanes near = nearV_.lanes();
+    const Lanes far = farV_.lanes();
+    enteredAlongU_ = near == tile;
+    leftAlongU_ = far == tile;
+    return open_.live() & ~bitsOf((tile < lesser(near, far)) | (greater(near, far) < tile));
+}
+
+// Those of them that pass an object there.
+unsigned StripWalk::withObjects(unsigned bits) {
+    unsigned found = 0;
+    eachLane(bits, [&](int i) {
+        if (crossingOf(i, Border::leave).along > lane(i).nextObjectAlong()) found |= 1u << i;
+    });
+    return found;
+}
+
+// What the current tile holds, each column by itself.
+void StripWalk::meetAlone(unsigned bits) {
+    eachLane(bits, [&](int i) {
+        SliceWalk& walk = lane(i);
+        comeTo(i, v_);
+        walk.meetCurrent();
+        open_.read(i);
+        floor_.at[i] = small(walk.floor_.texture);
+        floorFromU_.at[i] = small(alongX_ ? walk.floor_.fromX : walk.floor_.fromY);
+        floorFromV_.at[i] = small(alongX_ ? walk.floor_.fromY : walk.floor_.fromX);
+        ceiling_.at[i] = small(walk.ceiling_.texture);
+        ceilingFromU_.at[i] = small(alongX_ ? walk.ceiling_.fromX : walk.ceiling_.fromY);
+        ceilingFromV_.at[i] = small(alongX_ ? walk.ceiling_.fromY : walk.ceiling_.fromX);
+        ceilingRow_.at[i] = small(walk.ceiling_.row);
+    });
+}
+
+// Brings a column's own walk to a tile of the slab, with all that the column has come over.
+void StripWalk::comeTo(int i, int v) {
+    SliceWalk& walk = lane(i);
+    open_.write(i);
+    if (u_ != eyeU_ || v != eyeV_)
+        walk.walk_.comeTo(tileX(v), tileY(v), (u_ != eyeU_ && v == nearV_.at[i]) == alongX_);
+    countTiles(i, v);
+    const auto place = [&](int u, int w) { return alongX_ ? std::pair{u, w} : std::pair{w, u}; };
+    walk.floor_.texture = static_cast<TextureId>(floor_.at[i]);
+    std::tie(walk.floor_.fromX, walk.floor_.fromY) = place(floorFromU_.at[i], floorFromV_.at[i]);
+    walk.ceiling_.texture = static_cast<TextureId>(ceiling_.at[i]);
+    std::tie(walk.ceiling_.fromX, walk.ceiling_.fromY) =
+        place(ceilingFromU_.at[i], ceilingFromV_.at[i]);
+    walk.ceiling_.row = ceilingRow_.at[i];
+}
+
+// A way's tiles follow from where it is.
+void StripWalk::countTiles(int i, int v) {
+    SliceWalk& walk = lane(i);
+    const int tiles = std::abs(u_ - eyeU_) + std::abs(v - eyeV_) + 1;
+    report_.tilesWalked += tiles - walk.tiles_;
+    walk.tiles_ = tiles;
+}
+
+// After a tile: `live` were its columns with open rows before.
+void StripWalk::noticeChange(unsigned live) {
+    open_.findEnds();
+    eachLane(live & ~open_.live(), [&](int i) {
+        countTiles(i, v_);
+        open_.write(i);
+    });
+    live = open_.live();
+    if (live == 0) return;
+    const int any = __builtin_ctz(live);
+    const auto only = [&](const LaneValues& textures) {
+        const Lanes same = textures.lanes() == inAllLanes(textures.at[any]);
+        return (bitsOf(same) & live) == live ? static_cast<TextureId>(textures.at[any]) : -1;
+    };
+    onlyFloor_ = only(floor_);
+    onlyCeiling_ = only(ceiling_);
+    nextObject_ = kNever;
+    if (!lanes_[0].vista_->objects.none())
+        eachLane(live,
+                 [&](int i) { nextObject_ = std::min(nextObject_, lane(i).nextObjectAlong()); });
+}
+
+}  // namespace slicecast

@@ -1,0 +1,162 @@
+// The walk of a strip's 16 columns together: each tile of the eye's map is looked at once, front to
+// back, for all columns that come through it.
+//
+//      +---+---+---+---+        The major axis is the one along which the rays run farther; a slab is the tiles between two of its borders. Within a slab all
+//      |   |   | . |.  |  ^     columns come through a few tiles beside each other, in most slabs through one. Tiles are looked at slab by slab, in a slab
+//      |   | . |.' |   |  |     from the eye's row outward: for each column that is front to back.
+//      | o:' ' |   |   | minor
+//      +---+---+---+---+  v     What a tile holds is projected for all columns at once, and open rows are closed in all at once. What is rare (see-through
+//        major -->              blocks, portals, objects, mirrors, the eye's own tile) each column meets by itself, by the walk of slice_walk.h, in that tile.
+//
+// strip_walk.cpp      which tiles, and which columns come through them
+// strip_blocks.cpp    what a tile holds
+#pragma once
+
+#include "render/open_lanes.h"
+#include "render/open_slopes.h"
+#include "render/slice_walk.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace slicecast {
+
+// Memory that is kept from strip to strip, and from frame to frame.
+struct StripScratch {
+    OpenLanes::Scratch open;
+    std::array<SliceSpans, kLanes> found;
+};
+
+class StripWalk {
+public:
+    // All outlive the walk.
+    StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report);
+
+    // Walks the columns [first, first + count) over the eye's map, 1 to 16 of them.
+    void begin(int first, int count);
+    // What all rows of column first + i show, when it has gone on behind portals and in mirrors.
+    // Ask for each once.
+    const SliceSpans& finish(int i);
+
+private:
+    using Border = SliceWalk::Border;
+    using Block = SliceWalk::Block;
+    using Pass = SliceWalk::Pass;
+    using What = FilledRows::What;
+
+    // One for each column.
+    struct LaneDoubles {
+        alignas(16) std::array<double, kLanes> at;
+        double& operator[](std::size_t i) { return at[i]; }
+        double operator[](std::size_t i) const { return at[i]; }
+        const double* data() const { return at.data(); }
+    };
+
+    template <std::size_t... index>
+    StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report,
+              std::index_sequence<index...>);
+
+    // ---- strip_walk.cpp
+    __attribute__((noinline)) bool beginTogether(int count);
+    void walk();
+    void walkSlab();
+    void findFarTiles();
+    int farTile(int lane, double v) const;
+    void leaveGridSideways();
+    bool isBeyond(double along) const;
+    void goAlone(unsigned bits);
+    void visit(int v);
+    bool isAtEye(unsigned bits) const;
+    unsigned crossing(int v);
+    __attribute__((noinline)) unsigned withObjects(unsigned bits);
+    void meetAlone(unsigned bits);
+    void comeTo(int lane, int v);
+    void countTiles(int lane, int v);
+    void noticeChange(unsigned live);
+
+    // ---- strip_blocks.cpp
+    bool findBlocks(std::uint32_t reached);
+    void meet(unsigned bits, TextureId floor, TextureId ceiling);
+    void findPerRaw();
+    __attribute__((noinline)) Lanes rowsBelow(std::int32_t rise, Border at) const;
+    Lanes exactRows(Lanes rows, unsigned bits, std::int32_t rise, Border at) const;
+    Crossing crossingOf(int lane, Border at) const;
+    void changeCover(TextureId floor, TextureId ceiling);
+    __attribute__((noinline)) void takeFloor(Lanes mask, Border at);
+    TileRange rangeTo(int lane, Border at, int fromU, int fromV) const;
+    void startCeiling(Lanes mask, TextureId texture, Lanes rows);
+    __attribute__((noinline)) void takeCeiling(Lanes mask, Lanes rows, Border at);
+    __attribute__((noinline)) void takeCeilingHere(TextureId texture);
+    void meetFalling(TextureId ceiling);
+    void meetRising(TextureId ceiling);
+    void takeSide(const Block& block, Lanes first, Lanes last);
+    void takeFace(const Block& block, Face face, Lanes first, Lanes last);
+
+    SliceWalk& lane(int index) { return lanes_[static_cast<std::size_t>(index)]; }
+    int tileX(int v) const { return alongX_ ? u_ : v; }
+    int tileY(int v) const { return alongX_ ? v : u_; }
+
+    const Frame& frame_;
+    StripScratch& scratch_;
+    FrameReport& report_;
+    OpenLanes open_;
+    std::array<SliceWalk, kLanes> lanes_;
+
+    // Of the strip:
+    int first_ = 0;
+    bool together_ = false;  // else each column is walked by itself
+    const Map* map_ = nullptr;
+    const Projection* projection_ = nullptr;
+    bool alongX_ = false;  // the major axis, u, is x
+    int stepU_ = 1;
+    int sizeU_ = 0;  // tiles
+    int sizeV_ = 0;
+    int eyeU_ = 0;
+    int eyeV_ = 0;
+    double fractionU_ = 0.0;
+    double fractionV_ = 0.0;
+    LaneDoubles speedU_;  // see Crossing
+    LaneDoubles speedV_;
+    LaneDoubles slope_;  // v for each u, positive or negative
+    std::array<int, kLanes> stepV_;
+    Lanes stepsV_;            // the same
+    double alongPerU_ = 0.0;  // least and greatest `along` for each unit of u
+    double alongPerUMost_ = 0.0;
+    std::int32_t floorRise_ = 0;
+
+    // Of the slab:
+    int u_ = 0;
+    double near_ = 0.0;  // distance of its borders from the eye, units
+    double far_ = 0.0;
+    LaneValues nearV_;  // the tiles in which columns come into it and leave it
+    LaneValues farV_;
+    bool isWhole_ = false;  // all columns come through one tile of it
+
+    // Of the tile:
+    int v_ = 0;
+    double enteredV_ = 0.0;  // distance of its border along v through which columns enter
+    Lanes mask_;             // columns that come through it
+    Lanes enteredAlongU_;    // of those
+    Lanes leftAlongU_;
+    LaneDoubles entered_;  // rows that a height of 1/65536 unit takes at its borders
+    LaneDoubles left_;
+    unsigned viewsKnown_ = 0;  // columns that have seen a side there
+    std::array<Block, kMaxLevels> block_;
+    std::size_t blocks_ = 0;
+
+    // What the columns have come over.
+    LaneValues floor_;  // texture
+    LaneValues floorFromU_;
+    LaneValues floorFromV_;
+    LaneValues ceiling_;  // texture
+    LaneValues ceilingRow_;
+    LaneValues ceilingFromU_;
+    LaneValues ceilingFromV_;
+    int onlyFloor_ = 0;  // of all columns, or -1
+    int onlyCeiling_ = 0;
+    double nextObject_ = 0.0;  // `along` of the nearest object that is not met yet
+};
+
+}  // namespace slicecast
