@@ -12,8 +12,7 @@
 namespace slicecast {
 
 struct Renderer::Scratch {
-    std::vector<FrameTexture> textures;
-    Vistas vistas;
+    FrameMemory memory;
     OpenRows open;
     SliceSpans spans;
     std::vector<Pixel> reflected;
@@ -49,7 +48,7 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     Scratch& s = *scratch_;
     s.report = {};
     s.strip.resize(picture.height);
-    const Frame frame(world, eye, options, picture.width, picture.height, s.textures, s.vistas);
+    const Frame frame(world, eye, options, picture.width, picture.height, s.memory);
     SliceWalk walk(frame, s.open, s.report);
     SlicePainter painter(frame, s.reflected, s.report);
     int columns = 0;
@@ -69,8 +68,9 @@ const FrameReport& Renderer::report() const {
 }
 
 SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options,
-                           int width, int height, int column, int watchedRow) {
+                           const ColumnRequest& request) {
     SliceTrace one;
+    const auto [width, height, column, watchedRow] = request;
     traceInto(world, eye, options, {width, height, {&column, 1}, watchedRow}, one,
               [](SliceTrace&) {});
     return one;
@@ -95,7 +95,7 @@ void Renderer::traceInto(const World& world, const Eye& eye, const RenderOptions
     std::optional<SliceWalk> walk;
     FrameReport report;
     if (canTrace) {
-        frame.emplace(world, eye, options, width, height, s.textures, s.vistas);
+        frame.emplace(world, eye, options, width, height, s.memory);
         walk.emplace(*frame, s.open, report);
     }
     for (const int column : columns) {

@@ -44,10 +44,9 @@ public:
     const FrameReport& report() const;
 
     // Everything that one column of such a picture does, drawn nowhere. An invalid eye or column
-    // gives an empty trace. SliceTrace::seen tells what
-    // the ray of `watchedRow` (-1 for none) meets.
-    SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
-                     int height, int column, int watchedRow = -1);
+    // gives an empty trace.
+    SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options,
+                     const ColumnRequest& request);
 
     // The same for many columns, one after another: what they share is worked out once.
     void trace(const World& world, const Eye& eye, const RenderOptions& options,

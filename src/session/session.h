@@ -137,7 +137,7 @@ private:
     GateAsk gateAsk(const Input& input);
     void stepAround(const GateAsk& ask);
     bool drawView(const Eye& seen, const Picture& picture);
-    SliceTrace traceFrom(const Eye& seen, int width, int height, int column, int watchedRow = -1);
+    SliceTrace traceFrom(const Eye& seen, const ColumnRequest& request);
     double classicShare() const;          // of the width, from the left
     int classicColumns(int width) const;  // that the classic method draws
     void applyLight();
