@@ -38,28 +38,62 @@ bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, i
            width <= kMaxPictureSide && height <= kMaxPictureSide;
 }
 
+bool canDraw(const World& world, const Eye& eye, const RenderOptions& options,
+             const Picture& picture) {
+    return canDraw(world, eye, options, picture.width, picture.height) && picture.pixels &&
+           picture.pitch >= picture.width;
+}
+
 }  // namespace
+
+// What draws the strips of one picture.
+struct Renderer::Strips {
+    Strips(const World& world, const Eye& eye, const RenderOptions& options, const Picture& shown,
+           Scratch& memory)
+        : scratch(memory),
+          picture(shown),
+          frame(world, eye, options, shown.width, shown.height, memory.memory),
+          walk(frame, memory.open, memory.report),
+          painter(frame, memory.reflected, memory.report) {
+        memory.strip.resize(shown.height);
+    }
+
+    // Up to the next multiple of kStripColumns. Returns how many columns those are.
+    int draw(int x) {
+        const int columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
+        for (int c = 0; c < columns; ++c) {
+            walk.find(x + c, scratch.spans);
+            painter.paint(scratch.spans, scratch.strip.column(c));
+        }
+        scratch.strip.copyTo(picture, x, columns);
+        return columns;
+    }
+
+    Scratch& scratch;
+    const Picture& picture;
+    const Frame frame;
+    SliceWalk walk;
+    SlicePainter painter;
+};
 
 bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& options,
                     const Picture& picture, int firstColumn) {
-    if (!canDraw(world, eye, options, picture.width, picture.height) || !picture.pixels ||
-        picture.pitch < picture.width)
-        return false;
-    Scratch& s = *scratch_;
-    s.report = {};
-    s.strip.resize(picture.height);
-    const Frame frame(world, eye, options, picture.width, picture.height, s.memory);
-    SliceWalk walk(frame, s.open, s.report);
-    SlicePainter painter(frame, s.reflected, s.report);
-    int columns = 0;
-    for (int x = std::max(0, firstColumn); x < picture.width; x += columns) {
-        columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
-        for (int c = 0; c < columns; ++c) {
-            walk.find(x + c, s.spans);
-            painter.paint(s.spans, s.strip.column(c));
-        }
-        s.strip.copyTo(picture, x, columns);
-    }
+    if (!canDraw(world, eye, options, picture)) return false;
+    scratch_->report = {};
+    Strips strips(world, eye, options, picture, *scratch_);
+    for (int x = std::max(0, firstColumn); x < picture.width;) x += strips.draw(x);
+    return true;
+}
+
+bool Renderer::drawStrips(const World& world, const Eye& eye, const RenderOptions& options,
+                          const Picture& picture, const std::function<int()>& next) {
+    if (!canDraw(world, eye, options, picture)) return false;
+    scratch_->report = {};
+    // Who comes when all strips are taken has nothing to get ready for.
+    int x = next();
+    if (x >= picture.width) return true;
+    Strips strips(world, eye, options, picture, *scratch_);
+    for (; x < picture.width; x = next()) strips.draw(x);
     return true;
 }
 

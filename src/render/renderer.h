@@ -40,6 +40,13 @@ public:
     bool draw(const World& world, const Eye& eye, const RenderOptions& options,
               const Picture& picture, int firstColumn = 0);
 
+    // Draws those strips of such a picture that begin at the columns which `next` gives, until it
+    // gives one beyond the picture; each ends before the next multiple of kStripColumns. So several
+    // renderers can draw one picture at the same time. Refuses what draw refuses, and asks for no
+    // strip then.
+    bool drawStrips(const World& world, const Eye& eye, const RenderOptions& options,
+                    const Picture& picture, const std::function<int()>& next);
+
     // What the last draw did.
     const FrameReport& report() const;
 
@@ -58,6 +65,7 @@ private:
                    const std::function<void(SliceTrace&)>& take);
 
     struct Scratch;
+    struct Strips;
     std::unique_ptr<Scratch> scratch_;
 };
 
