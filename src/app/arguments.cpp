@@ -25,6 +25,13 @@ std::optional<Size> readSize(const std::string& text) {
     return size;
 }
 
+bool isNumberOfThreads(const std::string& text) {
+    int threads = 0;
+    int end = 0;
+    return std::sscanf(text.c_str(), "%3d%n", &threads, &end) == 1 &&
+           end == static_cast<int>(text.size()) && threads >= 1 && threads <= kMostThreads;
+}
+
 std::string helpText() {
     std::string text = "Keys:\n";
     for (const KeyHelp& line : KeyBindings().help()) {
@@ -68,6 +75,17 @@ ReadArguments readArguments(int argc, char** argv) {
     cli.add_option("--fov", fov, "field of view from left to right, in degrees")
         ->type_name("DEGREES");
     cli.add_flag("--fullscreen", arguments.window.fullscreen, "fill the screen");
+    cli.add_option("--threads", arguments.threads,
+                   "how many threads draw a picture; without it, as many as the machine runs at a "
+                   "time, here " +
+                       std::to_string(arguments.threads))
+        ->type_name("N")
+        ->check([](const std::string& text) {
+            return isNumberOfThreads(text)
+                       ? std::string()
+                       : "\"" + text + "\" is no number of threads; expected 1 to " +
+                             std::to_string(kMostThreads);
+        });
     cli.add_option("--set", options, "set an option of the view")
         ->type_name("OPTION=VALUE")
         ->check([](const std::string& text) {

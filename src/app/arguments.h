@@ -4,6 +4,7 @@
 #ifndef __EMSCRIPTEN__
 
 #include "app/keys.h"
+#include "app/thread_crew.h"
 #include "app/window_shell.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct Arguments {
     std::string record;  // file to write what is played to; empty: none
     std::string replay;  // recording to play; empty: none
     WindowSettings window;
+    int threads = threadsOfMachine();  // that draw a picture
     KeyBindings keys;
     std::vector<std::pair<std::string, std::string>> options;  // name and value
 };

@@ -4,6 +4,7 @@
 
 #include "app/arguments.h"
 #include "app/scene_file.h"
+#include "app/thread_crew.h"
 #include "app/window_shell.h"
 #include "session/recording_text.h"
 
@@ -17,13 +18,16 @@ using namespace slicecast;
 
 namespace {
 
-// A game of that scene, or null with all faults printed.
-std::unique_ptr<Session> openGame(const std::filesystem::path& scene) {
+// A game of that scene, which the crew draws; or null with all faults printed.
+std::unique_ptr<Session> openGame(const std::filesystem::path& scene, Crew& crew) {
     LoadedScene loaded = readSceneFile(scene);
     for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     for (const Fault& warning : loaded.warnings)
         std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
-    return loaded.world ? std::make_unique<Session>(std::move(*loaded.world)) : nullptr;
+    if (!loaded.world) return nullptr;
+    auto game = std::make_unique<Session>(std::move(*loaded.world));
+    game->renderer().setCrew(&crew);
+    return game;
 }
 
 // Empty on success, else what was wrong.
@@ -129,7 +133,8 @@ int main(int argc, char** argv) {
             return fail(
                 "the scenes that come with it are not there; give it one: slicecast SCENE.json");
     }
-    std::unique_ptr<Session> game = openGame(scene);
+    ThreadCrew crew(arguments.threads);
+    std::unique_ptr<Session> game = openGame(scene, crew);
     if (!game) return 1;
 
     // The window
@@ -148,7 +153,7 @@ int main(int argc, char** argv) {
     if (!noWindow.empty()) return fail(noWindow);
 
     const auto open = [&](const std::filesystem::path& path) {
-        std::unique_ptr<Session> next = openGame(path);
+        std::unique_ptr<Session> next = openGame(path, crew);
         if (!next) return false;
         file.save();
         scene = path;

@@ -42,8 +42,8 @@ void drawRays(const World& world, int level, const MinimapView& view, const Eye&
         const double share = static_cast<double>(i) / (kMinimapRays - 1);
         ClassicLevelRay end;
         if (share < options.classicShare || options.classicShare >= 1.0) {
-            end = castClassic(world, eye, options.fovDegrees, options.classic, share, level, height,
-                              most);
+            end = castClassic(world, eye, options.classic,
+                              {options.fovDegrees, share, level, height, most});
         } else {
             const double slope = widest * (2.0 * share - 1.0);
             const Point direction = {heading.cosine - slope * heading.sine,

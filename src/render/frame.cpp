@@ -3,8 +3,8 @@
 namespace slicecast {
 
 Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height,
-             std::vector<FrameTexture>& current, Vistas& seen)
-    : world(&w), mirrors(options.mirrors), textures(current), vistas(seen) {
+             FrameMemory& memory)
+    : world(&w), mirrors(options.mirrors), textures(memory.textures), vistas(memory.vistas) {
     vistas.beginFrame(w, e, options, width, height);
     detail = Detail(options, vistas.projection().distance);
     textures.resize(w.textures.size());

@@ -19,6 +19,12 @@ struct FrameTexture {
     bool seeThrough = false;
 };
 
+// What frames keep for the next one: use one for pictures that are drawn again and again.
+struct FrameMemory {
+    std::vector<FrameTexture> textures;
+    Vistas vistas;
+};
+
 struct Frame {
     const World* world = nullptr;
     Detail detail;
@@ -26,10 +32,9 @@ struct Frame {
     std::vector<FrameTexture>& textures;  // by TextureId
     Vistas& vistas;
 
-    // The vectors and vistas are the caller's, which keeps them from frame to frame. The eye and
-    // the options must outlive the frame.
+    // World, eye, options and memory must outlive the frame.
     Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height,
-          std::vector<FrameTexture>& current, Vistas& seen);
+          FrameMemory& memory);
 };
 
 }  // namespace slicecast

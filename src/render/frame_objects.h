@@ -3,9 +3,9 @@
 #pragma once
 
 #include "render/detail.h"
-#include "render/eye.h"
 #include "render/projection.h"
 #include "render/shading.h"
+#include "render/viewpoint.h"
 #include "world/world.h"
 
 #include <cstdint>
@@ -32,10 +32,9 @@ struct FrameObject {
 
 class FrameObjects {
 public:
-    // The eye's place (1/65536 units), `forward` and `right` are in the map's coordinates.
-    void beginFrame(const World& world, const Map& map, std::int64_t eyeX, std::int64_t eyeY,
-                    std::int32_t eyeZ, GroundDirection forward, GroundDirection right,
-                    const Projection& projection, const Detail& detail, const Lighting& lighting);
+    // Those of the viewpoint's map, in that map's light.
+    void beginFrame(const World& world, const Viewpoint& from, const Projection& projection,
+                    const Detail& detail, const Lighting& lighting);
 
     // The objects that may cover a column, nearest first; those of one depth in the map's order.
     const std::vector<int>& inColumn(int column) const {
@@ -65,6 +64,9 @@ private:
         double left;
         int index;
     };
+
+    void findSeen(const Map& map, const Viewpoint& from, const Projection& projection);
+    void putIntoGroups(const Projection& projection);
 
     std::vector<Seen> seen_;
     std::vector<Seen> room_;  // while they are sorted

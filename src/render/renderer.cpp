@@ -13,8 +13,7 @@
 namespace slicecast {
 
 struct Renderer::Scratch {
-    std::vector<FrameTexture> textures;
-    Vistas vistas;
+    FrameMemory memory;
     OpenRows open;
     SliceSpans spans;
     StripScratch strips;
@@ -41,26 +40,60 @@ bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, i
            width <= kMaxPictureSide && height <= kMaxPictureSide;
 }
 
+bool canDraw(const World& world, const Eye& eye, const RenderOptions& options,
+             const Picture& picture) {
+    return canDraw(world, eye, options, picture.width, picture.height) && picture.pixels &&
+           picture.pitch >= picture.width;
+}
+
 }  // namespace
+
+// What draws the strips of one picture.
+struct Renderer::Strips {
+    Strips(const World& world, const Eye& eye, const RenderOptions& options, const Picture& shown,
+           Scratch& memory)
+        : scratch(memory),
+          picture(shown),
+          frame(world, eye, options, shown.width, shown.height, memory.memory),
+          walk(frame, memory.strips, memory.report),
+          painter(frame, memory.reflected, memory.report) {
+        memory.strip.resize(shown.height);
+    }
+
+    // Up to the next multiple of kStripColumns. Returns how many columns those are.
+    int draw(int x) {
+        const int columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
+        walk.begin(x, columns);
+        for (int c = 0; c < columns; ++c) painter.paint(walk.finish(c), scratch.strip.column(c));
+        scratch.strip.copyTo(picture, x, columns);
+        return columns;
+    }
+
+    Scratch& scratch;
+    const Picture& picture;
+    const Frame frame;
+    StripWalk walk;
+    SlicePainter painter;
+};
 
 bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& options,
                     const Picture& picture, int firstColumn) {
-    if (!canDraw(world, eye, options, picture.width, picture.height) || !picture.pixels ||
-        picture.pitch < picture.width)
-        return false;
-    Scratch& s = *scratch_;
-    s.report = {};
-    s.strip.resize(picture.height);
-    const Frame frame(world, eye, options, picture.width, picture.height, s.textures, s.vistas);
-    StripWalk walk(frame, s.strips, s.report);
-    SlicePainter painter(frame, s.reflected, s.report);
-    int columns = 0;
-    for (int x = std::max(0, firstColumn); x < picture.width; x += columns) {
-        columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
-        walk.begin(x, columns);
-        for (int c = 0; c < columns; ++c) painter.paint(walk.finish(c), s.strip.column(c));
-        s.strip.copyTo(picture, x, columns);
-    }
+    if (!canDraw(world, eye, options, picture)) return false;
+    scratch_->report = {};
+    Strips strips(world, eye, options, picture, *scratch_);
+    for (int x = std::max(0, firstColumn); x < picture.width;) x += strips.draw(x);
+    return true;
+}
+
+bool Renderer::drawStrips(const World& world, const Eye& eye, const RenderOptions& options,
+                          const Picture& picture, const std::function<int()>& next) {
+    if (!canDraw(world, eye, options, picture)) return false;
+    scratch_->report = {};
+    // Who comes when all strips are taken has nothing to get ready for.
+    int x = next();
+    if (x >= picture.width) return true;
+    Strips strips(world, eye, options, picture, *scratch_);
+    for (; x < picture.width; x = next()) strips.draw(x);
     return true;
 }
 
@@ -69,8 +102,9 @@ const FrameReport& Renderer::report() const {
 }
 
 SliceTrace Renderer::trace(const World& world, const Eye& eye, const RenderOptions& options,
-                           int width, int height, int column, int watchedRow) {
+                           const ColumnRequest& request) {
     SliceTrace one;
+    const auto [width, height, column, watchedRow] = request;
     traceInto(world, eye, options, {width, height, {&column, 1}, watchedRow}, one,
               [](SliceTrace&) {});
     return one;
@@ -95,7 +129,7 @@ void Renderer::traceInto(const World& world, const Eye& eye, const RenderOptions
     std::optional<SliceWalk> walk;
     FrameReport report;
     if (canTrace) {
-        frame.emplace(world, eye, options, width, height, s.textures, s.vistas);
+        frame.emplace(world, eye, options, width, height, s.memory);
         walk.emplace(*frame, s.open, report);
     }
     for (const int column : columns) {

@@ -40,14 +40,20 @@ public:
     bool draw(const World& world, const Eye& eye, const RenderOptions& options,
               const Picture& picture, int firstColumn = 0);
 
+    // Draws those strips of such a picture that begin at the columns which `next` gives, until it
+    // gives one beyond the picture; each ends before the next multiple of kStripColumns. So several
+    // renderers can draw one picture at the same time. Refuses what draw refuses, and asks for no
+    // strip then.
+    bool drawStrips(const World& world, const Eye& eye, const RenderOptions& options,
+                    const Picture& picture, const std::function<int()>& next);
+
     // What the last draw did.
     const FrameReport& report() const;
 
     // Everything that one column of such a picture does, drawn nowhere. An invalid eye or column
-    // gives an empty trace. SliceTrace::seen tells what
-    // the ray of `watchedRow` (-1 for none) meets.
-    SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options, int width,
-                     int height, int column, int watchedRow = -1);
+    // gives an empty trace.
+    SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options,
+                     const ColumnRequest& request);
 
     // The same for many columns, one after another: what they share is worked out once.
     void trace(const World& world, const Eye& eye, const RenderOptions& options,
@@ -59,6 +65,7 @@ private:
                    const std::function<void(SliceTrace&)>& take);
 
     struct Scratch;
+    struct Strips;
     std::unique_ptr<Scratch> scratch_;
 };
 

@@ -177,7 +177,15 @@ struct FrameReport {
         0;  // rows of slices: each once, and again for each see-through layer over it
 };
 
-// Which columns of a picture are traced, and how much of them is told.
+// Which column of a picture is traced.
+struct ColumnRequest {
+    int width = 0;  // of the picture, pixels
+    int height = 0;
+    int column = 0;
+    int watchedRow = -1;  // see SliceTrace
+};
+
+// The same for many columns, and how much of them is told.
 struct TraceRequest {
     int width = 0;  // of the picture, pixels
     int height = 0;

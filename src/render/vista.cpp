@@ -38,34 +38,28 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
     return to;
 }
 
-void Vista::begin(const World& world, const Eye& eye, const RenderOptions& options,
-                  const Detail& detail, const Viewpoint& from, FrameRays rays,
-                  const EyeWater& water) {
+void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays) {
     viewpoint = from;
-    map = &world.maps[static_cast<std::size_t>(from.map)];
+    map = &frame.world->maps[static_cast<std::size_t>(from.map)];
     projection = &rays.projection;
     inverseOffsets = rays.inverseOffsets;
-    lighting = Lighting(*map, options);
-    lighting.putInWater(water, from.upsideDown);
+    lighting = Lighting(*map, *frame.options);
+    lighting.putInWater(frame.water, from.upsideDown);
     const double height = Coordinate{from.z}.value();
     const double farRow = projection->rowOf(-height, map->far);
     firstFloorRow =
         std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
-    objects.beginFrame(world, *map, from.x, from.y, from.z, turned(projection->forward, from.turn),
-                       turned(projection->right, from.turn), *projection, detail, lighting);
+    objects.beginFrame(*frame.world, from, *projection, frame.detail, lighting);
     highest = std::max({static_cast<double>(map->levels),
                         map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(),
                         objects.highest()});
     planeLooks.beginFrame({lighting, projection->distance, inverseOffsets,
                            projection->firstFallingRow, projection->height});
-    skyRows.beginFrame(map->sky, *projection, eye.headingDegrees + 90.0 * from.turn);
+    skyRows.beginFrame(map->sky, *projection, frame.eye->headingDegrees + 90.0 * from.turn);
 }
 
 void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width,
                         int height) {
-    world_ = &world;
-    eye_ = &eye;
-    options_ = &options;
     eyeView_ = {.map = eye.map,
                 .turn = 0,
                 .x = eye.x.raw,
@@ -79,7 +73,7 @@ void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions&
     }
     *projection_ = upright;
     *mirroredProjection_ = upright.mirrored();
-    detail_ = Detail(options, upright.distance);
+    frame_ = {&world, &eye, &options, Detail(options, upright.distance), {}};
     fillInverseOffsets(*projection_, inverseOffsets_);
     mirroredInverseOffsets_.assign(inverseOffsets_.rbegin(), inverseOffsets_.rend());
     used_ = 0;
@@ -87,15 +81,16 @@ void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions&
 }
 
 void Vistas::findWater() {
-    const Coordinate z = eye_->z;
-    const WaterAt here = waterAt(*world_, world_->maps[static_cast<std::size_t>(eye_->map)],
-                                 eye_->x.tile(), eye_->y.tile(), z);
-    water_ = {here.water, (here.surface - z).raw};
+    const World& world = *frame_.world;
+    const Eye& eye = *frame_.eye;
+    const WaterAt here = waterAt(world, world.maps[static_cast<std::size_t>(eye.map)], eye.x.tile(),
+                                 eye.y.tile(), eye.z);
+    frame_.water = {here.water, (here.surface - eye.z).raw};
     if (here.water == nullptr) return;
     Lighting lighting;
-    lighting.putInWater(water_, false);
+    lighting.putInWater(frame_.water, false);
     waterFogs_.assign(static_cast<std::size_t>(projection_->height), 255);
-    const double perInverse = Coordinate{water_.surface}.value() * projection_->distance;
+    const double perInverse = Coordinate{frame_.water.surface}.value() * projection_->distance;
     for (int row = 0; row < projection_->firstFallingRow; ++row) {
         const auto i = static_cast<std::size_t>(row);
         waterFogs_[i] = static_cast<std::uint8_t>(lighting.fogAt(perInverse * inverseOffsets_[i]));
@@ -115,10 +110,9 @@ Vista& Vistas::find(const Viewpoint& from) {
     }
     if (used_ == vistas_.size()) vistas_.push_back(std::make_unique<Vista>());
     Vista& vista = *vistas_[used_++];
-    vista.begin(*world_, *eye_, *options_, detail_, from,
+    vista.begin(frame_, from,
                 from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
-                                : FrameRays{*projection_, inverseOffsets_.data()},
-                water_);
+                                : FrameRays{*projection_, inverseOffsets_.data()});
     return vista;
 }
 

@@ -22,6 +22,7 @@
 #include "render/projection.h"
 #include "render/shading.h"
 #include "render/sky_rows.h"
+#include "render/viewpoint.h"
 #include "world/world.h"
 
 #include <cstdint>
@@ -29,30 +30,6 @@
 #include <vector>
 
 namespace slicecast {
-
-// Where the eye's rays come from, in the coordinates of a map.
-struct Viewpoint {
-    int map = 0;   // index into World::maps
-    int turn = 0;  // quarter turns clockwise from the eye's map to this one
-    std::int64_t x =
-        0;  // 1/65536 units; behind portals it may be far outside of what a Coordinate holds
-    std::int64_t y = 0;
-    std::int32_t z = 0;  // may be below the floor
-    bool upsideDown = false;
-
-    int tileX() const { return static_cast<int>(x >> 16); }
-    int tileY() const { return static_cast<int>(y >> 16); }
-    double fractionX() const { return static_cast<double>(x & 0xffff) / 65536.0; }
-    double fractionY() const { return static_cast<double>(y & 0xffff) / 65536.0; }
-
-    friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
-};
-
-// A level direction turned clockwise by quarter turns.
-inline GroundDirection turned(GroundDirection direction, int quarterTurns) {
-    for (int i = 0; i < quarterTurns; ++i) direction = {-direction.y, direction.x};
-    return direction;
-}
 
 // Where the eye seems to be for those who have come through a portal.
 Viewpoint throughPortal(const Viewpoint& from, const Portal& portal);
@@ -63,10 +40,18 @@ struct FrameRays {
     const double* inverseOffsets;  // 1 / |horizon - (row + 0.5)| by row
 };
 
+// What all vistas of a frame have in common.
+struct FrameView {
+    const World* world = nullptr;
+    const Eye* eye = nullptr;
+    const RenderOptions* options = nullptr;
+    Detail detail;
+    EyeWater water;  // that the eye is in
+};
+
 class Vista {
 public:
-    void begin(const World& world, const Eye& eye, const RenderOptions& options,
-               const Detail& detail, const Viewpoint& from, FrameRays rays, const EyeWater& water);
+    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays);
 
     GroundDirection ray(int column) const {
         return turned(projection->ray(column), viewpoint.turn);
@@ -101,23 +86,19 @@ public:
     const Projection& projection() const { return *projection_; }
     // The most fog of each row, for an eye in water; else null.
     const std::uint8_t* waterFogs() const {
-        return water_.water != nullptr ? waterFogs_.data() : nullptr;
+        return frame_.water.water != nullptr ? waterFogs_.data() : nullptr;
     }
 
 private:
     Vista& find(const Viewpoint& from);
     void findWater();
 
-    const World* world_ = nullptr;
-    const Eye* eye_ = nullptr;
-    const RenderOptions* options_ = nullptr;
+    FrameView frame_;
     Viewpoint eyeView_;
-    Detail detail_;
     std::unique_ptr<Projection> projection_;          // upright
     std::unique_ptr<Projection> mirroredProjection_;  // upside down
     std::vector<double> inverseOffsets_;
     std::vector<double> mirroredInverseOffsets_;
-    EyeWater water_;
     std::vector<std::uint8_t> waterFogs_;  // by row: the fog where its rays leave the eye's water
     std::vector<std::unique_ptr<Vista>> vistas_;
     std::size_t used_ = 0;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -136,9 +137,12 @@ bool Session::drawView(const Eye& seen, const Picture& picture) {
     // What the classic method draws over is not drawn before.
     if (!isAllClassic && !renderer_.draw(world_, seen, options_.render, picture, classic))
         return false;
-    if (classic > 0 && !drawClassic(world_, seen, options_.render, options_.classic, picture,
-                                    &classicReport_, classic))
-        return false;
+    if (classic > 0) {
+        const std::optional<FrameReport> report =
+            drawClassic(world_, seen, options_.render, options_.classic, picture, classic);
+        if (!report) return false;
+        classicReport_ = *report;
+    }
     clock_.endView();
     drawOverlays(seen, picture);
     clock_.endOverlays();
@@ -157,7 +161,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     if (o.grid) drawPixelGrid(picture);
     if (o.inspector) {
         const SliceTrace slice =
-            traceFrom(seen, picture.width, picture.height, inspectedColumn(picture.width));
+            traceFrom(seen, {picture.width, picture.height, inspectedColumn(picture.width)});
         drawSliceLine(slice, picture);
         drawSideView(slice, world_, seen, picture);
     }
@@ -342,7 +346,7 @@ Eye Session::eye(double fraction) const {
 }
 
 SliceTrace Session::trace(int width, int height, int column, int watchedRow) {
-    return traceFrom(eye(), width, height, column, watchedRow);
+    return traceFrom(eye(), {width, height, column, watchedRow});
 }
 
 void Session::trace(const TraceRequest& request, const std::function<void(SliceTrace&)>& take) {
@@ -358,8 +362,8 @@ void Session::trace(const TraceRequest& request, const std::function<void(SliceT
             together.columns = columns.first(count);
             renderer_.trace(world_, eye(), options_.render, together, take);
         } else {
-            SliceTrace slice = traceFrom(eye(), request.width, request.height, columns.front(),
-                                         request.watchedRow);
+            SliceTrace slice = traceFrom(
+                eye(), {request.width, request.height, columns.front(), request.watchedRow});
             take(slice);
         }
         columns = columns.subspan(std::max<std::size_t>(count, 1));
@@ -367,23 +371,21 @@ void Session::trace(const TraceRequest& request, const std::function<void(SliceT
 }
 
 // By the method that draws the column.
-SliceTrace Session::traceFrom(const Eye& seen, int width, int height, int column, int watchedRow) {
-    return column < classicColumns(width)
-               ? traceClassic(world_, seen, options_.render, options_.classic, width, height,
-                              column, watchedRow)
-               : renderer_.trace(world_, seen, options_.render, width, height, column, watchedRow);
+SliceTrace Session::traceFrom(const Eye& seen, const ColumnRequest& request) {
+    return request.column < classicColumns(request.width)
+               ? traceClassic(world_, seen, options_.render, options_.classic, request)
+               : renderer_.trace(world_, seen, options_.render, request);
 }
 
 FrameReport Session::measure(int width, int height) {
     Image image(width, height);
     const Picture picture = {image.pixels.data(), width, height, width};
-    FrameReport report;
     if (classicShare() == 1.0) {
-        drawClassic(world_, eye(), options_.render, options_.classic, picture, &report);
-    } else if (renderer_.draw(world_, eye(), options_.render, picture)) {
-        report = renderer_.report();
+        return drawClassic(world_, eye(), options_.render, options_.classic, picture)
+            .value_or(FrameReport{});
     }
-    return report;
+    if (!renderer_.draw(world_, eye(), options_.render, picture)) return {};
+    return renderer_.report();
 }
 
 double Session::classicShare() const {

@@ -11,10 +11,10 @@
 
 #include "overlay/minimap.h"
 #include "overlay/slow_drawing.h"
+#include "render/crew_renderer.h"
 #include "render/eye.h"
 #include "render/options.h"
 #include "render/picture.h"
-#include "render/renderer.h"
 #include "session/edit_cells.h"
 #include "session/input.h"
 #include "session/light_presets.h"
@@ -97,6 +97,9 @@ public:
     // Nothing else depends on it.
     void setClock(PhaseClock::Now now) { clock_.set(std::move(now)); }
 
+    // What draws its view: natively it may be lent a crew.
+    SessionRenderer& renderer() { return renderer_; }
+
     // Options by name ("fov", "light" ...); see options.h. An empty string on success, else what
     // was wrong.
     std::string setOption(std::string_view name, std::string_view value);
@@ -137,7 +140,7 @@ private:
     GateAsk gateAsk(const Input& input);
     void stepAround(const GateAsk& ask);
     bool drawView(const Eye& seen, const Picture& picture);
-    SliceTrace traceFrom(const Eye& seen, int width, int height, int column, int watchedRow = -1);
+    SliceTrace traceFrom(const Eye& seen, const ColumnRequest& request);
     double classicShare() const;          // of the width, from the left
     int classicColumns(int width) const;  // that the classic method draws
     void applyLight();
@@ -151,7 +154,7 @@ private:
     Player previous_;   // before the last step; the same as player_ after a leap
     Input heldBefore_;  // of the last step, to tell a press from a key that is held
     std::vector<Body> bodies_;
-    Renderer renderer_;
+    SessionRenderer renderer_;
     FrameReport
         classicReport_;  // of the last picture, or part of one, that the classic method drew
     SlowDrawing slowDrawing_;

@@ -239,7 +239,15 @@ function run(args, environment = {}) {
 test('--help lists options and keys', () => {
   const { status, stdout } = run(['--help']);
   assert.equal(status, 0);
-  for (const word of ['--size', '--fov', '--map', '--fullscreen', '--set', 'Number pad'])
+  for (const word of [
+    '--size',
+    '--fov',
+    '--map',
+    '--fullscreen',
+    '--set',
+    '--threads',
+    'Number pad',
+  ])
     assert.ok(stdout.includes(word), word);
 });
 
@@ -256,6 +264,8 @@ test('what cannot be is refused with the reason', () => {
     [[scene, '--size', '0x10'], /0x10/],
     [[scene, '--size', 'large'], /large/],
     [[scene, '--fov', '500'], /500/],
+    [[scene, '--threads', '0'], /"0" is no number of threads; expected 1 to 64/],
+    [[scene, '--threads', 'all'], /"all" is no number of threads/],
     [[scene, '--set', 'colour'], /OPTION=VALUE/],
     [[scene, '--set', 'colour=red'], /colour/],
     [[scene, '--map', 'cellar'], /there is no map "cellar"; expected "courtyard"/],

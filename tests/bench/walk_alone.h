@@ -5,10 +5,7 @@
 #include "render/frame.h"
 #include "render/open_rows.h"
 #include "render/slice_spans.h"
-#include "render/vista.h"
 #include "world/world.h"
-
-#include <vector>
 
 namespace slicecast {
 
@@ -24,8 +21,7 @@ private:
     const World& world_;
     const Eye eye_;
     const RenderOptions options_;
-    std::vector<FrameTexture> textures_;
-    Vistas vistas_;
+    FrameMemory memory_;
     OpenRows open_;
     SliceSpans spans_;
     FrameReport report_;

@@ -219,8 +219,8 @@ test('a cell that is set is as if the scene had it', async () => {
   const start = scene.currentView;
   const before = scene.pixels(kSize);
   const cells = scene.cells(start.map);
-  // A free cell two tiles ahead, on the level of the eye.
-  const level = Math.floor(start.z);
+  // A free cell two tiles ahead, in the way of the body.
+  const level = Math.floor(start.z - 0.3);
   const ahead = scene.cast(start);
   assert.ok(ahead.tiles.length > 3);
   const [x, y] = ahead.tiles[2].tile;

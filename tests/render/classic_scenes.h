@@ -6,6 +6,7 @@
 #include "scenes.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace slicecast::known {
@@ -22,9 +23,13 @@ struct Drawn {
 inline Drawn drawOld(const World& world, const Eye& eye, int width, int height,
                      const ClassicOptions& classic, const RenderOptions& options = {}) {
     Drawn drawn{Image(width, height), {}};
-    if (!drawClassic(world, eye, options, classic,
-                     {drawn.image.pixels.data(), width, height, width}, &drawn.report))
+    const std::optional<FrameReport> report = drawClassic(
+        world, eye, options, classic, {drawn.image.pixels.data(), width, height, width});
+    if (report) {
+        drawn.report = *report;
+    } else {
         drawn.image = {};
+    }
     return drawn;
 }
 

@@ -60,8 +60,8 @@ TEST(ClassicTrace, TellsWhatTheRendererTellsWhereNothingIsSeeThrough) {
         const RenderOptions options = {.detail = false};
         Renderer renderer;
         for (int column = 3; column < kWidth; column += 12) {
-            const SliceTrace exact = renderer.trace(world, eye, options, kWidth, kHeight, column);
-            const SliceTrace old = traceClassic(world, eye, options, {}, kWidth, kHeight, column);
+            const SliceTrace exact = renderer.trace(world, eye, options, {kWidth, kHeight, column});
+            const SliceTrace old = traceClassic(world, eye, options, {}, {kWidth, kHeight, column});
             EXPECT_EQ(old.column, column);
             EXPECT_DOUBLE_EQ(old.horizonRow, exact.horizonRow);
             EXPECT_DOUBLE_EQ(old.projectionDistance, exact.projectionDistance);
@@ -124,7 +124,7 @@ TEST(ClassicTrace, EachRowHasOneRunWhateverTheWay) {
                                         .portalsOverdrawn = random.oneIn(3),
                                         .pixelSize = random.oneIn(3) ? 5 : 1};
         const Eye eye = anyEye(random, world);
-        const SliceTrace trace = traceClassic(world, eye, {}, classic, kWidth, kHeight, 30);
+        const SliceTrace trace = traceClassic(world, eye, {}, classic, {kWidth, kHeight, 30});
         for (const RowSeen& row : rowsOf(trace)) ASSERT_EQ(row.runs, 1) << i;
         int hitRows = 0;
         int filledRows = 0;
@@ -145,10 +145,11 @@ TEST(ClassicTrace, EachRowHasOneRunWhateverTheWay) {
 TEST(ClassicTrace, OfNoColumnItIsEmpty) {
     const World world = mixedWorld(2);
     const Eye eye = eyeAt(5.2, 4.2, 0.5, 0.0);
-    EXPECT_FALSE(traceClassic(world, eye, {}, {}, kWidth, kHeight, 0).filled.empty());
-    EXPECT_TRUE(traceClassic(world, eye, {}, {}, kWidth, kHeight, -1).filled.empty());
-    EXPECT_TRUE(traceClassic(world, eye, {}, {}, kWidth, kHeight, kWidth).filled.empty());
-    EXPECT_TRUE(traceClassic(world, eye, {}, {.pixelSize = 0}, kWidth, kHeight, 1).filled.empty());
+    EXPECT_FALSE(traceClassic(world, eye, {}, {}, {kWidth, kHeight, 0}).filled.empty());
+    EXPECT_TRUE(traceClassic(world, eye, {}, {}, {kWidth, kHeight, -1}).filled.empty());
+    EXPECT_TRUE(traceClassic(world, eye, {}, {}, {kWidth, kHeight, kWidth}).filled.empty());
+    EXPECT_TRUE(
+        traceClassic(world, eye, {}, {.pixelSize = 0}, {kWidth, kHeight, 1}).filled.empty());
 }
 
 }  // namespace

@@ -301,7 +301,7 @@ TEST(KnownAnswers, TheTraceOfAWall) {
     for (int y = 0; y < 5; ++y) world.maps[0].setCell(15, y, 0, wall);
     Renderer renderer;
     const SliceTrace trace =
-        renderer.trace(world, eyeAt(13.0, 2.5, 0.5, 0.0), {.fovDegrees = 90.0}, 201, 200, 100);
+        renderer.trace(world, eyeAt(13.0, 2.5, 0.5, 0.0), {.fovDegrees = 90.0}, {201, 200, 100});
     ASSERT_EQ(trace.hits.size(), 1u);
     const Hit& hit = trace.hits[0];
     EXPECT_EQ(hit.tileX, 15);
@@ -333,7 +333,7 @@ TEST(KnownAnswers, TheTraceOfAPaneAcrossThePicture) {
     markSeeThrough(world);
     Renderer renderer;
     const SliceTrace trace =
-        renderer.trace(world, eyeAt(4.875, 2.5, 0.5, 0.0), {.fovDegrees = 90.0}, 201, 60, 100);
+        renderer.trace(world, eyeAt(4.875, 2.5, 0.5, 0.0), {.fovDegrees = 90.0}, {201, 60, 100});
     ASSERT_EQ(trace.hits.size(), 1u);
     const std::vector<FilledRows>& filled = trace.hits[0].filled;
     ASSERT_EQ(filled.size(), 3u);

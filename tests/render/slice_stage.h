@@ -17,9 +17,7 @@ class SliceStage {
 public:
     SliceStage(const World& world, const Eye& eye, int width, int height,
                const RenderOptions& options = {.fovDegrees = 90.0})
-        : eye_(eye),
-          options_(options),
-          frame_(world, eye_, options_, width, height, textures_, vistas_) {}
+        : eye_(eye), options_(options), frame_(world, eye_, options_, width, height, memory_) {}
 
     const SliceSpans& find(int column) {
         SliceWalk(frame_, open_, report_).find(column, spans_);
@@ -35,21 +33,20 @@ public:
     }
 
     std::vector<Pixel> paint(const SliceSpans& spans, Pixel before = 0) {
-        std::vector<Pixel> pixels(static_cast<std::size_t>(vistas_.projection().height), before);
+        std::vector<Pixel> pixels(static_cast<std::size_t>(vistas().projection().height), before);
         SlicePainter(frame_, reflected_, report_).paint(spans, pixels.data());
         return pixels;
     }
 
     const Frame& frame() const { return frame_; }
-    Vista& ofEye() { return vistas_.ofEye(); }
-    Vistas& vistas() { return vistas_; }
+    Vista& ofEye() { return vistas().ofEye(); }
+    Vistas& vistas() { return memory_.vistas; }
     const FrameReport& report() const { return report_; }
 
 private:
     Eye eye_;
     RenderOptions options_;
-    std::vector<FrameTexture> textures_;
-    Vistas vistas_;
+    FrameMemory memory_;
     Frame frame_;
     OpenRows open_;
     FrameReport report_;

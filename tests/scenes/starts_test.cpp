@@ -3,6 +3,7 @@
 #include "scenes/shipped.h"
 
 #include "session/session.h"
+#include "world/water.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr int kWidth = 320;
 constexpr int kHeight = 180;
+constexpr int kFirstWalk = 8 * kStepsPerSecond;
 
 TEST(Starts, ThePlayerStandsOnTheGround) {
     for (const std::string& scene : shippedScenes()) {
@@ -29,6 +31,39 @@ TEST(Starts, ThePlayerStandsOnTheGround) {
         EXPECT_EQ(session.player().z.raw, atStart.z.raw)
             << scene << ": the start is above the ground";
     }
+}
+
+// These begin at the edge of the water that mirrors what is beyond it.
+bool beginsByTheWater(const std::string& scene) {
+    return scene == "harbour-town" || scene == "night-works" || scene == "water-palace";
+}
+
+bool eyeIsInWater(const Session& session) {
+    const Player& player = session.player();
+    const Map& map = session.world().maps[static_cast<std::size_t>(player.map)];
+    return waterAt(session.world(), map, player.x.tile(), player.y.tile(), eyeHeight(player))
+               .water != nullptr;
+}
+
+// Who plays for the first time holds the key that goes ahead.
+TEST(Starts, StraightAheadNobodyGetsUnderWater) {
+    for (const std::string& scene : shippedScenes()) {
+        if (beginsByTheWater(scene)) continue;
+        Session session(shippedWorld(scene));
+        int step = 0;
+        for (; step < kFirstWalk && !eyeIsInWater(session); ++step) session.step({.forward = 1.0});
+        EXPECT_EQ(step, kFirstWalk) << scene << ": the steps until the eye is under water";
+    }
+}
+
+// It is the one that the page opens with.
+TEST(Starts, InTheCastleStraightAheadLeadsThroughTheGate) {
+    Session session(shippedWorld("castle"));
+    for (int i = 0; i < kFirstWalk; ++i) session.step({.forward = 1.0});
+    constexpr double kGateX = 24.0;
+    constexpr double kCourt = 6.0;
+    EXPECT_LT(session.player().x.value(), kGateX);
+    EXPECT_EQ(session.player().z.value(), kCourt);
 }
 
 // Colours counted to an eighth of their range, so that texture and light do not make a bare wall

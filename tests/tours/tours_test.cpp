@@ -80,7 +80,7 @@ double shareOfNearWalls(Renderer& renderer, const Session& session) {
     int rows = 0;
     for (int column = 1; column < kWidth; column += 2) {
         const SliceTrace trace =
-            renderer.trace(session.world(), session.eye(), {}, kWidth, kHeight, column);
+            renderer.trace(session.world(), session.eye(), {}, {kWidth, kHeight, column});
         for (const FilledRows& filled : trace.filled) {
             if (filled.what == FilledRows::What::side && !filled.layer && filled.top.depth < kNear)
                 rows += filled.last - filled.first;

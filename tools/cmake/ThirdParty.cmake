@@ -32,6 +32,7 @@ set(SLICECAST_SDL2_WASM "$ENV{SLICECAST_SDL2_WASM}" CACHE PATH "SDL2 built for W
 if(NOT SLICECAST_HASHES_ONLY)
   add_library(slicecast_sdl2 INTERFACE)
   if(NOT EMSCRIPTEN)
+    find_package(Threads REQUIRED)
     find_package(SDL2 REQUIRED)
     target_link_libraries(slicecast_sdl2 INTERFACE SDL2::SDL2)
   elseif(SLICECAST_SDL2_WASM)

@@ -38,12 +38,12 @@ void throughTheHarbourTown(Guide& guide) {
 }
 
 void throughTheCastle(Guide& guide) {
-    guide.walk({{44.5, 20}});
+    guide.lookAround();
     guide.turnTo(184.0);
-    guide.lookTo(0.12);
+    guide.lookTo(0.06);
     guide.mark("before-the-gate");
     guide.lookTo(0.0);
-    guide.walk({{43, 18.9}, {30, 19.1}});
+    guide.walk({{42.5, 19.4}, {30, 19.1}});
     guide.mark("on-the-bridge");
     // The gate opens for who comes, and obeys
     guide.walk({{27.4, 19}});
@@ -78,6 +78,8 @@ void throughTheCastle(Guide& guide) {
     guide.walk({{18.5, 20}});
     guide.creep({{18.5, 22}});
     guide.walk({{18.5, 27}, {12.5, 27.5}, {10.5, 27.5}});
+    // The steps before one's feet, not the wall.
+    guide.lookTo(-0.3);
     guide.run({{9.5, 27.5},
                {8.5, 27.5},
                {8.5, 29.5},
@@ -89,6 +91,7 @@ void throughTheCastle(Guide& guide) {
                {10.5, 27.5},
                {8.5, 27.5},
                {8.5, 29.5}});
+    guide.lookTo(0.0);
     guide.lookAround();
     guide.mark("on-the-great-tower");
     guide.setFlying(true);

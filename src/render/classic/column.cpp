@@ -1,7 +1,6 @@
 #include "render/classic/column.h"
 
 #include "base/sort.h"
-#include "world/player.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +25,6 @@ bool isSame(const Mark& a, const Mark& b) {
     return a.part == b.part && a.surface == b.surface && a.shown.what == b.shown.what;
 }
 
-double startEyeZ(const World& world) {
-    return (world.start.z + kStandingEye).value();
-}
-
 }  // namespace
 
 bool Column::Place::isBefore(const Place& other) const {
@@ -40,15 +35,13 @@ bool Column::Place::isBefore(const Place& other) const {
 }
 
 Column::Column(const World& world, const Eye& eye, const RenderOptions& options,
-               const ClassicOptions& classic, int width, int height, FrameReport& report)
+               const ClassicOptions& classic, int width, int height)
     : world_(world),
       options_(options),
       classic_(classic),
       map_(eye.map),
       rows_{classic.pixelSize, (height + classic.pixelSize - 1) / classic.pixelSize},
-      view_(eye, world.maps[static_cast<std::size_t>(eye.map)].levels, startEyeZ(world), options,
-            classic, width, height),
-      report_(report),
+      view_(world, eye, options, classic, width, height),
       marks_(static_cast<std::size_t>(rows_.rows)),
       colours_(marks_.size()) {}
 

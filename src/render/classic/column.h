@@ -48,7 +48,7 @@ class Column {
 public:
     // What is given here must outlive it.
     Column(const World& world, const Eye& eye, const RenderOptions& options,
-           const ClassicOptions& classic, int width, int height, FrameReport& report);
+           const ClassicOptions& classic, int width, int height);
 
     // The colours of the rows, where x is the middle of the column.
     const std::vector<Pixel>& draw(double x);
@@ -58,6 +58,8 @@ public:
     const std::vector<Mark>& marks(int row) const { return marks_[static_cast<std::size_t>(row)]; }
     const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
     std::size_t partsUsed() const { return used_; }
+    // What all the columns took.
+    const FrameReport& report() const { return report_; }
 
 private:
     // Where a ray meets a surface; nothing is before the first one. At equal depth the order is
@@ -95,7 +97,7 @@ private:
     const int map_;
     RowGrid rows_;
     View view_;  // of the eye
-    FrameReport& report_;
+    FrameReport report_;
     std::vector<std::unique_ptr<Part>> parts_;  // kept from column to column
     std::size_t used_ = 0;
     std::vector<std::vector<Mark>> marks_;  // by row

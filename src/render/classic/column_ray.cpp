@@ -1,6 +1,7 @@
 #include "render/classic/column_ray.h"
 
 #include "base/angle.h"
+#include "world/player.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,10 @@ namespace {
 // Where there was one level the eye never left it.
 constexpr double kLowestEyeOfOneLevel = 1.0 / 65536.0;
 constexpr double kHighestEyeOfOneLevel = 65535.0 / 65536.0;
+
+double startEyeZ(const World& world) {
+    return (world.start.z + kStandingEye).value();
+}
 
 }  // namespace
 
@@ -25,7 +30,7 @@ double SineTable::cosine(double degrees) const {
     return cosDegrees(std::floor(wrapDegrees(degrees) * steps / 360.0) * 360.0 / steps);
 }
 
-View::View(const Eye& eye, int levels, double startEyeZ, const RenderOptions& options,
+View::View(const World& world, const Eye& eye, const RenderOptions& options,
            const ClassicOptions& classic, int pictureWidth, int pictureHeight)
     : width(pictureWidth),
       height(pictureHeight),
@@ -39,8 +44,9 @@ View::View(const Eye& eye, int levels, double startEyeZ, const RenderOptions& op
       oneLevel(classic.oneLevel),
       projection(classic.projection),
       table{classic.sineSteps} {
-    if (classic.driftingHorizon) horizon += (eyeZ - startEyeZ) * height;
+    if (classic.driftingHorizon) horizon += (eyeZ - startEyeZ(world)) * height;
     if (oneLevel) {
+        const int levels = world.maps[static_cast<std::size_t>(eye.map)].levels;
         storey = std::clamp(eye.z.tile(), 0, levels - 1);
         eyeZ = std::clamp(eyeZ - storey, kLowestEyeOfOneLevel, kHighestEyeOfOneLevel);
     }

@@ -10,6 +10,7 @@
 #include "render/eye.h"
 #include "render/options.h"
 #include "world/portal.h"
+#include "world/world.h"
 
 namespace slicecast::classic {
 
@@ -53,8 +54,7 @@ struct View {
     SineTable table;
 
     View() = default;
-    // `startEyeZ` is the height of the eye at the scene's start.
-    View(const Eye& eye, int levels, double startEyeZ, const RenderOptions& options,
+    View(const World& world, const Eye& eye, const RenderOptions& options,
          const ClassicOptions& classic, int pictureWidth, int pictureHeight);
 
     ColumnRay rayAt(double x) const;

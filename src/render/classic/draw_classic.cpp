@@ -30,17 +30,16 @@ bool areInRange(const ClassicOptions& classic) {
 
 }  // namespace
 
-bool drawClassic(const World& world, const Eye& eye, const RenderOptions& options,
-                 const ClassicOptions& classic, const Picture& picture, FrameReport* report,
-                 int columns) {
+std::optional<FrameReport> drawClassic(const World& world, const Eye& eye,
+                                       const RenderOptions& options, const ClassicOptions& classic,
+                                       const Picture& picture, int columns) {
     if (!canSee(world, eye, options) || !areInRange(classic) ||
         !canBe(picture.width, picture.height) || picture.pixels == nullptr ||
         picture.pitch < picture.width)
-        return false;
-    FrameReport counted;
+        return std::nullopt;
     const int size = classic.pixelSize;
     const int end = std::min(columns, picture.width);
-    classic::Column column(world, eye, options, classic, picture.width, picture.height, counted);
+    classic::Column column(world, eye, options, classic, picture.width, picture.height);
     for (int left = 0; left < end; left += size) {
         const std::vector<Pixel>& colours = column.draw(left + size / 2.0);
         const int right = std::min(left + size, end);
@@ -48,19 +47,17 @@ bool drawClassic(const World& world, const Eye& eye, const RenderOptions& option
             std::fill(picture.row(y) + left, picture.row(y) + right,
                       colours[static_cast<std::size_t>(y / size)]);
     }
-    if (report != nullptr) *report = counted;
-    return true;
+    return column.report();
 }
 
 SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions& options,
-                        const ClassicOptions& classic, int width, int height, int column,
-                        int watchedRow) {
+                        const ClassicOptions& classic, const ColumnRequest& request) {
+    const auto [width, height, column, watchedRow] = request;
     if (!canSee(world, eye, options) || !areInRange(classic) || !canBe(width, height) ||
         column < 0 || column >= width)
         return {};
-    FrameReport counted;
     const int size = classic.pixelSize;
-    classic::Column drawn(world, eye, options, classic, width, height, counted);
+    classic::Column drawn(world, eye, options, classic, width, height);
     drawn.draw(column / size * size + size / 2.0);
     SliceTrace trace = classic::traceOf(drawn, world, height, watchedRow);
     trace.column = column;

@@ -19,23 +19,24 @@
 #include "render/trace.h"
 #include "world/world.h"
 
+#include <optional>
+
 namespace slicecast {
 
-// Draws the leftmost `columns` columns of the picture, all of them where it is that wide. Returns
-// false and leaves the picture alone where the fast renderer would, or if a classic option is out
-// of its range.
+// Draws the leftmost `columns` columns of the picture, all of them if it is no wider, and tells
+// what that took. Gives nothing and leaves the picture alone where the fast renderer would, or if a
+// classic option is out of its range.
 //
 // In the report, tilesWalked are the places along the ground at which tiles were looked up, and
 // rowsFilled counts what was painted over again, a pixel of `pixelSize` as one.
-bool drawClassic(const World& world, const Eye& eye, const RenderOptions& options,
-                 const ClassicOptions& classic, const Picture& picture,
-                 FrameReport* report = nullptr, int columns = kMaxPictureSide);
+std::optional<FrameReport> drawClassic(const World& world, const Eye& eye,
+                                       const RenderOptions& options, const ClassicOptions& classic,
+                                       const Picture& picture, int columns = kMaxPictureSide);
 
 // What one column of such a picture shows and met on its way. An invalid eye or column gives an
-// empty trace. Of a march, the borders of tiles are where it found them. `watchedRow` (-1 for none)
-// is told in full, as SliceTrace::seen: the middle of its pixel, however coarse that is.
+// empty trace. Of a march, the borders of tiles are where it found them. Of the watched row the
+// middle of its pixel is told, however coarse that is.
 SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions& options,
-                        const ClassicOptions& classic, int width, int height, int column,
-                        int watchedRow = -1);
+                        const ClassicOptions& classic, const ColumnRequest& request);
 
 }  // namespace slicecast

@@ -10,13 +10,12 @@ namespace slicecast {
 
 using namespace classic;
 
-ClassicLevelRay castClassic(const World& world, const Eye& eye, double fovDegrees,
-                            const ClassicOptions& options, double share, int level,
-                            Coordinate height, double most) {
+ClassicLevelRay castClassic(const World& world, const Eye& eye, const ClassicOptions& options,
+                            const ClassicAim& aim) {
     constexpr int kAnySize = 1000;
     const Map& map = world.maps[static_cast<std::size_t>(eye.map)];
-    const View view(eye, map.levels, 0.0, {.fovDegrees = fovDegrees}, options, kAnySize, kAnySize);
-    const ColumnRay ray = view.rayAt(share * kAnySize);
+    const View view(world, eye, {.fovDegrees = aim.fovDegrees}, options, kAnySize, kAnySize);
+    const ColumnRay ray = view.rayAt(aim.share * kAnySize);
     const TileStart start = {eye.x.tile(), eye.y.tile(), 0.0};
     std::vector<TileSpan> spans;
     if (options.march) {
@@ -24,15 +23,16 @@ ClassicLevelRay castClassic(const World& world, const Eye& eye, double fovDegree
     } else {
         walkTiles(map, view, ray, start, spans);
     }
-    double along = (options.march ? std::min(most, options.reach) : most) / ray.length;
+    double along = (options.march ? std::min(aim.most, options.reach) : aim.most) / ray.length;
     ClassicLevelRay end;
     for (const TileSpan& span : spans) {
         if (span.first) continue;
         if (span.enter >= along) break;
-        const BlueprintId id = map.cell(span.x, span.y, level);
+        const BlueprintId id = map.cell(span.x, span.y, aim.level);
         const CellBlueprint& block = world.blueprints[id];
-        const bool stands = id != kEmptyCell && !block.isWater &&
-                            (options.oneLevel || (block.bottom <= height && height < block.top));
+        const bool stands =
+            id != kEmptyCell && !block.isWater &&
+            (options.oneLevel || (block.bottom <= aim.height && aim.height < block.top));
         const bool isPortal = map.tilePortal(span.x, span.y) != kNoPortal;
         if (!isPortal && !stands) continue;
         end.met = true;

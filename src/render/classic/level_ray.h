@@ -14,11 +14,16 @@ struct ClassicLevelRay {
     bool portal = false;  // it is a portal
 };
 
-// Through a place on the picture, as a share of its width from the left, to the first block of a
-// level that stands at that height above the level's base; at most `most` units far, and no
-// further than a march goes.
-ClassicLevelRay castClassic(const World& world, const Eye& eye, double fovDegrees,
-                            const ClassicOptions& classic, double share, int level,
-                            Coordinate height, double most);
+struct ClassicAim {
+    double fovDegrees = 60.0;
+    double share = 0.5;  // the place on the picture: a share of its width, from the left
+    int level = 0;
+    Coordinate height;  // above the level's base
+    double most = 0.0;  // units: the ray goes no further
+};
+
+// To the first block of the level that stands at that height; no further than a march goes.
+ClassicLevelRay castClassic(const World& world, const Eye& eye, const ClassicOptions& classic,
+                            const ClassicAim& aim);
 
 }  // namespace slicecast
