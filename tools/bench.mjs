@@ -2,14 +2,17 @@
 // OPTION... PRESET... See tools/bench, which builds them and lists the options.
 
 import { spawnSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 
+import { check, figuresOf, ratiosText, readRatios, recordFor, reportOf } from './bench-ratios.mjs';
 import { phasesTable, table } from './bench-table.mjs';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
+const kRatios = 'tests/bench/ratios.json';
 const kMostTimesTheLimit = { native: 3, wasm: 3 }; // what a view may take
 const kTargets = {
   'yardstick, flat hall': { native: 1.35, wasm: 1.6 },
@@ -18,8 +21,9 @@ const kTargets = {
 const kMostTimesTheSeen = 1.5; // what a view with many objects may take beside one with those alone that are seen
 const kMostMillisecondsWithMany = 16; // and what it may take at all
 const kMostTimesACopy = 10; // what the limit itself may take natively: a slow one would flatter the views
+const kTimesMoreRounds = 3; // for what seems lost
 
-// The scalar WebAssembly is for old browsers; nothing
+// `name` is the build's in the file of ratios. The scalar WebAssembly is for old browsers; nothing
 // is asked of it.
 const builds = {
   release: { name: 'native', title: 'native, x86-64-v2' },
@@ -31,6 +35,8 @@ const { values: options, positionals: presets } = parseArgs({
   options: {
     json: { type: 'boolean', default: false },
     phases: { type: 'boolean', default: false },
+    record: { type: 'boolean', default: false },
+    check: { type: 'boolean', default: false },
     rounds: { type: 'string' },
     view: { type: 'string', multiple: true, default: [] },
   },
@@ -98,14 +104,66 @@ function shortcomings(run) {
   return found;
 }
 
-const rounds = Number(options.rounds ?? 150);
-const runs = presets.map((preset) => measure(preset, rounds, options.view));
-const found = runs.flatMap(shortcomings);
-if (options.json) {
-  console.log(JSON.stringify({ processor, runs, shortcomings: found }, null, 2));
-} else {
-  console.log(table(runs));
-  if (options.phases) console.log(`\n${phasesTable(runs)}`);
-  if (found.length > 0) console.log(`\n${found.join('\n')}`);
+function pastRatios() {
+  let text;
+  try {
+    text = readFileSync(join(root, kRatios), 'utf8');
+  } catch {
+    return null;
+  }
+  try {
+    return readRatios(text, kRatios);
+  } catch ({ message }) {
+    return fail(message);
+  }
 }
-process.exitCode = found.length > 0 ? 1 : 0;
+
+// Whether nothing has been lost.
+function checkRatios(rounds) {
+  const records = pastRatios();
+  if (records === null) fail(`there is no ${kRatios}; tools/bench --record writes it.`);
+  const record = recordFor(records, processor);
+  const result = check(record, (names, isAgain) =>
+    figuresOf(
+      presets
+        .filter((preset) => names === null || names.includes(builds[preset].name))
+        .map((preset) => measure(preset, isAgain ? rounds * kTimesMoreRounds : rounds)),
+    ),
+  );
+  console.log(reportOf(result, record, processor));
+  return result.losses.length === 0;
+}
+
+function record(runs) {
+  const commit = spawnSync('git', ['-C', root, 'log', '-1', '--format=%s'], { encoding: 'utf8' });
+  const date = new Date();
+  const two = (number) => String(number).padStart(2, '0');
+  const records = pastRatios() ?? [];
+  records.push({
+    date: `${date.getFullYear()}-${two(date.getMonth() + 1)}-${two(date.getDate())}`,
+    commit: commit.stdout?.trim() ?? '',
+    processor,
+    rounds: runs[0].rounds,
+    views: figuresOf(runs),
+  });
+  writeFileSync(join(root, kRatios), ratiosText(records));
+  console.log(`\nRecorded in ${kRatios}.`);
+}
+
+if (options.check) {
+  process.exitCode = checkRatios(Number(options.rounds ?? 50)) ? 0 : 1;
+} else {
+  if (options.record) pastRatios(); // a file that cannot be read is told of before anything is measured
+  const rounds = Number(options.rounds ?? 150);
+  const runs = presets.map((preset) => measure(preset, rounds, options.view));
+  const found = runs.flatMap(shortcomings);
+  if (options.json) {
+    console.log(JSON.stringify({ processor, runs, shortcomings: found }, null, 2));
+  } else {
+    console.log(table(runs));
+    if (options.phases) console.log(`\n${phasesTable(runs)}`);
+    if (found.length > 0) console.log(`\n${found.join('\n')}`);
+  }
+  if (options.record) record(runs);
+  else process.exitCode = found.length > 0 ? 1 : 0;
+}
