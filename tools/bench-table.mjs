@@ -13,7 +13,7 @@ const share = (number) => (number === undefined ? '' : `${Math.round(number * 10
 
 // [heading, width, what it shows of a row of figures]; both end at the right
 const kColumns = [
-  ['ns/px', 7, (of) => of.nsPerPixel.toFixed(of.nsPerPixel < 1 ? 3 : 2)],
+  ['ns/px', 8, (of) => of.nsPerPixel.toFixed(of.nsPerPixel < 1 ? 3 : 2)],
   ['spread', 8, (of) => `±${share(of.spread / 2).padStart(4)}`],
   ['limit ', 8, (of) => ratio(of.limits) + (of.isMissed ? '!' : ' ')],
   ['walk', 6, (of) => share(of.walkShare)],
@@ -23,7 +23,7 @@ const kColumns = [
 
 const sumOf = ({ setUp, walk, paint, copy }) => setUp + walk + paint + copy;
 const kPhaseColumns = [
-  ['draw', 7, (of) => of.nsPerPixel.toFixed(3)],
+  ['draw', 8, (of) => of.nsPerPixel.toFixed(3)],
   ['set-up', 7, (of) => of.phases.setUp.toFixed(3)],
   ['walk', 7, (of) => of.phases.walk.toFixed(3)],
   ['paint', 7, (of) => of.phases.paint.toFixed(3)],
