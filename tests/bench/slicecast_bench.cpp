@@ -72,19 +72,26 @@ struct MeasuredView {
     }
 };
 
-// Nothing if the view cannot be drawn, or if its phased frame is another picture.
+// Nothing, and the reason printed, if the view cannot be drawn or its phased frame is another
+// picture.
 std::optional<MeasuredView> prepare(const View& view, Canvas& usual, Canvas& large) {
     const auto draw = [&view](Canvas& canvas) {
         return view.session->draw(canvas.picture(), view.fraction);
     };
-    if (!draw(usual)) return std::nullopt;
+    const auto refuse = [&view](const char* why) -> std::optional<MeasuredView> {
+        std::fprintf(stderr, "slicecast-bench: %s %s\n", view.title.c_str(), why);
+        return std::nullopt;
+    };
+    if (!draw(usual)) return refuse("cannot be drawn");
     World world = view.session->world();
     showMovers(world, view.fraction);
+
     auto phased = std::make_unique<PhasedFrame>(std::move(world), view.session->eye(view.fraction),
                                                 view.session->options().render);
-    const std::vector<Pixel> drawn = usual.pixels;
+    std::vector<Pixel> drawn(usual.pixels.size());
+    drawn.swap(usual.pixels);
     phased->draw(usual.picture());
-    if (usual.pixels != drawn) return std::nullopt;
+    if (usual.pixels != drawn) return refuse("is another picture when drawn phase by phase");
     return MeasuredView{view, Timed{usual, kFrames, [draw, &usual] { draw(usual); }},
                         Timed{large, 1, [draw, &large] { draw(large); }}, std::move(phased)};
 }
@@ -148,10 +155,7 @@ int run(const std::string& assets, int rounds, const std::vector<std::string>& t
     std::vector<MeasuredView> measured;
     for (const View& view : *views) {
         std::optional<MeasuredView> prepared = prepare(view, usual, large);
-        if (!prepared) {
-            std::fprintf(stderr, "slicecast-bench: %s cannot be drawn\n", view.title.c_str());
-            return 1;
-        }
+        if (!prepared) return 1;
         measured.push_back(std::move(*prepared));
     }
 
