@@ -13,15 +13,32 @@ EM_JS(double, secondsUsed, (), {
     const usage = process.cpuUsage();
     return (usage.user + usage.system) * 1e-6;
 })
+EM_JS(double, secondsPassed, (), { return performance.now() * 1e-3; })
 
 double processorSeconds() {
     return secondsUsed();
 }
+
+double passingSeconds() {
+    return secondsPassed();
+}
 #else
-double processorSeconds() {
+namespace {
+
+double secondsOf(clockid_t clock) {
     timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    clock_gettime(clock, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+double processorSeconds() {
+    return secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+double passingSeconds() {
+    return secondsOf(CLOCK_MONOTONIC);
 }
 #endif
 

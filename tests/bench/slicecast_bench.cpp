@@ -1,20 +1,19 @@
-// Measures how fast fixed views of shipped scenes are drawn, beside the limit kernel and a copy of
-// the frame. Everything takes its turn round by round, so that whatever else the machine does falls
-// on all alike; figures are medians over the rounds.
+// Measures how fast fixed views are drawn, beside the limit kernel and a copy of the frame.
+// Everything takes its turn round by round, so that whatever else the machine does falls on all
+// alike; figures are medians over the rounds.
 //
 //     slicecast-bench ASSETS ROUNDS                    prints JSON for tools/bench
+//     slicecast-bench ASSETS ROUNDS views TITLE...     the same of a few views: "castle, start"
 //     slicecast-bench ASSETS ROUNDS overlays [NAME]    prints what each overlay takes, or one
 
-#include "headless/scene_file.h"
 #include "limit_kernel.h"
-#include "many_objects.h"
 #include "overlays.h"
+#include "phases.h"
 #include "processor_time.h"
-#include "session/session.h"
-#include "walk_alone.h"
+#include "views.h"
+#include "world/mover.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -28,61 +27,73 @@
 namespace slicecast {
 namespace {
 
-constexpr int kWidth = 1280;
-constexpr int kHeight = 720;
-constexpr int kManyObjects = 10'000;
-constexpr int kObjectsSeen = 100;
-constexpr double kPixels = static_cast<double>(kWidth) * kHeight;
+// A picture, and memory for it.
+struct Canvas {
+    int width;
+    int height;
+    std::vector<Pixel> pixels = std::vector<Pixel>(static_cast<std::size_t>(width) * height);
 
-// An eye in the map in which the scene starts, or in another one of it; without one, the start
-// itself.
-struct Place {
-    double x, y, z, headingDegrees, look;
-    const char* map = nullptr;
-};
-struct View {
-    const char* scene;
-    const char* name;
-    std::optional<Place> place;
-    int steps = 0;  // played first; then what moves is drawn half way between two steps
+    Picture picture() { return {pixels.data(), width, height, width}; }
+    double nsPerPixel(double seconds) const { return seconds * 1e9 / pixels.size(); }
 };
 
-const std::array kViews = {
-    View{"harbour-town", "start", {}},
-    View{"harbour-town", "over the roofs", Place{24.0, 24.0, 6.5, 225.0, -0.3}},
-    View{"castle", "start", {}},
-    View{"castle", "from above", Place{44.6, 33.4, 5.5, 215.0, -0.2}},
-    View{"library", "start", {}},
-    View{"library", "in the gallery", Place{12.0, 10.0, 2.5, 100.0, -0.1}},
-    View{"garden", "start", {}},
-    View{"garden", "between hedges", Place{16.0, 16.0, 0.5, 250.0, 0.0}},
-    View{"glassworks", "start", {}},    // see-through, animated and glowing faces, objects
-    View{"water-palace", "start", {}},  // the floor is a mirror
-    View{"water-palace", "hall", Place{13.6, 15.9, 1.5, 325.0, -0.1}},
-    View{"castle", "before the gate", Place{28.5, 19.0, 3.5, 180.0, 0.02}},
-    View{"library", "under the lift", Place{14.5, 27.2, 0.5, 240.0, 0.1}, 720},
-    View{"wayhouse", "four doors", {}},
-    View{"wayhouse", "endless corridor", Place{4.5, 2.0, 0.5, 0.0, 0.0, "corridor"}},
-};
+constexpr int kFrames = 2;      // of a view in a round
+constexpr int kLargeEvery = 5;  // rounds: a large picture takes nine times as long as a usual one
 
-// One of the things that take turns.
-struct Item {
-    std::string scene;  // empty for the limit and the copy
-    std::string name;
-    int frames;  // per round and measurement
+// What draws, and how long it took by round.
+struct Timed {
+    Canvas& canvas;
+    int frames;  // in a round
     std::function<void()> draw;
-    std::vector<double> nsPerPixel = {};  // by round
-    int comparedWith = -1;                // another item, which it should not be much slower than
-    int walk = -1;                        // another item: its walk alone
+    std::vector<double> nsPerPixel = {};
+
+    // The first frame brings its textures into the caches, as the frame before would have done in a
+    // game.
+    void measure(bool counts) {
+        draw();
+        const double begin = processorSeconds();
+        for (int i = 0; i < frames; ++i) draw();
+        if (counts) nsPerPixel.push_back(canvas.nsPerPixel(processorSeconds() - begin) / frames);
+    }
 };
 
-// The first frame brings its textures into the caches, as the frame before would have done in a
-// game.
-double measure(const Item& item) {
-    item.draw();
-    const double begin = processorSeconds();
-    for (int i = 0; i < item.frames; ++i) item.draw();
-    return (processorSeconds() - begin) / item.frames * 1e9 / kPixels;
+struct MeasuredView {
+    const View& view;
+    Timed usual;
+    Timed large;
+    std::unique_ptr<PhasedFrame> phased;
+    std::vector<Phases> phases = {};  // by round, seconds a frame
+
+    void measurePhases(bool counts) {
+        phased->draw(usual.canvas.picture());
+        Phases sum;
+        for (int i = 0; i < kFrames; ++i) sum += phased->draw(usual.canvas.picture());
+        if (counts) phases.push_back(sum / kFrames);
+    }
+};
+
+// Nothing, and the reason printed, if the view cannot be drawn or its phased frame is another
+// picture.
+std::optional<MeasuredView> prepare(const View& view, Canvas& usual, Canvas& large) {
+    const auto draw = [&view](Canvas& canvas) {
+        return view.session->draw(canvas.picture(), view.fraction);
+    };
+    const auto refuse = [&view](const char* why) -> std::optional<MeasuredView> {
+        std::fprintf(stderr, "slicecast-bench: %s %s\n", view.title.c_str(), why);
+        return std::nullopt;
+    };
+    if (!draw(usual)) return refuse("cannot be drawn");
+    World world = view.session->world();
+    showMovers(world, view.fraction);
+
+    auto phased = std::make_unique<PhasedFrame>(std::move(world), view.session->eye(view.fraction),
+                                                view.session->options().render);
+    std::vector<Pixel> drawn(usual.pixels.size());
+    drawn.swap(usual.pixels);
+    phased->draw(usual.picture());
+    if (usual.pixels != drawn) return refuse("is another picture when drawn phase by phase");
+    return MeasuredView{view, Timed{usual, kFrames, [draw, &usual] { draw(usual); }},
+                        Timed{large, 1, [draw, &large] { draw(large); }}, std::move(phased)};
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -90,128 +101,106 @@ double quantile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-// Median of the ratios of two things in the same round.
-double ratio(const std::vector<double>& of, const std::vector<double>& to) {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < of.size(); ++i) ratios.push_back(of[i] / to[i]);
-    return quantile(ratios, 0.5);
+// The median over so many rounds of what is worked out from each.
+template <typename OfRound>
+double median(std::size_t rounds, OfRound&& ofRound) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < rounds; ++i) values.push_back(ofRound(i));
+    return quantile(std::move(values), 0.5);
 }
 
-std::unique_ptr<Session> openScene(const std::string& assets, const View& view) {
-    SceneFromFile scene = readScene(assets + "/scenes/" + view.scene + ".json");
-    for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
-    if (!scene.world) return nullptr;
-    auto session = std::make_unique<Session>(std::move(*scene.world));
-    if (view.place) {
-        const Place& p = *view.place;
-        int map = session->player().map;
-        const std::vector<Map>& maps = session->world().maps;
-        for (std::size_t i = 0; p.map != nullptr && i < maps.size(); ++i) {
-            if (maps[i].name == p.map) map = static_cast<int>(i);
-        }
-        if (!session->setEye({map, toCoordinate(p.x), toCoordinate(p.y), toCoordinate(p.z),
-                              p.headingDegrees, p.look}))
-            return nullptr;
-    }
-    return session;
-}
-
-// The garden with many objects, and with those of them alone that are seen.
-bool addManyObjects(const std::string& assets, const Picture& picture, std::vector<Item>& items) {
-    SceneFromFile scene = readScene(assets + "/scenes/garden.json");
-    if (!scene.world) return false;
-    const Eye eye = Session(*scene.world).eye();
-    std::optional<ManyObjects> many = spreadObjects(*scene.world, eye, kManyObjects, kObjectsSeen);
-    if (!many) return false;
-    const auto alone = std::make_shared<Session>(std::move(many->seenOnly));
-    const auto all = std::make_shared<Session>(std::move(many->all));
-    items.push_back({"garden", "100 objects", 2, [alone, picture] { alone->draw(picture); }});
-    items.push_back(
-        {"garden", "10,000 objects, 100 seen", 2, [all, picture] { all->draw(picture); }});
-    items.back().comparedWith = static_cast<int>(items.size()) - 2;
-    return true;
-}
-
-// `items` are all, of which the second is the limit.
-void printFigures(const Item& item, const std::vector<Item>& items, const char* end) {
-    const double median = quantile(item.nsPerPixel, 0.5);
+void printTimes(const Timed& timed, const Timed* to) {
+    const double middle = quantile(timed.nsPerPixel, 0.5);
     const double spread =
-        (quantile(item.nsPerPixel, 0.75) - quantile(item.nsPerPixel, 0.25)) / median;
-    std::printf("{ \"scene\": \"%s\", \"name\": \"%s\", \"nsPerPixel\": %.4f, \"spread\": %.4f",
-                item.scene.c_str(), item.name.c_str(), median, spread);
-    const std::vector<double>& limit = items[1].nsPerPixel;
-    if (&item != &items[0]) {
-        const Item& other = items[&item == &items[1] ? 0 : 1];
-        std::printf(", \"ratio\": %.4f", ratio(item.nsPerPixel, other.nsPerPixel));
-    }
-    if (item.comparedWith >= 0) {
-        const Item& compared = items[static_cast<std::size_t>(item.comparedWith)];
-        std::printf(", \"comparedWith\": \"%s\", \"timesThat\": %.4f", compared.name.c_str(),
-                    ratio(item.nsPerPixel, compared.nsPerPixel));
-    }
-    if (item.walk >= 0) {
-        const double walk =
-            ratio(items[static_cast<std::size_t>(item.walk)].nsPerPixel, item.nsPerPixel);
-        std::printf(", \"walkShare\": %.4f, \"painting\": %.4f", walk,
-                    (1.0 - walk) * ratio(item.nsPerPixel, limit));
-    }
-    std::printf(" }%s\n", end);
+        (quantile(timed.nsPerPixel, 0.75) - quantile(timed.nsPerPixel, 0.25)) / middle;
+    std::printf("\"nsPerPixel\": %.4f, \"spread\": %.4f", middle, spread);
+    if (to == nullptr) return;
+    std::printf(", \"ratio\": %.4f", median(timed.nsPerPixel.size(), [&](std::size_t i) {
+                    return timed.nsPerPixel[i] / to->nsPerPixel[i];
+                }));
 }
 
-int run(const std::string& assets, int rounds) {
-    std::vector<Pixel> frame(static_cast<std::size_t>(kWidth) * kHeight);
-    std::vector<Pixel> copy(frame.size());
-    const Picture picture = {frame.data(), kWidth, kHeight, kWidth};
-    LimitKernel limit(kWidth, kHeight);
+void printPhases(const MeasuredView& of, const Timed& limit) {
+    const std::size_t rounds = of.phases.size();
+    const auto nsPerPixel = [&](double Phases::*phase) {
+        return of.usual.canvas.nsPerPixel(
+            median(rounds, [&](std::size_t i) { return of.phases[i].*phase; }));
+    };
+    std::printf(
+        ", \"walkShare\": %.4f, \"replay\": %.4f",
+        median(rounds, [&](std::size_t i) { return of.phases[i].walk / of.phases[i].sum(); }),
+        median(rounds, [&](std::size_t i) {
+            return of.usual.canvas.nsPerPixel(of.phases[i].replay()) / limit.nsPerPixel[i];
+        }));
+    std::printf(
+        ",\n      \"phases\": { \"setUp\": %.4f, \"walk\": %.4f, \"paint\": %.4f, \"copy\": %.4f }",
+        nsPerPixel(&Phases::setUp), nsPerPixel(&Phases::walk), nsPerPixel(&Phases::paint),
+        nsPerPixel(&Phases::copy));
+}
 
-    std::vector<Item> items;
-    items.push_back({"", "copy", 8, [&] {
-                         std::memcpy(copy.data(), frame.data(), frame.size() * sizeof(Pixel));
-                     }});
-    items.push_back({"", "limit", 2, [&] { limit.draw(frame.data()); }});
-    for (const View& view : kViews) {
-        const std::shared_ptr<Session> session = openScene(assets, view);
-        for (int step = 0; session && step < view.steps; ++step) session->step({});
-        if (!session || !session->draw(picture)) {
-            std::fprintf(stderr, "slicecast-bench: %s, %s cannot be drawn\n", view.scene,
-                         view.name);
-            return 1;
-        }
-        items.push_back(
-            {view.scene, view.name, 2, [session, picture, fraction = view.steps > 0 ? 0.5 : 1.0] {
-                 session->draw(picture, fraction);
-             }});
-        const auto walk = std::make_shared<WalkAlone>(session->world(), session->eye(),
-                                                      session->options().render);
-        items.back().walk = static_cast<int>(items.size());
-        items.push_back({"", "walk", 2, [session, walk] { walk->walk(kWidth, kHeight); }});
-    }
-    if (!addManyObjects(assets, picture, items)) {
-        std::fprintf(stderr, "slicecast-bench: there is no room for many objects in the garden\n");
-        return 1;
+int run(const std::string& assets, int rounds, const std::vector<std::string>& titles) {
+    const std::optional<std::vector<View>> views = openViews(assets, titles);
+    if (!views) return 1;
+    Canvas usual{1280, 720};
+    Canvas large{3840, 2160};
+    std::vector<Pixel> copied(usual.pixels.size());
+    LimitKernel usualKernel(usual.width, usual.height);
+    LimitKernel largeKernel(large.width, large.height);
+
+    Timed copy{usual, 8, [&] {
+                   std::memcpy(copied.data(), usual.pixels.data(), copied.size() * sizeof(Pixel));
+               }};
+    Timed limit{usual, kFrames, [&] { usualKernel.draw(usual.pixels.data()); }};
+    Timed largeLimit{large, 1, [&] { largeKernel.draw(large.pixels.data()); }};
+    std::vector<MeasuredView> measured;
+    for (const View& view : *views) {
+        std::optional<MeasuredView> prepared = prepare(view, usual, large);
+        if (!prepared) return 1;
+        measured.push_back(std::move(*prepared));
     }
 
     // A few rounds do not count: engines of WebAssembly compile what runs often once more.
     const int warmUp = 5 + rounds / 10;
     for (int round = -warmUp; round < rounds; ++round) {
-        for (Item& item : items) {
-            const double nsPerPixel = measure(item);
-            if (round >= 0) item.nsPerPixel.push_back(nsPerPixel);
+        const bool counts = round >= 0;
+        const bool isLarge = round % kLargeEvery == 0;
+        copy.measure(counts);
+        limit.measure(counts);
+        if (isLarge) largeLimit.measure(counts);
+        for (MeasuredView& view : measured) {
+            view.usual.measure(counts);
+            view.measurePhases(counts);
+            if (isLarge) view.large.measure(counts);
         }
     }
 
-    std::printf("{ \"width\": %d, \"height\": %d, \"rounds\": %d,\n  \"copy\": ", kWidth, kHeight,
-                rounds);
-    printFigures(items[0], items, ",");
-    std::printf("  \"limit\": ");
-    printFigures(items[1], items, ",");
-    std::printf("  \"views\": [\n");
-    for (std::size_t i = 2; i < items.size(); ++i) {
-        if (items[i].scene.empty()) continue;
-        std::printf("    ");
-        printFigures(items[i], items, i + 1 < items.size() ? "," : "");
+    std::printf("{ \"width\": %d, \"height\": %d, \"rounds\": %d,\n  \"copy\": { ", usual.width,
+                usual.height, rounds);
+    printTimes(copy, nullptr);
+    std::printf(" },\n  \"limit\": { ");
+    printTimes(limit, &copy);
+    std::printf(",\n    \"large\": { \"width\": %d, \"height\": %d, ", large.width, large.height);
+    printTimes(largeLimit, nullptr);
+    std::printf(" } },\n  \"views\": [");
+    for (const MeasuredView& of : measured) {
+        std::printf("%s\n    { \"title\": \"%s\", ", &of == &measured.front() ? "" : ",",
+                    of.view.title.c_str());
+        printTimes(of.usual, &limit);
+        printPhases(of, limit);
+        std::printf(",\n      \"large\": { ");
+        printTimes(of.large, &largeLimit);
+        std::printf(" }");
+        for (const MeasuredView& other : measured) {
+            if (other.view.title != of.view.comparedWith) continue;
+            std::printf(",\n      \"comparedWith\": \"%s\", \"timesThat\": %.4f",
+                        other.view.title.c_str(),
+                        median(of.usual.nsPerPixel.size(), [&](std::size_t i) {
+                            return of.usual.nsPerPixel[i] / other.usual.nsPerPixel[i];
+                        }));
+        }
+        std::printf(" }");
     }
-    std::printf("  ] }\n");
+    std::printf("\n  ] }\n");
     return 0;
 }
 
@@ -219,12 +208,19 @@ int run(const std::string& assets, int rounds) {
 }  // namespace slicecast
 
 int main(int argc, char** argv) {
-    const int rounds = argc >= 3 && argc <= 5 ? std::atoi(argv[2]) : 0;
-    if (rounds < 1) {
-        std::fprintf(stderr, "usage: slicecast-bench ASSETS_FOLDER ROUNDS [overlays [NAME]]\n");
+    const std::vector<std::string> words(argv, argv + argc);
+    const std::string what = argc > 3 ? words[3] : "";
+    const int rounds = argc >= 3 ? std::atoi(argv[2]) : 0;
+    const bool isUnderstood =
+        argc <= 3 || (what == "views" && argc > 4) || (what == "overlays" && argc <= 5);
+    if (rounds < 1 || !isUnderstood) {
+        std::fprintf(
+            stderr,
+            "usage: slicecast-bench ASSETS_FOLDER ROUNDS [views TITLE... | overlays [NAME]]\n");
         return 2;
     }
-    if (argc > 3)
-        return slicecast::printOverlays(argv[1], rounds, argc == 5 ? argv[4] : "") ? 0 : 1;
-    return slicecast::run(argv[1], rounds);
+    if (what == "overlays")
+        return slicecast::printOverlays(words[1], rounds, argc == 5 ? words[4] : "") ? 0 : 1;
+    const std::vector<std::string> titles(words.begin() + std::min(argc, 4), words.end());
+    return slicecast::run(words[1], rounds, titles);
 }

@@ -98,6 +98,8 @@ test('the benchmark tells its figures, and leaves the view as it was', async (t)
   assert.ok(rows.some((row) => /Pictures drawn240/.test(row)));
   const nanoseconds = rows.map((row) => /Per pixel([\d.]+) ns/.exec(row)?.[1]).find(Boolean);
   assert.ok(Number(nanoseconds) > 0.05 && Number(nanoseconds) < 1000, nanoseconds);
+  const limits = rows.map((row) => /Times the limit([\d.]+)/.exec(row)?.[1]).find(Boolean);
+  assert.ok(Number(limits) > 0.5 && Number(limits) < 200, limits);
   assert.deepEqual(await view(), before);
   assert.ok(await page.locator('[data-benchmark="copy"]').isEnabled());
 });

@@ -1,24 +1,35 @@
 // How fast this machine draws: a fixed flight through the scene at a fixed size, each picture drawn
-// once, with a graph of the times and a table to copy. Nothing else runs meanwhile.
+// once, with a graph of the times and a table to copy. Nothing else runs meanwhile. The limit takes
+// its turn between the pictures, as in tools/bench.
 //
 //     const figures = await measure(caster, { views, width, height, onProgress, isWanted });
-//     figures: {times, median, slow, slowest, nanosecondsPerPixel, size, pictures}, milliseconds
+//     figures: {times, median, slow, slowest, nanosecondsPerPixel, timesTheLimit, size, pictures},
+//     milliseconds; timesTheLimit is null where the limit cannot be measured
 //     drawGraph(canvas, figures.times);
 //     asText(figures, title)
 
+import { loadLimit } from './limit.js';
+
 const kWarmUp = 12; // pictures that are drawn and not counted
+const kLimitEvery = 8; // pictures
 const kBatch = 16; // milliseconds between two breaths of the page
 
 // Null where `isWanted()` has become false meanwhile.
 export async function measure(caster, { views, width, height, onProgress, isWanted }) {
   const before = caster.currentView;
+  const limit = await loadLimit(width, height);
   const times = [];
+  const limitTimes = [];
   let breath = performance.now();
   try {
     for (let i = -kWarmUp; i < views.length; ++i) {
       caster.look(views[Math.max(0, i)]);
       const time = caster.timeDrawing({ width, height });
       if (i >= 0) times.push(time);
+      if (limit !== null && i % kLimitEvery === 0) {
+        const limitTime = limit.time();
+        if (i >= 0) limitTimes.push(limitTime);
+      }
       if (performance.now() - breath < kBatch) continue;
       onProgress(times);
       await new Promise((resolve) => setTimeout(resolve));
@@ -28,20 +39,33 @@ export async function measure(caster, { views, width, height, onProgress, isWant
   } finally {
     if (caster.world !== null) caster.look(before);
   }
-  const sorted = [...times].sort((a, b) => a - b);
-  const at = (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+  const median = quantile(times, 0.5);
   return {
     times,
-    median: at(0.5),
-    slow: at(0.95),
-    slowest: sorted.at(-1),
-    nanosecondsPerPixel: (at(0.5) * 1e6) / (width * height),
+    median,
+    slow: quantile(times, 0.95),
+    slowest: Math.max(...times),
+    nanosecondsPerPixel: (median * 1e6) / (width * height),
+    timesTheLimit: limit === null ? null : median / quantile(limitTimes, 0.5),
     size: `${width} × ${height}`,
     pictures: times.length,
   };
 }
 
-export function rowsOf({ median, slow, slowest, nanosecondsPerPixel, size, pictures }) {
+function quantile(values, share) {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+}
+
+export function rowsOf({
+  median,
+  slow,
+  slowest,
+  nanosecondsPerPixel,
+  timesTheLimit,
+  size,
+  pictures,
+}) {
   const ms = (time) => `${time.toFixed(2)} ms`;
   return [
     ['Picture', size],
@@ -50,6 +74,10 @@ export function rowsOf({ median, slow, slowest, nanosecondsPerPixel, size, pictu
     ['19 of 20 within', ms(slow)],
     ['Slowest', ms(slowest)],
     ['Per pixel', `${nanosecondsPerPixel.toFixed(2)} ns`],
+    [
+      'Times the limit',
+      timesTheLimit === null ? 'not measured: it needs WebAssembly SIMD' : timesTheLimit.toFixed(2),
+    ],
   ];
 }
 

@@ -1,0 +1,202 @@
+// What tools/bench makes of its measurements: the tables, the file of past ratios, and when --check
+// calls something a loss. Nothing is measured here.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import {
+  check,
+  compare,
+  figuresOf,
+  ratiosText,
+  readRatios,
+  recordFor,
+  reportOf,
+} from '../../tools/bench-ratios.mjs';
+import { phasesTable, table } from '../../tools/bench-table.mjs';
+
+const root = fileURLToPath(new URL('../../', import.meta.url));
+const kFile = 'ratios.json';
+const then = { native: 2, 'native 4K': 1.5, wasm: 3, 'wasm 4K': 2 };
+const record = {
+  date: '2026-11-23',
+  commit: 'Walls stand closer',
+  processor: 'AMD EPYC',
+  rounds: 150,
+  views: { 'castle, start': then, 'garden, start': then },
+};
+const same = { 'castle, start': then, 'garden, start': then };
+const slower = { ...same, 'garden, start': { ...then, wasm: 3.6 } };
+
+const view = (title, ratio) => ({
+  title,
+  nsPerPixel: 12.345,
+  spread: 0.2,
+  ratio,
+  walkShare: 0.5,
+  replay: 12.34,
+  phases: { setUp: 0.01, walk: 5, paint: 6, copy: 0.99 },
+  large: { nsPerPixel: 9, spread: 0.1, ratio: 11.5 },
+});
+const run = (name) => ({
+  name,
+  title: 'Node, WebAssembly with SIMD',
+  width: 1280,
+  height: 720,
+  rounds: 150,
+  copy: { nsPerPixel: 0.07, spread: 0.1 },
+  limit: {
+    nsPerPixel: 0.6,
+    spread: 0.1,
+    ratio: 8.6,
+    large: { width: 3840, height: 2160, nsPerPixel: 0.85, spread: 0.1 },
+  },
+  views: [view('castle, start', 2.5), view('garden, 10,000 objects, 100 seen', 13.25)],
+  missed: ['garden, 10,000 objects, 100 seen'],
+});
+
+test('the tables of two builds fit a terminal of 120 columns and mark what misses its target', () => {
+  const runs = [run('native'), run('wasm')];
+  const lines = [...table(runs).split('\n'), ...phasesTable(runs).split('\n')];
+  for (const line of lines) assert.ok(line.length <= 120, `${line.length}: ${line}`);
+  const rowOf = (title) => lines.find((line) => line.startsWith(title));
+  assert.match(rowOf('castle, start'), /(\s+12\.35\s+±10 %\s+2\.50\s+50 %\s+12\.34 11\.50){2}$/);
+  assert.doesNotMatch(rowOf('castle, start'), /!/);
+  assert.equal(rowOf('garden, 10,000').match(/13\.25!/g).length, 2);
+});
+
+test('what was recorded is read as it was, a line for each view', () => {
+  const text = ratiosText([record, { ...record, date: '2026-11-24' }]);
+  assert.deepEqual(readRatios(text, kFile), [record, { ...record, date: '2026-11-24' }]);
+  assert.equal(text.match(/^ {8}"castle, start": \{.*\},?$/gm).length, 2);
+});
+
+test('the past ratios of this repository can be read', () => {
+  const name = 'tests/bench/ratios.json';
+  const records = readRatios(readFileSync(`${root}${name}`, 'utf8'), name);
+  assert.ok('yardstick, flat hall' in records.at(-1).views);
+});
+
+for (const [what, text, message] of [
+  [
+    'a comma too many',
+    '{"records": [\n  {"date": "x",}]}',
+    'ratios.json:2:16: found "}", expected ',
+  ],
+  [
+    'a merge that was not finished',
+    '{"records": [\n<<<<<<< HEAD\n]}',
+    'ratios.json:2:1: found "<", expected JSON',
+  ],
+  ['half a file', '{"records":', 'ratios.json:1:12: found the end, expected JSON'],
+  ['no records', '{}', 'ratios.json: records: found nothing, expected a list of records'],
+  ['null', 'null', 'ratios.json: records: found nothing, expected a list of records'],
+  [
+    'no processor',
+    ratiosText([{ ...record, processor: undefined }]).replace('"processor": undefined, ', ''),
+    'ratios.json: records[0].processor: found nothing, expected a text',
+  ],
+  [
+    'a ratio in words',
+    ratiosText([{ ...record, views: { 'castle, start': { native: 'fast' } } }]),
+    'ratios.json: records[0].views["castle, start"]["native"]: found "fast", expected a number above 0',
+  ],
+]) {
+  test(`a bad file is refused, and the message says where: ${what}`, () => {
+    assert.throws(
+      () => readRatios(text, kFile),
+      (error) => error.message.startsWith(message) || assert.equal(error.message, message),
+    );
+  });
+}
+
+test('the figures of the builds come together by view', () => {
+  assert.deepEqual(figuresOf([run('native'), run('wasm')])['castle, start'], {
+    native: 2.5,
+    'native 4K': 11.5,
+    wasm: 2.5,
+    'wasm 4K': 11.5,
+  });
+});
+
+test('the record is the newest of this processor, else the newest of any', () => {
+  const other = { ...record, processor: 'another' };
+  const newer = { ...record, date: '2026-12-01' };
+  assert.equal(recordFor([record, newer, other], 'AMD EPYC'), newer);
+  assert.equal(recordFor([record, newer, other], 'a third one'), other);
+});
+
+test('a loss of 10 % is none yet, one of more is', () => {
+  const at = (wasm) => compare(record, { 'castle, start': { ...then, wasm } }).losses;
+  assert.deepEqual(at(3.3), []);
+  assert.deepEqual(at(3.31), [{ title: 'castle, start', figure: 'wasm', then: 3, now: 3.31 }]);
+});
+
+test('a view that is not in the record is told of and no loss', () => {
+  const found = compare(record, { ...same, 'a new view': then });
+  assert.deepEqual(found, { losses: [], unknown: ['a new view'] });
+});
+
+// Gives these measurements one after another, and notes what was asked for.
+function measurements(...results) {
+  const asked = [];
+  const measure = (builds, isAgain) => {
+    asked.push([builds, isAgain]);
+    return results[asked.length - 1];
+  };
+  return { asked, measure };
+}
+
+test('where nothing seems lost, everything is measured once', () => {
+  const { asked, measure } = measurements(same);
+  const result = check(record, measure);
+  assert.deepEqual(asked, [[null, false]]);
+  assert.match(
+    reportOf(result, record, 'AMD EPYC'),
+    /^None of 2 views has lost more than 10 % since 2026-11-23 \(Walls stand closer\)\.$/,
+  );
+});
+
+test('what seems lost is measured again, its build alone, and named if it is lost still', () => {
+  const { asked, measure } = measurements(slower, slower);
+  const result = check(record, measure);
+  assert.deepEqual(asked, [
+    [null, false],
+    [['wasm'], true],
+  ]);
+  assert.equal(result.losses.length, 1);
+  assert.match(
+    reportOf(result, record, 'AMD EPYC'),
+    /garden, start, wasm: then 3\.00, now 3\.60 \(\+20 %\)$/,
+  );
+});
+
+test('noise is no loss: neither what was slow only once, nor what is slow only the second time', () => {
+  for (const again of [same, { ...same, 'castle, start': { ...then, wasm: 4 } }])
+    assert.deepEqual(check(record, measurements(slower, again).measure).losses, []);
+});
+
+test('the report warns where the record is of another processor', () => {
+  const result = check(record, measurements(same).measure);
+  assert.match(
+    reportOf(result, record, 'Z80'),
+    /^Recorded on another processor \(AMD EPYC; this is Z80\): ratios differ/,
+  );
+});
+
+for (const [words, message] of [
+  [['--chekc'], /unknown option "--chekc"/],
+  [['--rounds', '0'], /--rounds needs a number from 1 to 999999/],
+  [['--check', '--record'], /--check and --record do not go together/],
+  [['--check', '--view', 'castle, start'], /--check measures all views/],
+  [['--record', '--native'], /--record measures every build/],
+]) {
+  test(`tools/bench ${words.join(' ')} is refused at once`, () => {
+    const { status, stderr } = spawnSync(`${root}tools/bench`, words, { encoding: 'utf8' });
+    assert.equal(status, 1);
+    assert.match(stderr, message);
+  });
+}
