@@ -1,5 +1,4 @@
-// The blocks of a tile: which of their faces a slice meets, in which rows, and which texels those
-// show.
+// The blocks of a tile: which of their faces a slice meets, and in which rows.
 #include "base/bits.h"
 #include "render/slice_walk.h"
 
@@ -12,12 +11,6 @@ namespace slicecast {
 namespace {
 
 constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
-
-// A point that lies on the border of two texels exactly may come out a rounding before it:
-// positions are moved by this much of a tile, far less than a pixel and far more than a rounding.
-constexpr double kSnap = 1.0 / 17179869184.0;
-
-constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
 
 }  // namespace
 
@@ -168,105 +161,6 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
         }
     }
     ceilingBelow(kHighest);
-}
-
-void SliceWalk::takeEnteredSide(const Block& block, int firstRow, int lastRow) {
-    if (!enteredSideKnown_) {
-        enteredSide_ = sideView(enter_);
-        enteredSideKnown_ = true;
-    }
-    takeSide(block, enteredFace(enter_), enter_, enteredSide_, firstRow, lastRow);
-}
-
-// What the sides at one border have in common.
-SliceWalk::SideView SliceWalk::sideView(const Crossing& border) const {
-    // Along x on the northern and southern sides, along y on the others.
-    const double fraction =
-        border.alongX
-            ? eyeFractionY_ + (eyeTileY_ - here_.fromY) + ray_.y * border.distance / border.speed
-            : eyeFractionX_ + (eyeTileX_ - here_.fromX) + ray_.x * border.distance / border.speed;
-    const double depth = border.along * projection_->distance;
-    constexpr double kEnd = 4294967295.0;  // of 1 << 32
-    return {
-        static_cast<std::uint32_t>(std::min(kEnd, std::max(0.0, fraction + kSnap) * 4294967296.0)),
-        depth, vista_->lighting.brightnessAt(depth), vista_->lighting.fogAt(depth)};
-}
-
-// Which texels the rows [first, last) of a side show, and in what light.
-__attribute__((always_inline)) inline TexelColumn SliceWalk::sideColumn(const Block& block,
-                                                                        Face face,
-                                                                        const Crossing& border,
-                                                                        const SideView& view,
-                                                                        int first, int last) const {
-    const FaceBlueprint& look = block.blueprint->face(face);
-    const FrameTexture& texture = frame_.textures[look.texture];
-    const int detail = frame_.detail.levelAt(view.depth, texture.size, texture.last);
-    const TextureLevel& level = texture.levels[detail];
-    const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
-    const int u = face == Face::north || face == Face::east ? level.size - 1 - column : column;
-
-    // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the
-    // block covers of the level. What has risen shows what is farther down.
-    constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
-    constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
-    const std::int64_t lowest = (65536 - block.blueprint->top.raw) * kPositionsPerRaw;
-    const std::int64_t end = (65536 - block.blueprint->bottom.raw) * kPositionsPerRaw;
-    const double perRow = border.along;
-    const double upperEdge = Coordinate{tileEdge(block.level + 1).raw - eyeZ_}.value();
-    const double v = upperEdge + (first + 0.5 - projection_->horizon) * perRow + kSnap;
-    const std::int64_t start = std::clamp(v <= 0.0   ? 0
-                                          : v >= 1.0 ? end
-                                                     : nearestInteger(v * kPositions),
-                                          lowest, end - 1);
-    const int steps = last - first - 1;
-    // A block of several rows is no higher than a tile, so a row's step is less.
-    std::int64_t step = steps > 0 ? nearestInteger(std::min(perRow, 1.0) * kPositions) : 0;
-    if (start + steps * step >= end) step = (end - 1 - start) / steps;
-    const std::int64_t rise = block.blueprint->textureRise.raw * kPositionsPerRaw;
-    return {.texels = level.texels.data() + (static_cast<std::size_t>(u) << level.bits),
-            .start = static_cast<std::uint64_t>(start + rise),
-            .step = static_cast<std::uint64_t>(step),
-            .depth = view.depth,
-            .factor = vista_->lighting.factorOf(look.glow ? kFullBrightness : view.brightness,
-                                                look.light),
-            .fog = view.fog,
-            .shift = kTexturePositionBits - level.bits,
-            .detail = detail};
-}
-
-void SliceWalk::takeSide(const Block& block, Face face, const Crossing& border,
-                         const SideView& view, int firstRow, int lastRow) {
-    open_.take(firstRow, lastRow, [&](int first, int last) {
-        addSide(block, face, border, view, first, last, false);
-    });
-}
-
-// The texture of what moves may come to its lower edge within a side, and begins anew there: then
-// the side is two spans.
-void SliceWalk::addSide(const Block& block, Face face, const Crossing& border, const SideView& view,
-                        int first, int last, bool layer) {
-    TexelColumn column = sideColumn(block, face, border, view, first, last);
-    if (column.start >= kWholeTexture) column.start -= kWholeTexture;
-    const auto steps = static_cast<std::uint64_t>(last - first - 1);
-    if (column.start + steps * column.step >= kWholeTexture) {
-        const std::uint64_t above = (kWholeTexture - column.start + column.step - 1) / column.step;
-        const int turn = first + static_cast<int>(above);
-        addSideSpan(block, face, column, first, turn, layer);
-        column.start += above * column.step - kWholeTexture;
-        first = turn;
-    }
-    addSideSpan(block, face, column, first, last, layer);
-}
-
-void SliceWalk::addSideSpan(const Block& block, Face face, const TexelColumn& column, int first,
-                            int last, bool layer) {
-    Span& span = add(What::side, first, last);
-    span.face = face;
-    span.layer = layer;
-    span.level = block.level;
-    span.tiles = here_;
-    span.image = block.blueprint->face(face).texture;
-    span.column = column;
 }
 
 Plane SliceWalk::planeOf(const Block& block, Face face) const {

@@ -70,8 +70,9 @@ void SliceWalk::seeUnjoined(const Block& block, const CellBlueprint* joined, Fac
                             const Crossing& border, int firstRow, int lastRow) {
     const CellBlueprint& own = *block.blueprint;
     const SideView view = sideView(border);
+    const Side side = sideOf(block, face, true);
     const auto draw = [&](int first, int last) {
-        if (first < last) seeThroughSide(block, face, border, view, first, last);
+        if (first < last) seeThroughSide(side, view, first, last);
     };
     if (joined == nullptr) return draw(firstRow, lastRow);
     const std::int32_t base = tileEdge(block.level).raw - eyeZ_;
@@ -131,11 +132,9 @@ void SliceWalk::passThroughPlane(const Block& block, Face face, int firstRow, in
                     here_, block.level);
 }
 
-void SliceWalk::seeThroughSide(const Block& block, Face face, const Crossing& border,
-                               const SideView& view, int firstRow, int lastRow) {
+void SliceWalk::seeThroughSide(const Side& side, const SideView& view, int firstRow, int lastRow) {
     open_.each(firstRow, lastRow, [&](int first, int last) {
-        if (!countLayer()) return;
-        addSide(block, face, border, view, first, last, true);
+        if (countLayer()) addSide(side, view, first, last);
     });
 }
 

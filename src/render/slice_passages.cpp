@@ -56,7 +56,7 @@ void SliceWalk::leaveSide(const Block& block, int firstRow, int lastRow) {
     if (block.blueprint->seeThrough) {
         leaveThroughSide(block, firstRow, lastRow);
     } else {
-        takeSide(block, leftFace(leave_), leave_, sideView(leave_), firstRow, lastRow);
+        takeSide(sideOf(block, leftFace(leave_), false), sideView(leave_), firstRow, lastRow);
     }
 }
 

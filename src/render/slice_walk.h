@@ -8,7 +8,8 @@
 //       v  '--------'  front
 //
 // slice_walk.cpp      over tiles in which nothing changes, floor and ceiling, what lies beyond
-// slice_blocks.cpp    the blocks of a tile, their sides, roofs and undersides
+// slice_blocks.cpp    the blocks of a tile, their roofs and undersides
+// slice_sides.cpp     their sides
 // slice_layers.cpp    see-through blocks
 // slice_objects.cpp   objects
 // slice_passages.cpp  portals and mirrors, where the walk goes on elsewhere
@@ -61,9 +62,25 @@ private:
     // What the sides at one border have in common.
     struct SideView {
         std::uint32_t fraction;  // of a tile, from its northern or western end, in 1/2^32
+        double along;            // see Crossing
         double depth;            // units
         double brightness;       // see Lighting
         std::uint32_t fog;
+    };
+
+    // A side of a block, whichever column meets it. Positions are along the texture, as in
+    // TexelColumn.
+    struct Side {
+        const FaceBlueprint* look;
+        const FrameTexture* texture;
+        int level;
+        Face face;
+        bool layer;
+        bool reversed;       // its texture's columns run northward or westward
+        double upperEdge;    // of the level, above the eye, units
+        std::int64_t start;  // what the block covers of the level
+        std::int64_t end;
+        std::int64_t rise;
     };
 
     // Floor or ceiling from a border on, as long as it has one texture.
@@ -115,20 +132,28 @@ private:
     __attribute__((noinline)) bool leaveDownwards(const Block& block, int edgeRow);
     void meetFalling(std::uint32_t levels, TextureId ceilingTexture);
     void meetRising(std::uint32_t levels, TextureId ceilingTexture);
-    SideView sideView(const Crossing& border) const;
-    TexelColumn sideColumn(const Block& block, Face face, const Crossing& border,
-                           const SideView& view, int first, int last) const;
-    void addSide(const Block& block, Face face, const Crossing& border, const SideView& view,
-                 int first, int last, bool layer);
-    void addSideSpan(const Block& block, Face face, const TexelColumn& column, int first, int last,
-                     bool layer);
-    void takeSide(const Block& block, Face face, const Crossing& border, const SideView& view,
-                  int firstRow, int lastRow);
-    void takeEnteredSide(const Block& block, int firstRow, int lastRow);
     void takeRoof(const Block& block, int firstRow, int lastRow, bool fromInside = false);
     void takeUnderside(const Block& block, int firstRow, int lastRow);
     void takeCeilingHere(TextureId texture);
     Plane planeOf(const Block& block, Face face) const;
+
+    // ---- slice_sides.cpp
+    // A point that lies on the border of two texels exactly may come out a rounding before it:
+    // positions are moved by this much of a tile, far less than a pixel and far more than a
+    // rounding.
+    static constexpr double kSnap = 1.0 / 17179869184.0;
+    static std::uint32_t fractionBits(double fraction) {
+        constexpr double kEnd = 4294967295.0;  // of 1 << 32
+        return static_cast<std::uint32_t>(
+            std::min(kEnd, std::max(0.0, fraction + kSnap) * 4294967296.0));
+    }
+    SideView sideView(const Crossing& border) const;
+    Side sideOf(const Block& block, Face face, bool layer) const;
+    TexelColumn sideColumn(const Side& side, const SideView& view, int first, int last) const;
+    void addSide(const Side& side, const SideView& view, int first, int last);
+    void addSideSpan(const Side& side, const TexelColumn& column, int first, int last);
+    void takeSide(const Side& side, const SideView& view, int firstRow, int lastRow);
+    void takeEnteredSide(const Block& block, int firstRow, int lastRow);
 
     // ---- slice_layers.cpp
     // Water may lack faces.
@@ -147,8 +172,7 @@ private:
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
     void passThroughPlane(const Block& block, Face face, int firstRow, int lastRow, bool leaving);
     void leaveThroughSide(const Block& block, int firstRow, int lastRow);
-    void seeThroughSide(const Block& block, Face face, const Crossing& border, const SideView& view,
-                        int firstRow, int lastRow);
+    void seeThroughSide(const Side& side, const SideView& view, int firstRow, int lastRow);
     void seeThroughPlane(What what, const Plane& plane, int firstRow, int lastRow,
                          const TileRange& tiles, int level = kNoLevel);
 

@@ -75,6 +75,7 @@ bool StripWalk::beginTogether(int count) {
         if (u <= 0.0 || std::fabs(v) > 2.0 * u) return false;
         speedU_[indexOf(i)] = u;
         speedV_[indexOf(i)] = std::fabs(v);
+        rayV_[indexOf(i)] = v;
         slope_[indexOf(i)] = v / u;
         stepV_[indexOf(i)] = v > 0.0 ? 1 : v < 0.0 ? -1 : 0;
         alongPerU_ = std::min(alongPerU_, 1.0 / u);
@@ -100,6 +101,7 @@ bool StripWalk::beginTogether(int count) {
     u_ = eyeU_;
     near_ = 0.0;
     far_ = stepU_ > 0 ? 1.0 - fractionU_ : fractionU_;
+    coverChanged_ = true;
     noticeChange(open_.live());
     return true;
 }
@@ -264,6 +266,7 @@ unsigned StripWalk::withObjects(unsigned bits) {
 
 // What the current tile holds, each column by itself.
 void StripWalk::meetAlone(unsigned bits) {
+    coverChanged_ = true;
     eachLane(bits, [&](int i) {
         SliceWalk& walk = lane(i);
         comeTo(i, v_);
@@ -303,7 +306,7 @@ void StripWalk::countTiles(int i, int v) {
     walk.tiles_ = tiles;
 }
 
-// After a tile: `live` were its columns with open rows before.
+// After a tile: `live` were the columns with open rows before.
 void StripWalk::noticeChange(unsigned live) {
     open_.findEnds();
     eachLane(live & ~open_.live(), [&](int i) {
@@ -311,7 +314,8 @@ void StripWalk::noticeChange(unsigned live) {
         open_.write(i);
     });
     live = open_.live();
-    if (live == 0) return;
+    if (!coverChanged_ || live == 0) return;
+    coverChanged_ = false;
     const int any = __builtin_ctz(live);
     const auto only = [&](const LaneValues& textures) {
         const Lanes same = textures.lanes() == inAllLanes(textures.at[any]);

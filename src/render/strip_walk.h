@@ -92,6 +92,7 @@ private:
     void meetFalling(TextureId ceiling);
     void meetRising(TextureId ceiling);
     void takeSide(const Block& block, Lanes first, Lanes last);
+    void findViews();
     void takeFace(const Block& block, Face face, Lanes first, Lanes last);
 
     SliceWalk& lane(int index) { return lanes_[static_cast<std::size_t>(index)]; }
@@ -119,6 +120,7 @@ private:
     double fractionV_ = 0.0;
     LaneDoubles speedU_;  // see Crossing
     LaneDoubles speedV_;
+    LaneDoubles rayV_;   // the rays' direction along v
     LaneDoubles slope_;  // v for each u, positive or negative
     std::array<int, kLanes> stepV_;
     Lanes stepsV_;            // the same
@@ -142,7 +144,8 @@ private:
     Lanes leftAlongU_;
     LaneDoubles entered_;  // rows that a height of 1/65536 unit takes at its borders
     LaneDoubles left_;
-    unsigned viewsKnown_ = 0;  // columns that have seen a side there
+    bool viewsKnown_ = false;
+    std::array<SliceWalk::SideView, kLanes> views_;  // of its sides, if they are known
     std::array<Block, kMaxLevels> block_;
     std::size_t blocks_ = 0;
 
@@ -154,7 +157,8 @@ private:
     LaneValues ceilingRow_;
     LaneValues ceilingFromU_;
     LaneValues ceilingFromV_;
-    int onlyFloor_ = 0;  // of all columns, or -1
+    bool coverChanged_ = false;  // since these were found:
+    int onlyFloor_ = 0;          // texture of all columns, or -1
     int onlyCeiling_ = 0;
     double nextObject_ = 0.0;  // `along` of the nearest object that is not met yet
 };

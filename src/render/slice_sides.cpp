@@ -1,0 +1,113 @@
+// The sides of blocks: which texels their rows show, and in what light.
+#include "base/bits.h"
+#include "render/slice_walk.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
+constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
+
+}  // namespace
+
+void SliceWalk::takeEnteredSide(const Block& block, int firstRow, int lastRow) {
+    if (!enteredSideKnown_) {
+        enteredSide_ = sideView(enter_);
+        enteredSideKnown_ = true;
+    }
+    takeSide(sideOf(block, enteredFace(enter_), false), enteredSide_, firstRow, lastRow);
+}
+
+// What the sides at one border have in common.
+SliceWalk::SideView SliceWalk::sideView(const Crossing& border) const {
+    // Along x on the northern and southern sides, along y on the others.
+    const double fraction =
+        border.alongX
+            ? eyeFractionY_ + (eyeTileY_ - here_.fromY) + ray_.y * border.distance / border.speed
+            : eyeFractionX_ + (eyeTileX_ - here_.fromX) + ray_.x * border.distance / border.speed;
+    const double depth = border.along * projection_->distance;
+    return {fractionBits(fraction), border.along, depth, vista_->lighting.brightnessAt(depth),
+            vista_->lighting.fogAt(depth)};
+}
+
+SliceWalk::Side SliceWalk::sideOf(const Block& block, Face face, bool layer) const {
+    const CellBlueprint& blueprint = *block.blueprint;
+    const FaceBlueprint& look = blueprint.face(face);
+    return {.look = &look,
+            .texture = &frame_.textures[look.texture],
+            .level = block.level,
+            .face = face,
+            .layer = layer,
+            .reversed = face == Face::north || face == Face::east,
+            .upperEdge = Coordinate{tileEdge(block.level + 1).raw - eyeZ_}.value(),
+            .start = (65536 - blueprint.top.raw) * kPositionsPerRaw,
+            .end = (65536 - blueprint.bottom.raw) * kPositionsPerRaw,
+            .rise = blueprint.textureRise.raw * kPositionsPerRaw};
+}
+
+// Which texels the rows [first, last) show.
+inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view, int first,
+                                         int last) const {
+    const FrameTexture& texture = *side.texture;
+    const int detail = frame_.detail.levelAt(view.depth, texture.size, texture.last);
+    const TextureLevel& level = texture.levels[detail];
+    const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
+    const int u = side.reversed ? level.size - 1 - column : column;
+
+    // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the
+    // block covers of the level. What has risen shows what is farther down.
+    constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
+    const double v = side.upperEdge + (first + 0.5 - projection_->horizon) * view.along + kSnap;
+    const std::int64_t start = std::clamp(v <= 0.0   ? 0
+                                          : v >= 1.0 ? side.end
+                                                     : nearestInteger(v * kPositions),
+                                          side.start, side.end - 1);
+    const int steps = last - first - 1;
+    // A block of several rows is no higher than a tile, so a row's step is less.
+    std::int64_t step = steps > 0 ? nearestInteger(std::min(view.along, 1.0) * kPositions) : 0;
+    if (start + steps * step >= side.end) step = (side.end - 1 - start) / steps;
+    return {.texels = level.texels.data() + (static_cast<std::size_t>(u) << level.bits),
+            .start = static_cast<std::uint64_t>(start + side.rise),
+            .step = static_cast<std::uint64_t>(step),
+            .depth = view.depth,
+            .factor = vista_->lighting.factorOf(side.look->glow ? kFullBrightness : view.brightness,
+                                                side.look->light),
+            .fog = view.fog,
+            .shift = kTexturePositionBits - level.bits,
+            .detail = detail};
+}
+
+void SliceWalk::takeSide(const Side& side, const SideView& view, int firstRow, int lastRow) {
+    open_.take(firstRow, lastRow, [&](int first, int last) { addSide(side, view, first, last); });
+}
+
+// The texture of what moves may come to its lower edge within a side, and begins anew there: then
+// the side is two spans.
+void SliceWalk::addSide(const Side& side, const SideView& view, int first, int last) {
+    TexelColumn column = sideColumn(side, view, first, last);
+    if (column.start >= kWholeTexture) column.start -= kWholeTexture;
+    const auto steps = static_cast<std::uint64_t>(last - first - 1);
+    if (column.start + steps * column.step >= kWholeTexture) {
+        const std::uint64_t above = (kWholeTexture - column.start + column.step - 1) / column.step;
+        const int turn = first + static_cast<int>(above);
+        addSideSpan(side, column, first, turn);
+        column.start += above * column.step - kWholeTexture;
+        first = turn;
+    }
+    addSideSpan(side, column, first, last);
+}
+
+inline void SliceWalk::addSideSpan(const Side& side, const TexelColumn& column, int first,
+                                   int last) {
+    Span& span = add(What::side, first, last);
+    span.face = side.face;
+    span.layer = side.layer;
+    span.level = side.level;
+    span.tiles = here_;
+    span.image = side.look->texture;
+    span.column = column;
+}
+
+}  // namespace slicecast
