@@ -63,8 +63,10 @@ struct Renderer::Strips {
     // Up to the next multiple of kStripColumns. Returns how many columns those are.
     int draw(int x) {
         const int columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
-        walk.begin(x, columns);
-        for (int c = 0; c < columns; ++c) painter.paint(walk.finish(c), scratch.strip.column(c));
+        walk.find(x, columns);
+        for (int c = 0; c < columns; ++c)
+            painter.paint(scratch.strips.found[static_cast<std::size_t>(c)],
+                          scratch.strip.column(c));
         scratch.strip.copyTo(picture, x, columns);
         return columns;
     }

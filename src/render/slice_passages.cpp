@@ -152,8 +152,10 @@ void SliceWalk::mirror(std::int32_t rise, int first, int last, int strength) {
     report_.mirroredRows += last - first;
 }
 
-// What the mirrors of this slice show, as a column that stands upside down.
-void SliceWalk::reflect(SliceSpans& found) {
+// What the mirrors of this slice show, as a column that stands upside down: its first part, before
+// its first tile. False if there are none.
+bool SliceWalk::beginReflection(SliceSpans& found) {
+    if (found.upright.mirrors.empty()) return false;
     const int height = frame_.vistas.projection().height;
     found_ = &found.reflected;
     for (const MirrorSpan& span : found.upright.mirrors) {
@@ -166,7 +168,9 @@ void SliceWalk::reflect(SliceSpans& found) {
         Parts::addRows(found_->parts.find(vista, met.walk, above, met.before, met.portals, 0),
                        height - span.last, height - span.first);
     }
-    walkParts(0);
+    part_ = 0;
+    begin(found_->parts[0]);
+    return true;
 }
 
 }  // namespace slicecast

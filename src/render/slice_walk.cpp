@@ -30,7 +30,12 @@ SliceWalk::SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report)
 void SliceWalk::find(int column, SliceSpans& found, bool withReflection) {
     beginColumn(column, found);
     goOn(false);
-    endColumn(found, withReflection);
+    endPart();
+    walkParts(1);
+    if (!withReflection || !beginReflection(found)) return;
+    goOn(false);
+    endPart();
+    walkParts(1);
 }
 
 // The first part, before its first tile.
@@ -47,13 +52,6 @@ void SliceWalk::beginColumn(int column, SliceSpans& found) {
     whole.rows.assign(1, {0, ownVista_.projection->height});
     part_ = 0;
     begin(whole);
-}
-
-// Behind the first part's last tile.
-void SliceWalk::endColumn(SliceSpans& found, bool withReflection) {
-    endPart();
-    walkParts(1);
-    if (withReflection && !found.upright.mirrors.empty()) reflect(found);
 }
 
 // Each part may add further ones.

@@ -93,7 +93,6 @@ private:
 
     // ---- slice_walk.cpp
     void beginColumn(int column, SliceSpans& found);
-    void endColumn(SliceSpans& found, bool withReflection);
     void walkParts(int first);
     void endPart();
     void begin(const Part& part);
@@ -201,7 +200,7 @@ private:
     void sendThrough(PortalId id, int firstRow, int lastRow, const HeightClip& clip);
     void enterPortalTile();
     void mirror(std::int32_t rise, int first, int last, int strength);
-    void reflect(SliceSpans& found);
+    bool beginReflection(SliceSpans& found);
     int mirrorStrength(std::uint8_t strength) const {
         return strength == 0
                    ? 0

@@ -13,12 +13,15 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 
 }  // namespace
 
-// The blocks of the current tile, from below; false where one of them is not met together.
+// The blocks of the current tile, from below; false where one of them is not met together. A mirror
+// cuts off what is below it: no ray gets into a block that stands there, for none shows in it
+// there.
 bool StripWalk::findBlocks(std::uint32_t reached) {
-    const SliceWalk& any = lanes_[0];
+    const SliceWalk& any = this->any();
     blocks_ = 0;
     for (; reached != 0; reached &= reached - 1) {
-        const Block block = any.blockAt(tileX(v_), tileY(v_), std::countr_zero(reached));
+        Block block = any.blockAt(tileX(v_), tileY(v_), std::countr_zero(reached));
+        if (any.clipped_ && !any.cutToClip(block)) continue;
         const CellBlueprint& look = *block.blueprint;
         if (look.seeThrough || look.hasPortals ||
             (block.top < 0 && any.mirrorStrength(look.face(Face::top).mirror) > 0))
@@ -116,7 +119,7 @@ void StripWalk::changeCover(TextureId floor, TextureId ceiling) {
     if (bitsOf(changed) == 0) return;
     coverChanged_ = true;
     if (ceiling != kNoTexture || onlyCeiling_ != kNoTexture) {
-        const Lanes rows = rowsBelow(lanes_[0].ceilingRise_, Border::enter);
+        const Lanes rows = rowsBelow(any().ceilingRise_, Border::enter);
         takeCeiling(changed, rows, Border::enter);
         startCeiling(changed, ceiling, rows);
     }
@@ -129,7 +132,7 @@ void StripWalk::takeFloor(Lanes mask, Border at) {
     const bool entering = at == Border::enter;
     const int height = projection_->height;
     const Lanes rows =
-        greater(rowsBelow(floorRise_, at), inAllLanes(lanes_[0].vista_->firstFloorRow));
+        greater(rowsBelow(any().floorRise_, at), inAllLanes(any().vista_->firstFloorRow));
     for (const auto& [i, first, last] : open_.take(mask, rows, inAllLanes(height))) {
         SliceWalk& walk = lane(i);
         walk.floor_.texture = static_cast<TextureId>(floor_.at[i]);
@@ -168,7 +171,7 @@ void StripWalk::startCeiling(Lanes mask, TextureId texture, Lanes rows) {
 
 // Ends the ceilings of some columns at a border, of which `rows` are theirs.
 void StripWalk::takeCeiling(Lanes mask, Lanes rows, Border at) {
-    const SliceWalk& any = lanes_[0];
+    const SliceWalk& any = this->any();
     const Lanes there = mask & ~(ceiling_.lanes() == inAllLanes(kNoTexture));
     unsigned bits = bitsOf(there);
     if (bits == 0 || any.ceilingRise_ == 0) return;
@@ -200,7 +203,7 @@ void StripWalk::takeCeiling(Lanes mask, Lanes rows, Border at) {
 }
 
 void StripWalk::takeCeilingHere(TextureId texture) {
-    const std::int32_t rise = lanes_[0].ceilingRise_;
+    const std::int32_t rise = any().ceilingRise_;
     startCeiling(mask_, texture, rowsBelow(rise, Border::enter));
     takeCeiling(mask_, rowsBelow(rise, Border::leave), Border::leave);
     ceiling_ = LaneValues(chosen(mask_, inAllLanes(kNoTexture), ceiling_.lanes()));
@@ -208,7 +211,7 @@ void StripWalk::takeCeilingHere(TextureId texture) {
 
 // See SliceWalk::meetFalling; here all blocks are plain and none is where the eye is.
 void StripWalk::meetFalling(TextureId ceiling) {
-    const SliceWalk& any = lanes_[0];
+    const SliceWalk& any = this->any();
     bool ceilingToCome = ceiling != kNoTexture && any.ceilingRise_ < 0;
     std::int32_t edge = kHighest;
     Lanes edgeRows = mask_;
@@ -232,7 +235,7 @@ void StripWalk::meetFalling(TextureId ceiling) {
 }
 
 void StripWalk::meetRising(TextureId ceiling) {
-    const SliceWalk& any = lanes_[0];
+    const SliceWalk& any = this->any();
     bool ceilingToCome = ceiling != kNoTexture && any.ceilingRise_ > 0;
     std::int32_t edge = -kHighest;
     Lanes edgeRows = mask_;
@@ -248,7 +251,8 @@ void StripWalk::meetRising(TextureId ceiling) {
             takeCeilingHere(ceiling);
             ceilingToCome = false;
         }
-        if (!covered && bitsOf(mask_ & open_.reachBelow(bottom)) != 0)
+        // Nothing comes from below a mirror.
+        if (!covered && !block.cut && bitsOf(mask_ & open_.reachBelow(bottom)) != 0)
             takeFace(block, Face::bottom, bottom, rowsBelow(block.bottom, Border::leave));
     }
     if (ceilingToCome) takeCeilingHere(ceiling);
@@ -259,7 +263,7 @@ void StripWalk::takeSide(const Block& block, Lanes first, Lanes last) {
     if (taken.empty()) return;
     if (!viewsKnown_) findViews();
     const unsigned alongU = bitsOf(enteredAlongU_);
-    const SliceWalk& any = lanes_[0];
+    const SliceWalk& any = this->any();
     const auto sideAlong = [&](bool isU) {
         const bool nearing = isU ? stepU_ > 0 : v_ > eyeV_;
         const Crossing border = {.alongX = isU == alongX_, .nearing = nearing};
@@ -277,7 +281,7 @@ void StripWalk::takeSide(const Block& block, Lanes first, Lanes last) {
 // As SliceWalk::sideView does it, two columns at once.
 __attribute__((noinline)) void StripWalk::findViews() {
     viewsKnown_ = true;
-    const Lighting& lighting = lanes_[0].vista_->lighting;
+    const Lighting& lighting = any().vista_->lighting;
     const LaneValues alongU(enteredAlongU_);
     const double baseV = fractionV_ + (eyeV_ - v_);
     const double baseU = fractionU_ + (eyeU_ - u_);

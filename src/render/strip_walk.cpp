@@ -39,37 +39,52 @@ StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& rep
 StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report)
     : StripWalk(frame, scratch, report, std::make_index_sequence<kLanes>()) {}
 
-void StripWalk::begin(int first, int count) {
-    first_ = first;
-    together_ = beginTogether(count);
-    if (together_) walk();
-}
-
-const SliceSpans& StripWalk::finish(int i) {
-    SliceSpans& found = scratch_.found[indexOf(i)];
-    if (together_) {
-        lane(i).endColumn(found, true);
-    } else {
-        lane(i).find(first_ + i, found);
+void StripWalk::find(int first, int count) {
+    const bool together = aim(first, count);
+    const unsigned all = (1u << count) - 1;
+    if (!together) {
+        eachLane(all, [&](int i) { lane(i).find(first + i, scratch_.found[indexOf(i)]); });
+        return;
     }
-    return found;
+    eachLane(all, [&](int i) { lane(i).beginColumn(first + i, scratch_.found[indexOf(i)]); });
+    walk(all);
+    const Vista* mirrored = nullptr;
+    unsigned bits = 0;
+    eachLane(all, [&](int i) {
+        SliceWalk& column = lane(i);
+        column.endPart();
+        column.walkParts(1);
+        if (!column.beginReflection(scratch_.found[indexOf(i)])) return;
+        if (mirrored == nullptr) mirrored = column.vista_;
+        if (column.vista_ == mirrored && column.portals_ == 0) {
+            bits |= 1u << i;
+        } else {
+            column.goOn(false);
+        }
+    });
+    if (bits != 0) walk(bits);
+    eachLane(all, [&](int i) {
+        if (scratch_.found[indexOf(i)].upright.mirrors.empty()) return;
+        lane(i).endPart();
+        lane(i).walkParts(1);
+    });
 }
 
-// False where the columns do not go one way: where they are few and wide, or the eye stands outside
-// the grid.
-bool StripWalk::beginTogether(int count) {
+// How the columns go through the map. False where they do not go one way: where they are few and
+// wide, or the eye stands outside the grid.
+bool StripWalk::aim(int first, int count) {
     const Vista& vista = frame_.vistas.ofEye();
     const Viewpoint& eye = vista.viewpoint;
     map_ = vista.map;
-    projection_ = vista.projection;
     if (!map_->contains(eye.tileX(), eye.tileY())) return false;
-    const GroundDirection middle = vista.ray(first_ + count / 2);
+    const GroundDirection middle = vista.ray(first + count / 2);
     alongX_ = std::fabs(middle.x) >= std::fabs(middle.y);
     stepU_ = (alongX_ ? middle.x : middle.y) > 0.0 ? 1 : -1;
     alongPerU_ = kNever;
     alongPerUMost_ = 0.0;
+    LaneValues steps;
     for (int i = 0; i < kLanes; ++i) {
-        const GroundDirection ray = vista.ray(first_ + std::min(i, count - 1));
+        const GroundDirection ray = vista.ray(first + std::min(i, count - 1));
         const double u = (alongX_ ? ray.x : ray.y) * stepU_;
         const double v = alongX_ ? ray.y : ray.x;
         if (u <= 0.0 || std::fabs(v) > 2.0 * u) return false;
@@ -78,11 +93,10 @@ bool StripWalk::beginTogether(int count) {
         rayV_[indexOf(i)] = v;
         slope_[indexOf(i)] = v / u;
         stepV_[indexOf(i)] = v > 0.0 ? 1 : v < 0.0 ? -1 : 0;
+        steps.at[i] = small(stepV_[indexOf(i)]);
         alongPerU_ = std::min(alongPerU_, 1.0 / u);
         alongPerUMost_ = std::max(alongPerUMost_, 1.0 / u);
     }
-    LaneValues steps;
-    for (int i = 0; i < kLanes; ++i) steps.at[i] = small(stepV_[indexOf(i)]);
     stepsV_ = steps.lanes();
     sizeU_ = alongX_ ? map_->width : map_->depth;
     sizeV_ = alongX_ ? map_->depth : map_->width;
@@ -90,23 +104,24 @@ bool StripWalk::beginTogether(int count) {
     eyeV_ = alongX_ ? eye.tileY() : eye.tileX();
     fractionU_ = alongX_ ? eye.fractionX() : eye.fractionY();
     fractionV_ = alongX_ ? eye.fractionY() : eye.fractionX();
-    for (int i = 0; i < count; ++i) lane(i).beginColumn(first_ + i, scratch_.found[indexOf(i)]);
-    open_.begin((1u << count) - 1);
+    return true;
+}
+
+// The columns in `bits` from the eye's tile on, all by one vista, to the ends of their parts.
+void StripWalk::walk(unsigned bits) {
+    any_ = __builtin_ctz(bits);
+    projection_ = any().projection_;
+    open_.begin(bits);
     floor_ = LaneValues(inAllLanes(map_->floor.texture));
     ceiling_ = LaneValues(inAllLanes(kNoTexture));
     floorFromU_ = ceilingFromU_ = LaneValues(inAllLanes(eyeU_));
     floorFromV_ = ceilingFromV_ = nearV_ = LaneValues(inAllLanes(eyeV_));
     ceilingRow_ = LaneValues(inAllLanes(0));
-    floorRise_ = lane(0).floorRise_;
     u_ = eyeU_;
     near_ = 0.0;
     far_ = stepU_ > 0 ? 1.0 - fractionU_ : fractionU_;
     coverChanged_ = true;
     noticeChange(open_.live());
-    return true;
-}
-
-void StripWalk::walk() {
     for (;;) {
         walkSlab();
         const int next = u_ + stepU_;
@@ -178,8 +193,7 @@ void StripWalk::leaveGridSideways() {
 
 // Whether nothing can be met there but the floor and the sky: see SliceWalk::whereToStop.
 bool StripWalk::isBeyond(double along) const {
-    const SliceWalk& any = lanes_[0];
-    return along > any.whereToStop(open_.first(), open_.last());
+    return along > any().whereToStop(open_.first(), open_.last());
 }
 
 // The rest of the way of some columns, each by itself, from where they leave the slab.
@@ -194,7 +208,7 @@ void StripWalk::goAlone(unsigned bits) {
 
 // A tile of the slab.
 void StripWalk::visit(int v) {
-    const SliceWalk& any = lanes_[0];
+    const SliceWalk& any = this->any();
     const std::size_t tile = map_->tileIndex(tileX(v), tileY(v));
     std::uint32_t reached = map_->occupied[tile];
     const double left = far_ * alongPerUMost_;
@@ -316,15 +330,15 @@ void StripWalk::noticeChange(unsigned live) {
     live = open_.live();
     if (!coverChanged_ || live == 0) return;
     coverChanged_ = false;
-    const int any = __builtin_ctz(live);
+    const int one = __builtin_ctz(live);
     const auto only = [&](const LaneValues& textures) {
-        const Lanes same = textures.lanes() == inAllLanes(textures.at[any]);
-        return (bitsOf(same) & live) == live ? static_cast<TextureId>(textures.at[any]) : -1;
+        const Lanes same = textures.lanes() == inAllLanes(textures.at[one]);
+        return (bitsOf(same) & live) == live ? static_cast<TextureId>(textures.at[one]) : -1;
     };
     onlyFloor_ = only(floor_);
     onlyCeiling_ = only(ceiling_);
     nextObject_ = kNever;
-    if (!lanes_[0].vista_->objects.none())
+    if (!any().vista_->objects.none())
         eachLane(live,
                  [&](int i) { nextObject_ = std::min(nextObject_, lane(i).nextObjectAlong()); });
 }

@@ -7,6 +7,7 @@
 //      | o:' ' |   |   | minor
 //      +---+---+---+---+  v     What a tile holds is projected for all columns at once, and open rows are closed in all at once. What is rare (see-through
 //        major -->              blocks, portals, objects, mirrors, the eye's own tile) each column meets by itself, by the walk of slice_walk.h, in that tile.
+//                               What mirrors show of the eye's map is walked together, too.
 //
 // strip_walk.cpp      which tiles, and which columns come through them
 // strip_blocks.cpp    what a tile holds
@@ -34,11 +35,9 @@ public:
     // All outlive the walk.
     StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report);
 
-    // Walks the columns [first, first + count) over the eye's map, 1 to 16 of them.
-    void begin(int first, int count);
-    // What all rows of column first + i show, when it has gone on behind portals and in mirrors.
-    // Ask for each once.
-    const SliceSpans& finish(int i);
+    // What all rows of the columns [first, first + count) show, 1 to 16 of them, into the first ones
+    // of scratch.found.
+    void find(int first, int count);
 
 private:
     using Border = SliceWalk::Border;
@@ -59,8 +58,8 @@ private:
               std::index_sequence<index...>);
 
     // ---- strip_walk.cpp
-    __attribute__((noinline)) bool beginTogether(int count);
-    void walk();
+    __attribute__((noinline)) bool aim(int first, int count);
+    void walk(unsigned bits);
     void walkSlab();
     void findFarTiles();
     int farTile(int lane, double v) const;
@@ -95,6 +94,8 @@ private:
     void findViews();
     void takeFace(const Block& block, Face face, Lanes first, Lanes last);
 
+    // One of the columns that walk together, for what they have in common.
+    const SliceWalk& any() const { return lanes_[static_cast<std::size_t>(any_)]; }
     SliceWalk& lane(int index) { return lanes_[static_cast<std::size_t>(index)]; }
     int tileX(int v) const { return alongX_ ? u_ : v; }
     int tileY(int v) const { return alongX_ ? v : u_; }
@@ -106,10 +107,7 @@ private:
     std::array<SliceWalk, kLanes> lanes_;
 
     // Of the strip:
-    int first_ = 0;
-    bool together_ = false;  // else each column is walked by itself
     const Map* map_ = nullptr;
-    const Projection* projection_ = nullptr;
     bool alongX_ = false;  // the major axis, u, is x
     int stepU_ = 1;
     int sizeU_ = 0;  // tiles
@@ -126,7 +124,10 @@ private:
     Lanes stepsV_;            // the same
     double alongPerU_ = 0.0;  // least and greatest `along` for each unit of u
     double alongPerUMost_ = 0.0;
-    std::int32_t floorRise_ = 0;
+
+    // Of the walk, over the map or as a mirror shows it:
+    int any_ = 0;
+    const Projection* projection_ = nullptr;
 
     // Of the slab:
     int u_ = 0;

@@ -49,8 +49,7 @@ Phases PhasedFrame::draw(const Picture& picture) {
     end(phases.setUp);
     for (int x = 0; x < picture.width; x += kStripColumns) {
         const int columns = std::min(kStripColumns, picture.width - x);
-        walk.begin(x, columns);
-        for (int c = 0; c < columns; ++c) walk.finish(c);
+        walk.find(x, columns);
         end(phases.walk);
         for (int c = 0; c < columns; ++c)
             painter.paint(strips_.found[static_cast<std::size_t>(c)], strip_.column(c));

@@ -26,9 +26,7 @@ public:
 
     // Of the columns [first, first + count), at most 16.
     std::span<const SliceSpans> findTogether(int first, int count) {
-        StripWalk walk(frame_, strip_, report_);
-        walk.begin(first, count);
-        for (int i = 0; i < count; ++i) walk.finish(i);
+        StripWalk(frame_, strip_, report_).find(first, count);
         return {strip_.found.data(), static_cast<std::size_t>(count)};
     }
 
