@@ -17,6 +17,7 @@ public:
     // beyond half the rows, so nothing is allocated after the first slice of a height.
     void openOnly(const std::vector<Run>& rows, int height) {
         runs_.reserve(static_cast<std::size_t>(height) / 2 + 2);
+        within_.reserve(static_cast<std::size_t>(height) / 2 + 2);
         runs_.assign(rows.begin(), rows.end());
         findEnds();
     }
@@ -91,6 +92,13 @@ public:
         }
     }
 
+    // The same as a list, until the next call: rows may be closed meanwhile.
+    const std::vector<Run>& within(int first, int last) {
+        within_.clear();
+        each(first, last, [&](int from, int to) { within_.push_back({from, to}); });
+        return within_;
+    }
+
 private:
     void findEnds() {
         first_ = runs_.empty() ? 0 : runs_.front().first;
@@ -98,6 +106,7 @@ private:
     }
 
     std::vector<Run> runs_;
+    std::vector<Run> within_;
     int first_ = 0;
     int last_ = 0;
 };

@@ -47,8 +47,12 @@ void PlaneLook::begin(const Plane& looked, const FrameTexture& texture, const De
     };
     const int end = plane.rise < 0 ? rays.height : rays.firstFallingRow;
     int row = plane.rise < 0 ? rays.firstFallingRow : 0;
-    if (row == end) return;
-    const Stretch last = at(end - 1);
+    // The last stretch is without end, so that whoever asks for rows that see no plane gets one.
+    if (row == end) {
+        stretches_.push_back({rays.height, 0, PlaneShade::full});
+        return;
+    }
+    Stretch last = at(end - 1);
     for (Stretch here = at(row);; here = at(row)) {
         if (alike(here, last)) break;
         int other = end - 1;  // the first row known to be unlike
@@ -63,6 +67,7 @@ void PlaneLook::begin(const Plane& looked, const FrameTexture& texture, const De
         here.last = row = other;
         stretches_.push_back(here);
     }
+    last.last = rays.height;
     stretches_.push_back(last);
 }
 

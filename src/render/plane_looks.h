@@ -53,7 +53,7 @@ public:
     double depthPerInverse = 0.0;  // the depth that a row sees, by its inverse offset
     bool seeThrough = false;       // its texture
 
-    // All rows of the plane's side of the horizon, from the top.
+    // All rows of the plane's side of the horizon, from the top, and any others.
     const std::vector<Stretch>& stretches() const { return stretches_; }
 
     // The tables, good for the rows [first, last).

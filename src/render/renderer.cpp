@@ -132,7 +132,7 @@ void Renderer::traceInto(const World& world, const Eye& eye, const RenderOptions
     FrameReport report;
     if (canTrace) {
         frame.emplace(world, eye, options, width, height, s.memory);
-        walk.emplace(*frame, s.open, report);
+        walk.emplace(*frame, s.open, report, SliceWalk::SeeThrough::whole);
     }
     for (const int column : columns) {
         trace.clear();

@@ -133,9 +133,9 @@ void SliceWalk::passThroughPlane(const Block& block, Face face, int firstRow, in
 }
 
 void SliceWalk::seeThroughSide(const Side& side, const SideView& view, int firstRow, int lastRow) {
-    open_.each(firstRow, lastRow, [&](int first, int last) {
-        if (countLayer()) addSide(side, view, first, last);
-    });
+    for (const OpenRows::Run& rows : open_.within(firstRow, lastRow)) {
+        if (countLayer()) addSide(side, view, rows.first, rows.last);
+    }
 }
 
 void SliceWalk::seeThroughPlane(What what, const Plane& plane, int firstRow, int lastRow,

@@ -1,6 +1,7 @@
 // Objects on the way of a slice.
 #include "base/bits.h"
 #include "render/slice_walk.h"
+#include "render/texel_cut.h"
 
 #include <algorithm>
 
@@ -78,7 +79,15 @@ void SliceWalk::meetObject(const FrameObject& object) {
     const int lastRow = object.bottom >= clip_.low
                             ? object.lastRow
                             : FrameObjects::firstRowBelow(*projection_, clip_.low, object.depth);
-    open_.each(firstRow, lastRow, [&](int first, int last) {
+    const auto add = [&](const TexelColumn& column, int first, int last, bool layer) {
+        if (!layer) open_.take(first, last, [](int, int) {});
+        Span& span = this->add(What::object, first, last);
+        span.layer = layer;
+        span.object = object.index;
+        span.image = sprite;
+        span.column = column;
+    };
+    for (const auto& [first, last] : open_.within(firstRow, lastRow)) {
         const double down = object.top / 65536.0 - (projection_->horizon - (first + 0.5)) * perRow;
         const std::int64_t start = std::clamp<std::int64_t>(
             nearestInteger(std::clamp(down * perUnit, 0.0, static_cast<double>(end))), 0, end - 1);
@@ -86,22 +95,24 @@ void SliceWalk::meetObject(const FrameObject& object) {
         std::int64_t step =
             steps > 0 ? nearestInteger(std::min(perRow * perUnit, static_cast<double>(end))) : 0;
         if (start + steps * step >= end) step = (end - 1 - start) / steps;
-        if (!countLayer()) return;
-        Span& span = add(What::object, first, last);
-        span.layer = true;
-        span.object = object.index;
-        span.image = sprite;
-        span.column = {.texels = level.texels.data() + static_cast<std::size_t>(u) *
-                                                           static_cast<std::size_t>(level.height),
-                       .start = static_cast<std::uint64_t>(start),
-                       .step = static_cast<std::uint64_t>(step),
-                       .depth = object.depth,
-                       .factor = object.factor,
-                       .fog = object.fog,
-                       .shift = 32,
-                       .detail = object.detail};
+        if (!countLayer()) continue;
+        const TexelColumn column = {
+            .texels = level.texels.data() +
+                      static_cast<std::size_t>(u) * static_cast<std::size_t>(level.height),
+            .start = static_cast<std::uint64_t>(start),
+            .step = static_cast<std::uint64_t>(step),
+            .depth = object.depth,
+            .factor = object.factor,
+            .fog = object.fog,
+            .shift = 32,
+            .detail = object.detail};
+        if (cuts_) {
+            cutTexels(column, level.runs.of(u), first, last, add);
+        } else {
+            add(column, first, last, true);
+        }
         drawn = true;
-    });
+    }
     if (drawn) ++report_.objectSlices;
 }
 

@@ -45,6 +45,7 @@ void SlicePainter::paintOpaque(const ColumnSpans& column) {
         if (span.layer) continue;
         switch (span.what) {
             case What::side:
+            case What::object:
                 paintTexels(span, Lay::opaque);
                 break;
             case What::sky:

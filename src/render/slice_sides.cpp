@@ -1,6 +1,7 @@
 // The sides of blocks: which texels their rows show, and in what light.
 #include "base/bits.h"
 #include "render/slice_walk.h"
+#include "render/texel_cut.h"
 
 #include <algorithm>
 
@@ -92,11 +93,26 @@ void SliceWalk::addSide(const Side& side, const SideView& view, int first, int l
     if (column.start + steps * column.step >= kWholeTexture) {
         const std::uint64_t above = (kWholeTexture - column.start + column.step - 1) / column.step;
         const int turn = first + static_cast<int>(above);
-        addSideSpan(side, column, first, turn);
+        addSideRows(side, column, first, turn);
         column.start += above * column.step - kWholeTexture;
         first = turn;
     }
-    addSideSpan(side, column, first, last);
+    addSideRows(side, column, first, last);
+}
+
+inline void SliceWalk::addSideRows(const Side& side, const TexelColumn& column, int first,
+                                   int last) {
+    if (!side.layer || !cuts_) return addSideSpan(side, column, first, last);
+    Side piece = side;
+    const auto add = [&](const TexelColumn& texels, int from, int to, bool layer) {
+        piece.layer = layer;
+        if (!layer) open_.take(from, to, [](int, int) {});
+        addSideSpan(piece, texels, from, to);
+    };
+    if (!side.texture->seeThrough) return add(column, first, last, false);
+    const TextureLevel& level = side.texture->levels[column.detail];
+    const auto u = static_cast<int>((column.texels - level.texels.data()) >> level.bits);
+    cutTexels(column, level.runs.of(u), first, last, add);
 }
 
 inline void SliceWalk::addSideSpan(const Side& side, const TexelColumn& column, int first,

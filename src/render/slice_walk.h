@@ -7,7 +7,8 @@
 //       |  |  side  | '
 //       v  '--------'  front
 //
-// slice_walk.cpp      over tiles in which nothing changes, floor and ceiling, what lies beyond
+// slice_walk.cpp      over tiles in which nothing changes, and what lies beyond
+// slice_cover.cpp     floor and ceiling
 // slice_blocks.cpp    the blocks of a tile, their roofs and undersides
 // slice_sides.cpp     their sides
 // slice_layers.cpp    see-through blocks
@@ -28,9 +29,15 @@ namespace slicecast {
 
 class SliceWalk {
 public:
+    // Whether the texels of see-through sides and objects are looked at: then those rows of them
+    // are left out that show nothing, and the opaque ones close theirs, so that nothing is found
+    // behind.
+    enum class SeeThrough { whole, cut };
+
     // All three outlive the walk; `open` and what `find` is given keep their memory from slice to
     // slice.
-    __attribute__((noinline)) SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report);
+    __attribute__((noinline))
+    SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report, SeeThrough seeThrough);
 
     // What all rows of a column show.
     void find(int column, SliceSpans& found, bool withReflection = true);
@@ -110,12 +117,6 @@ private:
     Pass passTilesWith(bool leaveFirst);
     void meetTile();
     void meetStretch();
-    void takeFloor(Border upTo);
-    void takeFloorBeyond(int row);
-    void takeFloorRows(int row, const TileRange& tiles);
-    void addFloor(int first, int last, const TileRange& tiles);
-    void startCeiling(TextureId texture);
-    void endCeiling(Border at);
     void takeBackground();
     void takeHaze(int firstRow);
     Span& add(What what, int first, int last);
@@ -124,6 +125,14 @@ private:
         return vista_->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
     }
     bool countLayer();  // false where there is no room for one more
+
+    // ---- slice_cover.cpp
+    void takeFloor(Border upTo);
+    void takeFloorBeyond(int row);
+    void takeFloorRows(int row, const TileRange& tiles);
+    void addFloor(int first, int last, const TileRange& tiles);
+    void startCeiling(TextureId texture);
+    void endCeiling(Border at);
 
     // ---- slice_blocks.cpp
     Block blockAt(int x, int y, int level) const;
@@ -150,6 +159,7 @@ private:
     Side sideOf(const Block& block, Face face, bool layer) const;
     TexelColumn sideColumn(const Side& side, const SideView& view, int first, int last) const;
     void addSide(const Side& side, const SideView& view, int first, int last);
+    void addSideRows(const Side& side, const TexelColumn& column, int first, int last);
     void addSideSpan(const Side& side, const TexelColumn& column, int first, int last);
     void takeSide(const Side& side, const SideView& view, int firstRow, int lastRow);
     void takeEnteredSide(const Block& block, int firstRow, int lastRow);
@@ -234,6 +244,7 @@ private:
 
     const Frame& frame_;
     Vista& ownVista_;  // of the eye
+    const bool cuts_;
     OpenRows& open_;
     FrameReport& report_;
 

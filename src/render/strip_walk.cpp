@@ -34,7 +34,7 @@ StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& rep
       scratch_(scratch),
       report_(report),
       open_(scratch.open),
-      lanes_{SliceWalk(frame, scratch.open.rows[index], report)...} {}
+      lanes_{SliceWalk(frame, scratch.open.rows[index], report, SliceWalk::SeeThrough::cut)...} {}
 
 StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report)
     : StripWalk(frame, scratch, report, std::make_index_sequence<kLanes>()) {}

@@ -173,8 +173,8 @@ struct FrameReport {
     std::int64_t mirroredRows = 0;
     std::int64_t layers = 0;        // runs of rows that were seen through, objects among them
     std::int64_t objectSlices = 0;  // columns of objects that were drawn
-    std::int64_t rowsFilled =
-        0;  // rows of slices: each once, and again for each see-through layer over it
+    // Rows of slices: each once, and again for each layer that is blended over it.
+    std::int64_t rowsFilled = 0;
 };
 
 // Which column of a picture is traced.

@@ -21,6 +21,7 @@ Sprite makeSprite(std::string name, const Image& image, int frames, double rate)
         for (; width % 2 == 0 && height % 2 == 0; width /= 2, height /= 2) {
             levels.push_back({width / 2, height / 2, halved(levels.back().texels, height)});
         }
+        for (SpriteLevel& level : levels) level.runs = TexelRuns(level.texels, level.height);
         sprite.frames.push_back(std::move(levels));
     }
     return sprite;

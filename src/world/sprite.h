@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "world/texel_runs.h"
 
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ struct SpriteLevel {
     int width = 0;  // texels
     int height = 0;
     std::vector<Pixel> texels;  // column after column: texel (u, v) is texels[u * height + v]
+    TexelRuns runs = {};
 };
 
 struct Sprite {

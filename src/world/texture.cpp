@@ -8,12 +8,14 @@
 namespace slicecast {
 namespace {
 
-std::vector<TextureLevel> levelsOf(const Image& sheet, int frame) {
+std::vector<TextureLevel> levelsOf(const Image& sheet, int frame, bool seeThrough) {
     std::vector<TextureLevel> levels;
     for (int size = sheet.height; size >= 1; size /= 2) {
         std::vector<Pixel> texels =
             levels.empty() ? columnsOf(sheet, frame, size) : halved(levels.back().texels, 2 * size);
-        levels.push_back({size, std::countr_zero(static_cast<unsigned>(size)), std::move(texels)});
+        TexelRuns runs = seeThrough ? TexelRuns(texels, size) : TexelRuns();
+        levels.push_back({size, std::countr_zero(static_cast<unsigned>(size)), std::move(texels),
+                          std::move(runs)});
     }
     return levels;
 }
@@ -99,9 +101,9 @@ Texture makeTexture(std::string name, const Image& image, int frames, double rat
     texture.name = std::move(name);
     texture.rate = frames > 1 ? rate : 0.0;
     texture.seeThrough = !image.isOpaque();
-    texture.levels = levelsOf(image, 0);
+    texture.levels = levelsOf(image, 0, texture.seeThrough);
     for (int frame = 1; frame < frames; ++frame)
-        texture.laterFrames.push_back(levelsOf(image, frame));
+        texture.laterFrames.push_back(levelsOf(image, frame, texture.seeThrough));
     return texture;
 }
 

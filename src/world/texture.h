@@ -10,6 +10,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "world/texel_runs.h"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct TextureLevel {
     int bits = 0;               // size = 1 << bits
     std::vector<Pixel> texels;  // column after column, since walls are drawn downwards: texel (u,
                                 // v) is texels[(u << bits) + v]
+    TexelRuns runs = {};        // none where all texels are opaque
 };
 
 struct Texture {

@@ -40,6 +40,32 @@ struct Row {
     std::vector<const MirrorSpan*> mirrors;
 };
 
+std::uint32_t alphaOf(const Span& span, int row) {
+    const std::uint64_t position =
+        span.column.start + static_cast<std::uint64_t>(row - span.first) * span.column.step;
+    return span.column.texels[position >> span.column.shift] >> 24;
+}
+
+// Who looks at texels leaves out those that show nothing, and what lies behind opaque ones.
+void forgetHidden(Row& row, int number) {
+    std::vector<const Span*> seen;
+    for (const Span* layer : row.layers) {
+        const std::uint32_t alpha = hasTexelColumn(*layer) ? alphaOf(*layer, number) : 128;
+        if (alpha == 0) continue;
+        if (alpha < 255) {
+            seen.push_back(layer);
+            continue;
+        }
+        row.opaque = layer;
+        break;
+    }
+    row.layers = std::move(seen);
+    if (row.opaque == nullptr || !hasTexelColumn(*row.opaque)) return;
+    row.mirrors.clear();
+    std::erase_if(row.portals,
+                  [&](const PortalSpan* span) { return span->portals >= row.opaque->portals; });
+}
+
 std::vector<Row> rowsOf(const ColumnSpans& column, int height) {
     std::vector<Row> rows(static_cast<std::size_t>(height));
     const auto each = [&](const auto& span, auto fn) {
@@ -59,6 +85,7 @@ std::vector<Row> rowsOf(const ColumnSpans& column, int height) {
         each(span, [&](Row& row) { row.portals.push_back(&span); });
     for (const MirrorSpan& span : column.mirrors)
         each(span, [&](Row& row) { row.mirrors.push_back(&span); });
+    for (int row = 0; row < height; ++row) forgetHidden(rows[static_cast<std::size_t>(row)], row);
     return rows;
 }
 
@@ -78,9 +105,10 @@ bool covers(const TileRange& fast, const TileRange& plain, GroundDirection ray) 
            holds(fast.fromY, fast.toY, plain.fromY, ray.y);
 }
 
-// How far the texel positions of a row may lie apart where spans begin or end in other rows: steps
-// are rounded once a row, and shortened where the last row would come to lie beyond the block,
-// which positions may do by the trifle that they are moved by, 2^14 of 2^48.
+// How far the texel positions of a row may lie apart where spans begin or end in other rows, as
+// layers do that are cut: steps are rounded once a row, and shortened where the last row would come
+// to lie beyond the block, which positions may do by the trifle that they are moved by, 2^14 of
+// 2^48.
 std::int64_t mayBeApart(const Span& span, int rows) {
     return rows + 2 + (span.what == What::side ? std::int64_t{1} << 14 : 0);
 }
@@ -100,15 +128,15 @@ bool isSameColumn(const Span& fast, const Span& plain, int row) {
         a.factor != b.factor || a.fog != b.fog || a.depth != b.depth)
         return false;
     const std::int64_t apart = std::abs(positionAt(fast, row) - positionAt(plain, row));
-    if (fast.first == plain.first && fast.last == plain.last && !mayBePiece(fast) &&
+    if (fast.first == plain.first && fast.last == plain.last && !plain.layer && !mayBePiece(fast) &&
         !mayBePiece(plain))
         return apart == 0;
-    return apart <= mayBeApart(fast, row - std::min(fast.first, plain.first));
+    return apart <= mayBeApart(fast, row);
 }
 
 bool isSame(const Span& fast, const Span& plain, int row, int column) {
-    if (fast.what != plain.what || fast.layer != plain.layer || fast.vista != plain.vista ||
-        fast.portals != plain.portals || fast.level != plain.level || fast.object != plain.object)
+    if (fast.what != plain.what || fast.vista != plain.vista || fast.portals != plain.portals ||
+        fast.level != plain.level || fast.object != plain.object)
         return false;
     if (fast.level != kNoLevel && fast.face != plain.face) return false;
     if (isPlane(fast))
@@ -154,17 +182,24 @@ std::string textOf(const Row& row) {
 }
 
 // Tells of the first row that differs; empty if none does.
-std::string difference(const ColumnSpans& fast, const ColumnSpans& plain, int column, int height) {
-    const std::vector<Row> fastRows = rowsOf(fast, height);
-    const std::vector<Row> plainRows = rowsOf(plain, height);
-    for (int row = 0; row < height; ++row) {
-        const Row& a = fastRows[static_cast<std::size_t>(row)];
-        const Row& b = plainRows[static_cast<std::size_t>(row)];
-        if (!isSameRow(a, b, row, column))
-            return "row " + std::to_string(row) + " differs\n  one walk:\n" + textOf(a) +
-                   "  the other:\n" + textOf(b);
+std::string difference(const std::vector<Row>& fast, const std::vector<Row>& plain, int column) {
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        const auto row = static_cast<int>(i);
+        if (!isSameRow(fast[i], plain[i], row, column))
+            return "row " + std::to_string(row) + " differs\n  one walk:\n" + textOf(fast[i]) +
+                   "  the other:\n" + textOf(plain[i]);
     }
     return {};
+}
+
+// What is found in mirrors, which stands upside down, and is seen in rows that show a mirror.
+std::vector<Row> mirroredRows(const ColumnSpans& reflected, const std::vector<Row>& upright) {
+    const std::size_t height = upright.size();
+    std::vector<Row> rows = rowsOf(reflected, static_cast<int>(height));
+    for (std::size_t i = 0; i < height; ++i) {
+        if (upright[height - 1 - i].mirrors.empty()) rows[i] = {};
+    }
+    return rows;
 }
 
 constexpr int kMostTold = 3;  // differences: one shows enough
@@ -208,8 +243,8 @@ public:
                 plain.find(fast.column, plainSpans);
                 compare(fast, plainSpans);
                 compare(stage_.find(fast.column), plainSpans);
-                sum_.add(fast.upright, "");
-                sum_.add(fast.reflected, "mirrored ");
+                sum_.add(plainSpans.upright, "");
+                sum_.add(plainSpans.reflected, "mirrored ");
             }
         }
     }
@@ -218,9 +253,12 @@ private:
     void compare(const SliceSpans& fast, const SliceSpans& plain) {
         ++sum_.columns;
         sum_.rows += view_.height;
-        std::string apart = difference(fast.upright, plain.upright, fast.column, view_.height);
+        const std::vector<Row> fastRows = rowsOf(fast.upright, view_.height);
+        const std::vector<Row> plainRows = rowsOf(plain.upright, view_.height);
+        std::string apart = difference(fastRows, plainRows, fast.column);
         if (apart.empty()) {
-            apart = difference(fast.reflected, plain.reflected, fast.column, view_.height);
+            apart = difference(mirroredRows(fast.reflected, fastRows),
+                               mirroredRows(plain.reflected, plainRows), fast.column);
             if (!apart.empty()) apart = "in mirrors: " + apart;
         }
         if (!apart.empty()) return complain(apart, fast, plain);

@@ -20,7 +20,7 @@ public:
         : eye_(eye), options_(options), frame_(world, eye_, options_, width, height, memory_) {}
 
     const SliceSpans& find(int column) {
-        SliceWalk(frame_, open_, report_).find(column, spans_);
+        SliceWalk(frame_, open_, report_, SliceWalk::SeeThrough::whole).find(column, spans_);
         return spans_;
     }
 

@@ -491,7 +491,9 @@ TEST_F(TraceJsonTest, APicturesTraceIsTheSumOfItsColumns) {
     }
     EXPECT_EQ(texels, textured);
     EXPECT_EQ(frame["textures"].Size(), 4u) << "stone, glass, ground and the lamp";
-    EXPECT_EQ(frame["totals"]["rowsFilled"].GetDouble(), kWidth * kHeight + layers);
+    // A trace tells of layers that nobody sees, too: holes, and what opaque texels hide.
+    EXPECT_LE(frame["totals"]["rowsFilled"].GetDouble(), kWidth * kHeight + layers);
+    EXPECT_GT(frame["totals"]["rowsFilled"].GetDouble(), kWidth * kHeight);
     EXPECT_GT(frame["totals"]["tilesWalked"].GetInt(), kWidth);
     EXPECT_TRUE(frame["times"].IsNull()) << "nobody measures";
 }

@@ -1,0 +1,74 @@
+// Floor and ceiling, which go on from tile to tile until they change.
+#include "render/slice_walk.h"
+
+#include <algorithm>
+
+namespace slicecast {
+
+// Closes the rows that have met the floor by a border; behind it the floor goes on. Rows beyond the
+// map's `far` are left for the haze.
+void SliceWalk::takeFloor(Border upTo) {
+    const TileRange tiles = {floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo), false};
+    takeFloorRows(rowBelow(floorRise_, upTo), tiles);
+    floor_.fromX = behindX(upTo);
+    floor_.fromY = behindY(upTo);
+}
+
+// From the current tile on without end, down to where `row` is the first one below the floor.
+void SliceWalk::takeFloorBeyond(int row) {
+    takeFloorRows(row, {floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true});
+}
+
+void SliceWalk::takeFloorRows(int row, const TileRange& tiles) {
+    open_.take(std::max(row, vista_->firstFloorRow), projection_->height,
+               [&](int first, int last) { addFloor(first, last, tiles); });
+}
+
+// A floor that goes on from one tile to the next is one span.
+void SliceWalk::addFloor(int first, int last, const TileRange& tiles) {
+    if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
+    if (Span* const before = floorSpan_ == kNone ? nullptr : &found_->spans[floorSpan_];
+        before != nullptr && before->first == last &&
+        before->look->plane.texture == floor_.texture) {
+        before->first = first;
+        before->tiles.toX = tiles.toX;
+        before->tiles.toY = tiles.toY;
+        before->tiles.endless = tiles.endless;
+        return;
+    }
+    floorSpan_ = found_->spans.count();
+    PlaneLook& look = lookOf(
+        {floorRise_, floor_.texture, map_->floor.light, map_->floor.glow, false, floorMirror_ > 0});
+    addPlane(What::floor, look, first, last, tiles);
+}
+
+// From the current tile on.
+void SliceWalk::startCeiling(TextureId texture) {
+    ceiling_.texture = texture;
+    ceiling_.row = rowBelow(ceilingRise_, enter_);
+    ceiling_.fromX = walk_.tileX;
+    ceiling_.fromY = walk_.tileY;
+}
+
+// Closes the rows that have met the ceiling, if there is one, up to a border. At the eye's own
+// height it cannot be seen.
+void SliceWalk::endCeiling(Border at) {
+    if (ceiling_.texture != kNoTexture && ceilingRise_ != 0) {
+        const int row = rowBelow(ceilingRise_, at);
+        const int firstRow = std::min(ceiling_.row, row);
+        const int lastRow = std::max(ceiling_.row, row);
+        const Plane plane = {
+            ceilingRise_, ceiling_.texture, map_->ceiling.light, map_->ceiling.glow, true, false};
+        const TileRange tiles = {ceiling_.fromX, ceiling_.fromY, beforeX(at), beforeY(at), false};
+        if (frame_.textures[ceiling_.texture].seeThrough) {
+            seeThroughPlane(What::ceiling, plane, firstRow, lastRow, tiles);
+        } else {
+            open_.take(firstRow, lastRow, [&](int first, int last) {
+                addPlane(What::ceiling, lookOf(plane), first, last, tiles);
+            });
+        }
+    }
+    ceiling_.texture = kNoTexture;
+}
+
+}  // namespace slicecast
