@@ -47,8 +47,9 @@ void PlaneLook::begin(const Plane& looked, const FrameTexture& texture, const De
     };
     const int end = plane.rise < 0 ? rays.height : rays.firstFallingRow;
     int row = plane.rise < 0 ? rays.firstFallingRow : 0;
-    // The last stretch is without end, so that whoever asks for rows that see no plane gets one.
-    if (row == end) {
+    // The last stretch is without end, so that whoever asks for rows that see no plane gets one; a
+    // plane at the eye's own height is seen by none.
+    if (row == end || plane.rise == 0) {
         stretches_.push_back({rays.height, 0, PlaneShade::full});
         return;
     }

@@ -45,9 +45,13 @@ void StripWalk::meet(unsigned bits, TextureId floor, TextureId ceiling) {
 }
 
 void StripWalk::findPerRaw() {
-    const double perU = 1.0 / (65536.0 * near_);
-    const double perV = 1.0 / (65536.0 * enteredV_);
-    const double leftPerU = 1.0 / (65536.0 * far_);
+    // At no distance, or behind the eye, no column comes through.
+    const auto per = [](double distance) {
+        return distance > 0.0 ? 1.0 / (65536.0 * distance) : 0.0;
+    };
+    const double perU = per(near_);
+    const double perV = per(enteredV_);
+    const double leftPerU = per(far_);
     if (isWhole_) {
         for (std::size_t i = 0; i < kLanes; ++i) {
             entered_[i] = speedU_[i] * perU;
@@ -56,8 +60,8 @@ void StripWalk::findPerRaw() {
     } else {
         const LaneValues enteredAlongU(enteredAlongU_);
         const LaneValues leftAlongU(leftAlongU_);
-        const double up = 1.0 / (65536.0 * (v_ + 1 - eyeV_ - fractionV_));
-        const double down = 1.0 / (65536.0 * (fractionV_ + (eyeV_ - v_)));
+        const double up = per(v_ + 1 - eyeV_ - fractionV_);
+        const double down = per(fractionV_ + (eyeV_ - v_));
         for (std::size_t i = 0; i < kLanes; ++i) {
             entered_[i] = enteredAlongU.at[i] ? speedU_[i] * perU : speedV_[i] * perV;
             left_[i] =
@@ -107,8 +111,8 @@ Crossing StripWalk::crossingOf(int lane, Border at) const {
     const double distance = alongU ? (entering ? near_ : far_) : (entering ? enteredV_ : leftV);
     const double speed = (alongU ? speedU_ : speedV_)[i];
     const bool nearing = (alongU ? stepU_ : stepV_[i]) > 0;
-    return {distance / speed,  distance, speed,  speed / distance * (1.0 / 65536.0),
-            alongU == alongX_, nearing,  nearing};
+    const double rowsPerRaw = distance > 0.0 ? speed / distance * (1.0 / 65536.0) : kHugeRows;
+    return {distance / speed, distance, speed, rowsPerRaw, alongU == alongX_, nearing, nearing};
 }
 
 // Where floor or ceiling change, what has come so far ends at the border: the ceiling before the
@@ -278,14 +282,15 @@ void StripWalk::takeSide(const Block& block, Lanes first, Lanes last) {
     }
 }
 
-// As SliceWalk::sideView does it, two columns at once.
+// As SliceWalk::sideView does it.
 __attribute__((noinline)) void StripWalk::findViews() {
     viewsKnown_ = true;
     const Lighting& lighting = any().vista_->lighting;
     const LaneValues alongU(enteredAlongU_);
     const double baseV = fractionV_ + (eyeV_ - v_);
     const double baseU = fractionU_ + (eyeU_ - u_);
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    eachLane(bitsOf(mask_), [&](int lane) {
+        const auto i = static_cast<std::size_t>(lane);
         const bool isU = alongU.at[i] != 0;
         const double distance = isU ? near_ : enteredV_;
         const double speed = isU ? speedU_[i] : speedV_[i];
@@ -296,7 +301,7 @@ __attribute__((noinline)) void StripWalk::findViews() {
         view.depth = view.along * projection_->distance;
         view.brightness = lighting.brightnessAt(view.depth);
         view.fog = lighting.fogAt(view.depth);
-    }
+    });
 }
 
 // The roof or the underside.

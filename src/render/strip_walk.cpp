@@ -89,7 +89,7 @@ bool StripWalk::aim(int first, int count) {
         const double v = alongX_ ? ray.y : ray.x;
         if (u <= 0.0 || std::fabs(v) > 2.0 * u) return false;
         speedU_[indexOf(i)] = u;
-        speedV_[indexOf(i)] = std::fabs(v);
+        speedV_[indexOf(i)] = v == 0.0 ? 1.0 : std::fabs(v);  // as in GridWalk
         rayV_[indexOf(i)] = v;
         slope_[indexOf(i)] = v / u;
         stepV_[indexOf(i)] = v > 0.0 ? 1 : v < 0.0 ? -1 : 0;

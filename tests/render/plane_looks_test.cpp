@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace slicecast {
 namespace {
@@ -26,8 +27,11 @@ struct AnyLight {
         if (random.oneIn(4)) rays.lighting.surface = random.between(1, 65536);
         rays.projectionDistance = random.between(40.0, 200.0);
         const double horizon = random.between(1, 2 * kRows - 1) / 2.0;
-        for (int row = 0; row < kRows; ++row)
-            inverseOffsets.push_back(1.0 / std::fabs(horizon - (row + 0.5)));
+        for (int row = 0; row < kRows; ++row) {
+            const double offset = std::fabs(horizon - (row + 0.5));
+            inverseOffsets.push_back(offset > 0.0 ? 1.0 / offset
+                                                  : std::numeric_limits<double>::infinity());
+        }
         rays.inverseOffsets = inverseOffsets.data();
         rays.firstFallingRow = static_cast<int>(std::ceil(horizon - 0.5));
         rays.height = kRows;
