@@ -1,8 +1,9 @@
 // The file of past ratios, tests/bench/ratios.json: what each view took, times the limit, whenever
 // tools/bench --record was run. The newest record is the last.
 //
-//     {"records": [{"date": "2026-11-23", "commit": "its subject", "processor": "AMD EPYC", "rounds": 150,
-//       "views": {"castle, start": {"native": 4.37, "native 4K": 1.82, "wasm": 5.65, "wasm 4K": 2.2}}}]}
+//     {"records": [{"date": "2026-11-23", "commit": "its subject", "processor": "AMD EPYC",
+//       "rounds": 150, "views": {"castle, start": {"native": 4.37, "native 4K": 1.82,
+//                                                  "wasm": 5.65, "wasm 4K": 2.2}}}]}
 
 export const kMostLoss = 0.1; // a view may take this part more than its record says
 
@@ -48,7 +49,8 @@ function parse(text, file) {
   const before = text.slice(0, fault).split('\n');
   const found = fault < text.length ? JSON.stringify(text[fault]) : 'the end';
   throw new Error(
-    `${file}:${before.length}:${before.at(-1).length + 1}: found ${found}, expected JSON as tools/bench --record writes it`,
+    `${file}:${before.length}:${before.at(-1).length + 1}: found ${found}, ` +
+      'expected JSON as tools/bench --record writes it',
   );
 }
 
@@ -147,7 +149,8 @@ export function reportOf({ losses, unknown, views }, record, processor) {
   const lines = [];
   if (record.processor !== processor)
     lines.push(
-      `Recorded on another processor (${record.processor}; this is ${processor}): ratios differ by processor, so trust large losses only.`,
+      `Recorded on another processor (${record.processor}; this is ${processor}): ` +
+        'ratios differ by processor, so trust large losses only.',
     );
   if (unknown.length > 0) lines.push(`Not in the record: ${unknown.join('; ')}.`);
   const since = `since ${record.date} (${record.commit})`;
@@ -159,7 +162,8 @@ export function reportOf({ losses, unknown, views }, record, processor) {
     );
     for (const { title, figure, then, now } of losses)
       lines.push(
-        `  ${title}, ${figure}: then ${then.toFixed(2)}, now ${now.toFixed(2)} (+${Math.round((now / then - 1) * 100)} %)`,
+        `  ${title}, ${figure}: then ${then.toFixed(2)}, now ${now.toFixed(2)} ` +
+          `(+${Math.round((now / then - 1) * 100)} %)`,
       );
   }
   return lines.join('\n');

@@ -85,10 +85,5 @@ export function table(runs) {
 }
 
 export function phasesTable(runs) {
-  return [
-    ...lines(kPhaseColumns, runs, viewRows(runs)),
-    '',
-    'Nanoseconds a pixel. The sum is less than the draw, for the spans of 16 columns are found before',
-    'any is painted, so walk and paint disturb each other less.',
-  ].join('\n');
+  return [...lines(kPhaseColumns, runs, viewRows(runs)), '', 'Nanoseconds a pixel.'].join('\n');
 }

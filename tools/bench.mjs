@@ -18,9 +18,11 @@ const kTargets = {
   'yardstick, flat hall': { native: 1.35, wasm: 1.6 },
   'yardstick, hall of heights': { native: 1.4, wasm: 1.8 },
 };
-const kMostTimesTheSeen = 1.5; // what a view with many objects may take beside one with those alone that are seen
+// What a view with many objects may take beside one with those alone that are seen.
+const kMostTimesTheSeen = 1.5;
 const kMostMillisecondsWithMany = 16; // and what it may take at all
-const kMostTimesACopy = 10; // what the limit itself may take natively: a slow one would flatter the views
+// What the limit itself may take natively: a slow one would flatter the views.
+const kMostTimesACopy = 10;
 const kTimesMoreRounds = 3; // for what seems lost
 
 // `name` is the build's in the file of ratios. The scalar WebAssembly is for old browsers; nothing
@@ -79,25 +81,29 @@ function shortcomings(run) {
   if (run.missed.length > 0) {
     const own = Object.entries(kTargets).map(([title, target]) => `${title} ${target[run.name]}`);
     found.push(
-      `${run.name}: ${run.missed.length} of ${run.views.length} views are above their target of ${kMostTimesTheLimit[run.name]} (${own.join('; ')})`,
+      `${run.name}: ${run.missed.length} of ${run.views.length} views are above ` +
+        `their target of ${kMostTimesTheLimit[run.name]} (${own.join('; ')})`,
     );
   }
   if (run.name === 'native' && run.limit.ratio > kMostTimesACopy) {
     found.push(
-      `${run.name}: the limit takes ${run.limit.ratio.toFixed(1)} times a copy of the frame, at most ${kMostTimesACopy} are asked for`,
+      `${run.name}: the limit takes ${run.limit.ratio.toFixed(1)} times a copy of the frame, ` +
+        `at most ${kMostTimesACopy} are asked for`,
     );
   }
   for (const view of run.views) {
     if (view.comparedWith === undefined) continue;
     if (view.timesThat > kMostTimesTheSeen) {
       found.push(
-        `${run.name}: ${view.title} takes ${view.timesThat.toFixed(2)} times as long as ${view.comparedWith}, at most ${kMostTimesTheSeen} are asked for`,
+        `${run.name}: ${view.title} takes ${view.timesThat.toFixed(2)} times as long as ` +
+          `${view.comparedWith}, at most ${kMostTimesTheSeen} are asked for`,
       );
     }
     const milliseconds = (view.nsPerPixel * run.width * run.height) / 1e6;
     if (milliseconds > kMostMillisecondsWithMany) {
       found.push(
-        `${run.name}: ${view.title} takes ${milliseconds.toFixed(1)} ms, at most ${kMostMillisecondsWithMany} are asked for`,
+        `${run.name}: ${view.title} takes ${milliseconds.toFixed(1)} ms, ` +
+          `at most ${kMostMillisecondsWithMany} are asked for`,
       );
     }
   }
@@ -153,7 +159,8 @@ function record(runs) {
 if (options.check) {
   process.exitCode = checkRatios(Number(options.rounds ?? 50)) ? 0 : 1;
 } else {
-  if (options.record) pastRatios(); // a file that cannot be read is told of before anything is measured
+  // A file that cannot be read is told of before anything is measured.
+  if (options.record) pastRatios();
   const rounds = Number(options.rounds ?? 150);
   const runs = presets.map((preset) => measure(preset, rounds, options.view));
   const found = runs.flatMap(shortcomings);

@@ -14,8 +14,8 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 }  // namespace
 
 // The blocks of the current tile, from below; false where one of them is not met together. A mirror
-// cuts off what is below it: no ray gets into a block that stands there, for none shows in it
-// there.
+// cuts off what is below it. Where a block stands on a mirror nothing of that mirror is seen, so no
+// ray comes into a block from below.
 bool StripWalk::findBlocks(std::uint32_t reached) {
     const SliceWalk& any = this->any();
     blocks_ = 0;
@@ -92,8 +92,7 @@ Lanes StripWalk::rowsBelow(std::int32_t rise, Border at) const {
     return exactRows(found, bitsOf(nearOnes & mask_), rise, at);
 }
 
-__attribute__((noinline)) Lanes StripWalk::exactRows(Lanes rows, unsigned bits, std::int32_t rise,
-                                                     Border at) const {
+Lanes StripWalk::exactRows(Lanes rows, unsigned bits, std::int32_t rise, Border at) const {
     LaneValues values(rows);
     eachLane(bits, [&](int i) {
         values.at[i] =
@@ -255,7 +254,6 @@ void StripWalk::meetRising(TextureId ceiling) {
             takeCeilingHere(ceiling);
             ceilingToCome = false;
         }
-        // Nothing comes from below a mirror.
         if (!covered && !block.cut && bitsOf(mask_ & open_.reachBelow(bottom)) != 0)
             takeFace(block, Face::bottom, bottom, rowsBelow(block.bottom, Border::leave));
     }
@@ -283,7 +281,7 @@ void StripWalk::takeSide(const Block& block, Lanes first, Lanes last) {
 }
 
 // As SliceWalk::sideView does it.
-__attribute__((noinline)) void StripWalk::findViews() {
+void StripWalk::findViews() {
     viewsKnown_ = true;
     const Lighting& lighting = any().vista_->lighting;
     const LaneValues alongU(enteredAlongU_);

@@ -1,7 +1,5 @@
 #include "render/strip_walk.h"
 
-#include "base/bits.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -179,7 +177,7 @@ int StripWalk::farTile(int lane, double v) const {
     return step > 0 ? border - !isCrossed : border - isCrossed;
 }
 
-// Columns that leave the slab beside the grid: their last tile is its outermost one.
+// Columns that leave the grid within the slab: their last tile is the grid's outermost one.
 void StripWalk::leaveGridSideways() {
     unsigned bits = 0;
     eachLane(open_.live(), [&](int i) {

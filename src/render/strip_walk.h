@@ -1,13 +1,18 @@
 // The walk of a strip's 16 columns together: each tile of the eye's map is looked at once, front to
 // back, for all columns that come through it.
 //
-//      +---+---+---+---+        The major axis is the one along which the rays run farther; a slab is the tiles between two of its borders. Within a slab all
-//      |   |   | . |.  |  ^     columns come through a few tiles beside each other, in most slabs through one. Tiles are looked at slab by slab, in a slab
-//      |   | . |.' |   |  |     from the eye's row outward: for each column that is front to back.
-//      | o:' ' |   |   | minor
-//      +---+---+---+---+  v     What a tile holds is projected for all columns at once, and open rows are closed in all at once. What is rare (see-through
-//        major -->              blocks, portals, objects, mirrors, the eye's own tile) each column meets by itself, by the walk of slice_walk.h, in that tile.
-//                               What mirrors show of the eye's map is walked together, too.
+//      +---+---+---+---+        The rays run farther along the major axis, u, than along v. A
+//      |   |   | . |.  |  ^     slab is the tiles between two borders of u. Within it all
+//      |   | . |.' |   |  |     columns come through a few tiles beside each other. Tiles are
+//      | o:' ' |   |   |  v     looked at slab by slab, in a slab from the eye's row outward:
+//      +---+---+---+---+        for each column that is front to back.
+//        u -->
+//
+// What a tile holds is projected for all columns at once, and open rows are closed in all at once.
+// What is rare in it (see-through blocks, portals, objects, mirrors in roofs, the eye's own tile)
+// each column meets by itself, by the walk of slice_walk.h. What mirrors show of the eye's map is
+// walked together, too. What is not to be copied to each of its calls, for the program's size, is
+// marked noinline.
 //
 // strip_walk.cpp      which tiles, and which columns come through them
 // strip_blocks.cpp    what a tile holds
@@ -35,8 +40,8 @@ public:
     // All outlive the walk.
     StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report);
 
-    // What all rows of the columns [first, first + count) show, 1 to 16 of them, into the first ones
-    // of scratch.found.
+    // What all rows of the columns [first, first + count) show, 1 to 16 of them, into the first
+    // ones of scratch.found.
     void find(int first, int count);
 
 private:
@@ -58,7 +63,7 @@ private:
               std::index_sequence<index...>);
 
     // ---- strip_walk.cpp
-    __attribute__((noinline)) bool aim(int first, int count);
+    bool aim(int first, int count);
     void walk(unsigned bits);
     void walkSlab();
     void findFarTiles();
@@ -80,7 +85,8 @@ private:
     void meet(unsigned bits, TextureId floor, TextureId ceiling);
     void findPerRaw();
     __attribute__((noinline)) Lanes rowsBelow(std::int32_t rise, Border at) const;
-    Lanes exactRows(Lanes rows, unsigned bits, std::int32_t rise, Border at) const;
+    __attribute__((noinline)) Lanes exactRows(Lanes rows, unsigned bits, std::int32_t rise,
+                                              Border at) const;
     Crossing crossingOf(int lane, Border at) const;
     void changeCover(TextureId floor, TextureId ceiling);
     __attribute__((noinline)) void takeFloor(Lanes mask, Border at);
@@ -91,7 +97,7 @@ private:
     void meetFalling(TextureId ceiling);
     void meetRising(TextureId ceiling);
     void takeSide(const Block& block, Lanes first, Lanes last);
-    void findViews();
+    __attribute__((noinline)) void findViews();
     void takeFace(const Block& block, Face face, Lanes first, Lanes last);
 
     // One of the columns that walk together, for what they have in common.
@@ -126,7 +132,7 @@ private:
     double alongPerUMost_ = 0.0;
 
     // Of the walk, over the map or as a mirror shows it:
-    int any_ = 0;
+    int any_ = 0;  // one of its columns
     const Projection* projection_ = nullptr;
 
     // Of the slab:

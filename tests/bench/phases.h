@@ -1,9 +1,9 @@
 // How the time of a frame falls on its phases, and its replay: the same spans painted without a
 // walk, which no faster walk gets below.
 //
-// A frame is drawn as Renderer::draw does it, with one difference: of each strip of 16 columns all
-// spans are found first, then all are painted, then the strip is copied, and a clock is read
-// between. So the replay finds the caches as a real frame does. Spans of a whole picture that are
+// A frame is drawn as Renderer::draw does it: of each strip of 16 columns all spans are found first,
+// then all are painted, then the strip is copied. A clock is read between. So the replay finds the
+// caches as a real frame does. Spans of a whole picture that are
 // painted later have left the cache (the glassworks took 14 % longer in WebAssembly), and a strip
 // painted over and over finds all its texels there (15 % less).
 #pragma once

@@ -221,6 +221,27 @@ TEST(GridWalk, ComesToWhereAnotherOneIs) {
 }
 
 // The quick way to a row and the exact quotient agree, for edges right on rows' middles too.
+// From any tile of its way to any later one at once: as if it had walked there.
+TEST(GridWalk, ComesToATileOfItsWay) {
+    Random random(9);
+    for (int i = 0; i < 2000; ++i) {
+        const GroundDirection ray = {random.between(-2.0, 2.0), random.between(-2.0, 2.0)};
+        GridWalk walk(Coordinate{random.below(1 << 20)}, Coordinate{random.below(1 << 20)}, ray);
+        GridWalk leaps = walk;
+        for (int leap = 0; leap < 4; ++leap) {
+            for (int tile = random.between(1, 9); tile > 0; --tile) walk.advance();
+            leaps.comeTo(walk.tileX, walk.tileY, walk.enter().alongX);
+            ASSERT_EQ(leaps.tileX, walk.tileX);
+            ASSERT_EQ(leaps.tileY, walk.tileY);
+            ASSERT_EQ(leaps.entered, walk.entered);
+            ASSERT_EQ(leaps.enter().alongX, walk.enter().alongX);
+            ASSERT_EQ(leaps.enter().distance, walk.enter().distance);
+            ASSERT_EQ(leaps.nextAlongX(), walk.nextAlongX());
+            ASSERT_EQ(leaps.nextAlongY(), walk.nextAlongY());
+        }
+    }
+}
+
 TEST(FirstRowBelow, AsTheExactQuotientSays) {
     Random random(4);
     for (int i = 0; i < 20000 && !testing::Test::HasFailure(); ++i) {
