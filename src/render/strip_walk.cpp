@@ -121,6 +121,8 @@ void StripWalk::walk(unsigned bits) {
     coverChanged_ = true;
     noticeChange(open_.live());
     for (;;) {
+        while (passOpenLand()) {
+        }
         walkSlab();
         const int next = u_ + stepU_;
         if (open_.live() == 0) return;
@@ -130,6 +132,33 @@ void StripWalk::walk(unsigned bits) {
         far_ += 1.0;
         nearV_ = farV_;
     }
+}
+
+// On over slabs of the grid in which no column meets anything, if there are some.
+bool StripWalk::passOpenLand() {
+    if (map_->openLand.empty() || onlyFloor_ != map_->floor.texture || onlyCeiling_ != kNoTexture)
+        return false;
+    const unsigned live = open_.live();
+    const int outer[] = {__builtin_ctz(live), 31 - __builtin_clz(live)};
+    const int v = (nearV_.at[outer[0]] + nearV_.at[outer[1]]) / 2;
+    const int open = map_->openLand[map_->tileIndex(tileX(v), tileY(v))];
+    double slabs = stepU_ > 0 ? sizeU_ - 1 - u_ : u_;
+    slabs = std::min({slabs, nextObject_ / alongPerUMost_ - far_,
+                      any().whereToStop(open_.first(), open_.last()) / alongPerU_ - far_});
+    for (const int i : outer) {
+        const int toEdge = slope_[indexOf(i)] > 0.0 ? sizeV_ - 1 - nearV_.at[i] : nearV_.at[i];
+        const int aside = std::min(open - 1 - std::abs(nearV_.at[i] - v), toEdge) - 1;
+        slabs = std::min(slabs, aside / std::max(std::fabs(slope_[indexOf(i)]), 1.0));
+    }
+    if (slabs < 2.0) return false;
+    const int passed = static_cast<int>(slabs);
+    u_ += passed * stepU_;
+    far_ += passed - 1;
+    findFarTiles();
+    near_ = far_;
+    far_ += 1.0;
+    nearV_ = farV_;
+    return true;
 }
 
 void StripWalk::walkSlab() {

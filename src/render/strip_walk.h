@@ -65,6 +65,7 @@ private:
     // ---- strip_walk.cpp
     bool aim(int first, int count);
     void walk(unsigned bits);
+    bool passOpenLand();
     void walkSlab();
     void findFarTiles();
     int farTile(int lane, double v) const;

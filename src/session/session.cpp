@@ -82,6 +82,7 @@ GateAsk askOf(const Player& player) {
 }  // namespace
 
 Session::Session(World world) : world_(std::move(world)), lights_(world_.maps) {
+    for (Map& map : world_.maps) map.findOpenLand();
     reset();
 }
 

@@ -91,6 +91,8 @@ struct Map {
         occupied;  // [y * width + x]: bit n is set where level n holds a block
     std::vector<PortalId>
         tilePortals;  // [y * width + x], kNoPortal where there is none; empty when the map has none
+    std::vector<std::uint8_t>
+        openLand;  // [y * width + x]: see findOpenLand; empty where nobody has asked for it
     Floor floor;
     Ceiling ceiling;
     Sky sky;
@@ -124,6 +126,12 @@ struct Map {
         return tilePortals.empty() || !contains(x, y) ? kNoPortal : tilePortals[tileIndex(x, y)];
     }
     void setCell(int x, int y, int level, BlueprintId blueprint);
+
+    // For each tile, how much open land is around it: all tiles of the grid that are less than so
+    // many tiles away, in x and in y, never hold a block, and have the floor's own texture, no
+    // ceiling and no portal. At most 255. Views over wide land are drawn faster with it. To be
+    // called again after any of that has changed; setCell() forgets it.
+    void findOpenLand();
 };
 
 // A map of empty cells with one floor texture.

@@ -192,11 +192,12 @@ int run(const std::string& assets, int rounds, const std::vector<std::string>& t
         std::printf(" }");
         for (const MeasuredView& other : measured) {
             if (other.view.title != of.view.comparedWith) continue;
-            std::printf(",\n      \"comparedWith\": \"%s\", \"timesThat\": %.4f",
-                        other.view.title.c_str(),
-                        median(of.usual.nsPerPixel.size(), [&](std::size_t i) {
-                            return of.usual.nsPerPixel[i] / other.usual.nsPerPixel[i];
-                        }));
+            std::printf(
+                ",\n      \"comparedWith\": \"%s\", \"mostTimes\": %.2f, \"timesThat\": %.4f",
+                other.view.title.c_str(), of.view.mostTimes,
+                median(of.usual.nsPerPixel.size(), [&](std::size_t i) {
+                    return of.usual.nsPerPixel[i] / other.usual.nsPerPixel[i];
+                }));
         }
         std::printf(" }");
     }

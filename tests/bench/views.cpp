@@ -2,6 +2,7 @@
 
 #include "headless/scene_file.h"
 #include "many_objects.h"
+#include "wide_land.h"
 
 #include <algorithm>
 #include <array>
@@ -49,6 +50,12 @@ constexpr const char* kFewTitle = "garden, 100 objects";
 constexpr const char* kManyTitle = "garden, 10,000 objects, 100 seen";
 constexpr int kManyObjects = 10'000;
 constexpr int kObjectsSeen = 100;
+// The objects that are not seen are looked at once a frame.
+constexpr double kMostTimesTheSeen = 1.5;
+
+constexpr const char* kSmallLandTitle = "stones on 64 x 64 tiles";
+constexpr const char* kWideLandTitle = "stones on 2048 x 2048 tiles";
+constexpr double kMostTimesTheSmall = 1.15;
 
 std::string titleOf(const Described& view) {
     return std::string(view.scene) + ", " + view.name;
@@ -85,7 +92,19 @@ bool addManyObjects(const std::string& assets, std::vector<View>& views) {
         return false;
     }
     views.push_back({kFewTitle, std::make_shared<Session>(std::move(many->seenOnly))});
-    views.push_back({kManyTitle, std::make_shared<Session>(std::move(many->all)), 1.0, kFewTitle});
+    views.push_back({kManyTitle, std::make_shared<Session>(std::move(many->all)), 1.0, kFewTitle,
+                     kMostTimesTheSeen});
+    return true;
+}
+
+// The same stones in a small and in a large map; the floor beyond the small one looks as it does in
+// the large one.
+bool addLands(const std::string& assets, std::vector<View>& views) {
+    const SceneFromFile scene = readScene(assets + "/scenes/yardstick.json");
+    if (!scene.world) return false;
+    views.push_back({kSmallLandTitle, std::make_shared<Session>(stonesOnLand(*scene.world, 64))});
+    views.push_back({kWideLandTitle, std::make_shared<Session>(stonesOnLand(*scene.world, 2048)),
+                     1.0, kSmallLandTitle, kMostTimesTheSmall});
     return true;
 }
 
@@ -111,6 +130,9 @@ std::optional<std::vector<View>> openViews(const std::string& assets,
     const bool wantsFew = isWanted(kFewTitle);
     const bool wantsMany = isWanted(kManyTitle);
     if ((wantsFew || wantsMany) && !addManyObjects(assets, views)) return std::nullopt;
+    const bool wantsSmall = isWanted(kSmallLandTitle);
+    const bool wantsWide = isWanted(kWideLandTitle);
+    if ((wantsSmall || wantsWide) && !addLands(assets, views)) return std::nullopt;
     for (const std::string& title : unknown)
         std::fprintf(stderr, "slicecast-bench: there is no view \"%s\"\n", title.c_str());
     if (!unknown.empty()) return std::nullopt;

@@ -13,9 +13,9 @@ namespace slicecast {
 struct View {
     std::string title;  // "castle, start"
     std::shared_ptr<Session> session;
-    double fraction = 1.0;  // of the way between the session's last two steps
-    std::string comparedWith =
-        {};  // the title of another view, which it should not be much slower than
+    double fraction = 1.0;          // of the way between the session's last two steps
+    std::string comparedWith = {};  // the title of another view of the same picture, or near it
+    double mostTimes = 0.0;         // that it may take as long as that one
 };
 
 // Opens the views of those titles, or all where there are none. A view with many objects and the

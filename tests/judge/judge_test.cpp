@@ -193,6 +193,12 @@ TEST(Judge, PicturesAlongBorders) {
     EXPECT_LE(static_cast<double>(verdict.excused), 0.00002 * static_cast<double>(verdict.pixels));
 }
 
+TEST(Judge, PicturesOfWideLand) {
+    const Verdict verdict = judgeAll(wideLandScene, 1, 600 / kShare, kSmallSizes);
+    report("pictures of wide land", verdict);
+    expectWithinBounds(verdict);
+}
+
 // The judge itself must be able to say no: one pixel of another colour is found.
 TEST(Judge, FindsOneWrongPixel) {
     Renderer renderer;

@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
     for (int batch = 0; batch < batches && (batch == 0 || !noticed()); ++batch) {
         random.add(judgeAll(randomScene, static_cast<std::uint64_t>(1000 + batch * kBatch), kBatch,
                             kSmallSizes));
+        random.add(judgeAll(wideLandScene, static_cast<std::uint64_t>(1 + batch * kBatch),
+                            kBatch / 4, kSmallSizes));
         along.add(judgeAll(alongBorderScene, static_cast<std::uint64_t>(1 + batch * kBatch),
                            kBatch / 4, kOddSizes));
         ties.add(judgeAll(tieScene, static_cast<std::uint64_t>(1 + batch * kBatch), kBatch,

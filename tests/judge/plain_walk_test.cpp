@@ -331,5 +331,11 @@ TEST(PlainWalk, FindsTheSameInWidePictures) {
               0);
 }
 
+TEST(PlainWalk, FindsTheSameOverWideLand) {
+    EXPECT_EQ(compareAll(wideLandScene, "wide land", kSmallSizes, 600 / kShare).differences, 0);
+    EXPECT_EQ(compareAll(wideLandScene, "wide land, wide", kWideSizes, 300 / kShare).differences,
+              0);
+}
+
 }  // namespace
 }  // namespace slicecast::judge

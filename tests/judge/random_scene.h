@@ -25,4 +25,7 @@ Scene tieScene(std::uint64_t seed, int width, int height);
 // middle column runs along the border.
 Scene alongBorderScene(std::uint64_t seed, int width, int height);
 
+// Wide land with a block, another floor, a piece of ceiling or an object here and there.
+Scene wideLandScene(std::uint64_t seed, int width, int height);
+
 }  // namespace slicecast::judge
