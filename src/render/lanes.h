@@ -4,6 +4,7 @@
 
 #include "render/vectors.h"
 
+#include <cstddef>
 #include <cstdint>
 
 #if defined(__SSE2__)
@@ -23,8 +24,15 @@ struct Lanes {
     I16x8 high;  // of columns 8 to 15
 };
 
+inline std::size_t indexOf(int lane) {
+    return static_cast<std::size_t>(lane);
+}
+inline std::int16_t inLane(int value) {
+    return static_cast<std::int16_t>(value);
+}
+
 inline Lanes inAllLanes(int value) {
-    const auto v = static_cast<std::int16_t>(value);
+    const std::int16_t v = inLane(value);
     const I16x8 eight = {v, v, v, v, v, v, v, v};
     return {eight, eight};
 }

@@ -3,13 +3,6 @@
 #include <algorithm>
 
 namespace slicecast {
-namespace {
-
-std::size_t indexOf(int lane) {
-    return static_cast<std::size_t>(lane);
-}
-
-}  // namespace
 
 void OpenLanes::begin(unsigned bits) {
     first_ = last_ = LaneValues(inAllLanes(0));
@@ -121,10 +114,10 @@ void OpenLanes::read(int lane) {
     const OpenRows& rows = rows_[indexOf(lane)];
     const std::vector<OpenRows::Run>& runs = rows.runs();
     const bool hasGap = runs.size() == 2;
-    first_.at[lane] = static_cast<std::int16_t>(rows.first());
-    last_.at[lane] = static_cast<std::int16_t>(rows.last());
-    gapFirst_.at[lane] = static_cast<std::int16_t>(hasGap ? runs[0].last : kNoGap);
-    gapLast_.at[lane] = static_cast<std::int16_t>(hasGap ? runs[1].first : kNoGap);
+    first_.at[lane] = inLane(rows.first());
+    last_.at[lane] = inLane(rows.last());
+    gapFirst_.at[lane] = inLane(hasGap ? runs[0].last : kNoGap);
+    gapLast_.at[lane] = inLane(hasGap ? runs[1].first : kNoGap);
     listed_ = (listed_ & ~(1u << lane)) | (runs.size() > 2 ? 1u << lane : 0u);
 }
 

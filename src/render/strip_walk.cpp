@@ -12,17 +12,6 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// A point so near to a border may lie on the other side of it by its roundings; units.
-constexpr double kNearBorder = 1e-7;
-
-std::size_t indexOf(int lane) {
-    return static_cast<std::size_t>(lane);
-}
-
-std::int16_t small(int value) {
-    return static_cast<std::int16_t>(value);
-}
-
 }  // namespace
 
 template <std::size_t... index>
@@ -91,7 +80,7 @@ bool StripWalk::aim(int first, int count) {
         rayV_[indexOf(i)] = v;
         slope_[indexOf(i)] = v / u;
         stepV_[indexOf(i)] = v > 0.0 ? 1 : v < 0.0 ? -1 : 0;
-        steps.at[i] = small(stepV_[indexOf(i)]);
+        steps.at[i] = inLane(stepV_[indexOf(i)]);
         alongPerU_ = std::min(alongPerU_, 1.0 / u);
         alongPerUMost_ = std::max(alongPerUMost_, 1.0 / u);
     }
@@ -118,11 +107,15 @@ void StripWalk::walk(unsigned bits) {
     u_ = eyeU_;
     near_ = 0.0;
     far_ = stepU_ > 0 ? 1.0 - fractionU_ : fractionU_;
+    slabIsOpen_ = true;
     coverChanged_ = true;
     noticeChange(open_.live());
     for (;;) {
-        while (passOpenLand()) {
+        if (slabIsOpen_) {
+            while (passOpenLand()) {
+            }
         }
+        slabIsOpen_ = true;
         walkSlab();
         const int next = u_ + stepU_;
         if (open_.live() == 0) return;
@@ -132,33 +125,6 @@ void StripWalk::walk(unsigned bits) {
         far_ += 1.0;
         nearV_ = farV_;
     }
-}
-
-// On over slabs of the grid in which no column meets anything, if there are some.
-bool StripWalk::passOpenLand() {
-    if (map_->openLand.empty() || onlyFloor_ != map_->floor.texture || onlyCeiling_ != kNoTexture)
-        return false;
-    const unsigned live = open_.live();
-    const int outer[] = {__builtin_ctz(live), 31 - __builtin_clz(live)};
-    const int v = (nearV_.at[outer[0]] + nearV_.at[outer[1]]) / 2;
-    const int open = map_->openLand[map_->tileIndex(tileX(v), tileY(v))];
-    double slabs = stepU_ > 0 ? sizeU_ - 1 - u_ : u_;
-    slabs = std::min({slabs, nextObject_ / alongPerUMost_ - far_,
-                      any().whereToStop(open_.first(), open_.last()) / alongPerU_ - far_});
-    for (const int i : outer) {
-        const int toEdge = slope_[indexOf(i)] > 0.0 ? sizeV_ - 1 - nearV_.at[i] : nearV_.at[i];
-        const int aside = std::min(open - 1 - std::abs(nearV_.at[i] - v), toEdge) - 1;
-        slabs = std::min(slabs, aside / std::max(std::fabs(slope_[indexOf(i)]), 1.0));
-    }
-    if (slabs < 2.0) return false;
-    const int passed = static_cast<int>(slabs);
-    u_ += passed * stepU_;
-    far_ += passed - 1;
-    findFarTiles();
-    near_ = far_;
-    far_ += 1.0;
-    nearV_ = farV_;
-    return true;
 }
 
 void StripWalk::walkSlab() {
@@ -173,46 +139,13 @@ void StripWalk::walkSlab() {
     if (lowest != least || highest != most) leaveGridSideways();
 }
 
-// Where the columns leave the slab. Those between the two outer ones do not go beyond these.
-void StripWalk::findFarTiles() {
-    constexpr int kLast = kLanes - 1;
-    const auto at = [&](int i) { return fractionV_ + far_ * slope_[indexOf(i)]; };
-    const auto isClear = [](double v) { return std::fabs(v - std::floor(v + 0.5)) > kNearBorder; };
-    const double first = at(0);
-    const double last = at(kLast);
-    if (isClear(first) && isClear(last) && std::floor(first) == std::floor(last)) {
-        farV_ = LaneValues(inAllLanes(eyeV_ + static_cast<int>(std::floor(first))));
-        isWhole_ = nearV_.at[0] == farV_.at[0] && nearV_.at[kLast] == farV_.at[0];
-        return;
-    }
-    isWhole_ = false;
-    for (int i = 0; i < kLanes; ++i) {
-        const double v = at(i);
-        farV_.at[i] = small(eyeV_ + (isClear(v) ? static_cast<int>(std::floor(v)) : farTile(i, v)));
-    }
-}
-
-// Near a border along v the order of the crossings decides, as it does in GridWalk: `v` lies at
-// that border or beside it, from the eye's tile on.
-int StripWalk::farTile(int lane, double v) const {
-    const auto border = static_cast<int>(std::floor(v + 0.5));
-    const int step = stepV_[indexOf(lane)];
-    if (step == 0 || (step > 0 ? border < 1 : border > 0)) return 0;
-    const double distance = step > 0 ? border - fractionV_ : fractionV_ - border;
-    const double along = distance / speedV_[indexOf(lane)];
-    const double alongU = far_ / speedU_[indexOf(lane)];
-    const bool isFirstOfTwo = alongX_ ? stepU_ < 0 : step > 0;
-    const bool isCrossed = along < alongU || (along == alongU && isFirstOfTwo);
-    return step > 0 ? border - !isCrossed : border - isCrossed;
-}
-
 // Columns that leave the grid within the slab: their last tile is the grid's outermost one.
 void StripWalk::leaveGridSideways() {
     unsigned bits = 0;
     eachLane(open_.live(), [&](int i) {
         const int last = std::clamp<int>(farV_.at[i], 0, sizeV_ - 1);
         if (last == farV_.at[i]) return;
-        farV_.at[i] = small(last);
+        farV_.at[i] = inLane(last);
         bits |= 1u << i;
     });
     goAlone(bits);
@@ -249,6 +182,7 @@ void StripWalk::visit(int v) {
     const bool hasObjects = left > nextObject_;
     if (reached == 0 && floor == onlyFloor_ && ceiling == onlyCeiling_ && !hasObjects && !isPortal)
         return;
+    slabIsOpen_ = false;
     const unsigned live = open_.live();
     unsigned bits = crossing(v);
     if (bits == 0) return;
@@ -313,13 +247,13 @@ void StripWalk::meetAlone(unsigned bits) {
         comeTo(i, v_);
         walk.meetCurrent();
         open_.read(i);
-        floor_.at[i] = small(walk.floor_.texture);
-        floorFromU_.at[i] = small(alongX_ ? walk.floor_.fromX : walk.floor_.fromY);
-        floorFromV_.at[i] = small(alongX_ ? walk.floor_.fromY : walk.floor_.fromX);
-        ceiling_.at[i] = small(walk.ceiling_.texture);
-        ceilingFromU_.at[i] = small(alongX_ ? walk.ceiling_.fromX : walk.ceiling_.fromY);
-        ceilingFromV_.at[i] = small(alongX_ ? walk.ceiling_.fromY : walk.ceiling_.fromX);
-        ceilingRow_.at[i] = small(walk.ceiling_.row);
+        floor_.at[i] = inLane(walk.floor_.texture);
+        floorFromU_.at[i] = inLane(alongX_ ? walk.floor_.fromX : walk.floor_.fromY);
+        floorFromV_.at[i] = inLane(alongX_ ? walk.floor_.fromY : walk.floor_.fromX);
+        ceiling_.at[i] = inLane(walk.ceiling_.texture);
+        ceilingFromU_.at[i] = inLane(alongX_ ? walk.ceiling_.fromX : walk.ceiling_.fromY);
+        ceilingFromV_.at[i] = inLane(alongX_ ? walk.ceiling_.fromY : walk.ceiling_.fromX);
+        ceilingRow_.at[i] = inLane(walk.ceiling_.row);
     });
 }
 

@@ -14,7 +14,8 @@
 // walked together, too. What is not to be copied to each of its calls, for the program's size, is
 // marked noinline.
 //
-// strip_walk.cpp      which tiles, and which columns come through them
+// strip_walk.cpp      from tile to tile
+// strip_slabs.cpp     which columns come through which tiles
 // strip_blocks.cpp    what a tile holds
 #pragma once
 
@@ -65,10 +66,7 @@ private:
     // ---- strip_walk.cpp
     bool aim(int first, int count);
     void walk(unsigned bits);
-    bool passOpenLand();
     void walkSlab();
-    void findFarTiles();
-    int farTile(int lane, double v) const;
     void leaveGridSideways();
     bool isBeyond(double along) const;
     void goAlone(unsigned bits);
@@ -80,6 +78,11 @@ private:
     void comeTo(int lane, int v);
     void countTiles(int lane, int v);
     void noticeChange(unsigned live);
+
+    // ---- strip_slabs.cpp
+    void findFarTiles();
+    int farTile(int lane, double v) const;
+    bool passOpenLand();
 
     // ---- strip_blocks.cpp
     bool findBlocks(std::uint32_t reached);
@@ -142,7 +145,8 @@ private:
     double far_ = 0.0;
     LaneValues nearV_;  // the tiles in which columns come into it and leave it
     LaneValues farV_;
-    bool isWhole_ = false;  // all columns come through one tile of it
+    bool isWhole_ = false;     // all columns come through one tile of it
+    bool slabIsOpen_ = false;  // nothing was met in it so far, or in the one before
 
     // Of the tile:
     int v_ = 0;
