@@ -3,10 +3,12 @@
 #ifndef __EMSCRIPTEN__
 
 #include "app/arguments.h"
-#include "app/scene_file.h"
+#include "app/find_scene.h"
 #include "app/thread_crew.h"
 #include "app/window_shell.h"
-#include "session/recording_text.h"
+#include "files/recording_file.h"
+#include "files/scene_file.h"
+#include "files/write_file.h"
 
 #include <cstdio>
 #include <memory>
@@ -61,13 +63,7 @@ int fail(const std::string& fault) {
 
 // The recording to play, or nothing with all faults printed.
 std::optional<Recording> openRecording(const std::filesystem::path& file) {
-    const std::optional<std::string> text = readText(file);
-    if (!text) {
-        std::fprintf(stderr, "%s: found no file that can be read, expected a recording\n",
-                     file.string().c_str());
-        return std::nullopt;
-    }
-    ReadRecording read = readRecording(*text, file.string());
+    ReadRecording read = readRecordingFile(file);
     for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     return std::move(read.recording);
 }
@@ -93,7 +89,7 @@ public:
         const std::optional<Recording> recording = app_.takeRecording();
         if (!recording) return true;
         const std::string file = file_.empty() ? scene_ + "-recording.txt" : file_;
-        const std::string fault = writeText(file, writeRecording(*recording));
+        const std::string fault = writeWholeFile(file, writeRecording(*recording));
         if (!fault.empty()) return fail(fault) == 0;
         std::printf("%s: %lld steps\n", file.c_str(), static_cast<long long>(recording->steps));
         return true;

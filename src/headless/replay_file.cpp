@@ -1,11 +1,7 @@
 #include "headless/replay_file.h"
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
-#include <system_error>
 #include <variant>
 
 namespace slicecast {
@@ -32,20 +28,6 @@ std::string marksOf(const Recording& recording) {
 }
 
 }  // namespace
-
-ReadRecording readRecordingFile(const std::string& path) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(path, error)) {
-        std::ifstream file(path, std::ios::binary);
-        const std::string text(std::istreambuf_iterator<char>(file), {});
-        if (file.is_open() && !file.bad()) return readRecording(text, path);
-    }
-    Fault fault;
-    fault.file = path;
-    fault.found = "no file that can be read";
-    fault.expected = "a recording";
-    return {std::nullopt, {fault}};
-}
 
 std::string replayUpTo(Session& session, Replay& replay, const std::string& stepOrMark) {
     std::int64_t last = replay.recording().steps;

@@ -1,7 +1,7 @@
 // slicecast-check: tells all faults of scenes, or that there are none, and what else is probably
 // not meant so.
 
-#include "headless/scene_file.h"
+#include "files/scene_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
 
     bool allOk = true;
     for (const std::string& name : scenes) {
-        const SceneFromFile scene = readScene(name);
+        const LoadedScene scene = readSceneFile(name);
         for (const Fault& fault : scene.faults) std::printf("%s\n", describe(fault).c_str());
         for (const Fault& warning : scene.warnings)
             std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());

@@ -2,10 +2,11 @@
 // of its columns meets and what it took to draw it.
 
 #include "base/image.h"
+#include "files/recording_file.h"
+#include "files/scene_file.h"
+#include "files/write_file.h"
 #include "headless/replay_file.h"
-#include "headless/scene_file.h"
 #include "headless/view_arguments.h"
-#include "headless/write_file.h"
 #include "session/hits_json.h"
 #include "session/session.h"
 #include "session/trace_json.h"
@@ -232,7 +233,7 @@ int main(int argc, char** argv) {
     }
 
     // The scene
-    SceneFromFile scene = readScene(arguments.scene);
+    LoadedScene scene = readSceneFile(arguments.scene);
     for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     for (const Fault& warning : scene.warnings)
         std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());

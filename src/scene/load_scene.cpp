@@ -56,13 +56,16 @@ public:
     }
 
     // A file that several maps show is decoded once.
-    Image panorama(const ImageReference& reference) {
+    Image panorama(const PanoramaReference& panorama, const std::vector<Map>& maps) {
+        const ImageReference& reference = panorama.image;
         const auto known = panoramas_.find(reference.file);
-        if (known != panoramas_.end())
-            return take(reference, known->second) ? known->second : Image{};
+        if (known != panoramas_.end()) {
+            const Image& image = maps[known->second].sky.panorama;
+            return take(reference, image) ? image : Image{};
+        }
         Image image = decode(reference, kMaxPanoramaWidth, kMaxPanoramaHeight);
         if (image.empty() || !isOpaque(reference, image) || !take(reference, image)) return {};
-        panoramas_.emplace(reference.file, image);
+        panoramas_.emplace(reference.file, panorama.map);
         return image;
     }
 
@@ -87,7 +90,7 @@ private:
         fault.pointer = reference.pointer;
         fault.line = reference.place.line;
         fault.column = reference.place.column;
-        fault.found = words("\"", reference.file, "\", ", found.str());
+        fault.found = imageFound(reference.file, found.str());
         fault.expected = expected.str();
         faults_.push_back(std::move(fault));
     }
@@ -95,8 +98,7 @@ private:
     Image decode(const ImageReference& reference, int maxWidth, int maxHeight) {
         const auto file = files_.find(reference.file);
         if (file == files_.end()) {
-            add(reference, "which could not be read",
-                "a PNG file of that name, seen from the scene's folder");
+            add(reference, kUnreadImage, "a PNG file of that name, seen from the scene's folder");
             return {};
         }
         Image early = early_.take(reference.file);
@@ -143,7 +145,7 @@ private:
     const SceneFiles& files_;
     EarlyImages& early_;
     std::vector<Fault> faults_;
-    std::map<std::string, Image> panoramas_;
+    std::map<std::string, std::size_t> panoramas_;  // the first map that shows the file
     std::int64_t texels_ = 0;
 };
 
@@ -173,15 +175,19 @@ Image EarlyImages::take(const std::string& name) {
     return found != images_.end() ? std::exchange(found->second, {}) : Image{};
 }
 
-LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files, EarlyImages early) {
+std::string imageFound(std::string_view name, std::string_view what) {
+    return words("\"", name, "\", ", what);
+}
+
+LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages early) {
     LoadedScene loaded;
     if (!scene.description) {
-        loaded.faults = scene.faults;
+        loaded.faults = std::move(scene.faults);
         return loaded;
     }
-    const SceneDescription& description = *scene.description;
+    SceneDescription& description = *scene.description;
     ImageReader reader(description, files, early);
-    World world = description.world;
+    World world = std::move(description.world);
     for (std::size_t i = 0; i < world.textures.size(); ++i) {
         world.textures[i] =
             reader.texture(description.textures[i], std::move(world.textures[i].name));
@@ -189,7 +195,7 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files, EarlyIm
     for (std::size_t i = 0; i < world.sprites.size(); ++i)
         world.sprites[i] = reader.sprite(description.sprites[i], std::move(world.sprites[i].name));
     for (const PanoramaReference& panorama : description.panoramas) {
-        world.maps[panorama.map].sky.panorama = reader.panorama(panorama.image);
+        world.maps[panorama.map].sky.panorama = reader.panorama(panorama, world.maps);
     }
     loaded.faults = reader.takeFaults();
     if (loaded.faults.empty()) {
@@ -200,7 +206,7 @@ LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files, EarlyIm
     }
     if (loaded.faults.empty()) {
         loaded.world = std::move(world);
-        loaded.warnings = scene.warnings;
+        loaded.warnings = std::move(scene.warnings);
     }
     return loaded;
 }

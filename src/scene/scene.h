@@ -2,7 +2,7 @@
 //
 //     ParsedScene scene = parseScene(text, "castle.json");        // checks the text, gives the names of the files that it needs
 //     for (const std::string& name : scene.files) ...             // the caller brings their bytes
-//     LoadedScene loaded = loadScene(scene, files);               // decodes the images and builds the world
+//     LoadedScene loaded = loadScene(std::move(scene), files);    // decodes the images and builds the world
 //
 // Both report all faults that they can reach, in the order of the text; a scene with any fault
 // gives no world. At most kMaxFaults (limits.h) are listed, and then one more that says how many
@@ -45,7 +45,7 @@ std::string describe(const Fault& fault);
 struct SceneDescription;  // the checked text; opaque
 
 struct ParsedScene {
-    std::unique_ptr<const SceneDescription> description;  // null when there are faults
+    std::unique_ptr<SceneDescription> description;  // null when there are faults
     std::vector<std::string>
         files;  // image files named by the scene, relative to it, each once, in order of appearance
     std::vector<Fault> faults;
@@ -83,7 +83,12 @@ private:
     std::int64_t texels_ = 0;
 };
 
-// What has been decoded early is not decoded again; `files` has all of them.
-LoadedScene loadScene(const ParsedScene& scene, const SceneFiles& files, EarlyImages early = {});
+// What has been decoded early is not decoded again; `files` has all of them. The scene becomes the
+// world: nothing of it is copied, and none is left for a second one.
+LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages early = {});
+
+// What a fault has found where an image is named: "\"brick.png\", which could not be read".
+std::string imageFound(std::string_view name, std::string_view what);
+inline constexpr std::string_view kUnreadImage = "which could not be read";
 
 }  // namespace slicecast

@@ -209,9 +209,8 @@ EMSCRIPTEN_KEEPALIVE const uint32_t* slicecast_supply(SlicecastSession* session,
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
     // A scene whose text is at fault says so again, and makes no world.
-    LoadedScene loaded = session->parsed.description
-                             ? loadScene(session->parsed, session->files, std::move(session->early))
-                             : LoadedScene{{}, session->parsed.faults};
+    LoadedScene loaded =
+        loadScene(std::move(session->parsed), session->files, std::move(session->early));
     session->files.clear();
     session->early = {};
     JsonText json;

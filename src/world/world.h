@@ -13,6 +13,7 @@
 #include "world/texture.h"
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace slicecast {
@@ -27,7 +28,14 @@ struct Start {
     double look = 0.0;            // screen heights, positive up
 };
 
+// It may be hundreds of megabytes: it is moved, and copied by copy() alone.
 struct World {
+    World() = default;
+    World(World&&) = default;
+    World& operator=(World&&) = default;
+    ~World() = default;
+    World copy() const { return World(*this); }
+
     std::string title;
     std::vector<Texture> textures;
     std::vector<Sprite> sprites;
@@ -43,7 +51,11 @@ struct World {
     std::vector<Gate> gates;  // see makeGates
     Start start;
     double seconds = 0.0;  // since the world began; animated textures follow it
+
+private:
+    World(const World&) = default;
 };
+static_assert(!std::is_copy_constructible_v<World> && !std::is_copy_assignable_v<World>);
 
 // A copy of a blueprint for a block that moves, opens or has portals.
 CellBlueprint instanceOf(const World& world, BlueprintId id);

@@ -1,8 +1,8 @@
 // A crew of threads: each hand does each job once, and a picture that they draw together has the
 // bytes that one draws.
 #include "app/thread_crew.h"
-#include "app/scene_file.h"
 #include "base/image.h"
+#include "files/scene_file.h"
 #include "session/session.h"
 
 #include <gtest/gtest.h>

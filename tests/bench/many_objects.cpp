@@ -108,7 +108,7 @@ std::optional<ManyObjects> spreadObjects(const World& world, const Eye& eye, int
         all.push_back(*object);
     }
     if (static_cast<int>(all.size()) < count) return std::nullopt;
-    ManyObjects many = {world, world};
+    ManyObjects many = {world.copy(), world.copy()};
     many.all.movingObjects = {};
     many.seenOnly.movingObjects = {};
     many.all.maps[static_cast<std::size_t>(eye.map)].objects = all;

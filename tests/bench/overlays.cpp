@@ -1,7 +1,7 @@
 #include "overlays.h"
 
 #include "base/hash.h"
-#include "headless/scene_file.h"
+#include "files/scene_file.h"
 #include "processor_time.h"
 #include "session/session.h"
 
@@ -80,7 +80,7 @@ double median(std::vector<double> values) {
 }
 
 std::unique_ptr<Walk> beginWalk(const std::string& path, const Case& each) {
-    SceneFromFile scene = readScene(path);
+    LoadedScene scene = readSceneFile(path);
     if (!scene.world) return nullptr;
     auto walk = std::make_unique<Walk>(std::move(*scene.world));
     for (const auto& [name, value] : each.options) {

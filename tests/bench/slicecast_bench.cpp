@@ -83,7 +83,7 @@ std::optional<MeasuredView> prepare(const View& view, Canvas& usual, Canvas& lar
         return std::nullopt;
     };
     if (!draw(usual)) return refuse("cannot be drawn");
-    World world = view.session->world();
+    World world = view.session->world().copy();
     showMovers(world, view.fraction);
 
     auto phased = std::make_unique<PhasedFrame>(std::move(world), view.session->eye(view.fraction),

@@ -1,6 +1,6 @@
 #include "views.h"
 
-#include "headless/scene_file.h"
+#include "files/scene_file.h"
 #include "many_objects.h"
 #include "wide_land.h"
 
@@ -62,7 +62,7 @@ std::string titleOf(const Described& view) {
 }
 
 std::unique_ptr<Session> openScene(const std::string& assets, const Described& view) {
-    SceneFromFile scene = readScene(assets + "/scenes/" + view.scene + ".json");
+    LoadedScene scene = readSceneFile(assets + "/scenes/" + view.scene + ".json");
     for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     if (!scene.world) return nullptr;
     auto session = std::make_unique<Session>(std::move(*scene.world));
@@ -83,9 +83,9 @@ std::unique_ptr<Session> openScene(const std::string& assets, const Described& v
 
 // The garden with many objects, and with those of them alone that are seen.
 bool addManyObjects(const std::string& assets, std::vector<View>& views) {
-    SceneFromFile scene = readScene(assets + "/scenes/garden.json");
+    LoadedScene scene = readSceneFile(assets + "/scenes/garden.json");
     if (!scene.world) return false;
-    const Eye eye = Session(*scene.world).eye();
+    const Eye eye = Session(scene.world->copy()).eye();
     std::optional<ManyObjects> many = spreadObjects(*scene.world, eye, kManyObjects, kObjectsSeen);
     if (!many) {
         std::fprintf(stderr, "slicecast-bench: there is no room for many objects in the garden\n");
@@ -100,11 +100,13 @@ bool addManyObjects(const std::string& assets, std::vector<View>& views) {
 // The same stones in a small and in a large map; the floor beyond the small one looks as it does in
 // the large one.
 bool addLands(const std::string& assets, std::vector<View>& views) {
-    const SceneFromFile scene = readScene(assets + "/scenes/yardstick.json");
+    const LoadedScene scene = readSceneFile(assets + "/scenes/yardstick.json");
     if (!scene.world) return false;
-    views.push_back({kSmallLandTitle, std::make_shared<Session>(stonesOnLand(*scene.world, 64))});
-    views.push_back({kWideLandTitle, std::make_shared<Session>(stonesOnLand(*scene.world, 2048)),
-                     1.0, kSmallLandTitle, kMostTimesTheSmall});
+    views.push_back(
+        {kSmallLandTitle, std::make_shared<Session>(stonesOnLand(scene.world->copy(), 64))});
+    views.push_back({kWideLandTitle,
+                     std::make_shared<Session>(stonesOnLand(scene.world->copy(), 2048)), 1.0,
+                     kSmallLandTitle, kMostTimesTheSmall});
     return true;
 }
 

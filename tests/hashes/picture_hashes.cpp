@@ -6,8 +6,9 @@
 
 #include "base/angle.h"
 #include "base/random.h"
+#include "files/recording_file.h"
+#include "files/scene_file.h"
 #include "generated_world.h"
-#include "headless/scene_file.h"
 #include "session/recording_text.h"
 #include "session/session.h"
 
@@ -131,7 +132,7 @@ void printOldWays(const std::string& name, Session& session) {
 }
 
 bool printScene(const std::filesystem::path& path, std::uint64_t seed) {
-    SceneFromFile scene = readScene(path.string());
+    LoadedScene scene = readSceneFile(path.string());
     for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     if (!scene.world) return false;
     Session session(std::move(*scene.world));
@@ -198,13 +199,11 @@ void printGenerated(std::uint64_t seed, Shown& shown) {
 
 // A recorded tour: the state and the picture at each of its marks and at its end.
 bool printTour(const std::filesystem::path& assets, const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    ReadRecording read =
-        readRecording(std::string(std::istreambuf_iterator<char>(file), {}), path.string());
+    ReadRecording read = readRecordingFile(path);
     for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     if (!read.recording) return false;
-    SceneFromFile scene =
-        readScene((assets / "scenes" / (read.recording->scene + ".json")).string());
+    LoadedScene scene =
+        readSceneFile((assets / "scenes" / (read.recording->scene + ".json")).string());
     for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     if (!scene.world) return false;
 

@@ -1,5 +1,5 @@
 // slicecast-check as people run it.
-#include "headless/scene_file.h"
+#include "files/scene_file.h"
 #include "run_program.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ const std::string kFolder = SLICECAST_SOURCE_FOLDER "/tests/scene/";
 
 std::string faultsOf(const std::string& path) {
     std::string lines;
-    for (const Fault& fault : readScene(path).faults) lines += describe(fault) + "\n";
+    for (const Fault& fault : readSceneFile(path).faults) lines += describe(fault) + "\n";
     return lines;
 }
 
@@ -28,7 +28,7 @@ TEST(CheckProgram, TellsAllFaultsOfAllScenes) {
     const Finished finished =
         runProgram(SLICECAST_CHECK, {several, kFolder + "everything.json", missing});
     EXPECT_EQ(finished.status, 1);
-    EXPECT_GT(readScene(several).faults.size(), 5u);
+    EXPECT_GT(readSceneFile(several).faults.size(), 5u);
     EXPECT_EQ(finished.out,
               faultsOf(several) + kFolder + "everything.json: ok\n" + faultsOf(missing));
 }
@@ -36,7 +36,7 @@ TEST(CheckProgram, TellsAllFaultsOfAllScenes) {
 TEST(CheckProgram, WarnsOfWhatIsProbablyNotMeantSo) {
     const std::string path = kFolder + "warnings.json";
     std::string lines;
-    for (const Fault& warning : readScene(path).warnings)
+    for (const Fault& warning : readSceneFile(path).warnings)
         lines += "warning: " + describe(warning) + "\n";
     const Finished finished = runProgram(SLICECAST_CHECK, {path});
     EXPECT_EQ(finished.status, 0);

@@ -1,7 +1,7 @@
 // Whatever shipped scenes have, gates, lifts, mirrors, portals and objects that move among it, the
 // classic method without any of its old ways draws as the exact one does.
 #include "base/random.h"
-#include "headless/scene_file.h"
+#include "files/scene_file.h"
 #include "session/session.h"
 
 #include <gtest/gtest.h>
@@ -38,8 +38,8 @@ Eye anyEye(Random& random, const World& world) {
 class ClassicScenes : public testing::TestWithParam<const char*> {};
 
 TEST_P(ClassicScenes, AreDrawnAsByTheExactMethod) {
-    SceneFromFile scene = readScene(std::string(SLICECAST_SOURCE_FOLDER "/tests/frozen/scenes/") +
-                                    GetParam() + ".json");
+    LoadedScene scene = readSceneFile(std::string(SLICECAST_SOURCE_FOLDER "/tests/frozen/scenes/") +
+                                      GetParam() + ".json");
     ASSERT_TRUE(scene.world.has_value());
     Session session(std::move(*scene.world));
     session.setOption("detail", "off");

@@ -1,6 +1,6 @@
 // slicecast-render as people run it: pictures, hits, and what it refuses.
 #include "base/image.h"
-#include "headless/scene_file.h"
+#include "files/scene_file.h"
 #include "run_program.h"
 #include "session/recording_text.h"
 #include "session/session.h"
@@ -77,7 +77,7 @@ TEST(RenderProgram, DrawsTheStartAsThePlayerSeesIt) {
     EXPECT_EQ(finished.status, 0) << finished.err;
     EXPECT_EQ(finished.out + finished.err, "");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"start.png"});
-    SceneFromFile scene = readScene(kScene);
+    LoadedScene scene = readSceneFile(kScene);
     Session session(std::move(*scene.world));
     const Image picture = readPicture(folder / "start.png");
     EXPECT_EQ(picture.width, 97);
@@ -107,7 +107,7 @@ TEST(RenderProgram, DrawsAnyEyeMapAndOptions) {
                 "--fov", "75", "--set", "light=off", "--set", "detail=off", "--out",
                 (folder / "yard.png").string()});
     EXPECT_EQ(finished.status, 0) << finished.err;
-    SceneFromFile scene = readScene(kScene);
+    LoadedScene scene = readSceneFile(kScene);
     Session session(std::move(*scene.world));
     ASSERT_EQ(session.world().maps[1].name, "yard");
     ASSERT_TRUE(session.setEye(
@@ -302,7 +302,7 @@ TEST(RenderProgram, HasHelp) {
 
 // A recording of the corridor: ahead until the wall, then about.
 std::string corridorWalk(const TestFolder& folder) {
-    SceneFromFile scene = readScene(corridor(folder));
+    LoadedScene scene = readSceneFile(corridor(folder));
     Session session(std::move(*scene.world));
     Recorder recorder("corridor");
     session.record(&recorder);
@@ -320,7 +320,7 @@ TEST(RenderProgram, PlaysARecordingUpToAStepOrAMark) {
     const std::string scene = (folder / "corridor.json").string();
     const std::string out = (folder / "view.png").string();
     const auto viewAfter = [&](int ahead, int turned) {
-        SceneFromFile read = readScene(scene);
+        LoadedScene read = readSceneFile(scene);
         Session session(std::move(*read.world));
         for (int i = 0; i < ahead; ++i) session.step({.forward = 1.0});
         for (int i = 0; i < turned; ++i) session.step({.turnDegrees = 1.5});
@@ -370,7 +370,7 @@ TEST(RenderProgram, RefusesARecordingThatDoesNotFit) {
          "found a recording of the scene \"corridor\", expected one of \"everything\""},
         {{scene, "--replay", (folder / ".").string()},
          1,
-         "found no file that can be read, expected a recording"},
+         "found a path that is a folder, expected a recording"},
         {{scene, "--replay", broken}, 1, "broken.txt:3:3: found \"run\""},
         {{scene, "--replay", elsewhere}, 1, "leads elsewhere"},
     };

@@ -58,9 +58,9 @@ void expectSound(const World& world) {
 
 // True if the scene gave a world.
 bool expectWorldOrFaults(const std::string& text, const SceneFiles& files) {
-    const ParsedScene parsed = parseScene(text, "damaged.json");
+    ParsedScene parsed = parseScene(text, "damaged.json");
     EXPECT_EQ(parsed.description == nullptr, !parsed.faults.empty());
-    const LoadedScene loaded = loadScene(parsed, files);
+    const LoadedScene loaded = loadScene(std::move(parsed), files);
     EXPECT_EQ(loaded.world.has_value(), loaded.faults.empty());
     const int lines = 1 + static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) {
                           return c == '\n' || c == '\r';
@@ -138,7 +138,6 @@ TEST_F(DamagedScenes, GiveAWorldOrFaults) {
 TEST_F(DamagedScenes, MayNameDamagedImages) {
     constexpr int kScenes = 2000;
     Random random(21);
-    const ParsedScene parsed = parseScene(text_, "everything.json");
     int worlds = 0;
     for (int i = 0; i < kScenes; ++i) {
         SceneFiles files = files_;
@@ -146,7 +145,7 @@ TEST_F(DamagedScenes, MayNameDamagedImages) {
             const std::string broken = damaged(std::string(bytes.begin(), bytes.end()), random);
             if (!random.oneIn(3)) bytes.assign(broken.begin(), broken.end());
         }
-        const LoadedScene loaded = loadScene(parsed, files);
+        const LoadedScene loaded = loadScene(parseScene(text_, "everything.json"), files);
         EXPECT_EQ(loaded.world.has_value(), loaded.faults.empty());
         if (loaded.world) {
             expectSound(*loaded.world);

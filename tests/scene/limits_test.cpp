@@ -29,7 +29,7 @@ std::vector<Fault> faultsOf(const std::string& text) {
 TEST(Limits, TheLargestMapIsReadInSeconds) {
     const std::string text = smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + "]");
     const auto start = std::chrono::steady_clock::now();
-    const ParsedScene parsed = parseScene(text, "test.json");
+    ParsedScene parsed = parseScene(text, "test.json");
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     EXPECT_EQ(inWords(parsed.faults), "");
@@ -38,7 +38,8 @@ TEST(Limits, TheLargestMapIsReadInSeconds) {
 #else
     EXPECT_LT(seconds, 40.0);
 #endif
-    const LoadedScene loaded = loadScene(parsed, readSceneFiles(sceneTestFolder(), parsed));
+    const SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
+    const LoadedScene loaded = loadScene(std::move(parsed), files);
     ASSERT_TRUE(loaded.world.has_value());
     EXPECT_EQ(loaded.world->maps[0].width, kMaxMapWidth);
     EXPECT_EQ(loaded.world->maps[0].depth, kMaxMapDepth);
@@ -258,13 +259,13 @@ TEST(Limits, ImagesOfAllMapsTogether) {
         maps += R"("sky": { "panorama": "sky.png" } }, { "name": "map )" + std::to_string(i) +
                 R"(", "floor": "brick", "levels": [["."]], )";
     }
-    const ParsedScene parsed = parseScene(
+    ParsedScene parsed = parseScene(
         smallScene(R"([["...", "...", "..."]])", maps + R"("sky": { "panorama": "sky.png" })"),
         "test.json");
     EXPECT_EQ(inWords(parsed.faults), "");
     SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
     files["sky.png"] = encodePng(sky.pixels.data(), sky.width, sky.height, sky.width);
-    const LoadedScene loaded = loadScene(parsed, files);
+    const LoadedScene loaded = loadScene(std::move(parsed), files);
     ASSERT_EQ(loaded.faults.size(), 1u);
     EXPECT_EQ(loaded.faults[0].pointer, "/maps/31/sky/panorama");
 }

@@ -1,7 +1,10 @@
 #include "scene/scene_files.h"
 
-#include <fstream>
-#include <iterator>
+#include "files/read_file.h"
+#include "files/scene_file.h"
+#include "scene/limits.h"
+
+#include <utility>
 
 namespace slicecast {
 
@@ -10,23 +13,22 @@ std::filesystem::path sceneTestFolder() {
 }
 
 std::string readText(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return std::string(readWholeFile(path, kMaxSceneBytes).text());
 }
 
 SceneFiles readSceneFiles(const std::filesystem::path& folder, const ParsedScene& scene) {
-    SceneFiles files;
-    for (const std::string& name : scene.files) {
-        if (!std::filesystem::exists(folder / name)) continue;
-        const std::string bytes = readText(folder / name);
-        files[name] = {bytes.begin(), bytes.end()};
-    }
-    return files;
+    return readImages(scene, folder).files;
+}
+
+LoadedScene loadText(const std::string& text, const std::string& name,
+                     const std::filesystem::path& folder) {
+    ParsedScene parsed = parseScene(text, name);
+    const SceneFiles files = readSceneFiles(folder, parsed);
+    return loadScene(std::move(parsed), files);
 }
 
 LoadedScene loadFrom(const std::filesystem::path& path) {
-    const ParsedScene parsed = parseScene(readText(path), path.filename().string());
-    return loadScene(parsed, readSceneFiles(path.parent_path(), parsed));
+    return loadText(readText(path), path.filename().string(), path.parent_path());
 }
 
 std::string smallScene(const std::string& levels, const std::string& moreOfTheMap) {

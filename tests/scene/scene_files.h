@@ -16,6 +16,10 @@ std::string readText(const std::filesystem::path& path);
 // The files that a scene names, those of them that exist.
 SceneFiles readSceneFiles(const std::filesystem::path& folder, const ParsedScene& scene);
 
+// Checks and loads a text whose images are seen from a folder.
+LoadedScene loadText(const std::string& text, const std::string& name = "test.json",
+                     const std::filesystem::path& folder = sceneTestFolder());
+
 // Checks and loads a scene of the disk; faults name it by its file name.
 LoadedScene loadFrom(const std::filesystem::path& path);
 

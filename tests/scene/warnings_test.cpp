@@ -8,11 +8,10 @@ namespace slicecast {
 namespace {
 
 LoadedScene load(const std::string& text) {
-    const ParsedScene parsed = parseScene(text, "test.json");
-    LoadedScene loaded = loadScene(parsed, readSceneFiles(sceneTestFolder(), parsed));
+    LoadedScene loaded = loadText(text);
     EXPECT_EQ(inWords(loaded.faults), "");
     EXPECT_TRUE(loaded.world.has_value());
-    EXPECT_EQ(loaded.warnings, parsed.warnings);
+    EXPECT_EQ(loaded.warnings, parseScene(text, "test.json").warnings);
     return loaded;
 }
 

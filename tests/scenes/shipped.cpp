@@ -1,6 +1,6 @@
 #include "scenes/shipped.h"
 
-#include "headless/scene_file.h"
+#include "files/scene_file.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ std::string sceneText(const std::string& name) {
 }
 
 World shippedWorld(const std::string& name) {
-    SceneFromFile scene = readScene(sceneFile(name).string());
+    LoadedScene scene = readSceneFile(sceneFile(name).string());
     for (const Fault& fault : scene.faults) ADD_FAILURE() << describe(fault);
     return scene.world ? std::move(*scene.world) : World{};
 }

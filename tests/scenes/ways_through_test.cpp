@@ -104,7 +104,7 @@ TEST(WaysThrough, LeadWhereTheyShouldWithoutAJump) {
     for (const Way& way : kWays) {
         SCOPED_TRACE(std::string(way.scene) + ", " + way.what + ", from " + way.from);
         if (worlds.count(way.scene) == 0) worlds.emplace(way.scene, shippedWorld(way.scene));
-        Session session(worlds.at(way.scene));
+        Session session(worlds.at(way.scene).copy());
         ASSERT_TRUE(putAt(session, way));
 
         // Ahead until through

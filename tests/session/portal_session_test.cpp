@@ -72,7 +72,7 @@ TEST(PortalSession, TheStateIsAnotherBetweenTheTwoSides) {
     elsewhere.maps[0].tilePortals[3] = kNoPortal;
     elsewhere.maps[0].tilePortals[4] = 0;
     elsewhere.start.x = toCoordinate(2.5);
-    Session other(elsewhere);
+    Session other(elsewhere.copy());
     while (other.player().leaps == 0) other.step({.forward = 1.0});
     EXPECT_EQ(other.player().x, same.player().x);
     EXPECT_EQ(other.steps(), same.steps());

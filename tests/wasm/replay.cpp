@@ -9,8 +9,8 @@
 // each of its marks and at its end.
 
 #include "base/image.h"
-#include "headless/replay_file.h"
-#include "headless/scene_file.h"
+#include "files/recording_file.h"
+#include "files/scene_file.h"
 #include "session/session.h"
 
 #include <cinttypes>
@@ -21,7 +21,7 @@ using namespace slicecast;
 
 int main(int argc, char** argv) {
     if (argc != 5 && argc != 6) return 2;
-    LoadedScene loaded = readScene(argv[1]);
+    LoadedScene loaded = readSceneFile(argv[1]);
     for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
     if (!loaded.world) return 1;
     Session session(std::move(*loaded.world));

@@ -138,7 +138,7 @@ TEST(Collision, SlidesOverStepsOnlyWithRoomOnTheWay) {
     EXPECT_EQ(slid.box.east, 1.0_u);
     EXPECT_TRUE(slid.stoppedX);
     // Something above the way up
-    World low = world;
+    World low = world.copy();
     putBlock(low, 0, 0, 0.9_u, 1.0_u);
     EXPECT_EQ(slide(low, 0, box, 0.5_u, {}, 0.5_u).box.east, 1.0_u);
     // Something above a part of it that moves out from under it while the front takes the step
@@ -149,7 +149,7 @@ TEST(Collision, SlidesOverStepsOnlyWithRoomOnTheWay) {
     putBlock(behind, 0, 0, 0.6_u, 1.0_u);
     EXPECT_EQ(slide(behind, 0, wide, 0.0625_u, {}, 0.5_u).box.east, 2.0_u);
     // Something above the step: a body that fits exactly, and one that is a little too high
-    low = world;
+    low = world.copy();
     putBlock(low, 1, 0, 1.0_u, 1.1_u);
     EXPECT_EQ(slide(low, 0, box, 0.5_u, {}, 0.5_u).box.bottom, 0.5_u);
     Box higher = box;

@@ -100,7 +100,7 @@ TEST(Gates, HearWhoIsWithinARoundReach) {
     for (double x = 0.25; x < 9.0; x += 0.5) {
         for (double y = 0.25; y < 9.0; y += 0.5) {
             for (double z = 0.25; z < 6.0; z += 0.5) {
-                World tried = world;
+                World tried = world.copy();
                 stepWorld(tried, {},
                           {.wish = Wish::open,
                            .map = 0,

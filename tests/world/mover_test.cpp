@@ -204,14 +204,14 @@ TEST(Movers, AreRefusedWhereTheyCannotMove) {
     };
     World low = emptyWorld(5, 5, 2);
     low.maps[0].setCell(2, 3, 0, addMoving(low, {}, 0.5_u, lift()));
-    EXPECT_EQ(faultOf(low),
+    EXPECT_EQ(faultOf(low.copy()),
               "the moving block \"moving 0\" that moves from height 0 to 2.5 at 2 3 0: a motion "
               "that stays between 0 and the map's 2 levels");
     World deep = emptyWorld(5, 5, 4);
     Motion down = lift();
     down.from = toCoordinate(-0.25);
     deep.maps[0].setCell(2, 3, 0, addMoving(deep, {}, 0.5_u, down));
-    EXPECT_EQ(faultOf(deep),
+    EXPECT_EQ(faultOf(deep.copy()),
               "the moving block \"moving 0\" that moves from height -0.25 to 2.5 at 2 3 0: a "
               "motion that stays between 0 and the map's 4 levels");
     World into = emptyWorld(5, 5, 4);
@@ -219,14 +219,14 @@ TEST(Movers, AreRefusedWhereTheyCannotMove) {
     into.blueprints.push_back({});
     into.blueprints.back().name = "wall";
     into.maps[0].setCell(2, 3, 2, 2);
-    EXPECT_EQ(faultOf(into),
+    EXPECT_EQ(faultOf(into.copy()),
               "the moving block \"moving 0\" that runs into \"wall\" on level 2 at 2 3 0: empty "
               "cells wherever it moves");
     World two = emptyWorld(5, 5, 5);
     const BlueprintId id = addMoving(two, {}, 0.5_u, lift());
     two.maps[0].setCell(2, 3, 0, id);
     two.maps[0].setCell(2, 3, 2, id);
-    EXPECT_EQ(faultOf(two),
+    EXPECT_EQ(faultOf(two.copy()),
               "the moving block \"moving 0\" that runs into \"moving 0\" on level 2 at 2 3 0: "
               "empty cells wherever it moves");
     two.maps[0].setCell(2, 3, 2, kEmptyCell);
@@ -234,14 +234,14 @@ TEST(Movers, AreRefusedWhereTheyCannotMove) {
     upside.from = toCoordinate(-2.0);
     upside.to = {};
     two.maps[0].setCell(2, 3, 4, addMoving(two, {}, 0.5_u, upside));
-    EXPECT_EQ(faultOf(two),
+    EXPECT_EQ(faultOf(two.copy()),
               "the moving block \"moving 1\" that runs into \"moving 0\" on level 2 at 2 3 4: "
               "moving blocks that do not reach each other");
     World gap = emptyWorld(5, 5, 5);
     const BlueprintId half = addMoving(gap, {}, 0.5_u, lift());
     gap.maps[0].setCell(2, 3, 0, half);
     gap.maps[0].setCell(2, 3, 1, half);
-    EXPECT_EQ(faultOf(gap),
+    EXPECT_EQ(faultOf(gap.copy()),
               "the moving block \"moving 0\" stacked without touching at 2 3 0: a bottom of 0 and "
               "a top of 1 where a moving block is stacked");
     World never = emptyWorld(5, 5, 5);
@@ -250,7 +250,7 @@ TEST(Movers, AreRefusedWhereTheyCannotMove) {
     hidden.from = toCoordinate(-1.0);
     hidden.to = toCoordinate(-0.5);
     never.maps[0].setCell(2, 3, 0, addMoving(never, {}, 0.5_u, hidden));
-    EXPECT_EQ(faultOf(never),
+    EXPECT_EQ(faultOf(never.copy()),
               "the moving block \"moving 0\" whose top never gets above its bottom at 2 3 0: a "
               "motion with which the block is to be seen");
 }

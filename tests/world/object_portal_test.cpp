@@ -64,7 +64,7 @@ bool isFreeNow(const World& world, const ObjectMotion& motion) {
 
 // The world with portals of tiles that lead to a copy and back.
 World withPortals(const World& plain, int turn, int levels, Random& random, Portal& toCopy) {
-    World world = plain;
+    World world = plain.copy();
     toCopy = appendCopy(world, 0, turn, levels);
     const int density = random.between(2, 6);
     for (int y = 0; y < world.maps[0].depth; ++y) {

@@ -188,10 +188,10 @@ TEST(Player, NumbersThatAreNoneCountAsNothing) {
 TEST(Player, StartsStandingCrouchedOrFlyingAsThereIsRoom) {
     World world = lowPassage(0.6_u);
     putBlock(world, 7, 0, 0.0_u, 1.0_u);
-    EXPECT_FALSE(Walker(world, 0.5, 0.5, 0.0).player.crouched);
-    EXPECT_TRUE(Walker(world, 0.5, 0.5, 0.0).player.onGround);
-    EXPECT_TRUE(Walker(world, 3.5, 0.5, 0.0).player.crouched);
-    EXPECT_TRUE(Walker(world, 7.5, 0.5, 0.0).player.flying);
+    EXPECT_FALSE(Walker(world.copy(), 0.5, 0.5, 0.0).player.crouched);
+    EXPECT_TRUE(Walker(world.copy(), 0.5, 0.5, 0.0).player.onGround);
+    EXPECT_TRUE(Walker(world.copy(), 3.5, 0.5, 0.0).player.crouched);
+    EXPECT_TRUE(Walker(world.copy(), 7.5, 0.5, 0.0).player.flying);
     EXPECT_TRUE(fitsStanding(world, 0, 0.5_u, 0.5_u, 0.0_u));
     EXPECT_FALSE(fitsStanding(world, 0, 3.5_u, 0.5_u, 0.0_u));
 }

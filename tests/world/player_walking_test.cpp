@@ -65,7 +65,7 @@ TEST(Player, DoesNotSlipBetweenBlocksThatTouchAtACorner) {
     putBlock(world, 1, 2, 0.0_u, 1.0_u);
     putBlock(world, 2, 1, 0.0_u, 1.0_u);
     for (const double offset : {0.0, -0.05, 0.05, -0.3, 0.3}) {
-        Walker walker(world, 1.5 + offset, 1.5 - offset, 0.0, 45.0);
+        Walker walker(world.copy(), 1.5 + offset, 1.5 - offset, 0.0, 45.0);
         walker.step(kAhead, 3 * kSecond);
         EXPECT_LE(walker.player.x + kBodyHalfWidth, 2.0_u);
         EXPECT_LE(walker.player.y + kBodyHalfWidth, 2.0_u);
@@ -330,11 +330,11 @@ TEST(Player, ABridgeIsWalkedOverAndUnder) {
         if (x != 3) putBlock(world, x, 1, 0.0_u, 1.0_u);
         putBlock(world, x, 1, 1.0_u, 1.25_u);
     }
-    Walker over(world, 0.5, 1.5, 1.25);
+    Walker over(world.copy(), 0.5, 1.5, 1.25);
     over.step(kAhead, 3 * kSecond);
     EXPECT_EQ(over.player.x, 7.0_u - kBodyHalfWidth);
     EXPECT_EQ(over.z(), 1.25);
-    Walker under(world, 3.5, 0.5, 0.0, 90.0);
+    Walker under(world.copy(), 3.5, 0.5, 0.0, 90.0);
     under.step(kAhead, 3 * kSecond);
     EXPECT_EQ(under.player.y, 3.0_u - kBodyHalfWidth);
     EXPECT_EQ(under.z(), 0.0);
@@ -344,12 +344,12 @@ TEST(Player, TheCeilingIsAFloorFromAbove) {
     World world = emptyWorld(4, 1, 1);
     putCeiling(world, 1.2_u);
     world.maps[0].ceiling.tiles[3] = kNoTexture;
-    Walker above(world, 0.5, 0.5, 2.0);
+    Walker above(world.copy(), 0.5, 0.5, 2.0);
     above.step(kNothing, kSecond);
     EXPECT_EQ(above.player.z, 1.2_u);
     above.step(kAhead, 2 * kSecond);
     EXPECT_EQ(above.z(), 0.0) << "down through the hole at the end";
-    Walker below(world, 0.5, 0.5, 0.0);
+    Walker below(world.copy(), 0.5, 0.5, 0.0);
     setFlying(below.world, below.player, true);
     below.step({.fly = 1.0}, 3 * kSecond);
     EXPECT_EQ(below.player.z + kCrouchedHeight, 1.2_u);

@@ -107,7 +107,7 @@ bool walkBoth(const World& plain, const World& portals, const Portal& toCopy, co
 
 // Tiles of both maps lead to their places in the other one.
 World withTilePortals(const World& plain, int turn, int levels, Random& random, Portal& toCopy) {
-    World world = plain;
+    World world = plain.copy();
     toCopy = appendCopy(world, 0, turn, levels);
     const int width = world.maps[0].width;
     const int depth = world.maps[0].depth;
@@ -172,7 +172,7 @@ struct Barrier {
 // Blocks that fill a passage and lead into the copy; in the copy others lead back.
 World withBarriers(const World& plain, int turn, int levels, const std::vector<Barrier>& here,
                    const std::vector<Barrier>& there, Face face, Face opposite, Portal& toCopy) {
-    World world = plain;
+    World world = plain.copy();
     toCopy = appendCopy(world, 0, turn, levels);
     CellBlueprint whole;
     world.blueprints.push_back(whole);
@@ -204,7 +204,7 @@ TEST(PortalIdentity, FacesInACorridorThatLeadToACopyChangeNoWay) {
         Portal toCopy;
         const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{6, 1, 0}},
                                          {{3, 1, 0}}, Face::west, Face::east, toCopy);
-        const Walker walker(plain, 4.5, 1.5, 0.0, gridDegrees(random, 180.0) + 180.0);
+        const Walker walker(plain.copy(), 4.5, 1.5, 0.0, gridDegrees(random, 180.0) + 180.0);
         EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts))
             << "seed " << seed << ", turn " << toCopy.turn;
     }
@@ -227,7 +227,7 @@ TEST(PortalIdentity, TopsAndBottomsInAShaftThatLeadToACopyChangeNoWay) {
         Portal toCopy;
         const World world = withBarriers(plain, seed % 4, random.between(0, 2), {{1, 1, 2}},
                                          {{1, 1, 1}}, Face::top, Face::bottom, toCopy);
-        const Walker walker(plain, 1.5, 1.5, 3.3, gridDegrees(random, 180.0) + 180.0);
+        const Walker walker(plain.copy(), 1.5, 1.5, 3.3, gridDegrees(random, 180.0) + 180.0);
         Player player = walker.player;
         if (random.oneIn(2)) setFlying(plain, player, true);
         EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts))
@@ -255,7 +255,7 @@ TEST(PortalIdentity, WideGatesThatLeadToACopyChangeNoWay) {
         const World world = withBarriers(
             plain, seed % 4, random.between(0, 2), {{6, 1, 0}, {6, 2, 0}, {6, 1, 1}, {6, 2, 1}},
             {{3, 1, 0}, {3, 2, 0}, {3, 1, 1}, {3, 2, 1}}, Face::west, Face::east, toCopy);
-        const Walker walker(plain, 4.5, 2.0, 0.0, gridDegrees(random, 180.0) + 180.0);
+        const Walker walker(plain.copy(), 4.5, 2.0, 0.0, gridDegrees(random, 180.0) + 180.0);
         EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts))
             << "seed " << seed << ", turn " << toCopy.turn;
     }
@@ -282,7 +282,7 @@ TEST(PortalIdentity, WideWellsThatLeadToACopyChangeNoWay) {
             plain, seed % 4, random.between(0, 2),
             {{1, 1, level}, {2, 1, level}, {1, 2, level}, {2, 2, level}},
             {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 1}}, Face::top, Face::bottom, toCopy);
-        const Walker walker(plain, 2.0, 2.0, 3.3, gridDegrees(random, 180.0) + 180.0);
+        const Walker walker(plain.copy(), 2.0, 2.0, 3.3, gridDegrees(random, 180.0) + 180.0);
         Player player = walker.player;
         if (random.oneIn(2)) setFlying(plain, player, true);
         EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts))

@@ -114,7 +114,7 @@ TEST(Traveller, WalksOnWithTheSameSpeedAndView) {
 TEST(Traveller, IsStoppedByTheSameBlockFromElsewhere) {
     for (const double degrees : {90.0, 180.0, 270.0}) {
         World world = doorway();
-        Walker walker(world, degrees == 180.0 ? 7.5 : 6.5,
+        Walker walker(world.copy(), degrees == 180.0 ? 7.5 : 6.5,
                       degrees == 90.0    ? 0.5
                       : degrees == 270.0 ? 2.5
                                          : 1.5,
@@ -142,7 +142,7 @@ TEST(Traveller, DoesNotComeBackWhereThereIsNoWayBack) {
 TEST(Traveller, ComesOutOfASolidWall) {
     World world = doorway();
     for (int x = 0; x < 5; ++x) world.maps[1].setCell(x, 0, 0, world.maps[0].cell(6, 0, 0));
-    Walker walker(world, 5.5, 1.5, 0.0);
+    Walker walker(world.copy(), 5.5, 1.5, 0.0);
     bool straddled = false;
     for (int step = 0; step < kSecond; ++step) {
         walker.step(kAhead);
@@ -163,12 +163,12 @@ TEST(Traveller, ComesOutOfASolidWall) {
 TEST(Traveller, BumpsIntoWhatIsOnTheOtherSide) {
     World world = doorway();
     world.maps[1].setCell(2, 2, 0, world.maps[0].cell(6, 0, 0));
-    Walker near(world, 5.0, 1.5, 0.0);
+    Walker near(world.copy(), 5.0, 1.5, 0.0);
     near.step(kAhead, kSecond);
     EXPECT_EQ(near.player.map, 1);
     EXPECT_EQ(near.player.y + kBodyHalfWidth, tileEdge(2));
     world.maps[1].setCell(2, 1, 0, world.maps[0].cell(6, 0, 0));
-    Walker shut(world, 5.0, 1.5, 0.0);
+    Walker shut(world.copy(), 5.0, 1.5, 0.0);
     shut.step(kAhead, kSecond);
     EXPECT_EQ(shut.player.map, 0);
     EXPECT_EQ(shut.player.x + kBodyHalfWidth, tileEdge(6));
@@ -182,7 +182,7 @@ TEST(Traveller, ClimbsWhatIsOnTheOtherSide) {
     world.blueprints.push_back(slab);
     for (int y = 1; y < 8; ++y)
         world.maps[1].setCell(2, y, 0, static_cast<BlueprintId>(world.blueprints.size() - 1));
-    Walker walker(world, 5.0, 1.5, 0.0);
+    Walker walker(world.copy(), 5.0, 1.5, 0.0);
     bool wasUpBefore = false;
     for (int step = 0; step < kSecond; ++step) {
         walker.step(kAhead);
@@ -208,7 +208,7 @@ TEST(Traveller, FallsThroughATop) {
                    .turn = 2,
                    .levels = 4},
                   0, Face::top);
-    Walker walker(world, 1.5, 0.5, 3.0, 30.0);
+    Walker walker(world.copy(), 1.5, 0.5, 3.0, 30.0);
     double fastest = 0.0;
     while (walker.player.map == 0 && !walker.player.onGround) {
         fastest = walker.player.velocityZ;
@@ -235,14 +235,14 @@ TEST(Traveller, TilesActAtAllHeightsButNotOnWhoIsThere) {
                               .toY = 4,
                               .turn = 3,
                               .levels = 1});
-        Walker walker(world, 1.5, 0.5, height);
+        Walker walker(world.copy(), 1.5, 0.5, height);
         setFlying(walker.world, walker.player, true);
         walker.step(kAhead, kSecond / 2);
         EXPECT_EQ(walker.player.map, 1) << height;
         EXPECT_EQ(walker.player.headingDegrees, 270.0);
         EXPECT_NEAR(walker.z(), height + 1.25, 0.01);
 
-        Walker inside(world, 3.5, 0.5, height);
+        Walker inside(world.copy(), 3.5, 0.5, height);
         setFlying(inside.world, inside.player, true);
         inside.step(kAhead, kSecond / 4);
         EXPECT_EQ(inside.player.map, 0) << height;
@@ -267,7 +267,7 @@ TEST(Traveller, GoesThroughSeveralInOneStep) {
                               .turn = 0,
                               .levels = 0});
     }
-    Walker walker(world, 0.5, 0.5, 0.0);
+    Walker walker(world.copy(), 0.5, 0.5, 0.0);
     Traveller body = travellerOf(walker.player);
     const Travelled way = slide(walker.world, body, 2.75_u, {}, {});
     EXPECT_FALSE(way.stoppedX);

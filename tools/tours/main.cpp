@@ -2,15 +2,14 @@
 //
 //     slicecast-tours assets
 
-#include "headless/scene_file.h"
-#include "headless/write_file.h"
+#include "files/scene_file.h"
+#include "files/write_file.h"
 #include "session/recording_text.h"
 #include "tours/tours.h"
 
 #include <cstdio>
 #include <filesystem>
 #include <utility>
-#include <vector>
 
 using namespace slicecast;
 
@@ -22,8 +21,8 @@ int main(int argc, char** argv) {
     const std::filesystem::path assets = argv[1];
     int status = 0;
     for (const Tour& tour : allTours()) {
-        SceneFromFile scene =
-            readScene((assets / "scenes" / (std::string(tour.scene) + ".json")).string());
+        LoadedScene scene =
+            readSceneFile((assets / "scenes" / (std::string(tour.scene) + ".json")).string());
         for (const Fault& fault : scene.faults)
             std::fprintf(stderr, "%s\n", describe(fault).c_str());
         if (!scene.world) return 1;
@@ -31,10 +30,9 @@ int main(int argc, char** argv) {
         tour.give(guide);
         std::string trouble = guide.trouble();
         if (trouble.empty()) {
-            const std::string text = writeRecording(guide.finish());
-            const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-            trouble = writeWholeFile(
-                (assets / "tours" / (std::string(tour.scene) + ".txt")).string(), bytes);
+            trouble =
+                writeWholeFile((assets / "tours" / (std::string(tour.scene) + ".txt")).string(),
+                               writeRecording(guide.finish()));
         }
         if (trouble.empty()) continue;
         std::fprintf(stderr, "slicecast-tours: %s: %s\n", tour.scene, trouble.c_str());

@@ -1,4 +1,4 @@
-#include "headless/write_file.h"
+#include "files/write_file.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -34,6 +34,11 @@ std::string writeWholeFile(const std::string& path, std::span<const std::uint8_t
     if (fault == 0) return {};
     std::filesystem::remove(part, error);
     return "\"" + path + "\" cannot be written: " + reason(fault);
+}
+
+std::string writeWholeFile(const std::string& path, std::string_view text) {
+    return writeWholeFile(
+        path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 }  // namespace slicecast

@@ -1,0 +1,61 @@
+#include "files/scene_file.h"
+
+#include "files/read_file.h"
+#include "scene/limits.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+LoadedScene noScene(const std::string& file, const std::string& fault) {
+    Fault none;
+    none.file = file;
+    none.found = "a path that " + fault;
+    none.expected = "a scene file";
+    LoadedScene loaded;
+    loaded.faults.push_back(std::move(none));
+    return loaded;
+}
+
+// The scene only knows that an image did not come.
+void tellWhy(std::vector<Fault>& faults, const std::map<std::string, std::string>& unread) {
+    std::map<std::string, std::string> better;
+    for (const auto& [name, why] : unread)
+        better.emplace(imageFound(name, kUnreadImage), imageFound(name, "which " + why));
+    for (Fault& fault : faults) {
+        const auto known = better.find(fault.found);
+        if (known != better.end()) fault.found = known->second;
+    }
+}
+
+}  // namespace
+
+ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& folder) {
+    ReadImages images;
+    for (const std::string& name : scene.files) {
+        ReadFile file = readWholeFile(folder / pathOf(name), kMaxImageBytes);
+        if (file.fault.empty()) {
+            images.files.emplace(name, std::move(file.bytes));
+        } else {
+            images.unread.emplace(name, std::move(file.fault));
+        }
+    }
+    return images;
+}
+
+LoadedScene readSceneFile(const std::filesystem::path& scene) {
+    const std::string name = scene.string();
+    ReadFile text = readWholeFile(scene, kMaxSceneBytes);
+    if (!text.fault.empty()) return noScene(name, text.fault);
+    ParsedScene parsed = parseScene(text.text(), name);
+    text = {};
+    const ReadImages images = readImages(parsed, scene.parent_path());
+    LoadedScene loaded = loadScene(std::move(parsed), images.files);
+    tellWhy(loaded.faults, images.unread);
+    return loaded;
+}
+
+}  // namespace slicecast

@@ -1,0 +1,161 @@
+#include "files/scene_file.h"
+
+#include "files/read_file.h"
+#include "scene/limits.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace slicecast {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kFolder = SLICECAST_SOURCE_FOLDER "/tests/scene/";
+
+// A scene that names one texture, in a folder of its own.
+class SceneFile : public testing::Test {
+protected:
+    SceneFile()
+        : folder_(fs::path(testing::TempDir()) / ("slicecast-files-" + std::to_string(getpid()))) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        std::ofstream(scene()) << R"({ "title": "One texture",
+  "textures": { "brick": "brick.png" },
+  "blueprints": { "wall": { "faces": "brick" } },
+  "legend": { "#": "wall" },
+  "maps": [{ "name": "room", "floor": "brick", "levels": [["###", "#.#", "###"]] }],
+  "start": { "x": 1.5, "y": 1.5 }
+})";
+        fs::copy_file(SLICECAST_SOURCE_FOLDER "/tests/scene/broken/images/brick.png", image());
+    }
+    ~SceneFile() override { fs::remove_all(folder_); }
+
+    fs::path scene() const { return folder_ / "scene.json"; }
+    fs::path image() const { return folder_ / "brick.png"; }
+
+    // Each way in which a file may be one that nobody reads, made at `path`, and what is said of
+    // it.
+    struct Bad {
+        std::string found;
+        std::function<void(const fs::path&)> make;
+    };
+    static std::vector<Bad> badFiles(std::uintmax_t limit) {
+        const std::uintmax_t large =
+            limit + (std::uintmax_t{1} << 36);  // with no bytes on the disk
+        return {
+            {"does not exist", [](const fs::path&) {}},
+            {"is a folder", [](const fs::path& path) { fs::create_directory(path); }},
+            {"is no regular file",
+             [](const fs::path& path) { ASSERT_EQ(mkfifo(path.c_str(), 0600), 0); }},
+            {"is no regular file",
+             [](const fs::path& path) { fs::create_symlink("/dev/zero", path); }},
+            {"has " + std::to_string(large) + " bytes; at most " + std::to_string(limit) +
+                 " are read",
+             [=](const fs::path& path) {
+                 std::ofstream(path).close();
+                 fs::resize_file(path, large);
+             }},
+        };
+    }
+
+private:
+    fs::path folder_;
+};
+
+TEST_F(SceneFile, IsReadWithItsImages) {
+    const LoadedScene loaded = readSceneFile(scene());
+    EXPECT_TRUE(loaded.faults.empty()) << describe(loaded.faults.front());
+    ASSERT_TRUE(loaded.world.has_value());
+    EXPECT_EQ(loaded.world->textures.size(), 1u);
+}
+
+TEST_F(SceneFile, FindsImagesFromTheScenesFolder) {
+    const LoadedScene loaded = readSceneFile(kFolder + "everything.json");
+    EXPECT_TRUE(loaded.faults.empty());
+    ASSERT_TRUE(loaded.world.has_value());
+    EXPECT_GE(loaded.world->textures.size(), 3u);
+    EXPECT_EQ(loaded.world->maps[1].sky.panorama.width, 24);
+}
+
+TEST_F(SceneFile, NamesTheFileAsItWasGiven) {
+    const std::string path = kFolder + "broken/image-missing.json";
+    const LoadedScene loaded = readSceneFile(path);
+    EXPECT_FALSE(loaded.world.has_value());
+    ASSERT_EQ(loaded.faults.size(), 1u);
+    EXPECT_EQ(loaded.faults[0].file, path);
+    EXPECT_EQ(loaded.faults[0].pointer, "/textures/brick");
+}
+
+TEST_F(SceneFile, ThatIsNoneIsAFaultAtOnce) {
+    const auto start = std::chrono::steady_clock::now();
+    for (const Bad& bad : badFiles(kMaxSceneBytes)) {
+        fs::remove_all(scene());
+        bad.make(scene());
+        const LoadedScene loaded = readSceneFile(scene());
+        EXPECT_FALSE(loaded.world.has_value());
+        ASSERT_EQ(loaded.faults.size(), 1u) << bad.found;
+        EXPECT_EQ(describe(loaded.faults[0]), scene().string() + ": found a path that " +
+                                                  bad.found + ", expected a scene file");
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+    EXPECT_EQ(readSceneFile("").faults.size(), 1u);
+}
+
+TEST_F(SceneFile, SaysOfItsImagesWhyTheyAreNotRead) {
+    const auto start = std::chrono::steady_clock::now();
+    for (const Bad& bad : badFiles(kMaxImageBytes)) {
+        fs::remove_all(image());
+        bad.make(image());
+        const LoadedScene loaded = readSceneFile(scene());
+        EXPECT_FALSE(loaded.world.has_value());
+        ASSERT_EQ(loaded.faults.size(), 1u) << bad.found;
+        EXPECT_EQ(loaded.faults[0].found, "\"brick.png\", which " + bad.found);
+        EXPECT_EQ(loaded.faults[0].line, 2);
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+}
+
+TEST(ReadWholeFile, TellsWhatTheSystemSays) {
+    // A regular file of Linux that tells no size and refuses to be read, by root too
+    const char* kUnreadable = "/proc/self/mem";
+    if (!fs::is_regular_file(kUnreadable)) GTEST_SKIP() << "needs Linux";
+    const ReadFile file = readWholeFile(kUnreadable, 100);
+    EXPECT_TRUE(file.bytes.empty());
+    EXPECT_EQ(file.fault.substr(0, 16), "cannot be read: ") << file.fault;
+}
+
+TEST(ReadWholeFile, ThatMayNotBeReadIsAFault) {
+    if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
+    const fs::path path = fs::path(testing::TempDir()) / "slicecast-locked";
+    std::ofstream(path) << "secret";
+    fs::permissions(path, fs::perms::none);
+    EXPECT_EQ(readWholeFile(path, 100).fault, "cannot be read: Permission denied");
+    fs::remove(path);
+}
+
+TEST(ReadWholeFile, TakesAsMuchAsTheLimit) {
+    const fs::path path = fs::path(testing::TempDir()) / "slicecast-limit";
+    std::ofstream(path) << "12345";
+    EXPECT_EQ(readWholeFile(path, 5).text(), "12345");
+    EXPECT_EQ(readWholeFile(path, 4).fault, "has 5 bytes; at most 4 are read");
+    fs::remove(path);
+}
+
+TEST(ReadWholeFile, HoldsTheLimitWhereNoSizeIsTold) {
+    if (!fs::is_regular_file("/proc/self/status")) GTEST_SKIP() << "needs Linux";
+    EXPECT_NE(readWholeFile("/proc/self/status", 1u << 20).text().find("Name:"), std::string::npos);
+    EXPECT_NE(readWholeFile("/proc/self/status", 10).fault.find("at most 10"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slicecast
