@@ -8,7 +8,7 @@
 
 #include "app/actions.h"
 #include "app/keyboard.h"
-#include "session/input.h"
+#include "slicecast/input.h"
 
 #include <SDL2/SDL_scancode.h>
 

@@ -3,7 +3,7 @@
 // way is stretched, so that nothing jumps at its edge.
 #pragma once
 
-#include "session/input.h"
+#include "slicecast/input.h"
 
 namespace slicecast {
 

@@ -1,37 +1,14 @@
-// Images in memory, and PNG files to and from them.
+// Images to and from PNG files.
 #pragma once
 
-#include "base/colour.h"
+#include "slicecast/image.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace slicecast {
-
-// Row by row from the upper left, width x height pixels, no padding.
-struct Image {
-    int width = 0;
-    int height = 0;
-    std::vector<Pixel> pixels;
-
-    Image() = default;
-    Image(int w, int h)
-        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
-
-    Pixel& at(int x, int y) {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(x)];
-    }
-    Pixel at(int x, int y) const {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(x)];
-    }
-    bool empty() const { return pixels.empty(); }
-    bool isOpaque() const;
-};
 
 // What decoding gave: an image, or an empty image and the fault in words ("is not a PNG file", "is
 // 4096x2 pixels; at most 1024x1024 are read").

@@ -1,7 +1,7 @@
 #include "headless/view_arguments.h"
 
 #include "render/options.h"
-#include "render/picture.h"
+#include "slicecast/picture.h"
 #include "world/player.h"
 
 #include <array>

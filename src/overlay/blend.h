@@ -2,8 +2,8 @@
 // picture.
 #pragma once
 
-#include "base/colour.h"
-#include "render/picture.h"
+#include "slicecast/colour.h"
+#include "slicecast/picture.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // The line between two halves of a picture that were drawn in two ways.
 #pragma once
 
-#include "render/picture.h"
+#include "slicecast/picture.h"
 
 namespace slicecast {
 

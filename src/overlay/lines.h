@@ -2,7 +2,7 @@
 #pragma once
 
 #include "overlay/blend.h"
-#include "render/picture.h"
+#include "slicecast/picture.h"
 
 namespace slicecast {
 

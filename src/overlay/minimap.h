@@ -26,7 +26,7 @@
 #include "overlay/minimap_map.h"
 #include "render/classic/classic_options.h"
 #include "render/eye.h"
-#include "render/picture.h"
+#include "slicecast/picture.h"
 #include "world/world.h"
 
 namespace slicecast {

@@ -10,7 +10,7 @@
 #include "base/image.h"
 #include "overlay/minimap_tiles.h"
 #include "overlay/minimap_view.h"
-#include "render/picture.h"
+#include "slicecast/picture.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "overlay/minimap_view.h"
 #include "render/eye.h"
-#include "render/picture.h"
+#include "slicecast/picture.h"
 #include "world/map.h"
 
 namespace slicecast {

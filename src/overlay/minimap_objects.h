@@ -2,7 +2,7 @@
 #pragma once
 
 #include "overlay/minimap_view.h"
-#include "render/picture.h"
+#include "slicecast/picture.h"
 #include "world/world.h"
 
 namespace slicecast {

@@ -1,8 +1,8 @@
 // What the minimap shows of a tile.
 #pragma once
 
-#include "base/colour.h"
 #include "base/coordinate.h"
+#include "slicecast/colour.h"
 #include "world/world.h"
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "overlay/blend.h"
-#include "render/picture.h"
 #include "render/trace.h"
+#include "slicecast/picture.h"
 
 #include <string_view>
 

@@ -2,7 +2,7 @@
 // one every 100, with its number.
 #pragma once
 
-#include "render/picture.h"
+#include "slicecast/picture.h"
 
 namespace slicecast {
 

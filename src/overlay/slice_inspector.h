@@ -12,8 +12,8 @@
 
 #include "overlay/blend.h"
 #include "render/eye.h"
-#include "render/picture.h"
 #include "render/trace.h"
+#include "slicecast/picture.h"
 #include "world/world.h"
 
 #include <span>

@@ -3,9 +3,9 @@
 // high, two rows below the line for g j p q y. Any other character shows as a box.
 #pragma once
 
-#include "base/colour.h"
 #include "overlay/blend.h"
-#include "render/picture.h"
+#include "slicecast/colour.h"
+#include "slicecast/picture.h"
 
 #include <string_view>
 

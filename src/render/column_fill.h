@@ -5,8 +5,8 @@
 // tables per row, a wall's texels) run forwards.
 #pragma once
 
-#include "base/colour.h"
 #include "render/shading.h"
+#include "slicecast/colour.h"
 #include "world/texture.h"
 
 #include <cstdint>

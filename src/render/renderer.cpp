@@ -36,8 +36,7 @@ bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, i
            options.fovDegrees >= kMinFovDegrees && options.fovDegrees <= kMaxFovDegrees &&
            eye.look >= -kMaxLook && eye.look <= kMaxLook &&
            eye.headingDegrees - eye.headingDegrees == 0.0 && options.detailThreshold > 0.0 &&
-           options.mirrors >= 0.0 && options.mirrors <= kMaxMirrors && width > 0 && height > 0 &&
-           width <= kMaxPictureSide && height <= kMaxPictureSide;
+           options.mirrors >= 0.0 && options.mirrors <= kMaxMirrors && isPictureSize(width, height);
 }
 
 bool canDraw(const World& world, const Eye& eye, const RenderOptions& options,

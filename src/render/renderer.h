@@ -16,8 +16,8 @@
 
 #include "render/eye.h"
 #include "render/options.h"
-#include "render/picture.h"
 #include "render/trace.h"
+#include "slicecast/picture.h"
 #include "world/world.h"
 
 #include <functional>

@@ -7,8 +7,8 @@
 //     channel = (haze * fog + channel * (255 - fog) + 127) / 255                in integers
 #pragma once
 
-#include "base/colour.h"
 #include "render/options.h"
+#include "slicecast/colour.h"
 #include "world/map.h"
 
 #include <algorithm>

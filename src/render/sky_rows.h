@@ -5,8 +5,8 @@
 //     panorama   column floor(fraction(azimuth / 360) * W), azimuth = heading + atan(k); row floor((1 - min(1, s / slope)) * H)
 #pragma once
 
-#include "base/colour.h"
 #include "render/projection.h"
+#include "slicecast/colour.h"
 #include "world/map.h"
 
 #include <vector>

@@ -6,7 +6,7 @@
 // row.
 #pragma once
 
-#include "render/picture.h"
+#include "slicecast/picture.h"
 
 #include <vector>
 

@@ -2,12 +2,12 @@
 // that fails reports its own fault, so that one pass over the tree finds all of them.
 #pragma once
 
-#include "base/colour.h"
 #include "base/words.h"
 #include "scene/json_tree.h"
 #include "scene/names.h"
 #include "scene/scene.h"
 #include "scene/source_text.h"
+#include "slicecast/colour.h"
 
 #include <initializer_list>
 #include <optional>

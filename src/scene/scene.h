@@ -11,6 +11,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "slicecast/fault.h"
 #include "world/world.h"
 
 #include <cstdint>
@@ -23,24 +24,6 @@
 #include <vector>
 
 namespace slicecast {
-
-// One thing wrong with a scene.
-struct Fault {
-    std::string file;     // the scene's name as the caller gave it
-    std::string pointer;  // JSON pointer to the value, "" for the whole document
-    int line = 0;         // from 1; 0 where no place in a text is meant
-    int column = 0;       // from 1, in characters
-    int row = -1;  // within a grid of characters: the tile's y, from 0 in the north; -1 elsewhere
-    int character = -1;    // within such a row: the tile's x, from 0 in the west; -1 elsewhere
-    std::string found;     // what stands there
-    std::string expected;  // what may stand there
-
-    friend bool operator==(const Fault&, const Fault&) = default;
-};
-
-// "castle.json:12:5 (/maps/0/levels/1/3, row 3, character 7): found 'Q', expected a character of
-// the legend ..."
-std::string describe(const Fault& fault);
 
 struct SceneDescription;  // the checked text; opaque
 

@@ -2,7 +2,7 @@
 // light, fog, haze and sky, in all maps.
 #pragma once
 
-#include "base/colour.h"
+#include "slicecast/colour.h"
 #include "world/map.h"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "base/number_text.h"
 #include "base/words.h"
 #include "overlay/slow_drawing.h"
-#include "render/picture.h"
+#include "slicecast/picture.h"
 #include "world/limits.h"
 #include "world/player.h"
 

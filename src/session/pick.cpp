@@ -26,22 +26,16 @@ int alphaOf(const World& world, const FilledRows& rows, const TracedTexel& texel
     return toColour(pixel).a;
 }
 
-// Of a slice whose watched row is asked for.
-struct Picked {
-    const FilledRows* rows = nullptr;
-    const SeenPoint* point = nullptr;
-    int alpha = 255;
-    bool isHole = false;  // of a floor: what is below it is haze
-};
-
 bool isMirrored(const SliceTrace& trace) {
     return std::any_of(trace.mirrors.begin(), trace.mirrors.end(), [&](const MirroredRows& mirror) {
         return mirror.first <= trace.watchedRow && trace.watchedRow < mirror.last;
     });
 }
 
-Picked nearest(const World& world, const SliceTrace& trace) {
-    Picked picked;
+}  // namespace
+
+SeenThing nearestSeen(const World& world, const SliceTrace& trace) {
+    SeenThing picked;
     for (const SeenPoint& point : trace.seen) {
         const FilledRows& rows = trace.filled[static_cast<std::size_t>(point.run)];
         const bool hasTexture = rows.texture != kNoTexture;
@@ -54,7 +48,6 @@ Picked nearest(const World& world, const SliceTrace& trace) {
     return picked;
 }
 
-// Heights of level planes are known exactly.
 double heightOf(const World& world, const SliceTrace& trace, const FilledRows& rows, double z) {
     switch (rows.what) {
         case What::roof:
@@ -70,8 +63,10 @@ double heightOf(const World& world, const SliceTrace& trace, const FilledRows& r
     }
 }
 
+namespace {
+
 template <typename Json>
-void writeTile(Json& json, const SliceTrace& trace, const Picked& picked) {
+void writeTile(Json& json, const SliceTrace& trace, const SeenThing& picked) {
     const FilledRows& rows = *picked.rows;
     if (rows.hit >= 0) {
         const Hit& hit = trace.hits[static_cast<std::size_t>(rows.hit)];
@@ -85,7 +80,7 @@ void writeTile(Json& json, const SliceTrace& trace, const Picked& picked) {
 
 template <typename Json>
 void writeSeen(Json& json, const World& world, const SliceTrace& trace, int column) {
-    const Picked picked = nearest(world, trace);
+    const SeenThing picked = nearestSeen(world, trace);
     const FilledRows& rows = *picked.rows;
     const SeenPoint& point = *picked.point;
     const bool isThing = rows.texture != kNoTexture && !picked.isHole;

@@ -29,6 +29,19 @@
 
 namespace slicecast {
 
+// What the watched row of a slice shows: the nearest run of rows there and its point. Both are
+// parts of the trace.
+struct SeenThing {
+    const FilledRows* rows = nullptr;
+    const SeenPoint* point = nullptr;
+    int alpha = 255;
+    bool isHole = false;  // of a floor: what is below it is haze
+};
+SeenThing nearestSeen(const World& world, const SliceTrace& trace);
+
+// The height of that point; `z` is that of SeenPoint. Those of level planes are known exactly.
+double heightOf(const World& world, const SliceTrace& trace, const FilledRows& rows, double z);
+
 // The column and the row lie within the picture; `Json` is JsonText or PackedJson.
 template <typename Json>
 void writePick(Json& json, Session& session, int width, int height, int column, int row);

@@ -12,7 +12,7 @@
 // kept. So nothing is rounded differently when it is read again.
 #pragma once
 
-#include "session/input.h"
+#include "slicecast/input.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,11 +3,11 @@
 #include "base/coordinate.h"
 #include "base/number_text.h"
 #include "base/words.h"
-#include "render/picture.h"
 #include "scene/checker.h"
 #include "scene/limits.h"
 #include "scene/source_text.h"
 #include "session/options.h"
+#include "slicecast/picture.h"
 #include "world/limits.h"
 #include "world/player.h"
 

@@ -122,11 +122,6 @@ std::string currentValue(const SlicecastSession& session, std::string_view name)
     return game != nullptr ? game->option(name) : optionValue(session.waiting, name);
 }
 
-// Whether a picture may have that size.
-bool canBe(int32_t width, int32_t height) {
-    return width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide;
-}
-
 bool hasMap(const Session& game, int32_t map) {
     return map >= 0 && static_cast<std::size_t>(map) < game.world().maps.size();
 }
@@ -137,7 +132,7 @@ using PackColumns = void (*)(Session&, const std::string&, int, int, std::span<c
 const double* packColumns(SlicecastSession* session, int32_t width, int32_t height,
                           const int32_t* columns, int32_t count, PackColumns pack) {
     Session* game = session->game();
-    if (game == nullptr || !canBe(width, height)) return nullptr;
+    if (game == nullptr || !isPictureSize(width, height)) return nullptr;
     const std::span<const int> asked(reinterpret_cast<const int*>(columns),
                                      static_cast<std::size_t>(count));
     for (const int column : asked) {
@@ -292,7 +287,7 @@ EMSCRIPTEN_KEEPALIVE void slicecast_step(SlicecastSession* session, double forwa
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_draw(SlicecastSession* session, int32_t width,
                                             int32_t height, double fraction) {
     Session* game = session->game();
-    if (game == nullptr || !canBe(width, height)) return 0;
+    if (game == nullptr || !isPictureSize(width, height)) return 0;
     if (session->picture.width != width || session->picture.height != height)
         session->picture = Image(width, height);
     return game->draw({session->picture.pixels.data(), width, height, width}, fraction) ? 1 : 0;
@@ -449,7 +444,7 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_trace(SlicecastSession* session, in
 EMSCRIPTEN_KEEPALIVE const char* slicecast_traceFrame(SlicecastSession* session, int32_t width,
                                                       int32_t height) {
     Session* game = session->game();
-    if (game == nullptr || !canBe(width, height)) return session->give("null");
+    if (game == nullptr || !isPictureSize(width, height)) return session->give("null");
     return session->give(frameTraceJson(*game, game->world().title, width, height));
 }
 
@@ -470,7 +465,7 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_cast(SlicecastSession* session, int
 EMSCRIPTEN_KEEPALIVE const double* slicecast_pick(SlicecastSession* session, int32_t width,
                                                   int32_t height, int32_t column, int32_t row) {
     Session* game = session->game();
-    if (game == nullptr || !canBe(width, height)) return nullptr;
+    if (game == nullptr || !isPictureSize(width, height)) return nullptr;
     if (column < 0 || column >= width || row < 0 || row >= height) return nullptr;
     PackedJson json(session->pack());
     writePick(json, *game, width, height, column, row);
@@ -488,7 +483,7 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_project(SlicecastSession* session, 
                                                      double x, double y, double z, int32_t width,
                                                      int32_t height) {
     const Session* game = session->game();
-    if (game == nullptr || !canBe(width, height)) return nullptr;
+    if (game == nullptr || !isPictureSize(width, height)) return nullptr;
     const auto point = project(*game, game->eye(), {x, y, z}, map, width, height);
     return point ? session->tell(*point, false) : nullptr;
 }
@@ -518,7 +513,7 @@ EMSCRIPTEN_KEEPALIVE const double* slicecast_spot(SlicecastSession* session, int
                                                   double y, double z, int32_t width,
                                                   int32_t height) {
     const Session* game = session->game();
-    if (game == nullptr || !canBe(width, height)) return nullptr;
+    if (game == nullptr || !isPictureSize(width, height)) return nullptr;
     const std::optional<Spot> spot = spotOf(*game, {x, y, z}, map, width, height);
     return spot ? session->tell(*spot, spot->isSeen) : nullptr;
 }

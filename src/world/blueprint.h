@@ -1,20 +1,15 @@
 // Blueprints: named descriptions that many cells share.
 #pragma once
 
-#include "base/colour.h"
 #include "base/coordinate.h"
+#include "slicecast/colour.h"
+#include "slicecast/face.h"
 
 #include <array>
 #include <cstdint>
 #include <string>
 
 namespace slicecast {
-
-// The six sides of a block. North is towards smaller y, west towards smaller x, top upwards.
-enum class Face : std::uint8_t { north, east, south, west, top, bottom };
-inline constexpr int kFaces = 6;
-inline constexpr std::array<const char*, kFaces> kFaceNames = {"north", "east", "south",
-                                                               "west",  "top",  "bottom"};
 
 using TextureId = std::uint16_t;  // index into World::textures
 inline constexpr TextureId kNoTexture = 0xffff;

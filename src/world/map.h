@@ -9,9 +9,9 @@
 //      +---+---+---+
 #pragma once
 
-#include "base/colour.h"
 #include "base/coordinate.h"
 #include "base/image.h"
+#include "slicecast/colour.h"
 #include "world/blueprint.h"
 #include "world/limits.h"
 #include "world/object.h"

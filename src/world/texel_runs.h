@@ -3,7 +3,7 @@
 // lies behind the latter.
 #pragma once
 
-#include "base/colour.h"
+#include "slicecast/colour.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -6,7 +6,7 @@
 // measured in the same run.
 #pragma once
 
-#include "base/colour.h"
+#include "slicecast/colour.h"
 
 #include <cstdint>
 #include <vector>

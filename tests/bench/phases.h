@@ -1,17 +1,17 @@
 // How the time of a frame falls on its phases, and its replay: the same spans painted without a
 // walk, which no faster walk gets below.
 //
-// A frame is drawn as Renderer::draw does it: of each strip of 16 columns all spans are found first,
-// then all are painted, then the strip is copied. A clock is read between. So the replay finds the
-// caches as a real frame does. Spans of a whole picture that are
-// painted later have left the cache (the glassworks took 14 % longer in WebAssembly), and a strip
-// painted over and over finds all its texels there (15 % less).
+// A frame is drawn as Renderer::draw does it: of each strip of 16 columns all spans are found
+// first, then all are painted, then the strip is copied. A clock is read between. So the replay
+// finds the caches as a real frame does. Spans of a whole picture that are painted later have left
+// the cache (the glassworks took 14 % longer in WebAssembly), and a strip painted over and over
+// finds all its texels there (15 % less).
 #pragma once
 
 #include "render/frame.h"
-#include "render/picture.h"
 #include "render/strip.h"
 #include "render/strip_walk.h"
+#include "slicecast/picture.h"
 #include "world/world.h"
 
 #include <vector>

@@ -4,8 +4,8 @@
 // renderer: it includes `base` and `world` only, and does its own sampling, light and fog.
 #pragma once
 
-#include "base/colour.h"
 #include "base/coordinate.h"
+#include "slicecast/colour.h"
 #include "world/world.h"
 
 #include <bitset>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/image.h"
-#include "render/picture.h"
+#include "slicecast/picture.h"
 
 namespace slicecast {
 

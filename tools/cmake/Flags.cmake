@@ -1,23 +1,30 @@
-# Compiler flags of every target: the target `slicecast_flags`.
-set(SLICECAST_OPTIMISE "-O2" CACHE STRING "Optimisation level of the compiler")
+# Compiler flags of every target: the target `slicecast_flags`. Who builds the library alone brings
+# flags and a build type of their own; only what the pictures depend on is added.
+set(optimise "-O2")
+if(SLICECAST_LIBRARY_ONLY)
+  set(optimise "")
+endif()
+set(SLICECAST_OPTIMISE "${optimise}" CACHE STRING "Optimisation level of the compiler")
 set(SLICECAST_MARCH "" CACHE STRING "Instruction set; used on x86-64 only")
 option(SLICECAST_ASSERTS "Keep assert()" ON)
 option(SLICECAST_SANITIZE "Stop at the first undefined behaviour (clang)" OFF)
 option(SLICECAST_WASM_SIMD "WebAssembly with SIMD" ON)
 
-# Every flag is listed here, so no build type adds its own.
-set(CMAKE_BUILD_TYPE "" CACHE STRING "Not used: see SLICECAST_OPTIMISE" FORCE)
-set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-find_program(SLICECAST_CCACHE ccache)
-if(SLICECAST_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${SLICECAST_CCACHE}")
+if(NOT SLICECAST_LIBRARY_ONLY)
+  # Every flag is listed here, so no build type adds its own.
+  set(CMAKE_BUILD_TYPE "" CACHE STRING "Not used: see SLICECAST_OPTIMISE" FORCE)
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  find_program(SLICECAST_CCACHE ccache)
+  if(SLICECAST_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${SLICECAST_CCACHE}")
+  endif()
 endif()
 
 add_library(slicecast_flags INTERFACE)
 target_compile_features(slicecast_flags INTERFACE cxx_std_20)
 target_compile_options(slicecast_flags INTERFACE
   ${SLICECAST_OPTIMISE}
-  -Wall -Wextra -Wpedantic -Wshadow -Werror
+  $<$<NOT:$<BOOL:${SLICECAST_LIBRARY_ONLY}>>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Werror>
   # Pictures and states have the same bytes from every compiler: no fused multiply-add. errno of
   # sqrt is never read.
   -ffp-contract=off -fno-math-errno)
@@ -60,7 +67,9 @@ endif()
 # What the product's own sources keep to besides: no number loses bits silently. Tests compare and
 # index all day long and are spared it.
 add_library(slicecast_strict INTERFACE)
-target_compile_options(slicecast_strict INTERFACE -Wconversion -Wno-sign-conversion)
+if(NOT SLICECAST_LIBRARY_ONLY)
+  target_compile_options(slicecast_strict INTERFACE -Wconversion -Wno-sign-conversion)
+endif()
 
 # For parts that run once: the page loads sooner when they are small.
 add_library(slicecast_small INTERFACE)

@@ -12,7 +12,7 @@
 #include <array>
 #include <cstdint>
 
-#include "base/colour.h"
+#include "slicecast/colour.h"
 
 namespace slicecast::textures {
 

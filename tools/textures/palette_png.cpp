@@ -1,6 +1,6 @@
 #include "palette_png.h"
 
-#include "base/colour.h"
+#include "slicecast/colour.h"
 
 #include <algorithm>
 #include <cstddef>

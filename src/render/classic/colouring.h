@@ -2,12 +2,12 @@
 // Nearest texels of the whole image, never of a smaller one.
 #pragma once
 
-#include "base/colour.h"
 #include "render/classic/column_ray.h"
 #include "render/classic/surfaces.h"
 #include "render/options.h"
 #include "render/shading.h"
 #include "render/trace.h"
+#include "slicecast/colour.h"
 #include "world/world.h"
 
 namespace slicecast::classic {

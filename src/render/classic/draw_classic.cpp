@@ -17,10 +17,6 @@ bool canSee(const World& world, const Eye& eye, const RenderOptions& options) {
            eye.headingDegrees - eye.headingDegrees == 0.0;
 }
 
-bool canBe(int width, int height) {
-    return width > 0 && height > 0 && width <= kMaxPictureSide && height <= kMaxPictureSide;
-}
-
 bool areInRange(const ClassicOptions& classic) {
     return classic.stepSize >= kLeastMarchStep && classic.stepSize <= kGreatestMarchStep &&
            classic.reach >= kLeastMarchReach && classic.reach <= kGreatestMarchReach &&
@@ -34,7 +30,7 @@ std::optional<FrameReport> drawClassic(const World& world, const Eye& eye,
                                        const RenderOptions& options, const ClassicOptions& classic,
                                        const Picture& picture, int columns) {
     if (!canSee(world, eye, options) || !areInRange(classic) ||
-        !canBe(picture.width, picture.height) || picture.pixels == nullptr ||
+        !isPictureSize(picture.width, picture.height) || picture.pixels == nullptr ||
         picture.pitch < picture.width)
         return std::nullopt;
     const int size = classic.pixelSize;
@@ -53,7 +49,7 @@ std::optional<FrameReport> drawClassic(const World& world, const Eye& eye,
 SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions& options,
                         const ClassicOptions& classic, const ColumnRequest& request) {
     const auto [width, height, column, watchedRow] = request;
-    if (!canSee(world, eye, options) || !areInRange(classic) || !canBe(width, height) ||
+    if (!canSee(world, eye, options) || !areInRange(classic) || !isPictureSize(width, height) ||
         column < 0 || column >= width)
         return {};
     const int size = classic.pixelSize;

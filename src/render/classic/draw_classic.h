@@ -15,8 +15,8 @@
 #include "render/classic/classic_options.h"
 #include "render/eye.h"
 #include "render/options.h"
-#include "render/picture.h"
 #include "render/trace.h"
+#include "slicecast/picture.h"
 #include "world/world.h"
 
 #include <optional>

@@ -1,13 +1,17 @@
 // A view of pixels that belong to somebody else: rows from the top, bytes R, G, B, A with A = 255.
 #pragma once
 
-#include "base/colour.h"
+#include "slicecast/colour.h"
 
 #include <cstddef>
 
 namespace slicecast {
 
 inline constexpr int kMaxPictureSide = 8192;  // pixels
+
+constexpr bool isPictureSize(int width, int height) {
+    return width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide;
+}
 
 struct Picture {
     Pixel* pixels = nullptr;

@@ -1,0 +1,39 @@
+// An image in memory that owns its pixels.
+#pragma once
+
+#include "slicecast/colour.h"
+#include "slicecast/picture.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace slicecast {
+
+// Row by row from the upper left, width x height pixels, no padding.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<Pixel> pixels;
+
+    Image() = default;
+    // Both sides >= 0; pixels of value 0.
+    Image(int w, int h)
+        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+
+    // 0 <= x < width, 0 <= y < height.
+    Pixel& at(int x, int y) {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+    Pixel at(int x, int y) const {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+    bool empty() const { return pixels.empty(); }
+    bool isOpaque() const;  // every alpha is 255
+
+    // To draw into, as long as the image lives and is not changed otherwise.
+    Picture view() { return {pixels.data(), width, height, width}; }
+};
+
+}  // namespace slicecast

@@ -1,0 +1,74 @@
+// A scene: a world of maps, its textures and the place where the player starts. It comes from a
+// file, from a text, or from code (scene_builder.h), and goes into a game (game.h).
+#pragma once
+
+#include "slicecast/fault.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slicecast {
+
+struct World;  // of the engine's own
+
+// What a map is called, and how large it is.
+struct MapInfo {
+    std::string name;
+    int width = 0;   // tiles eastward, 1 to 4096
+    int depth = 0;   // tiles southward, 1 to 4096
+    int levels = 0;  // stacked levels of height 1, 1 to 32
+};
+
+// May hold hundreds of megabytes, so it is moved; copy() alone copies it.
+class Scene {
+public:
+    explicit Scene(World&& world);  // for the engine itself
+    ~Scene();
+    Scene(Scene&& other) noexcept;
+    Scene& operator=(Scene&& other) noexcept;
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+
+    // A second scene that shares nothing with this one.
+    Scene copy() const;
+
+    // May be empty.
+    const std::string& title() const;
+
+    // At least one. A map's index in this list is its number everywhere.
+    std::vector<MapInfo> maps() const;
+
+    // The world itself, for the engine; the scene is then as if it were moved from.
+    World takeWorld() &&;
+
+private:
+    std::unique_ptr<World> world_;
+};
+
+// A scene, or everything that is wrong with it.
+struct LoadResult {
+    std::optional<Scene> scene;  // empty if and only if there are faults
+    std::vector<Fault>
+        faults;  // in the order of the text; at most 1000, and one that counts the rest
+    std::vector<Fault> warnings;  // the scene loads, but something in it is hardly meant so
+};
+
+// Reads a scene file (JSON) and the PNG files that it names, seen from its folder. Only regular
+// files are opened, so no pipe keeps it waiting; the text may have 128 MB, each image 64 MB.
+LoadResult loadSceneFile(const std::filesystem::path& file);
+
+// The bytes of PNG files, by the names that a scene has for them.
+using ImageFiles = std::map<std::string, std::vector<std::uint8_t>>;
+
+// The same of a text in memory, UTF-8. `name` stands for the file in faults. Touches no disk: an
+// image that is missing in `images` is a fault.
+LoadResult loadSceneText(std::string_view text, const std::string& name,
+                         const ImageFiles& images = {});
+
+}  // namespace slicecast

@@ -1,0 +1,110 @@
+// Makes a scene in code, without a file.
+//
+//     SceneBuilder builder("A room");
+//     const auto stone = builder.colour("stone", {150, 140, 130});
+//     const auto wall = builder.block({.name = "wall", .texture = stone});
+//     const auto room = builder.map({.name = "room", .width = 8, .depth = 6, .floor = stone});
+//     builder.fill(room, {.width = 8}, wall);                   // the north side
+//     builder.start(room, {.x = 4.0, .y = 4.0, .headingDegrees = 270.0});
+//     LoadResult built = std::move(builder).build();
+//
+// Whatever is wrong on the way is kept, and told as faults in the end: no call has to be checked by
+// itself. What a scene may have besides (portals, motions, gates, objects) is read from texts:
+// loadSceneText().
+#pragma once
+
+#include "slicecast/colour.h"
+#include "slicecast/image.h"
+#include "slicecast/scene.h"
+
+#include <memory>
+#include <string>
+
+namespace slicecast {
+
+class SceneBuilder {
+public:
+    // Given out by the calls below; each is of use for the builder that gave it, and no other.
+    struct Texture {
+        int index = -1;  // below 0: none
+    };
+    struct Block {
+        int index = 0;  // 0: the empty cell
+    };
+    struct Map {
+        int index = -1;
+    };
+
+    // A box that fills a cell from side to side.
+    struct BlockSpec {
+        std::string name;         // any but an empty one
+        Texture texture;          // of all faces
+        Texture topTexture = {};  // of the top; none for the same as the others
+        double bottom = 0.0;      // heights above the base of the cell's level,
+        double top = 1.0;         // 0 <= bottom < top <= 1
+        double light = 1.0;       // how much of the map's light its faces take, 0 to 1
+        double mirror = 0.0;      // how much of what is above shows in its top, 0 to 1
+        char32_t character = 0;   // for Game::setCell; 0 for none
+    };
+    struct MapSpec {
+        std::string name;                      // any but an empty one, each once
+        int width = 0;                         // tiles eastward, 1 to 4096
+        int depth = 0;                         // tiles southward, 1 to 4096
+        int levels = 1;                        // 1 to 32; at most 64,000,000 cells in all
+        Texture floor;                         // under the whole map, and around it without end
+        Colour skyLow = {150, 190, 230, 255};  // at the horizon
+        Colour skyHigh = {90, 140, 200, 255};  // high above
+        double fogStart =
+            0.0;              // units, 0 to 100,000; there is fog where the end is beyond the start
+        double fogEnd = 0.0;  // wholly the colour of the horizon from here on
+    };
+    // Cells from (x, y, level) on. All of it lies in the map.
+    struct Box {
+        int x = 0;
+        int y = 0;
+        int level = 0;
+        int width = 1;  // tiles eastward
+        int depth = 1;  // tiles southward
+        int levels = 1;
+    };
+    struct Start {
+        double x = 0.0;  // units, on the map
+        double y = 0.0;
+        double z = 0.0;  // height of the feet, 0 to 1000
+        double headingDegrees = 0.0;
+    };
+
+    explicit SceneBuilder(std::string title = {});
+    ~SceneBuilder();
+    SceneBuilder(SceneBuilder&& other) noexcept;
+    SceneBuilder& operator=(SceneBuilder&& other) noexcept;
+    SceneBuilder(const SceneBuilder&) = delete;
+    SceneBuilder& operator=(const SceneBuilder&) = delete;
+
+    // A square image whose side is a power of two from 8 to 1024. Where its alpha is below 255 one
+    // looks through.
+    Texture texture(std::string name, const Image& image);
+    // The same of one opaque colour.
+    Texture colour(std::string name, Colour colour);
+
+    Block block(const BlockSpec& spec);
+
+    // A map of empty cells.
+    Map map(const MapSpec& spec);
+
+    // Puts a block into each cell of a box; the empty one takes out what is there.
+    void fill(Map map, const Box& box, Block block);
+
+    // Where the player begins; who is put inside a block flies. Without it: in the middle of the
+    // first map, facing east.
+    void start(Map map, const Start& start);
+
+    // The scene, or all faults. The builder is used up.
+    LoadResult build() &&;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,13 @@
+// What the library tells of maps.
+#pragma once
+
+#include "slicecast/scene.h"
+#include "world/world.h"
+
+#include <vector>
+
+namespace slicecast {
+
+std::vector<MapInfo> mapInfos(const World& world);
+
+}  // namespace slicecast

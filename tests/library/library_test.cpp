@@ -1,0 +1,282 @@
+// The library, by its public headers alone.
+#include <slicecast/slicecast.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace slicecast {
+namespace {
+
+const std::filesystem::path kCastle = SLICECAST_SOURCE_FOLDER "/tests/frozen/scenes/castle.json";
+
+static_assert(!std::is_copy_constructible_v<Scene> && std::is_nothrow_move_constructible_v<Scene>);
+static_assert(!std::is_copy_constructible_v<Game> && std::is_nothrow_move_constructible_v<Game>);
+
+Game castle() {
+    LoadResult loaded = loadSceneFile(kCastle);
+    for (const Fault& fault : loaded.faults) ADD_FAILURE() << describe(fault);
+    return Game(std::move(loaded.scene).value());
+}
+
+// A corridor of 8 x 3 tiles to the east, with a wall of half the height across it at x = 5.
+struct Corridor {
+    SceneBuilder builder{"Corridor"};
+    SceneBuilder::Texture grey = builder.colour("grey", {128, 128, 128});
+    SceneBuilder::Block wall =
+        builder.block({.name = "wall", .texture = grey, .top = 0.5, .character = U'#'});
+    SceneBuilder::Map map =
+        builder.map({.name = "corridor", .width = 8, .depth = 3, .levels = 2, .floor = grey});
+
+    Corridor() {
+        builder.fill(map, {.x = 5, .depth = 3}, wall);
+        builder.start(map, {.x = 1.5, .y = 1.5});
+    }
+    LoadResult build() { return std::move(builder).build(); }
+    std::string fault() {
+        const LoadResult built = build();
+        EXPECT_EQ(built.scene.has_value(), built.faults.empty());
+        return built.faults.size() == 1 ? describe(built.faults[0])
+                                        : std::to_string(built.faults.size()) + " faults";
+    }
+};
+
+Game corridor() {
+    return Game(std::move(Corridor().build().scene).value());
+}
+
+TEST(Library, LoadsAFileOrSaysWhyNot) {
+    const LoadResult loaded = loadSceneFile(kCastle);
+    EXPECT_TRUE(loaded.faults.empty());
+    ASSERT_TRUE(loaded.scene.has_value());
+    EXPECT_EQ(loaded.scene->title(), "The castle in the lake");
+    ASSERT_FALSE(loaded.scene->maps().empty());
+    EXPECT_GT(loaded.scene->maps()[0].width, 0);
+
+    const LoadResult missing = loadSceneFile("no-such-scene.json");
+    EXPECT_FALSE(missing.scene.has_value());
+    ASSERT_EQ(missing.faults.size(), 1u);
+    EXPECT_EQ(describe(missing.faults[0]),
+              "no-such-scene.json: found a path that does not exist, expected a scene file");
+}
+
+TEST(Library, LoadsATextWithoutADisk) {
+    const char* text = R"({ "title": "Text", "textures": { "red": "#c03020" },
+  "maps": [{ "name": "plain", "floor": "red", "levels": [["..."]] }], "start": { "x": 1, "y": 0.5 } })";
+    LoadResult loaded = loadSceneText(text, "text");
+    for (const Fault& fault : loaded.faults) ADD_FAILURE() << describe(fault);
+    ASSERT_TRUE(loaded.scene.has_value());
+    EXPECT_EQ(Game(std::move(*loaded.scene)).title(), "Text");
+    EXPECT_FALSE(loadSceneText("{", "text").scene.has_value());
+}
+
+TEST(Library, DrawsTheSameIntoImagesAndIntoPixels) {
+    Game game = castle();
+    const Image image = game.picture(320, 200);
+    ASSERT_FALSE(image.empty());
+    EXPECT_TRUE(image.isOpaque());
+    std::vector<Pixel> pixels(400 * 200, 7);
+    ASSERT_TRUE(game.draw({pixels.data(), 320, 200, 400}));
+    for (int y = 0; y < 200; ++y) {
+        for (int x = 0; x < 320; ++x) ASSERT_EQ(pixels[y * 400 + x], image.at(x, y));
+        for (int x = 320; x < 400; ++x) ASSERT_EQ(pixels[y * 400 + x], 7u) << "beyond the picture";
+    }
+}
+
+TEST(Library, RefusesWhatIsNoPicture) {
+    Game game = corridor();
+    for (const auto& [width, height] : {std::pair{0, 10}, {10, -1}, {8193, 10}, {10, 8193}}) {
+        EXPECT_TRUE(game.picture(width, height).empty());
+        EXPECT_TRUE(game.hits(width, height, 0).empty());
+        EXPECT_FALSE(game.pick(width, height, 0, 0));
+        EXPECT_FALSE(game.project(4.0, 1.5, 0.5, width, height));
+    }
+    EXPECT_FALSE(game.draw({}));
+    Image narrow(10, 10);
+    EXPECT_FALSE(game.draw({narrow.pixels.data(), 10, 10, 9}));
+    for (const int beside : {-1, 64}) {
+        EXPECT_TRUE(game.hits(64, 40, beside).empty());
+        EXPECT_FALSE(game.pick(64, 40, beside, 0));
+        EXPECT_FALSE(game.pick(64, 40, 0, beside));
+    }
+}
+
+TEST(Library, WalksAndIsPutElsewhere) {
+    Game game = corridor();
+    const Camera start = game.camera();
+    EXPECT_EQ(start.x, 1.5);
+    for (int step = 0; step < kStepsEachSecond; ++step) game.step({.forward = 1.0});
+    EXPECT_EQ(game.steps(), kStepsEachSecond);
+    EXPECT_GT(game.camera().x, 2.5);
+    game.reset();
+    EXPECT_EQ(game.camera().x, 1.5);
+
+    EXPECT_TRUE(game.setCamera({.x = 3.25, .y = 1.0, .z = 0.75, .headingDegrees = -90.0}));
+    EXPECT_EQ(game.camera().x, 3.25);
+    EXPECT_EQ(game.camera().headingDegrees, 270.0);
+    for (const Camera& blind :
+         {Camera{.map = 1, .z = 1.0}, Camera{.map = -1, .z = 1.0}, Camera{.z = 0.0},
+          Camera{.z = 1.0, .headingDegrees = std::nan("")}, Camera{.z = 1.0, .look = 4.5}}) {
+        EXPECT_FALSE(game.setCamera(blind));
+        EXPECT_EQ(game.camera().x, 3.25);
+    }
+    EXPECT_TRUE(game.goToMap(0));
+    EXPECT_FALSE(game.goToMap(1));
+}
+
+TEST(Library, TellsTheHitsOfAColumn) {
+    Game game = corridor();
+    const std::vector<ColumnHit> hits = game.hits(64, 40, 32);
+    ASSERT_EQ(hits.size(), 1u);
+    const ColumnHit& hit = hits[0];
+    EXPECT_EQ(hit.block, "wall");
+    EXPECT_EQ(hit.tileX, 5);
+    EXPECT_EQ(hit.tileY, 1);
+    EXPECT_EQ(hit.face, Face::west);
+    EXPECT_NEAR(hit.depth, 3.5, 1e-9);
+    EXPECT_NEAR(hit.backDepth, 4.5, 1e-9);
+    EXPECT_EQ(hit.bottom, 0.0);
+    EXPECT_EQ(hit.top, 0.5);
+    ASSERT_FALSE(hit.rows.empty());
+    EXPECT_LT(hit.rows.front().first, hit.rows.back().last);
+}
+
+TEST(Library, PicksWhatItProjects) {
+    Game game = corridor();
+    const auto point = game.project(5.0, 1.5, 0.25, 64, 40);
+    ASSERT_TRUE(point.has_value());
+    EXPECT_NEAR(point->depth, 3.5, 1e-9);
+    const auto pick = game.pick(64, 40, static_cast<int>(point->x), static_cast<int>(point->y));
+    ASSERT_TRUE(pick.has_value());
+    EXPECT_EQ(pick->what, Seen::side);
+    EXPECT_EQ(pick->block, "wall");
+    EXPECT_EQ(pick->texture, "grey");
+    EXPECT_EQ(pick->face, Face::west);
+    EXPECT_NEAR(pick->x, 5.0, 1e-9);
+    EXPECT_NEAR(pick->depth, 3.5, 1e-9);
+    EXPECT_FALSE(game.project(0.0, 1.5, 0.5, 64, 40)) << "behind the eye";
+    const auto sky = game.pick(64, 40, 32, 0);
+    ASSERT_TRUE(sky.has_value());
+    EXPECT_EQ(sky->what, Seen::sky);
+    EXPECT_EQ(sky->depth, std::numeric_limits<double>::infinity());
+}
+
+TEST(Library, SetsOptionsAndCells) {
+    Game game = corridor();
+    EXPECT_EQ(game.setOption("fov", "90"), "");
+    EXPECT_EQ(game.option("fov"), "90");
+    EXPECT_NE(game.setOption("fov", "many"), "");
+    EXPECT_NE(game.setOption("no such option", "1"), "");
+    EXPECT_EQ(game.option("no such option"), "");
+    EXPECT_EQ(game.setCell(0, 0, 5, 1, U'.'), "");
+    EXPECT_TRUE(game.hits(64, 40, 32).empty());
+    EXPECT_EQ(game.setCell(0, 0, 3, 1, U'#'), "");
+    EXPECT_EQ(game.hits(64, 40, 32).at(0).tileX, 3);
+    EXPECT_NE(game.setCell(0, 0, 8, 1, U'#'), "");
+    EXPECT_NE(game.setCell(1, 0, 0, 0, U'#'), "");
+    EXPECT_NE(game.setCell(0, 0, 3, 1, U'?'), "");
+}
+
+TEST(Library, CopiesASceneWhenAsked) {
+    LoadResult built = Corridor().build();
+    ASSERT_TRUE(built.scene.has_value());
+    Game first(built.scene->copy());
+    Game second(std::move(*built.scene));
+    EXPECT_EQ(first.setCell(0, 0, 5, 1, U'.'), "");
+    EXPECT_TRUE(first.hits(64, 40, 32).empty());
+    EXPECT_FALSE(second.hits(64, 40, 32).empty());
+}
+
+TEST(Library, SavesPictures) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "slicecast-saved.png";
+    EXPECT_EQ(saveImage(corridor().picture(64, 40), file), "");
+    EXPECT_GT(std::filesystem::file_size(file), 50u);
+    std::filesystem::remove(file);
+    EXPECT_NE(saveImage({}, file), "");
+    EXPECT_NE(saveImage(Image(1, 1), file / "in-no-folder.png"), "");
+}
+
+TEST(SceneBuilder, TellsWhatIsWrong) {
+    EXPECT_EQ(Corridor().fault(), "0 faults");
+    {
+        SceneBuilder empty("Nothing");
+        EXPECT_EQ(describe(std::move(empty).build().faults.at(0)),
+                  "scene \"Nothing\": found no map, expected at least one");
+    }
+    {
+        Corridor c;
+        c.builder.fill(c.map, {.x = 7, .width = 2}, c.wall);
+        EXPECT_EQ(c.fault(),
+                  "map \"corridor\": found a box of 2x1 tiles and 1 level at x 7, y 0, level 0, "
+                  "expected one that lies in the map's 8x3 tiles and 2 levels");
+    }
+    {
+        Corridor c;
+        c.builder.texture("odd", Image(12, 12));
+        EXPECT_EQ(c.fault(),
+                  "texture \"odd\": found 12x12 pixels, expected a square with 8, 16, 32, 64, 128, "
+                  "256, 512 or 1024 pixels a side");
+    }
+    {
+        Corridor c;
+        c.builder.block({.name = "flat", .texture = c.grey, .bottom = 0.5, .top = 0.5});
+        EXPECT_EQ(c.fault(),
+                  "block \"flat\": found a bottom of 0.5 and a top of 0.5, expected 0 <= bottom < "
+                  "top <= 1");
+    }
+}
+
+TEST(SceneBuilder, ChecksEveryRange) {
+    const double nan = std::nan("");
+    const auto faultOf = [](auto make) {
+        Corridor c;
+        make(c);
+        return c.fault();
+    };
+    using C = Corridor&;
+    for (const std::string& fault : {
+             faultOf([](C c) { c.builder.block({.name = "", .texture = c.grey}); }),
+             faultOf([](C c) { c.builder.block({.name = "wall", .texture = c.grey}); }),
+             faultOf([](C c) { c.builder.block({.name = "bare", .texture = {}}); }),
+             faultOf([](C c) { c.builder.block({.name = "b", .texture = c.grey, .light = 1.5}); }),
+             faultOf(
+                 [&](C c) { c.builder.block({.name = "b", .texture = c.grey, .mirror = nan}); }),
+             faultOf(
+                 [](C c) { c.builder.block({.name = "b", .texture = c.grey, .character = U'#'}); }),
+             faultOf([](C c) {
+                 c.builder.map({.name = "m", .width = 0, .depth = 1, .floor = c.grey});
+             }),
+             faultOf([](C c) {
+                 c.builder.map({.name = "m", .width = 4097, .depth = 1, .floor = c.grey});
+             }),
+             faultOf([](C c) {
+                 c.builder.map(
+                     {.name = "m", .width = 4096, .depth = 4096, .levels = 32, .floor = c.grey});
+             }),
+             faultOf(
+                 [](C c) { c.builder.map({.name = "m", .width = 1, .depth = 1, .floor = {}}); }),
+             faultOf([](C c) {
+                 c.builder.map({.name = "corridor", .width = 1, .depth = 1, .floor = c.grey});
+             }),
+             faultOf([](C c) { c.builder.fill({}, {}, c.wall); }),
+             faultOf([](C c) { c.builder.fill(c.map, {}, {9}); }),
+             faultOf([](C c) { c.builder.fill(c.map, {.width = 2147483647}, c.wall); }),
+             faultOf([](C c) { c.builder.start(c.map, {.x = 8.0, .y = 1.5}); }),
+             faultOf([&](C c) { c.builder.start(c.map, {.x = nan, .y = 1.5}); }),
+             faultOf([](C c) { c.builder.start({}, {.x = 1.0, .y = 1.5}); }),
+         }) {
+        EXPECT_EQ(fault.find("faults"), std::string::npos) << fault;
+        EXPECT_NE(fault.find(", expected "), std::string::npos) << fault;
+    }
+}
+
+}  // namespace
+}  // namespace slicecast

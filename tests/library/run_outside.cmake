@@ -1,0 +1,33 @@
+# Configures, builds and runs the project in `outside` in one of three ways.
+#
+#     cmake -DWAY=add_subdirectory | FetchContent | find_package -DSLICECAST=FOLDER -DBUILD=FOLDER
+#           -DWORK=FOLDER -DGENERATOR=NAME -DCOMPILER=FILE [-DLAUNCHER=FILE] -P run_outside.cmake
+#
+# SLICECAST is the source tree, BUILD a build of it whose library is built, WORK is emptied first.
+cmake_minimum_required(VERSION 3.22)
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${WAY}: ${ARGN}\n${output}")
+  endif()
+  message(STATUS "${output}")
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+# Outside of the tree; the same path for all ways, so that the compiler's cache knows what it has.
+file(COPY ${CMAKE_CURRENT_LIST_DIR}/outside/ DESTINATION ${WORK}/host)
+set(options -DWAY=${WAY} -DSLICECAST=${SLICECAST} -DCMAKE_CXX_COMPILER=${COMPILER}
+  # What a guest must not need is not there.
+  -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_SDL2=ON)
+if(LAUNCHER)
+  list(APPEND options -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+endif()
+if(WAY STREQUAL "find_package")
+  run(${CMAKE_COMMAND} --install ${BUILD} --component slicecast --prefix ${WORK}/prefix)
+  list(APPEND options -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+endif()
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK}/host -B ${WORK}/build ${options})
+run(${CMAKE_COMMAND} --build ${WORK}/build --target outside)
+run(${WORK}/build/outside)
+file(REMOVE_RECURSE ${WORK})

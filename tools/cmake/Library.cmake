@@ -1,0 +1,38 @@
+# The library for other projects, slicecast::slicecast: one archive that holds the engine, and the
+# headers of src/include. It needs nothing of the system but the C++ library, and its users see
+# neither the engine's own headers nor its flags.
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/library/*.cpp)
+add_library(slicecast_library STATIC ${sources})
+add_library(slicecast::slicecast ALIAS slicecast_library)
+foreach(part base world scene render overlay session files)
+  target_sources(slicecast_library PRIVATE $<TARGET_OBJECTS:slicecast_${part}>)
+endforeach()
+target_compile_features(slicecast_library PUBLIC cxx_std_20)
+target_include_directories(slicecast_library
+  PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src/include>
+  PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_link_libraries(slicecast_library PRIVATE $<BUILD_INTERFACE:slicecast_flags> $<BUILD_INTERFACE:slicecast_strict>)
+set_target_properties(slicecast_library PROPERTIES OUTPUT_NAME slicecast EXPORT_NAME slicecast)
+
+# find_package(slicecast). A guest leaves its host's installation alone.
+option(SLICECAST_INSTALL "Install the library" ${PROJECT_IS_TOP_LEVEL})
+if(NOT SLICECAST_INSTALL)
+  return()
+endif()
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/slicecast)
+install(TARGETS slicecast_library EXPORT slicecast COMPONENT slicecast
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/include/slicecast COMPONENT slicecast
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT slicecast
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/slicecast)
+install(EXPORT slicecast COMPONENT slicecast
+  NAMESPACE slicecast:: FILE slicecastConfig.cmake DESTINATION ${package})
+# Before 1.0 every second number may change what is declared.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/slicecastConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/slicecastConfigVersion.cmake COMPONENT slicecast
+  DESTINATION ${package})
