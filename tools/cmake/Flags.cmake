@@ -1,8 +1,10 @@
 # Compiler flags of every target: the target `slicecast_flags`. Who builds the library alone brings
 # flags and a build type of their own; only what the pictures depend on is added.
-set(optimise "-O2")
+set(optimise -O2)
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Werror)
 if(SLICECAST_LIBRARY_ONLY)
   set(optimise "")
+  set(warnings "")
 endif()
 set(SLICECAST_OPTIMISE "${optimise}" CACHE STRING "Optimisation level of the compiler")
 set(SLICECAST_MARCH "" CACHE STRING "Instruction set; used on x86-64 only")
@@ -24,11 +26,11 @@ add_library(slicecast_flags INTERFACE)
 target_compile_features(slicecast_flags INTERFACE cxx_std_20)
 target_compile_options(slicecast_flags INTERFACE
   ${SLICECAST_OPTIMISE}
-  $<$<NOT:$<BOOL:${SLICECAST_LIBRARY_ONLY}>>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Werror>
+  ${warnings}
   # Pictures and states have the same bytes from every compiler: no fused multiply-add. errno of
   # sqrt is never read.
   -ffp-contract=off -fno-math-errno)
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+if(warnings AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # g++ 12 at -O3 takes "text" + std::string for a copy onto itself (its bug 105651).
   target_compile_options(slicecast_flags INTERFACE -Wno-restrict)
 endif()

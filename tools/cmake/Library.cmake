@@ -8,7 +8,7 @@ foreach(part base world scene render overlay session files)
   target_sources(slicecast_library PRIVATE $<TARGET_OBJECTS:slicecast_${part}>)
 endforeach()
 target_compile_features(slicecast_library PUBLIC cxx_std_20)
-target_include_directories(slicecast_library
+target_include_directories(slicecast_library BEFORE
   PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src/include>
   PRIVATE ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(slicecast_library PRIVATE $<BUILD_INTERFACE:slicecast_flags> $<BUILD_INTERFACE:slicecast_strict>)

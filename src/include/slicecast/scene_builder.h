@@ -37,8 +37,8 @@ public:
 
     // A box that fills a cell from side to side.
     struct BlockSpec {
-        std::string name;         // any but an empty one
-        Texture texture;          // of all faces
+        std::string name = {};    // any but an empty one
+        Texture texture = {};     // of all faces
         Texture topTexture = {};  // of the top; none for the same as the others
         double bottom = 0.0;      // heights above the base of the cell's level,
         double top = 1.0;         // 0 <= bottom < top <= 1
@@ -47,11 +47,11 @@ public:
         char32_t character = 0;   // for Game::setCell; 0 for none
     };
     struct MapSpec {
-        std::string name;                      // any but an empty one, each once
+        std::string name = {};                 // any but an empty one, each once
         int width = 0;                         // tiles eastward, 1 to 4096
         int depth = 0;                         // tiles southward, 1 to 4096
         int levels = 1;                        // 1 to 32; at most 64,000,000 cells in all
-        Texture floor;                         // under the whole map, and around it without end
+        Texture floor = {};                    // under the whole map, and around it without end
         Colour skyLow = {150, 190, 230, 255};  // at the horizon
         Colour skyHigh = {90, 140, 200, 255};  // high above
         double fogStart =
