@@ -15,7 +15,6 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-# Outside of the tree; the same path for all ways, so that the compiler's cache knows what it has.
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/outside/ DESTINATION ${WORK}/host)
 set(options -DWAY=${WAY} -DSLICECAST=${SLICECAST} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Outside
   # What a guest must not need is not there.
