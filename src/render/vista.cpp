@@ -38,7 +38,8 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
     return to;
 }
 
-void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays) {
+void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
+                  const ObjectCells& cells) {
     viewpoint = from;
     map = &frame.world->maps[static_cast<std::size_t>(from.map)];
     projection = &rays.projection;
@@ -49,10 +50,10 @@ void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays)
     const double farRow = projection->rowOf(-height, map->far);
     firstFloorRow =
         std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
-    objects.beginFrame(*frame.world, from, *projection, frame.detail, lighting);
-    highest = std::max({static_cast<double>(map->levels),
-                        map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(),
-                        objects.highest()});
+    objects.beginFrame(*frame.world, cells, from, *projection, frame.detail, lighting);
+    highest =
+        std::max({static_cast<double>(map->levels),
+                  map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(), cells.highest()});
     planeLooks.beginFrame({lighting, projection->distance, inverseOffsets,
                            projection->firstFallingRow, projection->height});
     skyRows.beginFrame(map->sky, *projection, frame.eye->headingDegrees + 90.0 * from.turn);
@@ -77,6 +78,8 @@ void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions&
     fillInverseOffsets(*projection_, inverseOffsets_);
     mirroredInverseOffsets_.assign(inverseOffsets_.rbegin(), inverseOffsets_.rend());
     used_ = 0;
+    cells_.resize(world.maps.size());
+    for (MapCells& each : cells_) each.isFilled = false;
     findWater();
 }
 
@@ -110,9 +113,15 @@ Vista& Vistas::find(const Viewpoint& from) {
     }
     if (used_ == vistas_.size()) vistas_.push_back(std::make_unique<Vista>());
     Vista& vista = *vistas_[used_++];
+    MapCells& map = cells_[static_cast<std::size_t>(from.map)];
+    if (!map.isFilled) map.cells.fill(frame_.world->maps[static_cast<std::size_t>(from.map)]);
+    map.isFilled = true;
     vista.begin(frame_, from,
                 from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
-                                : FrameRays{*projection_, inverseOffsets_.data()});
+                                : FrameRays{*projection_, inverseOffsets_.data()},
+                map.cells);
+    // The eye's own, which comes first, is asked for by all columns.
+    if (used_ == 1) vista.objects.findAll();
     return vista;
 }
 

@@ -51,7 +51,9 @@ struct FrameView {
 
 class Vista {
 public:
-    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays);
+    // All but `from` must outlive the frame.
+    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
+               const ObjectCells& cells);
 
     GroundDirection ray(int column) const {
         return turned(projection->ray(column), viewpoint.turn);
@@ -100,6 +102,12 @@ private:
     std::vector<double> inverseOffsets_;
     std::vector<double> mirroredInverseOffsets_;
     std::vector<std::uint8_t> waterFogs_;  // by row: the fog where its rays leave the eye's water
+    // Where the objects of each map are, found with the first vista of it.
+    struct MapCells {
+        bool isFilled = false;
+        ObjectCells cells;
+    };
+    std::vector<MapCells> cells_;
     std::vector<std::unique_ptr<Vista>> vistas_;
     std::size_t used_ = 0;
 };
