@@ -30,7 +30,9 @@ export function markdown(pictures) {
 
   rules.fence = (tokens, index) => {
     const { content, info } = tokens[index];
-    const snippet = `<div class="snippet"><pre tabindex="0"><code>${escapeHtml(content)}</code></pre></div>\n`;
+    // A block without a language is a drawing, which nobody copies.
+    const kind = info === '' ? 'snippet drawing' : 'snippet';
+    const snippet = `<div class="${kind}"><pre tabindex="0"><code>${escapeHtml(content)}</code></pre></div>\n`;
     const settings = settingsOf(info);
     return settings.picture === undefined
       ? snippet
@@ -40,7 +42,28 @@ export function markdown(pictures) {
   rules.html_block = (tokens, index) =>
     tokens[index].content.replace('<!-- scene-reference -->', () => sceneReference());
 
-  rules.table_open = () => '<div class="table"><table>\n';
+  // On phones the rows of a wide table are stacked, each cell under the title of its column.
+  parser.core.ruler.push('tables', ({ tokens }) => {
+    for (const [index, { type }] of tokens.entries()) {
+      if (type !== 'table_open') continue;
+      const rest = tokens.slice(index);
+      const inside = rest.slice(
+        0,
+        rest.findIndex((each) => each.type === 'table_close'),
+      );
+      const titles = inside.flatMap((each, at) =>
+        each.type === 'th_open' ? [inside[at + 1].content] : [],
+      );
+      tokens[index].meta = { columns: titles.length };
+      let column = 0;
+      for (const token of inside) {
+        if (token.type === 'tr_open') column = 0;
+        if (token.type === 'td_open') token.attrSet('data-label', titles[column++]);
+      }
+    }
+  });
+  rules.table_open = (tokens, index) =>
+    `<div class="table${tokens[index].meta.columns > 2 ? ' wide' : ''}"><table>\n`;
   rules.table_close = () => '</table></div>\n';
   return parser;
 }

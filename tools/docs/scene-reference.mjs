@@ -38,13 +38,15 @@ export function sceneReference() {
   const files = readdirSync(kScenes)
     .filter((name) => name.endsWith('.json') && name !== 'index.json')
     .map((name) => `${kScenes}/${name}`);
-  const scenes = [...files, kAlsoExamples].map((file) => JSON.parse(readFileSync(file, 'utf8')));
-  const examples = keyExamples(schema, scenes);
+  const read = (file) => JSON.parse(readFileSync(file, 'utf8'));
+  const examples = keyExamples(schema, files.map(read), [read(kAlsoExamples)]);
   return kinds.map((kind) => section(kind, kinds, examples)).join('\n');
 }
 
 function section({ id, title, description, keys }, kinds, examples) {
-  const rows = keys.map((key) => row(id, key, kinds, examples.get(`${id}.${key.name}`)));
+  // Every object may have a comment; one row is enough.
+  const told = keys.filter(({ name }) => name !== 'comment' || id === 'scene');
+  const rows = told.map((key) => row(id, key, kinds, examples.get(`${id}.${key.name}`)));
   const guide = kGuide[id]?.replace('.md', '.html');
   const heads = ['Key', 'Takes', 'Default', 'Example', 'What it does'];
   return `<h2 id="${id}">${text(title)}</h2>
@@ -91,14 +93,19 @@ function takes(node, kinds) {
     case 'number':
       return `a number, ${range(node)}`;
     case 'string':
-      return 'text';
+      return node.maxLength === undefined ? 'text' : `text, up to ${node.maxLength} characters`;
     case 'array':
-      return `a list, each ${takes(node.items, kinds)}`;
+      return `a list${length(node)}, each ${takes(node.items, kinds)}`;
     case 'object':
       return object ?? `names, each with ${takes(node.values, kinds)}`;
     default:
       throw new Error(`${kSchema}: a node without a type that the reference can tell`);
   }
+}
+
+function length({ minItems, maxItems }) {
+  if (maxItems === undefined) return minItems === undefined ? '' : ` of at least ${minItems}`;
+  return minItems === maxItems ? ` of ${maxItems}` : ` of ${minItems ?? 0} to ${maxItems}`;
 }
 
 function range({ minimum, exclusiveMinimum, maximum }) {

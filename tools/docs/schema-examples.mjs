@@ -1,13 +1,14 @@
 // A value for each key of the scenes' JSON Schema, from scenes that use it.
 //
-//     keyExamples(schema, scenes)       // Map: 'gate.seconds' -> '1.2'
+//     keyExamples(schema, scenes, others)       // Map: 'gate.seconds' -> '1.2'
 //
-// The first scenes go first. A value that is not the key's default, and short, is the better example.
+// `others` serve for keys that no scene has. A value that is not the key's default, and short, is the
+// better example.
 
 const kLongest = 44; // characters; of what is longer the shortest is cut
 
-export function keyExamples(schema, scenes) {
-  const found = new Map(); // 'kind.key' -> [{text, isDefault}]
+export function keyExamples(schema, scenes, others) {
+  let found; // 'kind.key' -> [{text, isDefault}]
 
   const follow = (raw, id) => {
     const target = raw.$ref ?? raw.allOf?.[0].$ref;
@@ -41,14 +42,22 @@ export function keyExamples(schema, scenes) {
   }
 
   function note(key, value, standard) {
-    const text = JSON.stringify(value).replaceAll(/([,:])(?=["\d[{-])/g, '$1 ');
+    const text = JSON.stringify(withoutComments(value)).replaceAll(/([,:])(?=["\d[{-])/g, '$1 ');
     const all = found.get(key) ?? [];
     all.push({ text, isDefault: JSON.stringify(value) === JSON.stringify(standard) });
     found.set(key, all);
   }
 
-  for (const scene of scenes) visit(schema, 'scene', scene);
-  return new Map([...found].map(([key, all]) => [key, best(all)]));
+  const examplesIn = (list) => {
+    found = new Map();
+    for (const scene of list) visit(schema, 'scene', scene);
+    return [...found].map(([key, all]) => [key, best(all)]);
+  };
+  return new Map([...examplesIn(others), ...examplesIn(scenes)]);
+}
+
+function withoutComments(value) {
+  return JSON.parse(JSON.stringify(value, (key, each) => (key === 'comment' ? undefined : each)));
 }
 
 function best(all) {
