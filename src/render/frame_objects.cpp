@@ -30,7 +30,7 @@ void FrameObjects::beginFrame(const World& world, const ObjectCells& cells, cons
     right_ = turned(projection.right, from.turn);
     objects_.clear();
     groups_.resize(static_cast<std::size_t>((projection.width + kGroup - 1) / kGroup));
-    for (Group& group : groups_) group.isKnown = false;
+    known_.assign(groups_.size(), 0);
     asked_ = 0;
 }
 
@@ -52,11 +52,9 @@ void FrameObjects::find(int first, int last) {
         return a.depth < b.depth || (a.depth == b.depth && a.index < b.index);
     });
     for (int group = first; group <= last; ++group)
-        if (!groups_[static_cast<std::size_t>(group)].isKnown)
-            groups_[static_cast<std::size_t>(group)].objects.clear();
+        if (!isKnown(group)) groups_[static_cast<std::size_t>(group)].clear();
     for (const Seen& seen : seen_) add(seen, first, last);
-    for (int group = first; group <= last; ++group)
-        groups_[static_cast<std::size_t>(group)].isKnown = true;
+    for (int group = first; group <= last; ++group) known_[static_cast<std::size_t>(group)] = 1;
 }
 
 // In the columns from `first` on, before `end`, or within a column of them.
@@ -113,8 +111,8 @@ void FrameObjects::add(const Seen& seen, int firstGroup, int lastGroup) {
     const int first = groupOf(columnOf(*projection_, seen.left, seen.depth) - 1.0);
     const int last = groupOf(columnOf(*projection_, seen.left + shown.width, seen.depth) + 1.0);
     for (int group = std::max(first, firstGroup); group <= std::min(last, lastGroup); ++group) {
-        Group& list = groups_[static_cast<std::size_t>(group)];
-        if (!list.isKnown) list.objects.push_back(static_cast<int>(objects_.size()));
+        if (!isKnown(group))
+            groups_[static_cast<std::size_t>(group)].push_back(static_cast<int>(objects_.size()));
     }
     objects_.push_back(shown);
 }

@@ -41,9 +41,9 @@ public:
 
     // The objects that may cover a column, nearest first; those of one depth in the map's order.
     const std::vector<int>& inColumn(int column) {
-        const Group& group = groups_[static_cast<std::size_t>(column / kGroup)];
-        if (!group.isKnown) ask(column / kGroup);
-        return group.objects;
+        const int group = column / kGroup;
+        if (!isKnown(group)) ask(group);
+        return groups_[static_cast<std::size_t>(group)];
     }
     // For all columns at once: faster where most of them will ask.
     void findAll();
@@ -62,10 +62,6 @@ public:
 private:
     static constexpr int kGroup = 16;  // columns that share a list
 
-    struct Group {
-        bool isKnown = false;
-        std::vector<int> objects;
-    };
     // One that may cover some of the columns.
     struct Seen {
         double depth;
@@ -73,8 +69,10 @@ private:
         int index;
     };
 
-    void ask(int group);
-    void find(int first, int last);
+    // A copy at each call would make the page's program larger for nothing.
+    __attribute__((noinline)) void ask(int group);
+    __attribute__((noinline)) void find(int first, int last);
+    bool isKnown(int group) const { return known_[static_cast<std::size_t>(group)] != 0; }
     void findSeen(int first, int end);
     void add(const Seen& seen, int firstGroup, int lastGroup);
 
@@ -91,8 +89,9 @@ private:
     std::vector<Seen> seen_;
     std::vector<Seen> room_;  // while they are sorted
     std::vector<FrameObject> objects_;
-    std::vector<Group> groups_;
-    int asked_ = 0;  // of them, one after another
+    std::vector<std::vector<int>> groups_;
+    std::vector<std::uint8_t> known_;  // 1 for each group whose list is known
+    int asked_ = 0;                    // of them, one after another
 };
 
 }  // namespace slicecast

@@ -78,8 +78,8 @@ void ObjectCells::find(const GroundWedge& wedge, std::vector<int>& found) const 
                 right.at(column, row) < 0.0)
                 continue;
             const auto cell = static_cast<std::size_t>(row * columns_ + column);
-            found.insert(found.end(), order_.begin() + starts_[cell],
-                         order_.begin() + starts_[cell + 1]);
+            for (int i = starts_[cell]; i < starts_[cell + 1]; ++i)
+                found.push_back(order_[static_cast<std::size_t>(i)]);
         }
 }
 

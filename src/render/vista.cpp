@@ -39,7 +39,7 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
 }
 
 void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
-                  const ObjectCells& cells) {
+                  const Vista* sameMap) {
     viewpoint = from;
     map = &frame.world->maps[static_cast<std::size_t>(from.map)];
     projection = &rays.projection;
@@ -50,10 +50,12 @@ void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
     const double farRow = projection->rowOf(-height, map->far);
     firstFloorRow =
         std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
-    objects.beginFrame(*frame.world, cells, from, *projection, frame.detail, lighting);
-    highest =
-        std::max({static_cast<double>(map->levels),
-                  map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(), cells.highest()});
+    if (sameMap == nullptr) ownCells.fill(*map);
+    cells = sameMap == nullptr ? &ownCells : sameMap->cells;
+    objects.beginFrame(*frame.world, *cells, from, *projection, frame.detail, lighting);
+    highest = std::max({static_cast<double>(map->levels),
+                        map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(),
+                        cells->highest()});
     planeLooks.beginFrame({lighting, projection->distance, inverseOffsets,
                            projection->firstFallingRow, projection->height});
     skyRows.beginFrame(map->sky, *projection, frame.eye->headingDegrees + 90.0 * from.turn);
@@ -78,8 +80,6 @@ void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions&
     fillInverseOffsets(*projection_, inverseOffsets_);
     mirroredInverseOffsets_.assign(inverseOffsets_.rbegin(), inverseOffsets_.rend());
     used_ = 0;
-    cells_.resize(world.maps.size());
-    for (MapCells& each : cells_) each.isFilled = false;
     findWater();
 }
 
@@ -108,18 +108,18 @@ Vista& Vistas::mirrored(const Vista& from, std::int32_t height) {
 }
 
 Vista& Vistas::find(const Viewpoint& from) {
+    const Vista* sameMap = nullptr;
     for (std::size_t i = 0; i < used_; ++i) {
-        if (vistas_[i]->viewpoint == from) return *vistas_[i];
+        Vista& vista = *vistas_[i];
+        if (vista.viewpoint == from) return vista;
+        if (vista.viewpoint.map == from.map) sameMap = &vista;
     }
     if (used_ == vistas_.size()) vistas_.push_back(std::make_unique<Vista>());
     Vista& vista = *vistas_[used_++];
-    MapCells& map = cells_[static_cast<std::size_t>(from.map)];
-    if (!map.isFilled) map.cells.fill(frame_.world->maps[static_cast<std::size_t>(from.map)]);
-    map.isFilled = true;
     vista.begin(frame_, from,
                 from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
                                 : FrameRays{*projection_, inverseOffsets_.data()},
-                map.cells);
+                sameMap);
     // The eye's own, which comes first, is asked for by all columns.
     if (used_ == 1) vista.objects.findAll();
     return vista;

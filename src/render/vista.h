@@ -51,9 +51,8 @@ struct FrameView {
 
 class Vista {
 public:
-    // All but `from` must outlive the frame.
-    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
-               const ObjectCells& cells);
+    // All but `from` must outlive the frame. `sameMap` is another vista of the map, or null.
+    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays, const Vista* sameMap);
 
     GroundDirection ray(int column) const {
         return turned(projection->ray(column), viewpoint.turn);
@@ -66,6 +65,8 @@ public:
     Lighting lighting;
     int firstFloorRow = 0;  // rows above it, down to the horizon, look beyond the map's `far`
     double highest = 0.0;   // no block, no ceiling and no object lies higher, units
+    ObjectCells ownCells;   // filled in the first vista of a map
+    const ObjectCells* cells = nullptr;  // of the map
     FrameObjects objects;
     PlaneLooks planeLooks;
     SkyRows skyRows;
@@ -102,12 +103,6 @@ private:
     std::vector<double> inverseOffsets_;
     std::vector<double> mirroredInverseOffsets_;
     std::vector<std::uint8_t> waterFogs_;  // by row: the fog where its rays leave the eye's water
-    // Where the objects of each map are, found with the first vista of it.
-    struct MapCells {
-        bool isFilled = false;
-        ObjectCells cells;
-    };
-    std::vector<MapCells> cells_;
     std::vector<std::unique_ptr<Vista>> vistas_;
     std::size_t used_ = 0;
 };
