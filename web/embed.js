@@ -4,8 +4,8 @@
 // Parameters: scene (a name among the page's scenes, or an address as far as its owner allows it:
 // engine/allowed.js), or tour (the same for a recording, which names its scene); poster, as far as
 // its owner allows it; view, options, overlay, size, controls, label, keys, interaction, loading and
-// engine as the element's attributes of these names; autoplay (without a value); badge=false for no link to the play page;
-// origin, of the page around the frame, with which it then exchanges messages
+// engine as the element's attributes of these names; autoplay (without a value); badge=false for no
+// link to the play page; origin, of the page around the frame, with which it then exchanges messages
 // (play/frame-messages.js). What the element finds wrong it says itself; parameters that it does not
 // know are left to whoever wrote them.
 
