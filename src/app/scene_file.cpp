@@ -3,11 +3,13 @@
 #ifndef __EMSCRIPTEN__
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -85,7 +87,8 @@ std::string writeText(const std::filesystem::path& file, const std::string& text
     std::ofstream out(file, std::ios::binary | std::ios::trunc);
     out << text;
     out.close();
-    return out ? std::string() : file.string() + " cannot be written";
+    return out ? std::string()
+               : file.string() + " cannot be written: " + std::generic_category().message(errno);
 }
 
 std::filesystem::path findOpeningScene(const std::filesystem::path& programFolder) {

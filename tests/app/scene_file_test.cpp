@@ -40,5 +40,17 @@ TEST(SceneFile, TheOpeningSceneIsTheFirstOfTheList) {
     std::filesystem::remove_all(folder);
 }
 
+TEST(SceneFile, SaysWhyARecordingCannotBeWritten) {
+    const std::filesystem::path nowhere =
+        std::filesystem::path(testing::TempDir()) / "no such folder/walk.txt";
+    EXPECT_EQ(writeText(nowhere, "text"),
+              nowhere.string() + " cannot be written: No such file or directory");
+    // Written in place: it stays what it is.
+    if (std::filesystem::exists("/dev/full")) {
+        EXPECT_EQ(writeText("/dev/full", "text"),
+                  "/dev/full cannot be written: No space left on device");
+    }
+}
+
 }  // namespace
 }  // namespace slicecast
