@@ -1,6 +1,9 @@
 // Serves the page in build/web on this machine, and beside it the scene that someone is working on.
 //
-//     node tools/serve.mjs [--folder FOLDER] [--scene SCENE.json] [--port N]
+//     node tools/serve.mjs [--folder FOLDER] [--scene SCENE.json] [--port N] [--host NAME]...
+//
+// Only this machine reaches it, and only by a name of this machine or one that --host adds: else a
+// stranger's page whose name leads here could read what is served.
 //
 //     /...                   the page
 //     /-/scene/NAME.json     the scene, read anew each time
@@ -19,6 +22,8 @@ import sirv from 'sirv';
 
 const kFirstPort = 8080;
 const kPortsTried = 50;
+const kHosts = ['localhost', '127.0.0.1', '[::1]'];
+const kMethods = ['GET', 'HEAD'];
 const kSettleMilliseconds = 80; // an editor's save is several events: truncate, write, rename
 
 // The scene that is worked on: which of its files may be served, and when one of them changes.
@@ -55,10 +60,8 @@ class WatchedScene {
     if (file === this.file) return file;
     if (!/\.png$/i.test(file)) return null;
     if ((await this.namedPictures()).includes(file)) return file;
-    // Others only from the scene's own folder, links followed.
-    const real = await realpath(file).catch(() => null);
-    const root = await realpath(this.folder);
-    return real !== null && real.startsWith(root + path.sep) ? real : null;
+    // Others only from the scene's own folder.
+    return realPathWithin(this.folder, file);
   }
 
   async start() {
@@ -123,10 +126,40 @@ class WatchedScene {
   }
 }
 
-function refuse(response, status, text) {
+// Where a file really lies, links followed; null if that is not in the folder.
+async function realPathWithin(folder, file) {
+  const real = await realpath(file).catch(() => null);
+  const root = await realpath(folder);
+  return real !== null && real.startsWith(root + path.sep) ? real : null;
+}
+
+// The path of the page's file for an address, links followed; null where there is none.
+async function pagePath(folder, urlPath) {
+  for (const name of [urlPath, `${urlPath}/index.html`]) {
+    const real = await realPathWithin(folder, path.join(folder, name));
+    if (real !== null && (await stat(real)).isFile())
+      return path
+        .relative(await realpath(folder), real)
+        .split(path.sep)
+        .join('/');
+  }
+  return null;
+}
+
+// Of a Host header, without the port; '' where it is none.
+function hostName(header) {
+  try {
+    return new URL(`http://${header}`).hostname;
+  } catch {
+    return '';
+  }
+}
+
+function refuse(response, status, text, headers = {}) {
   response.writeHead(status, {
     'Content-Type': 'text/plain; charset=utf-8',
     'Cache-Control': 'no-store',
+    ...headers,
   });
   response.end(`${text}\n`);
 }
@@ -142,13 +175,12 @@ async function serveSceneFile(scene, urlPath, response) {
     'Content-Length': found.size,
     'Cache-Control': 'no-store',
   });
-  createReadStream(file)
-    .on('error', () => response.destroy())
-    .pipe(response);
+  createReadStream(file).pipe(response);
 }
 
 function serveEvents(scene, request, response) {
   response.writeHead(200, { 'Content-Type': 'text/event-stream', 'Cache-Control': 'no-store' });
+  if (request.method === 'HEAD') return response.end();
   response.write('retry: 1000\n\n');
   const send = () =>
     response.write(`event: scene\ndata: -/scene/${encodeURIComponent(scene.name)}\n\n`);
@@ -170,9 +202,10 @@ function listen(server, port) {
   });
 }
 
-// Starts to serve. Without `port` it takes the first free one. Returns the page's address and a
-// function that ends it.
-export async function startServer({ folder, scene: sceneFile, port }) {
+// Starts to serve. Without `port` it takes the first free one; `hosts` are names besides those of
+// this machine. Returns the page's address and a function that ends it.
+export async function startServer({ folder, scene: sceneFile, port, hosts = [] }) {
+  const known = [...kHosts, ...hosts.map((host) => host.toLowerCase())];
   const scene = sceneFile === undefined ? null : new WatchedScene(sceneFile);
   await scene?.start();
 
@@ -184,6 +217,24 @@ export async function startServer({ folder, scene: sceneFile, port }) {
     },
   });
   const server = createServer((request, response) => {
+    // A file is closed when the one who wanted it has gone, too; one that cannot be read ends the answer.
+    response.on('pipe', (file) => {
+      file.on('error', () => response.destroy());
+      response.on('close', () => file.destroy());
+    });
+    if (!known.includes(hostName(request.headers.host)))
+      return refuse(
+        response,
+        403,
+        `Found the host "${request.headers.host}", expected ${known.join(' or ')}. tools/play --host NAME allows another one.`,
+      );
+    if (!kMethods.includes(request.method))
+      return refuse(
+        response,
+        405,
+        `Found the method ${request.method}, expected ${kMethods.join(' or ')}.`,
+        { Allow: kMethods.join(', ') },
+      );
     // Taken as it stands: URL() would fold ".." away before it can be looked at.
     const rawPath = request.url.split(/[?#]/, 1)[0];
     let urlPath;
@@ -199,7 +250,15 @@ export async function startServer({ folder, scene: sceneFile, port }) {
         refuse(response, 500, 'The scene cannot be read.'),
       );
     }
-    page(request, response, () => refuse(response, 404, 'There is no such file.'));
+    return pagePath(folder, urlPath).then(
+      (name) => {
+        const missing = () => refuse(response, 404, 'There is no such file.');
+        if (name === null) return missing();
+        request.url = `/${encodeURI(name)}`;
+        return page(request, response, missing);
+      },
+      () => refuse(response, 500, 'The page cannot be read.'),
+    );
   });
 
   let at = port ?? kFirstPort;
@@ -240,12 +299,17 @@ function openInBrowser(address) {
 
 async function main() {
   const { values } = parseArgs({
-    options: { folder: { type: 'string' }, scene: { type: 'string' }, port: { type: 'string' } },
+    options: {
+      folder: { type: 'string' },
+      scene: { type: 'string' },
+      port: { type: 'string' },
+      host: { type: 'string', multiple: true },
+    },
   });
   const folder = values.folder ?? fileURLToPath(new URL('../build/web', import.meta.url));
   const port = values.port === undefined ? undefined : Number(values.port);
   await access(folder, constants.R_OK);
-  const server = await startServer({ folder, scene: values.scene, port });
+  const server = await startServer({ folder, scene: values.scene, port, hosts: values.host });
   const end = () => {
     server.close();
     process.exit(0);

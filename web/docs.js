@@ -1,9 +1,9 @@
-// What pages to read do: each snippet has a button that copies it. Without this file they are read
+// What pages to read do: each snippet of code has a button that copies it. Without this file they are read
 // all the same.
 
 const kSaysSoMilliseconds = 2000;
 
-for (const snippet of document.querySelectorAll('.snippet')) {
+for (const snippet of document.querySelectorAll('.snippet:not(.drawing)')) {
   const button = document.createElement('button');
   button.type = 'button';
   button.textContent = 'Copy';

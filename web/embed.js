@@ -2,10 +2,10 @@
 // embed.html?scene=castle&view=...&options=...
 //
 // Parameters: scene (a name among the page's scenes, or an address as far as its owner allows it:
-// engine/allowed.js), or tour (the same for a recording, which names its scene); view, options,
-// overlay, size, controls, label, keys, interaction, poster, loading and engine as the element's
-// attributes of these names; autoplay (without a value); badge=false for no link to the play page;
-// origin, of the page around the frame, with which it then exchanges messages
+// engine/allowed.js), or tour (the same for a recording, which names its scene); poster, as far as
+// its owner allows it; view, options, overlay, size, controls, label, keys, interaction, loading and
+// engine as the element's attributes of these names; autoplay (without a value); badge=false for no
+// link to the play page; origin, of the page around the frame, with which it then exchanges messages
 // (play/frame-messages.js). What the element finds wrong it says itself; parameters that it does not
 // know are left to whoever wrote them.
 
@@ -14,6 +14,7 @@ import { allowed } from './engine/allowed.js';
 import { unknown } from './engine/nearest-name.js';
 import { listenToHost } from './play/frame-messages.js';
 import { sceneAddress } from './play/scene-list.js';
+import { hostOf, nameFrom, titleFrom } from './play/whose.js';
 import { Trouble, asTrouble } from './engine/trouble.js';
 import './ray-caster.js';
 
@@ -43,6 +44,7 @@ const kAddresses = {
   scene: (text) => sceneAddress(text).href,
   tour: (text) =>
     allowed(new URL(kTourName.test(text) ? `tours/${text}.txt` : text, document.baseURI)).href,
+  poster: (text) => allowed(new URL(text, document.baseURI)).href,
 };
 
 const find = (id) => document.getElementById(id);
@@ -67,13 +69,23 @@ function show(parameters) {
   if (parameters.get('loading') !== 'click') caster.setAttribute('loading', 'eager');
   for (const [name, read] of Object.entries(kAddresses))
     if (parameters.get(name)) caster.setAttribute(name, read(parameters.get(name)));
+  const whose = find('whose');
+  const sayWhose = (text) => {
+    whose.textContent = text;
+    whose.hidden = hostOf(caster.scene || caster.address) === '';
+  };
   caster.addEventListener('ready', ({ detail }) => {
-    document.title = `${detail.title} · Slicecast`;
-    find('title').textContent = detail.title;
+    const title = titleFrom(caster.address, detail.title);
+    document.title = `${title} · Slicecast`;
+    find('title').textContent = title;
+    if (!parameters.get('label')) caster.label = nameFrom(caster.address, detail.title);
+    sayWhose(title);
   });
   caster.addEventListener('statechange', ({ detail }) => {
     document.body.dataset.state = detail.state;
+    if (detail.state === 'loading') sayWhose(`A scene from ${hostOf(caster.scene)}`);
   });
+  sayWhose(`A scene from ${hostOf(caster.scene)}`);
   find('place').append(caster);
   listenToHost(caster, parameters.get('origin') || location.origin, kAddresses);
   if (!kNoBadge.includes(parameters.get('badge'))) offerPlayPage(parameters);

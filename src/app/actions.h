@@ -1,5 +1,5 @@
 // What keys can do: one table, a row for each action. The keys, the help, the settings of a page,
-// README's table and what `<ray-caster keys="move">` takes all follow from it.
+// the table in web/docs/play.md and what `<ray-caster keys="move">` takes all follow from it.
 #pragma once
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "files/write_file.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <random>
 #include <system_error>
@@ -10,30 +10,76 @@
 namespace slicecast {
 namespace {
 
+namespace fs = std::filesystem;
+
 std::string reason(int error) {
     return std::generic_category().message(error);
+}
+
+// 0 on success, else errno. `prepare` is called while the file is still empty.
+template <class Prepare>
+int writeBytes(const fs::path& path, std::span<const std::uint8_t> bytes, Prepare prepare) {
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (file == nullptr) return errno;
+    prepare();
+    int fault = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
+    if (std::fclose(file) != 0 && fault == 0) fault = errno;
+    return fault;
+}
+
+// Writes beside the file first, and puts that in its place when all is written. 0 on success, else
+// errno.
+int replaceFile(const fs::path& path, const fs::file_status& old,
+                std::span<const std::uint8_t> bytes) {
+    // Two that write the same file at once each have a part of their own.
+    fs::path part = path;
+    part += ".part-" + std::to_string(std::random_device{}());
+    std::error_code error;
+    int fault = writeBytes(part, bytes, [&] {
+        if (fs::exists(old)) fs::permissions(part, old.permissions(), error);
+    });
+    if (fault == 0) {
+        fs::rename(part, path, error);
+        fault = error.value();
+    }
+    if (fault != 0) fs::remove(part, error);
+    return fault;
+}
+
+// Where a chain of links ends, whether or not anything is there.
+fs::path followLinks(fs::path path) {
+    constexpr int kMostLinks = 40;  // as many as Linux follows
+    std::error_code error;
+    for (int links = 0; links < kMostLinks && fs::is_symlink(path, error); ++links)
+        path = path.parent_path() / fs::read_symlink(path, error);
+    return path;
 }
 
 }  // namespace
 
 std::string writeWholeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error))
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status))
         return "\"" + path + "\" is a folder; expected the name of a file";
+    const bool isFile = fs::is_regular_file(status) || status.type() == fs::file_type::not_found;
+    const int fault =
+        isFile ? replaceFile(followLinks(path), status, bytes) : writeBytes(path, bytes, [] {});
+    return fault == 0 ? std::string() : "\"" + path + "\" cannot be written: " + reason(fault);
+}
 
-    // Two that write the same file at once each have a part of their own.
-    const std::string part = path + ".part-" + std::to_string(std::random_device{}());
-    std::FILE* file = std::fopen(part.c_str(), "wb");
-    if (file == nullptr) return "\"" + path + "\" cannot be written: " + reason(errno);
-    int fault = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
-    if (std::fclose(file) != 0 && fault == 0) fault = errno;
-    if (fault == 0) {
-        std::filesystem::rename(part, path, error);
-        fault = error.value();
-    }
-    if (fault == 0) return {};
-    std::filesystem::remove(part, error);
-    return "\"" + path + "\" cannot be written: " + reason(fault);
+void outliveClosedPipes() {
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+int finishOutput(const char* program, int status) {
+    errno = 0;
+    const bool isLost = std::fflush(stdout) != 0;
+    const int fault = errno;
+    if (!isLost && std::ferror(stdout) == 0) return status;
+    const std::string cause = fault == 0 ? std::string() : ": " + reason(fault);
+    std::fprintf(stderr, "%s: the standard output cannot be written%s\n", program, cause.c_str());
+    return 1;
 }
 
 std::string writeWholeFile(const std::string& path, std::string_view text) {

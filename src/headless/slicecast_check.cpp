@@ -2,6 +2,7 @@
 // not meant so.
 
 #include "files/scene_file.h"
+#include "files/write_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,7 +13,9 @@
 using namespace slicecast;
 
 int main(int argc, char** argv) {
-    CLI::App cli("Checks scene files and the images that they name.", "slicecast-check");
+    constexpr const char* kProgram = "slicecast-check";
+    outliveClosedPipes();
+    CLI::App cli("Checks scene files and the images that they name.", kProgram);
     std::vector<std::string> scenes;
     cli.add_option("SCENE", scenes, "scene files")->required();
     cli.footer(
@@ -27,7 +30,7 @@ int main(int argc, char** argv) {
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {
-        return cli.exit(fault) == 0 ? 0 : 2;
+        return finishOutput(kProgram, cli.exit(fault) == 0 ? 0 : 2);
     }
 
     bool allOk = true;
@@ -42,5 +45,5 @@ int main(int argc, char** argv) {
             allOk = false;
         }
     }
-    return allOk ? 0 : 1;
+    return finishOutput(kProgram, allOk ? 0 : 1);
 }

@@ -116,8 +116,10 @@ void describeArguments(CLI::App& cli, Arguments& arguments) {
     cli.footer(footer());
 }
 
+constexpr const char* kProgram = "slicecast-render";
+
 int fail(const std::string& fault, int status) {
-    std::fprintf(stderr, "slicecast-render: %s\n", fault.c_str());
+    std::fprintf(stderr, "%s: %s\n", kProgram, fault.c_str());
     return status;
 }
 
@@ -203,13 +205,14 @@ std::string drawTo(const std::string& path, Session& session, const PictureSize&
 
 int main(int argc, char** argv) {
     // The command line
-    CLI::App cli("Draws one view of a scene into a PNG file.", "slicecast-render");
+    outliveClosedPipes();
+    CLI::App cli("Draws one view of a scene into a PNG file.", kProgram);
     Arguments arguments;
     describeArguments(cli, arguments);
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {
-        return cli.exit(fault) == 0 ? 0 : kWrongUse;
+        return finishOutput(kProgram, cli.exit(fault) == 0 ? 0 : kWrongUse);
     }
     const std::string& asked =
         arguments.hits.empty() ? arguments.trace : arguments.hits;  // at most one of them
@@ -259,5 +262,5 @@ int main(int argc, char** argv) {
                                      : hitsJson(session, arguments.scene, width, height, column);
         std::fputs(text.c_str(), stdout);
     }
-    return std::fflush(stdout) == 0 ? 0 : fail("the standard output cannot be written", 1);
+    return finishOutput(kProgram, 0);
 }

@@ -16,75 +16,105 @@ double columnOf(const Projection& projection, double aside, double depth) {
 
 }  // namespace
 
-void FrameObjects::beginFrame(const World& world, const Viewpoint& from,
+void FrameObjects::beginFrame(const World& world, const ObjectCells& cells, const Viewpoint& from,
                               const Projection& projection, const Detail& detail,
                               const Lighting& lighting) {
-    const Map& map = world.maps[static_cast<std::size_t>(from.map)];
-    findSeen(map, from, projection);
+    world_ = &world;
+    map_ = &cells.map();
+    cells_ = &cells;
+    projection_ = &projection;
+    lighting_ = &lighting;
+    from_ = from;
+    detail_ = detail;
+    forward_ = turned(projection.forward, from.turn);
+    right_ = turned(projection.right, from.turn);
     objects_.clear();
-    highest_ = 0.0;
-    for (const Seen& seen : seen_) {
-        const Object& object = map.objects[static_cast<std::size_t>(seen.index)];
-        FrameObject shown;
-        shown.bottom = object.z.raw - from.z;
-        shown.top = shown.bottom + object.height.raw;
-        shown.firstRow = firstRowBelow(projection, shown.top, seen.depth);
-        shown.lastRow = firstRowBelow(projection, shown.bottom, seen.depth);
-        if (shown.firstRow >= shown.lastRow) continue;
-        shown.depth = seen.depth;
-        shown.along = seen.depth / projection.distance;
-        shown.left = seen.left;
-        shown.width = object.width.value();
-        const std::vector<SpriteLevel>& levels =
-            world.sprites[object.sprite].levelsAt(world.seconds);
-        shown.detail =
-            detail.levelAt(seen.depth, levels[0].height, static_cast<int>(levels.size()) - 1);
-        shown.level = &levels[static_cast<std::size_t>(shown.detail)];
-        const Shade shade = lighting.at(seen.depth, object.light, object.glow);
-        shown.factor = shade.factor;
-        shown.fog = shade.fog;
-        shown.index = seen.index;
-        objects_.push_back(shown);
-        highest_ = std::max(highest_, (object.z + object.height).value());
-    }
-    putIntoGroups(projection);
+    groups_.resize(static_cast<std::size_t>((projection.width + kGroup - 1) / kGroup));
+    known_.assign(groups_.size(), 0);
+    asked_ = 0;
 }
 
-// Nearest first; those of one depth in the map's order.
-void FrameObjects::findSeen(const Map& map, const Viewpoint& from, const Projection& projection) {
-    const GroundDirection forward = turned(projection.forward, from.turn);
-    const GroundDirection right = turned(projection.right, from.turn);
+void FrameObjects::ask(int group) {
+    const int few = static_cast<int>(groups_.size()) / 4;
+    if (asked_++ < few) return find(group, group);
+    findAll();
+}
+
+void FrameObjects::findAll() {
+    find(0, static_cast<int>(groups_.size()) - 1);
+}
+
+// The lists of the groups from `first` to `last` that are not known yet. Nearest first; those of
+// one depth in the map's order.
+void FrameObjects::find(int first, int last) {
+    findSeen(first * kGroup, (last + 1) * kGroup);
+    mergeSort(seen_, room_, [](const Seen& a, const Seen& b) {
+        return a.depth < b.depth || (a.depth == b.depth && a.index < b.index);
+    });
+    for (int group = first; group <= last; ++group)
+        if (!isKnown(group)) groups_[static_cast<std::size_t>(group)].clear();
+    for (const Seen& seen : seen_) add(seen, first, last);
+    for (int group = first; group <= last; ++group) known_[static_cast<std::size_t>(group)] = 1;
+}
+
+// In the columns from `first` on, before `end`, or within a column of them.
+void FrameObjects::findSeen(int first, int end) {
+    // A few columns more, for roundings and those whose edges are just beyond.
+    constexpr int kMore = 4;
+    const auto aside = [&](int column) {
+        return (column - projection_->width / 2.0) / projection_->distance;
+    };
+    near_.clear();
+    cells_->find({from_.x, from_.y, forward_, right_, aside(first - kMore), aside(end + kMore)},
+                 near_);
     seen_.clear();
-    for (std::size_t i = 0; i < map.objects.size(); ++i) {
-        const Object& object = map.objects[i];
-        const double dx = static_cast<double>(object.x.raw - from.x) / 65536.0;
-        const double dy = static_cast<double>(object.y.raw - from.y) / 65536.0;
+    for (const int i : near_) {
+        const Object& object = map_->objects[static_cast<std::size_t>(i)];
+        const double dx = static_cast<double>(object.x.raw - from_.x) / 65536.0;
+        const double dy = static_cast<double>(object.y.raw - from_.y) / 65536.0;
         const double depth =
-            std::floor(65536.0 * (forward.x * dx + forward.y * dy) + 0.5) / 65536.0;
+            std::floor(65536.0 * (forward_.x * dx + forward_.y * dy) + 0.5) / 65536.0;
         if (depth <= 0.0) continue;
-        const double left = right.x * dx + right.y * dy - object.width.value() / 2.0;
-        if (columnOf(projection, left, depth) > projection.width + 1.0 ||
-            columnOf(projection, left + object.width.value(), depth) < -1.0)
+        const double width = object.width.value();
+        const double left = right_.x * dx + right_.y * dy - width / 2.0;
+        if (columnOf(*projection_, left, depth) > end + 1.0 ||
+            columnOf(*projection_, left + width, depth) < first - 1.0)
             continue;
-        seen_.push_back({depth, left, static_cast<int>(i)});
+        seen_.push_back({depth, left, i});
     }
-    mergeSort(seen_, room_, [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
 }
 
-void FrameObjects::putIntoGroups(const Projection& projection) {
-    const auto groups = static_cast<std::size_t>((projection.width + kGroup - 1) / kGroup);
-    if (groups_.size() != groups) groups_.resize(groups);
-    for (std::vector<int>& group : groups_) group.clear();
-    const double lastColumn = projection.width - 1.0;
-    for (std::size_t i = 0; i < objects_.size(); ++i) {
-        const FrameObject& object = objects_[i];
-        const double left = columnOf(projection, object.left, object.depth);
-        const double right = columnOf(projection, object.left + object.width, object.depth);
-        const int first = static_cast<int>(std::clamp(left - 1.0, 0.0, lastColumn));
-        const int last = static_cast<int>(std::clamp(right + 1.0, 0.0, lastColumn));
-        for (int group = first / kGroup; group <= last / kGroup; ++group)
-            groups_[static_cast<std::size_t>(group)].push_back(static_cast<int>(i));
+void FrameObjects::add(const Seen& seen, int firstGroup, int lastGroup) {
+    const Object& object = map_->objects[static_cast<std::size_t>(seen.index)];
+    FrameObject shown;
+    shown.bottom = object.z.raw - from_.z;
+    shown.top = shown.bottom + object.height.raw;
+    shown.firstRow = firstRowBelow(*projection_, shown.top, seen.depth);
+    shown.lastRow = firstRowBelow(*projection_, shown.bottom, seen.depth);
+    if (shown.firstRow >= shown.lastRow) return;
+    shown.depth = seen.depth;
+    shown.along = seen.depth / projection_->distance;
+    shown.left = seen.left;
+    shown.width = object.width.value();
+    const std::vector<SpriteLevel>& levels =
+        world_->sprites[object.sprite].levelsAt(world_->seconds);
+    shown.detail =
+        detail_.levelAt(seen.depth, levels[0].height, static_cast<int>(levels.size()) - 1);
+    shown.level = &levels[static_cast<std::size_t>(shown.detail)];
+    const Shade shade = lighting_->at(seen.depth, object.light, object.glow);
+    shown.factor = shade.factor;
+    shown.fog = shade.fog;
+    shown.index = seen.index;
+    const auto groupOf = [&](double column) {
+        return static_cast<int>(std::clamp(column, 0.0, projection_->width - 1.0)) / kGroup;
+    };
+    const int first = groupOf(columnOf(*projection_, seen.left, seen.depth) - 1.0);
+    const int last = groupOf(columnOf(*projection_, seen.left + shown.width, seen.depth) + 1.0);
+    for (int group = std::max(first, firstGroup); group <= std::min(last, lastGroup); ++group) {
+        if (!isKnown(group))
+            groups_[static_cast<std::size_t>(group)].push_back(static_cast<int>(objects_.size()));
     }
+    objects_.push_back(shown);
 }
 
 }  // namespace slicecast

@@ -1,8 +1,10 @@
 // The objects of a frame: which of a map's objects may be seen, at which depth, and in which
-// columns; worked out once for all slices.
+// columns. A group of columns looks for its own when a slice first asks: behind a portal only a few
+// columns do. Where more do, all look at once.
 #pragma once
 
 #include "render/detail.h"
+#include "render/object_cells.h"
 #include "render/projection.h"
 #include "render/shading.h"
 #include "render/viewpoint.h"
@@ -32,20 +34,22 @@ struct FrameObject {
 
 class FrameObjects {
 public:
-    // Those of the viewpoint's map, in that map's light.
-    void beginFrame(const World& world, const Viewpoint& from, const Projection& projection,
-                    const Detail& detail, const Lighting& lighting);
+    // Those of the viewpoint's map, whose cells are given, in that map's light. All but `from` must
+    // outlive the frame.
+    void beginFrame(const World& world, const ObjectCells& cells, const Viewpoint& from,
+                    const Projection& projection, const Detail& detail, const Lighting& lighting);
 
     // The objects that may cover a column, nearest first; those of one depth in the map's order.
-    const std::vector<int>& inColumn(int column) const {
-        return groups_[static_cast<std::size_t>(column / kGroup)];
+    const std::vector<int>& inColumn(int column) {
+        const int group = column / kGroup;
+        if (!isKnown(group)) ask(group);
+        return groups_[static_cast<std::size_t>(group)];
     }
+    // For all columns at once: faster where most of them will ask.
+    void findAll();
     const FrameObject& operator[](int i) const { return objects_[static_cast<std::size_t>(i)]; }
 
-    bool none() const { return objects_.empty(); }
-    double highest() const {
-        return highest_;
-    }  // of their upper edges above the map's floor, units; 0 if there are none
+    bool none() const { return map_->objects.empty(); }
 
     // The first row below a height, `rise` 1/65536 units above the eye, at a depth; a row right
     // through it counts as below if `tieIsBelow`.
@@ -58,21 +62,36 @@ public:
 private:
     static constexpr int kGroup = 16;  // columns that share a list
 
-    // One that is in the field of view.
+    // One that may cover some of the columns.
     struct Seen {
         double depth;
         double left;
         int index;
     };
 
-    void findSeen(const Map& map, const Viewpoint& from, const Projection& projection);
-    void putIntoGroups(const Projection& projection);
+    // A copy at each call would make the page's program larger for nothing.
+    __attribute__((noinline)) void ask(int group);
+    __attribute__((noinline)) void find(int first, int last);
+    bool isKnown(int group) const { return known_[static_cast<std::size_t>(group)] != 0; }
+    void findSeen(int first, int end);
+    void add(const Seen& seen, int firstGroup, int lastGroup);
 
+    const World* world_ = nullptr;
+    const Map* map_ = nullptr;
+    const ObjectCells* cells_ = nullptr;
+    const Projection* projection_ = nullptr;
+    const Lighting* lighting_ = nullptr;
+    Viewpoint from_;
+    Detail detail_;
+    GroundDirection forward_;
+    GroundDirection right_;
+    std::vector<int> near_;  // while they are looked for
     std::vector<Seen> seen_;
     std::vector<Seen> room_;  // while they are sorted
     std::vector<FrameObject> objects_;
     std::vector<std::vector<int>> groups_;
-    double highest_ = 0.0;
+    std::vector<std::uint8_t> known_;  // 1 for each group whose list is known
+    int asked_ = 0;                    // of them, one after another
 };
 
 }  // namespace slicecast

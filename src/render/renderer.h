@@ -10,7 +10,7 @@
 //     ray     = eye + t * (forward + k * right + s * up),   t > 0
 //
 // Every pixel shows the nearest thing that its ray meets; t is the perpendicular depth, so there is
-// no fish eye and no correction for one. CONTRIBUTING.md holds the rest of the definition (ties,
+// no fish eye and no correction for one. web/docs/picture.md holds the rest (ties,
 // textures, light), and tests/judge a slow tracer that is written from it.
 #pragma once
 

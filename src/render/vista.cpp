@@ -38,7 +38,8 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
     return to;
 }
 
-void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays) {
+void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
+                  const Vista* sameMap) {
     viewpoint = from;
     map = &frame.world->maps[static_cast<std::size_t>(from.map)];
     projection = &rays.projection;
@@ -49,10 +50,12 @@ void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays)
     const double farRow = projection->rowOf(-height, map->far);
     firstFloorRow =
         std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
-    objects.beginFrame(*frame.world, from, *projection, frame.detail, lighting);
+    if (sameMap == nullptr) ownCells.fill(*map);
+    cells = sameMap == nullptr ? &ownCells : sameMap->cells;
+    objects.beginFrame(*frame.world, *cells, from, *projection, frame.detail, lighting);
     highest = std::max({static_cast<double>(map->levels),
                         map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(),
-                        objects.highest()});
+                        cells->highest()});
     planeLooks.beginFrame({lighting, projection->distance, inverseOffsets,
                            projection->firstFallingRow, projection->height});
     skyRows.beginFrame(map->sky, *projection, frame.eye->headingDegrees + 90.0 * from.turn);
@@ -105,14 +108,20 @@ Vista& Vistas::mirrored(const Vista& from, std::int32_t height) {
 }
 
 Vista& Vistas::find(const Viewpoint& from) {
+    const Vista* sameMap = nullptr;
     for (std::size_t i = 0; i < used_; ++i) {
-        if (vistas_[i]->viewpoint == from) return *vistas_[i];
+        Vista& vista = *vistas_[i];
+        if (vista.viewpoint == from) return vista;
+        if (vista.viewpoint.map == from.map) sameMap = &vista;
     }
     if (used_ == vistas_.size()) vistas_.push_back(std::make_unique<Vista>());
     Vista& vista = *vistas_[used_++];
     vista.begin(frame_, from,
                 from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
-                                : FrameRays{*projection_, inverseOffsets_.data()});
+                                : FrameRays{*projection_, inverseOffsets_.data()},
+                sameMap);
+    // The eye's own, which comes first, is asked for by all columns.
+    if (used_ == 1) vista.objects.findAll();
     return vista;
 }
 

@@ -51,7 +51,8 @@ struct FrameView {
 
 class Vista {
 public:
-    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays);
+    // All but `from` must outlive the frame. `sameMap` is another vista of the map, or null.
+    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays, const Vista* sameMap);
 
     GroundDirection ray(int column) const {
         return turned(projection->ray(column), viewpoint.turn);
@@ -64,6 +65,8 @@ public:
     Lighting lighting;
     int firstFloorRow = 0;  // rows above it, down to the horizon, look beyond the map's `far`
     double highest = 0.0;   // no block, no ceiling and no object lies higher, units
+    ObjectCells ownCells;   // filled in the first vista of a map
+    const ObjectCells* cells = nullptr;  // of the map
     FrameObjects objects;
     PlaneLooks planeLooks;
     SkyRows skyRows;

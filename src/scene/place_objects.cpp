@@ -42,11 +42,13 @@ void placeObjects(Reading& reading) {
         for (const SowingOrder& order : reading.sowings) {
             if (order.map != map) continue;
             if (!taken) taken.emplace(world.maps[map]);
-            if (sowObjects(world, static_cast<int>(map), order.sowing, *taken)) continue;
-            reading.checker.add(order.value,
-                                {"more than ", kMaxObjects, " objects, with those before"},
-                                {"at most ", kMaxObjects, " in a map"});
-            break;
+            const Sown sown = sowObjects(world, static_cast<int>(map), order.sowing, *taken);
+            if (sown == Sown::all) continue;
+            const int most = sown == Sown::tooMany ? kMaxObjects : kMaxMovingObjects;
+            const char* what = sown == Sown::tooMany ? " objects" : " objects that move";
+            reading.checker.add(order.value, {"more than ", most, what, ", with those before"},
+                                {"at most ", most, " in a scene"});
+            return;
         }
     }
 }

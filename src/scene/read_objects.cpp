@@ -17,6 +17,11 @@ static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000
 // random numbers of its own.
 void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int object) {
     std::vector<ObjectMotion>& motions = reading.description.world.movingObjects.motions;
+    if (motions.size() == static_cast<std::size_t>(kMaxMovingObjects)) {
+        reading.checker.add(value, "one object that moves too many",
+                            {"at most ", kMaxMovingObjects, " in a scene"});
+        return;
+    }
     motion.map = static_cast<int>(reading.description.world.maps.size());
     motion.object = object;
     motion.random = Random(motions.size());
@@ -93,9 +98,13 @@ void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map) {
         checker.refuse(value, "an array of objects");
         return;
     }
-    if (value.count() > static_cast<std::size_t>(kMaxObjects)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "object"},
-                    {"at most ", kMaxObjects});
+    std::size_t before = 0;
+    for (const Map& other : reading.description.world.maps) before += other.objects.size();
+    if (before + value.count() > static_cast<std::size_t>(kMaxObjects)) {
+        checker.add(value,
+                    {static_cast<std::int64_t>(before + value.count()),
+                     " objects, with those of maps before"},
+                    {"at most ", kMaxObjects, " in a scene"});
         return;
     }
     for (const JsonValue element : value) {

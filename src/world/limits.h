@@ -23,8 +23,10 @@ inline constexpr double kDefaultFar = 10'000.0;  // units; beyond it the floor i
 inline constexpr double kMaxFar =
     100'000.0;  // units; floor positions up to here keep their full precision
 
-inline constexpr int kMaxSpriteSide = 1024;    // texels
-inline constexpr int kMaxObjects = 1'000'000;  // of a map
+inline constexpr int kMaxSpriteSide = 1024;  // texels
+inline constexpr int kMaxObjects =
+    65'536;  // of all maps: a frame looks at each one of a map, once for each view of that map
+inline constexpr int kMaxMovingObjects = 4'096;  // of them: a step looks at what is around each one
 inline constexpr int kMaxPortals = 65'535;     // a PortalId has 16 bits, the last value means none
 inline constexpr int kDefaultPortalLimit = 8;  // portals that one ray passes
 inline constexpr int kMaxPortalLimit = 32;

@@ -127,8 +127,10 @@ bool TakenSpots::take(std::size_t tile, Coordinate feet) {
     return wasFree;
 }
 
-bool sowObjects(World& world, int mapIndex, const Sowing& sowing, TakenSpots& taken) {
+Sown sowObjects(World& world, int mapIndex, const Sowing& sowing, TakenSpots& taken) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    auto room = static_cast<std::size_t>(kMaxObjects) + map.objects.size();
+    for (const Map& each : world.maps) room -= std::min(room, each.objects.size());
     for (int y = 0; y < map.depth; ++y) {
         for (int x = 0; x < map.width; ++x) {
             if (map.tilePortal(x, y) != kNoPortal) continue;
@@ -138,10 +140,12 @@ bool sowObjects(World& world, int mapIndex, const Sowing& sowing, TakenSpots& ta
             sow(0, floorAt(map, sowing, map.tileIndex(x, y)));
             for (int level = 0; !sowing.on.empty() && level < map.levels; ++level)
                 sow(level + 1, roofAt(world, map, sowing, x, y, level));
-            if (map.objects.size() > static_cast<std::size_t>(kMaxObjects)) return false;
+            if (map.objects.size() > room) return Sown::tooMany;
+            if (world.movingObjects.motions.size() > static_cast<std::size_t>(kMaxMovingObjects))
+                return Sown::tooManyMoving;
         }
     }
-    return true;
+    return Sown::all;
 }
 
 }  // namespace slicecast

@@ -55,8 +55,10 @@ private:
     std::vector<bool> taken_;
 };
 
-// Adds to the map's objects, and to what moves. False, with part of them added, if they would be
-// more than a map may have.
-bool sowObjects(World& world, int map, const Sowing& sowing, TakenSpots& taken);
+enum class Sown : std::uint8_t { all, tooMany, tooManyMoving };
+
+// Adds to the map's objects, and to what moves. Ends, with part of them added, where they would be
+// more than a world may have.
+Sown sowObjects(World& world, int map, const Sowing& sowing, TakenSpots& taken);
 
 }  // namespace slicecast

@@ -158,19 +158,19 @@ TEST(KeyHelp, FollowsTheKeys) {
     EXPECT_EQ(line(Action::use), ": open or close the gates nearby");
 }
 
-// README has the table of the standard keys.
-TEST(KeyHelp, IsThatOfTheReadme) {
-    std::ifstream file(SLICECAST_README);
+// The documentation has the table of the standard keys.
+TEST(KeyHelp, IsThatOfTheDocumentation) {
+    std::ifstream file(SLICECAST_PLAY_PAGE);
     ASSERT_TRUE(file);
-    const std::string readme{std::istreambuf_iterator<char>(file), {}};
-    std::string table = "| keys | |\n| --- | --- |\n";
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    std::string table = "| keys | what they do |\n| --- | --- |\n";
     for (const KeyHelp& line : KeyBindings().help()) {
         std::string keys;
         for (const std::string_view key : line.keys)
             keys += (keys.empty() ? "`" : " `") + std::string(key) + '`';
         table += "| " + keys + " | " + std::string(line.does) + " |\n";
     }
-    EXPECT_NE(readme.find(table), std::string::npos) << "expected in README.md:\n" << table;
+    EXPECT_NE(page.find(table), std::string::npos) << "expected in web/docs/play.md:\n" << table;
 }
 
 TEST_F(Hands, GatesHaveThree) {

@@ -166,7 +166,7 @@ async function openHost(t, { headers, sandbox, query = '?scene=room' }) {
 }
 
 test('a poster, no badge, no interaction', async (t) => {
-  const { page } = await openPage(t, browser, {
+  const { page, server } = await openPage(t, browser, {
     query: 'embed.html?scene=room&poster=favicon.svg&badge=false&interaction=none&loading=click',
   });
   await page.waitForSelector('ray-caster');
@@ -176,7 +176,7 @@ test('a poster, no badge, no interaction', async (t) => {
       const { poster, interaction, state, controls } = document.querySelector('ray-caster');
       return [poster, interaction, state, controls];
     }),
-    ['favicon.svg', 'none', 'idle', null],
+    [`${server.address}favicon.svg`, 'none', 'idle', null],
   );
   await page.click('ray-caster');
   await page.waitForFunction(() => document.querySelector('ray-caster').state === 'playing');
@@ -210,7 +210,7 @@ test('scenes from elsewhere are shown only where the owner allows it', async (t)
       where,
     );
     for (const scene of ['data:application/json,{}', `${server.address}scenes/room.json`]) {
-      await page.goto(`${server.address}embed.html?scene=${encodeURIComponent(scene)}`);
+      await page.goto(`${server.address}${where}?scene=${encodeURIComponent(scene)}`);
       if (scene.startsWith('data:')) await page.waitForSelector('#trouble:visible');
       else await ready(page);
     }
@@ -222,6 +222,70 @@ test('scenes from elsewhere are shown only where the owner allows it', async (t)
     head = `<meta name="slicecast-scenes" content="${other.address}scen https://a.example">`;
     await page.goto(`${server.address}${where}?scene=${encodeURIComponent(address)}`);
     await page.waitForFunction(() => !document.getElementById('trouble').hidden);
+  }
+});
+
+test('a poster of a link comes from where its scene may come from', async (t) => {
+  const other = await serve({ files: { 'poster.png': 'a picture' } });
+  t.after(() => other.close());
+  const { page, server } = await openPage(t, browser, { query: 'embed.html?scene=room' });
+  for (const poster of [`${other.address}poster.png`, 'data:image/png;base64,AAAA']) {
+    await page.goto(`${server.address}embed.html?scene=room&poster=${encodeURIComponent(poster)}`);
+    await page.waitForSelector('#trouble:visible');
+    assert.match(await page.innerText('#trouble'), /shows nothing from elsewhere/);
+  }
+  assert.deepEqual(other.asked, []);
+});
+
+test('a scene from elsewhere says whose it is, and its title poses as nothing else', async (t) => {
+  const title = 'Log in” again, \u202e Slicecast "asks" “you';
+  const other = await serve({
+    files: roomFiles({ title }),
+    headers: { 'Access-Control-Allow-Origin': '*' },
+  });
+  t.after(() => other.close());
+  const withMeta = (text) =>
+    text.replace('<head>', '<head><meta name="slicecast-scenes" content="*">');
+  const { page, server } = await openPage(t, browser, {
+    query: 'embed.html?scene=room',
+    server: { files: { 'embed.html': withMeta(embedPage), 'index.html': withMeta(playPage) } },
+  });
+  const { host } = new URL(other.address);
+  const said = `From ${host}: “Log in again, Slicecast asks you”`;
+  const query = `?scene=${encodeURIComponent(`${other.address}scenes/room.json`)}`;
+  const name = () => page.evaluate(() => document.querySelector('ray-caster').label);
+
+  // The frame says it before the first picture.
+  let go;
+  const mayGo = new Promise((resolve) => {
+    go = resolve;
+  });
+  await page.route(`${other.address}**`, async (route) => {
+    await mayGo;
+    await route.continue();
+  });
+  await page.goto(`${server.address}embed.html${query}&autoplay`);
+  await page.waitForSelector('#whose:visible');
+  assert.equal(await page.innerText('#whose'), `A scene from ${host}`);
+  go();
+  await page.waitForFunction((wanted) => document.title === wanted, `${said} · Slicecast`);
+  assert.equal(await page.innerText('#whose'), said);
+  assert.equal(await page.innerText('#title'), said);
+  assert.equal(await name(), said);
+
+  await page.goto(`${server.address}${query}`);
+  await page.waitForFunction(() => document.body.dataset.state === 'paused');
+  assert.equal(await page.title(), `${said} · Slicecast`);
+  assert.equal(await page.innerText('#pause-title'), said);
+  assert.equal(await page.textContent('#bar-title'), said);
+  assert.equal(await name(), said);
+
+  // One of the page's own is called as it is.
+  for (const where of ['embed.html', '']) {
+    await page.goto(`${server.address}${where}?scene=room`);
+    await page.waitForFunction(() => document.title === 'The coloured room · Slicecast');
+    assert.equal(await name(), '');
+    if (where !== '') assert.equal(await page.isVisible('#whose'), false);
   }
 });
 

@@ -21,11 +21,13 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-Finished runProgram(const std::string& program, const std::vector<std::string>& arguments) {
+Finished runProgram(const std::string& program, const std::vector<std::string>& arguments,
+                    const std::string& output) {
     const TestFolder folder;
     std::string command = quoted(program);
     for (const std::string& argument : arguments) command += " " + quoted(argument);
-    command += " >" + quoted((folder / "out").string()) + " 2>" + quoted((folder / "err").string());
+    command += " >" + (output.empty() ? quoted((folder / "out").string()) : output) + " 2>" +
+               quoted((folder / "err").string());
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder / "out"),
             readText(folder / "err")};

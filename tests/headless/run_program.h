@@ -13,7 +13,10 @@ struct Finished {
     std::string err;
 };
 
-Finished runProgram(const std::string& program, const std::vector<std::string>& arguments);
+// `output`, if given, is where the standard output goes, as a shell takes it: "/dev/full" or "&9";
+// then nothing of it is kept.
+Finished runProgram(const std::string& program, const std::vector<std::string>& arguments,
+                    const std::string& output = {});
 
 std::string readText(const std::filesystem::path& path);
 void writeText(const std::filesystem::path& path, const std::string& text);

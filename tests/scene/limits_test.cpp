@@ -231,13 +231,23 @@ std::string sownScene(int side, const std::string& sow) {
 
 TEST(Limits, SownObjects) {
     const std::string bush = R"({ "sprite": "bush", "density": 1, "height": 1 })";
-    const ParsedScene full = parseScene(sownScene(1000, bush), "test.json");
+    const ParsedScene full = parseScene(sownScene(256, bush), "test.json");
     EXPECT_EQ(inWords(full.faults), "")
         << "one less than there are tiles: nobody stands at the start";
-    const ParsedScene over = parseScene(sownScene(1001, bush), "test.json");
+    const ParsedScene over = parseScene(sownScene(257, bush), "test.json");
     ASSERT_EQ(over.faults.size(), 1u);
     EXPECT_EQ(over.faults[0].pointer, "/maps/0/sow/0");
-    EXPECT_EQ(over.faults[0].expected, "at most 1000000 in a map");
+    EXPECT_EQ(over.faults[0].found, "more than 65536 objects, with those before");
+    EXPECT_EQ(over.faults[0].expected, "at most 65536 in a scene");
+
+    const std::string walkers =
+        R"({ "sprite": "bush", "density": 1, "height": 1, "motion": { "kind": "wander", "speed": 1 } })";
+    EXPECT_EQ(inWords(parseScene(sownScene(64, walkers), "test.json").faults), "");
+    const ParsedScene crowd = parseScene(sownScene(65, walkers), "test.json");
+    ASSERT_EQ(crowd.faults.size(), 1u);
+    EXPECT_EQ(crowd.faults[0].pointer, "/maps/0/sow/0");
+    EXPECT_EQ(crowd.faults[0].found, "more than 4096 objects that move, with those before");
+    EXPECT_EQ(crowd.faults[0].expected, "at most 4096 in a scene");
 
     std::string kinds = bush;
     for (int i = 1; i < kMaxSowings; ++i) kinds += "," + bush;
@@ -245,6 +255,38 @@ TEST(Limits, SownObjects) {
     const ParsedScene many = parseScene(sownScene(3, kinds + "," + bush), "test.json");
     ASSERT_EQ(many.faults.size(), 1u);
     EXPECT_EQ(many.faults[0].found, "65 kinds");
+}
+
+// A scene with two maps, each with so many objects.
+std::string scatteredScene(int first, int second, const std::string& motion) {
+    const auto objects = [&](int count) {
+        const std::string one =
+            R"({ "sprite": "bush", "x": 0.5, "y": 0.5, "height": 1)" + motion + "}";
+        std::string all = one;
+        for (int i = 1; i < count; ++i) all += "," + one;
+        return all;
+    };
+    return R"({ "title": "Scattered", "textures": { "brick": "broken/images/brick.png" }, "sprites": { "bush": "broken/images/tile.png" }, "maps": [ { "name": "a", "floor": "brick", "levels": [["..."]], "objects": [)" +
+           objects(first) +
+           R"(] }, { "name": "b", "floor": "brick", "levels": [["..."]], "objects": [)" +
+           objects(second) + R"(] } ], "start": { "map": "a", "x": 1.5, "y": 0.5 } })";
+}
+
+TEST(Limits, PlacedObjectsOfAllMapsTogether) {
+    EXPECT_EQ(inWords(parseScene(scatteredScene(65535, 1, ""), "test.json").faults), "");
+    const ParsedScene over = parseScene(scatteredScene(65535, 2, ""), "test.json");
+    ASSERT_EQ(over.faults.size(), 1u);
+    EXPECT_EQ(over.faults[0].pointer, "/maps/1/objects");
+    EXPECT_EQ(over.faults[0].found, "65537 objects, with those of maps before");
+    EXPECT_EQ(over.faults[0].expected, "at most 65536 in a scene");
+
+    const std::string wander = R"(, "motion": { "kind": "wander", "speed": 1 })";
+    EXPECT_EQ(inWords(parseScene(scatteredScene(4095, 1, wander), "test.json").faults), "");
+    const ParsedScene crowd = parseScene(scatteredScene(4095, 3, wander), "test.json");
+    ASSERT_EQ(crowd.faults.size(), 2u);
+    EXPECT_EQ(crowd.faults[0].pointer, "/maps/1/objects/1");
+    EXPECT_EQ(crowd.faults[0].found, "one object that moves too many");
+    EXPECT_EQ(crowd.faults[0].expected, "at most 4096 in a scene");
 }
 
 TEST(Limits, ImagesOfAllMapsTogether) {

@@ -23,6 +23,7 @@ for (const [args, message] of [
   [['--port'], /--port wants a number/],
   [['--port', '0'], /from 1 to 65535, not "0"/],
   [['--port=70000'], /from 1 to 65535, not "70000"/],
+  [['--host'], /--host wants a name/],
   [['--prot', '80'], /unknown option "--prot"/],
 ]) {
   test(`tools/play ${args.map((arg) => arg.replace(tools, '')).join(' ')} is refused at once`, () => {

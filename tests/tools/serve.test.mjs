@@ -2,12 +2,14 @@
 // page that a scene was saved.
 
 import assert from 'node:assert/strict';
-import { mkdir, mkdtemp, rename, rm, symlink, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readdir, rename, rm, symlink, writeFile } from 'node:fs/promises';
 import http from 'node:http';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { startServer } from '../../tools/serve.mjs';
+
+const kLarge = 2 ** 25; // bytes: more than fits into the buffers on the way
 
 let root, server, origin;
 
@@ -29,6 +31,11 @@ before(async () => {
     path.join(root, 'mine/textures/other.png'),
     path.join(root, 'mine/scenes/link.png'),
   );
+  await symlink('engine/x.wasm', path.join(root, 'page/inside.wasm'));
+  await symlink('../mine/scenes/private.txt', path.join(root, 'page/outside.txt'));
+  await symlink('../mine/scenes', path.join(root, 'page/outside'));
+  await writeFile(path.join(root, 'page/large.bin'), new Uint8Array(kLarge));
+  await writeFile(path.join(root, 'mine/scenes/large.png'), new Uint8Array(kLarge));
   server = await startServer({
     folder: path.join(root, 'page'),
     scene: path.join(root, 'mine/scenes/my scene.json'),
@@ -42,18 +49,18 @@ after(async () => {
 });
 
 // A request whose path goes out exactly as written.
-function get(rawPath) {
+function get(rawPath, options = {}) {
   return new Promise((resolve, reject) => {
     const { hostname, port } = new URL(origin);
     http
-      .get({ hostname, port, path: rawPath }, (response) => {
+      .request({ hostname, port, path: rawPath, ...options }, (response) => {
+        const { statusCode: status, headers } = response;
         let body = '';
         response.on('data', (chunk) => (body += chunk));
-        response.on('end', () =>
-          resolve({ status: response.statusCode, type: response.headers['content-type'], body }),
-        );
+        response.on('end', () => resolve({ status, headers, type: headers['content-type'], body }));
       })
-      .on('error', reject);
+      .on('error', reject)
+      .end();
   });
 }
 
@@ -93,6 +100,78 @@ test('nothing else beside or above the scene is served', async () => {
   }
   assert.equal((await get('/-/scene/%ff')).status, 400);
 });
+
+test('links are followed within the folder, and not out of it', async () => {
+  assert.equal((await get('/inside.wasm')).body, 'wasm');
+  for (const hidden of ['/outside.txt', '/outside/private.txt', '/outside/']) {
+    const answer = await get(hidden);
+    assert.equal(answer.status, 404, hidden);
+    assert.doesNotMatch(answer.body, /secret/, hidden);
+  }
+});
+
+test('only hosts of this machine are served, and those that are named', async () => {
+  const { port } = new URL(origin);
+  const statusFor = async (host, rawPath) =>
+    (await get(rawPath, { headers: { host: `${host}:${port}` } })).status;
+  for (const rawPath of ['/', '/-/scene/brick.png']) {
+    for (const host of ['localhost', 'LOCALHOST', '127.0.0.1', '[::1]'])
+      assert.equal(await statusFor(host, rawPath), 200, host);
+    for (const host of ['evil.example', 'localhost.evil.example', '127.0.0.1.evil.example', 'a b'])
+      assert.equal(await statusFor(host, rawPath), 403, host);
+  }
+  const { body } = await get('/', { headers: { host: 'evil.example' } });
+  assert.match(body, /found the host "evil\.example", expected localhost/i);
+
+  const wider = await startServer({ folder: path.join(root, 'page'), hosts: ['my.example'] });
+  const { status } = await get('/', {
+    port: new URL(wider.address).port,
+    headers: { host: 'my.example' },
+  });
+  wider.close();
+  assert.equal(status, 200);
+});
+
+test('it hands out, and takes nothing', async () => {
+  for (const rawPath of ['/', '/-/scene/brick.png', '/-/events']) {
+    for (const method of ['POST', 'PUT', 'DELETE', 'OPTIONS']) {
+      const { status, headers } = await get(rawPath, { method });
+      assert.equal(status, 405, `${method} ${rawPath}`);
+      assert.equal(headers.allow, 'GET, HEAD');
+    }
+    const { status, body } = await get(rawPath, { method: 'HEAD' });
+    assert.equal(status, 200, `HEAD ${rawPath}`);
+    assert.equal(body, '');
+  }
+});
+
+// The files that this process has open: Linux tells.
+const openFiles = async () => (await readdir('/proc/self/fd')).length;
+
+test(
+  'a download that is broken off leaves no file open',
+  { skip: process.platform !== 'linux' },
+  async () => {
+    const { hostname, port } = new URL(origin);
+    const before = await openFiles();
+    for (const rawPath of ['/large.bin', '/-/scene/large.png']) {
+      for (let i = 0; i < 10; ++i) {
+        await new Promise((resolve, reject) => {
+          http
+            .get({ hostname, port, path: rawPath, agent: false }, (response) => {
+              response.once('data', () => response.destroy());
+              response.once('close', resolve);
+              response.once('error', () => {});
+            })
+            .on('error', reject);
+        });
+      }
+    }
+    for (let i = 0; i < 50 && (await openFiles()) > before + 2; ++i)
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    assert.ok((await openFiles()) <= before + 2, `${before} before, ${await openFiles()} now`);
+  },
+);
 
 // The number of `scene` events within the time, while `act` runs.
 async function countEvents(act, milliseconds = 600) {

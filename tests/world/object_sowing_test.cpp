@@ -25,7 +25,7 @@ Sowing trees(double density) {
 
 std::vector<Object> sown(World& world, const Sowing& sowing) {
     TakenSpots taken(world.maps[0]);
-    EXPECT_TRUE(sowObjects(world, 0, sowing, taken));
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::all);
     return world.maps[0].objects;
 }
 
@@ -164,11 +164,11 @@ TEST(Sowing, NeverPutsTwoOnOneSpot) {
     world.maps[0].objects.push_back(placed);
     TakenSpots taken(world.maps[0]);
     Sowing sowing = trees(0.5);
-    EXPECT_TRUE(sowObjects(world, 0, sowing, taken));
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::all);
     const std::size_t first = world.maps[0].objects.size();
     sowing.seed = 9;
     sowing.density = 1.0;
-    EXPECT_TRUE(sowObjects(world, 0, sowing, taken));
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::all);
     EXPECT_GT(first, 30u);
     EXPECT_LT(first, 70u);
     EXPECT_EQ(world.maps[0].objects.size(), 100u);
@@ -206,15 +206,21 @@ TEST(Sowing, GivesEachItsOwnWay) {
         EXPECT_GT(std::abs(object.y.value() - 10.5), 2.5);
 }
 
-TEST(Sowing, StopsAtTheMostThatAMapMayHave) {
-    World world = emptyWorld(1001, 1001, 1);
+TEST(Sowing, StopsAtTheMostThatAWorldMayHave) {
+    World world = emptyWorld(257, 257, 1);
     Sowing sowing = trees(1.0);
     TakenSpots taken(world.maps[0]);
-    EXPECT_FALSE(sowObjects(world, 0, sowing, taken));
-    sowing.density = 0.9;
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::tooMany);
+    sowing.density = 0.5;
     world.maps[0].objects.clear();
     TakenSpots again(world.maps[0]);
-    EXPECT_TRUE(sowObjects(world, 0, sowing, again));
+    EXPECT_EQ(sowObjects(world, 0, sowing, again), Sown::all);
+
+    // What stands in other maps counts.
+    world.maps.push_back(world.maps[0]);
+    world.maps.push_back(makeMap("third", 257, 257, 1, world.maps[0].floor.texture));
+    TakenSpots third(world.maps[2]);
+    EXPECT_EQ(sowObjects(world, 2, sowing, third), Sown::tooMany);
 }
 
 TEST(Sowing, IsTheSameOnEveryMachine) {

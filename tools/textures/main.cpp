@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "base/image.h"
 #include "catalogue.h"
+#include "files/write_file.h"
 #include "palette_png.h"
 #include "sheet.h"
 
@@ -17,6 +17,8 @@ namespace {
 
 using slicecast::textures::catalogue;
 using slicecast::textures::Entry;
+
+constexpr const char* kProgram = "slicecast-textures";
 
 std::vector<Entry> chosen(const std::vector<std::string>& names) {
     std::vector<Entry> entries;
@@ -47,14 +49,9 @@ bool write(const std::string& path, const slicecast::textures::Picture& picture)
         slicecast::textures::encodePalettePng(pixels, picture.width, picture.height);
     if (bytes.empty())
         bytes = slicecast::encodePng(pixels.data(), picture.width, picture.height, picture.width);
-    std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
-    if (!file.flush()) {
-        std::fprintf(stderr, "slicecast-textures: cannot write %s\n", path.c_str());
-        return false;
-    }
-    return true;
+    const std::string fault = slicecast::writeWholeFile(path, bytes);
+    if (!fault.empty()) std::fprintf(stderr, "%s: %s\n", kProgram, fault.c_str());
+    return fault.empty();
 }
 
 }  // namespace
@@ -74,16 +71,21 @@ int main(int argc, char** argv) {
     app.add_option("--sheet", sheet,
                    "also write a contact sheet to this PNG file, to judge them by");
     app.add_flag("--list", list, "list every name with its use, and draw nothing");
-    CLI11_PARSE(app, argc, argv);
+    slicecast::outliveClosedPipes();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& fault) {
+        return slicecast::finishOutput(kProgram, app.exit(fault));
+    }
 
     if (list) {
         for (const Entry& entry : chosen(only)) {
             std::printf("%-8s %s\n", slicecast::textures::nameOf(entry.use), entry.name.c_str());
         }
-        return 0;
+        return slicecast::finishOutput(kProgram, 0);
     }
     if (folder.empty() && sheet.empty()) {
-        std::fprintf(stderr, "slicecast-textures: say where to draw: a FOLDER, or --sheet FILE\n");
+        std::fprintf(stderr, "%s: say where to draw: a FOLDER, or --sheet FILE\n", kProgram);
         return 1;
     }
 

@@ -14,6 +14,7 @@
 using namespace slicecast;
 
 int main(int argc, char** argv) {
+    outliveClosedPipes();
     if (argc != 2) {
         std::fprintf(stderr, "usage: slicecast-tours ASSETS_FOLDER\n");
         return 2;

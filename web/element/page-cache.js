@@ -59,9 +59,9 @@ export function sharedEngineFiles(kind = 'auto', onBytes = () => {}) {
 }
 
 // The bytes behind an address. Throws what fetchBytes throws.
-export function fetchOnce(address, onBytes = () => {}) {
+export function fetchOnce(address, onBytes = () => {}, most) {
   const { href } = new URL(address);
-  const bytes = share(files, href, (report) => fetchBytes(href, report), onBytes);
+  const bytes = share(files, href, (report) => fetchBytes(href, report, most), onBytes);
   const drop = () => holders === 0 && files.delete(href);
   bytes.then(drop, drop);
   return bytes;

@@ -7,6 +7,7 @@
 
 import { finalAddress } from '../engine/fetch-bytes.js';
 import { kHome, reachable } from '../engine/home.js';
+import { kMostSceneBytes } from '../engine/limits.js';
 import { bringRows } from './late.js';
 import { fetchOnce, pictures } from './page-cache.js';
 import { readSceneObject } from '../engine/scene-object.js';
@@ -201,7 +202,7 @@ function sceneFrom(address) {
     address,
     pictures,
     readText: () =>
-      fetchFile(address).catch((error) => {
+      fetchFile(address, undefined, kMostSceneBytes).catch((error) => {
         throw new Trouble(
           'The scene could not be loaded',
           `${address.href}: ${error.message}.`,
@@ -242,8 +243,8 @@ function filesBeside(address) {
 
 // A page in place of a shipped file: the folders of the package are not where the element looks for
 // them.
-function fetchFile(address, onBytes) {
-  return fetchOnce(address, onBytes).catch((error) => {
+function fetchFile(address, onBytes, most) {
+  return fetchOnce(address, onBytes, most).catch((error) => {
     const isShipped =
       address.href.startsWith(kHome.href) && kShipped.test(address.href.slice(kHome.href.length));
     if (error.code !== 'mime' || !isShipped) throw error;

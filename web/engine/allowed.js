@@ -1,6 +1,7 @@
-// Which addresses a link or a frame's address may name: those of the page's own origin, and those
-// that the page's owner allows besides, by what they begin with. Whoever writes such a link is not
-// the owner.
+// Which addresses of scenes, tours and posters a link or a frame's address may name: those of the
+// page's own origin, and those that the page's owner allows besides, by what they begin with. Whoever
+// writes such a link is not the owner. What the attributes of an element name is its author's own
+// affair.
 //
 //     <meta name="slicecast-scenes" content="https://worlds.example/ https://cdn.example/maps/">      or * for all
 //
@@ -15,7 +16,7 @@ export function allowed(address) {
   const beginnings = told.split(/\s+/).filter(Boolean);
   if (isOwn || beginnings.some((one) => one === '*' || begins(address, one))) return address;
   throw new Trouble(
-    'This page shows no scenes from elsewhere',
+    'This page shows nothing from elsewhere',
     `Found ${address.href.slice(0, 200)}, expected an address that begins with ${[`${location.origin}/`, ...beginnings].join(' or ')}. The page's owner can allow more, by a meta tag with the name slicecast-scenes.`,
     [],
     'address',

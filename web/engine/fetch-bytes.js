@@ -1,11 +1,12 @@
 // Fetches bytes, and finds out why there are none. A browser tells a page only that a fetch failed;
 // the cause takes a second question.
 //
-//     const bytes = await fetchBytes(address, (loaded, total) => {...});
+//     const bytes = await fetchBytes(address, (loaded, total) => {...}, kMostSceneBytes);      // of more than that it throws
 //
 // It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch',
 // 'cors', 'mime' or 'csp'.
 
+import { kMostFileBytes, tooLong } from './limits.js';
 import { coded } from './trouble.js';
 
 const kViolationMilliseconds = 50; // the news of a violation comes after the failure
@@ -28,8 +29,8 @@ export function askAnew() {
 }
 
 // `total` is never below `loaded`; a compressed answer's length is not known beforehand.
-export async function fetchBytes(address, onBytes = () => {}) {
-  const bytes = await readBody(await fetchResponse(address), onBytes);
+export async function fetchBytes(address, onBytes = () => {}, most = kMostFileBytes) {
+  const bytes = await readBody(await fetchResponse(address), onBytes, most);
   if (!isPage(bytes)) return bytes;
   throw coded(
     'mime',
@@ -55,24 +56,30 @@ export async function fetchResponse(address) {
   return response;
 }
 
-export async function readBody(response, onBytes) {
+export async function readBody(response, onBytes, most = kMostFileBytes) {
   const total = response.headers.has('Content-Encoding')
     ? 0
     : Number(response.headers.get('Content-Length') ?? 0);
-  if (response.body === null || (total > 0 && total <= kOnePiece))
-    return readPiece(response, total, onBytes);
+  // Another host may keep to itself that what it sends is compressed.
+  const isShort = total > 0 && total <= kOnePiece && response.type === 'basic';
+  if (response.body === null || isShort) return readPiece(response, total, onBytes);
 
   const chunks = [];
   let loaded = 0;
   const reader = response.body.getReader();
   for (;;) {
+    const found = Math.max(loaded, total);
+    if (found > most) {
+      reader.cancel();
+      throw tooLong(found, most);
+    }
+    if (loaded > 0) onBytes(loaded, found);
     const { done, value } = await reader.read().catch(() => {
       throw coded('fetch', `the server stopped answering after ${loaded} bytes`);
     });
     if (done) break;
     chunks.push(value);
     loaded += value.length;
-    onBytes(loaded, Math.max(total, loaded));
   }
   const bytes = new Uint8Array(loaded);
   let at = 0;

@@ -1,12 +1,18 @@
 // Plain rows of characters, taken apart: rows.js says how they are written.
 //
-//     const { levels, legend, colours, strays } = readRows(text);      // or lists of rows, or of levels of rows
+//     const { levels, size, legend, colours, strays } = readRows(text);      // or lists of rows, or of levels of rows
+//     const tiles = padded(levels);
 //
-// `levels` are rows of single characters, all of one length, as many on each level; `legend` is what
-// its lines say, `strays` are those that say nothing.
+// `levels` are rows as texts, of any length; `size` is what the longest need: {width, depth}. Padded
+// they are rows of single characters, all of one length, as many on each level. `legend` is what its
+// lines say, `strays` are those that say nothing.
+//
+// Whoever writes rows may be a stranger: all of this takes a time that grows as the text does, but
+// for padding, which must be asked for.
 
-const kSeparator = /^\s*-{3,}\s*(\w*)\s*$/;
-const kLegendLine = /^\s*(\S+?)\s*=\s*(\S.*?)\s*$/;
+// Of lines without blanks at their ends; none of them is tried in more ways the longer a line is.
+const kSeparator = /^-{3,}\s*(\w*)$/;
+const kLegendLine = /^(\S+?)\s*=\s*(\S.*)$/s;
 
 export function readRows(rows) {
   if (typeof rows === 'string') return readText(rows);
@@ -16,15 +22,15 @@ export function readRows(rows) {
       ? rows
       : [rows];
   const levels = lists.map((level) =>
-    (Array.isArray(level) ? level : linesOf([level])[0]).map((row) => [...String(row)]),
+    (Array.isArray(level) ? level : linesOf([level])[0]).map(String),
   );
-  return { levels: padded(levels), legend: {}, colours: false, strays: [] };
+  return { levels, size: sizeOf(levels), legend: {}, colours: false, strays: [] };
 }
 
 function readText(text) {
   const parts = [{ word: '', lines: [] }];
   for (const line of text.replaceAll('\r', '').split('\n')) {
-    const separator = kSeparator.exec(line);
+    const separator = kSeparator.exec(line.trim());
     if (separator === null) parts.at(-1).lines.push(line.trimEnd());
     else parts.push({ word: separator[1].toLowerCase(), lines: [] });
   }
@@ -35,7 +41,7 @@ function readText(text) {
     const told = lines.filter((line) => line !== '');
     if (word === 'legend') {
       for (const line of told) {
-        const [, character, meaning] = kLegendLine.exec(line) ?? [];
+        const [, character, meaning] = kLegendLine.exec(line.trim()) ?? [];
         if (character === undefined) strays.push(line.trim());
         else legend[character] = meaning;
       }
@@ -49,10 +55,11 @@ function readText(text) {
       levels.push(lines);
     }
   }
-  const isEmpty = (lines) => lines.every((line) => line === '');
-  while (levels.length > 1 && isEmpty(levels[0])) levels.shift();
+  const first = levels.findIndex((lines) => lines.some((line) => line !== ''));
+  const told = linesOf(levels.slice(first));
   return {
-    levels: padded(linesOf(levels).map((lines) => lines.map((line) => [...line]))),
+    levels: told,
+    size: sizeOf(told),
     legend,
     colours: parts.some(({ word }) => /^colou?rs$/.test(word)),
     strays,
@@ -63,14 +70,12 @@ function readText(text) {
 // first row too, on the first level.
 function linesOf(levels) {
   const lists = levels.map((level) => (Array.isArray(level) ? level : level.split('\n')));
-  const indentation = Math.min(
-    ...lists
-      .flat()
-      .filter((line) => line.trim() !== '')
-      .map((line) => /^[ \t]*/.exec(line)[0].length),
-  );
+  const isTold = (line) => line.trim() !== '';
+  const indentation = lists
+    .flat()
+    .filter(isTold)
+    .reduce((least, line) => Math.min(least, /^[ \t]*/.exec(line)[0].length), Infinity);
   return lists.map((lines, level) => {
-    const isTold = (line) => line.trim() !== '';
     const first = level === 0 ? Math.max(0, lines.findIndex(isTold)) : 0;
     return lines
       .slice(first, lines.findLastIndex(isTold) + 1)
@@ -78,10 +83,19 @@ function linesOf(levels) {
   });
 }
 
-function padded(levels) {
-  const width = Math.max(0, ...levels.flat().map((row) => row.length));
-  const depth = Math.max(0, ...levels.map((rows) => rows.length));
-  return levels.map((rows) =>
+// As many characters as a text has at most: a few take two places in it.
+function sizeOf(levels) {
+  const greatest = (numbers) => numbers.reduce((most, one) => Math.max(most, one), 0);
+  return {
+    width: greatest(levels.flat().map((row) => row.length)),
+    depth: greatest(levels.map((rows) => rows.length)),
+  };
+}
+
+export function padded(levels) {
+  const characters = levels.map((rows) => rows.map((row) => [...row]));
+  const { width, depth } = sizeOf(characters);
+  return characters.map((rows) =>
     Array.from({ length: depth }, (_, y) => {
       const row = rows[y] ?? [];
       return [...row, ...new Array(width - row.length).fill(' ')];

@@ -33,7 +33,7 @@
 //     ---            g = sand floor           a floor
 //     ####           # = brick                what # stands for, with another texture; `blank` and `sky` may stand here too
 
-import { readRows } from './rows-text.js';
+import { padded, readRows } from './rows-text.js';
 import { sceneFault } from './trouble.js';
 
 const kWater = 'water'; // the texture in which one wades
@@ -107,6 +107,8 @@ const kSkyColours = { low: '#d4e0d9', high: '#5b8fc7' };
 const kColour = /^#([0-9a-f]{3}){1,2}$/i;
 const kMeaning =
   'a texture, a colour as #c03020 or a .png file; behind it "floor" or a height up to 1';
+const kMostTiles = 2 ** 20; // of all levels together, as 1024 x 1024 of one: far more than people type
+const kMostFaults = 1000; // more help nobody
 const kOfMap = ['sky', 'light', 'fog', 'haze'];
 
 // An object as a scene file holds it; `name` stands in messages. What `legend` says of a character
@@ -116,7 +118,9 @@ export function sceneOfRows(
   rows,
   { title = 'A map', name = 'rows', legend, textures, ...rest } = {},
 ) {
-  const { levels, strays, ...told } = readRows(rows);
+  const { levels: texts, size, strays, ...told } = readRows(rows);
+  checkSize(name, texts.length, size);
+  const levels = padded(texts);
   const hasColours = told.colours || rest.colours === true;
   const own = readLegend({ ...told.legend, ...legend });
   const tiles = levels.flatMap((level, z) =>
@@ -143,7 +147,7 @@ export function sceneOfRows(
       .filter((key) => ![...kOfMap, 'colours'].includes(key))
       .map((key) => fault(null, `the key "${key}"`, `some of ${kOfKeys.join(', ')}`)),
   ];
-  if (faults.length > 0) throw sceneFault(name, faults);
+  if (faults.length > 0) throw sceneFault(name, faults.slice(0, kMostFaults));
 
   const start = tiles.find(({ character }) => isStart(character, own));
   const blocks = levelsOf(levels, own);
@@ -187,6 +191,14 @@ export function sceneOfRows(
       heading: kHeadings[start.character],
     },
   };
+}
+
+// Rows may be short, but every tile is made: a few long ones and many short ones make many.
+function checkSize(name, levels, { width, depth }) {
+  if (width * depth * levels <= kMostTiles) return;
+  const found = `${width} x ${depth} tiles${levels > 1 ? ` on ${levels} levels` : ''}`;
+  const expected = `at most ${kMostTiles} on all levels together`;
+  throw sceneFault(name, [faultAt(name, null, found, expected)]);
 }
 
 const kOfKeys = ['rows', 'title', 'legend', 'textures', 'colours', ...kOfMap];
@@ -244,6 +256,7 @@ function tileFaults(tiles, own, fault) {
   const expected = `one of ${[...known].filter((character) => character !== ' ').join(' ')} or a blank`;
   const unknown = tiles
     .filter(({ character }) => !known.has(character))
+    .slice(0, kMostFaults)
     .map((tile) => fault(tile, JSON.stringify(tile.character), expected));
   const starts = tiles.filter(({ character }) => isStart(character, own));
   const oneStart = 'one start, < > ^ or v';
@@ -251,7 +264,9 @@ function tileFaults(tiles, own, fault) {
     return [...unknown, fault(null, tiles.length === 0 ? 'no rows' : 'no start', oneStart)];
   return [
     ...unknown,
-    ...starts.slice(1).map((tile) => fault(tile, `another start, ${tile.character}`, oneStart)),
+    ...starts
+      .slice(1, kMostFaults)
+      .map((tile) => fault(tile, `another start, ${tile.character}`, oneStart)),
   ];
 }
 
@@ -371,9 +386,10 @@ function floorOf(rows, own) {
       })
       .join(''),
   );
+  const seen = new Set(tiles.flatMap((row) => [...row]));
   const used = Object.entries(own.floors)
     .map(([character, texture]) => [character === '.' ? kFloorLetter : character, texture])
-    .filter(([letter]) => letter !== ' ' && tiles.some((row) => row.includes(letter)));
+    .filter(([letter]) => letter !== ' ' && seen.has(letter));
   const texture = own.floors[' '];
   const hasWater = [texture, ...used.map(([, other]) => other)].includes(kWater);
   return { texture, ...(hasWater && { water: kWater }), legend: Object.fromEntries(used), tiles };

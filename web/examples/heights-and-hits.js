@@ -1,19 +1,8 @@
 // The third lesson: one slice of a world with heights, as a strip of rows, from the side, and as a
 // list.
 
-import {
-  at,
-  box,
-  dot,
-  escape,
-  find,
-  fixed,
-  follow,
-  line,
-  markColumn,
-  slider,
-  text,
-} from './lesson.js';
+import { at, box, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
+import { escape, putMarkup } from './markup.js';
 
 const kRunNames = {
   side: 'side',
@@ -63,13 +52,13 @@ function draw() {
   const shown = runs.slice(0, filled.value);
 
   markColumn(find('yard-mark'), caster.picture, column.value);
-  find('strip').innerHTML = strip(slice, shown);
+  putMarkup(find('strip'), strip(slice, shown));
   const width = find('side').clientWidth < kSide.phone ? kSide.narrow : kSide.wide;
   find('side').setAttribute('viewBox', `0 0 ${width} ${kSide.bottom}`);
-  find('side').innerHTML = side(slice, shown, width);
+  putMarkup(find('side'), side(slice, shown, width));
   find('side-says').textContent =
     `Now the ray passes ${slice.hits.length} blocks, and ${runs.length} runs fill the ${slice.size[1]} rows.`;
-  find('hits').tBodies[0].innerHTML = table(slice, shown);
+  putMarkup(find('hits').tBodies[0], table(slice, shown));
 }
 
 function nameOf({ hits }, { what, hit }) {

@@ -2,6 +2,8 @@
 //
 //     follow(caster, () => drawPlan(caster.hits(column)));      now if there is a picture, and with every new one
 
+import { escape, putMarkup } from './markup.js';
+
 export const find = (id) => document.getElementById(id);
 
 // With a real minus, and no digits after the point but those that are asked for.
@@ -12,10 +14,6 @@ export function fixed(number, digits = 2) {
 // A coordinate of a drawing: short, and never in the notation of huge numbers.
 export function at(number) {
   return String(Number(Math.max(-1e4, Math.min(1e4, number)).toFixed(3)));
-}
-
-export function escape(text) {
-  return String(text).replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;');
 }
 
 export function text(x, y, content, attributes = '') {
@@ -34,12 +32,14 @@ export function dot(x, y, radius, attributes = '') {
   return `<circle cx="${at(x)}" cy="${at(y)}" r="${at(radius)}" ${attributes}/>`;
 }
 
-// The marker over a picture of that size: the slice that the figure is about.
-export function markColumn(svg, { width, height }, column) {
+// The marker over a picture of that size: the slice that the figure is about; and what else is
+// marked.
+export function markColumn(svg, { width, height }, column, more = '') {
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
   svg.setAttribute('preserveAspectRatio', 'none');
-  svg.innerHTML =
+  const mark =
     box(column - 2, 0, 5, height, 'class="mark-edge"') + box(column, 0, 1, height, 'class="mark"');
+  putMarkup(svg, mark + more);
 }
 
 // A slider and what is written beside its name.

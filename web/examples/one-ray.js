@@ -2,6 +2,7 @@
 // engine says about one slice.
 
 import { compass, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
+import { putMarkup } from './markup.js';
 import { crossingInto, plan, planBox } from './plan.js';
 
 const kKinds = { '#': 'wall', o: 'pillar', b: 'shelf', f: 'wall' };
@@ -50,11 +51,11 @@ function draw() {
   const tiles = Math.min(shown.value, count);
 
   markColumn(find('hall-mark'), caster.picture, column.value);
-  find('plan').innerHTML = plan({ rows, kinds: kKinds, slice, shown: tiles });
+  putMarkup(find('plan'), plan({ rows, kinds: kKinds, slice, shown: tiles }));
   find('plan-says').textContent = sentence(slice);
-  find('rulers').innerHTML = rulers(slice, tiles);
-  find('depths').tBodies[0].innerHTML = table(slice, tiles);
-  find('drift').innerHTML = drift(slice);
+  putMarkup(find('rulers'), rulers(slice, tiles));
+  putMarkup(find('depths').tBodies[0], table(slice, tiles));
+  putMarkup(find('drift'), drift(slice));
   find('ray-length').textContent = fixed(Math.hypot(...slice.ray), 3);
 }
 

@@ -1,7 +1,7 @@
 // A plan: the tiles of a map from above, an eye, and a ray with the tiles that its walk has
 // entered.
 //
-//     svg.innerHTML = plan({rows, kinds: {'#': 'wall'}, slice: caster.trace(column), shown: 5});       one unit of the drawing is a tile
+//     putMarkup(svg, plan({rows, kinds: {'#': 'wall'}, slice: caster.trace(column), shown: 5}));       one unit of the drawing is a tile
 
 import { at, box, dot, line, text } from './lesson.js';
 

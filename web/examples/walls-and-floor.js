@@ -2,6 +2,7 @@
 // beside flat glass, and one row of the floor.
 
 import { box, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
+import { putMarkup } from './markup.js';
 
 const kWallEdge = 1; // y of the long wall's southern face, units
 const kFacing = 270; // degrees: north
@@ -37,8 +38,8 @@ function drawNear() {
   find('height-sum').textContent =
     `= ${fixed(slice.projectionDistance, 1)} · ${fixed(tall, 0)} ÷ ${fixed(hit.depth)} = ${fixed(rows, 1)}`;
   find('near-mark').setAttribute('viewBox', `0 0 ${width} ${height}`);
-  find('near-mark').innerHTML = bracket(width / 2, hit.topFrontRow, hit.bottomFrontRow);
-  find('side').innerHTML = side(slice, hit, rows);
+  putMarkup(find('near-mark'), bracket(width / 2, hit.topFrontRow, hit.bottomFrontRow));
+  putMarkup(find('side'), side(slice, hit, rows));
 }
 
 function bracket(x, top, bottom) {
@@ -118,9 +119,12 @@ function drawFlat() {
       ? `M${edges[0].column + 0.5} ${edges[0].hit.topFrontRow}L${edges[1].column + 0.5} ${edges[1].hit.topFrontRow}`
       : '';
   for (const name of ['flat', 'old']) {
-    markColumn(find(`${name}-mark`), { width, height }, slice.value);
-    find(`${name}-mark`).innerHTML +=
-      `<path d="${straight}" class="mark-line edge"/><path d="${straight}" class="mark-line"/>`;
+    markColumn(
+      find(`${name}-mark`),
+      { width, height },
+      slice.value,
+      `<path d="${straight}" class="mark-line edge"/><path d="${straight}" class="mark-line"/>`,
+    );
   }
 }
 
@@ -167,7 +171,7 @@ function drawLengths(traced, hit, edges) {
       `class="ray-text halo" font-size="16" text-anchor="${slope < 0 ? 'end' : 'start'}"`,
     ),
   );
-  find('lengths').innerHTML = parts.join('');
+  putMarkup(find('lengths'), parts.join(''));
   find('length-depth').textContent = fixed(hit.depth, 3);
   find('length-distance').textContent = fixed(distance, 3);
   find('rows-depth').textContent = fixed((traced.projectionDistance * tall) / hit.depth, 1);
@@ -223,10 +227,12 @@ function drawFloor() {
   const mark = find('floor-mark');
   mark.setAttribute('viewBox', `0 0 ${width} ${height}`);
   mark.setAttribute('preserveAspectRatio', 'none');
-  mark.innerHTML =
+  putMarkup(
+    mark,
     box(0, row.value - 2, width, 5, 'class="mark-edge"') +
-    box(0, row.value, width, 1, 'class="mark"');
-  find('floor-plan').innerHTML = floorPlan(traced, width, below > 0 ? t : null);
+      box(0, row.value, width, 1, 'class="mark"'),
+  );
+  putMarkup(find('floor-plan'), floorPlan(traced, width, below > 0 ? t : null));
 }
 
 // Turned so that ahead is up.

@@ -6,11 +6,11 @@
 //     const source = openScene({ rows: '####\n#>.#\n####' });            // plain rows of characters
 //     source.failures                                                     // file -> why it could not be read
 
-import { statSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
+import { createReadStream, statSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { inspect } from 'node:util';
 
+import { kMostFileBytes, kMostSceneBytes, tooLong } from '../engine/limits.js';
 import { coded } from '../engine/trouble.js';
 import { sceneOfObject } from '../engine/rows.js';
 import { readSceneObject } from '../engine/scene-object.js';
@@ -21,6 +21,7 @@ import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.j
 export const kPackage = new URL('../', import.meta.url ?? 'file:///');
 
 const kShipped = new URL('scenes/', kPackage);
+const kPiece = 1 << 20; // bytes that are read of a file at once
 const kMostReads = 32; // at a time, of all scenes together: a process may have only so many files open
 
 export function openScene(scene, base) {
@@ -45,7 +46,7 @@ export function openScene(scene, base) {
   return {
     name: nameOf(address),
     async readText() {
-      const { bytes, from } = await readAt(address).catch(async (error) => {
+      const { bytes, from } = await readAt(address, kMostSceneBytes).catch(async (error) => {
         throw isName && error.message.includes('ENOENT') ? await noSuchName(scene) : error;
       });
       if (isFile(from)) beside = from;
@@ -57,12 +58,15 @@ export function openScene(scene, base) {
 
 // {bytes, from}: whence they came in the end, which is elsewhere where a server sends one on.
 // Throws an Error with the code 'fetch'.
-export async function readAt(address) {
+export async function readAt(address, most = kMostFileBytes) {
   try {
     return await inTurn(() =>
       address.protocol === 'file:'
-        ? readFile(address).then((bytes) => ({ bytes, from: address }))
-        : fetchAt(address),
+        ? collect(createReadStream(address, { highWaterMark: kPiece }), most).then((bytes) => ({
+            bytes,
+            from: address,
+          }))
+        : fetchAt(address, most),
     );
   } catch (error) {
     // Of a file's error the first part says what it is, the rest repeats the path.
@@ -77,11 +81,25 @@ async function bytesAt(address) {
   return (await readAt(address)).bytes;
 }
 
-async function fetchAt(address) {
+async function fetchAt(address, most) {
   const answer = await fetch(address);
   if (!answer.ok)
     throw new Error(`the server answers ${answer.status} ${answer.statusText}`.trim());
-  return { bytes: new Uint8Array(await answer.arrayBuffer()), from: new URL(answer.url) };
+  return { bytes: await collect(answer.body ?? [], most), from: new URL(answer.url) };
+}
+
+// What is not read to its end is closed.
+async function collect(pieces, most) {
+  const all = [];
+  let length = 0;
+  for await (const piece of pieces) {
+    length += piece.length;
+    if (length > most) throw tooLong(length, most);
+    all.push(piece);
+  }
+  const bytes = new Uint8Array(length);
+  all.reduce((at, piece) => (bytes.set(piece, at), at + piece.length), 0);
+  return bytes;
 }
 
 let reads = 0;

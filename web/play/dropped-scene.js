@@ -7,6 +7,7 @@
 
 import { Trouble } from '../engine/trouble.js';
 import { fetchBytes } from '../engine/fetch-bytes.js';
+import { kMostFileBytes, kMostSceneBytes, tooLong } from '../engine/limits.js';
 import { sceneAddress } from './scene-list.js';
 
 export async function playDropped(caster, address, entries) {
@@ -42,7 +43,15 @@ function sourceOf(scene, entries) {
   const folder = scene.path.split('/').slice(0, -1);
   return {
     name: scene.file.name,
-    readText: async () => new Uint8Array(await scene.file.arrayBuffer()),
+    readText: () =>
+      bytesOf(scene.file, kMostSceneBytes).catch((error) => {
+        throw new Trouble(
+          'The scene cannot be opened',
+          `${scene.path}: ${error.message}.`,
+          [],
+          error.code,
+        );
+      }),
     async readFile(name) {
       const path = joinPath(folder, name);
       const baseName = name.split('/').pop();
@@ -51,9 +60,14 @@ function sourceOf(scene, entries) {
         entries.find((other) => other.file.name === baseName);
       return entry === undefined
         ? fetchBytes(new URL(name, sceneAddress('index')))
-        : new Uint8Array(await entry.file.arrayBuffer());
+        : bytesOf(entry.file, kMostFileBytes);
     },
   };
+}
+
+async function bytesOf(file, most) {
+  if (file.size > most) throw tooLong(file.size, most);
+  return new Uint8Array(await file.arrayBuffer());
 }
 
 // What a drop holds, folders included: [{path, file}].

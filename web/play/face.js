@@ -9,6 +9,7 @@
 import { asTrouble } from '../engine/trouble.js';
 import { nearOf } from './slips.js';
 import { TroubleSheet } from './trouble-sheet.js';
+import { nameFrom, titleFrom } from './whose.js';
 
 const kEngineShare = 0.5; // of the loading bar, until there was a picture
 
@@ -97,7 +98,9 @@ export class Face {
 
   #ready() {
     this.isQuiet = false;
-    const { title } = this.#caster.world;
+    const { address, world } = this.#caster;
+    const title = titleFrom(address, world.title);
+    this.#caster.label = nameFrom(address, world.title);
     document.title = `${title} · Slicecast`;
     find('bar-title').textContent = title;
     find('pause-title').textContent = title;

@@ -91,7 +91,7 @@ export class Hints {
       if (!this.#known.has(name) && isFollowed(this.#now)) this.#learn(name);
     const hint = kHints.find(({ name, isNeeded }) => !this.#known.has(name) && isNeeded(this.#now));
     const text = gateText(player.gate) || (hint === undefined ? '' : textOf(hint));
-    this.#show(text.replace(/\{(\w+)\}/g, (_, name) => this.#key(name)));
+    this.#show(text);
   }
 
   #follow(player) {
@@ -108,7 +108,7 @@ export class Hints {
   #key(name) {
     const key = document.createElement('kbd');
     key.textContent = labelOf(this.#caster, name);
-    return key.outerHTML;
+    return key;
   }
 
   #learn(name) {
@@ -120,11 +120,16 @@ export class Hints {
     }
   }
 
-  #show(html) {
-    if (html === this.#shown) return;
-    this.#shown = html;
-    if (html !== '') this.#line.innerHTML = html;
-    this.#line.classList.toggle('shown', html !== '');
+  // Every other part of the text is the name of a key. What is shown stays while it fades.
+  #show(text) {
+    const parts = text
+      .split(/\{(\w+)\}/)
+      .map((part, index) => (index % 2 === 0 ? part : this.#key(part)));
+    const shown = parts.map((part) => part.textContent ?? part).join('');
+    if (shown === this.#shown) return;
+    this.#shown = shown;
+    if (text !== '') this.#line.replaceChildren(...parts);
+    this.#line.classList.toggle('shown', text !== '');
   }
 }
 

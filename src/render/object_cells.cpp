@@ -1,0 +1,86 @@
+#include "render/object_cells.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace slicecast {
+namespace {
+
+constexpr double kSlack = 1.0 / 256.0;  // units; far more than roundings
+
+// A line that the cells of a wedge are not wholly beyond.
+struct Side {
+    double first;  // the greatest value of the first cell, below 0 if it is beyond
+    double perColumn;
+    double perRow;
+
+    double at(int column, int row) const { return first + column * perColumn + row * perRow; }
+};
+
+}  // namespace
+
+void ObjectCells::fill(const Map& map) {
+    map_ = &map;
+    columns_ = rows_ = 0;
+    halfWidest_ = highest_ = 0.0;
+    if (map.objects.empty()) return;
+    std::int64_t east = map.objects[0].x.raw;
+    std::int64_t south = map.objects[0].y.raw;
+    west_ = east;
+    north_ = south;
+    for (const Object& object : map.objects) {
+        west_ = std::min<std::int64_t>(west_, object.x.raw);
+        east = std::max<std::int64_t>(east, object.x.raw);
+        north_ = std::min<std::int64_t>(north_, object.y.raw);
+        south = std::max<std::int64_t>(south, object.y.raw);
+        halfWidest_ = std::max(halfWidest_, object.width.value() / 2.0);
+        highest_ = std::max(highest_, (object.z + object.height).value());
+    }
+    // Few objects are looked at one by one.
+    constexpr std::size_t kFew = 64;
+    shift_ = map.objects.size() <= kFew ? 40 : 16;
+    while ((std::max(east - west_, south - north_) >> shift_) >= kMost) ++shift_;
+    columns_ = static_cast<int>((east - west_) >> shift_) + 1;
+    rows_ = static_cast<int>((south - north_) >> shift_) + 1;
+    // Counted, then put in their places, from the last one on.
+    starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+    const auto startOf = [&](const Object& object) -> int& {
+        return starts_[static_cast<std::size_t>(rowOf(object) * columns_ + columnOf(object))];
+    };
+    for (const Object& object : map.objects) ++startOf(object);
+    for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
+    order_.resize(map.objects.size());
+    for (std::size_t i = map.objects.size(); i-- > 0;)
+        order_[static_cast<std::size_t>(--startOf(map.objects[i]))] = static_cast<int>(i);
+}
+
+// A cell lies outside of the wedge if it lies behind the point, or wholly beyond one of the two
+// edges: where the greatest value that a . p + b has for its points p is below 0.
+void ObjectCells::find(const GroundWedge& wedge, std::vector<int>& found) const {
+    const double size = static_cast<double>(std::int64_t{1} << shift_) / 65536.0;
+    const double x = static_cast<double>(west_ - wedge.x) / 65536.0;  // of the first cell's corner
+    const double y = static_cast<double>(north_ - wedge.y) / 65536.0;
+    const auto side = [&](double ax, double ay, double b) {
+        const double greatest =
+            ax * x + ay * y + b + (std::max(ax, 0.0) + std::max(ay, 0.0)) * size;
+        return Side{greatest, ax * size, ay * size};
+    };
+    const auto edge = [&](double aside, double sign) {
+        return side(sign * (wedge.right.x - aside * wedge.forward.x),
+                    sign * (wedge.right.y - aside * wedge.forward.y), halfWidest_ + kSlack);
+    };
+    const Side ahead = side(wedge.forward.x, wedge.forward.y, kSlack);
+    const Side left = edge(wedge.left, 1.0);
+    const Side right = edge(wedge.end, -1.0);
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            if (ahead.at(column, row) < 0.0 || left.at(column, row) < 0.0 ||
+                right.at(column, row) < 0.0)
+                continue;
+            const auto cell = static_cast<std::size_t>(row * columns_ + column);
+            for (int i = starts_[cell]; i < starts_[cell + 1]; ++i)
+                found.push_back(order_[static_cast<std::size_t>(i)]);
+        }
+}
+
+}  // namespace slicecast

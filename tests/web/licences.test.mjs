@@ -1,0 +1,36 @@
+// The licences of the libraries that are in the engine: they ask to be passed on with it.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { root } from '../wasm/load.mjs';
+
+const page = join(root, 'build/web');
+const kLicences = {
+  LICENSE: /^MIT License\s+Copyright \(c\) \d+ Slicecast contributors/,
+  'licences/SDL2.txt': /Sam Lantinga[\s\S]*without any express or implied\s+warranty/,
+  'licences/stb.txt': /Sean Barrett[\s\S]*Permission is hereby granted, free of charge/,
+  'licences/RapidJSON.txt': /Milo Yip[\s\S]*Permission is hereby granted, free of charge/,
+  'licences/musl.txt': /Rich Felker[\s\S]*Permission is hereby granted, free of charge/,
+};
+
+test("the page holds its own licence and those of the engine's libraries", () => {
+  for (const [name, expected] of Object.entries(kLicences))
+    assert.match(readFileSync(join(page, name), 'utf8'), expected, name);
+});
+
+test('the package does, too', () => {
+  const told = execFileSync(
+    'npm',
+    ['pack', '--dry-run', '--json', '--ignore-scripts', '--offline'],
+    {
+      cwd: page,
+      encoding: 'utf8',
+      stdio: ['ignore', 'pipe', 'ignore'],
+    },
+  );
+  const names = JSON.parse(told)[0].files.map(({ path }) => path);
+  for (const name of Object.keys(kLicences)) assert.ok(names.includes(name), name);
+});

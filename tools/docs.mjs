@@ -1,0 +1,26 @@
+// Builds the documentation: web/docs/*.md become the pages in FOLDER/docs, by Eleventy.
+//
+//     node tools/docs.mjs FOLDER        // of a built page, with its engine, which draws the pictures
+
+import { Eleventy } from '@11ty/eleventy';
+import { rm } from 'node:fs/promises';
+import path from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+
+import { configure } from './docs/site.mjs';
+
+const [given] = process.argv.slice(2);
+if (given === undefined)
+  throw new Error('tools/docs.mjs: found no folder, expected that of a built page');
+const folder = path.resolve(given);
+
+// Eleventy wants paths relative to where it runs.
+process.chdir(fileURLToPath(new URL('..', import.meta.url)));
+const output = path.relative('.', path.join(folder, 'docs'));
+await rm(output, { recursive: true, force: true });
+const site = new Eleventy('web/docs', output, {
+  quietMode: true,
+  config: (config) => configure(config, folder),
+});
+await site.write();

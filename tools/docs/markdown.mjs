@@ -1,0 +1,86 @@
+// Markdown as the documentation writes it: CommonMark with tables and HTML, and these.
+//
+// - Headings have an id, spelled as code hosts spell it, so that links work there and here.
+// - A link to another page names its source, `scenes.md#gates`; in the built page it ends in .html.
+// - A fence ```json picture=NAME alt="..."``` is laid over a scene, which is drawn beside it: see
+//   pictures.mjs.
+// - The comment <!-- scene-reference --> on a line of its own is the table of every key of scenes.
+
+import anchor from 'markdown-it-anchor';
+import { createRequire } from 'node:module';
+
+import { sceneReference } from './scene-reference.mjs';
+
+// Eleventy's own copy.
+const require = createRequire(createRequire(import.meta.url).resolve('@11ty/eleventy'));
+const MarkdownIt = require('markdown-it');
+
+export function markdown(pictures) {
+  const parser = new MarkdownIt({ html: true });
+  parser.use(anchor, { level: [2, 3], slugify: slugOf, tabIndex: false });
+  const { escapeHtml } = parser.utils;
+  const { rules } = parser.renderer;
+
+  parser.core.ruler.push('links', ({ tokens }) => {
+    for (const token of tokens.flatMap(({ children }) => children ?? [])) {
+      if (token.type !== 'link_open') continue;
+      token.attrSet('href', token.attrGet('href').replace(/^([\w-]+)\.md(?=#|$)/, '$1.html'));
+    }
+  });
+
+  rules.fence = (tokens, index) => {
+    const { content, info } = tokens[index];
+    // A block without a language is a drawing, which nobody copies.
+    const kind = info === '' ? 'snippet drawing' : 'snippet';
+    const snippet = `<div class="${kind}"><pre tabindex="0"><code>${escapeHtml(content)}</code></pre></div>\n`;
+    const settings = settingsOf(info);
+    return settings.picture === undefined
+      ? snippet
+      : `<figure class="scene">\n${pictures.add(settings, content, escapeHtml)}${snippet}</figure>\n`;
+  };
+
+  rules.html_block = (tokens, index) =>
+    tokens[index].content.replace('<!-- scene-reference -->', () => sceneReference());
+
+  // On phones the rows of a wide table are stacked, each cell under the title of its column.
+  parser.core.ruler.push('tables', ({ tokens }) => {
+    for (const [index, { type }] of tokens.entries()) {
+      if (type !== 'table_open') continue;
+      const rest = tokens.slice(index);
+      const inside = rest.slice(
+        0,
+        rest.findIndex((each) => each.type === 'table_close'),
+      );
+      const titles = inside.flatMap((each, at) =>
+        each.type === 'th_open' ? [inside[at + 1].content] : [],
+      );
+      tokens[index].meta = { columns: titles.length };
+      let column = 0;
+      for (const token of inside) {
+        if (token.type === 'tr_open') column = 0;
+        if (token.type === 'td_open') token.attrSet('data-label', titles[column++]);
+      }
+    }
+  });
+  rules.table_open = (tokens, index) =>
+    `<div class="table${tokens[index].meta.columns > 2 ? ' wide' : ''}"><table>\n`;
+  rules.table_close = () => '</table></div>\n';
+  return parser;
+}
+
+function slugOf(title) {
+  return title
+    .trim()
+    .toLowerCase()
+    .replaceAll(/[^\p{Letter}\p{Number}\s_-]/gu, '')
+    .replaceAll(/\s/g, '-');
+}
+
+// The settings after a fence's language: `name=word`, `name="some words"` or a name alone.
+function settingsOf(info) {
+  return Object.fromEntries(
+    [...info.matchAll(/([\w-]+)(?:=(?:"([^"]*)"|(\S+)))?/g)]
+      .slice(1)
+      .map(([, name, words, word]) => [name, words ?? word ?? true]),
+  );
+}

@@ -1,0 +1,126 @@
+// The pictures of the documentation. A fence ```json picture=glass alt="A pane"``` holds a part of a
+// scene. Laid over web/docs/scenes/glass.json, where that is, and over base.json there, it is a
+// whole scene. The engine draws it from its start when the pages are built, and the reader can open
+// it. So no snippet is shown that does not load.
+//
+// A snippet with braces around it is a whole scene of its own.
+//
+//     picture=NAME      docs/scenes/NAME.json and NAME.png in the built page
+//     alt="..."         what the picture shows, for those who do not see it
+//     in=map            the snippet belongs into the scene's first map
+//     view=x,y,...      from where it is seen, as in the element's attribute; kView without it, for a
+//                       whole scene its start
+//     seconds=2.5       the time in the world at which the picture is drawn
+//     live              an element that can be played, not a picture
+
+import { encode } from 'fast-png';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const kSize = { width: 640, height: 360 };
+const kView = '3.4,8.9,1.9,293,-0.1';
+const kStepsPerSecond = 120;
+
+export class Pictures {
+  #folder; // of the built page
+  #all = new Map(); // name -> {scene, view, seconds}
+
+  constructor(folder) {
+    this.#folder = folder;
+  }
+
+  // Takes a snippet up, and gives the HTML that shows its picture.
+  add(
+    { picture: name, alt, in: place, view: given, seconds = 0, live = false },
+    snippet,
+    escapeHtml,
+  ) {
+    if (alt === undefined) throw new Error(`web/docs: the picture ${name} has no alt="...".`);
+    if (this.#all.has(name)) throw new Error(`web/docs: two pictures are named ${name}.`);
+    const part = parsePart(snippet, name);
+    const isWhole = snippet.startsWith('{');
+    const under = isWhole ? [] : [partOf('base'), partOf(name)];
+    const layers = [...under, place === 'map' ? { maps: [part] } : part];
+    const scene = layers.reduce((lower, upper) => laidOver(lower, upper));
+    const view = given ?? (isWhole ? null : kView);
+    this.#all.set(name, { scene: movedDown(scene), view, seconds: Number(seconds) });
+    const from = view === null ? '' : ` view="${view}"`;
+    const fromHere = view === null ? '' : `&amp;view=${view}`;
+    const words = escapeHtml(alt);
+    const image = (loading) =>
+      `<img src="scenes/${name}.png" alt="${words}" width="${kSize.width}" height="${kSize.height}"${loading}>`;
+    return live
+      ? `<ray-caster scene="scenes/${name}.json" poster="scenes/${name}.png"${from} controls label="${words}">${image('')}</ray-caster>\n`
+      : `<a class="open" href="../index.html?scene=docs/scenes/${name}.json${fromHere}">${image(' loading="lazy"')}<span>Open</span></a>\n`;
+  }
+
+  async draw() {
+    const { load } = await import(pathToFileURL(path.join(this.#folder, 'node/index.js')));
+    const scenes = path.join(this.#folder, 'docs/scenes');
+    mkdirSync(scenes, { recursive: true });
+    for (const [name, { scene, view, seconds }] of this.#all) {
+      const file = path.join(scenes, `${name}.json`);
+      writeFileSync(file, `${JSON.stringify(scene, null, 2)}\n`);
+      const running = await load(file);
+      if (running.warnings.length > 0)
+        throw new Error(`web/docs, picture ${name}: ${JSON.stringify(running.warnings, null, 2)}`);
+      if (view !== null && !running.look(view))
+        throw new Error(`web/docs, picture ${name}: no eye can be at ${view}.`);
+      if (seconds > 0) running.step(Math.round(seconds * kStepsPerSecond));
+      const png = encode(withoutAlpha(running.pixels(kSize)), { zlib: { level: 9 } });
+      writeFileSync(path.join(scenes, `${name}.png`), png);
+      running.free();
+    }
+  }
+}
+
+function partOf(name) {
+  const file = `web/docs/scenes/${name}.json`;
+  return existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {};
+}
+
+// A snippet shows keys without the braces around them.
+function parsePart(snippet, name) {
+  try {
+    const text = snippet.trim();
+    return JSON.parse(text.startsWith('{') ? text : `{${text}}`);
+  } catch (error) {
+    throw new Error(`web/docs, picture ${name}: ${error.message}`);
+  }
+}
+
+// Objects are laid over one another key by key, maps one by one; everything else is
+// replaced, a sky too: it is of one kind or the other.
+function laidOver(under, over, key) {
+  const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+  if (key === 'maps' && Array.isArray(under) && Array.isArray(over))
+    return [
+      ...over.map((map, index) => laidOver(under[index] ?? {}, map)),
+      ...under.slice(over.length),
+    ];
+  if (!isObject(under) || !isObject(over) || key === 'sky') return over;
+  const names = new Set([...Object.keys(under), ...Object.keys(over)]);
+  return Object.fromEntries(
+    [...names].map((name) => [
+      name,
+      !(name in over)
+        ? under[name]
+        : name in under
+          ? laidOver(under[name], over[name], name)
+          : over[name],
+    ]),
+  );
+}
+
+// Snippets name pictures as a scene in assets/scenes does; theirs lies one folder further down.
+function movedDown(scene) {
+  return JSON.parse(JSON.stringify(scene).replaceAll('"../', '"../../'));
+}
+
+function withoutAlpha({ width, height, data }) {
+  const colours = new Uint8Array(width * height * 3);
+  for (let pixel = 0; pixel < width * height; pixel++)
+    colours.set(data.subarray(4 * pixel, 4 * pixel + 3), 3 * pixel);
+  return { width, height, data: colours, channels: 3, depth: 8 };
+}

@@ -1,0 +1,103 @@
+// The scenes' JSON Schema as kinds of objects with keys, in the order in which a scene leads to
+// them.
+//
+//     objectKinds(schema)       // [{id, title, description, nodes, keys}]
+//     keys                      // [{name, node, required, description, standard}]
+//
+// A node is the schema's own with its references followed: {type, enum, minimum, ..., items, values,
+// variants, said}. Equal places of the schema are one node.
+
+const kSaid = {
+  colour: 'a colour, <code>#rrggbb</code>',
+  file: 'a PNG file',
+  textureName: 'the name of a texture',
+  rows: 'rows of characters',
+  legend: 'a name for each character',
+  groundName: '<code>floor</code> or the name of a blueprint',
+};
+// Where the schema has a title that says too little without its place.
+const kTitles = {
+  scene: 'Scene',
+  texture: 'Sheet of frames',
+  to: 'Exit of a portal',
+  objectMotion: 'Motion of an object',
+  motion: 'Motion of blocks',
+  sown: 'Sown objects',
+  face: 'Face',
+  water: 'Water',
+};
+
+export function objectKinds(schema) {
+  const kinds = [];
+  const nodes = new Map(); // place in the schema -> node
+
+  function nodeAt(raw, id) {
+    if (nodes.has(raw)) return nodes.get(raw);
+    const node = { ...raw };
+    nodes.set(raw, node);
+    const target = raw.$ref ?? raw.allOf?.[0].$ref;
+    if (target !== undefined) {
+      const name = target.split('/').at(-1);
+      const followed = nodeAt(schema.definitions[name], name);
+      return nodes.set(raw, followed).get(raw);
+    }
+    if (kSaid[id] !== undefined) node.said = kSaid[id];
+    else if (raw.anyOf && !raw.properties)
+      node.variants = raw.anyOf.map((each) => nodeAt(each, id));
+    else if (raw.properties) addKeys(node, raw, id);
+    else if (raw.items) node.items = nodeAt(raw.items, id);
+    else if (typeof raw.additionalProperties === 'object')
+      node.values = nodeAt(raw.additionalProperties, id);
+    return node;
+  }
+
+  // Variants of one thing, as a sky of two colours and a panorama, are one kind.
+  function addKeys(node, raw, id) {
+    let kind = kinds.find((each) => each.id === id);
+    if (kind === undefined) {
+      const { title, description } = schema.definitions[id] ?? (id === 'scene' ? schema : raw);
+      kind = { id, title: kTitles[id] ?? title, description, nodes: [], keys: [] };
+      kinds.push(kind);
+    }
+    kind.nodes.push(node);
+    for (const [name, value] of Object.entries(raw.properties)) {
+      if (kind.keys.some((key) => key.name === name)) continue;
+      const target = targetOf(schema, value);
+      const key = {
+        name,
+        required: raw.required?.includes(name) ?? false,
+        description: value.description ?? target.description ?? target.title ?? value.title,
+        standard: value.default ?? target.default,
+      };
+      kind.keys.push(key);
+      kind.title ??= titleOf(schema, id);
+      key.node = nodeAt(value, name);
+    }
+  }
+
+  nodeAt(schema, 'scene');
+  for (const kind of kinds) {
+    const { title, description } = describedAt(schema, kind.id);
+    kind.title ??= title;
+    kind.description ??= description;
+  }
+  return kinds;
+}
+
+function targetOf(schema, value) {
+  const target = value.$ref ?? value.allOf?.[0].$ref;
+  return target === undefined ? value : schema.definitions[target.split('/').at(-1)];
+}
+
+function titleOf(schema, id) {
+  return describedAt(schema, id).title;
+}
+
+// An object that is typed within another one is described by its key there.
+function describedAt(schema, id) {
+  for (const { properties } of [schema, ...Object.values(schema.definitions)]) {
+    const found = properties?.[id];
+    if (found !== undefined) return { ...targetOf(schema, found), ...found };
+  }
+  return {};
+}

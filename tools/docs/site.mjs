@@ -1,0 +1,58 @@
+// How Eleventy builds the documentation: Markdown without a template language in it, one layout
+// (page.njk), addresses that end in .html, and links that are relative, so that the folder works
+// wherever it is put.
+
+import { existsSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+
+import { markdown } from './markdown.mjs';
+import { Pictures } from './pictures.mjs';
+
+const kVersion = /project\(Slicecast VERSION ([0-9.]+)/;
+
+// `folder` is the built page whose engine draws the pictures.
+export function configure(config, folder) {
+  const pictures = new Pictures(folder);
+
+  config.setLibrary('md', markdown(pictures));
+  config.setIncludesDirectory('../../tools/docs');
+  config.setTemplateFormats(['md']);
+  config.addGlobalData('layout', 'page.njk');
+  config.addGlobalData(
+    'permalink',
+    () =>
+      ({ page }) =>
+        `${page.fileSlug || 'index'}.html`,
+  );
+  config.addGlobalData('version', kVersion.exec(readFileSync('CMakeLists.txt', 'utf8'))[1]);
+
+  // The pages in the order of their front matter, in groups: [{title, pages}].
+  config.addCollection('groups', (all) => {
+    const groups = new Map();
+    const pages = all.getAll().sort((left, right) => left.data.order - right.data.order);
+    for (const page of pages) {
+      for (const key of ['title', 'description', 'order', 'group']) {
+        if (page.data[key] === undefined)
+          throw new Error(`${page.inputPath}: its front matter has no "${key}".`);
+      }
+      if (!groups.has(page.data.group)) groups.set(page.data.group, []);
+      groups.get(page.data.group).push(page);
+    }
+    return [...groups].map(([title, members]) => ({ title, pages: members }));
+  });
+
+  // The second-order headings of a page: [{id, title}].
+  config.addFilter('sections', (html) =>
+    [...html.matchAll(/<h2 id="([^"]+)"[^>]*>([\s\S]*?)<\/h2>/g)].map(([, id, title]) => ({
+      id,
+      title: title.replaceAll(/<[^>]+>/g, ''),
+    })),
+  );
+
+  config.on('eleventy.after', () => pictures.draw());
+
+  return {
+    markdownTemplateEngine: false,
+    dir: { includes: '../../tools/docs' },
+  };
+}
