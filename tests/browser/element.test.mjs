@@ -376,7 +376,11 @@ const kSlips = [
   ['view', '1,2', /^view: found "1,2", expected x,y,z,heading/],
   ['view', '3.5,3.5,-4,0', /^The view '3.5,3.5,-4,0' is not above the floor\.$/],
   ['view', '3.5,3.5,0.5,0,0,rom', /^Unknown map 'rom'\. Did you mean 'room'\?$/],
-  ['size', 'large', /^The size is auto, WIDTHxHEIGHT in pixels of at most 4096, or 10% to 100% of the box, not 'large'\.$/],
+  [
+    'size',
+    'large',
+    /^The size is auto, WIDTHxHEIGHT in pixels of at most 4096, or 10% to 100% of the box, not 'large'\.$/,
+  ],
   ['size', '5000x10', /not '5000x10'\.$/],
   ['controls', 'play savee', /^Unknown control 'savee'\. Did you mean 'save'\?$/],
   ['controls', 'stop', /^Unknown control 'stop'\. Expected play, reset, .* or fullscreen\.$/],
