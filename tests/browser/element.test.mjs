@@ -262,9 +262,7 @@ test('another scene takes the place of the first only once it is there', async (
   assert.deepEqual(await elementPixel(page, 'a'), kBlue);
   const events = await eventsOf(page, 'a');
   assert.deepEqual(
-    events
-      .filter(([name]) => name !== 'progress')
-      .map(([name, { state, title }]) => state ?? title),
+    events.filter(([name]) => name !== 'progress').map(([, { state, title }]) => state ?? title),
     ['loading', 'paused', 'The other room'],
   );
   assert.ok(events.some(([name, { share }]) => name === 'progress' && share === 1));

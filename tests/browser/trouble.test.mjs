@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
-import { kRoom, openGuest, ready, until } from './guest-page.mjs';
+import { openGuest, ready, until } from './guest-page.mjs';
 import { roomFiles, roomScene } from './room.mjs';
 import { serve } from './static-server.mjs';
 import { errorCodes } from '../../web/element/faults.js';

@@ -2,8 +2,7 @@
 // (page.njk), addresses that end in .html, and links that are relative, so that the folder works
 // wherever it is put.
 
-import { existsSync, readFileSync } from 'node:fs';
-import path from 'node:path';
+import { readFileSync } from 'node:fs';
 
 import { markdown } from './markdown.mjs';
 import { Pictures } from './pictures.mjs';

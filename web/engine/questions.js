@@ -44,7 +44,7 @@ export class Questions {
     if (typeof from !== 'object' || from === null)
       throw misread('cast', from, 'an object with x, y, heading and, if wanted, map and z');
     // A view is such a place too; where it looks up and down does not matter.
-    const { map, x, y, z = null, heading, look, ...others } = from;
+    const { map, x, y, z = null, heading, look: _, ...others } = from;
     for (const name of Object.keys(others))
       throw new RangeError(`cast: ${unknown('field', name, ['map', 'x', 'y', 'z', 'heading'])}`);
     for (const [name, value] of Object.entries({ x, y, heading, z: z ?? 0 })) {

@@ -96,7 +96,7 @@ const turn = slider(
       : `${fixed(Math.abs(value), 0)}° to the ${value < 0 ? 'left' : 'right'}`,
   (value) => flat.look({ heading: kFacing + value }),
 );
-const fov = slider(
+slider(
   'fov',
   (value) => `${value}°`,
   (value) => {
