@@ -34,7 +34,7 @@ function readText(text) {
     if (separator === null) parts.at(-1).lines.push(line.trimEnd());
     else parts.push({ word: separator[1].toLowerCase(), lines: [] });
   }
-  const legend = {};
+  const legend = Object.create(null); // even __proto__ is a key like others
   const strays = [];
   const levels = [];
   for (const { word, lines } of parts) {

@@ -105,6 +105,7 @@ const kColours = {
 const kSkyColours = { low: '#d4e0d9', high: '#5b8fc7' };
 
 const kColour = /^#([0-9a-f]{3}){1,2}$/i;
+const kUnfit = /^[\p{C}\p{M}\p{Z}‖▪]$/u; // the engine shows no such letters; two are our own
 const kMeaning =
   'a texture, a colour as #c03020 or a .png file; behind it "floor" or a height up to 1';
 const kMostTiles = 2 ** 20; // of all levels together, as 1024 x 1024 of one: far more than people type
@@ -135,7 +136,7 @@ export function sceneOfRows(
     );
   const faults = [
     ...tileFaults(tiles, own, fault),
-    ...own.faults.map((found) => fault(null, found, kMeaning)),
+    ...own.faults.map(([found, expected]) => fault(null, found, expected)),
     ...strays.map((line) =>
       fault(
         null,
@@ -234,7 +235,14 @@ function readLegend(legend) {
           (height === null || (height > 0 && height <= 1)));
     if (key === 'sky' && isSound) own.sky = texture ?? meaning;
     else if ([...character].length !== 1 || !isSound)
-      own.faults.push(`the meaning of "${key}", ${JSON.stringify(meaning)}`);
+      own.faults.push([`the meaning of "${key}", ${JSON.stringify(meaning)}`, kMeaning]);
+    else if (!isFloor && (character === ' ' || character === '.'))
+      own.faults.push([`"${key}" as a block`, 'another character: this one is always a floor']);
+    else if (kUnfit.test(character) && character !== ' ')
+      own.faults.push([
+        `the character ${JSON.stringify(key)}`,
+        'one that is printed and is not ‖ or ▪',
+      ]);
     else if (isFloor) own.floors[character] = fullColour(texture);
     else if (texture === null) own.blocks.set(character, { blueprint: meaning });
     else own.blocks.set(character, { texture: fullColour(texture), height });
