@@ -68,22 +68,25 @@ oneAtATime() {
   if command -v flock >/dev/null; then flock "$@"; else "${@:2}"; fi
 }
 
-# buildPreset PRESET TARGET...: configures the preset where needed and builds the targets ("all" for
-# every one).
-buildPreset() {
+# configurePreset PRESET: makes the preset's build folder ready, where it is not.
+configurePreset() {
   local preset="$1" folder="$repo/build/$1" stamp="$repo/build/$1/.slicecast-configured" wanted options=()
-  shift
   wanted="$(cksum <"$repo/CMakePresets.json")"
   if [[ "$preset" == wasm-* ]]; then
     wanted+=" $(command -v emcc) ${SLICECAST_SDL2_WASM:-}"
     options+=(-DSLICECAST_SDL2_WASM="${SLICECAST_SDL2_WASM:-}")
   fi
-  if [[ ! -f "$folder/build.ninja" || ! -f "$stamp" || "$(cat "$stamp")" != "$wanted" ]]; then
-    # Another compiler or SDL than last time: nothing that was found with the old one holds.
-    rm -rf "$folder/CMakeCache.txt" "$folder/CMakeFiles"
-    (cd "$repo" && progress "Configuring $preset" cmake --preset "$preset" ${options[@]+"${options[@]}"}) || return 1
-    printf '%s' "$wanted" >"$stamp"
-  fi
-  progress "Building $preset" oneAtATime "$folder/.slicecast-lock" \
-    cmake --build "$folder" -j "$(getconf _NPROCESSORS_ONLN)" --target "$@"
+  if [[ -f "$folder/build.ninja" && -f "$stamp" && "$(cat "$stamp")" == "$wanted" ]]; then return 0; fi
+  # Another compiler or SDL than last time: nothing that was found with the old one holds.
+  rm -rf "$folder/CMakeCache.txt" "$folder/CMakeFiles"
+  (cd "$repo" && progress "Configuring $preset" cmake --preset "$preset" ${options[@]+"${options[@]}"}) || return 1
+  printf '%s' "$wanted" >"$stamp"
+}
+
+# buildPreset PRESET TARGET...: builds the targets ("all" for every one), configures before that
+# where needed.
+buildPreset() {
+  configurePreset "$1" || return 1
+  progress "Building $1" oneAtATime "$repo/build/$1/.slicecast-lock" \
+    cmake --build "$repo/build/$1" -j "$(getconf _NPROCESSORS_ONLN)" --target "${@:2}"
 }

@@ -119,6 +119,7 @@ const KeyPosition* findPosition(std::string_view code) {
 
 std::vector<std::string_view> keyCodes() {
     std::vector<std::string_view> codes;
+    codes.reserve(kPositions.size());
     for (const KeyPosition& position : kPositions) codes.emplace_back(position.code);
     return codes;
 }

@@ -87,7 +87,7 @@ std::string KeyBindings::read(std::string_view text) {
         std::string_view codes = takePart(rest, ',');
         const std::string_view name = takePart(codes, '=');
         do {
-            const std::string fault = next.bind(takePart(codes, '+'), name);
+            std::string fault = next.bind(takePart(codes, '+'), name);
             if (!fault.empty()) return fault;
         } while (!codes.empty());
     }

@@ -35,7 +35,7 @@ std::unique_ptr<Session> openGame(const std::filesystem::path& scene, Crew& crew
 // Empty on success, else what was wrong.
 std::string applyArguments(Session& game, const Arguments& arguments) {
     for (const auto& [name, value] : arguments.options) {
-        const std::string fault = game.setOption(name, value);
+        std::string fault = game.setOption(name, value);
         if (!fault.empty()) return fault;
     }
     if (arguments.map.empty()) return {};

@@ -17,7 +17,7 @@ void mergeSort(std::vector<Thing>& things, std::vector<Thing>& room, Less isBefo
     room.resize(count);
     for (std::size_t run = 1; run < count; run *= 2) {
         std::size_t to = 0;
-        while (to < count) {
+        while (to < count) {  // NOLINT(bugprone-infinite-loop): `to` grows in it
             std::size_t a = to;
             const std::size_t aEnd = std::min(a + run, count);
             std::size_t b = aEnd;

@@ -59,8 +59,8 @@ private:
     const char* text_ = nullptr;
     int kind_;  // one of the above, or the decimals of a number
     union {
-        std::int64_t whole_;  // or the text's length
-        double number_;
+        std::int64_t whole_;  // or the text's length; NOLINT(readability-identifier-naming)
+        double number_;       // NOLINT(readability-identifier-naming)
     };
 };
 
@@ -71,8 +71,8 @@ public:
         first_ = words.begin();
     }
     template <typename Piece>
-    requires std::constructible_from<Word, const Piece&> Words(const Piece& piece)
-        : single_(piece), first_(&single_), count_(1) {}
+        requires std::constructible_from<Word, const Piece&>
+    Words(const Piece& piece) : single_(piece), first_(&single_), count_(1) {}
     Words(const Words&) = delete;
     Words& operator=(const Words&) = delete;
 

@@ -137,15 +137,14 @@ Read<int> findMap(const World& world, const std::string& name) {
 // Options and eye as the command line has them. Empty on success, else what was wrong.
 std::string arrange(Session& session, const Arguments& arguments) {
     if (!arguments.fov.empty()) {
-        const std::string fault = session.setOption("fov", arguments.fov);
+        std::string fault = session.setOption("fov", arguments.fov);
         if (!fault.empty()) return fault;
     }
     for (const std::string& option : arguments.options) {
         const std::size_t equals = option.find('=');
         if (equals == std::string::npos)
             return "--set: found \"" + option + "\", expected OPTION=VALUE";
-        const std::string fault =
-            session.setOption(option.substr(0, equals), option.substr(equals + 1));
+        std::string fault = session.setOption(option.substr(0, equals), option.substr(equals + 1));
         if (!fault.empty()) return fault;
     }
     if (!arguments.time.empty()) {

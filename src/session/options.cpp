@@ -308,8 +308,8 @@ bool read(const OptionInfo&, std::string_view text, std::optional<Colour>& value
 
 // The words of a choice stand in the order of the values.
 template <typename Value>
-requires std::is_enum_v<Value>
-bool read(const OptionInfo& info, std::string_view text, Value& value) {
+    requires std::is_enum_v<Value> bool
+read(const OptionInfo& info, std::string_view text, Value& value) {
     std::string_view words = info.choices;
     for (int i = 0; !words.empty(); ++i) {
         if (nextWord(words) != text) continue;
@@ -337,7 +337,8 @@ std::string written(const OptionInfo&, const std::optional<Colour>& value) {
                  hexText(static_cast<std::uint64_t>(value->r << 16 | value->g << 8 | value->b), 6));
 }
 template <typename Value>
-requires std::is_enum_v<Value> std::string written(const OptionInfo& info, Value value) {
+    requires std::is_enum_v<Value>
+std::string written(const OptionInfo& info, Value value) {
     std::string_view words = info.choices;
     for (int i = 0; i < static_cast<int>(value); ++i) nextWord(words);
     return std::string(nextWord(words));

@@ -29,7 +29,8 @@ constexpr SolidRange reached(Coordinate low, Coordinate high) {
 class Meeting {
 public:
     template <typename Met>
-    requires(!std::is_same_v<Met, Meeting>) Meeting(const Met& met)
+        requires(!std::is_same_v<Met, Meeting>)
+    Meeting(const Met& met)
         : met_(&met), call_([](const void* called, Coordinate bottom, Coordinate top) {
               (*static_cast<const Met*>(called))(bottom, top);
           }) {}

@@ -54,7 +54,8 @@ SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions&
         return {};
     const int size = classic.pixelSize;
     classic::Column drawn(world, eye, options, classic, width, height);
-    drawn.draw(column / size * size + size / 2.0);
+    const int first = column / size * size;
+    drawn.draw(first + size / 2.0);
     SliceTrace trace = classic::traceOf(drawn, world, height, watchedRow);
     trace.column = column;
     return trace;
