@@ -359,6 +359,7 @@ std::string setOption(SessionOptions& options, std::string_view name, std::strin
     const Entry* entry = findEntry(name);
     if (entry == nullptr) {
         std::vector<std::string_view> names;
+        names.reserve(std::size(kInfos));
         for (const OptionInfo& info : kInfos) names.push_back(info.name);
         return words("Unknown option '", name, "'.", didYouMean(name, names));
     }

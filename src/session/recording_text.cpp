@@ -173,7 +173,7 @@ public:
             refuse({what, ", of at most ", kMaxRecordedName, " letters, digits, '-', '_' and '.'"});
             return {};
         }
-        const std::string name(peek());
+        std::string name(peek());
         take();
         return name;
     }
