@@ -17,7 +17,7 @@ constexpr double kMirrorsStep = 0.1;
 constexpr KeyScope kMove = KeyScope::move;
 constexpr KeyScope kElement = KeyScope::element;
 constexpr KeyScope kPage = KeyScope::page;
-constexpr const char* kJoins = nullptr;  // the line above
+constexpr const char* kJoins = nullptr;  // belongs to the line above
 
 constexpr auto kRows = std::to_array<ActionInfo>({
     {"forward", move, hold, kMove, "KeyW", "walk ahead", "walk ahead and back"},
@@ -49,7 +49,7 @@ constexpr auto kRows = std::to_array<ActionInfo>({
     {"faceNorthEast", look, once, kMove, "Numpad9", "face north-east", kJoins},
 
     {"use", gates, hold, kMove, "KeyX", "open or close the gates nearby"},
-    {"open", gates, hold, kMove, "Period", "open the gates nearby", "open them; close them"},
+    {"open", gates, hold, kMove, "Period", "open the gates nearby", "open gates; close gates"},
     {"close", gates, hold, kMove, "Comma", "close the gates nearby", kJoins},
 
     {"intensityUp", light, repeat, kElement, "Insert", "brighter nearby",
@@ -64,10 +64,10 @@ constexpr auto kRows = std::to_array<ActionInfo>({
      "stronger and weaker mirrors", nullptr, "mirrors", kMirrorsStep},
     {"mirrorsDown", light, repeat, kElement, "Minus NumpadSubtract", "weaker mirrors", kJoins,
      nullptr, "mirrors", -kMirrorsStep},
-    {"lightPreset", light, once, kElement, "KeyL", "day, dusk, night, fog, or as it was", "",
+    {"lightPreset", light, once, kElement, "KeyL", "day, dusk, night, fog, or the scene's own", "",
      nullptr, "lightPreset"},
 
-    {"minimap", show, once, kElement, "KeyM", "minimap", "minimap; it turns; its rays", nullptr,
+    {"minimap", show, once, kElement, "KeyM", "minimap", "minimap; turn it; show its rays", nullptr,
      "minimap"},
     {"minimapTurns", show, once, kElement, "KeyB", "the minimap turns", kJoins, nullptr,
      "minimapTurns"},
@@ -76,15 +76,15 @@ constexpr auto kRows = std::to_array<ActionInfo>({
     {"minimapLevelDown", show, repeat, kElement, "BracketLeft", "minimap of a lower level",
      "minimap of a lower or higher level"},
     {"minimapLevelUp", show, repeat, kElement, "BracketRight", "minimap of a higher level", kJoins},
-    {"playerPanel", show, once, kElement, "KeyJ", "where you are",
-     "where you are; what drawing takes", nullptr, "playerPanel"},
-    {"processPanel", show, once, kElement, "KeyU", "what drawing takes", kJoins, nullptr,
+    {"playerPanel", show, once, kElement, "KeyJ", "your position", "your position; drawing times",
+     nullptr, "playerPanel"},
+    {"processPanel", show, once, kElement, "KeyU", "drawing times", kJoins, nullptr,
      "processPanel"},
-    {"inspector", show, once, kElement, "KeyG", "inspect a slice", "inspect a slice; another one",
-     nullptr, "inspector"},
+    {"inspector", show, once, kElement, "KeyG", "inspect a slice",
+     "inspect a slice; move left, right", nullptr, "inspector"},
     {"sliceLeft", show, repeat, kElement, "F1", "inspect a slice further left", kJoins},
     {"sliceRight", show, repeat, kElement, "F2", "inspect a slice further right", kJoins},
-    {"hits", show, once, kPage, "KeyT", "what that slice meets, as text"},
+    {"hits", show, once, kPage, "KeyT", "list that slice's hits as text"},
     {"grid", show, once, kElement, "KeyK", "grid of pixels", "", nullptr, "grid"},
     {"slowDrawing", show, once, kElement, "KeyY", "draw slice by slice",
      "draw slice by slice; slower, faster", nullptr, "slow"},
@@ -108,8 +108,8 @@ constexpr auto kRows = std::to_array<ActionInfo>({
     {"rate", program, once, kPage, "KeyI", "frame rate"},
     {"pause", program, once, kElement, "KeyP", "pause"},
     {"fullscreen", program, once, kElement, "KeyF", "full screen"},
-    {"record", program, once, kPage, "F9", "record from the start; again: save"},
-    {"leave", program, once, kElement, "Escape", "let the mouse go, then leave"},
+    {"record", program, once, kPage, "F9", "record from the start; press again to save"},
+    {"leave", program, once, kElement, "Escape", "release the mouse, then leave"},
 });
 static_assert(kRows.size() == kActions);
 

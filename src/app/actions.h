@@ -1,5 +1,6 @@
-// What keys can do: one table, a row for each action. The keys, the help, the settings of a page,
-// the table in web/docs/play.md and what `<ray-caster keys="move">` takes all follow from it.
+// All actions that keys can trigger: one table, a row for each action. The keys, the help, the
+// settings of a page, the table in web/docs/play.md and the values of `<ray-caster keys="move">`
+// follow from it.
 #pragma once
 
 #include <optional>
@@ -9,7 +10,7 @@
 
 namespace slicecast {
 
-// In the order of the table, which is that of the help.
+// In the order of the table and of the help.
 enum class Action {
     forward,
     back,
@@ -25,10 +26,10 @@ enum class Action {
     turnRight,
     lookUp,
     lookDown,
-    mouse,  // no key: a line of the help
+    mouse,  // no key: only a line of the help
     cursor,
     levelLook,
-    faceEast,  // and clockwise, 45 degrees from one to the next
+    faceEast,  // then clockwise in steps of 45 degrees
     faceSouthEast,
     faceSouth,
     faceSouthWest,
@@ -82,14 +83,14 @@ inline constexpr int kActions = static_cast<int>(Action::leave) + 1;
 
 enum class ActionGroup : unsigned char { move, look, gates, light, show, program };
 
-// When it acts: while its key is held; once for each press; or again and again while held.
+// When it acts: while its key is held; once for each press; or repeatedly while held.
 enum class Press : unsigned char { hold, once, repeat };
 
-// Who has a use for its keys. Each of these has those before it, too.
+// Where its keys are active. Each scope includes the ones before it.
 enum class KeyScope : unsigned char {
     move,     // <ray-caster keys="move">: moving, looking, gates
     element,  // <ray-caster>
-    page,     // a page that is all about the picture, and the program in a window
+    page,     // a page that shows only the picture, and the program in a window
 };
 
 struct ActionInfo {
@@ -97,13 +98,13 @@ struct ActionInfo {
     ActionGroup group;
     Press press;
     KeyScope scope;
-    const char* codes;  // its standard keys, as KeyboardEvent.code, with a space between them
-    const char* does;   // of this action alone: "walk ahead"
-    // The line of the help that begins here: what it says ("" for `does`, null where the action
-    // stands on the line above) and, if not null, a shorter name for its standard keys.
+    const char* codes;  // its standard keys as KeyboardEvent.code, separated by spaces
+    const char* does;   // help for this action alone: "walk ahead"
+    // The line of the help that begins here: its text ("" for `does`, null if the action belongs to
+    // the line above), and a shorter name for its standard keys or null.
     const char* line = "";
     const char* lineKeys = nullptr;
-    // An option that it changes: on and off, to the next word of a choice, or a number by so much.
+    // An option that it changes: toggles it, selects the next choice, or adds `by` to a number.
     const char* option = nullptr;
     double by = 0.0;
 };
@@ -111,9 +112,9 @@ struct ActionInfo {
 std::span<const ActionInfo> allActions();
 const ActionInfo& infoOf(Action action);
 
-// Empty for a name that no action has.
+// Empty if no action has this name.
 std::optional<Action> findAction(std::string_view name);
-// Of the actions that can have keys.
+// All actions that can have keys.
 std::vector<std::string_view> actionNames();
 
 const char* groupName(ActionGroup group);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kFastFactor = 3.0;  // for the keys of light and mirrors, as for moving
 constexpr double kSlowFactor = 0.2;
 constexpr double kLargestMouseTurn = 0.5;  // degrees per pixel
-constexpr int kFastSlices = 10;            // by which the inspected slice moves
+constexpr int kFastSlices = 10;            // step of the inspected slice while "fast" is held
 constexpr double kDegreesBetweenWinds = 45.0;
 
 }  // namespace
@@ -169,7 +169,7 @@ void App::act(Action action) {
     redraw();
 }
 
-// False for an action that does nothing once.
+// False for an action that acts only while held.
 bool App::actInGame(Action action) {
     const int slices = keys_.isDown(Action::fast) ? kFastSlices : 1;
     switch (action) {
@@ -201,8 +201,8 @@ bool App::actInGame(Action action) {
     }
 }
 
-// On and off, to the next word, or a number as far as its range goes; from the map's own light
-// where the option has not been set.
+// Toggles the option, selects the next choice, or changes a number within its range. Light that has
+// not been set starts from the map's own.
 void App::changeOption(const ActionInfo& info) {
     const OptionInfo* option = findOption(info.option);
     if (option->kind == OptionKind::onOff) {
@@ -215,8 +215,8 @@ void App::changeOption(const ActionInfo& info) {
                               : keys_.isDown(Action::slow) ? kSlowFactor
                               : keys_.isDown(Action::fast) ? kFastFactor
                                                            : 1.0;
-        const double wanted = optionNow(info.option) + info.by * factor;
-        game_->setOption(info.option, fixedText(std::clamp(wanted, option->least, option->greatest),
+        const double target = optionNow(info.option) + info.by * factor;
+        game_->setOption(info.option, fixedText(std::clamp(target, option->least, option->greatest),
                                                 whole ? 0 : 2));
     }
 }
@@ -231,7 +231,7 @@ void App::changeNumber(const char* option, int now, int by, int least, int great
     game_->setOption(option, wholeText(std::clamp(now + by, least, greatest)));
 }
 
-// Below the lowest level comes whichever level the player is on.
+// Below the lowest level, the minimap shows the player's level.
 void App::changeMinimapLevel(int by) {
     const Eye eye = game_->eye();
     const Map& map = game_->world().maps[static_cast<std::size_t>(eye.map)];
@@ -248,11 +248,11 @@ void App::dragged(double right, double down) {
 }
 
 void App::look(double right, double down) {
-    // A mouse is moved by the click that begins a replay.
+    // The click that starts a replay also moves the mouse.
     if (paused_ || hidden_ || !game_ || replay_) return;
     turnDegrees_ += right * degreesPerPixel_;
 
-    // The same movement carries the middle of the picture as many pixels up or down as sideways.
+    // The same motion moves the middle of the picture equally far up or down as sideways.
     const double distanceHeights =
         0.5 * width_ / height_ / tanDegrees(0.5 * game_->options().render.fovDegrees);
     const double up = (invert_ ? down : -down) * degreesPerPixel_;
@@ -341,7 +341,7 @@ bool App::draw(double nowSeconds) {
 
     // A surface of the picture's size
     if (!surface_ || surface_->w != width_ || surface_->h != height_) {
-        surface_.reset();  // its memory serves the next one
+        surface_.reset();  // frees its memory for the next one
         surface_.reset(
             SDL_CreateRGBSurfaceWithFormat(0, width_, height_, 32, SDL_PIXELFORMAT_RGBA32));
         if (!surface_) return false;
@@ -349,7 +349,7 @@ bool App::draw(double nowSeconds) {
         shell_.tellSize(width_, height_);
     }
 
-    // The picture; while paused, of the last step itself
+    // The picture; while paused, exactly of the last step
     const double fraction = paused_ ? 1.0 : clock_.fraction();
     const Picture picture = {static_cast<Pixel*>(surface_->pixels), width_, height_,
                              surface_->pitch / static_cast<int>(sizeof(Pixel))};
@@ -358,7 +358,7 @@ bool App::draw(double nowSeconds) {
     const double end = shell_.nowSeconds();
     shell_.show(*surface_);
 
-    // What the shell may want to know
+    // News for the shell
     if (!ready_) shell_.tell(News::ready, true);
     ready_ = true;
     const Eye eye = game_->eye(fraction);
@@ -367,8 +367,8 @@ bool App::draw(double nowSeconds) {
     return true;
 }
 
-// Modes change by keys, by the page and by themselves (a body that is not free flies), so they are
-// compared.
+// The keys, the page and the engine (a body that is stuck starts to fly) all change modes, so they
+// are compared.
 void App::tellChanges() {
     if (!game_) return;
     if (std::exchange(toldFly_, game_->player().flying) != game_->player().flying)

@@ -31,22 +31,22 @@ class App {
 public:
     explicit App(Shell& shell);
 
-    // Plays this game from now on. What was recorded or replayed is over.
+    // Plays this game from now on. Ends recording and replay.
     void play(std::unique_ptr<Session> game);
     Session* game() { return game_.get(); }
 
-    // Records the game, which has just begun, under its scene's name.
+    // Starts recording the game, which must have just begun, under its scene's name.
     void record(const std::string& scene);
     bool isRecording() const { return recorder_.has_value(); }
-    // Ends it: what has been recorded, or nothing.
+    // Stops recording and returns the recording, or nothing.
     std::optional<Recording> takeRecording();
 
-    // Plays a recording in the game, which has just begun. Whoever moves takes over, but not by the
-    // mouse alone.
+    // Replays a recording in the game, which must have just begun. Any input of the player ends the
+    // replay; the mouse alone does not.
     void replay(Recording recording);
     const Replay* replayed() const { return replay_ ? &*replay_ : nullptr; }
 
-    // The size of the picture, clamped to what is allowed.
+    // The size of the picture, clamped to 1 to kLargestPictureSide.
     void resize(int width, int height);
     int width() const { return width_; }
     int height() const { return height_; }
@@ -54,10 +54,10 @@ public:
     void setPaused(bool paused);
     bool paused() const { return paused_; }
 
-    // Nobody sees the screen: time stands still, no pictures are drawn, no key is held.
+    // While hidden, time stands still, nothing is drawn and no key is held.
     void setHidden(bool hidden);
 
-    // Mouse look: degrees for each pixel that the mouse moves (at most 0.5), and whether forward
+    // Mouse look: degrees per pixel of mouse motion (at most 0.5), and whether moving it forward
     // looks down.
     void setMouse(double degreesPerPixel, bool invert);
 
@@ -65,43 +65,43 @@ public:
     void keyUp(SDL_Scancode key);
     void releaseKeys();
 
-    // What the keys do. Whoever changes it is told that no key is held any more.
+    // The keys of all actions. Changing them releases all held keys.
     const KeyBindings& keys() const { return bindings_; }
     void setKeys(const KeyBindings& keys);
 
-    // The mouse has moved, in pixels of the screen: right and down are positive. Only while it
-    // looks around.
+    // The mouse has moved, in pixels of the screen, right and down positive. Ignored unless the
+    // pointer is held.
     void pointerMoved(double right, double down);
     void pointerHeld(bool held);
     bool holdsPointer() const { return pointerHeld_; }
 
-    // A finger has dragged the picture, in pixels of the screen: like the mouse, whether held or
-    // not.
+    // A finger has dragged the picture, in pixels of the screen. Works like the mouse, whether the
+    // pointer is held or not.
     void dragged(double right, double down);
-    // What thumbs on the screen hold down, until they hold down something else.
+    // The input of touch controls; it stays until the next call.
     void setThumbs(const Input& held) { thumbs_ = held; }
-    // A gamepad as it is now. Without one, Gamepad().
+    // The gamepad's present state; Gamepad() without one.
     void setGamepad(const Gamepad& gamepad);
 
-    // The cursor's place in the picture turns and looks (see cursorInput), for where the mouse
-    // cannot be held, until the focus is lost.
+    // Steers by the cursor's place in the picture (see cursorInput) until the focus is lost. For
+    // places where the mouse cannot be captured.
     void setCursorSteering(bool on);
     bool cursorSteers() const { return cursorSteers_; }
     void cursorAt(double x, double y);
     void cursorLeft() { cursor_ = {}; }
 
-    // One step, also while paused. What was replayed is over.
+    // One step, also while paused. Ends a replay.
     void step(const Input& input);
 
-    // Something has changed what is to be seen, so a picture is drawn even while paused.
+    // Asks for a new picture, even while paused.
     void redraw();
 
-    // Whether there is anything for frame() to do. It becomes true only by calls of the shell's,
-    // which is then asked for a frame.
+    // Whether frame() has anything to do. Only calls of the shell can make it true; the shell is
+    // then asked for a frame.
     bool wantsFrame() const { return game_ && !hidden_ && (stale_ || !paused_); }
 
-    // Plays the steps that are due and draws. True if there is a new picture on the screen. The
-    // time is of the clock of Shell::nowSeconds: the moment for which the picture is meant.
+    // Plays the steps that are due and draws. True if the screen shows a new picture. `nowSeconds`
+    // is the moment for which the picture is meant, by the clock of Shell::nowSeconds.
     bool frame(double nowSeconds);
 
 private:
@@ -136,7 +136,7 @@ private:
     FrameMeter meter_;
     double degreesPerPixel_ = kDefaultDegreesPerPixel;
     bool invert_ = false;
-    double turnDegrees_ = 0.0;  // by the mouse since the last step
+    double turnDegrees_ = 0.0;  // turned by the mouse since the last step
     double lookHeights_ = 0.0;
     Input thumbs_;
     Input cursor_;

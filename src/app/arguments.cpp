@@ -52,38 +52,36 @@ ReadArguments readArguments(int argc, char** argv) {
     std::string fov;
     std::vector<std::string> options;
     std::string keys;
-    cli.add_option(
-        "SCENE", arguments.scene,
-        "scene file to open; without one, the opening scene that comes with the program");
+    cli.add_option("SCENE", arguments.scene,
+                   "scene file to open (default: the opening scene that comes with the program)");
     CLI::Option* map =
         cli.add_option("--map", arguments.map,
-                       "map to begin in, flying over its middle, instead of where the scene starts")
+                       "start flying over the middle of this map instead of at the scene's start")
             ->type_name("NAME");
     cli.add_option("--record", arguments.record,
-                   "file to write what is played to, when the window is closed or F9 is pressed")
+                   "record the game to this file, written at F9 or when the window closes")
         ->type_name("FILE");
-    cli.add_option("--replay", arguments.replay, "recording to play; who moves takes over")
+    cli.add_option("--replay", arguments.replay, "recording to replay; any movement takes over")
         ->type_name("FILE")
         ->excludes(map);
-    cli.add_option("--size", size,
-                   "size of the picture in pixels; without it, the picture fills the window")
+    cli.add_option("--size", size, "size of the picture in pixels (default: it fills the window)")
         ->type_name("WxH")
         ->check([](const std::string& text) {
-            return readSize(text) ? std::string()
-                                  : "\"" + text + "\" is no size; expected WxH, 1x1 to 4096x4096";
+            return readSize(text)
+                       ? std::string()
+                       : "\"" + text + "\" is not a size; expected WxH, 1x1 to 4096x4096";
         });
-    cli.add_option("--fov", fov, "field of view from left to right, in degrees")
-        ->type_name("DEGREES");
+    cli.add_option("--fov", fov, "horizontal field of view in degrees")->type_name("DEGREES");
     cli.add_flag("--fullscreen", arguments.window.fullscreen, "fill the screen");
     cli.add_option("--threads", arguments.threads,
-                   "how many threads draw a picture; without it, as many as the machine runs at a "
-                   "time, here " +
-                       std::to_string(arguments.threads))
+                   "number of threads that draw a picture (default: as many as the machine has, "
+                   "here " +
+                       std::to_string(arguments.threads) + ")")
         ->type_name("N")
         ->check([](const std::string& text) {
             return isNumberOfThreads(text)
                        ? std::string()
-                       : "\"" + text + "\" is no number of threads; expected 1 to " +
+                       : "\"" + text + "\" is not a number of threads; expected 1 to " +
                              std::to_string(kMostThreads);
         });
     cli.add_option("--set", options, "set an option of the view")
@@ -93,8 +91,8 @@ ReadArguments readArguments(int argc, char** argv) {
                                                        : "\"" + text + "\" is not OPTION=VALUE";
         });
     cli.add_option("--keys", keys,
-                   "give actions other keys, such as forward=ArrowUp,fly=KeyJ+F5; "
-                   "keys as KeyboardEvent.code names them")
+                   "change keys, such as forward=ArrowUp,fly=KeyJ+F5; "
+                   "keys are named as in KeyboardEvent.code")
         ->type_name("ACTION=KEY[+KEY],...")
         ->check([&](const std::string& text) { return arguments.keys.read(text); });
     try {

@@ -15,17 +15,17 @@
 namespace slicecast {
 
 struct Arguments {
-    std::string scene;   // empty: the opening scene, or that of the replay
-    std::string map;     // empty: where the scene starts
-    std::string record;  // file to write what is played to; empty: none
+    std::string scene;   // empty: the opening scene, or the replay's
+    std::string map;     // empty: the map where the scene starts
+    std::string record;  // file for the recording; empty: none
     std::string replay;  // recording to play; empty: none
     WindowSettings window;
-    int threads = threadsOfMachine();  // that draw a picture
+    int threads = threadsOfMachine();  // threads that draw one picture
     KeyBindings keys;
     std::vector<std::pair<std::string, std::string>> options;  // name and value
 };
 
-// The arguments, or the exit status where there is nothing to play (help, a fault; both have been
+// The arguments, or the exit status if there is nothing to play (help or an error, already
 // printed).
 struct ReadArguments {
     std::optional<Arguments> arguments;

@@ -13,14 +13,14 @@ namespace slicecast {
 
 namespace {
 
-// Seen from the program's folder: where it is installed, and where it is built.
+// Relative to the program's folder: where it is installed, and where it is built.
 const std::array<std::filesystem::path, 2> kShippedScenes = {"scenes", "../../../assets/scenes"};
 
-// The list of scenes has a line for each of them.
+// The list has one line for each scene.
 constexpr std::uintmax_t kMaxListBytes = 1u << 20;
 
-// The list of scenes is [{"file": "NAME.json", ...}, ...], the opening scene first; file names need
-// no escapes. So the first text after the first "file" is the one.
+// The list of scenes is [{"file": "NAME.json", ...}, ...], the opening scene first; file names have
+// no escapes. So the first text after the first "file" is the name.
 std::string firstFile(std::string_view list) {
     std::size_t at = list.find("\"file\"");
     if (at == std::string_view::npos) return {};

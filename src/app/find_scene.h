@@ -1,4 +1,4 @@
-// Where the scenes are that the program opens without being given a file.
+// Finds the scenes that the program opens by itself.
 #pragma once
 
 #ifndef __EMSCRIPTEN__
@@ -8,12 +8,12 @@
 
 namespace slicecast {
 
-// The scene to open when none is asked for: beside the program, or in the source tree that it was
-// built in. Empty if there is none.
+// The scene to open by default: beside the program, or in the source tree that built it. Empty if
+// there is none.
 std::filesystem::path findOpeningScene(const std::filesystem::path& programFolder);
 
-// The scene of that name: in the folder "scenes" beside the one in which the recording is, or among
-// those that come with the program. Empty if it is nowhere.
+// The scene of that name: in the folder "scenes" next to the recording's folder, or among the
+// shipped scenes. Empty if not found.
 std::filesystem::path findScene(const std::string& name, const std::filesystem::path& recording,
                                 const std::filesystem::path& programFolder);
 

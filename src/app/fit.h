@@ -1,13 +1,12 @@
-// How a picture fits a window: crisp, so every pixel of the picture becomes a square of whole
-// pixels.
+// Fits a picture into a window. Pixels stay crisp: each becomes a square of n x n window pixels.
 #pragma once
 
 #include <SDL2/SDL_rect.h>
 
 namespace slicecast {
 
-inline constexpr int kSoftwarePixels =
-    1280 * 800;  // a picture of about this many pixels is drawn at full rate on an ordinary machine
+// An ordinary machine draws pictures of about this many pixels at full rate.
+inline constexpr int kSoftwarePixels = 1280 * 800;
 
 struct Size {
     int width = 0;
@@ -16,20 +15,19 @@ struct Size {
     friend bool operator==(const Size&, const Size&) = default;
 };
 
-// A picture's size, and where it stands in the window.
+// A picture's size, and its place in the window.
 struct Fit {
     Size picture;
     SDL_Rect place;
 };
 
-// Fills the window with a picture made for it: each of its pixels becomes a square of n x n, for
-// the least n that gives at most kSoftwarePixels. The last column and row may reach beyond the
-// window's edge by less than one of them.
+// Fills the window: each pixel becomes a square of n x n, with the least n that gives at most
+// kSoftwarePixels. The last column and row may extend beyond the window by less than one such
+// square.
 Fit fillWindow(Size window);
 
-// Puts a picture of a given size into the middle of the window, enlarged by the largest whole
-// number for which all of it is seen; where the window is smaller than the picture, shrunk in
-// proportion.
+// Centres a picture in the window, enlarged by the largest whole number that fits; shrunk in
+// proportion if the window is smaller.
 Fit letterbox(Size picture, Size window);
 
 }  // namespace slicecast

@@ -1,4 +1,4 @@
-// How many pictures a second, and how long each took to draw.
+// Measures pictures per second and how long each took to draw.
 #pragma once
 
 namespace slicecast {
@@ -11,17 +11,17 @@ struct FrameRates {
 
 class FrameMeter {
 public:
-    // One picture was drawn. True twice a second: then `rates` is new, over the time since it was
-    // last.
+    // Call after each picture. True twice a second, when rates() is new; it covers the time since
+    // then.
     bool add(double nowSeconds, double drawSeconds);
 
-    // A gap follows that is not to count (a pause).
+    // Call before a pause, which must not count.
     void skip() { frames_ = -1; }
 
     const FrameRates& rates() const { return rates_; }
 
 private:
-    int frames_ = -1;  // -1 before the picture from which time is counted
+    int frames_ = -1;  // -1 until the first picture starts the measurement
     double beginSeconds_ = 0.0;
     double lastSeconds_ = 0.0;
     double drawSeconds_ = 0.0;

@@ -13,7 +13,7 @@ namespace slicecast {
 
 namespace {
 
-// Of a panel's text at the smallest scale.
+// Room for a panel's text at the smallest scale.
 struct Room {
     int width = 0;  // pixels
     int lines = 0;
@@ -25,8 +25,8 @@ Room roomIn(Size picture) {
             std::max(2, (picture.height - around + kLineAdvance - kGlyphHeight) / kLineAdvance)};
 }
 
-// Goes on below the text of the line where it has no room.
-std::vector<std::string> wrapped(const std::string& keys, std::string_view text, int width) {
+// Breaks the text at `width`; further lines are indented below its start, beside no key.
+std::vector<std::string> wrapText(const std::string& keys, std::string_view text, int width) {
     std::vector<std::string> lines = {keys + '\t'};
     bool isFirst = true;  // of its line
     while (!text.empty()) {
@@ -52,11 +52,12 @@ std::vector<std::string> helpPages(const KeyBindings& keys, Size picture) {
     int count = 0;
     for (const KeyHelp& line : keys.help()) {
         if (line.keys.empty()) continue;
-        entries.push_back(wrapped(keysText(line), line.does, room.width));
+        entries.push_back(wrapText(keysText(line), line.does, room.width));
         count += static_cast<int>(entries.back().size());
     }
 
-    // The pages are equally long, but for the last one; the last line of each tells which it is.
+    // All pages but the last are equally long. With several pages, the last line of each shows its
+    // number.
     const bool isOne = count <= room.lines;
     const int most = isOne ? count : room.lines - 1;
     const int pages = (count + most - 1) / std::max(1, most);

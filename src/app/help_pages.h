@@ -1,5 +1,5 @@
-// The keys as texts for panels on the picture: one if it has room for all, else as many pages of
-// readable size as it takes, which the same key shows one after another.
+// The keys as texts for panels on the picture: one page if all fit, else as many readable pages as
+// needed, which the same key shows in turn.
 #pragma once
 
 #ifndef __EMSCRIPTEN__
@@ -12,7 +12,8 @@
 
 namespace slicecast {
 
-// Each fits a picture of that size wherever single words do. Lines without a key are left out.
+// Each page fits a picture of that size unless a single word is too wide. Omits lines without a
+// key.
 std::vector<std::string> helpPages(const KeyBindings& keys, Size picture);
 
 }  // namespace slicecast

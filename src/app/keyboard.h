@@ -1,5 +1,5 @@
-// The keys of a keyboard, each known by its position, not by the letter printed on it, so W A S D
-// are the same four keys on every keyboard. In a page a position is a KeyboardEvent.code, for SDL a
+// The keys of a keyboard. A key is known by its position, not by the letter printed on it, so W A S
+// D are the same four keys on every layout. A page names positions by KeyboardEvent.code, SDL by
 // scancode.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace slicecast {
 
 struct KeyPosition {
     const char* code;   // "PageUp"
-    const char* label;  // "Page Up", on an American keyboard
+    const char* label;  // "Page Up", as on an American keyboard
     SDL_Scancode scancode;
 };
 
 std::span<const KeyPosition> allPositions();
 
-// Null for what is no key, or one that the program cannot have: Tab, those of the system.
+// Null for an unknown code, and for keys that the program cannot use: Tab and those of the system.
 const KeyPosition* findPosition(std::string_view code);
 
 // All codes, for messages.

@@ -20,7 +20,7 @@ std::uint8_t numberOf(Action action) {
     return static_cast<std::uint8_t>(action);
 }
 
-// The text up to a separator, which both are taken from it.
+// Removes the text up to a separator, and the separator; returns that text.
 std::string_view takePart(std::string_view& text, char separator) {
     const std::size_t end = std::min(text.find(separator), text.size());
     const std::string_view part = text.substr(0, end);
@@ -71,7 +71,7 @@ std::string KeyBindings::unbind(std::string_view code) {
 }
 
 std::string KeyBindings::read(std::string_view text) {
-    // First the named actions lose their keys, so that two can swap theirs
+    // First all named actions lose their keys, so that two actions can swap theirs
     KeyBindings next = *this;
     for (std::string_view rest = text; !rest.empty();) {
         std::string_view part = takePart(rest, ',');
@@ -121,7 +121,7 @@ bool KeyBindings::isStandard(Action first, Action last) const {
     return true;
 }
 
-// The first key of each action of a line, then the second of each ...; none twice.
+// The first key of each of the line's actions, then the second of each, and so on; no label twice.
 std::vector<std::string_view> KeyBindings::labels(Action first, Action last) const {
     if (const char* together = infoOf(first).lineKeys;
         together != nullptr && isStandard(first, last))

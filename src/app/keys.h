@@ -1,7 +1,7 @@
-// Which key does what, and the keys held down as a step's input.
+// Which key triggers which action, and the held keys as the input of a step.
 //
 //     KeyBindings keys;                                 the standard keys (app/actions.h)
-//     keys.bind("ArrowUp", "forward");                  "" on success; else what was wrong
+//     keys.bind("ArrowUp", "forward");                  "" on success, else a message
 //     keys.actionOf(SDL_SCANCODE_UP);                   Action::forward
 //     keys.help();                                      {{"W", "S", "Up"}, "walk ahead and back"}
 #pragma once
@@ -33,25 +33,25 @@ class KeyBindings {
 public:
     KeyBindings() { reset(); }
 
-    // The standard keys.
+    // Restores the standard keys.
     void reset();
 
-    // This key does that, besides the action's other keys, and nothing else any more. Escape stays
-    // as it is, and has no second action.
+    // Binds a key to an action: it keeps its other keys, the key loses its old action. Escape
+    // cannot be bound to anything else.
     std::string bind(std::string_view code, std::string_view action);
-    // This key does nothing.
+    // Removes the key's action.
     std::string unbind(std::string_view code);
-    // From texts such as "forward=ArrowUp" or "forward=ArrowUp+KeyW,fly=KeyJ": those actions have
-    // those keys alone. Nothing has changed where the text has a fault.
+    // Reads texts such as "forward=ArrowUp" or "forward=ArrowUp+KeyW,fly=KeyJ": each named action
+    // has only those keys afterwards. Changes nothing if the text has an error.
     std::string read(std::string_view text);
 
     std::optional<Action> actionOf(SDL_Scancode scancode) const;
 
-    // The keys of an action, in the order of allPositions, from the first one; null behind the
-    // last.
+    // The key with this number (from 0) of an action, in the order of allPositions; null if it has
+    // fewer.
     const KeyPosition* keyOf(Action action, int number = 0) const;
 
-    // What all keys do, for people; lines without a key too, so that one can be given to them.
+    // The help text of all keys. Includes lines without a key, so that a user can bind one.
     std::vector<KeyHelp> help() const;
 
 private:
@@ -62,24 +62,24 @@ private:
     std::array<std::uint8_t, SDL_NUM_SCANCODES> actions_{};  // kActions for none
 };
 
-// "W S", "A D, Q E" and so on, the names of a line's keys with a space between them.
+// The labels of a line's keys, separated by spaces: "W S", "A D Q E".
 std::string keysText(const KeyHelp& line);
 
-// The held keys. Two keys may stand for one action; it lasts until both are up. A press shorter
-// than a step still counts for one.
+// The held keys. An action with two keys lasts until both are up. A press shorter than a step still
+// counts for one step.
 class HeldKeys {
 public:
-    // Nothing for an action that is not held.
+    // Ignores actions that do not act while held.
     void press(SDL_Scancode scancode, Action action);
     void release(SDL_Scancode scancode);
     void releaseAll();
     bool isDown(Action action) const;
 
-    // The axes and buttons for the next step; presses that are over by then are forgotten.
+    // The axes and buttons for the next step. Forgets presses that have ended.
     Input takeInput();
 
 private:
-    std::array<std::uint8_t, SDL_NUM_SCANCODES> down_{};  // 1 + what each key is held for, or 0
+    std::array<std::uint8_t, SDL_NUM_SCANCODES> down_{};  // 1 + the action that the key holds, or 0
     std::array<int, kActions> count_{};                   // how many keys hold each action
     std::array<bool, kActions> pressed_{};                // since the last takeInput
 };

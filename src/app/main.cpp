@@ -1,4 +1,4 @@
-// The program in a window: plays a scene until the window is closed. In a page src/wasm begins it.
+// The program in a window: plays a scene until the window is closed. In a page src/wasm starts it.
 
 #ifndef __EMSCRIPTEN__
 
@@ -20,7 +20,7 @@ using namespace slicecast;
 
 namespace {
 
-// A game of that scene, which the crew draws; or null with all faults printed.
+// A game of that scene, drawn by the crew. Prints all faults; null if the scene cannot be played.
 std::unique_ptr<Session> openGame(const std::filesystem::path& scene, Crew& crew) {
     LoadedScene loaded = readSceneFile(scene);
     for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
@@ -32,7 +32,7 @@ std::unique_ptr<Session> openGame(const std::filesystem::path& scene, Crew& crew
     return game;
 }
 
-// Empty on success, else what was wrong.
+// Empty on success, else an error message.
 std::string applyArguments(Session& game, const Arguments& arguments) {
     for (const auto& [name, value] : arguments.options) {
         std::string fault = game.setOption(name, value);
@@ -47,7 +47,7 @@ std::string applyArguments(Session& game, const Arguments& arguments) {
         const Eye eye = {static_cast<int>(i), toCoordinate(0.5 * maps[i].width),
                          toCoordinate(0.5 * maps[i].depth), toCoordinate(maps[i].levels + 0.5)};
         return game.setEye(eye) ? std::string()
-                                : "nobody can be in the map \"" + arguments.map + '"';
+                                : "the game cannot start in the map \"" + arguments.map + '"';
     }
     return "there is no map \"" + arguments.map + "\"; expected " + names;
 }
@@ -61,7 +61,7 @@ int fail(const std::string& fault) {
     return 1;
 }
 
-// The recording to play, or nothing with all faults printed.
+// The recording to replay. Prints all faults; empty if there are any.
 std::optional<Recording> openRecording(const std::filesystem::path& file) {
     ReadRecording read = readRecordingFile(file);
     for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
@@ -75,7 +75,7 @@ std::filesystem::path programFolder() {
     return path;
 }
 
-// What the command line or the key asks to be recorded, and where it goes.
+// The current recording and the file that it is written to.
 class RecordingFile {
 public:
     RecordingFile(App& app, std::string file) : app_(app), file_(std::move(file)) {}
@@ -84,7 +84,7 @@ public:
         scene_ = scene.stem().string();
         app_.record(scene_);
     }
-    // Writes what was recorded, if anything was. False if it cannot.
+    // Writes the recording, if there is one. False on failure.
     bool save() {
         const std::optional<Recording> recording = app_.takeRecording();
         if (!recording) return true;
@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
         if (scene.empty()) scene = findScene(replay->scene, arguments.replay, programFolder());
         if (scene.empty())
             return fail("the recording's scene, \"" + replay->scene +
-                        "\", is nowhere; name its file: slicecast SCENE.json --replay FILE");
+                        "\", was not found; give its file: slicecast SCENE.json --replay FILE");
         if (scene.stem() != replay->scene) {
             return fail("--replay: found a recording of the scene \"" + replay->scene +
                         "\", expected one of \"" + scene.stem().string() + "\"");
@@ -126,8 +126,7 @@ int main(int argc, char** argv) {
     if (scene.empty()) {
         scene = findOpeningScene(programFolder());
         if (scene.empty())
-            return fail(
-                "the scenes that come with it are not there; give it one: slicecast SCENE.json");
+            return fail("the opening scene was not found; give a scene: slicecast SCENE.json");
     }
     ThreadCrew crew(arguments.threads);
     std::unique_ptr<Session> game = openGame(scene, crew);

@@ -7,7 +7,7 @@ namespace slicecast {
 
 namespace {
 
-// What is no number is rest.
+// Clamps to -1 to 1. NaN counts as centred.
 double axis(double value) {
     return value == value ? std::clamp(value, -1.0, 1.0) : 0.0;
 }

@@ -1,32 +1,32 @@
-// What is not a key as a step's input: a gamepad, thumbs on a screen, the cursor's place in the
-// picture. Sticks and the cursor have a dead zone: what lies within it is rest, and the rest of the
-// way is stretched, so that nothing jumps at its edge.
+// Turns gamepads, touch controls and the cursor's place in the picture into the input of a step.
+// Sticks and the cursor have a dead zone: inside it they count as centred; beyond it values rise
+// from 0, so that nothing jumps at its edge.
 #pragma once
 
 #include "slicecast/input.h"
 
 namespace slicecast {
 
-inline constexpr double kCursorDeadZone =
-    0.2;  // of the way from the middle of the picture to its edge
-inline constexpr double kStickDeadZone =
-    0.15;  // of a stick's way; worn sticks rest off their middle
-inline constexpr double kTriggerDeadZone = 0.08;  // of a trigger's way
+// Part of the way from the middle of the picture to its edge.
+inline constexpr double kCursorDeadZone = 0.2;
+// Part of a stick's way; worn sticks rest off centre.
+inline constexpr double kStickDeadZone = 0.15;
+inline constexpr double kTriggerDeadZone = 0.08;  // part of a trigger's way
 
-// From -1 to 1: 0 within the zone, then rising evenly to 1 at 1.
+// -1 to 1: 0 inside the zone, then rising linearly to 1 at 1. NaN counts as centred.
 double pastDeadZone(double value, double zone);
 
-// A stick's place, or a thumb's: -1 to 1 to the right and down.
+// The position of a stick or a thumb: -1 to 1, right and down positive.
 struct Stick {
     double x = 0.0;
     double y = 0.0;
 };
 
-// The same for a stick, whose zone is round; it is never further out than 1.
+// The same for a stick, whose zone is round. The result lies inside the unit circle.
 Stick pastDeadZone(Stick stick, double zone);
 
-// The notes' mouse: left and right turn, up and down look. The cursor is at -1 to 1 from the middle
-// to the right and bottom edges.
+// Steers by the cursor: left and right turn, up and down look. -1 to 1 is from the middle to the
+// right and bottom edges.
 Input cursorInput(double x, double y);
 
 // Gamepad buttons as the web's standard gamepad numbers them; bit n is button n.
@@ -54,13 +54,14 @@ struct Gamepad {
     unsigned buttons = 0;       // sum of GamepadButton
 };
 
-// What is held on a gamepad. Presses that do something once are the program's.
+// The input of what is held on a gamepad. The program itself handles buttons that act once per
+// press.
 Input gamepadInput(const Gamepad& gamepad);
 
-// Two inputs at once: axes are added up to 1.
+// Two inputs at once: sums, with axes clamped to -1 to 1.
 Input together(const Input& a, const Input& b);
 
-// True if somebody does anything.
+// True if any input is active.
 bool isAnything(const Input& input);
 
 }  // namespace slicecast

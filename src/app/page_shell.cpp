@@ -9,15 +9,15 @@
 #include <cstdint>
 #include <memory>
 
-// ---- what only JavaScript can
+// ---- what needs JavaScript
 
-// web/engine/engine-module.js has them all.
+// web/engine/engine-module.js implements these functions.
 #define SLICECAST_PAGE(name) __attribute__((import_module("page"), import_name(name)))
 
 extern "C" {
 
-// The canvas is heard from now on. `code` has room for the longest name of a key that the program
-// knows. 0 if there is none.
+// Starts the canvas's events. They write the code of a key into `code`, which has room for the
+// longest known one. 0 if there is no canvas.
 SLICECAST_PAGE("openCanvas") int slicecastOpenCanvas(char* code, int codeBytes);
 SLICECAST_PAGE("closeCanvas") void slicecastCloseCanvas(void);
 // Milliseconds on the clock of the browser's frames.
@@ -35,7 +35,7 @@ void slicecastTellRates(double framesPerSecond, double drawMilliseconds,
 SLICECAST_PAGE("tellSize") void slicecastTellSize(int width, int height);
 SLICECAST_PAGE("tellHits") void slicecastTellHits(int width, int height, int column);
 
-// What SDL would wait with, if it were asked to: a page cannot wait.
+// SDL links against these to wait, but never calls them: a page cannot wait.
 void emscripten_sleep(unsigned) {}
 int emscripten_has_asyncify(void) {
     return 0;
@@ -71,8 +71,8 @@ public:
     void leave() override { slicecastLeaveCanvas(); }
 
     bool isOpen = false;
-    std::array<char, 32> code{};  // of the key that is told
-    int frame = 0;  // the browser's number of the frame that was asked for; 0 where none was
+    std::array<char, 32> code{};  // of the key of the current event
+    int frame = 0;                // the browser's number of the requested frame; 0 for none
 };
 
 PageShell& shell() {
@@ -99,7 +99,7 @@ void PageShell::askForFrame() {
 
 extern "C" {
 
-// In place of SDL's own (src/CMakeLists.txt). It says what SDL's says: that something failed.
+// Replaces SDL's own (src/CMakeLists.txt), and returns the same: failure.
 int __wrap_SDL_SetError(const char*, ...) {
     return -1;
 }
@@ -110,7 +110,7 @@ EMSCRIPTEN_KEEPALIVE void slicecastFrame(double timeMilliseconds) {
     if (pageProgram().wantsFrame()) shell().askForFrame();
 }
 
-// The answer is whether the key is taken from the page. Flags: 1 Ctrl, 2 Alt, 4 Meta, 8 repeated.
+// Returns whether the key is taken from the page. Flags: 1 Ctrl, 2 Alt, 4 Meta, 8 repeated.
 EMSCRIPTEN_KEEPALIVE int slicecastKey(int isDown, int flags) {
     App& app = pageProgram();
     const bool ctrl = (flags & 1) != 0;
@@ -120,7 +120,7 @@ EMSCRIPTEN_KEEPALIVE int slicecastKey(int isDown, int flags) {
         return 0;
     }
     if ((flags & 4) != 0) {
-        // While Meta is down, macOS tells of no key that goes up.
+        // While Meta is down, macOS sends no key-up events.
         app.releaseKeys();
         return 0;
     }
@@ -129,7 +129,7 @@ EMSCRIPTEN_KEEPALIVE int slicecastKey(int isDown, int flags) {
     const std::optional<Action> action = app.keys().actionOf(key);
     if (!action) return 0;
 
-    // Ctrl with another key is the browser's. The arrows mean nothing to it, so they turn slowly.
+    // Ctrl shortcuts belong to the browser. It has none with arrows, so those turn slowly.
     if (ctrl && !isShiftOrControl(key) && !isArrow(key)) return 0;
     app.keyDown(key, (flags & 8) != 0);
     return !ctrl && !isShiftOrControl(key) && action != Action::leave ? 1 : 0;
@@ -143,7 +143,7 @@ EMSCRIPTEN_KEEPALIVE void slicecastHidden(int hidden) {
     pageProgram().setHidden(hidden != 0);
 }
 
-// The answer is whether the cursor's place is wanted.
+// Returns whether the cursor's place is wanted.
 EMSCRIPTEN_KEEPALIVE int slicecastPointerMoved(double right, double down) {
     pageProgram().pointerMoved(right, down);
     return pageProgram().cursorSteers() ? 1 : 0;

@@ -1,9 +1,9 @@
-// The program in a page: a canvas is its screen, its keys and its mouse
-// (web/engine/engine-canvas.js). Several modules in one page do not see each other.
+// The program in a page: a canvas is its screen and gives it keys and mouse
+// (web/engine/engine-canvas.js). Several modules in one page are independent.
 //
-// SDL brings the surface. The canvas itself, its keys and its mouse are used directly: SDL takes
-// every key of the page away, Tab and the browser's own combinations included, never lets a click
-// give the focus, and its window would be a third of the program.
+// SDL provides only the surface. Canvas, keys and mouse are used directly, because SDL swallows
+// every key of the page (Tab and the browser's shortcuts too), never lets a click give the focus,
+// and its window code would be a third of the program.
 #pragma once
 
 #ifdef __EMSCRIPTEN__
@@ -12,17 +12,17 @@
 
 namespace slicecast {
 
-// The one program of this module. It exists before it is begun, so a page can load a scene
+// The only program of this module. It exists before it starts, so a page can load a scene
 // meanwhile.
 App& pageProgram();
 
-// Another one in its place, as in the beginning: no canvas knows of this one.
+// Replaces it by a new one, which has no canvas yet.
 void renewPageProgram();
 
-// Begins to draw, the first picture at once, and to listen. False if there is no canvas.
+// Starts drawing (the first picture at once) and listening. False if there is no canvas.
 bool beginPageProgram();
 
-// Ends both, if they have begun.
+// Stops both, if they have started.
 void endPageProgram();
 
 }  // namespace slicecast

@@ -1,6 +1,6 @@
-// The place in which the program runs: a window of the desktop or the canvas of a page. The program
-// hands it pictures and tells it what happens; it calls the program with keys, the mouse and time
-// (see app.h).
+// Where the program runs: in a window of the desktop or on the canvas of a page. The program gives
+// it pictures and reports what happens; the shell calls the program with keys, mouse and time (see
+// app.h).
 #pragma once
 
 #include "app/frame_meter.h"
@@ -13,21 +13,21 @@ namespace slicecast {
 
 class Session;
 
-// What happens in the program, each with a yes or no. web/engine/engine-module.js names them in
-// this order.
+// Events of the program, each with a yes or no. web/engine/engine-module.js names them in this
+// order.
 enum class News {
     ready,       // the first picture is on the screen
-    pause,       // play stands still, or goes on
-    pointer,     // the mouse looks around, or is free
-    cursor,      // the cursor's place in the picture steers, or not
-    recording,   // what is done is recorded, or no more
-    replay,      // a recording is played, or it is over
-    fly,         // fly mode, or walk mode
-    overlay,     // some overlay is shown, or none
+    pause,       // yes: paused
+    pointer,     // yes: the mouse is captured and looks around
+    cursor,      // yes: the cursor's place in the picture steers
+    recording,   // yes: recording
+    replay,      // yes: a recording is being replayed
+    fly,         // yes: fly mode; no: walk mode
+    overlay,     // yes: some overlay is shown
     help,        // its key was pressed
-    rate,        // the same
-    fullscreen,  // the same
-    record,      // the same
+    rate,        // its key was pressed
+    fullscreen,  // its key was pressed
+    record,      // its key was pressed
 };
 
 class Shell {
@@ -40,21 +40,21 @@ public:
     // Puts a picture (RGBA32) on the screen.
     virtual void show(SDL_Surface& picture) = 0;
 
-    // App::wantsFrame() has become true, so App::frame is to be called, until it is false again.
+    // App::wantsFrame() has become true: call App::frame until it is false again.
     virtual void askForFrame() = 0;
 
     virtual void tell(News news, bool yes) = 0;
-    // A picture is on the screen; `moved` if its eye is not where it was in the picture before.
+    // A picture is on the screen; `moved` if the eye has moved since the picture before.
     virtual void tellShown(bool moved) = 0;
-    // The player has gone through a portal. Names of maps.
+    // The player has gone through a portal between these maps.
     virtual void tellPortal(const std::string& from, const std::string& to) = 0;
     virtual void tellRates(const FrameRates& rates) = 0;
     virtual void tellSize(int width, int height) = 0;
 
-    // What that slice of a picture of that size meets is asked for (see session/hits_json.h).
+    // The user asks for the hits of a slice in a picture of this size (see session/hits_json.h).
     virtual void tellHits(Session& game, int width, int height, int column) = 0;
 
-    // Escape: frees the mouse, or, where it is free, leaves.
+    // Escape: releases the mouse if it is captured, else leaves.
     virtual void leave() = 0;
 };
 

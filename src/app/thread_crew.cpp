@@ -18,7 +18,7 @@ ThreadCrew::ThreadCrew(int threads) {
         for (int hand = 1; hand <= others; ++hand)
             threads_.emplace_back([this, hand] { serve(hand); });
     } catch (const std::system_error&) {
-        // Those that there are will do.
+        // Works with the threads that have started.
     }
 }
 

@@ -1,4 +1,4 @@
-// A crew of threads. They are started once, sleep between the jobs, and end with the crew.
+// A crew of threads. They start once, sleep between jobs, and end with the crew.
 #pragma once
 
 #ifndef __EMSCRIPTEN__
@@ -14,14 +14,15 @@
 
 namespace slicecast {
 
-inline constexpr int kMostThreads = 64;  // more than draw a picture faster
+inline constexpr int kMostThreads = 64;  // more would not draw a picture faster
 
-// How many this machine runs at the same time, as far as that is known; at most kMostThreads.
+// The number of threads that this machine runs at once, if known; at most kMostThreads.
 int threadsOfMachine();
 
 class ThreadCrew : public Crew {
 public:
-    // The calling thread is one of them. There are fewer where the system starts no more.
+    // `threads` includes the calling thread. The crew is smaller if the system cannot start as
+    // many.
     explicit ThreadCrew(int threads);
     ~ThreadCrew() override;
     ThreadCrew(const ThreadCrew&) = delete;
@@ -29,18 +30,18 @@ public:
 
     int hands() const override { return static_cast<int>(threads_.size()) + 1; }
 
-    // Not by two threads at the same time, nor by a job.
+    // Must not be called by two threads at once, nor by a job.
     void work(const std::function<void(int)>& job) override;
 
 private:
     void serve(int hand);
 
-    std::mutex mutex_;  // of all that follows but the threads
+    std::mutex mutex_;  // guards all of the following but `threads_`
     std::condition_variable begin_;
     std::condition_variable end_;
     const std::function<void(int)>* job_ = nullptr;
     std::uint64_t jobs_ = 0;  // begun so far
-    int busy_ = 0;            // threads that have not done the last one
+    int busy_ = 0;            // threads that are still on the last job
     bool isOver_ = false;
     std::vector<std::thread> threads_;
 };

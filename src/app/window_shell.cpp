@@ -17,10 +17,10 @@ namespace {
 
 constexpr Size kFirstWindow = {1280, 720};
 constexpr Uint32 kFullscreen = SDL_WINDOW_FULLSCREEN_DESKTOP;
-constexpr int kUsualRate = 60;      // pictures per second where the screen does not say
-constexpr Uint32 kIdleMillis = 10;  // between looks for events while nothing moves
+constexpr int kUsualRate = 60;      // pictures per second if the screen does not report a rate
+constexpr Uint32 kIdleMillis = 10;  // between checks for events while nothing moves
 
-// The buttons of SDL's controllers and the web's numbers for them.
+// SDL's controller buttons and their numbers in the web's standard gamepad.
 struct PadButton {
     SDL_GameControllerButton button;
     GamepadButton meaning;
@@ -55,17 +55,17 @@ WindowShell::~WindowShell() {
 
 std::string WindowShell::open(App& app, const std::string& title) {
     app_ = &app;
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdlFault("there is no screen to draw on");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdlFault("cannot use a screen");
     const Size size = settings_.picture.value_or(kFirstWindow);
     const Uint32 flags = SDL_WINDOW_RESIZABLE | (settings_.fullscreen ? kFullscreen : 0u);
     title_ = title;
     window_.reset(SDL_CreateWindow(shownTitle().c_str(), SDL_WINDOWPOS_CENTERED,
                                    SDL_WINDOWPOS_CENTERED, size.width, size.height, flags));
-    if (!window_) return sdlFault("no window could be opened");
+    if (!window_) return sdlFault("cannot open a window");
     if (SDL_GetWindowSurface(window_.get()) == nullptr)
-        return sdlFault("the window cannot be drawn on");
+        return sdlFault("cannot draw in the window");
     SDL_StopTextInput();
-    // Without gamepads there are the keys.
+    // Works with keys alone if this fails.
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
     fitPicture();
     return {};
@@ -81,7 +81,7 @@ void WindowShell::run(const std::function<void(const std::filesystem::path&)>& d
     running_ = true;
     double due = nowSeconds();
     while (running_) {
-        // What has happened
+        // Events
         SDL_Event event;
         while (SDL_PollEvent(&event) != 0) handle(event);
         if (!dropped_.empty()) dropped(std::exchange(dropped_, {}));
@@ -136,7 +136,7 @@ void WindowShell::fitPicture() {
     app_->resize(fit.picture.width, fit.picture.height);
 }
 
-// What a page shows beside the picture stands on it here.
+// The panels that a page shows beside the picture.
 void WindowShell::drawPanels(SDL_Surface& surface) const {
     const Picture picture = {static_cast<Pixel*>(surface.pixels), surface.w, surface.h,
                              surface.pitch / static_cast<int>(sizeof(Pixel))};
@@ -162,7 +162,7 @@ void WindowShell::show(SDL_Surface& picture) {
     SDL_UpdateWindowSurface(window_.get());
 }
 
-// Alone on the standard output, for whatever reads it.
+// The standard output has nothing else, so that programs can read it.
 void WindowShell::tellHits(Session& game, int width, int height, int column) {
     const std::string json = hitsJson(game, game.world().title, width, height, column);
     std::fwrite(json.data(), 1, json.size(), stdout);
@@ -235,7 +235,7 @@ void WindowShell::handle(const SDL_Event& event) {
             handleWindow(event.window);
             break;
         case SDL_KEYDOWN:
-            // With Alt or the system's key they are the desktop's.
+            // With Alt or the system's key, keys belong to the desktop.
             if ((event.key.keysym.mod & (KMOD_ALT | KMOD_GUI)) != 0) break;
             app_->keyDown(event.key.keysym.scancode, event.key.repeat != 0);
             break;

@@ -1,7 +1,7 @@
 // The program in a window of the desktop.
 //
-// The window can have any size. Without a size of its own the picture fills it, enlarged by a whole
-// number on large screens; with one it stands in the middle, enlarged by a whole number, with black
+// The window can have any size. A picture without a fixed size fills it, enlarged by a whole number
+// on large screens. A picture of a fixed size is centred and enlarged by a whole number, with black
 // around it.
 #pragma once
 
@@ -32,11 +32,11 @@ public:
     explicit WindowShell(const WindowSettings& settings) : settings_(settings) {}
     ~WindowShell() override;
 
-    // Opens the window. Empty on success, else what was wrong.
+    // Opens the window. Empty on success, else an error message.
     std::string open(App& app, const std::string& title);
 
-    // Plays until the window is closed. `dropped` is called with a file that was dropped on the
-    // window, `record` when its key was pressed.
+    // Plays until the window is closed. Calls `dropped` with each file that is dropped on the
+    // window and `record` when the key for it is pressed.
     void run(const std::function<void(const std::filesystem::path&)>& dropped,
              const std::function<void()>& record);
 
@@ -76,7 +76,7 @@ private:
     WindowSettings settings_;
     App* app_ = nullptr;
     std::unique_ptr<SDL_Window, DestroyWindow> window_;
-    std::unique_ptr<SDL_GameController, CloseGamepad> gamepad_;  // the last one that was connected
+    std::unique_ptr<SDL_GameController, CloseGamepad> gamepad_;  // the one connected last
     std::string title_;
     SDL_Rect place_ = {};
     Size pictureSize_;

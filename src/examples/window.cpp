@@ -32,7 +32,7 @@ bool isClosed() {
     return false;
 }
 
-// Shows pictures until the window is closed, or so many of them.
+// Shows this many pictures, or pictures until the window is closed if it is negative.
 void play(slicecast::Game& game, SDL_Window* window, long pictures) {
     SDL_Renderer* renderer = SDL_CreateRenderer(window, -1, 0);
     SDL_Texture* shown = SDL_CreateTexture(renderer, SDL_PIXELFORMAT_ABGR8888,
@@ -40,7 +40,7 @@ void play(slicecast::Game& game, SDL_Window* window, long pictures) {
     slicecast::Image image(kWidth, kHeight);
     const Uint64 begin = SDL_GetTicks64();
     for (long picture = 0; picture != pictures && !isClosed(); ++picture) {
-        // As many steps as time has passed
+        // Catch up with the clock
         const Uint64 steps = (SDL_GetTicks64() - begin) * slicecast::kStepsEachSecond / 1000;
         while (static_cast<Uint64>(game.steps()) < steps) game.step(input());
         game.draw(image.view());

@@ -24,8 +24,8 @@ ReadFile tooLarge(std::uintmax_t bytes, std::uintmax_t maxBytes) {
                   " are read");
 }
 
-// Empty for a regular file, else what the path is.
-std::string whatElse(const fs::path& path) {
+// Empty for a regular file, else what the path is instead.
+std::string whyNotRegular(const fs::path& path) {
     std::error_code error;
     switch (fs::status(path, error).type()) {
         case fs::file_type::regular:
@@ -37,15 +37,15 @@ std::string whatElse(const fs::path& path) {
         case fs::file_type::none:
             return unreadable(error).fault;
         default:
-            return "is no regular file";
+            return "is not a regular file";
     }
 }
 
 }  // namespace
 
 ReadFile readWholeFile(const fs::path& path, std::uintmax_t maxBytes) {
-    std::string other = whatElse(path);
-    if (!other.empty()) return failed(std::move(other));
+    std::string fault = whyNotRegular(path);
+    if (!fault.empty()) return failed(std::move(fault));
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) return unreadable(error);
@@ -54,16 +54,16 @@ ReadFile readWholeFile(const fs::path& path, std::uintmax_t maxBytes) {
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
     if (!stream) return unreadable({errno, std::generic_category()});
-    // Some files grow while they are read, and some tell no size.
+    // Some files grow while they are read, and some report no size.
     constexpr std::uintmax_t kBlock = 1u << 16;
     ReadFile file;
     file.bytes.reserve(static_cast<std::size_t>(size));
     while (stream && file.bytes.size() <= maxBytes) {
         const std::size_t length = file.bytes.size();
-        const auto wanted = static_cast<std::size_t>(std::max(kBlock, size));
-        file.bytes.resize(length + wanted);
+        const auto chunk = static_cast<std::size_t>(std::max(kBlock, size));
+        file.bytes.resize(length + chunk);
         stream.read(reinterpret_cast<char*>(file.bytes.data() + length),
-                    static_cast<std::streamsize>(wanted));
+                    static_cast<std::streamsize>(chunk));
         file.bytes.resize(length + static_cast<std::size_t>(stream.gcount()));
     }
     if (stream.bad()) return unreadable({errno, std::generic_category()});

@@ -1,7 +1,7 @@
-// Whole files of a disk, up to a size.
+// Reads whole files from disk, up to a size limit.
 //
 //     ReadFile file = readWholeFile("castle.json", kMaxSceneBytes);
-//     if (!file.fault.empty()) ...          // "is a folder", "has 9000 bytes; at most 100 are read"
+//     if (!file.fault.empty()) ...   // "is a folder", "has 9000 bytes; at most 100 are read"
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace slicecast {
 
-// The bytes, or in words why there are none.
+// The bytes, or why there are none.
 struct ReadFile {
     std::vector<std::uint8_t> bytes;
     std::string fault;  // empty on success
 
-    // Of the bytes; lives as long as they do.
+    // Valid as long as `bytes`.
     std::string_view text() const {
         return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     }
 };
 
-// Only a regular file is opened, or a link to one: a pipe could keep the caller waiting for ever.
-// Its size is looked at before it is read, and no more than `maxBytes` are kept in memory.
+// Opens regular files and links to them only: a pipe could block forever. Checks the size before
+// reading and keeps at most `maxBytes` in memory.
 ReadFile readWholeFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 
-// A name as scenes and command lines write it: UTF-8, whatever the system's own file names are.
+// Converts a name of a scene or command line: UTF-8, whatever encoding the system uses.
 std::filesystem::path pathOf(const std::string& name);
 
 }  // namespace slicecast

@@ -1,4 +1,4 @@
-// A recording from a disk.
+// Reads a recording from disk.
 #pragma once
 
 #include "session/recording_text.h"
@@ -7,8 +7,8 @@
 
 namespace slicecast {
 
-// The recording, or all faults; a file that cannot be read, is larger than kMaxRecordingBytes or is
-// no regular file is one.
+// The recording, or all faults. A file that cannot be read, is larger than kMaxRecordingBytes or is
+// not a regular file is a fault.
 ReadRecording readRecordingFile(const std::filesystem::path& path);
 
 }  // namespace slicecast

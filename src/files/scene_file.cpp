@@ -10,18 +10,18 @@
 namespace slicecast {
 namespace {
 
-LoadedScene noScene(const std::string& file, const std::string& fault) {
-    Fault none;
-    none.file = file;
-    none.found = "a path that " + fault;
-    none.expected = "a scene file";
+LoadedScene notReadable(const std::string& file, const std::string& why) {
+    Fault fault;
+    fault.file = file;
+    fault.found = "a path that " + why;
+    fault.expected = "a scene file";
     LoadedScene loaded;
-    loaded.faults.push_back(std::move(none));
+    loaded.faults.push_back(std::move(fault));
     return loaded;
 }
 
-// The scene only knows that an image did not come.
-void tellWhy(std::vector<Fault>& faults, const std::map<std::string, std::string>& unread) {
+// The scene only knows that an image is missing; this adds why.
+void addReasons(std::vector<Fault>& faults, const std::map<std::string, std::string>& unread) {
     std::map<std::string, std::string> better;
     for (const auto& [name, why] : unread)
         better.emplace(imageFound(name, kUnreadImage), imageFound(name, "which " + why));
@@ -49,12 +49,12 @@ ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& fol
 LoadedScene readSceneFile(const std::filesystem::path& scene) {
     const std::string name = scene.string();
     ReadFile text = readWholeFile(scene, kMaxSceneBytes);
-    if (!text.fault.empty()) return noScene(name, text.fault);
+    if (!text.fault.empty()) return notReadable(name, text.fault);
     ParsedScene parsed = parseScene(text.text(), name);
     text = {};
     const ReadImages images = readImages(parsed, scene.parent_path());
     LoadedScene loaded = loadScene(std::move(parsed), images.files);
-    tellWhy(loaded.faults, images.unread);
+    addReasons(loaded.faults, images.unread);
     return loaded;
 }
 

@@ -1,5 +1,5 @@
-// A scene from a disk: reads the text, then the images that it names, seen from the scene's folder.
-// Every program, tool and test that opens a scene file does it here.
+// Reads a scene from disk: the text, then the images that it names, with paths relative to the
+// scene's folder. Every program, tool and test opens scene files through this.
 //
 //     LoadedScene scene = readSceneFile("assets/scenes/first-walk.json");
 //     for (const Fault& fault : scene.faults) print(describe(fault));
@@ -14,15 +14,15 @@
 
 namespace slicecast {
 
-// No image within the limits of a scene is as large in a file.
+// No valid image needs a file this large.
 inline constexpr std::uintmax_t kMaxImageBytes = 64u << 20;
 
-// The world, or all faults. A file that cannot be read, is larger than kMaxSceneBytes or is no
-// regular file is a fault, too; nothing waits for it.
+// The world, or all faults. A file that cannot be read, is larger than kMaxSceneBytes or is not a
+// regular file is a fault; it never blocks.
 LoadedScene readSceneFile(const std::filesystem::path& scene);
 
-// The images that a scene names, seen from a folder: the bytes of those that can be read, and of
-// the others in words why not.
+// The images that a scene names, with paths relative to `folder`: `files` has the bytes of those
+// that could be read, `unread` why the others could not, by name.
 struct ReadImages {
     SceneFiles files;
     std::map<std::string, std::string> unread;

@@ -27,11 +27,11 @@ int writeBytes(const fs::path& path, std::span<const std::uint8_t> bytes, Prepar
     return fault;
 }
 
-// Writes beside the file first, and puts that in its place when all is written. 0 on success, else
+// Writes a temporary file beside `path` and renames it when all is written. 0 on success, else
 // errno.
 int replaceFile(const fs::path& path, const fs::file_status& old,
                 std::span<const std::uint8_t> bytes) {
-    // Two that write the same file at once each have a part of their own.
+    // Two programs that write the same file at once use different temporary files.
     fs::path part = path;
     part += ".part-" + std::to_string(std::random_device{}());
     std::error_code error;
@@ -46,7 +46,7 @@ int replaceFile(const fs::path& path, const fs::file_status& old,
     return fault;
 }
 
-// Where a chain of links ends, whether or not anything is there.
+// The end of a chain of links, whether or not it exists.
 fs::path followLinks(fs::path path) {
     constexpr int kMostLinks = 40;  // as many as Linux follows
     std::error_code error;
@@ -78,7 +78,7 @@ int finishOutput(const char* program, int status) {
     const int fault = errno;
     if (!isLost && std::ferror(stdout) == 0) return status;
     const std::string cause = fault == 0 ? std::string() : ": " + reason(fault);
-    std::fprintf(stderr, "%s: the standard output cannot be written%s\n", program, cause.c_str());
+    std::fprintf(stderr, "%s: cannot write the standard output%s\n", program, cause.c_str());
     return 1;
 }
 

@@ -1,4 +1,4 @@
-// What the programs write: files, and the standard output. What is lost on the way is told.
+// Writes files and finishes the standard output. Every failed write is reported.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace slicecast {
 
-// A file is written whole or not at all: nobody ever sees half of it, and one that was there keeps
-// its permissions. Links are followed. What is no file, such as a pipe or a device, gets the bytes
-// as it is. Empty on success, else what was wrong.
+// Writes a file whole or not at all: no reader ever sees half of it, and an existing file keeps its
+// permissions. Follows links. Writes pipes, devices and the like in place. Returns an empty text on
+// success, else what is wrong.
 std::string writeWholeFile(const std::string& path, std::span<const std::uint8_t> bytes);
 std::string writeWholeFile(const std::string& path, std::string_view text);
 
-// Call it first in main: a write into a pipe that nobody reads any more then fails like any other
-// lost write, instead of ending the program without a word.
+// Call it first in main: a write into a closed pipe then fails like any other write, instead of
+// ending the program without a message.
 void outliveClosedPipes();
 
-// Call it last in main: the exit status, which is 1 where the standard output has lost something;
-// that has been said then.
+// Call it last in main: returns the exit status. That is 1, after a message on stderr, if the
+// standard output has lost something.
 int finishOutput(const char* program, int status);
 
 }  // namespace slicecast

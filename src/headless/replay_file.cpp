@@ -7,7 +7,7 @@
 namespace slicecast {
 namespace {
 
-// The steps before a mark, or nothing if there is no such mark.
+// The number of steps before a mark; nothing if there is no such mark.
 std::optional<std::int64_t> stepOfMark(const Recording& recording, const std::string& name) {
     std::int64_t steps = 0;
     for (const RecordedEntry& entry : recording.entries) {
@@ -34,12 +34,12 @@ std::string replayUpTo(Session& session, Replay& replay, const std::string& step
     if (!stepOrMark.empty()) {
         const bool isNumber = stepOrMark.size() <= 9 &&
                               stepOrMark.find_first_not_of("0123456789") == std::string::npos;
-        std::optional<std::int64_t> wanted = stepOfMark(replay.recording(), stepOrMark);
-        if (isNumber) wanted = std::atoll(stepOrMark.c_str());
-        if (!wanted || *wanted > last)
+        std::optional<std::int64_t> target = stepOfMark(replay.recording(), stepOrMark);
+        if (isNumber) target = std::atoll(stepOrMark.c_str());
+        if (!target || *target > last)
             return "found \"" + stepOrMark + "\", expected a step from 0 to " +
                    std::to_string(last) + marksOf(replay.recording());
-        last = *wanted;
+        last = *target;
     }
     while (replay.stepsDone() < last && replay.step(session)) {
     }

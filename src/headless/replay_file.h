@@ -1,4 +1,4 @@
-// A recording, played in a session of its scene.
+// Replays a recording in a session of its scene.
 #pragma once
 
 #include "session/recording.h"
@@ -8,8 +8,8 @@
 
 namespace slicecast {
 
-// Plays it up to a step, given as a number (0 is the start) or by a mark's name, or whole where
-// nothing is given. Empty on success, else what was wrong.
+// Replays up to a step, given as a number (0 is the start) or as the name of a mark; an empty text
+// replays all. Empty on success, else an error message.
 std::string replayUpTo(Session& session, Replay& replay, const std::string& stepOrMark);
 
 }  // namespace slicecast

@@ -1,5 +1,4 @@
-// slicecast-check: tells all faults of scenes, or that there are none, and what else is probably
-// not meant so.
+// slicecast-check: prints all faults of scenes, and warnings about probable mistakes.
 
 #include "files/scene_file.h"
 #include "files/write_file.h"
@@ -21,8 +20,9 @@ int main(int argc, char** argv) {
     cli.footer(
         "Prints a line \"FILE: ok\", or one line for each fault: FILE:LINE:COLUMN (JSON POINTER): "
         "found ..., expected ...\n"
-        "Warnings go to the standard error in the same form; a scene with warnings alone is ok.\n"
-        "The exit status is 0 if all scenes are ok, 1 if one is not, and 2 for a wrong command "
+        "Warnings go to the standard error in the same form; a scene that has only warnings is "
+        "ok.\n"
+        "The exit status is 0 if all scenes are ok, 1 if any is not, and 2 for a wrong command "
         "line.\n"
         "\nExamples:\n"
         "  slicecast-check castle.json\n"

@@ -1,5 +1,5 @@
-// slicecast-render: draws one view of a scene into a PNG file, without a screen; or tells what one
-// of its columns meets and what it took to draw it.
+// slicecast-render: draws one view of a scene into a PNG file, without a screen; or prints what a
+// column meets, or how it was drawn.
 
 #include "base/image.h"
 #include "files/recording_file.h"
@@ -26,8 +26,8 @@ using namespace slicecast;
 
 namespace {
 
-constexpr int kWrongUse =
-    2;  // exit status where the command line is wrong; 1 where the scene or a file is
+// Exit status for a wrong command line; it is 1 for a faulty scene or file.
+constexpr int kWrongUse = 2;
 
 struct Arguments {
     std::string scene;
@@ -45,7 +45,7 @@ struct Arguments {
 };
 
 std::string footer() {
-    constexpr std::size_t kDescriptions = 22;  // where they begin
+    constexpr std::size_t kDescriptions = 22;  // column at which they begin
     std::string text = "Options for --set:\n";
     for (const OptionInfo& option : knownOptions()) {
         std::string name = "  " + std::string(option.name);
@@ -75,43 +75,38 @@ std::string footer() {
 
 void describeArguments(CLI::App& cli, Arguments& arguments) {
     cli.add_option("SCENE", arguments.scene, "scene file")->required();
-    cli.add_option("--map", arguments.map,
-                   "map to look at; without it, the one in which the scene starts")
+    cli.add_option("--map", arguments.map, "map to draw (default: the one where the scene starts)")
         ->type_name("NAME");
-    cli.add_option("--eye", arguments.eye,
-                   "from where to look; without it, as the player sees the start")
+    cli.add_option("--eye", arguments.eye, "viewpoint (default: the player's at the scene's start)")
         ->type_name("X,Y,Z,HEADING,LOOK");
-    cli.add_option("--size", arguments.size, "size of the picture in pixels; 1280x720 without it")
+    cli.add_option("--size", arguments.size, "size of the picture in pixels (default: 1280x720)")
         ->type_name("WxH");
-    cli.add_option("--fov", arguments.fov, "field of view from left to right, in degrees")
-        ->type_name("DEG");
+    cli.add_option("--fov", arguments.fov, "horizontal field of view in degrees")->type_name("DEG");
     CLI::Option* time =
         cli.add_option("--time", arguments.time,
-                       "how long the world has gone on when it is drawn; 0 without it")
+                       "simulate the world for this long before drawing (default: 0)")
             ->type_name("SECONDS");
     cli.add_option("--set", arguments.options, "set an option of the view; see below")
         ->type_name("OPTION=VALUE")
         ->allow_extra_args(false);
-    CLI::Option* replay = cli.add_option("--replay", arguments.replay,
-                                         "recording to play first, from the scene's start")
-                              ->type_name("FILE")
-                              ->excludes(time);
+    CLI::Option* replay =
+        cli.add_option("--replay", arguments.replay, "recording to replay before drawing")
+            ->type_name("FILE")
+            ->excludes(time);
     cli.add_option(
            "--at", arguments.at,
-           "how much of it: a number of steps (1/120 s) or the name of a mark; without it, all")
+           "replay up to this step (1/120 s) or the mark of this name (default: to the end)")
         ->type_name("STEP")
         ->needs(replay);
     CLI::Option* hits =
         cli.add_option("--hits", arguments.hits,
-                       "print what this column of the picture meets, as JSON; 0 is the leftmost")
+                       "print the hits of this column of the picture as JSON; 0 is the leftmost")
             ->type_name("COLUMN");
-    cli.add_option(
-           "--trace", arguments.trace,
-           "print everything that was done to draw this column, or \"all\" of them, as JSON")
+    cli.add_option("--trace", arguments.trace,
+                   "print each step of drawing this column, or \"all\" columns, as JSON")
         ->type_name("COLUMN")
         ->excludes(hits);
-    cli.add_option("--out", arguments.out,
-                   "PNG file to write; may be left out with --hits or --trace")
+    cli.add_option("--out", arguments.out, "PNG file to write; optional with --hits or --trace")
         ->type_name("PICTURE.png");
     cli.footer(footer());
 }
@@ -123,7 +118,7 @@ int fail(const std::string& fault, int status) {
     return status;
 }
 
-// The map of that name, or that of the start where none is asked for.
+// The map of that name; the map of the start if the name is empty.
 Read<int> findMap(const World& world, const std::string& name) {
     if (name.empty()) return {world.start.map, {}};
     std::string names;
@@ -134,7 +129,7 @@ Read<int> findMap(const World& world, const std::string& name) {
     return {std::nullopt, "--map: found \"" + name + "\", expected a map of this scene: " + names};
 }
 
-// Options and eye as the command line has them. Empty on success, else what was wrong.
+// Sets the options and the eye of the command line. Empty on success, else an error message.
 std::string arrange(Session& session, const Arguments& arguments) {
     if (!arguments.fov.empty()) {
         std::string fault = session.setOption("fov", arguments.fov);
@@ -157,20 +152,21 @@ std::string arrange(Session& session, const Arguments& arguments) {
     if (arguments.eye.empty()) {
         if (*map.value == session.world().start.map) return {};
         return "--map: the scene does not start in \"" + arguments.map +
-               "\"; expected --eye as well, to say from where to look";
+               "\"; add --eye to set the viewpoint";
     }
     const Read<Eye> eye = readEye(arguments.eye, *map.value);
     if (!eye.value) return "--eye: " + eye.fault;
     return session.setEye(*eye.value)
                ? std::string()
-               : "--eye: found \"" + arguments.eye + "\", from where nothing can be seen";
+               : "--eye: found \"" + arguments.eye +
+                     "\", which sees nothing; expected a viewpoint above the floor";
 }
 
-// Plays the recording. 0 on success, else the exit status, and what was wrong has been said.
+// Replays the recording. 0 on success, else the exit status after printing the error.
 int play(Session& session, const Arguments& arguments) {
     if (!arguments.eye.empty() || !arguments.map.empty())
         return fail(
-            "--replay: a recording says where the player is; expected no --eye and no --map",
+            "--replay: cannot be used with --eye or --map, because the recording moves the player",
             kWrongUse);
     ReadRecording read = readRecordingFile(arguments.replay);
     for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
@@ -186,8 +182,8 @@ int play(Session& session, const Arguments& arguments) {
     if (!fault.empty()) return fail("--at: " + fault, kWrongUse);
     if (!replay.isSame())
         return fail(
-            "--replay: the way leads elsewhere than when it was recorded; the scene or the engine "
-            "is another one",
+            "--replay: the replay ends elsewhere than the recording; the scene or the engine has "
+            "changed since",
             1);
     return 0;
 }
@@ -213,9 +209,9 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& fault) {
         return finishOutput(kProgram, cli.exit(fault) == 0 ? 0 : kWrongUse);
     }
-    const std::string& asked =
+    const std::string& columnText =
         arguments.hits.empty() ? arguments.trace : arguments.hits;  // at most one of them
-    if (arguments.out.empty() && asked.empty())
+    if (arguments.out.empty() && columnText.empty())
         return fail("nothing to do; expected --out PICTURE.png, --hits COLUMN or --trace COLUMN",
                     kWrongUse);
     PictureSize size;
@@ -226,8 +222,8 @@ int main(int argc, char** argv) {
     }
     int column = 0;
     const bool isWhole = arguments.trace == "all";
-    if (!asked.empty() && !isWhole) {
-        const Read<int> read = readColumn(asked, size.width);
+    if (!columnText.empty() && !isWhole) {
+        const Read<int> read = readColumn(columnText, size.width);
         if (!read.value)
             return fail((arguments.hits.empty() ? "--trace: " : "--hits: ") + read.fault,
                         kWrongUse);
@@ -248,12 +244,12 @@ int main(int argc, char** argv) {
         if (status != 0) return status;
     }
 
-    // What was asked for
+    // Picture and texts
     if (!arguments.out.empty()) {
         const std::string fault = drawTo(arguments.out, session, size);
         if (!fault.empty()) return fail(fault, 1);
     }
-    if (!asked.empty()) {
+    if (!columnText.empty()) {
         const auto [width, height] = size;
         const std::string text = isWhole ? frameTraceJson(session, arguments.scene, width, height)
                                  : arguments.hits.empty()

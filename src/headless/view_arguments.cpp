@@ -17,7 +17,7 @@ std::string quoted(std::string_view text) {
     return "\"" + std::string(text) + "\"";
 }
 
-// A decimal number that is the whole of the text.
+// The whole text must be a decimal number.
 std::optional<double> readNumber(const std::string& text) {
     if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos)
         return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<double> readNumber(const std::string& text) {
                                                                       : std::nullopt;
 }
 
-// Digits alone, and a number from `least` to `greatest`, which has no more than 5 digits.
+// A number from `least` to `greatest`, at most 5 digits and nothing else.
 std::optional<int> readWhole(const std::string& text, int least, int greatest) {
     if (text.empty() || text.size() > 5 ||
         text.find_first_not_of("0123456789") != std::string::npos)
@@ -36,7 +36,7 @@ std::optional<int> readWhole(const std::string& text, int least, int greatest) {
     return number >= least && number <= greatest ? std::optional(number) : std::nullopt;
 }
 
-// One of the five numbers of an eye.
+// A range for one of the five numbers of an eye.
 struct EyeNumber {
     const char* name;
     double least;

@@ -1,6 +1,7 @@
-// How a command line says from where to look and how large a picture to draw.
+// Reads the viewpoint and the size of the picture from a command line.
 //
-//     --eye 3.5,4,0.5,90,0        x, y, height of the eye (units), heading (degrees, 0 = east, 90 = south), look (screen heights, positive up)
+//     --eye 3.5,4,0.5,90,0        x, y, height of the eye (units), heading (degrees, 0 = east,
+//                                 90 = south), look (screen heights, positive up)
 //     --size 1280x720             pixels
 #pragma once
 
@@ -16,7 +17,7 @@ struct PictureSize {
     int height = 720;
 };
 
-// A value, or in words what was found and what was expected.
+// A value, or a message with what was found and expected.
 template <typename Value>
 struct Read {
     std::optional<Value> value;
@@ -28,10 +29,11 @@ Read<PictureSize> readSize(const std::string& text);
 // A column of a picture, 0 on the left.
 Read<int> readColumn(const std::string& text, int width);
 
-// The eye in the map with index `map`. One that sees nothing, at or below the floor, is refused.
-// Seconds, to the nearest step of the simulation: how many steps (1/120 s) that is.
+// Seconds, returned as steps (1/120 s), rounded to the nearest.
 Read<int> readTime(const std::string& text);
 
+// The eye in the map with index `map`. Refuses one at or below the floor, because it sees
+// nothing.
 Read<Eye> readEye(const std::string& text, int map);
 
 }  // namespace slicecast

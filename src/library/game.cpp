@@ -12,7 +12,7 @@ namespace {
 
 using What = FilledRows::What;
 
-// What a pixel shows has the engine's order.
+// Seen has the engine's order.
 static_assert(static_cast<int>(Seen::side) == static_cast<int>(What::side) &&
               static_cast<int>(Seen::roof) == static_cast<int>(What::roof) &&
               static_cast<int>(Seen::underside) == static_cast<int>(What::underside) &&
@@ -22,28 +22,28 @@ static_assert(static_cast<int>(Seen::side) == static_cast<int>(What::side) &&
               static_cast<int>(Seen::haze) == static_cast<int>(What::haze) &&
               static_cast<int>(Seen::object) == static_cast<int>(What::object));
 
-ColumnHit told(const Hit& hit, const World& world) {
-    ColumnHit told = {.map = hit.map,
-                      .portals = hit.portals,
-                      .tileX = hit.tileX,
-                      .tileY = hit.tileY,
-                      .level = hit.level,
-                      .block = world.blueprints[hit.blueprint].name,
-                      .face = hit.entered ? std::optional(hit.face) : std::nullopt,
-                      .x = hit.x,
-                      .y = hit.y,
-                      .distance = hit.rawDepth,
-                      .depth = hit.depth,
-                      .backDepth = hit.backDepth,
-                      .bottom = hit.bottom.value(),
-                      .top = hit.top.value(),
-                      .topFrontRow = hit.topFrontRow,
-                      .bottomFrontRow = hit.bottomFrontRow,
-                      .topBackRow = hit.topBackRow,
-                      .bottomBackRow = hit.bottomBackRow,
-                      .rows = {}};
-    for (const FilledRows& rows : hit.filled) told.rows.push_back({rows.first, rows.last});
-    return told;
+ColumnHit toColumnHit(const Hit& hit, const World& world) {
+    ColumnHit column = {.map = hit.map,
+                        .portals = hit.portals,
+                        .tileX = hit.tileX,
+                        .tileY = hit.tileY,
+                        .level = hit.level,
+                        .block = world.blueprints[hit.blueprint].name,
+                        .face = hit.entered ? std::optional(hit.face) : std::nullopt,
+                        .x = hit.x,
+                        .y = hit.y,
+                        .distance = hit.rawDepth,
+                        .depth = hit.depth,
+                        .backDepth = hit.backDepth,
+                        .bottom = hit.bottom.value(),
+                        .top = hit.top.value(),
+                        .topFrontRow = hit.topFrontRow,
+                        .bottomFrontRow = hit.bottomFrontRow,
+                        .topBackRow = hit.topBackRow,
+                        .bottomBackRow = hit.bottomBackRow,
+                        .rows = {}};
+    for (const FilledRows& rows : hit.filled) column.rows.push_back({rows.first, rows.last});
+    return column;
 }
 
 const std::string& textureName(const World& world, const FilledRows& rows) {
@@ -51,7 +51,7 @@ const std::string& textureName(const World& world, const FilledRows& rows) {
                                      : world.textures[rows.texture].name;
 }
 
-void tellBlock(Pick& pick, const Hit& hit, Face face, const World& world) {
+void setBlock(Pick& pick, const Hit& hit, Face face, const World& world) {
     pick.face = face;
     pick.tileX = hit.tileX;
     pick.tileY = hit.tileY;
@@ -131,7 +131,7 @@ std::vector<ColumnHit> Game::hits(int width, int height, int column) {
     if (!isPictureSize(width, height) || column < 0 || column >= width) return hits;
     const World& world = state_->session.world();
     for (const Hit& hit : state_->session.trace(width, height, column).hits)
-        hits.push_back(told(hit, world));
+        hits.push_back(toColumnHit(hit, world));
     return hits;
 }
 
@@ -148,7 +148,7 @@ std::optional<Pick> Game::pick(int width, int height, int column, int row) {
     pick.portals = rows.portals;
     pick.depth = std::numeric_limits<double>::infinity();
     if (rows.hit >= 0)
-        tellBlock(pick, trace.hits[static_cast<std::size_t>(rows.hit)], rows.face, world);
+        setBlock(pick, trace.hits[static_cast<std::size_t>(rows.hit)], rows.face, world);
     if (rows.texture == kNoTexture || seen.isHole) return pick;
     pick.texture = textureName(world, rows);
     pick.x = seen.point->x;

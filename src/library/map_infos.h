@@ -1,4 +1,4 @@
-// What the library tells of maps.
+// Converts the engine's maps for the library.
 #pragma once
 
 #include "slicecast/scene.h"

@@ -17,12 +17,12 @@ bool isWithin(double value, double low, double high) {
     return value >= low && value <= high;  // false for a NaN
 }
 
-template <typename Things>
-bool isIndexOf(int index, const Things& things) {
-    return index >= 0 && static_cast<std::size_t>(index) < things.size();
+template <typename List>
+bool isIndexOf(int index, const List& list) {
+    return index >= 0 && static_cast<std::size_t>(index) < list.size();
 }
 
-// The thing that is wrong: block "wall"
+// Names the faulty part in a message: block "wall"
 std::string named(const char* kind, const std::string& name) {
     return words(kind, " \"", name, "\"");
 }
@@ -40,7 +40,7 @@ struct SceneBuilder::State {
     bool hasStart = false;
     std::vector<Fault> faults;
 
-    // `where`: the thing that is wrong, as who made it calls it.
+    // `where` names the faulty part: block "wall".
     void refuse(const std::string& where, const Words& found, const Words& expected) {
         if (faults.size() >= kMaxFaults) return;
         Fault fault;
@@ -49,17 +49,17 @@ struct SceneBuilder::State {
         fault.expected = expected.str();
         faults.push_back(std::move(fault));
     }
-    template <typename Things>
-    void checkName(const std::string& where, const std::string& name, const Things& others) {
+    template <typename Names>
+    void checkName(const std::string& where, const std::string& name, const Names& others) {
         if (name.empty()) refuse(where, "an empty name", "a name");
         for (const auto& other : others) {
             if (!name.empty() && other.name == name)
-                refuse(where, "a name that another one has", "each name once");
+                refuse(where, "a name that is already taken", "a unique name");
         }
     }
     bool checkTexture(const std::string& where, Texture texture) {
         const bool isKnown = isIndexOf(texture.index, world.textures);
-        if (!isKnown) refuse(where, "no texture", "one that texture() or colour() gave");
+        if (!isKnown) refuse(where, "no texture", "one that texture() or colour() returned");
         return isKnown;
     }
     void checkBlock(const std::string& where, const BlockSpec& spec);
@@ -71,7 +71,7 @@ void SceneBuilder::State::checkBlock(const std::string& where, const BlockSpec& 
     checkName(where, spec.name, world.blueprints);
     checkTexture(where, spec.texture);
     if (spec.topTexture.index >= 0) checkTexture(where, spec.topTexture);
-    // Heights are rounded, and must differ then, too.
+    // Heights are rounded; they must still differ afterwards.
     if (!isWithin(spec.bottom, 0.0, 1.0) || !isWithin(spec.top, 0.0, 1.0) ||
         toCoordinate(spec.bottom) >= toCoordinate(spec.top)) {
         refuse(where, {"a bottom of ", Shortest{spec.bottom}, " and a top of ", Shortest{spec.top}},
@@ -85,13 +85,13 @@ void SceneBuilder::State::checkBlock(const std::string& where, const BlockSpec& 
         return entry.character == spec.character;
     });
     if (spec.character != 0 && (isTaken || spec.character == U'.' || spec.character == U' '))
-        refuse(where, "a character that means something else", "one of its own");
+        refuse(where, "a character that is already taken", "a unique one, neither '.' nor a space");
 }
 
 bool SceneBuilder::State::checkMap(const std::string& where, const MapSpec& spec) {
     checkName(where, spec.name, world.maps);
     if (world.maps.size() >= kMaxMaps) {
-        refuse(where, "one map more", {"at most ", kMaxMaps});
+        refuse(where, "one more map", {"at most ", kMaxMaps});
         return false;
     }
     const bool fits = spec.width >= 1 && spec.width <= kMaxMapWidth && spec.depth >= 1 &&
@@ -122,7 +122,7 @@ bool SceneBuilder::State::checkBox(const slicecast::Map& map, const Box& box) {
     refuse(named("map", map.name),
            {"a box of ", sizeOf(box.width, box.depth, box.levels), " at x ", box.x, ", y ", box.y,
             ", level ", box.level},
-           {"one that lies in the map's ", sizeOf(map.width, map.depth, map.levels)});
+           {"one inside the map's ", sizeOf(map.width, map.depth, map.levels)});
     return false;
 }
 
@@ -148,7 +148,7 @@ SceneBuilder::Texture SceneBuilder::texture(std::string name, const Image& image
         return {};
     }
     if (state.world.textures.size() >= kMaxTextures) {
-        state.refuse(where, "one texture more", {"at most ", kMaxTextures});
+        state.refuse(where, "one more texture", {"at most ", kMaxTextures});
         return {};
     }
     state.world.textures.push_back(makeTexture(std::move(name), image));
@@ -168,7 +168,7 @@ SceneBuilder::Block SceneBuilder::block(const BlockSpec& spec) {
     const std::size_t faultsBefore = state.faults.size();
     state.checkBlock(where, spec);
     if (state.world.blueprints.size() > kMaxBlueprints)
-        state.refuse(where, "one block more", {"at most ", kMaxBlueprints});
+        state.refuse(where, "one more block", {"at most ", kMaxBlueprints});
     if (state.faults.size() != faultsBefore) return {};
 
     CellBlueprint blueprint;
@@ -207,11 +207,11 @@ SceneBuilder::Map SceneBuilder::map(const MapSpec& spec) {
 void SceneBuilder::fill(Map map, const Box& box, Block block) {
     State& state = *state_;
     if (!isIndexOf(map.index, state.world.maps)) {
-        state.refuse("fill", "no map", "one that map() gave");
+        state.refuse("fill", "no map", "one that map() returned");
         return;
     }
     if (!isIndexOf(block.index, state.world.blueprints)) {
-        state.refuse("fill", "no block", "one that block() gave");
+        state.refuse("fill", "no block", "one that block() returned");
         return;
     }
     slicecast::Map& place = state.world.maps[static_cast<std::size_t>(map.index)];
@@ -227,7 +227,7 @@ void SceneBuilder::fill(Map map, const Box& box, Block block) {
 void SceneBuilder::start(Map map, const Start& start) {
     State& state = *state_;
     if (!isIndexOf(map.index, state.world.maps)) {
-        state.refuse("start", "no map", "one that map() gave");
+        state.refuse("start", "no map", "one that map() returned");
         return;
     }
     const slicecast::Map& place = state.world.maps[static_cast<std::size_t>(map.index)];

@@ -1,5 +1,5 @@
-// Which portals the rays of a slice's rows went through. All rays of a run of rows that one thing
-// fills went through the same ones.
+// Finds the map that the rays of a slice's row reach through portals. All rays of a run of rows
+// pass the same portals.
 #pragma once
 
 #include "render/trace.h"
@@ -9,12 +9,12 @@
 namespace slicecast {
 
 struct Beyond {
-    int map = 0;     // in which the rays are in the end
-    int levels = 0;  // added to heights on the way: what is at height h there is met at h - levels
-                     // in the eye's map
+    int map = 0;  // in which the rays end
+    int levels =
+        0;  // added to heights on the way: height h there is at h - levels in the eye's map
 };
 
-// Behind the first `most` portals that the rays of that row went through.
+// Behind the first `most` portals that the rays of this row passed.
 Beyond beyondPortals(const SliceTrace& trace, const World& world, int eyeMap, int row,
                      int most = kMaxPortalLimit);
 

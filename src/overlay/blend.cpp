@@ -11,7 +11,7 @@ namespace {
 
 constexpr Pixel kOpaque = 0xff000000u;
 
-// Four pixels at a time, as blended() does one.
+// blended() for four pixels at a time.
 [[maybe_unused]] inline U32x4 blendedFour(U32x4 under, U32x4 over) {
     const U32x4 two = allLanes(kTwoChannels);
     const U32x4 alphas = over >> 24;
@@ -24,14 +24,14 @@ constexpr Pixel kOpaque = 0xff000000u;
            allLanes(kOpaque);
 }
 
-// True if none of four pixels covers anything.
+// True if four pixels are fully transparent.
 [[maybe_unused]] inline bool isClear(const Pixel* four) {
     std::uint64_t halves[2];
     std::memcpy(halves, four, sizeof halves);
     return (halves[0] | halves[1]) == 0;
 }
 
-// `next` is how far `over` goes on from one pixel to the next: 1, or 0 for four that are all alike.
+// `next` is the step of `over` from pixel to pixel: 1, or 0 for four equal pixels.
 void blendRow(Pixel* row, int count, const Pixel* over, int next) {
     int x = 0;
     if constexpr (kHasVectors) {
@@ -77,7 +77,7 @@ void drawPanel(const Picture& picture, PixelRect rect, int scale) {
     for (int y = 0; y < rect.height; ++y) {
         const int fromEdge = std::min(y, rect.height - 1 - y);
         const int inset = plateInset(fromEdge, scale);
-        // The rim goes round the corner: where the row that lies a rim further out ends
+        // The rim follows the corner: it ends where the row one rim further out ends
         const int side = fromEdge < rim ? rect.width / 2
                                         : std::max(inset + rim, plateInset(fromEdge - rim, scale));
         const int row = rect.y + y;

@@ -1,4 +1,4 @@
-// Painting over a picture with translucent colours. Everything but rows is clipped to the
+// Paints over a picture with translucent colours. Everything but blendRow is clipped to the
 // picture.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace slicecast {
 
-// Rows and columns of pixels from the upper left; empty where width or height is not positive.
+// Pixel columns and rows from the upper left; empty if width or height is not positive.
 struct PixelRect {
     int x = 0;
     int y = 0;
@@ -19,10 +19,10 @@ struct PixelRect {
 
 inline constexpr Pixel kTwoChannels = 0x00ff00ff;  // a pixel's red and blue
 
-// `over` laid on an opaque pixel by its alpha: (over * a + under * (255 - a) + 127) / 255 per
-// channel. Two channels at a time: with n = over * a + under * (255 - a) + 128 that is
-// (n + n / 256) / 256, and no n exceeds 16 bits. Inlined even where code is kept small, for that is
-// most of what a pixel takes.
+// Blends `over` on an opaque pixel: (over * a + under * (255 - a) + 127) / 255 per channel. Works
+// on two channels at a time: with n = over * a + under * (255 - a) + 128 that is (n + n / 256) /
+// 256, and no n exceeds 16 bits. Always inlined, even where code is optimised for size, because a
+// call would dominate the cost of a pixel.
 __attribute__((always_inline)) constexpr Pixel blended(Pixel under, Pixel over) {
     const Pixel a = over >> 24;
     const Pixel even = (over & kTwoChannels) * a + (under & kTwoChannels) * (255 - a) + 0x00800080;
@@ -42,21 +42,21 @@ constexpr Colour withAlpha(Colour colour, int alpha) {
 // Lays a colour over one pixel.
 void blendPixel(const Picture& picture, int x, int y, Colour colour);
 
-// Lays a colour over pixels of a row, or as many others, each by its own alpha. Nothing is clipped.
+// Blends a colour, or as many pixels with their own alpha, over a row. Not clipped.
 void blendRow(Pixel* row, int count, Colour colour);
 void blendRow(Pixel* row, int count, const Pixel* over);
 
 // Lays a colour over a rectangle.
 void blendRect(const Picture& picture, PixelRect rect, Colour colour);
 
-// A plate: a dark translucent rectangle with round corners and a fine light rim, on which all
-// overlays stand. The scale is that of its text.
+// A panel: a dark translucent rectangle with round corners and a fine light rim, the background of
+// all overlays. `scale` is that of its text.
 inline constexpr Colour kPanelColour = {16, 20, 28, 208};
 inline constexpr Colour kPanelRim = {226, 214, 186, 96};
 void drawPanel(const Picture& picture, PixelRect rect, int scale = 1);
 
-// How many pixels at both ends of a plate's row, counted from its nearer edge, are outside its
-// round corners.
+// The pixels at each end of a panel's row that are outside its round corners; rows are counted from
+// the nearer edge.
 constexpr int plateInset(int rowFromEdge, int scale) {
     return rowFromEdge < scale ? 2 * scale : rowFromEdge < 2 * scale ? scale : 0;
 }

@@ -6,7 +6,7 @@
 namespace slicecast {
 namespace {
 
-// Dark beside light, to be seen over any scene.
+// Dark beside light, so that it shows on any scene.
 constexpr Colour kLine = {255, 255, 255, 235};
 constexpr Colour kRim = {0, 0, 0, 120};
 

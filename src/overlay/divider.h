@@ -1,11 +1,11 @@
-// The line between two halves of a picture that were drawn in two ways.
+// Draws the line between two parts of a picture that were drawn by different methods.
 #pragma once
 
 #include "slicecast/picture.h"
 
 namespace slicecast {
 
-// Between the columns left of `column` and those from it on; nothing at the picture's edges.
+// Separates the columns left of `column` from the others; draws nothing at the picture's edges.
 void drawDivider(const Picture& picture, int column);
 
 }  // namespace slicecast

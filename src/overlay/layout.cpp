@@ -8,9 +8,9 @@
 namespace slicecast {
 namespace {
 
-constexpr int kLeastMinimap = 15;    // pixels; below it there is nothing to see
-constexpr int kSmallMinimap = 96;    // up to which it may be more than a third of the picture
-constexpr int kLeastSideWidth = 90;  // dots of the font; below it a side view cannot be read
+constexpr int kLeastMinimap = 15;    // pixels; nothing is visible in a smaller one
+constexpr int kSmallMinimap = 96;    // pixels; up to this size it may exceed a third of the picture
+constexpr int kLeastSideWidth = 90;  // dots of the font; a smaller side view cannot be read
 constexpr int kLeastSideHeight = 60;
 
 PixelRect ifInside(PixelRect rect, int pictureWidth, int pictureHeight) {
@@ -40,13 +40,13 @@ OverlayLayout layoutOverlays(int pictureWidth, int pictureHeight) {
            (playerDots + processDots) * layout.scale + 3 * margin > pictureHeight)
         --layout.scale;
 
-    // The map, a third of the shorter side, more of a small one
+    // The minimap: a third of the shorter side, more in small pictures
     const int shorter = std::min(pictureWidth, pictureHeight);
     const int side = std::max(shorter / 3, std::min(kSmallMinimap, shorter * 2 / 5));
     if (side >= kLeastMinimap) layout.minimap = {margin, margin, side, side};
 
-    // The two panels of text along the right edge; of the second one the first rows where there is
-    // no room for all
+    // The two panels of text along the right edge; the second one shows only its first rows if not
+    // all fit
     const int panelWidth = kPanelWidth * layout.scale;
     const int playerHeight = playerDots * layout.scale;
     const int panelX = pictureWidth - margin - panelWidth;
@@ -68,7 +68,7 @@ OverlayLayout layoutOverlays(int pictureWidth, int pictureHeight) {
             ifInside({panelX, pictureHeight - margin - processHeight, panelWidth, processHeight},
                      pictureWidth, pictureHeight);
 
-    // What is left of them below the map
+    // The side view in the remaining space below the minimap
     const int width = panelX - 2 * margin;
     const int height = std::min(pictureHeight - side - 3 * margin, pictureHeight * 2 / 5);
     if (width >= kLeastSideWidth * layout.scale && height >= kLeastSideHeight * layout.scale) {

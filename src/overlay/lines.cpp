@@ -8,8 +8,8 @@
 namespace slicecast {
 namespace {
 
-// Lays a part of a colour over a pixel, nothing where it is negative: a number instead of a Colour,
-// so that compilers keep it in a register.
+// Blends a part of a colour over a pixel; nothing if the part is negative. Takes a number instead
+// of a Colour so that compilers keep it in a register.
 __attribute__((always_inline)) inline void blendPart(Pixel& pixel, Pixel colour, double part) {
     const auto alpha = static_cast<int>(part * static_cast<int>(colour >> 24) + 0.5);
     if (alpha > 0) pixel = blended(pixel, (colour & 0x00ffffff) | static_cast<Pixel>(alpha) << 24);
@@ -24,14 +24,14 @@ PixelRect onPicture(PixelRect inside, const Picture& picture) {
     return shared(inside, {0, 0, picture.width, picture.height});
 }
 
-// Places on a row or a column, [first, last).
+// Pixels of a row or a column, [first, last).
 struct Run {
     int first;
     int last;
 };
 
-// What is round: all of the colour up to its radius, or along its edge alone. It fades within
-// `half` a pixel or more on both sides of it.
+// A disc, or only its outline. The colour fades over `half` a pixel or more on both sides of the
+// radius.
 struct Round {
     Point middle;
     double radius;
@@ -68,8 +68,8 @@ PixelRect shared(PixelRect a, PixelRect b) {
     return {x, y, std::max(0, width), std::max(0, height)};
 }
 
-// One step along the longer way at a time; the pixel's worth of colour is shared by the two pixels
-// across, with whole ones between them where the line is wider.
+// Steps along the longer axis. At each step the colour is shared by the two pixels across, with
+// full pixels between them if the line is wider.
 void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Colour colour,
               int width) {
     const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
@@ -79,7 +79,7 @@ void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Co
     const double length = along(to) - along(from);
     const double slope = length > 0.0 ? (across(to) - across(from)) / length : 0.0;
 
-    // Only the steps inside
+    // Only the steps inside the clip
     const PixelRect clip = onPicture(inside, picture);
     const Run steps = steep ? Run{clip.y, clip.y + clip.height} : Run{clip.x, clip.x + clip.width};
     const Run places = steep ? Run{clip.x, clip.x + clip.width} : Run{clip.y, clip.y + clip.height};

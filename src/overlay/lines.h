@@ -1,4 +1,4 @@
-// Smooth lines and dots. Places are in pixels as real numbers: pixel n is [n, n + 1).
+// Draws smooth lines and dots. Positions are pixels as real numbers: pixel n is [n, n + 1).
 #pragma once
 
 #include "overlay/blend.h"
@@ -11,17 +11,17 @@ struct Point {
     double y = 0.0;
 };
 
-// The part of two rectangles that they share.
+// The intersection of two rectangles.
 PixelRect shared(PixelRect a, PixelRect b);
 
-// A line so many pixels wide; nothing outside `inside`. Both ends are finite.
+// A line of this width in pixels, clipped to `inside`. Both ends must be finite.
 void drawLine(const Picture& picture, PixelRect inside, Point from, Point to, Colour colour,
               int width = 1);
 
-// A filled circle, not a million pixels away.
+// A filled circle, at most a million pixels away.
 void drawDot(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour);
 
-// A circle's edge, so many pixels wide.
+// A circle's outline of this width in pixels.
 void drawRing(const Picture& picture, PixelRect inside, Point middle, double radius, Colour colour,
               int width = 1);
 

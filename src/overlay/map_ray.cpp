@@ -7,7 +7,7 @@
 namespace slicecast {
 namespace {
 
-// The borders that a ray crosses along one axis.
+// The tile borders that a ray crosses along one axis.
 struct Borders {
     int tile;
     int step;

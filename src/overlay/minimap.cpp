@@ -18,8 +18,8 @@
 namespace slicecast {
 namespace {
 
-constexpr int kTilesAcross = 17;  // about
-constexpr int kMarkedSide = 60;   // dots of the font from which north and the levels are marked
+constexpr int kTilesAcross = 17;  // approximately
+constexpr int kMarkedSide = 60;   // dots of the font; larger minimaps mark north and the levels
 constexpr Colour kRay = {120, 230, 140, 150};
 constexpr Colour kRayEnd = {190, 255, 200, 255};
 constexpr SineCosine kNorth = {-1.0, 0.0};
@@ -28,7 +28,7 @@ int scaled(Coordinate coordinate, int pixelsPerTile) {
     return static_cast<int>((std::int64_t{coordinate.raw} * pixelsPerTile) >> 16);
 }
 
-// Level rays over the field of view, as evenly as slices are, each as far as it goes.
+// Draws horizontal rays over the field of view, spread like slices.
 void drawRays(const World& world, int level, const MinimapView& view, const Eye& eye,
               const MinimapOptions& options, const Picture& picture) {
     const Map& map = world.maps[static_cast<std::size_t>(eye.map)];

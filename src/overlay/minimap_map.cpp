@@ -9,13 +9,13 @@ namespace slicecast {
 namespace {
 
 constexpr Colour kMover = {204, 170, 255, 255};
-constexpr Coordinate kClearStep = Coordinate{65536 / 16};  // units, of which an edge is drawn
+constexpr Coordinate kClearStep = Coordinate{65536 / 16};  // units; smaller steps get no edge
 
-// What lies over a tile's own colour; of the edges that meet, the one with the greatest number.
+// The mark over a tile's colour; where several meet, the greatest number wins.
 enum Mark : unsigned { none, stepEdge, shadow, overhang, blockEdge, ripple, portal, gate };
-constexpr unsigned kStripe = 8;    // added to an edge: it lies on a stripe of what moves
-constexpr int kMarkShift = 24;     // where a pixel's mark is
-constexpr Pixel kSeen = 1u << 28;  // of a pixel inside the grid
+constexpr unsigned kStripe = 8;    // added to a mark on a stripe of a moving block
+constexpr int kMarkShift = 24;     // bits below a pixel's mark
+constexpr Pixel kSeen = 1u << 28;  // set for pixels inside the grid
 constexpr Pixel kOpaque = 0xff000000;
 constexpr int kMostAcross = 40;
 constexpr std::size_t kLookNumbers = 5;
@@ -33,7 +33,7 @@ constexpr auto kMarkColours = [] {
     return colours;
 }();
 
-// Look::kind; from bit kPortalBit on a bit for each side that is a portal.
+// Bits of Look::kind; from kPortalBit on one bit for each side that is a portal.
 constexpr unsigned kOpenGate = 1;
 constexpr unsigned kWater = 2;
 constexpr unsigned kMoves = 4;
@@ -47,8 +47,8 @@ constexpr int remainder(int a, int b) {
     return a - floorDivide(a, b) * b;
 }
 
-// A light edge where a tile is higher than the one beside it, a shadow where it is lower, a dashed
-// line where something above the level begins.
+// A light edge if the tile is higher than its neighbour, a shadow if it is lower, a dashed line at
+// the edge of a block above the level.
 Mark edgeTo(const MinimapTile& tile, const MinimapTile& beside, bool onDash) {
     const bool under = tile.over && !tile.block;
     if (under && onDash && !beside.over && !beside.block) return overhang;
@@ -59,7 +59,7 @@ Mark edgeTo(const MinimapTile& tile, const MinimapTile& beside, bool onDash) {
     return none;
 }
 
-// Two strokes on each tile of water, one east of the other and below it.
+// Two strokes on each water tile, the second further south-east.
 bool isRipple(int size, int line, int fromWest, int fromNorth) {
     const int part = size / 6;  // none on tiles too small for strokes
     const auto isStroke = [&](int west, int north) {
@@ -73,8 +73,7 @@ bool isRipple(int size, int line, int fromWest, int fromNorth) {
 
 void MinimapMap::draw(const Place& place, const MinimapView& view, int scale,
                       const Picture& picture) {
-    // A turned square needs the tiles within half of its diagonal, and all of them those beside
-    // them.
+    // A turned square needs the tiles within half of its diagonal, and those need their neighbours.
     const int width = view.area.width;
     const int reach = width * 3 / 4 + 2 * view.pixelsPerTile;
     resize(std::min(2 * reach / view.pixelsPerTile + 2, kMostAcross), view.pixelsPerTile, scale);
@@ -82,7 +81,7 @@ void MinimapMap::draw(const Place& place, const MinimapView& view, int scale,
     firstY_ = floorDivide(view.eyeY - reach, size_);
     lookUp(place);
 
-    // Along a row the place on the map goes on by the same step, in 1/65536 pixels
+    // Along a row the map position advances by a constant step, in 1/65536 pixels
     const Point right = view.toMap({1.0, 0.0});
     const MapStep step = {toCoordinate(right.x), toCoordinate(right.y)};
     const Point corner = {view.eyeX - firstX_ * size_ + 0.5, view.eyeY - firstY_ * size_ + 0.5};
@@ -97,7 +96,7 @@ void MinimapMap::draw(const Place& place, const MinimapView& view, int scale,
     }
 }
 
-// Forgets everything where anything is of another size.
+// Forgets all tiles if a size has changed.
 void MinimapMap::resize(int across, int size, int scale) {
     if (across == across_ && size == size_ && dash_ == 2 * scale) return;
     across_ = across;
@@ -154,7 +153,7 @@ void MinimapMap::drawTile(const Look& look, int place) {
 
 unsigned MinimapMap::markOf(const Look& look, int fromWest, int fromNorth) const {
     const int dash = (look.x * size_ + fromWest + look.y * size_ + fromNorth) / dash_;
-    // From the north, east, south and west edge
+    // Distances from the north, east, south and west edge
     const std::array<int, 4> from = {fromNorth, size_ - 1 - fromWest, size_ - 1 - fromNorth,
                                      fromWest};
     unsigned mark = none;
@@ -171,8 +170,7 @@ unsigned MinimapMap::markOf(const Look& look, int fromWest, int fromNorth) const
     return mark;
 }
 
-// Lays a row of what is kept over pixels, from a place on that is counted from the corner in
-// pixels.
+// Blends a row of the kept picture over pixels. mapX and mapY are in pixels from the corner.
 void MinimapMap::lay(Pixel* row, int count, Coordinate mapX, Coordinate mapY, MapStep step) const {
     constexpr int kAtOnce = 128;
     const int side = across_ * size_;

@@ -1,10 +1,10 @@
-// The map under a minimap, as a picture that is kept: a tile is drawn again only when something
-// that is shown of it has changed, whatever the reason. Each picture looks all tiles around the eye
-// up anew, which is little beside drawing them.
+// The minimap's map, kept as a picture: a tile is redrawn only when something shown of it has
+// changed. Each picture looks all tiles around the eye up, which costs little compared with drawing
+// them.
 //
-// A kept pixel has the colour of its tile, and instead of an alpha a mark: which colour lies over
-// it. Tiles have their places by their numbers, counted round, so that those that stay in sight
-// stay where they are when the eye goes on.
+// A kept pixel has the colour of its tile, and instead of alpha a mark: the colour that lies over
+// it. A tile's place is its coordinates modulo the size, so tiles in sight keep their places when
+// the eye moves.
 #pragma once
 
 #include "base/image.h"
@@ -19,7 +19,7 @@ namespace slicecast {
 
 class MinimapMap {
 public:
-    // What is to be shown.
+    // The map to show.
     struct Place {
         const World& world;
         const Map& map;
@@ -28,21 +28,21 @@ public:
 
     void draw(const Place& place, const MinimapView& view, int scale, const Picture& picture);
 
-    // Since it was made.
+    // Tiles drawn since construction.
     long drawnTiles() const { return drawnTiles_; }
 
 private:
-    // All that the pixels of a tile depend on. Numbers alone, to be kept and compared as such; no
-    // tile is all 0.
+    // Everything that the pixels of a tile depend on. Only numbers, so that looks compare as
+    // memory; no look is all 0.
     struct Look {
         int x = 0;
         int y = 0;
         Pixel colour = 0;         // 0 outside the grid
-        std::uint32_t kind = 0;   // what there is on it, and its portals
-        std::uint32_t edges = 0;  // four bits each: off and on a dash, to the north, east ...
+        std::uint32_t kind = 0;   // its gate, water, motion and portals
+        std::uint32_t edges = 0;  // four bits each: on a gap and on a dash, to the north, east ...
     };
 
-    // From one pixel of a row to the next, in pixels of the map.
+    // The step from one pixel of a row to the next, in pixels of the map.
     struct MapStep {
         Coordinate x;
         Coordinate y;
@@ -56,9 +56,9 @@ private:
     void lay(Pixel* row, int count, Coordinate mapX, Coordinate mapY, MapStep step) const;
 
     int size_ = 0;    // of a tile, pixels
-    int line_ = 0;    // pixels that edges are wide
-    int dash_ = 0;    // and dashes long
-    int across_ = 0;  // tiles
+    int line_ = 0;    // width of edges, pixels
+    int dash_ = 0;    // length of dashes, pixels
+    int across_ = 0;  // tiles in a row
     int firstX_ = 0;  // the tile in the upper left corner
     int firstY_ = 0;
     long drawnTiles_ = 0;

@@ -17,9 +17,9 @@ constexpr Colour kPlayerRim = {20, 20, 20, 200};
 constexpr int kFieldAlpha = 120;  // of the field of view, at the eye
 constexpr Colour kReach = {160, 170, 180, 60};
 constexpr Colour kReachRim = {235, 240, 245, 200};
-constexpr Colour kAbove = {236, 240, 244, 44};  // levels above the one that is shown
+constexpr Colour kAbove = {236, 240, 244, 44};  // levels above the shown one
 
-// How much of a pixel lies inside an edge whose distance from the pixel's middle is that many
+// The share of a pixel inside an edge, from the distance of the pixel's middle to the edge in
 // pixels.
 double coverage(double distance) {
     return std::clamp(distance + 0.5, 0.0, 1.0);
@@ -29,8 +29,8 @@ int toAlpha(double part, int most) {
     return static_cast<int>(part * most + 0.5);
 }
 
-// How far a place is inside an arrow head of that size, pixels: negative outside. `ahead` and
-// `aside` are from its middle, aside on either side.
+// How far a point is inside an arrow head, pixels; negative outside. `ahead` and `aside` are from
+// its middle, `aside` to either side.
 double insideArrow(double ahead, double aside, double size) {
     // From the tip to a corner, and from the corner back to the notch
     const double side = (1.5 * size - ahead) * 0.3810 - aside * 0.9246;
@@ -76,7 +76,7 @@ void drawMinimapLevels(const MinimapLevels& levels, const MinimapView& view, int
               kPanelColour);
     for (int i = 0; i < levels.count; ++i) {
         const PixelRect place = {left, bottom - i * step - (step - gap), bar, step - gap};
-        const int more = i == levels.shown ? 2 * scale : 0;  // the one that is shown sticks out
+        const int more = i == levels.shown ? 2 * scale : 0;  // the shown one sticks out
         blendRect(picture, {place.x, place.y, bar + more, place.height},
                   i > levels.shown    ? kAbove
                   : i == levels.shown ? Colour{150, 182, 224, 255}

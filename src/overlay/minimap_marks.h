@@ -1,4 +1,4 @@
-// What lies on the map of a minimap: the eye and what it sees and reaches, north, and the levels.
+// Draws on the minimap: the eye with its view and reach, north, and the levels.
 #pragma once
 
 #include "overlay/minimap_view.h"
@@ -8,15 +8,14 @@
 
 namespace slicecast {
 
-// A translucent disc with a rim.
+// A translucent disc with a rim, for the reach.
 void drawMinimapReach(const MinimapView& view, double reach, const Picture& picture);
 
-// Where north is, on the rim.
+// An N on the rim that marks north.
 void drawMinimapNorth(const MinimapView& view, int scale, const Picture& picture);
 
-// The levels of the map as a stack of bars in the lower left corner, in the tones that they have on
-// it: those below, the one that is shown with its number, and those above as outlines. A dot is the
-// eye's.
+// The levels of the map as a stack of bars in the lower left corner: those below in their tones on
+// the map, the shown one with its number, those above as outlines. A dot marks the eye's.
 struct MinimapLevels {
     int count = 1;
     int shown = 0;

@@ -9,7 +9,7 @@ namespace {
 constexpr Colour kStill = {242, 232, 206, 235};
 constexpr Colour kMoving = {255, 92, 196, 255};
 constexpr Colour kRim = {20, 20, 20, 150};
-constexpr double kFaint = 0.35;        // of the colours, for what stands below the level
+constexpr double kFaint = 0.35;        // part of the alpha, for objects below the level
 constexpr double kRadius = 0.3;        // of an object's width
 constexpr double kLeastRadius = 0.14;  // of a tile
 constexpr double kMostRadius = 0.3;
@@ -20,7 +20,7 @@ Colour faded(Colour colour, double part) {
     return withAlpha(colour, static_cast<int>(colour.a * part + 0.5));
 }
 
-// How brightly an object is shown on a level; 0 if not at all.
+// How visible an object is on a level, 0 to 1.
 double strengthOn(int level, const Object& object) {
     if (object.z >= tileEdge(level + 1)) return 0.0;
     return object.z + object.height > tileEdge(level) ? 1.0 : kFaint;
@@ -46,7 +46,7 @@ void drawObject(const MinimapView& view, const Object& object, Colour colour, do
     drawDot(picture, view.area, at, radius, faded(colour, strength));
 }
 
-// Where one goes that moves.
+// A line towards where the object moves.
 void drawHeading(const MinimapView& view, const Object& object, const ObjectMotion& motion,
                  double strength, const Picture& picture) {
     const double length = kShortestLine + kLinePerSpeed * motion.speed;
@@ -66,7 +66,7 @@ void drawMinimapObjects(const World& world, int map, int level, const MinimapVie
         const double strength = strengthOn(level, object);
         if (strength > 0.0) drawObject(view, object, kStill, strength, picture);
     }
-    // Those that move once more, over the others
+    // Moving objects again, over the others
     for (const ObjectMotion& motion : world.movingObjects.motions) {
         if (motion.map != map) continue;
         const Object& object = objects[static_cast<std::size_t>(motion.object)];

@@ -1,4 +1,4 @@
-// The objects on a minimap.
+// Draws the objects on a minimap.
 #pragma once
 
 #include "overlay/minimap_view.h"
@@ -7,9 +7,9 @@
 
 namespace slicecast {
 
-// Dots as large as the objects are wide, within limits: pale for what stands still, magenta with a
-// line ahead for what moves, the longer the faster. Those that reach into the level are bright,
-// those below it faint; what is above it is not shown.
+// Dots as large as the objects are wide, within limits: pale for still ones, magenta for moving
+// ones, with a line ahead that is longer for faster ones. Objects that reach into the level are
+// bright, those below it faint, those above it hidden.
 void drawMinimapObjects(const World& world, int map, int level, const MinimapView& view,
                         const Picture& picture);
 

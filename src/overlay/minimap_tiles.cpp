@@ -11,17 +11,16 @@ namespace {
 constexpr Colour kLowBlock = {122, 66, 46, 255};
 constexpr Colour kHighBlock = {226, 142, 92, 255};
 constexpr Colour kWholeBlock = {112, 142, 182, 255};
-constexpr double kFloatingShade =
-    0.5;  // of a block's colour, the rest is that of the ground under it
+constexpr double kFloatingShade = 0.5;  // part of a floating block's colour, over the ground's
 constexpr Colour kNearGround = {104, 110, 108, 255};
 constexpr Colour kDeepGround = {34, 38, 46, 255};
-constexpr double kLeastShade =
-    0.25;  // of the way to the darkest, for ground that is at all below the level
+// Part of the way to the darkest, for ground just below the level.
+constexpr double kLeastShade = 0.25;
 constexpr double kDeepestShade = 5.0;  // units below the level at which the ground is darkest
-constexpr Colour kWater = {24, 108, 156,
-                           255};      // of any: what an eye in it sees may be grey or dark
-constexpr double kWaterShade = 0.75;  // of water over the ground below it
-constexpr double kPortalTint = 0.5;   // of a tile that is one
+// For all water: the colour seen under water may be grey or dark.
+constexpr Colour kWater = {24, 108, 156, 255};
+constexpr double kWaterShade = 0.75;  // part of water's colour, over the ground's
+constexpr double kPortalTint = 0.5;   // part of the portal colour on a portal tile
 
 Colour mixed(Colour a, Colour b, double part) {
     const auto mix = [part](int from, int to) {
@@ -31,14 +30,15 @@ Colour mixed(Colour a, Colour b, double part) {
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 255};
 }
 
-// Where the highest block of a tile below a level is; -1 without one.
+// The level of the highest block of a tile below a level; -1 without one.
 int levelBelow(const Map& map, int x, int y, int level) {
     do --level;
     while (level >= 0 && map.cell(x, y, level) == kEmptyCell);
     return level;
 }
 
-// Of what stands on the level, or is seen down there; `block` is that of the level, or null.
+// The colour of a tile. `block` is the level's, or null; the ground is `drop` units below the
+// level.
 Colour colourOf(const CellBlueprint* block, double drop, bool isWater) {
     const Colour ground = minimapGround(drop);
     if (isWater) return mixed(ground, kWater, kWaterShade);
@@ -88,7 +88,7 @@ MinimapTile minimapTile(const World& world, const Map& map, int x, int y, int le
             }
         }
     }
-    // What leads elsewhere as a whole, or from above or below, is tinted
+    // Portal tiles, and portals in top and bottom faces, tint the tile
     if (leads) tile.colour = mixed(tile.colour, kMinimapPortal, kPortalTint);
     tile.colour.a = kMinimapTileAlpha;
     return tile;

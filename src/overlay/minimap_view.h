@@ -1,4 +1,4 @@
-// The way from the map to the minimap. The middle of its square is the pixel in which the eye is.
+// Maps coordinates to the minimap. The middle of its square is the eye's pixel.
 #pragma once
 
 #include "base/angle.h"
@@ -9,23 +9,23 @@ namespace slicecast {
 struct MinimapView {
     PixelRect area;  // inside the rim
     int pixelsPerTile;
-    int eyeX;  // the eye's pixel, counted from the map's corner
+    int eyeX;  // the eye's pixel on the map, from its corner
     int eyeY;
-    int centreX;  // the same pixel of the picture
+    int centreX;  // the same pixel in the picture
     int centreY;
-    SineCosine up;  // the heading that is up in the picture
+    SineCosine up;  // the heading that points up in the picture
     int line = 1;   // width of fine lines, pixels
 
-    // From so many pixels to the right and down to as many east and south, and back.
+    // Turns a vector: pixels right and down to pixels east and south, and back.
     Point toMap(Point p) const {
         return {-p.x * up.sine - p.y * up.cosine, p.x * up.cosine - p.y * up.sine};
     }
     Point toPicture(Point p) const {
         return {-p.x * up.sine + p.y * up.cosine, -p.x * up.cosine - p.y * up.sine};
     }
-    // The middle of the pixel that is the eye's.
+    // The middle of the eye's pixel.
     Point centre() const { return {centreX + 0.5, centreY + 0.5}; }
-    // A place on the map, in units, in pixels of the picture.
+    // The pixel position of a point on the map, in units.
     Point place(double x, double y) const {
         const Point fromCentre =
             toPicture({x * pixelsPerTile - eyeX - 0.5, y * pixelsPerTile - eyeY - 0.5});

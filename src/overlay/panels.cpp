@@ -17,8 +17,8 @@ constexpr int kAsideDots = 6 * kGlyphAdvance;  // from the right edge, "360.0" a
 
 struct Row {
     std::string_view label;
-    std::string_view unit;   // behind the value, as dim as the label
-    std::string_view aside;  // before it, at a place of its own
+    std::string_view unit;   // after the value, in the label's colour
+    std::string_view aside;  // before the value, at a fixed place
     std::array<char, 24> room{};
     int length = 0;  // of the value
 
@@ -30,8 +30,8 @@ struct Row {
     std::string_view value() const { return {room.data(), static_cast<std::size_t>(length)}; }
 };
 
-// Names on the left, values against the right edge, so that nothing moves but the digits that
-// change. A fine line above some rows, by their numbers, where there is room for all.
+// Names on the left, values against the right edge, so that only changing digits move. Draws a fine
+// line above the rows numbered in `rules`, if all rows fit.
 void drawRows(const Picture& picture, PixelRect panel, int scale, std::span<const Row> rows,
               int shown, std::span<const int> rules = {}) {
     if (panel.width == 0) return;
@@ -60,11 +60,11 @@ void drawRows(const Picture& picture, PixelRect panel, int scale, std::span<cons
     }
 }
 
-// The eight winds, clockwise from the east.
-const char* windOf(double headingDegrees) {
-    constexpr std::array<const char*, 8> kWinds = {"E", "SE", "S", "SW", "W", "NW", "N", "NE"};
-    return kWinds[static_cast<std::size_t>(std::clamp((headingDegrees + 22.5) / 45.0, 0.0, 8.0)) %
-                  kWinds.size()];
+// The eight compass points, clockwise from the east.
+const char* compassPoint(double headingDegrees) {
+    constexpr std::array<const char*, 8> kPoints = {"E", "SE", "S", "SW", "W", "NW", "N", "NE"};
+    return kPoints[static_cast<std::size_t>(std::clamp((headingDegrees + 22.5) / 45.0, 0.0, 8.0)) %
+                   kPoints.size()];
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ void drawPlayerPanel(const PlayerFigures& player, const Picture& picture) {
         Row("x", Fixed{player.x, 2}),
         Row("y", Fixed{player.y, 2}),
         Row("height", Fixed{player.z, 2}),
-        Row("heading", Fixed{player.headingDegrees, 1}, {}, windOf(player.headingDegrees)),
+        Row("heading", Fixed{player.headingDegrees, 1}, {}, compassPoint(player.headingDegrees)),
         Row("look", {player.look < 0.0 ? "" : "+", Fixed{player.look + 0.0, 3}}),
         Row("speed", Fixed{player.speed, 2}, "/s"),
         Row("mode", player.flying     ? "flying"
@@ -114,8 +114,8 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
         count("rows filled", &FrameReport::rowsFilled),
         count("see-through", &FrameReport::layers),
         count("object slices", &FrameReport::objectSlices),
-        count("portals deep", &FrameReport::deepestPortal),
-        count("walks beyond", &FrameReport::partsBehindPortals),
+        count("most portals", &FrameReport::deepestPortal),
+        count("portal walks", &FrameReport::partsBehindPortals),
         count("mirrored rows", &FrameReport::mirroredRows),
         Row("light", {Fixed{process.intensity, 2}, " x ", Fixed{process.multiplier, 1}}),
         Row("mirrors", {"x ", Fixed{process.mirrors, 2}}),

@@ -1,5 +1,5 @@
-// Panels of names and numbers: where the player is, and what it took to draw the picture. Drawn
-// without allocating memory.
+// Panels of names and numbers: the player's position, and figures about drawing. Draws without
+// allocating memory.
 #pragma once
 
 #include "overlay/blend.h"
@@ -11,8 +11,8 @@
 namespace slicecast {
 
 inline constexpr int kPlayerPanelRows = 8;
-inline constexpr int kProcessPanelRows = 17;  // or as many of the first as there is room for
-inline constexpr int kProcessPanelRules = 3;  // fine lines between them, where all are there
+inline constexpr int kProcessPanelRows = 17;  // or the first of them if not all fit
+inline constexpr int kProcessPanelRules = 3;  // fine lines between them, if all rows fit
 
 // The size of a panel in dots of the font.
 inline constexpr int kPanelWidth = 136;
@@ -32,21 +32,21 @@ struct PlayerFigures {
     bool crouched = false;
 };
 
-// Times per picture, on average over the last half second or so.
+// Times per picture, averaged over about the last half second.
 struct ProcessTimes {
     double framesPerSecond = 0.0;
-    double stepMilliseconds = 0.0;     // of the steps between two pictures
+    double stepMilliseconds = 0.0;     // all steps between two pictures
     double viewMilliseconds = 0.0;     // of the view itself
-    double overlayMilliseconds = 0.0;  // of what is laid over it
+    double overlayMilliseconds = 0.0;  // the overlays
 };
 
 struct ProcessFigures {
-    const ProcessTimes* times = nullptr;  // null where nobody measures
-    const FrameReport* report = nullptr;  // null where nobody counts
+    const ProcessTimes* times = nullptr;  // null without a clock
+    const FrameReport* report = nullptr;  // null without counts
     double intensity = 0.0;               // of the light
     double multiplier = 0.0;              // units
-    double mirrors = 1.0;                 // times the strength of all mirrors
-    int slicesPerPicture = 0;             // of slow drawing (see slow_drawing.h), where it is on
+    double mirrors = 1.0;                 // multiplies the strength of all mirrors
+    int slicesPerPicture = 0;             // of slow drawing (see slow_drawing.h)
     bool slow = false;
 };
 

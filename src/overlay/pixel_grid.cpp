@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kFine = 10;
 constexpr int kClear = 100;
-constexpr int kLabelDots = 4 * kGlyphAdvance + 6;  // of four digits, and a gap
-// A dark line beside each light one shows it over bright scenes too.
+constexpr int kLabelDots = 4 * kGlyphAdvance + 6;  // four digits and a gap
+// A dark line beside each light one keeps it visible over bright scenes.
 constexpr Colour kFineLight = {255, 255, 255, 26};
 constexpr Colour kFineDark = {0, 0, 0, 26};
 constexpr Colour kClearLight = {255, 255, 255, 150};
@@ -28,8 +28,8 @@ void drawLabel(const Picture& picture, int x, int y, int number, int scale) {
     drawText(picture, x + 2 * scale, y + 2 * scale, label, {.scale = scale});
 }
 
-// The upright lines, row by row, for the next pixel of a line is far away in memory. They repeat
-// with each clear one; there is none at the left edge.
+// The vertical lines, drawn row by row, because a line's next pixel is far away in memory. The
+// pattern repeats with each strong line; the left edge has none.
 void drawUpright(const Picture& picture, int wide) {
     std::array<Pixel, kClear> over{};
     for (int x = 0; x < kClear; ++x) {
@@ -64,8 +64,8 @@ void drawPixelGrid(const Picture& picture) {
         blendRect(picture, {0, y + width, picture.width, width}, clear ? kClearDark : kFineDark);
     }
 
-    // The numbers run along the middle lines, where no panel stands; at every second line or more
-    // where they are wider than it is to the next.
+    // The numbers are along the middle lines, where no panel is; at every second line or fewer if
+    // they are too wide.
     const int step = (kLabelDots * scale + kClear - 1) / kClear * kClear;
     const int middleX = picture.width / 2 / kClear * kClear;
     const int middleY = picture.height / 2 / kClear * kClear;

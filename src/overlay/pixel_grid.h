@@ -1,5 +1,5 @@
-// A grid over the picture, to tell where on it something lies: a fine line every 10 pixels, a clear
-// one every 100, with its number.
+// A grid over the picture for reading positions: a fine line every 10 pixels, a strong one with its
+// number every 100.
 #pragma once
 
 #include "slicecast/picture.h"

@@ -1,6 +1,5 @@
-// Depths and heights on the panel of a side view. Depths are perpendicular ones, heights those
-// above the floor of the eye's map: behind portals that lead up or down, both go on from the eye
-// without a jump.
+// The coordinates of a side view: perpendicular depths, and heights above the floor of the eye's
+// map. Behind portals that lead up or down, both continue from the eye without a jump.
 #pragma once
 
 #include "overlay/lines.h"
@@ -13,10 +12,10 @@ namespace slicecast {
 
 struct SidePlot {
     PixelRect area;
-    int scale = 1;        // of text and strong lines
+    int scale = 1;        // of text and thick lines
     int line = 1;         // width of fine lines, pixels
-    double depth = 1.0;   // units, at the right edge
-    double lowest = 0.0;  // heights at the lower and the upper edge
+    double depth = 1.0;   // at the right edge, units
+    double lowest = 0.0;  // height at the lower edge, units
     double highest = 1.0;
     double eyeZ = 0.0;
 
@@ -25,7 +24,7 @@ struct SidePlot {
         return area.y + area.height - (units - lowest) / (highest - lowest) * area.height;
     }
 
-    // Where a ray with that upward slope is at a depth, kept within what the plot shows.
+    // The point of a ray with this upward slope at a depth, clamped to the plot.
     Point onRay(double slope, double at) const {
         double t = std::clamp(at, 0.0, depth);
         if (slope < 0.0) t = std::min(t, (eyeZ - lowest) / -slope);
@@ -39,7 +38,7 @@ inline double slopeOfRow(const SliceTrace& trace, double row) {
     return (trace.horizonRow - row) / trace.projectionDistance;
 }
 
-// The height that shows in a row at a depth.
+// The height that a row shows at a depth.
 inline double heightInRow(const SliceTrace& trace, double eyeZ, double row, double depth) {
     return std::isfinite(row) && std::isfinite(depth) ? eyeZ + slopeOfRow(trace, row) * depth
                                                       : eyeZ;

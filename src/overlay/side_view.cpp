@@ -26,12 +26,12 @@ constexpr Colour kEyeLevel = {255, 214, 74, 70};
 constexpr int kRayAlpha = 110;
 constexpr int kReflectedAlpha = 56;
 constexpr int kObjectAlpha = 90;
-constexpr int kRowsPerRay = 24;  // between the rays to one run of rows, where they are fine
+constexpr int kRowsPerRay = 24;  // rows between rays to one run, for fine rays
 constexpr double kLeastDepth = 4.0;
 constexpr double kGreatestDepth = 200.0;
 constexpr double kLeastHeight = 2.0;
 
-// Heights above the floor of the eye's map, as they are seen.
+// Heights above the floor of the eye's map.
 double topOf(const SliceTrace& trace, const Hit& hit, double eyeZ) {
     return hit.entered ? heightInRow(trace, eyeZ, hit.topFrontRow, hit.depth)
                        : heightInRow(trace, eyeZ, hit.topBackRow, hit.backDepth);
@@ -41,7 +41,7 @@ double bottomOf(const SliceTrace& trace, const Hit& hit, double eyeZ) {
                        : heightInRow(trace, eyeZ, hit.bottomBackRow, hit.backDepth);
 }
 
-// The scale holds everything that is seen of blocks and objects, and the eye.
+// The plot covers all visible parts of blocks and objects, and the eye.
 SidePlot makePlot(const SliceTrace& trace, double eyeZ, PixelRect area, int scale) {
     double depth = 0.0;
     double lowest = 0.0;
@@ -67,7 +67,7 @@ SidePlot makePlot(const SliceTrace& trace, double eyeZ, PixelRect area, int scal
             .eyeZ = eyeZ};
 }
 
-// 1, 2, 5, 10 ... units from mark to mark, so that marks are at least so many pixels apart.
+// A distance between marks of 1, 2, 5, 10 ... units that keeps them `least` pixels apart.
 double markStep(double units, int pixels, int least) {
     double step = 1.0;
     for (int i = 0; step * pixels < least * units; ++i) step *= i % 3 == 1 ? 2.5 : 2.0;
@@ -81,7 +81,7 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
     blendRect(picture, {plot.area.x, bottom, plot.area.width, plot.line}, kAxisLine);
     blendRect(picture, {plot.area.x - 1, plot.area.y, 1, plot.area.height + 1}, kAxisLine);
 
-    // Depths below, heights on the left; "+ 0.0" makes 0 of -0
+    // Depths below, heights on the left; "+ 0.0" turns -0 into 0
     const double across = markStep(plot.depth, plot.area.width, 30 * scale);
     for (double depth = across; depth < plot.depth * 0.97; depth += across) {
         const std::string_view label = write(text, Fixed{depth, 0});
@@ -105,7 +105,7 @@ void drawAxes(const SidePlot& plot, const Picture& picture) {
         blendRect(picture, {x, eyeRow, 2 * scale, plot.line}, kEyeLevel);
 }
 
-// Behind portals only what is seen, for other rays may be elsewhere at the same depth.
+// Behind portals only visible blocks: other rays may be elsewhere at the same depth.
 void drawBlocks(const SliceTrace& trace, const SidePlot& plot, const Picture& picture) {
     for (const Hit& hit : trace.hits) {
         if (hit.depth >= plot.depth || (hit.portals > 0 && hit.filled.empty())) continue;
@@ -124,8 +124,8 @@ void drawBlocks(const SliceTrace& trace, const SidePlot& plot, const Picture& pi
     }
 }
 
-// What rays meet: something level at a height, or something else, of which a strong line is drawn
-// too if it is a thing.
+// What rays meet: a horizontal plane at a height, or anything else. A thick line is drawn for solid
+// things.
 struct Met {
     Colour colour;
     bool isThing = true;
@@ -133,8 +133,8 @@ struct Met {
     double height = 0.0;
 };
 
-// Rays to the first and the last of some rows, and to some between; what is seen there as a strong
-// line.
+// Rays to the first and the last of some rows and to some between, and the thing seen there as a
+// thick line.
 template <typename DepthOf>
 void drawRays(const SliceTrace& trace, int first, int last, const SidePlot& plot, const Met& met,
               DepthOf depthOf, const Picture& picture) {
@@ -148,7 +148,7 @@ void drawRays(const SliceTrace& trace, int first, int last, const SidePlot& plot
         const Point rayEnd = plot.onRay(slope, depth);
         drawLine(picture, plot.area, {plot.x(0.0), plot.y(plot.eyeZ)}, rayEnd,
                  withAlpha(met.colour, kRayAlpha), plot.line);
-        // What is level stays so where it goes on beyond the plot
+        // A plane stays level where it goes beyond the plot
         const Point end = met.isLevel ? Point{plot.x(depth), plot.y(met.height)} : rayEnd;
         if (i > 0 && met.isThing) {
             const bool upright = std::abs(end.y - before.y) > std::abs(end.x - before.x);
@@ -210,7 +210,7 @@ void drawHits(const SliceTrace& trace, const SidePlot& plot, const Picture& pict
     }
 }
 
-// The whole of each as a faint bar, what is seen of it as a strong one.
+// Each object as a faint bar, its visible part as a strong one.
 void drawObjects(const SliceTrace& trace, const World& world, int eyeMap, const SidePlot& plot,
                  const Picture& picture) {
     for (const SeenObject& seen : trace.objects) {
@@ -230,7 +230,7 @@ void drawObjects(const SliceTrace& trace, const World& world, int eyeMap, const 
     }
 }
 
-// Mirrors as dashed lines, with a few of the rays that they throw back.
+// Mirrors as dashed lines, with a few of the reflected rays.
 void drawMirrors(const SliceTrace& trace, const World& world, int eyeMap, const SidePlot& plot,
                  const Picture& picture) {
     for (const MirroredRows& mirror : trace.mirrors) {
@@ -262,8 +262,7 @@ void drawMirrors(const SliceTrace& trace, const World& world, int eyeMap, const 
     }
 }
 
-// Upright lines where rays go through, with the name of the map that they come into where there is
-// room for it.
+// Vertical lines where rays pass a portal, with the name of the map behind it if there is room.
 void drawPortals(const SliceTrace& trace, const World& world, const SidePlot& plot,
                  const Picture& picture) {
     int labelled = plot.area.x;
@@ -301,7 +300,7 @@ bool isSeen(const SliceTrace& trace, FilledRows::What what) {
                                               [&](const Hit& hit) { return among(hit.filled); });
 }
 
-// What the colours in this slice mean.
+// Names the colours of this slice.
 class Legend {
 public:
     explicit Legend(const SliceTrace& trace) {
@@ -339,7 +338,7 @@ private:
     int count_ = 0;
 };
 
-// Which slice it is, and against the right edge what the colours in it mean.
+// The slice's number, and the legend against the right edge.
 void drawTitle(const SliceTrace& trace, PixelRect panel, int scale, const Picture& picture) {
     std::array<char, 64> text;
     std::string_view title = write(text, {"slice ", trace.column, "   ", trace.hits.size(),
@@ -347,7 +346,7 @@ void drawTitle(const SliceTrace& trace, PixelRect panel, int scale, const Pictur
     const int room = panel.width - 2 * kPanelPadding * scale;
     const Legend legend(trace);
     const int gap = kGlyphAdvance * scale;
-    // The number of the slice is enough where there is no room for all
+    // Only the slice's number if not all fits
     if (textWidth(title, scale) + gap + legend.width(scale) > room)
         title = title.substr(0, title.find("   "));
     while (textWidth(title, scale) > room) title.remove_suffix(1);
@@ -372,7 +371,7 @@ void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye,
     drawPanel(picture, panel, scale);
     drawTitle(trace, panel, scale, picture);
 
-    // Room for the title above, the marks of depth below and those of height on the left
+    // Space for the title above, depth labels below and height labels on the left
     const int above = padding + (kGlyphHeight + 3) * scale;
     const int below = padding + (kGlyphHeight + 3) * scale;
     const int beside = padding + (2 * kGlyphAdvance + 5) * scale;

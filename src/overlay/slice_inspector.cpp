@@ -34,7 +34,7 @@ Colour kindColour(FilledRows::What what) {
 void drawSliceLine(const SliceTrace& trace, const Picture& picture) {
     const int scale = readableScale(picture.width, picture.height);
     const int stripe = 3 * scale;
-    // Near the right edge the stripes are on the line's left.
+    // Near the right edge the stripes are to the left of the line.
     const bool left = trace.column + 1 + 2 * stripe > picture.width;
     const auto stripeAt = [&](int from, int width) {
         return left ? trace.column - from - width : trace.column + 1 + from;
@@ -54,7 +54,7 @@ void drawSliceLine(const SliceTrace& trace, const Picture& picture) {
     }
     for (const SeenObject& object : trace.objects) mark(object.first, object.last, kObjectColour);
 
-    // A second stripe tells which rows went through a portal, or are mirrored too
+    // A second stripe marks rows that went through a portal or are mirrored
     const auto markBeside = [&](int first, int last, Colour colour) {
         blendRect(picture, {stripeAt(stripe + scale, 2 * scale), first, 2 * scale, last - first},
                   withAlpha(colour, 235));

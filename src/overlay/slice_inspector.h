@@ -1,13 +1,13 @@
-// What one slice of a picture meets: a line where it is, with a stripe that tells what fills each
-// of its rows, and a view of it from the side.
+// Shows what one slice of a picture meets: a line at the slice, with a stripe that shows what fills
+// each of its rows, and a side view.
 //
-//     height |            +-----+       :          |       the blocks that its ground line passes, brighter where they are seen, objects as bars,
-//            |     +---+--|     |---    :cellar    |       and rays from the eye to the rows that they fill, in the stripe's colours;
-//        eye o-----|   |  |     |       :    +--+          an upright line where rays go through a portal into that map
-//            +-----+---+--+-----+-------:----+--+-- depth
+//     height |            +-----+       :          |    the blocks on its ground line,
+//            |     +---+--|     |---    :cellar    |    brighter where seen, objects as
+//        eye o-----|   |  |     |       :    +--+       bars, rays to the rows they fill,
+//            +-----+---+--+-----+-------:----+--+-- depth      in the stripe's colours
 //
-// Behind a portal depths and heights go on as the eye sees them. Where the slice meets a mirror, a
-// dashed line is that mirror, and faint rays go up from it.
+// A vertical line with a map's name is a portal into it. Behind it depths and heights continue as
+// the eye sees them. A dashed line is a mirror, with faint reflected rays.
 #pragma once
 
 #include "overlay/blend.h"
@@ -24,7 +24,7 @@ inline constexpr Colour kObjectColour = {255, 246, 220, 255};
 inline constexpr Colour kPortalColour = {64, 224, 208, 255};  // as on the minimap
 inline constexpr Colour kMirrorColour = {214, 234, 255, 255};
 
-// What fills rows, its name and the colour that stands for it.
+// A kind of filled rows, with its name and colour.
 struct SliceKind {
     FilledRows::What what;
     const char* name;
@@ -33,10 +33,10 @@ struct SliceKind {
 std::span<const SliceKind> sliceKinds();
 Colour kindColour(FilledRows::What what);
 
-// The line of the traced slice, from the top of the picture to its bottom.
+// A line at the traced slice, from the top of the picture to its bottom.
 void drawSliceLine(const SliceTrace& trace, const Picture& picture);
 
-// The slice seen from the side, in its place (see layout.h). In side_view.cpp.
+// The side view of the slice, in its place (see layout.h). In side_view.cpp.
 void drawSideView(const SliceTrace& trace, const World& world, const Eye& eye,
                   const Picture& picture);
 

@@ -28,21 +28,21 @@ void drawColumns(const Picture& picture, int count, const Image* before) {
 }
 
 void SlowDrawing::show(const Picture& picture, int slices) {
-    // A picture of another size begins anew.
+    // Restarts for a picture of another size.
     if (before_.width != picture.width || before_.height != picture.height) {
         before_ = Image(picture.width, picture.height);
         std::fill(before_.pixels.begin(), before_.pixels.end(), toPixel(kNotYetDrawn));
         next_ = waited_ = 0;
     }
 
-    // How many are due
+    // Slices due now
     int due = std::min(slices, picture.width);
     if (slices < 0) {
         due = ++waited_ >= -slices ? 1 : 0;
         if (due > 0) waited_ = 0;
     }
 
-    // All of them: what comes next is drawn over this picture.
+    // When complete, this picture becomes the background of the next one
     next_ += due;
     if (next_ >= picture.width) {
         next_ -= picture.width;

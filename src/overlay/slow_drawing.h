@@ -1,10 +1,10 @@
-// Slow drawing: the picture builds up slice by slice, from left to right, and then over again.
+// Slow drawing: the picture builds up slice by slice, from left to right, again and again.
 //
-//     drawColumns(picture, 40);     what is there when 40 slices have been drawn
+//     drawColumns(picture, 40);     keeps the first 40 slices
 //
-//     SlowDrawing slow;             the same by itself, some slices more with each picture
-//     renderer.draw(...)            picture complete
-//     slow.show(picture, 3);        leaves of it the slices that are drawn by now
+//     SlowDrawing slow;             the same, adding slices with each picture
+//     renderer.draw(...)            the complete picture
+//     slow.show(picture, 3);        keeps the slices drawn so far
 #pragma once
 
 #include "base/image.h"
@@ -12,30 +12,30 @@
 
 namespace slicecast {
 
-inline constexpr int kMostSlicesPerPicture =
-    200;  // or so many pictures for one slice, as a negative number
+// As a negative number: the most pictures per slice.
+inline constexpr int kMostSlicesPerPicture = 200;
 inline constexpr Colour kNotYetDrawn = {20, 22, 26, 255};
 
-// Leaves the first `count` columns of a picture, marks the next one by a line, and covers the rest:
-// by what `before` shows there, a picture of the same size, or by kNotYetDrawn.
+// Keeps the first `count` columns of a picture, marks the next one by a line, and covers the rest
+// with `before`, a picture of the same size, or with kNotYetDrawn.
 void drawColumns(const Picture& picture, int count, const Image* before = nullptr);
 
 class SlowDrawing {
 public:
-    // `slices` more of the picture are drawn; a negative number -n draws one more with every n-th
-    // call; 0 none. Once all are, it begins again, over the picture that was complete then.
+    // Adds `slices` slices; a negative number -n adds one with every n-th call; 0 adds none. When
+    // the picture is complete it starts again over that picture.
     void show(const Picture& picture, int slices);
 
-    // The slice that comes next.
+    // The slice to be drawn next.
     int next() const { return next_; }
 
-    // Begins again with an empty picture.
+    // Starts again with an empty picture.
     void restart();
 
 private:
-    Image before_;  // what the slices to come still show
+    Image before_;  // shown where slices are still to come
     int next_ = 0;
-    int waited_ = 0;  // calls since the last slice, where one is shown every few calls
+    int waited_ = 0;  // calls since the last slice
 };
 
 }  // namespace slicecast

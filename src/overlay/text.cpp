@@ -15,8 +15,8 @@ constexpr int kGlyphsPerLine = 16;
 constexpr char kFirstGlyph = ' ';
 constexpr char kLastGlyph = '~';
 
-// The glyphs from the space on, sixteen to a line, each at most five columns wide. The last two
-// rows hold what hangs below the line. The very last one stands for every other character.
+// The glyphs from the space on, sixteen to a line, each up to five columns wide. The last two rows
+// are below the line. The very last glyph stands for all other characters.
 constexpr std::array<std::array<const char*, kGlyphHeight>, 6> kArt = {{
     {{
         "..... ..#.. .#.#. .#.#. ..#.. ##... .##.. ..#.. ...#. .#... ..... ..... ..... ..... ..... "
@@ -140,14 +140,15 @@ constexpr std::array<std::array<const char*, kGlyphHeight>, 6> kArt = {{
     }},
 }};
 
-// A glyph as it is drawn: its columns with ink, but for digits, which are all equally wide.
+// A glyph ready for drawing: trimmed to its columns with ink, except for digits, which keep their
+// width.
 struct Glyph {
     std::array<std::uint8_t, kGlyphHeight> rows{};  // bit n is column n
     std::uint8_t width = 0;                         // dots
 };
 
 constexpr int kGlyphs = 6 * kGlyphsPerLine;
-constexpr int kSpaceWidth = 2;  // dots, and the one behind every glyph
+constexpr int kSpaceWidth = 2;  // dots, before the one that follows every glyph
 
 constexpr bool isDigit(int glyph) {
     return glyph >= '0' - kFirstGlyph && glyph <= '9' - kFirstGlyph;
@@ -180,7 +181,7 @@ constexpr std::array<Glyph, kGlyphs> kFont = [] {
     return font;
 }();
 
-// The bytes after the first of a character in UTF-8 are part of it.
+// True for the second and later bytes of a UTF-8 character.
 constexpr bool continuesCharacter(char c) {
     return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;
 }
@@ -190,7 +191,7 @@ const Glyph& glyphOf(char c) {
                                           kFirstGlyph)];
 }
 
-// Dots side by side are one rectangle.
+// Draws neighbouring dots of a row as one rectangle.
 void drawGlyph(const Picture& picture, int x, int y, const Glyph& glyph, const TextStyle& style) {
     const int scale = style.scale;
     for (int row = 0; row < kGlyphHeight; ++row) {
@@ -206,8 +207,8 @@ void drawGlyph(const Picture& picture, int x, int y, const Glyph& glyph, const T
     }
 }
 
-// Calls visit(glyph, x, line) for each character, x in dots from the line's beginning, and gives
-// the dots of the longest line and the number of lines.
+// Calls visit(glyph, x, line) for each character, x in dots from the start of the line. Returns the
+// dots of the longest line and the number of lines.
 struct TextSize {
     int width = 0;
     int lines = 1;
@@ -263,7 +264,7 @@ void drawTextPanel(const Picture& picture, Anchor anchor, std::string_view text)
     };
     while (scale > 1 && !fits()) --scale;
 
-    // Where the panel stands
+    // The panel's place
     PixelRect panel;
     panel.width = textWidth(text, scale) + 2 * kPanelPadding * scale;
     panel.height = textHeight(text, scale) + 2 * kPanelPadding * scale;

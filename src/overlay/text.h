@@ -1,6 +1,6 @@
-// Text over a picture, in a built-in font of printable ASCII: letters as wide as they need, at most
-// five columns, digits all equally wide, so that numbers stand in columns; capitals seven rows
-// high, two rows below the line for g j p q y. Any other character shows as a box.
+// Draws text in a built-in font of printable ASCII. Letters are up to five columns wide, digits all
+// five, so that numbers line up; capitals are seven rows high, with two rows below the line for g j
+// p q y. Any other character shows as a box.
 #pragma once
 
 #include "overlay/blend.h"
@@ -15,15 +15,15 @@ inline constexpr int kGlyphWidth = 5;
 inline constexpr int kGlyphHeight = 9;
 inline constexpr int kGlyphAdvance = kGlyphWidth + 1;  // from one digit to the next
 inline constexpr int kLineAdvance = kGlyphHeight + 2;  // from one line to the next
-inline constexpr int kTabWidth = 84;                   // dots; '\t' goes on at a multiple of it
+inline constexpr int kTabWidth = 84;  // dots; '\t' continues at the next multiple of it
 
 struct TextStyle {
     Colour colour = {240, 240, 232, 255};
-    int scale = 1;  // pixels that a dot of the font is wide and high, >= 1
+    int scale = 1;  // pixels per dot of the font, >= 1
 };
 
-// Pixels from the left edge of the first character to the right edge of the last one of the longest
-// line; and from the top of the first line to the bottom of the last. Lines end in '\n'.
+// The width of the longest line, from the left edge of its first character to the right edge of its
+// last; and the height from the top of the first line to the bottom of the last. Lines end in '\n'.
 int textWidth(std::string_view text, int scale = 1);
 int textHeight(std::string_view text, int scale = 1);
 
@@ -31,10 +31,10 @@ int textHeight(std::string_view text, int scale = 1);
 void drawText(const Picture& picture, int x, int y, std::string_view text,
               const TextStyle& style = {});
 
-// The corner, edge or middle of the picture at which a panel stands.
+// The place of a panel in the picture.
 enum class Anchor { topLeft, top, topRight, middle, bottomLeft, bottom, bottomRight };
 
-// Draws lines of text on a panel, at a readable scale, a smaller one if they do not fit.
+// Draws lines of text on a panel, at a readable scale, or a smaller one if they do not fit.
 void drawTextPanel(const Picture& picture, Anchor anchor, std::string_view text);
 
 }  // namespace slicecast

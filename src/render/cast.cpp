@@ -30,11 +30,11 @@ public:
         for (;; walk_.advance(), isArrival_ = false) {
             const Map& map = mapHere();
             if (!map.contains(walk_.tileX, walk_.tileY)) {
-                if (!comesToGrid(map)) return ended(CastRay::End::edge);
+                if (!reachesGrid(map)) return ended(CastRay::End::edge);
                 continue;
             }
             addTile();
-            if (const std::optional<CastRay::End> end = lookAround(map)) return ended(*end);
+            if (const std::optional<CastRay::End> end = examineTile(map)) return ended(*end);
         }
     }
 
@@ -46,8 +46,8 @@ private:
 
     const Map& mapHere() const { return world_.maps[static_cast<std::size_t>(from_.map)]; }
 
-    // From outside the grid.
-    bool comesToGrid(const Map& map) const {
+    // From outside the grid; false if the ray never reaches it.
+    bool reachesGrid(const Map& map) const {
         const bool leavesX =
             walk_.tileX < 0 ? walk_.stepX <= 0 : walk_.tileX >= map.width && walk_.stepX >= 0;
         const bool leavesY =
@@ -61,8 +61,8 @@ private:
                               walk_.nextAlongX(), walk_.nextAlongY()});
     }
 
-    // The tile's portal and blocks. Where a portal leads on, the exit tile is next.
-    std::optional<CastRay::End> lookAround(const Map& map) {
+    // Handles the tile's portal and blocks. If a portal leads on, continues in the exit tile.
+    std::optional<CastRay::End> examineTile(const Map& map) {
         if (walk_.hasEntered() && !isArrival_) {
             const PortalId portal = map.tilePortal(walk_.tileX, walk_.tileY);
             if (portal != kNoPortal) return goThrough(portal, CastRay::End::portal);
@@ -87,7 +87,7 @@ private:
         return std::nullopt;
     }
 
-    // `pastLimit` is what ends the ray where it has passed as many as it may.
+    // `pastLimit` is the reason for the end if the ray has passed as many portals as allowed.
     std::optional<CastRay::End> goThrough(PortalId id, CastRay::End pastLimit) {
         if (portals_ >= world_.portalLimit) return pastLimit;
         const Portal& portal = world_.portals[id];
@@ -99,7 +99,7 @@ private:
         isArrival_ = true;
         if (hasHeight_ && from_.z < 0) return CastRay::End::floor;
         addTile();
-        return lookAround(mapHere());
+        return examineTile(mapHere());
     }
 
     CastRay ended(CastRay::End end) {
@@ -120,11 +120,12 @@ private:
 
     const World& world_;
     const bool hasHeight_;
-    Viewpoint from_;  // where the ray seems to come from, in the map that it is in
+    Viewpoint from_;  // where the ray appears to start, in the present map
     GroundDirection direction_;
     GridWalk walk_;
     int portals_ = 0;
-    bool isArrival_ = false;  // the tile's own portals do not act
+    bool isArrival_ =
+        false;  // the ray has just left a portal here: the tile's own portals do not act
     CastRay ray_;
 };
 

@@ -8,11 +8,11 @@ namespace {
 
 constexpr std::uint32_t kEvenBytes = 0x00ff00ff;
 constexpr std::uint32_t kOpaque = 0xff000000;
-constexpr std::uint32_t kFullLight = 256;  // the factor that leaves a colour as it is
+constexpr std::uint32_t kFullLight = 256;  // leaves a colour unchanged
 
 // A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with
-// alpha; no product or sum below exceeds 16 bits. A machine without vectors leaves the vector forms
-// unused.
+// alpha; no product or sum below exceeds 16 bits. Machines without vectors do not use the vector
+// forms.
 
 inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     const std::uint32_t factor = factorTwice & 0xffff;
@@ -21,9 +21,9 @@ inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     return even | (odd & ~kEvenBytes) | kOpaque;
 }
 
-// Shifts by a count that is not known beforehand. Clang 14 takes the spreading of the count over
-// four lanes out of a loop, no longer sees then that all lanes are shifted alike, and for
-// WebAssembly shifts them one by one: there the count is kept from leaving.
+// Shifts by a variable count. Clang 14 hoists the broadcast of the count out of loops, then fails
+// to see that all lanes have the same count, and shifts them one by one for WebAssembly; the asm
+// statement prevents the hoisting.
 [[maybe_unused]] inline U32x4 shiftedRight(U32x4 value, int count) {
 #ifdef __wasm_simd128__
     __asm__ volatile("" : "+r"(count));
@@ -38,7 +38,7 @@ inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     return value << count;
 }
 
-// Red with blue, and green with alpha.
+// Red and blue, green and alpha.
 struct Halves {
     U16x8 even;
     U16x8 odd;
@@ -85,13 +85,13 @@ inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint
     return (U32x4)even | (U32x4)(odd << 8) | kOpaque;
 }
 
-// Full light and no fog: colours stay as they are.
+// Full light and no fog: colours stay unchanged.
 struct NoShade {
     std::uint32_t one(std::uint32_t texel, int) const { return texel | kOpaque; }
     U32x4 four(U32x4 texels, int) const { return texels | kOpaque; }
 };
 
-// The same light and fog for all rows: a wall is at one depth.
+// The same light and fog for all rows, because a wall has one depth.
 template <bool foggy>
 struct EvenShade {
     std::uint32_t factor;
@@ -137,7 +137,7 @@ inline std::uint32_t laidOver(std::uint32_t there, std::uint32_t colour, std::ui
     return even | odd << 8 | kOpaque;
 }
 
-// What becomes of a row: `there` is its pixel, `colour` the shaded texel.
+// The result for a row: `there` is its old pixel, `colour` the shaded texel.
 struct Opaque {
     static std::uint32_t one(const Pixel*, std::uint32_t, std::uint32_t colour) { return colour; }
     static U32x4 four(const Pixel*, U32x4, U32x4 colours) { return colours; }
@@ -185,9 +185,9 @@ void fillSideRows(Pixel* out, int rows, const TexelColumn& column, ShadeRows sha
     }
 }
 
-// A double of at least 2^20 and below 2^21 has 32 bits after the point, so adding this leaves the
-// fraction in the low half of its bits, rounded to the nearest 1/2^32. The sum must stay in that
-// range: positions are below 2^19 tiles (see kMaxFar).
+// A double from 2^20 to below 2^21 has 32 bits after the point, so adding this leaves the fraction
+// in the low half of its bits, rounded to 1/2^32. The sum must stay in that range: positions are
+// below 2^19 tiles (see kMaxFar).
 constexpr double kFractionMagic = 1572864.0;
 
 inline std::uint32_t lowHalf(double value) {
@@ -255,7 +255,7 @@ void fillSideAs(Pixel* out, int rows, const TexelColumn& column, Pixel haze) {
 template <typename Put>
 void fillPlaneAs(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade kind) {
     const auto fill = [&](auto shade) {
-        // A single texel needs no position (and a shift by all 32 bits has no meaning).
+        // A single texel needs no position (and a shift by all 32 bits is undefined)
         if (texels.level.bits == 0) {
             fillOneTexel<Put>(column, first, last, texels.level.texels[0], shade);
         } else {

@@ -1,8 +1,8 @@
-// The innermost loops: rows of one slice filled from a texture, shaded. Per pixel a texel fetch, a
-// multiply and a store; nothing else.
+// The innermost loops: fill rows of one slice from a texture, with light and fog. Per pixel only a
+// texel fetch, a multiply and a store.
 //
-// A slice is drawn into a column of memory, one row after another, so all three streams (rows, the
-// tables per row, a wall's texels) run forwards.
+// A slice is drawn into a column of memory, row after row, so all three streams (rows, tables per
+// row, a wall's texels) run forwards.
 #pragma once
 
 #include "render/shading.h"
@@ -13,16 +13,16 @@
 
 namespace slicecast {
 
-// Positions along a texture are kept in 1/2^48 of a tile: a step rounded to that is off by less
-// than 1e-10 of a tile after 8192 rows.
+// Texture positions are in 1/2^48 of a tile: a step rounded to that is off by less than 1e-10 of a
+// tile after 8192 rows.
 inline constexpr int kTexturePositionBits = 48;
 
-// Whether a run's texels take the place of what is there, or are laid over it by their alpha:
+// Whether texels replace the pixels, or are blended over them by their alpha:
 //     channel = (texel * alpha + there * (255 - alpha) + 127) / 255
 enum class Lay { opaque, over };
 
-// One column of texels, of a side or an object. Row r of a run that begins with row `first` shows
-// texels[(start + (r - first) * step) >> shift], within the column throughout. On a side positions
+// One column of texels of a side or an object. Row r of a run that begins at row `first` shows
+// texels[(start + (r - first) * step) >> shift], which never leaves the column. On a side positions
 // are in 1/2^48 of a tile.
 struct TexelColumn {
     const Pixel* texels = nullptr;
@@ -38,8 +38,8 @@ struct TexelColumn {
 // Fills `rows` rows.
 void fillSide(Pixel* out, int rows, const TexelColumn& column, Pixel haze, Lay lay = Lay::opaque);
 
-// How the points of a level plane that a slice sees follow from the row: east = eastStart +
-// eastPerInverse * inverseOffset, and so for south, in tiles, where only the fraction counts.
+// The points of a horizontal plane that a slice sees, by row: east = eastStart + eastPerInverse *
+// inverseOffset, likewise south, in tiles; only the fraction counts.
 struct PlaneLine {
     double eastStart = 0.0;  // the eye's fraction of a tile, 0 to 1
     double southStart = 0.0;
@@ -47,12 +47,12 @@ struct PlaneLine {
     double southPerInverse = 0.0;
     bool southReversed = false;  // undersides and ceilings
 
-    // The fraction of a tile in 1/2^32 that a position stands for.
+    // The fraction of a tile of a position, in 1/2^32.
     static std::uint32_t fractionBits(double start, double perInverse, double inverseOffset);
 };
 
-// Per-row figures of a plane: the tables are indexed by row. `fogs` is null where there is no fog.
-// Light and fog are there twice in each entry, in either half.
+// Values of a plane's rows; the tables are indexed by row. `fogs` is null without fog. Light and
+// fog are stored twice in each entry, once in each half.
 struct PlaneRows {
     const double* inverseOffsets = nullptr;  // 1 / |horizon - (row + 0.5)|
     const std::uint32_t* factors = nullptr;
@@ -63,7 +63,7 @@ constexpr std::uint32_t inBothHalves(std::uint32_t value) {
     return value | value << 16;
 }
 
-// What is done to the colours of some rows: nothing, in full light; light alone; light and fog.
+// How some rows are shaded: not at all (full light), by light, or by light and fog.
 enum class PlaneShade : std::uint8_t { full, dimmed, foggy };
 
 struct PlaneTexels {
@@ -73,15 +73,15 @@ struct PlaneTexels {
     Pixel haze;
 };
 
-// Fills the rows [first, last) of the slice that starts at `column`. All of them have the shade.
+// Fills the rows [first, last) of the slice that starts at `column`, all with this shade.
 void fillPlane(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade shade,
                Lay lay = Lay::opaque);
 
-// Blends `rows` pixels over what is there, out = (there * (255 - strength) + colour * strength +
-// 127) / 255, taking the last of them first.
+// Blends `rows` pixels, in reverse order, over those at `out`: out = (out * (255 - strength) +
+// colour * strength + 127) / 255.
 void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength);
 
-// One row from a texel that was found otherwise; `there` is what it is laid over.
+// One pixel from a texel found by other means; `there` is the old pixel.
 Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay,
                   Pixel there);
 

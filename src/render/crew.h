@@ -1,5 +1,5 @@
-// Hands that work at the same time. The engine knows no threads; who has some lends them as a crew
-// (app/thread_crew.h).
+// A crew of hands that work in parallel. The engine knows no threads; the program provides them as
+// a crew (app/thread_crew.h).
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@ class Crew {
 public:
     virtual ~Crew() = default;
 
-    // At least 1: whoever calls has a hand too.
+    // At least 1, including the calling hand.
     virtual int hands() const = 0;
 
-    // Every hand does the job once, told which one it is: 0 to hands() - 1. Returns when all have.
+    // Calls job(hand) once for each hand, 0 to hands() - 1. Returns when all are done.
     virtual void work(const std::function<void(int)>& job) = 0;
 };
 

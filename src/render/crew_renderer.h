@@ -1,10 +1,10 @@
-// A renderer that draws one picture with all the hands of a crew: the same bytes as one renderer.
+// Draws one picture with all hands of a crew; the result has the same bytes as with one renderer.
 //
-//     hand 0   strip 0      strip 3 ...        whoever is ready takes the next strip, so a dear part
-//     hand 1   strip 1   strip 2   strip 4     of the picture is shared, wherever it lies
+//     hand 0   strip 0      strip 3 ...        each free hand takes the next strip, so that
+//     hand 1   strip 1   strip 2   strip 4     expensive parts of the picture are shared
 //
-// Each hand has a renderer of its own, because the tables of a frame are filled while it draws.
-// Without a crew there is one renderer, which draws as it would by itself.
+// Each hand has its own renderer, because the tables of a frame are filled while drawing. Without a
+// crew, a single renderer draws as usual.
 #pragma once
 
 #include "render/crew.h"
@@ -19,10 +19,10 @@ class CrewRenderer {
 public:
     CrewRenderer() : renderers_(1) {}
 
-    // From now on; null for none. The crew must outlive this, or be taken away before its end.
+    // The crew for all further pictures; null for none. It must outlive this, or be removed first.
     void setCrew(Crew* crew) { crew_ = crew; }
 
-    // As Renderer has them.
+    // The same as in Renderer.
     bool draw(const World& world, const Eye& eye, const RenderOptions& options,
               const Picture& picture, int firstColumn = 0);
     const FrameReport& report() const { return report_; }
@@ -37,11 +37,11 @@ public:
 
 private:
     Crew* crew_ = nullptr;
-    std::vector<Renderer> renderers_;  // by hand
+    std::vector<Renderer> renderers_;  // one per hand
     FrameReport report_;
 };
 
-// What a session draws with. A page has no threads, and carries nothing of them.
+// The renderer of a session. A page has no threads, so its program leaves the crew out.
 #ifdef __EMSCRIPTEN__
 using SessionRenderer = Renderer;
 #else

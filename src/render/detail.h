@@ -1,5 +1,5 @@
-// Levels of detail: which level of a texture is shown at a depth. Level m is the number of
-// thresholds T (by default 1, 2, 4 ...) with t * N > T * d.
+// Levels of detail: which level of a texture a depth shows. Level m is the number of thresholds T
+// (by default 1, 2, 4 ...) with t * N > T * d.
 #pragma once
 
 #include "base/bits.h"
@@ -13,7 +13,7 @@ namespace slicecast {
 struct Detail {
     bool textures = true;
     bool levels = true;
-    double firstThreshold = 1.0;  // times d, pixels
+    double firstThreshold = 1.0;  // times d, in pixels
 
     Detail() = default;
     Detail(const RenderOptions& options, double projectionDistance)
@@ -25,9 +25,9 @@ struct Detail {
     int levelAt(double depth, int size, int last) const {
         if (!textures) return last;
         if (!levels) return 0;
-        // The exponents' difference, rounded up: a double's bits are its exponent and then its
-        // fraction, so it falls out of one subtraction. Thresholds double, N is a power of two: no
-        // rounding anywhere.
+        // The difference of the exponents, rounded up. Exponent bits precede the fraction bits of a
+        // double, so one integer subtraction gives it. Exact, because thresholds double and N is a
+        // power of two.
         const double reach = depth * size;
         const std::int64_t over =
             bitCast<std::int64_t>(reach) - bitCast<std::int64_t>(firstThreshold);

@@ -11,12 +11,13 @@ struct Eye {
     Coordinate y;
     Coordinate z;                 // height, > 0
     double headingDegrees = 0.0;  // 0 = east, 90 = south (clockwise seen from above)
-    double look = 0.0;  // screen heights that the horizon lies below the middle, positive looks up
+    double look =
+        0.0;  // how far the horizon lies below the middle, in screen heights; positive looks up
 
     friend bool operator==(const Eye&, const Eye&) = default;
 };
 
-// An eye at or below the floor sees nothing and is refused by the renderer.
+// The renderer refuses an eye at or below the floor, because it sees nothing.
 constexpr bool isAboveFloor(const Eye& eye) {
     return eye.z.raw > 0;
 }

@@ -1,4 +1,4 @@
-// What all slices of a picture share: worked out once a frame.
+// Values shared by all slices of a picture, computed once per frame.
 #pragma once
 
 #include "render/detail.h"
@@ -11,7 +11,7 @@
 
 namespace slicecast {
 
-// A texture as it stands at the time of a frame.
+// A texture at the time of a frame.
 struct FrameTexture {
     const TextureLevel* levels = nullptr;
     int size = 0;  // texels a side
@@ -19,7 +19,7 @@ struct FrameTexture {
     bool seeThrough = false;
 };
 
-// What frames keep for the next one: use one for pictures that are drawn again and again.
+// Memory that frames reuse: keep one for pictures that are drawn repeatedly.
 struct FrameMemory {
     std::vector<FrameTexture> textures;
     Vistas vistas;

@@ -9,7 +9,7 @@ namespace slicecast {
 
 namespace {
 
-// Where a point appears that is `aside` units to the right of the eye, at a depth.
+// The column, as a real number, of a point `aside` units right of the eye at a depth.
 double columnOf(const Projection& projection, double aside, double depth) {
     return aside * projection.distance / depth + projection.width / 2.0;
 }
@@ -44,8 +44,8 @@ void FrameObjects::findAll() {
     find(0, static_cast<int>(groups_.size()) - 1);
 }
 
-// The lists of the groups from `first` to `last` that are not known yet. Nearest first; those of
-// one depth in the map's order.
+// Fills the unknown lists of the groups from `first` to `last`, nearest first; at equal depth in
+// the map's order.
 void FrameObjects::find(int first, int last) {
     findSeen(first * kGroup, (last + 1) * kGroup);
     mergeSort(seen_, room_, [](const Seen& a, const Seen& b) {
@@ -57,9 +57,9 @@ void FrameObjects::find(int first, int last) {
     for (int group = first; group <= last; ++group) known_[static_cast<std::size_t>(group)] = 1;
 }
 
-// In the columns from `first` on, before `end`, or within a column of them.
+// Finds objects in the columns [first, end), with up to a column more on both sides.
 void FrameObjects::findSeen(int first, int end) {
-    // A few columns more, for roundings and those whose edges are just beyond.
+    // A few more columns, for roundings and edges just outside
     constexpr int kMore = 4;
     const auto aside = [&](int column) {
         return (column - projection_->width / 2.0) / projection_->distance;

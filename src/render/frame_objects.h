@@ -1,6 +1,6 @@
-// The objects of a frame: which of a map's objects may be seen, at which depth, and in which
-// columns. A group of columns looks for its own when a slice first asks: behind a portal only a few
-// columns do. Where more do, all look at once.
+// The objects of a frame: which of a map's objects may be visible, at which depth and in which
+// columns. A group of columns looks for its objects when a slice first asks, because behind a
+// portal only a few columns do. When many ask, all groups are searched at once.
 #pragma once
 
 #include "render/detail.h"
@@ -16,43 +16,42 @@
 namespace slicecast {
 
 struct FrameObject {
-    double depth = 0.0;  // t, units, a multiple of 1/65536, > 0
-    double along =
-        0.0;  // the same as a Crossing counts it: the one number that is compared with borders
-    double left = 0.0;        // of its left edge, units to the right of the eye
+    double depth = 0.0;       // t, units, a multiple of 1/65536, > 0
+    double along = 0.0;       // the same as in Crossing, to be compared with borders
+    double left = 0.0;        // of its left edge, units right of the eye
     double width = 0.0;       // units
     std::int32_t bottom = 0;  // 1/65536 units above the eye
     std::int32_t top = 0;
-    int firstRow = 0;  // where it appears: the rows [firstRow, lastRow)
+    int firstRow = 0;  // it covers the rows [firstRow, lastRow)
     int lastRow = 0;
     const SpriteLevel* level = nullptr;
-    int detail = 0;  // which level of the sprite it is
+    int detail = 0;  // index of that level
     std::uint32_t factor = 256;
     std::uint32_t fog = 0;
-    int index = 0;  // in the map
+    int index = 0;  // index into the map's objects
 };
 
 class FrameObjects {
 public:
-    // Those of the viewpoint's map, whose cells are given, in that map's light. All but `from` must
-    // outlive the frame.
+    // Takes the objects of the viewpoint's map, whose cells are given, in that map's light. All but
+    // `from` must outlive the frame.
     void beginFrame(const World& world, const ObjectCells& cells, const Viewpoint& from,
                     const Projection& projection, const Detail& detail, const Lighting& lighting);
 
-    // The objects that may cover a column, nearest first; those of one depth in the map's order.
+    // The objects that may cover a column, nearest first; at equal depth in the map's order.
     const std::vector<int>& inColumn(int column) {
         const int group = column / kGroup;
         if (!isKnown(group)) ask(group);
         return groups_[static_cast<std::size_t>(group)];
     }
-    // For all columns at once: faster where most of them will ask.
+    // Finds those of all columns at once: faster if most of them will ask.
     void findAll();
     const FrameObject& operator[](int i) const { return objects_[static_cast<std::size_t>(i)]; }
 
     bool none() const { return map_->objects.empty(); }
 
-    // The first row below a height, `rise` 1/65536 units above the eye, at a depth; a row right
-    // through it counts as below if `tieIsBelow`.
+    // The first row below a height, `rise` 1/65536 units above the eye, at a depth. `tieIsBelow`: a
+    // row exactly through the height counts as below.
     static int firstRowBelow(const Projection& projection, std::int32_t rise, double depth,
                              bool tieIsBelow = false) {
         return projection.firstRowBelowRow(
@@ -62,14 +61,14 @@ public:
 private:
     static constexpr int kGroup = 16;  // columns that share a list
 
-    // One that may cover some of the columns.
+    // An object that may cover some of the columns.
     struct Seen {
         double depth;
         double left;
         int index;
     };
 
-    // A copy at each call would make the page's program larger for nothing.
+    // Not inlined: a copy at each call would only enlarge the page's program.
     __attribute__((noinline)) void ask(int group);
     __attribute__((noinline)) void find(int first, int last);
     bool isKnown(int group) const { return known_[static_cast<std::size_t>(group)] != 0; }
@@ -85,13 +84,13 @@ private:
     Detail detail_;
     GroundDirection forward_;
     GroundDirection right_;
-    std::vector<int> near_;  // while they are looked for
+    std::vector<int> near_;  // scratch memory of find()
     std::vector<Seen> seen_;
-    std::vector<Seen> room_;  // while they are sorted
+    std::vector<Seen> room_;  // scratch memory of sorting
     std::vector<FrameObject> objects_;
     std::vector<std::vector<int>> groups_;
     std::vector<std::uint8_t> known_;  // 1 for each group whose list is known
-    int asked_ = 0;                    // of them, one after another
+    int asked_ = 0;                    // groups that have asked, one after another
 };
 
 }  // namespace slicecast

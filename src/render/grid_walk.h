@@ -1,11 +1,17 @@
-// The walk over the grid: which tiles a ground ray passes and at which depths it crosses their
-// borders.
+// The walk over the grid: the tiles that a ground ray passes, and the depths at which it crosses
+// their borders.
 //
-//     +-----+-----+          Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987), on two axes. The depth of the n-th border of an
-//     |  .--|-*   |          axis is (distance to the first + n) / |direction|: a quotient of its own each time, so nothing accumulates, and two borders that
-//     | e   |  \  |          are met at the same depth are found equal.
-//     +-----+---*-+          There the tie rule of projection.h decides: the eye counts as a little further east (and far less south), so an eastward border
-//           |     |          comes first and a westward one last.
+//     +-----+-----+
+//     |  .--|-*   |
+//     | e   |  \  |
+//     +-----+---*-+
+//           |     |
+//
+// Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987), on two axes. The
+// depth of the n-th border of an axis is (distance to the first + n) / |direction|: a quotient of
+// its own each time, so no error accumulates, and two borders at the same depth compare equal. Then
+// the tie rule of projection.h decides: the eye counts as slightly further east (and far less
+// south), so an eastward border comes first and a westward one last.
 #pragma once
 
 #include "base/bits.h"
@@ -20,26 +26,26 @@
 
 namespace slicecast {
 
-// Finite, so that a height of 0 stays at the horizon.
+// Finite, so that a height of 0 stays at the horizon (infinity times 0 would be NaN).
 inline constexpr double kHugeRows = 1e200;
 
-// A tile border and how a ray crosses it, `along` of the ray's direction from the eye (see
-// Projection::ray): the quotient distance / speed. Rows and points are projected from those two,
-// since the quotient is rounded.
+// A tile border and how a ray crosses it. `along` is in multiples of the ray's direction (see
+// Projection::ray): the quotient distance / speed. Rows and points are computed from these two,
+// because the quotient is rounded.
 struct Crossing {
     double along = 0.0;
-    double distance = 0.0;          // units along the border's axis from the eye
-    double speed = 1.0;             // size of the ray's direction on that axis, > 0
-    double rowsPerRaw = kHugeRows;  // rows that 1/65536 unit of height takes there, rounded; huge
-                                    // where the distance is 0
-    bool alongX = false;            // a border of constant x
-    bool nearing = false;           // crossed eastward or southward
-    bool early = false;  // the same in the coordinates of the eye's map: met sooner where it ties
-                         // (see projection.h)
-    bool border = true;  // false where an object stands and no tile ends
+    double distance = 0.0;  // units along the border's axis from the eye
+    double speed = 1.0;     // size of the ray's direction on that axis, > 0
+    double rowsPerRaw =
+        kHugeRows;  // rows per 1/65536 unit of height there, rounded; huge if the distance is 0
+    bool alongX = false;   // a border of constant x
+    bool nearing = false;  // crossed eastward or southward
+    bool early =
+        false;  // the same in the coordinates of the eye's map: wins ties (see projection.h)
+    bool border = true;  // false for an object, where no tile ends
 };
 
-// What follows from the exact quotient; rarely asked.
+// By the exact quotient; rarely needed.
 inline int firstRowBelowExactly(const Projection& projection, std::int32_t rise,
                                 const Crossing& border) {
     if (rise == 0) return projection.firstFallingRow;
@@ -48,22 +54,22 @@ inline int firstRowBelowExactly(const Projection& projection, std::int32_t rise,
                                        (rise > 0) == border.early);
 }
 
-// The first row whose ray passes below a height, `rise` 1/65536 units above the eye, when it
+// The first row whose ray passes below a height, `rise` 1/65536 units above the eye, where it
 // crosses a border; rows above it pass at or above that height.
 inline int firstRowBelow(const Projection& projection, std::int32_t rise, const Crossing& border) {
     const double below = std::min(std::max(projection.horizonBelow - rise * border.rowsPerRaw, 0.5),
                                   projection.heightBelow);
-    // Added to this, a number below 2^16 has 16 bits after the point at the end of the double's
+    // Adding this to a number below 2^16 leaves 16 bits of its fraction at the end of the double's
     // bits: cheaper than a conversion.
     constexpr double kMagic = 103079215104.0;  // 1.5 * 2^36
     const auto fixed = static_cast<std::uint32_t>(bitCast<std::uint64_t>(below + kMagic));
-    // Near the middle of a row the sum's roundings might decide; there the exact quotient does, and
-    // the tie rule.
+    // Near the middle of a row the sum's rounding could decide; there the exact quotient and the
+    // tie rule do.
     if (((fixed + 1) & 0xffff) < 3) return firstRowBelowExactly(projection, rise, border);
     return static_cast<int>(fixed >> 16);
 }
 
-// The face of the tile ahead through which a crossing leads, and the face of the tile behind.
+// The face of the next tile through which a crossing leads, and the face of the tile left behind.
 constexpr Face enteredFace(const Crossing& c) {
     return c.alongX ? (c.nearing ? Face::west : Face::east)
                     : (c.nearing ? Face::north : Face::south);
@@ -78,7 +84,7 @@ struct GridWalk {
     int tileY = 0;
     int stepX = 0;  // -1, 0 or 1
     int stepY = 0;
-    double entered = 0.0;  // `along` where the current tile was entered, 0 in the eye's own
+    double entered = 0.0;  // `along` at the entry of the current tile, 0 in the eye's own
 
     GridWalk(Coordinate eyeX, Coordinate eyeY, GroundDirection ray)
         : tileX(eyeX.tile()),
@@ -109,7 +115,7 @@ struct GridWalk {
     }
     double left() const { return x_.along < y_.along ? x_.along : y_.along; }  // leave().along
 
-    // On to the next tile.
+    // Advances to the next tile.
     void advance() {
         if (leavesAlongX()) {
             entered = x_.along;
@@ -124,9 +130,8 @@ struct GridWalk {
         }
     }
 
-    // To where another walk along the same ray in the same map has come. What has not changed is
-    // not written: a copy of the whole is read back by pieces of another size than it was written
-    // in, for which processors wait.
+    // Catches up with another walk along the same ray in the same map. Copies only changed fields:
+    // a full copy would be read back in other widths and stall store forwarding.
     void comeTo(const GridWalk& walk) {
         tileX = walk.tileX;
         tileY = walk.tileY;
@@ -138,7 +143,8 @@ struct GridWalk {
         way_ = walk.way_;
     }
 
-    // To another tile of its way, which it enters along x or along y: as if it had come there.
+    // Jumps to another tile of its way, which it enters along x or along y, as if it had walked
+    // there.
     void comeTo(int x, int y, bool enteredAlongX) {
         x_.goOn(x > tileX ? x - tileX : tileX - x);
         y_.goOn(y > tileY ? y - tileY : tileY - y);
@@ -149,14 +155,14 @@ struct GridWalk {
         entered = (axis.distance - 1.0) / axis.speed;
     }
 
-    // Where the next border of either axis lies.
+    // `along` of the next border on either axis.
     double nextAlongX() const { return x_.along; }
     double nextAlongY() const { return y_.along; }
 
     bool hasEntered() const { return way_ != Way::none; }  // false in the eye's own tile
 
-    // The same walk where the current tile is another one, turned clockwise by quarter turns: what
-    // is ahead changes, the borders' depths do not.
+    // The same walk in another tile, turned clockwise by quarter turns: directions change, the
+    // depths of borders do not.
     GridWalk turned(int quarterTurns, int toX, int toY) const {
         GridWalk walk = *this;
         for (int i = 0; i < quarterTurns; ++i) {
@@ -219,7 +225,7 @@ private:
     Axis y_;
     bool earlyX_;  // see Crossing
     bool earlyY_;
-    bool tieAlongX_;  // which of two borders at one depth comes first
+    bool tieAlongX_;  // which of two borders at equal depth comes first
     Way way_ = Way::none;
 };
 

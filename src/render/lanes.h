@@ -1,5 +1,5 @@
 // Sixteen whole numbers at once, one for each column of a strip: rows, tiles, textures. Each is in
-// -32768 to 32767. A mask has all bits of a lane set, or none.
+// -32768 to 32767. A lane of a mask has all bits set, or none.
 #pragma once
 
 #include "render/vectors.h"
@@ -55,7 +55,7 @@ inline Lanes operator~(Lanes a) {
 inline Lanes operator+(Lanes a, Lanes b) {
     return {a.low + b.low, a.high + b.high};
 }
-// What `mask` has set from `a`, the rest from `b`.
+// Takes lanes of `a` where `mask` is set, of `b` elsewhere.
 inline Lanes chosen(Lanes mask, Lanes a, Lanes b) {
     return {(mask.low & a.low) | (~mask.low & b.low), (mask.high & a.high) | (~mask.high & b.high)};
 }
@@ -69,19 +69,19 @@ inline Lanes greater(Lanes a, Lanes b) {
     return {(I16x8)_mm_max_epi16((__m128i)a.low, (__m128i)b.low),
             (I16x8)_mm_max_epi16((__m128i)a.high, (__m128i)b.high)};
 }
-// A bit for each lane of a mask.
+// One bit for each set lane of a mask.
 inline unsigned bitsOf(Lanes mask) {
     return static_cast<unsigned>(
         _mm_movemask_epi8(_mm_packs_epi16((__m128i)mask.low, (__m128i)mask.high)));
 }
-// Of a mask of four 32-bit numbers, whether any is set.
+// Whether any lane of a mask of four 32-bit numbers is set.
 inline bool anyOf(U32x4 mask) {
     return _mm_movemask_epi8((__m128i)mask) != 0;
 }
 inline F64x2 heldBetween(F64x2 value, double low, double high) {
     return (F64x2)_mm_min_pd(_mm_max_pd((__m128d)value, _mm_set1_pd(low)), _mm_set1_pd(high));
 }
-// Numbers below 32768.
+// Numbers must be below 32768.
 inline I16x8 narrowed(U32x4 a, U32x4 b) {
     return (I16x8)_mm_packs_epi32((__m128i)a, (__m128i)b);
 }
@@ -142,7 +142,7 @@ inline I16x8 narrowed(U32x4 a, U32x4 b) {
 }
 #endif
 
-// The mask of which those are the bits.
+// The mask with these bits; inverse of bitsOf.
 inline Lanes maskOf(unsigned bits) {
     const I16x8 each = {1, 2, 4, 8, 16, 32, 64, 128};
     const auto low = static_cast<std::int16_t>(bits & 0xff);
@@ -151,7 +151,7 @@ inline Lanes maskOf(unsigned bits) {
             (I16x8)((each & I16x8{high, high, high, high, high, high, high, high}) == each)};
 }
 
-// The lanes as numbers in memory, for one at a time.
+// The lanes as numbers in memory, for access one by one.
 struct LaneValues {
     alignas(16) std::int16_t at[kLanes];
 

@@ -6,11 +6,11 @@
 namespace slicecast {
 namespace {
 
-constexpr double kSlack = 1.0 / 256.0;  // units; far more than roundings
+constexpr double kSlack = 1.0 / 256.0;  // units; far more than rounding errors
 
-// A line that the cells of a wedge are not wholly beyond.
+// A half-plane; cells entirely outside of it are skipped.
 struct Side {
-    double first;  // the greatest value of the first cell, below 0 if it is beyond
+    double first;  // its greatest value in the first cell; below 0 if the cell is outside
     double perColumn;
     double perRow;
 
@@ -36,13 +36,13 @@ void ObjectCells::fill(const Map& map) {
         halfWidest_ = std::max(halfWidest_, object.width.value() / 2.0);
         highest_ = std::max(highest_, (object.z + object.height).value());
     }
-    // Few objects are looked at one by one.
+    // A few objects go into a single cell
     constexpr std::size_t kFew = 64;
     shift_ = map.objects.size() <= kFew ? 40 : 16;
     while ((std::max(east - west_, south - north_) >> shift_) >= kMost) ++shift_;
     columns_ = static_cast<int>((east - west_) >> shift_) + 1;
     rows_ = static_cast<int>((south - north_) >> shift_) + 1;
-    // Counted, then put in their places, from the last one on.
+    // Count, then place them, starting with the last
     starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
     const auto startOf = [&](const Object& object) -> int& {
         return starts_[static_cast<std::size_t>(rowOf(object) * columns_ + columnOf(object))];
@@ -54,8 +54,8 @@ void ObjectCells::fill(const Map& map) {
         order_[static_cast<std::size_t>(--startOf(map.objects[i]))] = static_cast<int>(i);
 }
 
-// A cell lies outside of the wedge if it lies behind the point, or wholly beyond one of the two
-// edges: where the greatest value that a . p + b has for its points p is below 0.
+// A cell is outside of the wedge if it is entirely behind the point or beyond one of the two edges:
+// if the greatest value of a . p + b over its points p is below 0.
 void ObjectCells::find(const GroundWedge& wedge, std::vector<int>& found) const {
     const double size = static_cast<double>(std::int64_t{1} << shift_) / 65536.0;
     const double x = static_cast<double>(west_ - wedge.x) / 65536.0;  // of the first cell's corner

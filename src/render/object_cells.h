@@ -1,7 +1,6 @@
-// A map's objects by where they are, so that who looks one way need not look at all of them.
+// A map's objects by place, so that a view need not look at all of them.
 //
-// The objects' ground is cut into square cells; each cell lists the objects whose middles are in
-// it.
+// The ground is divided into square cells; each cell lists the objects whose centres are in it.
 #pragma once
 
 #include "render/projection.h"
@@ -13,26 +12,28 @@
 
 namespace slicecast {
 
-// A wedge of ground: what is ahead of a point and at most so far aside, for each unit of depth.
+// A wedge of ground: everything in front of a point, between two limits to the side.
 struct GroundWedge {
     std::int64_t x = 0;  // of the point, 1/65536 units
     std::int64_t y = 0;
     GroundDirection forward;  // unit vectors
     GroundDirection right;
-    double left = 0.0;  // where it begins and ends to the right of the point, per unit of depth
+    double left = 0.0;  // limits to the right of the point, per unit of depth
     double end = 0.0;
 };
 
 class ObjectCells {
 public:
-    // Keeps its memory. The map must outlive this.
+    // Reuses its memory. The map must outlive this.
     void fill(const Map& map);
 
     const Map& map() const { return *map_; }
-    double highest() const { return highest_; }  // of the upper edges, units; 0 without objects
+    double highest() const {
+        return highest_;
+    }  // greatest height of upper edges, units; 0 without objects
 
-    // Appends the objects, as indices into the map's, that may reach into a wedge, and maybe some
-    // more; in no order that means anything.
+    // Appends the indices of the objects that may reach into a wedge, possibly some more, in no
+    // particular order.
     void find(const GroundWedge& wedge, std::vector<int>& found) const;
 
 private:
@@ -53,7 +54,7 @@ private:
     int rows_ = 0;
     double halfWidest_ = 0.0;  // half of the widest object, units
     double highest_ = 0.0;
-    std::vector<int> starts_;  // of each cell, row by row, in order_; then the end
+    std::vector<int> starts_;  // start of each cell in order_, row by row; then the end
     std::vector<int> order_;   // the objects, cell by cell
 };
 

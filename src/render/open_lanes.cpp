@@ -34,7 +34,8 @@ std::span<const LaneRows> OpenLanes::take(Lanes mask, Lanes first, Lanes last) {
     return {taken_.data(), taken};
 }
 
-// How many pieces; there is room for those of all other lanes behind them.
+// Takes runs of the lanes with lists. Returns their number; leaves room for those of the other
+// lanes.
 std::size_t OpenLanes::takeListed(unsigned bits, Lanes from, Lanes to) {
     const LaneValues a(from);
     const LaneValues b(to);
@@ -49,7 +50,7 @@ std::size_t OpenLanes::takeListed(unsigned bits, Lanes from, Lanes to) {
     return count;
 }
 
-// Rows that lie between the first and the last ones of each lane in `here`.
+// Closes rows within the first and last ones of each lane in `here`.
 void OpenLanes::close(Lanes here, Lanes from, Lanes to) {
     const Lanes first = first_.lanes();
     const Lanes last = last_.lanes();
@@ -73,7 +74,7 @@ void OpenLanes::close(Lanes here, Lanes from, Lanes to) {
         chosen(gone, none, chosen(grown, chosen(hasGap, greater(to, gapLast), to), gapLast)));
 }
 
-// Of lanes that get a second gap.
+// Makes lists for lanes that get a second gap.
 void OpenLanes::makeLists(unsigned bits, Lanes from, Lanes to) {
     const LaneValues a(from);
     const LaneValues b(to);

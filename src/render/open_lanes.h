@@ -1,6 +1,5 @@
-// The open rows of a strip's columns, all columns at once: for each the first and one past the
-// last, and one gap between them. A column with more gaps keeps its rows in a list until they are
-// fewer.
+// The open rows of all columns of a strip at once: for each column the first, one past the last,
+// and one gap between them. A column with more gaps keeps its rows in a list while it has them.
 #pragma once
 
 #include "render/lanes.h"
@@ -13,7 +12,7 @@
 
 namespace slicecast {
 
-// Open rows of a lane.
+// A run of open rows in a lane.
 struct LaneRows {
     int lane;
     int first;
@@ -22,7 +21,7 @@ struct LaneRows {
 
 class OpenLanes {
 public:
-    // Memory that is kept.
+    // Memory to reuse.
     struct Scratch {
         std::array<OpenRows, kLanes> rows;  // the columns' lists
         std::vector<LaneRows> taken = std::vector<LaneRows>(2 * kLanes);
@@ -37,22 +36,22 @@ public:
     unsigned live() const { return live_; }    // lanes with open rows
     int first() const { return leastFirst_; }  // of all lanes
     int last() const { return greatestLast_; }
-    // Lanes in which rows from `row` on, or before it, may be open.
+    // Lanes in which rows at or below `row`, or above it, may be open.
     Lanes reachBelow(Lanes row) const { return row < last_.lanes(); }
     Lanes reachAbove(Lanes row) const { return first_.lanes() < row; }
 
-    // Closes the rows [first, last) of the lanes in `mask`. Tells which runs of them were open,
-    // until the next call. findEnds() must follow.
+    // Closes the rows [first, last) of the lanes in `mask`. Returns the runs of them that were
+    // open, valid until the next call. Call findEnds() afterwards.
     std::span<const LaneRows> take(Lanes mask, Lanes first, Lanes last);
     void close(unsigned bits);  // all rows of some lanes
     void findEnds();
 
-    // A lane's open rows in its list, for a walk of its own, and back from it.
+    // Writes a lane's open rows into its list, for a walk of its own, and reads them back.
     void write(int lane);
     void read(int lane);
 
 private:
-    static constexpr int kNoGap = 32767;  // below all rows, where nothing meets it
+    static constexpr int kNoGap = 32767;  // below all rows
 
     std::size_t takeListed(unsigned bits, Lanes from, Lanes to);
     void close(Lanes here, Lanes from, Lanes to);

@@ -1,4 +1,4 @@
-// The rows of a slice that nothing has been drawn in yet: a few runs, sorted from the top.
+// The rows of a slice that are still empty: a few runs, sorted from the top.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ public:
         int last;  // one past the end
     };
 
-    // Opens some of a slice's rows, in order from the top, and no others. No run is ever added
-    // beyond half the rows, so nothing is allocated after the first slice of a height.
+    // Opens exactly these rows of a slice, sorted from the top. The number of runs never exceeds
+    // half the rows, so nothing is allocated after the first slice of a height.
     void openOnly(const std::vector<Run>& rows, int height) {
         runs_.reserve(static_cast<std::size_t>(height) / 2 + 2);
         within_.reserve(static_cast<std::size_t>(height) / 2 + 2);
@@ -22,7 +22,7 @@ public:
         findEnds();
     }
 
-    // Opens none, one run, or two, in the room that is there.
+    // Opens no run, one, or two, in the existing memory.
     void closeAll() {
         runs_.clear();
         findEnds();
@@ -42,12 +42,12 @@ public:
     int first() const { return first_; }
     int last() const { return last_; }
 
-    // Whether any of the rows [first, last) may be open: none is outside the runs' ends.
+    // Whether any of the rows [first, last) may be open, judged by the first and last open row.
     bool mayHold(int first, int last) const {
         return first < last && last > first_ && first < last_;
     }
 
-    // Closes the rows [first, last) and calls fill(first, last) for each run of them that was open.
+    // Closes the rows [first, last) and calls fill(first, last) for each run that was open.
     template <typename Fill>
     void take(int first, int last, Fill&& fill) {
         if (!mayHold(first, last)) return;
@@ -81,7 +81,7 @@ public:
         findEnds();
     }
 
-    // Calls fn(first, last) for each run of open rows within [first, last), and closes none.
+    // Calls fn(first, last) for each run of open rows within [first, last); closes none.
     template <typename Fn>
     void each(int first, int last, Fn&& fn) const {
         if (!mayHold(first, last)) return;
@@ -92,7 +92,7 @@ public:
         }
     }
 
-    // The same as a list, until the next call: rows may be closed meanwhile.
+    // The same as a list, valid until the next call; rows may be closed meanwhile.
     const std::vector<Run>& within(int first, int last) {
         within_.clear();
         each(first, last, [&](int from, int to) { within_.push_back({from, to}); });

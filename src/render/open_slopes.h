@@ -1,4 +1,4 @@
-// Which levels the rays of some rows come through on their way.
+// Finds which levels the rays of some rows pass.
 #pragma once
 
 #include "base/bits.h"
@@ -10,23 +10,22 @@
 
 namespace slicecast {
 
-// Between which heights the rays of the open rows run.
+// The heights between which the rays of open rows run.
 class OpenSlopes {
 public:
-    // Of the rows [first, last).
+    // For the rows [first, last).
     OpenSlopes(const Projection& projection, int first, int last, double eyeHeight)
         : highestEye_(eyeHeight + kSlack),
           lowestEye_(eyeHeight - kSlack),
           upper_(projection.horizon - first),
           lower_(projection.horizon - last) {}
 
-    // A bit for each level that they come through in a tile.
+    // A bit for each level that the rays pass in a tile.
     __attribute__((always_inline)) std::uint32_t levelsReached(double entered, double left) const {
         const double highest = highestEye_ + upper_ * (upper_ > 0.0 ? left : entered);
         const double lowest = lowestEye_ + lower_ * (lower_ < 0.0 ? left : entered);
         if (highest < 0.0 || lowest >= kMaxLevels) return 0;
-        // Rounded down: what lies exactly on a level's edge is meant a little to the other side of
-        // it, by the slack.
+        // Rounded down. The slack moves heights exactly on a level's edge to its outer side.
         const int top = highest >= kMaxLevels
                             ? kMaxLevels - 1
                             : std::max(0, static_cast<int>(nearestInteger(highest - 0.5)));
@@ -35,7 +34,7 @@ public:
     }
 
 private:
-    static constexpr double kSlack = 1.0 / 65536.0;  // units; far more than roundings
+    static constexpr double kSlack = 1.0 / 65536.0;  // units; far more than rounding errors
 
     double highestEye_;
     double lowestEye_;

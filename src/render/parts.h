@@ -1,6 +1,6 @@
-// The parts that a slice falls into where rays go through portals and off mirrors. A part is some
-// rows of the slice and the walk on which they go on; parts wait in a queue, and lists keep their
-// memory from slice to slice.
+// The parts of a slice, one for each way that its rays take through portals and off mirrors. A part
+// is some rows of the slice and the walk on which they continue. Parts wait in a queue; lists keep
+// their memory from slice to slice.
 #pragma once
 
 #include "render/grid_walk.h"
@@ -14,13 +14,13 @@
 
 namespace slicecast {
 
-// Heights between which a part's rays run, 1/65536 units above its vista's viewpoint. What comes
-// through a portal in a roof, or off a mirror, has begun at a height; nothing on the other side of
-// it is met.
+// The heights between which a part's rays run, 1/65536 units above its vista's viewpoint. Rays
+// through a portal in a roof, or off a mirror, start at a height and meet nothing on its other
+// side.
 struct HeightClip {
     std::int32_t low = std::numeric_limits<std::int32_t>::min();
     std::int32_t high = std::numeric_limits<std::int32_t>::max();
-    bool isMirror = false;  // then nothing at the height itself is met either
+    bool isMirror = false;  // then planes at the height itself are not met either
 
     bool any() const {
         return low != std::numeric_limits<std::int32_t>::min() ||
@@ -29,26 +29,26 @@ struct HeightClip {
     friend bool operator==(const HeightClip&, const HeightClip&) = default;
 };
 
-// Where rays were before they came through a portal: the tile before the portal, or its own if they
-// came through a roof or an underside.
+// Where rays were before they went through a portal: the tile before the portal, or the portal's
+// own tile if they came through a roof or an underside.
 struct Before {
     const Map* map = nullptr;
     int x = 0;
     int y = 0;
-    int levels = 0;  // the portal's
+    int levels = 0;  // of the portal
 
     friend bool operator==(const Before&, const Before&) = default;
 };
 
 struct Part {
     Vista* vista = nullptr;
-    GridWalk walk{{}, {}, {}};  // in the tile in which the part begins
+    GridWalk walk{{}, {}, {}};  // in the part's first tile
     HeightClip clip;
     Before before;
-    int portals = 0;  // passed so far
+    int portals = 0;  // passed before this part
     std::vector<OpenRows::Run> rows;
-    int tiles = 0;              // that the walk has come through, the first among them
-    bool endsInPortal = false;  // the last of them is a portal, and nothing else was met in it
+    int tiles = 0;              // tiles of the walk, including the first
+    bool endsInPortal = false;  // the last tile is a portal, and nothing else was met in it
 };
 
 class Parts {
@@ -58,7 +58,8 @@ public:
     Part& operator[](std::size_t i) { return parts_[i]; }
     const Part& operator[](std::size_t i) const { return parts_[i]; }
 
-    // Rows that go the same way share a part, if that has not begun: `begun` of them have.
+    // Finds or makes a part. Rows that continue alike share one, unless it has begun: the first
+    // `begun` parts have.
     Part& find(Vista& vista, const GridWalk& walk, const HeightClip& clip, const Before& before,
                int portals, std::size_t begun) {
         for (std::size_t i = used_; i-- > begun;) {
@@ -82,7 +83,7 @@ public:
         return part;
     }
 
-    // Rows are kept in order.
+    // Keeps rows sorted.
     static void addRows(Part& part, int first, int last) {
         auto place = part.rows.end();
         while (place != part.rows.begin() && (place - 1)->first > first) --place;

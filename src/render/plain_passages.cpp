@@ -1,4 +1,5 @@
-// Of the plain walk: which blocks join, and where rays go on through portals and off mirrors.
+// Part of the plain walk: which blocks join, and where rays continue through portals and off
+// mirrors.
 #include "render/plain_walk.h"
 
 #include "world/world.h"
@@ -16,22 +17,22 @@ PlainWalk::Rows PlainWalk::rowsOf(const CellBlueprint& blueprint, int level,
             rowBelow(base + blueprint.bottom.raw, border)};
 }
 
-// The rows in which a block touches one that stands beside it, if they are see-through and of one
-// kind: there are no faces between them then.
-PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& other,
+// The rows in which a block touches a neighbour of its kind, both see-through: there are no faces
+// between them.
+PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& neighbour,
                                       const Crossing& border) const {
-    if (!areJoined(*frame_.world, *block.blueprint, other)) return {0, 0};
-    return rowsOf(other, block.level, border);
+    if (!areJoined(*frame_.world, *block.blueprint, neighbour)) return {0, 0};
+    return rowsOf(neighbour, block.level, border);
 }
 
-// The block that rays have left may stand before the portal that they came through.
+// The block that rays have left; it may be in front of the portal that they came through.
 PlainWalk::Rows PlainWalk::joinedBefore(const Block& block) const {
     if (isArrival()) return joinedRows(block, cellBeforePortal(block.level), enter_);
     return joinedRows(block, cell(map(), tileAcross(enter_, -1), block.level), enter_);
 }
 
-// And the one that they are about to enter may stand behind a portal: one of the whole tile, or one
-// in a block's face, which may be smaller than the side that is left.
+// The block that rays are about to enter; it may be behind a portal of the whole tile, or of a
+// block's face, which may be smaller than the side.
 PlainWalk::Rows PlainWalk::joinedBehind(const Block& block) const {
     const GridTile tile = tileAcross(leave_, 1);
     const PortalId ofTile = map().tilePortal(tile.x, tile.y);
@@ -46,9 +47,9 @@ PlainWalk::Rows PlainWalk::joinedBehind(const Block& block) const {
 }
 
 // Whether there are no faces between a block and the one above it (`up` is 1) or below (-1). Both
-// must reach the border between their levels. Parts of one thing that moves are one block there;
-// see-through blocks of one kind join, and so they do where rays that leave the block go through a
-// portal there, or those that enter it have come through one.
+// must reach the border between their levels. Parts of one mover are one block there. See-through
+// blocks of one kind join, also through a portal there, by which rays leave the block or have come
+// to it.
 bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
     const auto reaches = [](const CellBlueprint& blueprint, int end) {
         return end > 0 ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
@@ -68,7 +69,7 @@ bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
     return joins(next);
 }
 
-// What is where a portal leads, and where rays were before they came through one; `level` is that
+// The cell where a portal leads, and the cell where rays were before their portal; `level` is that
 // of the current tile.
 const CellBlueprint& PlainWalk::exitCell(PortalId portal, int level) const {
     const Portal& to = frame_.world->portals[portal];
@@ -85,14 +86,14 @@ bool PlainWalk::isArrival() const {
     return part_.portals > 0 && walk_.tileX == part_.walk.tileX && walk_.tileY == part_.walk.tileY;
 }
 
-// And whether that was at the very height where a block ends, above or below.
+// Whether they came out exactly at the upper or lower end of the block.
 bool PlainWalk::isWhereItCameOut(const Block& block, int up) const {
     return isArrival() && (up > 0 ? block.top == part_.clip.high : block.bottom == part_.clip.low);
 }
 
-// Closes rows here and opens them on the portal's other side; those whose rays come out below the
-// floor end in the haze there. Through a roof or an underside rays come at one height, and meet
-// nothing on the other side of it: that is `clip`.
+// Closes rows here and opens them behind the portal; rays that come out below the floor end in the
+// haze. Rays through a roof or an underside start at one height and meet nothing on its other side;
+// `clip` is that height.
 void PlainWalk::sendThrough(PortalId id, Rows rows, const HeightClip& clip) {
     const Portal& portal = frame_.world->portals[id];
     Vista& beyond = frame_.vistas.through(*part_.vista, portal);
@@ -128,8 +129,8 @@ void PlainWalk::sendThrough(PortalId id, Rows rows, const HeightClip& clip) {
     });
 }
 
-// What the mirrors show: for each, the walk that met it once more, seen from as far below the
-// mirror as the eye is above (see vista.h).
+// Finds what mirrors show: repeats the walk that met the mirror, seen from as far below it as the
+// eye is above (see vista.h).
 void PlainWalk::reflect(SliceSpans& found) {
     found_ = &found.reflected;
     for (const MirrorSpan& span : found.upright.mirrors) {

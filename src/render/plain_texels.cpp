@@ -1,4 +1,4 @@
-// Of the plain walk: objects, and which texels of objects and sides are seen.
+// Part of the plain walk: objects, and which texels of objects and sides are visible.
 #include "render/plain_walk.h"
 
 #include "base/bits.h"
@@ -8,15 +8,15 @@
 namespace slicecast {
 namespace {
 
-// A point on the border of two texels may come out a rounding before it: positions are moved by
-// this much of a tile.
+// Rounding may put a point on the border of two texels just before it: positions are moved on by
+// this part of a tile.
 constexpr double kSnap = 1.0 / 17179869184.0;
 
-// A tile as a texture position.
+// The length of a tile as a texture position.
 constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
 constexpr double kOne = static_cast<double>(kWholeTexture);
 
-// Where a column of texels begins and how far it goes from row to row; it stays in [lowest, end).
+// The first position in a column of texels and its step per row; positions stay in [lowest, end).
 struct Positions {
     double start;
     double step;
@@ -35,14 +35,14 @@ void place(TexelColumn& column, const Positions& at, int rows) {
             std::min(within(at.step), (at.end - 1 - start) / (rows - 1)));
 }
 
-// Where a column's ray passes an object, as a share of its width from the left.
+// Where a column's ray passes an object, as a part of its width from the left.
 double across(const FrameObject& object, const Projection& projection, int column) {
     return (projection.sidewaysSlope(column) * object.depth - object.left) / object.width;
 }
 
 }  // namespace
 
-// Those that the column's rays pass, from where the part begins.
+// Finds the objects that the column's rays pass, from the start of the part on.
 void PlainWalk::findObjects() {
     objects_.clear();
     for (const int i : part_.vista->objects.inColumn(column_)) {
@@ -53,7 +53,7 @@ void PlainWalk::findObjects() {
     }
 }
 
-// The ray at an object's depth: no border of a tile.
+// The ray at an object's depth, which is not a tile border.
 Crossing PlainWalk::crossingAt(const FrameObject& object) const {
     Crossing at;
     at.along = object.along;
@@ -64,7 +64,7 @@ Crossing PlainWalk::crossingAt(const FrameObject& object) const {
     return at;
 }
 
-// A row through the height of its lower edge is on the object, one through its upper edge is not.
+// A row exactly through the lower edge is on the object, one through its upper edge is not.
 void PlainWalk::meetObject(const FrameObject& object) {
     const auto rowAt = [&](std::int32_t rise, bool tieIsBelow) {
         return FrameObjects::firstRowBelow(projection(), rise, object.depth, tieIsBelow);
@@ -110,7 +110,7 @@ void PlainWalk::showSide(const Block& block, Face face, const Crossing& border, 
     });
 }
 
-// The texture of what moves may end within a side and begin anew: the rows from there on become a
+// The texture of a moving side may end within it and start again: the rows from there on become a
 // span of their own.
 void PlainWalk::splitWhereTextureEnds(Span& seen) {
     if (seen.column.start >= kWholeTexture) seen.column.start -= kWholeTexture;
@@ -125,7 +125,7 @@ void PlainWalk::splitWhereTextureEnds(Span& seen) {
     found_->spans.add() = rest;
 }
 
-// Which texels of a side the rows show, and in what light.
+// The texels of a side that the rows show, and their light.
 TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing& border,
                                   Rows rows) const {
     const Vista& vista = *part_.vista;
@@ -137,7 +137,7 @@ TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing&
     column.factor = vista.lighting.factorAt(column.depth, look.light, look.glow);
     column.fog = vista.lighting.fogAt(column.depth);
 
-    // Where the ray meets the border: how far from its northern or western end.
+    // Where the ray meets the border, from its northern or western end
     const Viewpoint& eye = vista.viewpoint;
     const GroundDirection ray = vista.ray(column_);
     const double fraction = border.alongX ? eye.fractionY() + (eye.tileY() - walk_.tileY) +
@@ -151,7 +151,7 @@ TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing&
     column.texels = level.texels.data() + static_cast<std::ptrdiff_t>(u) * level.size;
     column.shift = kTexturePositionBits - level.bits;
 
-    // And how far below the level's upper edge; within what the block covers of the level.
+    // How far below the level's upper edge, limited to the block
     const double upperEdge = riseOf(tileEdge(block.level + 1).raw) / 65536.0;
     const double down =
         upperEdge + (rows.first + 0.5 - projection().horizon) * border.along + kSnap;
@@ -162,7 +162,7 @@ TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing&
           {down * kOne, border.along * kOne, positionOf(block.blueprint->top),
            positionOf(block.blueprint->bottom)},
           rows.last - rows.first);
-    // What has risen shows what is farther down.
+    // A risen block shows its texture moved up
     column.start += static_cast<std::uint64_t>(block.blueprint->textureRise.raw)
                     << (kTexturePositionBits - 16);
     return column;

@@ -21,7 +21,7 @@ void PlainWalk::find(int column, SliceSpans& found) {
     reflect(found);
 }
 
-// Each part may add further ones.
+// Walking a part may add more parts.
 void PlainWalk::walkParts() {
     for (number_ = 0; number_ < static_cast<int>(found_->parts.count()); ++number_) {
         part_ = found_->parts[static_cast<std::size_t>(number_)];
@@ -41,7 +41,7 @@ void PlainWalk::walkPart() {
         leave_ = walk_.leave();
         if (open_.none() || (isGridLeft() && objects_.empty())) break;
         ++part_.tiles;
-        // A portal tile does not act on an eye that is in it, nor on what arrives.
+        // A portal tile does not act on an eye inside it, nor on rays that arrive in it
         const PortalId portal = map().tilePortal(walk_.tileX, walk_.tileY);
         if (part_.tiles > 1 && portal != kNoPortal) {
             part_.endsInPortal = true;
@@ -55,7 +55,7 @@ void PlainWalk::walkPart() {
     meetBackground();
 }
 
-// Whether the tile is outside the grid, and not on the way to it.
+// Whether the tile is outside the grid and the ray moves away from it.
 bool PlainWalk::isGridLeft() const {
     const auto isBehind = [](int tile, int tiles, int step) {
         return tile < 0 ? step <= 0 : tile >= tiles && step >= 0;
@@ -64,7 +64,7 @@ bool PlainWalk::isGridLeft() const {
            isBehind(walk_.tileY, map().depth, walk_.stepY);
 }
 
-// An object lies behind what is met before its depth, and before the rest.
+// Each object splits the tile: things before its depth are met first, the others afterwards.
 void PlainWalk::meetTile() {
     const Crossing leave = leave_;
     while (!objects_.empty() && objects_.front()->along < leave.along) {
@@ -79,7 +79,7 @@ void PlainWalk::meetTile() {
     meetStretch();
 }
 
-// What lies in the tile between `enter_` and `leave_`.
+// Meets everything in the tile between `enter_` and `leave_`.
 void PlainWalk::meetStretch() {
     findBlocks();
     findPlanes();
@@ -92,16 +92,16 @@ void PlainWalk::meetStretch() {
     }
 }
 
-// Beyond the grid the floor has no end.
+// Outside the grid the floor is endless.
 void PlainWalk::meetBackground() {
     meetFloor({0, rowBelow(riseOf(0), enter_)}, true);
     show(spanOf(What::sky), {0, projection().firstFallingRow});
     show(spanOf(What::haze), {0, projection().height});
 }
 
-// ---- what a tile holds
+// ---- the contents of a tile
 
-// The blocks, as far as they lie between the heights of the part's rays.
+// The blocks, cut to the heights of the part's rays.
 void PlainWalk::findBlocks() {
     blocks_.clear();
     const HeightClip& clip = part_.clip;
@@ -119,9 +119,9 @@ void PlainWalk::findBlocks() {
     }
 }
 
-// The level planes, from the eye's height upwards and downwards: a ray meets those of its own
-// direction in that order. At one height the face of the block that is left comes first, then that
-// of the block entered, then ceiling or floor.
+// The horizontal planes, sorted by distance from the eye's height: a ray meets those in its
+// direction in that order. At equal height the face of the block that is left comes first, then
+// that of the block entered, then ceiling or floor.
 void PlainWalk::findPlanes() {
     planes_.clear();
     for (const Block& block : blocks_) {
@@ -139,8 +139,8 @@ void PlainWalk::findPlanes() {
     });
 }
 
-// A side at depth 0 is not drawn, but its portal acts; none acts on rays that have come out of
-// another right there.
+// A side at depth 0 is not drawn, but its portal acts. No portal acts on rays that have just come
+// out of another one there.
 void PlainWalk::enterSide(const Block& block) {
     const Face face = enteredFace(enter_);
     const PortalId portal = block.blueprint->face(face).portal;
@@ -152,7 +152,7 @@ void PlainWalk::enterSide(const Block& block) {
     }
 }
 
-// From inside a block its portals are not there, and nothing is drawn of their faces.
+// Seen from inside, a block's portals do not act, and their faces are not drawn.
 void PlainWalk::leaveSide(const Block& block) {
     const Face face = leftFace(leave_);
     if (block.blueprint->face(face).portal != kNoPortal) return;
@@ -160,7 +160,7 @@ void PlainWalk::leaveSide(const Block& block) {
     showSideBut(block, face, leave_, rows, joinedBehind(block));
 }
 
-// A side without the rows in which its block touches one that it joins.
+// A side without the rows in which its block touches a joined one.
 void PlainWalk::showSideBut(const Block& block, Face face, const Crossing& border, Rows rows,
                             Rows joined) {
     if (joined.first >= joined.last) return showSide(block, face, border, rows);
@@ -168,8 +168,8 @@ void PlainWalk::showSideBut(const Block& block, Face face, const Crossing& borde
     showSide(block, face, border, {std::max(rows.first, joined.last), rows.last});
 }
 
-// Rows whose rays pass the plane's height between the two borders: falling ones see it if it is
-// below the eye, rising ones if it is above.
+// The rows whose rays cross the plane's height between the two borders: falling rays see it below
+// the eye, rising rays above.
 void PlainWalk::meetPlane(const LevelPlane& plane) {
     const int atEnter = rowBelow(plane.rise, enter_);
     const int atLeave = rowBelow(plane.rise, leave_);
@@ -181,15 +181,15 @@ void PlainWalk::meetPlane(const LevelPlane& plane) {
     } else if (plane.what == What::ceiling) {
         meetCeiling(rows);
     } else {
-        // Whoever stands exactly on a portal falls in at once.
+        // An eye exactly on a portal looks through it at once
         if (plane.rise == 0 && !walk_.hasEntered() && acts(plane))
             rows = {horizon, projection().height};
         meetFace(plane, rows);
     }
 }
 
-// Whether a roof or an underside is a portal that acts on the rays that enter there. It does not on
-// those that have come out of another at this very height.
+// Whether a roof or an underside is a portal that acts on rays entering it. It does not act on rays
+// that came out of another one at this height.
 bool PlainWalk::acts(const LevelPlane& plane) const {
     const bool isTop = plane.what == What::roof;
     const Face face = isTop ? Face::top : Face::bottom;
@@ -197,7 +197,7 @@ bool PlainWalk::acts(const LevelPlane& plane) const {
            !isWhereItCameOut(plane.block, isTop ? 1 : -1);
 }
 
-// A roof or an underside. What leaves through a portal sees nothing there.
+// A roof or an underside. Rays that leave a block see nothing of its portals.
 void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
     const Block& block = plane.block;
     const bool isTop = plane.what == What::roof;
@@ -219,7 +219,7 @@ void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
     showPlane(span, rows, strength);
 }
 
-// Rows that look beyond the map's `far` are left for the haze.
+// Leaves rows beyond the map's `far` to the haze.
 void PlainWalk::meetFloor(Rows rows, bool endless) {
     const Floor& floor = map().floor;
     if (riseOf(0) >= 0) return;
@@ -262,7 +262,7 @@ Span PlainWalk::spanOf(What what) const {
     return span;
 }
 
-// Adds a span for each run of open rows, which `finish` completes, and closes them unless it is a
+// Adds a span for each run of open rows, completed by `finish`, and closes the rows unless it is a
 // layer.
 void PlainWalk::show(const Span& look, Rows rows, const Finish& finish) {
     const auto add = [&](int first, int last) {
@@ -281,7 +281,7 @@ void PlainWalk::show(const Span& look, Rows rows, const Finish& finish) {
     }
 }
 
-// Where `mirror` is not 0, something shows in the plane.
+// `mirror` is the strength of the reflection; 0 for none.
 void PlainWalk::showPlane(const Span& look, Rows rows, int mirror) {
     show(look, rows, [&](const Span& span) {
         if (mirror > 0)

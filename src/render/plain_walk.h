@@ -1,7 +1,7 @@
-// The walk of one screen column over the grid in its plainest form. It finds what `SliceWalk` finds
-// and leaves out all that makes that one fast: read this one first. A test compares the two.
+// The walk of one screen column over the grid in its simplest form. It finds the same as
+// `SliceWalk` without any optimisation: read this one first. A test compares the two.
 //
-// A column has a ray for each of its rows. Seen from the side, those rays come to a tile so:
+// A column has a ray for each of its rows. Seen from the side, these rays pass a tile like this:
 //
 //                  enter             leave
 //           .- '     |                 |
@@ -16,30 +16,30 @@
 //                    |                 |
 //          ==========+====== floor ====+====
 //
-// Where the rays enter the tile a height lies between two rows, and between two others where they
-// leave it; `firstRowBelow` finds them. The rays between a block's top and bottom where they enter
-// meet its side. The rays above a height where they enter and below it where they leave (or the
-// other way round) have passed it inside the tile, and meet a plane that lies there. On each ray
-// three kinds of things come one after another, so a tile is drawn in three steps:
+// Where the rays enter the tile, a height lies between two rows; where they leave it, between two
+// others. `firstRowBelow` finds them. Rays between a block's top and bottom at the entry meet its
+// side. Rays above a height at the entry and below it at the exit (or the reverse) have crossed it
+// inside the tile, and meet a plane that lies there. On each ray three kinds of things follow one
+// another, so a tile is drawn in three steps:
 //
-//   1. the sides of its blocks by which rays enter
-//   2. the level planes, from the eye's height outwards: roofs, undersides, ceiling, floor
-//   3. the sides by which rays leave, seen from inside
+//   1. the sides of its blocks that rays enter
+//   2. the horizontal planes, from the eye's height outwards: roofs, undersides, ceiling, floor
+//   3. the sides that rays leave, seen from inside
 //
-// Rows are open at first. What is opaque closes the rows that it shows in, so nothing behind it is
-// seen in them: a face that lies inside or behind a block needs no thought. What is see-through
-// closes none, and is noted as a layer. Then the walk goes on to the next tile, until no row is
-// open or the grid lies behind; what is still open then shows floor, sky or haze.
+// All rows are open at first. Opaque things close the rows in which they show, so nothing behind
+// them is drawn there: a face inside or behind a block needs no special case. See-through things
+// close none, and become layers. The walk continues from tile to tile until no row is open or it
+// has left the grid; rows that are still open then show floor, sky or haze.
 //
-// Two things send rows elsewhere. Those that enter a portal are closed here, and go on in a walk of
-// their own (a `Part`, which waits in a list) on the portal's other side. Those that meet a mirror
-// show the mirror, and go on in a second picture of the column, which stands upside down.
+// Two things send rows elsewhere. Rows that enter a portal are closed here and continue in a walk
+// of their own (a `Part`, which waits in a list) behind the portal. Rows that meet a mirror show
+// the mirror, and continue in a second picture of the column, which is upside down.
 //
-// plain_walk.cpp      from tile to tile, and what is met in one: this is the algorithm
+// plain_walk.cpp      from tile to tile, and within a tile: the algorithm
 // plain_texels.cpp    objects, and the texels of sides and objects
 // plain_passages.cpp  blocks that join; portals and mirrors
 //
-// It knows all that a scene may hold. Of what it does it counts nothing for a `FrameReport`.
+// It handles everything that a scene may hold, but counts nothing for a `FrameReport`.
 #pragma once
 
 #include "render/frame.h"
@@ -56,10 +56,10 @@ namespace slicecast {
 
 class PlainWalk {
 public:
-    // Both outlive the walk.
+    // Both must outlive the walk.
     PlainWalk(const Frame& frame, OpenRows& open) : frame_(frame), open_(open) {}
 
-    // What all rows of a column show.
+    // Finds what all rows of a column show.
     void find(int column, SliceSpans& found);
 
 private:
@@ -76,7 +76,7 @@ private:
         int level;
         std::int32_t bottom;
         std::int32_t top;
-        bool cut;  // reaches beyond the heights of the part's rays, which begin inside it
+        bool cut;  // extends beyond the heights of the part's rays, which start inside it
     };
 
     // A plane of the current tile, at `rise` above the eye.
@@ -154,14 +154,14 @@ private:
     int column_ = 0;
     ColumnSpans* found_ = nullptr;
 
-    Part part_;  // that is walked
+    Part part_;  // the part being walked
     int number_ = 0;
-    std::vector<const FrameObject*> objects_;  // that its column passes, nearest first
+    std::vector<const FrameObject*> objects_;  // in this column, nearest first
 
-    GridWalk walk_{{}, {}, {}};  // stands in the current tile
-    Crossing enter_;             // how the tile is entered, or the last object in it that was met
-    Crossing leave_;             // how it is left, or the next object in it
-    std::vector<Block> blocks_;  // in the tile, from below
+    GridWalk walk_{{}, {}, {}};  // at the current tile
+    Crossing enter_;             // how the tile was entered, or the last object met in it
+    Crossing leave_;             // how it will be left, or the next object in it
+    std::vector<Block> blocks_;  // of the tile, from below
     std::vector<LevelPlane> planes_;
 };
 

@@ -21,7 +21,7 @@ std::uint32_t PlaneLook::fogAt(int row) const {
     return rays_->lighting.fogAt(fogPerInverse_ * rays_->inverseOffsets[row]);
 }
 
-// Depth goes one way along the rows, so rows that are alike lie together.
+// Depth is monotonic along the rows, so equal rows are adjacent.
 void PlaneLook::begin(const Plane& looked, const FrameTexture& texture, const Detail& detail,
                       const PlaneRays& rays) {
     plane = looked;
@@ -47,8 +47,8 @@ void PlaneLook::begin(const Plane& looked, const FrameTexture& texture, const De
     };
     const int end = plane.rise < 0 ? rays.height : rays.firstFallingRow;
     int row = plane.rise < 0 ? rays.firstFallingRow : 0;
-    // The last stretch is without end, so that whoever asks for rows that see no plane gets one; a
-    // plane at the eye's own height is seen by none.
+    // The last stretch covers all remaining rows, so that rows without the plane find one too. No
+    // row sees a plane at the eye's own height.
     if (row == end || plane.rise == 0) {
         stretches_.push_back({rays.height, 0, PlaneShade::full});
         return;
@@ -56,16 +56,16 @@ void PlaneLook::begin(const Plane& looked, const FrameTexture& texture, const De
     Stretch last = at(end - 1);
     for (Stretch here = at(row);; here = at(row)) {
         if (alike(here, last)) break;
-        int other = end - 1;  // the first row known to be unlike
-        while (other - row > 1) {
-            const int middle = row + (other - row) / 2;
+        int change = end - 1;  // the first row known to differ
+        while (change - row > 1) {
+            const int middle = row + (change - row) / 2;
             if (alike(at(middle), here)) {
                 row = middle;
             } else {
-                other = middle;
+                change = middle;
             }
         }
-        here.last = row = other;
+        here.last = row = change;
         stretches_.push_back(here);
     }
     last.last = rays.height;

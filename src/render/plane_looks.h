@@ -1,6 +1,6 @@
-// How the level planes of a vista look, row by row: level of detail, light and fog. A row of a
-// plane is at one depth, so all that is worked out once a frame for all slices: one look for each
-// plane in sight. Its tables are filled only in the rows that are asked for.
+// How the horizontal planes of a vista look, row by row: level of detail, light and fog. Each row
+// of a plane has one depth, so this is computed once per frame for all slices, with one look for
+// each visible plane. Tables are filled only in the rows that are needed.
 #pragma once
 
 #include "render/column_fill.h"
@@ -17,9 +17,9 @@ namespace slicecast {
 
 struct FrameTexture;
 
-// A level plane: the floor, a ceiling, or the roofs or undersides of blocks that end at one height.
+// A horizontal plane: the floor, a ceiling, or the roofs or undersides of blocks at one height.
 struct Plane {
-    std::int32_t rise = 0;  // 1/65536 units above the eye, never 0 where anything is drawn
+    std::int32_t rise = 0;  // 1/65536 units above the eye; never 0 where something is drawn
     TextureId texture = kNoTexture;
     double light = 1.0;
     bool glow = false;
@@ -29,19 +29,18 @@ struct Plane {
     friend bool operator==(const Plane&, const Plane&) = default;
 };
 
-// What all planes of a vista have in common.
+// Values shared by all planes of a vista.
 struct PlaneRays {
     Lighting lighting;
     double projectionDistance = 1.0;         // d, pixels
     const double* inverseOffsets = nullptr;  // 1 / |horizon - (row + 0.5)| by row
-    int firstFallingRow = 0;                 // the first that looks down
+    int firstFallingRow = 0;                 // the first row that looks down
     int height = 0;                          // rows
 };
 
 class PlaneLook {
 public:
-    // Rows before `last`, behind those of the stretch before, that have one level of detail and one
-    // kind of shade.
+    // The rows up to `last` since the stretch before; they share level of detail and kind of shade.
     struct Stretch {
         int last;
         std::uint8_t detail;
@@ -50,13 +49,13 @@ public:
 
     Plane plane;
     double height = 0.0;           // the plane's distance from the eye, units
-    double depthPerInverse = 0.0;  // the depth that a row sees, by its inverse offset
-    bool seeThrough = false;       // its texture
+    double depthPerInverse = 0.0;  // a row's depth per inverse offset
+    bool seeThrough = false;       // of its texture
 
-    // All rows of the plane's side of the horizon, from the top, and any others.
+    // Covers all rows on the plane's side of the horizon, from the top, and any others.
     const std::vector<Stretch>& stretches() const { return stretches_; }
 
-    // The tables, good for the rows [first, last).
+    // The tables, valid for the rows [first, last).
     PlaneRows rows(int first, int last) {
         if (first < first_ || last > last_) extend(first, last);
         return {rays_->inverseOffsets, factors_.data(),
@@ -74,8 +73,8 @@ private:
     std::uint32_t factorAt(int row) const;
 
     const PlaneRays* rays_ = nullptr;
-    double fogPerInverse_ = 0.0;  // the way in fog, likewise
-    int first_ = 0;               // rows that are filled
+    double fogPerInverse_ = 0.0;  // the same for the way through fog
+    int first_ = 0;               // filled rows
     int last_ = 0;
     std::vector<Stretch> stretches_;
     std::vector<std::uint32_t> factors_;
@@ -84,11 +83,11 @@ private:
 
 class PlaneLooks {
 public:
-    // Forgets all looks, and keeps their memory.
+    // Forgets all looks; keeps their memory.
     void beginFrame(const PlaneRays& rays);
 
-    // Valid until the next frame begins. A texture and what decides its levels of detail stay the
-    // same throughout a frame.
+    // Valid until the next frame begins. Texture and levels of detail must not change during a
+    // frame.
     PlaneLook& find(const Plane& plane, const FrameTexture& texture, const Detail& detail);
 
 private:
@@ -98,7 +97,7 @@ private:
     PlaneRays rays_;
     std::size_t used_ = 0;
     std::vector<std::unique_ptr<PlaneLook>> looks_;
-    std::vector<PlaneLook*> slots_;  // open addressing; the size is a power of two
+    std::vector<PlaneLook*> slots_;  // hash table with open addressing; the size is a power of two
 };
 
 }  // namespace slicecast

@@ -1,9 +1,9 @@
 #include "render/plane_points.h"
 
 namespace slicecast {
-// The fraction of a tile at a position of a plane's row, in 1/2^32, held within [first, end). On a
-// border between tiles within it is 0, or as far as it goes if the point belongs to the tile
-// `before`; along a border on which the eye is, the ray's direction tells.
+// The fraction of a tile at a position, in 1/2^32, clamped to [first, end). Exactly on an inner
+// border it is 0, or the greatest value if the point belongs to the tile `before`; along a border
+// on which the eye is, the ray's direction decides.
 __attribute__((noinline)) std::uint32_t PlanePoints::held(double first, double end, double start,
                                                           double perInverse, double inverse,
                                                           bool before) {
@@ -18,9 +18,9 @@ __attribute__((noinline)) std::uint32_t PlanePoints::held(double first, double e
     return (isAlong ? perInverse < 0.0 : before) ? kEnd : 0;
 }
 
-// A point on the border of two tiles exactly belongs to the one behind it, for the eye counts as a
-// trifle further east and south. Behind a portal that turns, that may be west or north: then it
-// belongs to the one before, and its fraction there is 1 and not 0.
+// A point exactly on a border belongs to the tile behind it, because the eye counts as slightly
+// further east and south. Behind a portal that turns, that direction may be west or north: then the
+// point belongs to the tile before, and its fraction there is 1 instead of 0.
 PlanePoints::Point PlanePoints::at(double inverseOffset) const {
     return {held(box_.first[0], box_.end[0], line.eastStart, line.eastPerInverse, inverseOffset,
                  turn_ == 1 || turn_ == 2),

@@ -1,4 +1,4 @@
-// Which points of a level plane the rows of a slice see.
+// Finds the points of a horizontal plane that the rows of a slice see.
 #pragma once
 
 #include "render/column_fill.h"
@@ -14,23 +14,23 @@ namespace slicecast {
 
 class PlanePoints {
 public:
-    // A plane seen from a vista by the rays of a column, `ray` in the coordinates of its map.
+    // A plane seen from a vista by the rays of a column; `ray` is in the coordinates of its map.
     PlanePoints(const Vista& vista, GroundDirection ray, const PlaneLook& look,
                 const TileRange& tiles);
 
-    // A point, as fractions of its tile in 1/2^32.
+    // A point in its tile, in 1/2^32 of the tile.
     struct Point {
         std::uint32_t east;
         std::uint32_t south;
     };
 
-    // What a row sees, by its 1 / |horizon - (row + 0.5)|. It is held within the tiles: roundings
-    // never lead out of them.
+    // The point that a row sees, from its 1 / |horizon - (row + 0.5)|. Clamped to the tiles, so
+    // that rounding never leads out of them.
     Point at(double inverseOffset) const;
-    // Whether a point lies within the tiles, and by more than a rounding.
+    // Whether a point lies within the tiles by more than the rounding error.
     bool isInside(double inverseOffset) const;
-    // Whether one of the rows [first, last) may see a point on the border of two tiles exactly, for
-    // which a rule behind portals applies (see `at`).
+    // Whether one of the rows [first, last) may see a point exactly on a tile border, for which a
+    // special rule applies behind portals (see `at`).
     bool anyOnBorder(const double* inverseOffsets, int first, int last) const {
         return turn_ != 0 && anyOnBorderTurned(inverseOffsets, first, last);
     }
@@ -44,8 +44,8 @@ private:
         F64x2 end;
     };
 
-    // Half a step of the fraction that is kept; nearer to the end of a tile than that, it would
-    // round up to the next one.
+    // Half a unit of the stored fraction; closer to the end of a tile, it would round up to the
+    // next one.
     static constexpr double kHalfStep = 1.0 / 8589934592.0;
 
     bool anyOnBorderTurned(const double* inverseOffsets, int first, int last) const;
@@ -74,8 +74,8 @@ inline PlanePoints::PlanePoints(const Vista& vista, GroundDirection ray, const P
     if (ray.y < 0.0) box_.first[1] = -kNever;
 }
 
-// East and south at once. A position within a rounding before the border on which the eye is
-// counts as outside, too.
+// East and south at once. A position within the rounding error before the border on which the eye
+// is counts as outside.
 inline bool PlanePoints::isInside(double inverseOffset) const {
     const F64x2 start = {line.eastStart, line.southStart};
     const F64x2 perInverse = {line.eastPerInverse, line.southPerInverse};

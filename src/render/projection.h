@@ -1,12 +1,13 @@
-// From the world to the screen: how an eye's rays run, and in which rows heights at a depth appear.
+// From the world to the screen: the directions of an eye's rays, and the rows of heights at a
+// depth.
 //
 //     row r's centre is r + 0.5, rows grow downwards
 //     a height h at perpendicular depth t appears at row   y = horizon - (h - eye height) * d / t
 //
-// Ties, where a ray meets an edge exactly, are broken as if the eye lay an infinitely small step
-// further east, a far smaller one south and a still smaller one up. A border is then met a little
-// sooner if it is crossed eastward or southward and a little later otherwise, so a ray that rises
-// is a little lower there (or higher), which decides the rows that touch an edge.
+// Ties, where a ray meets an edge exactly, are broken as if the eye were an infinitely small step
+// further east, a far smaller one south and a still smaller one up. A border is then met slightly
+// sooner if it is crossed eastward or southward and slightly later otherwise, so a rising ray is
+// slightly lower (or higher) there, which decides the rows that touch an edge.
 #pragma once
 
 #include "base/coordinate.h"
@@ -17,7 +18,7 @@
 
 namespace slicecast {
 
-// A level direction.
+// A horizontal direction.
 struct GroundDirection {
     double x = 0.0;
     double y = 0.0;
@@ -27,34 +28,33 @@ struct Projection {
     int width = 0;              // pixels
     int height = 0;             // pixels
     double distance = 1.0;      // d, pixels
-    double horizon = 0.0;       // row of the horizon, real
-    double horizonBelow = 0.0;  // half a row below it, for comparing with row numbers
-    double heightBelow = 0.0;   // half a row below the last one's lower edge
-    int firstFallingRow =
-        0;  // rows from here on look downwards (slope < 0), clamped to [0, height]
+    double horizon = 0.0;       // row of the horizon, a real number
+    double horizonBelow = 0.0;  // horizon + 0.5, for comparing with row numbers
+    double heightBelow = 0.0;   // height + 0.5
+    int firstFallingRow = 0;    // rows from here on look down (slope < 0), clamped to [0, height]
     GroundDirection forward;
     GroundDirection right;
 
     Projection(const Eye& eye, const RenderOptions& options, int pictureWidth, int pictureHeight);
 
-    // The same upside down: row r of it has the slope of row height - 1 - r, the other way.
-    // Reflected rays are drawn so.
+    // The same upside down, for reflected rays: its row r has the negated slope of row height - 1 -
+    // r.
     Projection mirrored() const;
 
     double sidewaysSlope(int column) const { return (column + 0.5 - width / 2.0) / distance; }
     double upwardSlope(int row) const { return (horizon - (row + 0.5)) / distance; }
 
     // The ground direction of a column's rays, in units per `distance` units of perpendicular
-    // depth: d * (forward + k * right) without the division by d, which would round, so that a ray
-    // that meets a corner or the middle of a row exactly is found to do so.
+    // depth: d * (forward + k * right). It avoids the division by d, which would round, so that
+    // rays that meet a corner or the middle of a row exactly are recognised.
     GroundDirection ray(int column) const {
         const double sideways = column + 0.5 - width / 2.0;
         return {distance * forward.x + sideways * right.x,
                 distance * forward.y + sideways * right.y};
     }
 
-    // Row (real) of a height `rise` above the eye at `depth`; infinite at depth 0. Not for rise = 0
-    // at depth 0.
+    // The row (a real number) of a height `rise` above the eye at `depth`; infinite at depth 0. Not
+    // for rise = 0 at depth 0.
 #if defined(__clang__)
     __attribute__((no_sanitize("float-divide-by-zero")))
 #endif
@@ -63,8 +63,8 @@ struct Projection {
         return horizon - rise * distance / depth;
     }
 
-    // The first row whose centre lies below `row`, and whose centre lies on it if `tieIsBelow`;
-    // clamped to [0, height].
+    // The first row whose centre lies below `row`, or on it if `tieIsBelow`; clamped to [0,
+    // height].
     int firstRowBelowRow(double row, bool tieIsBelow) const {
         if (!(row > 0.0)) return 0;
         if (row >= height) return height;

@@ -29,7 +29,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 namespace {
 
-// Written so that NaN is refused too.
+// All comparisons also refuse NaN.
 bool canDraw(const World& world, const Eye& eye, const RenderOptions& options, int width,
              int height) {
     return isAboveFloor(eye) && eye.map >= 0 && eye.map < static_cast<int>(world.maps.size()) &&
@@ -47,7 +47,7 @@ bool canDraw(const World& world, const Eye& eye, const RenderOptions& options,
 
 }  // namespace
 
-// What draws the strips of one picture.
+// Draws the strips of one picture.
 struct Renderer::Strips {
     Strips(const World& world, const Eye& eye, const RenderOptions& options, const Picture& shown,
            Scratch& memory)
@@ -59,7 +59,7 @@ struct Renderer::Strips {
         memory.strip.resize(shown.height);
     }
 
-    // Up to the next multiple of kStripColumns. Returns how many columns those are.
+    // Draws up to the next multiple of kStripColumns. Returns the number of columns.
     int draw(int x) {
         const int columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
         walk.find(x, columns);
@@ -90,7 +90,7 @@ bool Renderer::drawStrips(const World& world, const Eye& eye, const RenderOption
                           const Picture& picture, const std::function<int()>& next) {
     if (!canDraw(world, eye, options, picture)) return false;
     scratch_->report = {};
-    // Who comes when all strips are taken has nothing to get ready for.
+    // Without a strip left, skip the preparation
     int x = next();
     if (x >= picture.width) return true;
     Strips strips(world, eye, options, picture, *scratch_);
@@ -117,7 +117,7 @@ void Renderer::trace(const World& world, const Eye& eye, const RenderOptions& op
     traceInto(world, eye, options, request, trace, take);
 }
 
-// Each column in turn, in the memory of the one before.
+// Traces the columns in turn and reuses the trace's memory.
 void Renderer::traceInto(const World& world, const Eye& eye, const RenderOptions& options,
                          const TraceRequest& request, SliceTrace& trace,
                          const std::function<void(SliceTrace&)>& take) {

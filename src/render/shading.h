@@ -1,10 +1,10 @@
-// Light and fog at a depth. For what glows, and where the light is off, the clamped falloff is 1.
+// Light and fog at a depth. For glowing faces, and with the light off, the clamped falloff is 1.
 //
 //     falloff = intensity * multiplier / t
 //     factor  = min(256, floor(256 * clamp(falloff, darkest, brightest) * faceLight + 0.5))
-//     channel = (c * factor + 128) >> 8                                         on the bytes as they are
+//     channel = (c * factor + 128) >> 8    on the bytes as stored
 //     fog     = floor(255 * clamp((t - start) / (end - start), 0, 1) + 0.5)
-//     channel = (haze * fog + channel * (255 - fog) + 127) / 255                in integers
+//     channel = (haze * fog + channel * (255 - fog) + 127) / 255    in integers
 #pragma once
 
 #include "render/options.h"
@@ -24,20 +24,20 @@ struct Shade {
     std::uint32_t fog = 0;       // 0 to 255
 };
 
-// The water that the eye is in: its colour and sight take the place of every map's haze and fog.
+// The water around the eye: its colour and sight replace every map's haze and fog.
 struct EyeWater {
-    const CellBlueprint* water = nullptr;  // null for an eye in the air
+    const CellBlueprint* water = nullptr;  // null if the eye is not in water
     std::int32_t surface = 0;              // above the eye, 1/65536 units
 };
 
-// A map's light as the options leave it.
+// A map's light after the options.
 struct Lighting {
     bool lit = true;
     bool foggy = false;
     bool inWater = false;
-    std::int32_t surface =
-        std::numeric_limits<std::int32_t>::max();  // no fog on the way above it, 1/65536 units
-    double strength = 1.0;                         // intensity * multiplier, units
+    // Above the eye, 1/65536 units; no fog on the way above it.
+    std::int32_t surface = std::numeric_limits<std::int32_t>::max();
+    double strength = 1.0;  // intensity * multiplier, units
     double darkest = 0.1;
     double brightest = 1.0;
     double fogStart = 0.0;
@@ -55,7 +55,7 @@ struct Lighting {
           fogLength(map.fog.end - map.fog.start),
           haze(toPixel(map.haze)) {}
 
-    // What mirrors show comes from below: those rays do not leave the water.
+    // Mirrored rays come from below and do not leave the water.
     void putInWater(const EyeWater& eye, bool mirrored) {
         if (eye.water == nullptr) return;
         foggy = inWater = true;
@@ -65,7 +65,7 @@ struct Lighting {
         haze = toPixel(eye.water->waterColour);
     }
 
-    // 256 times the light at a depth, before a face's own factor.
+    // 256 times the light at a depth, without the face's own factor.
     double brightnessAt(double depth) const {
         if (!lit) return kFullBrightness;
         const double falloff = strength / depth;

@@ -35,8 +35,8 @@ void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double he
                                       static_cast<int>((1.0 - share(row)) * sky.panorama.height));
             panoramaOffsets_[static_cast<std::size_t>(row)] = line * sky.panorama.width;
         }
-        // The arc tangents depend on the shape of the picture alone, so they are kept from frame to
-        // frame.
+        // The arc tangents depend only on the shape of the picture, so they are kept from frame to
+        // frame
         if (azimuthWidth_ != projection.width || azimuthDistance_ != projection.distance) {
             azimuthWidth_ = projection.width;
             azimuthDistance_ = projection.distance;
@@ -63,9 +63,8 @@ void SkyRows::fill(Pixel* slice, int column, int first, int last) {
     std::copy(colours_.begin() + first, colours_.begin() + last, slice + first);
 }
 
-// Brings rows of a panorama's column into `colours_`. The panorama lies row by row, so each pixel
-// of a column is a long way from the next; but several slices beside each other show the same
-// column.
+// Copies rows of a panorama's column into `colours_`. The panorama is stored by rows, so the pixels
+// of a column are far apart in memory; but several neighbouring slices show the same column.
 void SkyRows::fetch(int panoramaColumn, int first, int last) {
     if (panoramaColumn != fetchedColumn_) {
         fetchedColumn_ = panoramaColumn;

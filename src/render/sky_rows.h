@@ -1,8 +1,9 @@
-// The sky behind everything: one colour, a gradient over the slope, or a panorama. Never lit, never
-// in fog, without levels of detail.
+// Draws the sky: one colour, a gradient over the slope, or a panorama. Never lit, never in fog,
+// without levels of detail.
 //
 //     gradient   low + (high - low) * min(1, s / slope)
-//     panorama   column floor(fraction(azimuth / 360) * W), azimuth = heading + atan(k); row floor((1 - min(1, s / slope)) * H)
+//     panorama   column floor(fraction(azimuth / 360) * W), azimuth = heading + atan(k);
+//                row floor((1 - min(1, s / slope)) * H)
 #pragma once
 
 #include "render/projection.h"
@@ -17,7 +18,7 @@ class SkyRows {
 public:
     void beginFrame(const Sky& sky, const Projection& projection, double headingDegrees);
 
-    // Fills the rows [first, last) of the slice that starts at `slice`, all above or on the
+    // Fills the rows [first, last) of the slice that starts at `slice`; they must not be below the
     // horizon.
     void fill(Pixel* slice, int column, int first, int last);
 
@@ -27,12 +28,12 @@ private:
     const Sky* sky_ = nullptr;
     double headingDegrees_ = 0.0;
     std::vector<Pixel> colours_;  // by row: the gradient, or one column of the panorama
-    int fetchedColumn_ = -1;      // which column of the panorama, and which rows of it are there
+    int fetchedColumn_ = -1;      // the panorama column in `colours_`, and its rows that are there
     int fetchedFirst_ = 0;
     int fetchedLast_ = 0;
-    std::vector<int> panoramaOffsets_;  // panorama: where each row's texels begin
+    std::vector<int> panoramaOffsets_;  // panorama: start of each row's texels
     std::vector<double> azimuths_;      // atan(k) by column, degrees
-    int azimuthWidth_ = 0;              // what the azimuths were made for
+    int azimuthWidth_ = 0;              // the picture's shape for which they were computed
     double azimuthDistance_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// The blocks of a tile: which of their faces a slice meets, and in which rows.
+// The blocks of a tile: which faces a slice meets, and in which rows.
 #include "base/bits.h"
 #include "render/slice_walk.h"
 
@@ -21,9 +21,9 @@ SliceWalk::Block SliceWalk::blockAt(int x, int y, int level) const {
     return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw, false};
 }
 
-// Everything in one tile that holds blocks, nearest first: for each block its side where the walk
-// enters, then its roof or underside, from the eye's height downwards and then from it upwards. The
-// floor comes last, with the run that it belongs to.
+// Meets the blocks of one tile, nearest first: for each block the side that the walk enters, then
+// its roof or underside, first from the eye's height downwards, then upwards. The floor comes last,
+// with its run.
 void SliceWalk::meetBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     report_.blocksMet += std::popcount(reached);
     const std::uint32_t falling = reached & levelsToEye_;
@@ -32,8 +32,8 @@ void SliceWalk::meetBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     if (rising != 0 || ceilingTexture != kNoTexture) meetRising(rising, ceilingTexture);
 }
 
-// A block that rays are in: they leave it downwards or through the far side. True if the block
-// below is a part of the same mover: then it has no roof, and rays enter it from inside.
+// For rays inside a block: they leave it downwards or through the far side. True if the block below
+// is a part of the same mover: then it has no roof, and rays enter it from inside.
 bool SliceWalk::leaveDownwards(const Block& block, int edgeRow) {
     const int falling = projection_->firstFallingRow;
     const int below = rowBelow(block.bottom, leave_);
@@ -42,9 +42,9 @@ bool SliceWalk::leaveDownwards(const Block& block, int edgeRow) {
     return !block.blueprint->seeThrough && goesOn(block, -1);
 }
 
-// Blocks that are not wholly above the eye, downwards. At depth 0 the eye may be inside a block, or
-// on its roof: a face met at depth 0 is not drawn, so the ray is inside the block then and leaves
-// it downwards or through the far side.
+// Meets blocks that are not entirely above the eye, downwards. At depth 0 the eye may be inside a
+// block, or on its roof. A face at depth 0 is not drawn: the ray counts as inside the block, and
+// leaves it downwards or through the far side.
 void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
     const bool atEye = walk_.entered == 0.0;
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ < 0;
@@ -54,8 +54,8 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
             ceilingToCome = false;
         }
     };
-    // The lower edge of the block above, which may be this one's upper edge: nothing reaches a roof
-    // on which an opaque block stands.
+    // The lower edge of the block above; if it is this block's upper edge and that block is opaque,
+    // nothing sees this roof
     std::int32_t edge = kHighest;
     int edgeRow = 0;
     bool opaqueAbove = false;
@@ -78,7 +78,7 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
             ceilingAbove(block.top);
             if (!block.cut && !covered && block.top < 0)
                 enterTop(block, rowBelow(block.top, leave_), topRow);
-            // Whoever stands exactly on a portal falls in at once.
+            // An eye exactly on a portal looks through it at once
             if (block.top == 0 && !walk_.hasEntered() && actsAtTop(block))
                 enterTop(block, projection_->firstFallingRow, projection_->height);
             if (block.bottom < 0 &&
@@ -102,8 +102,8 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
     ceilingAbove(-kHighest);
 }
 
-// Blocks that are not wholly below the eye, upwards. The side of one at the eye's height is drawn
-// with those below.
+// Meets blocks that are not entirely below the eye, upwards. The side of a block at the eye's
+// height is drawn with those below.
 void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
     const bool atEye = walk_.entered == 0.0;
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ > 0;

@@ -1,12 +1,12 @@
-// Floor and ceiling, which go on from tile to tile until they change.
+// Floor and ceiling, which continue from tile to tile until they change.
 #include "render/slice_walk.h"
 
 #include <algorithm>
 
 namespace slicecast {
 
-// Closes the rows that have met the floor by a border; behind it the floor goes on. Rows beyond the
-// map's `far` are left for the haze.
+// Closes the rows that have met the floor before a border; the floor continues behind it. Leaves
+// rows beyond the map's `far` to the haze.
 void SliceWalk::takeFloor(Border upTo) {
     const TileRange tiles = {floor_.fromX, floor_.fromY, beforeX(upTo), beforeY(upTo), false};
     takeFloorRows(rowBelow(floorRise_, upTo), tiles);
@@ -14,7 +14,7 @@ void SliceWalk::takeFloor(Border upTo) {
     floor_.fromY = behindY(upTo);
 }
 
-// From the current tile on without end, down to where `row` is the first one below the floor.
+// The endless floor from the current tile on, down to `row`, the first one below the floor.
 void SliceWalk::takeFloorBeyond(int row) {
     takeFloorRows(row, {floor_.fromX, floor_.fromY, walk_.tileX, walk_.tileY, true});
 }
@@ -24,7 +24,7 @@ void SliceWalk::takeFloorRows(int row, const TileRange& tiles) {
                [&](int first, int last) { addFloor(first, last, tiles); });
 }
 
-// A floor that goes on from one tile to the next is one span.
+// Floor that continues from tile to tile is one span.
 void SliceWalk::addFloor(int first, int last, const TileRange& tiles) {
     if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
     if (Span* const before = floorSpan_ == kNone ? nullptr : &found_->spans[floorSpan_];
@@ -42,7 +42,7 @@ void SliceWalk::addFloor(int first, int last, const TileRange& tiles) {
     addPlane(What::floor, look, first, last, tiles);
 }
 
-// From the current tile on.
+// Starts a run of ceiling at the current tile.
 void SliceWalk::startCeiling(TextureId texture) {
     ceiling_.texture = texture;
     ceiling_.row = rowBelow(ceilingRise_, enter_);
@@ -50,8 +50,8 @@ void SliceWalk::startCeiling(TextureId texture) {
     ceiling_.fromY = walk_.tileY;
 }
 
-// Closes the rows that have met the ceiling, if there is one, up to a border. At the eye's own
-// height it cannot be seen.
+// Closes the rows that have met the run of ceiling up to a border, if there is one. A ceiling at
+// the eye's own height is invisible.
 void SliceWalk::endCeiling(Border at) {
     if (ceiling_.texture != kNoTexture && ceilingRise_ != 0) {
         const int row = rowBelow(ceilingRise_, at);

@@ -1,6 +1,6 @@
-// What a slice sees through. A see-through block closes no rows: the faces by which the ray enters
-// and leaves it are gathered, nearest first, and laid over what lies behind when the walk is done.
-// Its far faces count as much as its near ones.
+// See-through blocks. They close no rows: the faces by which a ray enters and leaves them are
+// collected, nearest first, and blended over the background when the walk is done. Far faces are
+// drawn like near ones.
 #include "render/slice_walk.h"
 
 #include "base/bits.h"
@@ -10,30 +10,30 @@
 namespace slicecast {
 namespace {
 
-// Only a block that ends where its level does can touch the one above it, or below.
+// Only a block that reaches the end of its level can touch the one above it, or below.
 bool reachesEnd(const CellBlueprint& blueprint, int up) {
     return up > 0 ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
 }
 
 }  // namespace
 
-// The block of a cell if it joins that one; null if it does not. Of two touching see-through blocks
-// of one kind the faces between them are left out, and so they are where a portal lies between.
+// The block of a cell if it joins `block`, else null. Faces between touching see-through blocks of
+// one kind are left out, also if a portal lies between.
 const CellBlueprint* SliceWalk::joinedAt(const Block& block, const Map& map, int x, int y,
                                          int level) const {
-    const CellBlueprint& other = frame_.world->blueprints[map.cell(x, y, level)];
-    return areJoined(*frame_.world, *block.blueprint, other) ? &other : nullptr;
+    const CellBlueprint& neighbour = frame_.world->blueprints[map.cell(x, y, level)];
+    return areJoined(*frame_.world, *block.blueprint, neighbour) ? &neighbour : nullptr;
 }
 
-// What a block in the tile before joins.
+// The block in the tile before that joins `block`.
 const CellBlueprint* SliceWalk::joinedBefore(const Block& block) const {
     if (isArrival())
         return joinedAt(block, *before_.map, before_.x, before_.y, block.level - before_.levels);
     return joinedAt(block, *map_, beforeX(Border::enter), beforeY(Border::enter), block.level);
 }
 
-// Whether a block and the one above it, or below, are parts of one thing that moves: then there is
-// nothing between them, whether or not they are see-through.
+// Whether a block and the one above it, or below, are parts of one mover: then nothing is between
+// them, whether or not they are see-through.
 bool SliceWalk::goesOn(const Block& block, int up) const {
     if (block.blueprint->mover < 0 || !reachesEnd(*block.blueprint, up)) return false;
     if (up > 0 ? block.top == clip_.high : block.bottom == clip_.low) return false;
@@ -42,9 +42,8 @@ bool SliceWalk::goesOn(const Block& block, int up) const {
     return areOneMover(*block.blueprint, next) && reachesEnd(next, -up);
 }
 
-// Whether a block of the current tile joins the one above it, or below: a block that it touches, of
-// its own kind or a part of the same thing that moves. A ray that leaves it may go through a portal
-// there.
+// Whether a block of the current tile joins the one above it, or below: a touching block of its
+// kind or of the same mover. A ray that leaves the block may go through a portal there.
 bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
     if (goesOn(block, up)) return true;
     if (!reachesEnd(*block.blueprint, up) || !block.blueprint->join) return false;
@@ -65,7 +64,7 @@ bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
                  level + to.levels);
 }
 
-// A side at a border, but for what of it touches a block that it joins.
+// Draws a side at a border, except where it touches a joined block.
 void SliceWalk::seeUnjoined(const Block& block, const CellBlueprint* joined, Face face,
                             const Crossing& border, int firstRow, int lastRow) {
     const CellBlueprint& own = *block.blueprint;
@@ -87,8 +86,8 @@ void SliceWalk::enterThroughSide(const Block& block, int firstRow, int lastRow) 
     seeUnjoined(block, joinedBefore(block), enteredFace(enter_), enter_, firstRow, lastRow);
 }
 
-// Behind the side there may be a portal: one of the whole tile, or one in the face of a block,
-// which may be smaller than this one.
+// Behind the side there may be a portal of the whole tile, or of a block's face, which may be
+// smaller than the side.
 void SliceWalk::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
     if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow) ||
         !isThere(block, leftFace(leave_)))
@@ -121,7 +120,7 @@ void SliceWalk::leaveThroughSide(const Block& block, int firstRow, int lastRow) 
     draw(nullptr, std::max(firstRow, bottom), lastRow);
 }
 
-// The roof or the underside.
+// Draws the roof or the underside.
 void SliceWalk::passThroughPlane(const Block& block, Face face, int firstRow, int lastRow,
                                  bool leaving) {
     const bool isTop = face == Face::top;

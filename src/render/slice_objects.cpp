@@ -1,4 +1,4 @@
-// Objects on the way of a slice.
+// Objects that a slice meets.
 #include "base/bits.h"
 #include "render/slice_walk.h"
 #include "render/texel_cut.h"
@@ -7,8 +7,8 @@
 
 namespace slicecast {
 
-// Objects that this column's ray passes, in the current tile: each splits the tile's stretch of the
-// ray in two, for what the tile holds may lie before it or behind it.
+// Meets a tile that holds objects. Each object splits the tile's stretch of the ray in two, because
+// the tile's contents may be before or behind it.
 void SliceWalk::meetTileWithObjects() {
     const Crossing leave = leave_;
     for (; object_ != objectsEnd_ && vista_->objects[*object_].along < leave.along;
@@ -23,7 +23,7 @@ void SliceWalk::meetTileWithObjects() {
     meetStretch();
 }
 
-// Objects outside the grid, where there is only the floor.
+// Meets objects outside the grid, where there is only the floor.
 void SliceWalk::meetObjectsBeyond() {
     for (; object_ != objectsEnd_ && !open_.none(); ++object_, skipHiddenObjects()) {
         const FrameObject& object = vista_->objects[*object_];
@@ -33,8 +33,8 @@ void SliceWalk::meetObjectsBeyond() {
     }
 }
 
-// Several columns share a list of objects; those that this one passes by split nothing, nor do
-// those whose rows are closed.
+// Several columns share a list of objects; skips those that this one passes by, and those whose
+// rows are closed.
 void SliceWalk::skipHiddenObjects() {
     for (; object_ != objectsEnd_; ++object_) {
         const FrameObject& object = vista_->objects[*object_];
@@ -44,12 +44,12 @@ void SliceWalk::skipHiddenObjects() {
     }
 }
 
-// Where the ray passes an object, as a share of its width from the left.
+// Where the ray passes an object, as a part of its width from the left.
 double SliceWalk::across(const FrameObject& object) const {
     return (projection_->sidewaysSlope(column_) * object.depth - object.left) / object.width;
 }
 
-// The ray where it comes to an object's depth; no border of a tile.
+// The ray at an object's depth, which is not a tile border.
 Crossing SliceWalk::crossingAt(const FrameObject& object) const {
     Crossing at;
     at.along = object.along;
@@ -60,12 +60,12 @@ Crossing SliceWalk::crossingAt(const FrameObject& object) const {
     return at;
 }
 
-// An object's column of texels that this slice shows. A row through the lower edge's height is on
-// the object, one through the upper edge's is not.
+// Adds an object's column of texels. A row exactly through the lower edge is on the object, one
+// through the upper edge is not.
 void SliceWalk::meetObject(const FrameObject& object) {
     const SpriteLevel& level = *object.level;
     const int u = std::min(level.width - 1, static_cast<int>(across(object) * level.width));
-    // Positions are in texels from the upper edge, with 32 bits after the point.
+    // Positions are in texels from the upper edge, with 32 fractional bits
     constexpr double kTexel = 4294967296.0;
     const double perUnit = level.height * kTexel / ((object.top - object.bottom) / 65536.0);
     const double perRow = object.along;

@@ -9,7 +9,7 @@ namespace {
 
 using What = FilledRows::What;
 
-// Where a row of a plane lies in a texture, and its light.
+// The texel of a plane's row.
 struct PlaneTexel {
     const TextureLevel& level;
     PlanePoints::Point point;
@@ -63,7 +63,7 @@ void SlicePainter::paintOpaque(const ColumnSpans& column) {
     paintGathered(rising_);
 }
 
-// From back to front.
+// Paints layers from back to front.
 void SlicePainter::paintLayers(const ColumnSpans& column) {
     report_.layers += static_cast<std::int64_t>(column.layers);
     for (const Span* span = column.spans.end(); span != column.spans.begin();) {
@@ -78,7 +78,7 @@ void SlicePainter::paintLayers(const ColumnSpans& column) {
     }
 }
 
-// What mirrors show, into a column that stands upside down, which is blended over them.
+// Paints the reflections into an upside down column, and blends it over the mirrors.
 void SlicePainter::paintReflection(const SliceSpans& slice) {
     Pixel* const pixels = pixels_;
     const std::uint8_t* const waterFogs = waterFogs_;
@@ -103,8 +103,8 @@ void SlicePainter::paintTexels(const Span& span, Lay lay) {
              lay);
 }
 
-// Rows whose rays leave the eye's water before they come to the span have the fog of where they
-// leave it. They are the upper ones.
+// Rows whose rays leave the eye's water before the span have the fog of that distance. They are the
+// upper rows.
 void SlicePainter::paintTexelsFromWater(const Span& span, Lay lay) {
     TexelColumn column = span.column;
     const Pixel haze = span.vista->lighting.haze;
@@ -129,7 +129,7 @@ void SlicePainter::paintSky(const Span& span) {
     count(span.first, span.last);
 }
 
-// Adds rows to the run of their side of the horizon. Farther rows of a plane are nearer to the
+// Adds rows to the run of their side of the horizon. Farther rows of a plane are closer to the
 // horizon, so a run grows towards it.
 void SlicePainter::gather(const Span& span) {
     const bool falls = span.look->plane.rise < 0;
@@ -146,12 +146,12 @@ void SlicePainter::gather(const Span& span) {
     }
 }
 
-// Leaves the run empty.
+// Paints the run and empties it.
 void SlicePainter::paintGathered(PlaneRun& run) {
     if (run.first == run.last) return;
     Lay lay = Lay::opaque;
     if (run.look->seeThrough && !run.look->plane.mirror) {
-        // Only a floor closes its rows although it is see-through: below it there is haze.
+        // Only a floor closes its rows although it is see-through; below it is haze
         std::fill(pixels_ + run.first, pixels_ + run.last, run.vista->lighting.haze);
         count(run.first, run.last);
         ++report_.layers;
@@ -161,9 +161,9 @@ void SlicePainter::paintGathered(PlaneRun& run) {
     run.first = run.last = -1;
 }
 
-// The first and the last rows may lie within a rounding of their tiles' border, all of them where
-// the ray runs along it: their texel is held inside, so that never one of the far side of the
-// texture shows.
+// The first and the last rows may be within the rounding error of their tiles' border, or all of
+// them if the ray runs along it. Their texel is clamped, so that the far side of the texture never
+// shows.
 void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     count(run.first, run.last);
     PlaneLook& look = *run.look;
@@ -189,8 +189,8 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     }
 }
 
-// Runs with a point on a tile's border exactly are rare behind portals that turn, and painted
-// slowly.
+// Paints rows one by one, slowly: those near tile borders, and the rare runs behind turning portals
+// with a point exactly on a border.
 void SlicePainter::paintPlaneByRows(const PlaneRun& run, int first, int last,
                                     const PlanePoints& points, Lay lay) {
     if (first == last) return;

@@ -1,5 +1,5 @@
-// Fills the rows of a slice from its spans. What stands in the world is nothing to the painter: it
-// knows textures, light and rows.
+// Fills the rows of a slice from its spans. The painter knows textures, light and rows, but nothing
+// of the world.
 #pragma once
 
 #include "render/column_fill.h"
@@ -15,21 +15,21 @@ class PlanePoints;
 
 class SlicePainter {
 public:
-    // All three outlive the painter; `reflected` is room for a column.
+    // All three must outlive the painter; `reflected` is scratch memory for a column.
     SlicePainter(const Frame& frame, std::vector<Pixel>& reflected, FrameReport& report)
         : frame_(frame), reflected_(reflected), report_(report) {}
 
-    // Fills all rows that the spans hold into `pixels`, one after another.
+    // Fills all rows of the spans into `pixels`.
     void paint(const SliceSpans& slice, Pixel* pixels);
 
 private:
-    // Neighbouring rows of one plane that several spans of a walk hold.
+    // Adjacent rows of one plane from several spans of a walk.
     struct PlaneRun {
         PlaneLook* look = nullptr;
         Vista* vista = nullptr;
         TileRange tiles;
         int part = 0;
-        int first = -1;  // no rows where `first` is `last`
+        int first = -1;  // no rows if `first` equals `last`
         int last = -1;
     };
 
@@ -55,7 +55,7 @@ private:
 
     int column_ = 0;
     Pixel* pixels_ = nullptr;
-    const std::uint8_t* waterFogs_ = nullptr;  // see Vistas; null too for what mirrors show
+    const std::uint8_t* waterFogs_ = nullptr;  // see Vistas; null for reflections too
     PlaneRun falling_;                         // of a plane below the eye
     PlaneRun rising_;                          // of a plane above it
 };

@@ -1,13 +1,13 @@
-// Where a slice goes on elsewhere: rays that enter a portal, and rays that a mirror throws back.
-// Their rows become parts of their own.
+// Where a slice continues elsewhere: behind portals and in mirrors. These rows become parts of
+// their own.
 #include "render/slice_walk.h"
 
 #include <algorithm>
 
 namespace slicecast {
 
-// The faces of blocks that are see-through, hold portals, or are cut by the part's height clip. A
-// portal acts on what comes in through it; from inside the block nothing is drawn there.
+// Faces of blocks that are see-through, have portals, or are cut by the part's height clip. A
+// portal acts on rays that enter it; from inside the block nothing is drawn there.
 void SliceWalk::enterSide(const Block& block, int firstRow, int lastRow) {
     if (!enter_.border || !open_.mayHold(firstRow, lastRow)) return;
     const PortalId portal = block.blueprint->face(enteredFace(enter_)).portal;
@@ -78,8 +78,7 @@ void SliceWalk::leaveBottom(const Block& block, int firstRow, int lastRow) {
     }
 }
 
-// What is left of a block between the heights at which this part's rays run; false if that is
-// nothing.
+// Cuts a block to the heights of the part's rays; false if nothing remains.
 bool SliceWalk::cutToClip(Block& block) const {
     if (block.top <= clip_.low || block.bottom >= clip_.high) return false;
     block.cut = block.bottom < clip_.low || block.top > clip_.high ||
@@ -89,8 +88,8 @@ bool SliceWalk::cutToClip(Block& block) const {
     return true;
 }
 
-// Where a ray has just come out of a portal no other acts on it: not that of the exit tile, and no
-// face that lies in the very plane; else it might go round for ever without getting on.
+// Where a ray has just come out of a portal no other portal acts: neither the exit tile's, nor a
+// face in the very plane. Otherwise the ray could circle for ever.
 bool SliceWalk::acts(PortalId portal, bool atExit) const {
     return portal != kNoPortal && portals_ < frame_.world->portalLimit && !atExit;
 }
@@ -104,14 +103,14 @@ bool SliceWalk::actsAtBottom(const Block& block) const {
                 isArrival() && block.bottom == clip_.low);
 }
 
-// Closes rows here and opens them behind the portal, in a part that goes on from this tile. Those
-// whose rays come out below the floor end in the haze.
+// Closes rows here and opens them behind the portal, in a part that continues from this tile. Rays
+// that come out below the floor end in the haze.
 void SliceWalk::sendThrough(PortalId id, int firstRow, int lastRow, const HeightClip& clip) {
     if (!open_.mayHold(firstRow, lastRow)) return;
     const Portal& portal = frame_.world->portals[id];
     Vista& beyond = frame_.vistas.through(*vista_, portal);
     const std::int32_t floorRise = -beyond.viewpoint.z;
-    // Through a roof or an underside all rays come at one height, that of the clip.
+    // Rays through a roof or an underside all come out at the height of the clip
     const std::int32_t height = clip.high != HeightClip{}.high ? clip.high : clip.low;
     const bool isBelow = height < floorRise || (height == 0 && floorRise == 0);
     const int hazeRow = !clip.any() ? rowBelow(floorRise, enter_)
@@ -137,12 +136,12 @@ void SliceWalk::sendThrough(PortalId id, int firstRow, int lastRow, const Height
     });
 }
 
-// All that is still open goes through; or, where a ray has passed as many portals as it may, ends
-// in the haze of the map that it is in.
+// Sends all open rows through; if the ray has passed as many portals as allowed, they end in the
+// haze of the present map.
 void SliceWalk::enterPortalTile() {
     takeFloor(Border::enter);
     const PortalId id = map_->tilePortal(walk_.tileX, walk_.tileY);
-    // Rays that have met the floor beyond `far` do not come here.
+    // Rays that have met the floor beyond `far` do not get here
     if (acts(id, isArrival())) sendThrough(id, 0, rowBelow(floorRise_, enter_), {});
     takeHaze(0);
 }
@@ -152,8 +151,8 @@ void SliceWalk::mirror(std::int32_t rise, int first, int last, int strength) {
     report_.mirroredRows += last - first;
 }
 
-// What the mirrors of this slice show, as a column that stands upside down: its first part, before
-// its first tile. False if there are none.
+// Starts the walk of what the slice's mirrors show, as an upside down column: before the first tile
+// of its first part. False without mirrors.
 bool SliceWalk::beginReflection(SliceSpans& found) {
     if (found.upright.mirrors.empty()) return false;
     const int height = frame_.vistas.projection().height;
@@ -161,7 +160,7 @@ bool SliceWalk::beginReflection(SliceSpans& found) {
     for (const MirrorSpan& span : found.upright.mirrors) {
         const Part& met = found.upright.parts[static_cast<std::size_t>(span.part)];
         HeightClip above;
-        // Seen from as far below the mirror as the eye is above it.
+        // Seen from as far below the mirror as the eye is above it
         above.low = -span.rise;
         above.isMirror = true;
         Vista& vista = frame_.vistas.mirrored(*met.vista, met.vista->viewpoint.z + span.rise);

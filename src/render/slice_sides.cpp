@@ -1,4 +1,4 @@
-// The sides of blocks: which texels their rows show, and in what light.
+// The sides of blocks: the texels that their rows show, and their light.
 #include "base/bits.h"
 #include "render/slice_walk.h"
 #include "render/texel_cut.h"
@@ -21,9 +21,9 @@ void SliceWalk::takeEnteredSide(const Block& block, int firstRow, int lastRow) {
     takeSide(sideOf(block, enteredFace(enter_), false), enteredSide_, firstRow, lastRow);
 }
 
-// What the sides at one border have in common.
+// Values shared by all sides at one border.
 SliceWalk::SideView SliceWalk::sideView(const Crossing& border) const {
-    // Along x on the northern and southern sides, along y on the others.
+    // Along y for sides facing east and west, along x for the others
     const double fraction =
         border.alongX
             ? eyeFractionY_ + (eyeTileY_ - here_.fromY) + ray_.y * border.distance / border.speed
@@ -48,7 +48,7 @@ SliceWalk::Side SliceWalk::sideOf(const Block& block, Face face, bool layer) con
             .rise = blueprint.textureRise.raw * kPositionsPerRaw};
 }
 
-// Which texels the rows [first, last) show.
+// The texels that the rows [first, last) show.
 inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view, int first,
                                          int last) const {
     const FrameTexture& texture = *side.texture;
@@ -57,8 +57,8 @@ inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view,
     const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
     const int u = side.reversed ? level.size - 1 - column : column;
 
-    // v runs from 0 at the level's upper edge to 1 at its lower edge; it stays within what the
-    // block covers of the level. What has risen shows what is farther down.
+    // v runs from 0 at the level's upper edge to 1 at its lower edge, clamped to the block. A risen
+    // block shows its texture moved up
     constexpr double kPositions = 281474976710656.0;  // 1 << kTexturePositionBits
     const double v = side.upperEdge + (first + 0.5 - projection_->horizon) * view.along + kSnap;
     const std::int64_t start = std::clamp(v <= 0.0   ? 0
@@ -66,7 +66,7 @@ inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view,
                                                      : nearestInteger(v * kPositions),
                                           side.start, side.end - 1);
     const int steps = last - first - 1;
-    // A block of several rows is no higher than a tile, so a row's step is less.
+    // A block of several rows is at most one tile high, so a row's step is less
     std::int64_t step = steps > 0 ? nearestInteger(std::min(view.along, 1.0) * kPositions) : 0;
     if (start + steps * step >= side.end) step = (side.end - 1 - start) / steps;
     return {.texels = level.texels.data() + (static_cast<std::size_t>(u) << level.bits),
@@ -84,8 +84,8 @@ void SliceWalk::takeSide(const Side& side, const SideView& view, int firstRow, i
     open_.take(firstRow, lastRow, [&](int first, int last) { addSide(side, view, first, last); });
 }
 
-// The texture of what moves may come to its lower edge within a side, and begins anew there: then
-// the side is two spans.
+// The texture of a mover may reach its lower edge within a side and start again there: then the
+// side is two spans.
 void SliceWalk::addSide(const Side& side, const SideView& view, int first, int last) {
     TexelColumn column = sideColumn(side, view, first, last);
     if (column.start >= kWholeTexture) column.start -= kWholeTexture;

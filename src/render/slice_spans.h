@@ -1,10 +1,10 @@
 // What one screen column shows, as plain data: rows, and what fills them. A walk (slice_walk.h)
-// makes it without drawing anything, the painter (slice_paint.h) fills rows from it without knowing
-// the world, a trace (slice_trace.h) tells of it.
+// makes it without drawing, the painter (slice_paint.h) fills rows from it without knowing the
+// world, and a trace (slice_trace.h) lists it.
 //
-// Spans stand in the order in which the walk has found them, which is front to back. Those that are
-// no layers close their rows: no two of them share one. Layers are seen through: they are laid over
-// what stands behind them, the farthest first.
+// Spans are in the order in which the walk has found them: front to back. Opaque spans close their
+// rows: no two of them share one. Layers are seen through: they are blended over the background,
+// farthest first.
 #pragma once
 
 #include "render/column_fill.h"
@@ -20,39 +20,39 @@
 
 namespace slicecast {
 
-// The tiles over which a plane's rows lie: one, or several in a row.
+// The tiles over which a plane's rows lie: one or several in a row.
 struct TileRange {
     int fromX = 0;  // nearest to the eye
     int fromY = 0;
     int toX = 0;
     int toY = 0;
-    bool endless = false;  // goes on in the ray's direction for ever
+    bool endless = false;  // continues forever in the ray's direction
 };
 
-inline constexpr int kNoLevel = -1;  // of what belongs to no block
+inline constexpr int kNoLevel = -1;  // for spans of no block
 
-// Rows [first, last) of a slice. Sides and objects have a column of texels, and planes a look;
-// what a kind of span does not have holds anything (see SpanList).
+// Rows [first, last) of a slice. Sides and objects have a column of texels, planes have a look;
+// members that a kind of span does not have are undefined (see SpanList).
 struct Span {
     FilledRows::What what = FilledRows::What::haze;
     Face face = Face::top;  // of a block
     bool layer = false;
     int first = 0;
     int last = 0;
-    int level = kNoLevel;          // of the block
-    int object = -1;               // index into Map::objects
-    int part = 0;                  // index of the walk that has found it, into ColumnSpans::parts
-    int portals = 0;               // passed before
-    Vista* vista = nullptr;        // the map as it is seen from there
-    TileRange tiles;               // of a plane; of a block its own; none of sky, haze and objects
-    TextureId image = kNoTexture;  // of sides; of objects the sprite
+    int level = kNoLevel;    // of the block
+    int object = -1;         // index into Map::objects
+    int part = 0;            // the walk that has found it: index into ColumnSpans::parts
+    int portals = 0;         // passed before
+    Vista* vista = nullptr;  // the map as seen from that part
+    TileRange tiles;  // of a plane; for a block's face its tile; unused for sky, haze and objects
+    TextureId image = kNoTexture;  // of sides; for objects the sprite
     TexelColumn column;            // of sides and objects
     PlaneLook* look = nullptr;     // of planes
 };
 
-// Rows that show something in a mirror.
+// Rows that reflect something.
 struct MirrorSpan {
-    int part = 0;           // whose rays met the mirror
+    int part = 0;           // the walk whose rays met the mirror
     std::int32_t rise = 0;  // of the mirror above that part's viewpoint, 1/65536 units
     int first = 0;
     int last = 0;
@@ -68,12 +68,12 @@ struct PortalSpan {
     int last = 0;
 };
 
-// At most this many layers of one column are seen; the farthest beyond are left out. A side that
-// its texture falls into two spans is one.
+// The most layers of one column; farther ones are left out. A side whose texture splits it into two
+// spans counts once.
 inline constexpr std::size_t kMaxLayers = 4096;
 
-// A list that keeps its memory. What is added holds what stood there before: each span uses a part
-// of the members only, and clearing them all would take its time, dozens of times a slice.
+// A list that keeps its memory. Added spans hold old values: each kind uses only a part of the
+// members, and clearing all of them would take too long, dozens of times per slice.
 class SpanList {
 public:
     SpanList() = default;
@@ -81,7 +81,7 @@ public:
     SpanList& operator=(const SpanList&) = delete;
 
     void clear() { end_ = spans_.data(); }
-    // Valid until the next one is added.
+    // Valid until the next add().
     Span& add() {
         if (end_ == room_) grow();
         return *end_++;
@@ -100,11 +100,11 @@ private:
     }
 
     std::vector<Span> spans_;
-    Span* end_ = nullptr;   // one past the last that is used
-    Span* room_ = nullptr;  // one past the last that is there
+    Span* end_ = nullptr;   // one past the last used one
+    Span* room_ = nullptr;  // one past the last allocated one
 };
 
-// What is found on the way of a column's rays. Memory is kept from slice to slice.
+// The results for a column's rays. Memory is kept from slice to slice.
 struct ColumnSpans {
     SpanList spans;
     std::vector<MirrorSpan> mirrors;
@@ -124,7 +124,7 @@ struct ColumnSpans {
 struct SliceSpans {
     int column = 0;
     ColumnSpans upright;
-    ColumnSpans reflected;  // what shows in mirrors; its rows are upside down (see vista.h)
+    ColumnSpans reflected;  // what mirrors show; its rows are upside down (see vista.h)
 };
 
 }  // namespace slicecast

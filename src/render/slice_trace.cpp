@@ -22,10 +22,10 @@ bool isPlane(What what) {
     return !hasTexels(what) && what != What::sky && what != What::haze;
 }
 
-// Of the upright column, or of the one that stands upside down.
-class Teller {
+// Traces the upright column, or the upside down one.
+class Tracer {
 public:
-    Teller(const Frame& frame, int column, const ColumnSpans& found, bool isUpright,
+    Tracer(const Frame& frame, int column, const ColumnSpans& found, bool isUpright,
            SliceTrace& trace)
         : frame_(frame),
           column_(column),
@@ -33,13 +33,13 @@ public:
           waterFogs_(isUpright ? frame.vistas.waterFogs() : nullptr),
           trace_(trace) {}
 
-    void tell() {
+    void trace() {
         for (std::size_t i = 0; i < found_.parts.count(); ++i) {
             firstHits_.push_back(trace_.hits.size());
-            tellWay(found_.parts[i]);
+            addPart(found_.parts[i]);
         }
         firstHits_.push_back(trace_.hits.size());
-        for (const Span& span : found_.spans) tellSpan(span);
+        for (const Span& span : found_.spans) addRun(span);
         for (const PortalSpan& span : found_.portals)
             trace_.portals.push_back(
                 {span.portal, span.portals, span.depth, span.first, span.last});
@@ -55,23 +55,22 @@ public:
     }
 
 private:
-    // The way of a part, walked again: its tiles, and the blocks that stand in them.
-    void tellWay(const Part& part) {
+    // Repeats the walk of a part to list its tiles and the blocks in them.
+    void addPart(const Part& part) {
         const Vista& vista = *part.vista;
         GridWalk walk = part.walk;
         for (int tile = 0; tile < part.tiles; ++tile) {
             if (tile > 0) walk.advance();
             if (!vista.map->contains(walk.tileX, walk.tileY)) continue;
-            tellTile(part, walk);
+            addTile(part, walk);
             if (part.endsInPortal && tile == part.tiles - 1) return;
             std::uint32_t levels =
                 vista.map->occupied[vista.map->tileIndex(walk.tileX, walk.tileY)];
-            for (; levels != 0; levels &= levels - 1)
-                tellBlock(part, walk, std::countr_zero(levels));
+            for (; levels != 0; levels &= levels - 1) addHit(part, walk, std::countr_zero(levels));
         }
     }
 
-    void tellTile(const Part& part, const GridWalk& walk) {
+    void addTile(const Part& part, const GridWalk& walk) {
         const Crossing border = walk.enter();
         trace_.tiles.push_back({part.vista->viewpoint.map, walk.tileX, walk.tileY,
                                 walk.entered * part.vista->projection->distance, part.portals,
@@ -79,7 +78,7 @@ private:
                                 border.speed, walk.nextAlongX(), walk.nextAlongY()});
     }
 
-    void tellBlock(const Part& part, const GridWalk& walk, int level) {
+    void addHit(const Part& part, const GridWalk& walk, int level) {
         const Vista& vista = *part.vista;
         const Projection& projection = *vista.projection;
         const GroundDirection ray = vista.ray(column_);
@@ -123,7 +122,7 @@ private:
         return -1;
     }
 
-    void tellSpan(const Span& span) {
+    void addRun(const Span& span) {
         FilledRows rows;
         rows.what = span.what;
         rows.face = span.face;
@@ -145,14 +144,14 @@ private:
             point.texel.depth = std::numeric_limits<double>::infinity();
         }
         if (hasTexels(span.what)) {
-            tellTexels(span, rows, isWatched);
+            setTexels(span, rows, isWatched);
         } else if (isPlane(span.what)) {
-            tellPlane(span, rows, isWatched);
+            setPlaneTexels(span, rows, isWatched);
         }
         trace_.filled.push_back(rows);
     }
 
-    void tellTexels(const Span& span, FilledRows& rows, bool isWatched) {
+    void setTexels(const Span& span, FilledRows& rows, bool isWatched) {
         const TexelColumn& column = span.column;
         rows.texture = span.image;
         const auto texelAt = [&](int row) {
@@ -164,17 +163,17 @@ private:
         };
         rows.top = texelAt(span.first);
         rows.bottom = texelAt(span.last - 1);
-        if (isWatched) tellPoint(span, texelAt(trace_.watchedRow));
+        if (isWatched) setPoint(span, texelAt(trace_.watchedRow));
         rows.rowsOfDetail[static_cast<std::size_t>(column.detail)] =
             static_cast<std::uint16_t>(span.last - span.first);
     }
 
-    // Above the eye's water there is no more fog than to its surface.
+    // Above the eye's water, fog is limited to that of the way to the surface.
     std::uint32_t fogIn(int row, std::uint32_t fog) const {
         return waterFogs_ == nullptr ? fog : std::min<std::uint32_t>(fog, waterFogs_[row]);
     }
 
-    // Which column of texels it is, from the left.
+    // The index of the column of texels, from the left.
     int columnNumber(const Span& span) const {
         const auto detail = static_cast<std::size_t>(span.column.detail);
         if (span.what == What::object) {
@@ -186,7 +185,7 @@ private:
         return static_cast<int>((span.column.texels - level.texels.data()) >> level.bits);
     }
 
-    void tellPlane(const Span& span, FilledRows& rows, bool isWatched) {
+    void setPlaneTexels(const Span& span, FilledRows& rows, bool isWatched) {
         const Plane& plane = span.look->plane;
         const Vista& vista = *span.vista;
         const FrameTexture& texture = frame_.textures[plane.texture];
@@ -213,13 +212,13 @@ private:
         rows.texture = plane.texture;
         rows.top = texelAt(span.first);
         rows.bottom = texelAt(span.last - 1);
-        if (isWatched) tellPoint(span, texelAt(trace_.watchedRow));
+        if (isWatched) setPoint(span, texelAt(trace_.watchedRow));
         for (int row = span.first; row < span.last; ++row)
             ++rows.rowsOfDetail[static_cast<std::size_t>(detailAt(row))];
     }
 
     // The point that the watched row shows.
-    void tellPoint(const Span& span, const TracedTexel& texel) {
+    void setPoint(const Span& span, const TracedTexel& texel) {
         const Vista& vista = *span.vista;
         const GroundDirection ray = vista.ray(column_);
         const double along = texel.depth / vista.projection->distance;
@@ -236,10 +235,10 @@ private:
     const ColumnSpans& found_;
     const std::uint8_t* const waterFogs_;
     SliceTrace& trace_;
-    std::vector<std::size_t> firstHits_;  // of each part, and one past the last
+    std::vector<std::size_t> firstHits_;  // of each part, then the end
 };
 
-// Of what stands upside down.
+// Turns the trace of a reflection upright.
 void turnUpright(SliceTrace& trace, int height) {
     const auto turn = [height](auto& rows) {
         rows.first = height - std::exchange(rows.last, height - rows.first);
@@ -258,7 +257,7 @@ void turnUpright(SliceTrace& trace, int height) {
     }
 }
 
-// Gives the blocks their rows, from the top, and the planes theirs.
+// Distributes the rows to their blocks, sorted from the top, and to the planes.
 void shareOut(SliceTrace& trace) {
     for (const FilledRows& rows : trace.filled) {
         if (rows.hit >= 0) trace.hits[static_cast<std::size_t>(rows.hit)].filled.push_back(rows);
@@ -284,7 +283,7 @@ void traceSlice(const Frame& frame, const SliceSpans& slice, SliceTrace& trace) 
     trace.rayY = ray.y / projection.distance;
     trace.horizonRow = projection.horizon;
     trace.projectionDistance = projection.distance;
-    Teller(frame, slice.column, slice.upright, true, trace).tell();
+    Tracer(frame, slice.column, slice.upright, true, trace).trace();
     shareOut(trace);
     if (!trace.asksReflection || slice.upright.mirrors.empty()) return;
     SliceTrace& reflection = trace.reflection.emplace_back();
@@ -294,7 +293,7 @@ void traceSlice(const Frame& frame, const SliceSpans& slice, SliceTrace& trace) 
     reflection.horizonRow = trace.horizonRow;
     reflection.projectionDistance = trace.projectionDistance;
     if (trace.watchedRow >= 0) reflection.watchedRow = projection.height - 1 - trace.watchedRow;
-    Teller(frame, slice.column, slice.reflected, false, reflection).tell();
+    Tracer(frame, slice.column, slice.reflected, false, reflection).trace();
     turnUpright(reflection, projection.height);
     shareOut(reflection);
 }

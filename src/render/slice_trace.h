@@ -1,4 +1,4 @@
-// Tells of a slice what its walk has found: tiles, blocks, spans, portals, mirrors.
+// Lists what the walk of a slice has found: tiles, blocks, spans, portals, mirrors.
 #pragma once
 
 #include "render/frame.h"
@@ -7,7 +7,7 @@
 
 namespace slicecast {
 
-// Into an empty trace; what is asked of it (watchedRow, asksReflection) stands in it before.
+// Fills an empty trace; watchedRow and asksReflection are set before.
 void traceSlice(const Frame& frame, const SliceSpans& slice, SliceTrace& trace);
 
 }  // namespace slicecast

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// A walk that stops at a border must be past it for certain: by more than roundings.
+// A walk that stops at a border must be past it by more than the rounding error.
 constexpr double kBeyond = 1.0 + 1.0 / 1099511627776.0;
 
 // From a tile outside the grid, on one axis.
@@ -39,7 +39,7 @@ void SliceWalk::find(int column, SliceSpans& found, bool withReflection) {
     walkParts(1);
 }
 
-// The first part, before its first tile.
+// Starts the first part, before its first tile.
 void SliceWalk::beginColumn(int column, SliceSpans& found) {
     column_ = column;
     found.column = column;
@@ -55,7 +55,7 @@ void SliceWalk::beginColumn(int column, SliceSpans& found) {
     begin(whole);
 }
 
-// Each part may add further ones.
+// Walking a part may add more parts.
 void SliceWalk::walkParts(int first) {
     for (part_ = first; part_ < static_cast<int>(found_->parts.count()); ++part_) {
         begin(found_->parts[static_cast<std::size_t>(part_)]);
@@ -121,7 +121,7 @@ void SliceWalk::lookInto(Vista& vista) {
     ceilingRise_ = map_->ceiling.height.raw - eyeZ_;
 }
 
-// From the current tile on, or from the next one, to the end of the part.
+// Walks from the current tile, or from the next one, to the end of the part.
 void SliceWalk::goOn(bool leaveFirst) {
     Pass pass = passTiles(leaveFirst);
     while (pass == Pass::tile) {
@@ -144,7 +144,7 @@ void SliceWalk::endWay(Pass pass) {
     endsInPortal_ = pass == Pass::portal;
     enter_ = walk_.enter();
 
-    // What is left beyond the walk: the ceiling ends with the grid, the floor goes on outside it.
+    // The ceiling ends with the grid; the floor continues outside it.
     endCeiling(Border::enter);
     if (pass == Pass::portal) return enterPortalTile();
     if (pass != Pass::stopped && floor_.texture != map_->floor.texture) {
@@ -155,10 +155,10 @@ void SliceWalk::endWay(Pass pass) {
     takeFloorBeyond(0);
 }
 
-// How far along the ray to walk while the rows [first, last) are open: beyond, nothing but the
-// floor that is under way and the sky can be met. When all open rows look down, that is where the
-// flattest of them meets the floor; when all look up, where the flattest of them is above
-// everything but portal tiles, which act at all heights.
+// How far along the ray to walk while the rows [first, last) are open: beyond that they can meet
+// only the present floor and the sky. If all open rows look down, it is where the flattest of them
+// meets the floor; if all look up, where the flattest of them is above everything but portal tiles,
+// which act at all heights.
 double SliceWalk::whereToStop(int first, int last) const {
     if (first >= last) return 0.0;
     const int firstFalling = projection_->firstFallingRow;
@@ -171,8 +171,8 @@ double SliceWalk::whereToStop(int first, int last) const {
                : kBeyond * rise * vista_->inverseOffsets[static_cast<std::size_t>(last - 1)];
 }
 
-// Walks on over tiles where nothing changes: no other floor or ceiling, and no block that an open
-// row may meet.
+// Walks over tiles where nothing changes: the same floor and ceiling, and no block that an open row
+// may meet.
 template <bool portals>
 SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     if (object_ != objectsEnd_) skipHiddenObjects();
@@ -198,8 +198,8 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
         }
         if (static_cast<unsigned>(walk.tileX) >= width ||
             static_cast<unsigned>(walk.tileY) >= depth) {
-            // Outside the grid there is only the floor. The walk goes on while it may still come to
-            // the grid.
+            // Outside the grid there is only the floor. The walk continues while it may still reach
+            // the grid
             if (leadsAway(walk.tileX, walk.stepX, map_->width) ||
                 leadsAway(walk.tileY, walk.stepY, map_->depth)) {
                 pass = Pass::left;
@@ -232,7 +232,7 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     return pass;
 }
 
-// The tile to which the walk has come, whether or not something changes there.
+// Meets the present tile, even if nothing changes there.
 void SliceWalk::meetCurrent() {
     if (object_ != objectsEnd_) skipHiddenObjects();
     const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_);
@@ -245,7 +245,7 @@ double SliceWalk::nextObjectAlong() const {
     return object_ == objectsEnd_ ? kNever : vista_->objects[*object_].along;
 }
 
-// A tile in which something changes.
+// Meets a tile in which something changes.
 void SliceWalk::meetTile() {
     if (object_ != objectsEnd_ && vista_->objects[*object_].along < leave_.along) {
         meetTileWithObjects();
@@ -254,15 +254,15 @@ void SliceWalk::meetTile() {
     }
 }
 
-// What lies in the current tile between `enter_` and `leave_`.
+// Meets everything in the current tile between `enter_` and `leave_`.
 void SliceWalk::meetStretch() {
     const bool inGrid = map_->contains(walk_.tileX, walk_.tileY);
     const std::size_t tile = inGrid ? map_->tileIndex(walk_.tileX, walk_.tileY) : 0;
     const TextureId floorTexture = inGrid ? map_->floor.tiles[tile] : map_->floor.texture;
     const TextureId ceilingTexture = !inGrid || !ceilingTiles_ ? kNoTexture : ceilingTiles_[tile];
     const bool floorChanges = floorTexture != floor_.texture;
-    // Where blocks stand, the ceiling of that tile takes its turn among them. A floor must not be
-    // drawn before the ceiling above it.
+    // In a tile with blocks, meetBlocks() draws the ceiling in its turn. A floor must not be drawn
+    // before the ceiling above it
     const TextureId ceilingAlone = reached_ ? kNoTexture : ceilingTexture;
     if (ceilingAlone != ceiling_.texture || floorChanges) {
         endCeiling(Border::enter);
@@ -273,8 +273,7 @@ void SliceWalk::meetStretch() {
         floor_.texture = floorTexture;
     }
     if (reached_) meetBlocks(reached_, ceilingTexture);
-    // An object may stand behind: what lies before it is closed first, the ceiling before the
-    // floor.
+    // An object follows: close everything before it, the ceiling before the floor
     if (!leave_.border) endCeiling(Border::leave);
     if (reached_ || !leave_.border) takeFloor(Border::leave);
 }

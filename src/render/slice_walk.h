@@ -1,11 +1,16 @@
 // The walk of one screen column over the grid: what its rays meet, front to back, as spans.
 //
-//      rows                      A block seen from the side fills the rows between its top and bottom edge where the walk enters the tile; its roof those up to
-//       |    .--------.  back    where the top edge appears at the tile's far border, its underside likewise below. Floor and ceiling fill what lies between
-//       |   /  roof  /|          the two borders. A row that is filled is closed, so each pixel has one opaque span, and the walk ends when no row is open.
+//      rows
+//       |    .--------.  back
+//       |   /  roof  /|
 //       |  .--------. |
 //       |  |  side  | '
 //       v  '--------'  front
+//
+// The side of a block fills the rows between its top and bottom edge where the walk enters the
+// tile. Its roof fills those up to where the top edge appears at the tile's far border; the
+// underside is alike. Floor and ceiling fill the rows between the two borders. A filled row is
+// closed, so each pixel has one opaque span, and the walk ends when no row is open.
 //
 // slice_walk.cpp      over tiles in which nothing changes, and what lies beyond
 // slice_cover.cpp     floor and ceiling
@@ -29,17 +34,16 @@ namespace slicecast {
 
 class SliceWalk {
 public:
-    // Whether the texels of see-through sides and objects are looked at: then those rows of them
-    // are left out that show nothing, and the opaque ones close theirs, so that nothing is found
-    // behind.
+    // `cut` examines the texels of see-through sides and objects: it leaves out rows of holes, and
+    // opaque rows are closed, so that nothing behind them is found. `whole` takes them as they are.
     enum class SeeThrough { whole, cut };
 
-    // All three outlive the walk; `open` and what `find` is given keep their memory from slice to
-    // slice.
+    // All three must outlive the walk; `open` and the argument of `find` keep their memory from
+    // slice to slice.
     __attribute__((noinline))
     SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report, SeeThrough seeThrough);
 
-    // What all rows of a column show.
+    // Finds what all rows of a column show.
     void find(int column, SliceSpans& found, bool withReflection = true);
 
 private:
@@ -49,8 +53,8 @@ private:
 
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-    // Why a walk over tiles was interrupted: something changes in a tile, the tile is a portal,
-    // nothing more can be met, or the grid lies behind.
+    // Why a walk over tiles stopped: something changes in a tile, the tile is a portal, nothing
+    // more can be met, or the walk has left the grid.
     enum class Pass { tile, portal, stopped, left };
 
     // One of the current tile's two borders.
@@ -62,11 +66,11 @@ private:
         int level;
         std::int32_t bottom;
         std::int32_t top;
-        bool cut = false;  // by the part's height clip, or the border between levels: there is no
-                           // face at that end, and rays that begin there are inside
+        bool cut = false;  // by the part's height clip, or at a border of levels within a mover: no
+                           // face at that end, and rays that start there are inside
     };
 
-    // What the sides at one border have in common.
+    // Values shared by all sides at one border.
     struct SideView {
         std::uint32_t fraction;  // of a tile, from its northern or western end, in 1/2^32
         double along;            // see Crossing
@@ -75,8 +79,7 @@ private:
         std::uint32_t fog;
     };
 
-    // A side of a block, whichever column meets it. Positions are along the texture, as in
-    // TexelColumn.
+    // A side of a block, for any column. Positions are along the texture, as in TexelColumn.
     struct Side {
         const FaceBlueprint* look;
         const FrameTexture* texture;
@@ -85,16 +88,16 @@ private:
         bool layer;
         bool reversed;       // its texture's columns run northward or westward
         double upperEdge;    // of the level, above the eye, units
-        std::int64_t start;  // what the block covers of the level
+        std::int64_t start;  // the block's part of the level
         std::int64_t end;
         std::int64_t rise;
     };
 
-    // Floor or ceiling from a border on, as long as it has one texture.
+    // Floor or ceiling of one texture, from a border on.
     struct Cover {
         TextureId texture = kNoTexture;
         int row = 0;    // the first row below the plane at that border
-        int fromX = 0;  // the tile behind it
+        int fromX = 0;  // the tile behind that border
         int fromY = 0;
     };
 
@@ -124,7 +127,7 @@ private:
     PlaneLook& lookOf(const Plane& plane) {
         return vista_->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
     }
-    bool countLayer();  // false where there is no room for one more
+    bool countLayer();  // false if the column has kMaxLayers already
 
     // ---- slice_cover.cpp
     void takeFloor(Border upTo);
@@ -146,9 +149,8 @@ private:
     Plane planeOf(const Block& block, Face face) const;
 
     // ---- slice_sides.cpp
-    // A point that lies on the border of two texels exactly may come out a rounding before it:
-    // positions are moved by this much of a tile, far less than a pixel and far more than a
-    // rounding.
+    // Rounding may put a point on the border of two texels just before it: positions are moved on
+    // by this part of a tile, far less than a pixel and far more than the rounding error.
     static constexpr double kSnap = 1.0 / 17179869184.0;
     static std::uint32_t fractionBits(double fraction) {
         constexpr double kEnd = 4294967295.0;  // of 1 << 32
@@ -165,11 +167,11 @@ private:
     void takeEnteredSide(const Block& block, int firstRow, int lastRow);
 
     // ---- slice_layers.cpp
-    // Water may lack faces.
+    // Faces of water may be missing.
     static bool isThere(const Block& block, Face face) {
         return block.blueprint->face(face).texture != kNoTexture;
     }
-    // Called at many places, and seldom: a copy at each would be loaded for nothing.
+    // Called at many places, but rarely: not inlined, to keep the program small.
     __attribute__((noinline)) const CellBlueprint* joinedAt(const Block& block, const Map& map,
                                                             int x, int y, int level) const;
     const CellBlueprint* joinedBefore(const Block& block) const;
@@ -248,11 +250,11 @@ private:
     OpenRows& open_;
     FrameReport& report_;
 
-    // Of the slice:
+    // Of the slice
     int column_ = 0;
     ColumnSpans* found_ = nullptr;
 
-    // Of the part of it that is walked, in the coordinates of the part's map (see vista.h):
+    // Of its present part, in the coordinates of the part's map (see vista.h)
     Vista* vista_ = nullptr;
     const Map* map_ = nullptr;
     const Projection* projection_ = nullptr;
@@ -265,32 +267,31 @@ private:
     double eyeHeight_ = 0.0;      // the same in units
     std::int32_t floorRise_ = 0;  // 1/65536 units above the eye
     std::int32_t ceilingRise_ = 0;
-    std::uint32_t levelsToEye_ = 0;  // a bit for each level that begins at or below the eye
-    const TextureId* ceilingTiles_ = nullptr;  // null where no ceiling can be met
+    std::uint32_t levelsToEye_ = 0;  // a bit for each level that starts at or below the eye
+    const TextureId* ceilingTiles_ = nullptr;  // null if no ceiling can be met
     int floorMirror_ = 0;                      // strength
     bool hasTilePortals_ = false;
     HeightClip clip_;
     bool clipped_ = false;
-    int part_ = 0;     // its number
+    int part_ = 0;     // index of the part
     int portals_ = 0;  // passed so far
-    int startX_ = 0;   // the tile in which it began
+    int startX_ = 0;   // the tile where the part starts
     int startY_ = 0;
-    int tiles_ = 0;  // that it has come through
+    int tiles_ = 0;  // tiles of the part so far
     bool endsInPortal_ = false;
     Before before_;
 
     GridWalk walk_;
     TileRange here_;  // the current tile
-    Crossing enter_;  // how the current tile was entered
-    Crossing leave_;  // and how it will be left; where objects stand in it, the stretch between two
-                      // of them
+    Crossing enter_;  // how the current tile, or the stretch after an object in it, was entered
+    Crossing leave_;  // how it will be left: through its border, or at the next object
     const int* object_ = nullptr;  // the next object that covers the column
     const int* objectsEnd_ = nullptr;
-    SideView enteredSide_;  // worked out where a side is seen
+    SideView enteredSide_;  // only valid if enteredSideKnown_
     bool enteredSideKnown_ = false;
-    std::uint32_t reached_ = 0;  // its levels whose blocks an open row may meet
+    std::uint32_t reached_ = 0;  // levels of the current tile whose blocks an open row may meet
     Cover floor_;
-    std::size_t floorSpan_ = kNone;  // the last one of this part
+    std::size_t floorSpan_ = kNone;  // the last floor span of this part
     Cover ceiling_;
 };
 

@@ -23,7 +23,7 @@ inline V highPairs(V a, V b) {
 #endif
 }
 
-// Four rows of four columns: element r of column c goes to element c of row r.
+// Transposes four columns of four rows: element r of column c goes to element c of row r.
 inline void transposeFour(const Pixel* columns, std::ptrdiff_t stride, Pixel* rows,
                           std::ptrdiff_t pitch) {
     const auto a = loadVector<U32x4>(columns);
@@ -40,8 +40,8 @@ inline void transposeFour(const Pixel* columns, std::ptrdiff_t stride, Pixel* ro
     storeVector(rows + 3 * pitch, highPairs(acHigh, bdHigh));
 }
 
-// All whole groups of four rows of a full strip; returns how many rows those are. A function of its
-// own, called often, so that engines of WebAssembly compile it well.
+// Transposes all whole groups of four rows of a full strip; returns the number of these rows. A
+// function of its own, called often, so that WebAssembly engines compile it well.
 __attribute__((noinline)) int transposeRows(const Pixel* strip, std::ptrdiff_t stride, int height,
                                             Pixel* row, std::ptrdiff_t pitch) {
     static_assert(kStripColumns == 16);
@@ -68,7 +68,7 @@ __attribute__((noinline)) int transposeRows(const Pixel* strip, std::ptrdiff_t s
 
 void Strip::resize(int height) {
     height_ = height;
-    // An odd number of cache lines, so that neighbouring columns never fall on the same cache sets.
+    // An odd number of cache lines, so that neighbouring columns never fall on the same cache sets
     const int lines = (height + 15) / 16;
     stride_ = 16 * (lines | 1);
     pixels_.resize(static_cast<std::size_t>(stride_) * kStripColumns);

@@ -1,8 +1,9 @@
-// A strip of slices, column after column in memory that stays in the cache, and its way into the
-// rows of a picture.
+// A strip of slices: columns in memory that stays in the cache, and their transfer into the rows of
+// a picture.
 //
-// Columns written straight into a picture whose rows are a few kilobytes apart fall on a handful of
+// Columns written directly into a picture whose rows are a few kilobytes apart fall on a handful of
 // cache sets and cost five to ten times as much; a strip of 16 columns is one cache line of each
+// row.
 // row.
 #pragma once
 
@@ -16,14 +17,14 @@ inline constexpr int kStripColumns = 16;
 
 class Strip {
 public:
-    // Room for columns of `height` rows.
+    // Allocates columns of `height` rows.
     void resize(int height);
 
     Pixel* column(int index) {
         return pixels_.data() + static_cast<std::ptrdiff_t>(index) * stride_;
     }
 
-    // Writes the first `columns` columns into the picture, from column `x` on.
+    // Writes the first `columns` columns into the picture, starting at column `x`.
     void copyTo(const Picture& picture, int x, int columns) const;
 
 private:

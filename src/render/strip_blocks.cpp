@@ -1,4 +1,4 @@
-// What a tile holds, projected and closed for all columns of a strip that come through it.
+// Projects the contents of a tile and closes its rows, for all columns of a strip that pass it.
 #include "render/strip_walk.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 
 }  // namespace
 
-// The blocks of the current tile, from below; false where one of them is not met together. A mirror
-// cuts off what is below it. Where a block stands on a mirror nothing of that mirror is seen, so no
-// ray comes into a block from below.
+// Finds the blocks of the current tile, from below; false if the columns cannot meet one of them
+// together. A mirror cuts off everything below it; no ray enters a block from below, because a
+// mirror under a block is invisible.
 bool StripWalk::findBlocks(std::uint32_t reached) {
     const SliceWalk& any = this->any();
     blocks_ = 0;
@@ -37,7 +37,7 @@ void StripWalk::meet(unsigned bits, TextureId floor, TextureId ceiling) {
     changeCover(floor, blocks_ > 0 ? kNoTexture : ceiling);
     if (blocks_ == 0) return;
     report_.blocksMet += static_cast<std::int64_t>(blocks_) * std::popcount(bits);
-    // What lies before the tile; it closes the rows below those of blocks on the floor.
+    // The floor before the tile; it closes the rows below those of blocks on the floor
     takeFloor(mask_, Border::enter);
     meetFalling(ceiling);
     meetRising(ceiling);
@@ -45,7 +45,7 @@ void StripWalk::meet(unsigned bits, TextureId floor, TextureId ceiling) {
 }
 
 void StripWalk::findPerRaw() {
-    // At no distance, or behind the eye, no column comes through.
+    // At distance 0 or less, no column enters
     const auto per = [](double distance) {
         return distance > 0.0 ? 1.0 / (65536.0 * distance) : 0.0;
     };
@@ -71,7 +71,7 @@ void StripWalk::findPerRaw() {
     viewsKnown_ = false;
 }
 
-// The same as firstRowBelow, for all columns that come through the tile.
+// The same as firstRowBelow, for all columns that pass the tile.
 Lanes StripWalk::rowsBelow(std::int32_t rise, Border at) const {
     constexpr double kMagic = 103079215104.0;  // see firstRowBelow
     const double* const perRaw = (at == Border::enter ? entered_ : left_).data();
@@ -101,7 +101,7 @@ Lanes StripWalk::exactRows(Lanes rows, unsigned bits, std::int32_t rise, Border 
     return values.lanes();
 }
 
-// As GridWalk tells it.
+// The same as GridWalk's crossing.
 Crossing StripWalk::crossingOf(int lane, Border at) const {
     const auto i = static_cast<std::size_t>(lane);
     const bool entering = at == Border::enter;
@@ -114,8 +114,7 @@ Crossing StripWalk::crossingOf(int lane, Border at) const {
     return {distance / speed, distance, speed, rowsPerRaw, alongU == alongX_, nearing, nearing};
 }
 
-// Where floor or ceiling change, what has come so far ends at the border: the ceiling before the
-// floor.
+// Where floor or ceiling changes, its run ends at the border: the ceiling's before the floor's.
 void StripWalk::changeCover(TextureId floor, TextureId ceiling) {
     const Lanes otherFloor = mask_ & ~(floor_.lanes() == inAllLanes(floor));
     const Lanes changed = otherFloor | (mask_ & ~(ceiling_.lanes() == inAllLanes(ceiling)));
@@ -172,7 +171,7 @@ void StripWalk::startCeiling(Lanes mask, TextureId texture, Lanes rows) {
     ceilingFromV_ = LaneValues(chosen(mask, inAllLanes(v_), ceilingFromV_.lanes()));
 }
 
-// Ends the ceilings of some columns at a border, of which `rows` are theirs.
+// Ends the ceilings of some columns at a border; `rows` are the ceiling's rows there.
 void StripWalk::takeCeiling(Lanes mask, Lanes rows, Border at) {
     const SliceWalk& any = this->any();
     const Lanes there = mask & ~(ceiling_.lanes() == inAllLanes(kNoTexture));
@@ -212,7 +211,7 @@ void StripWalk::takeCeilingHere(TextureId texture) {
     ceiling_ = LaneValues(chosen(mask_, inAllLanes(kNoTexture), ceiling_.lanes()));
 }
 
-// See SliceWalk::meetFalling; here all blocks are plain and none is where the eye is.
+// See SliceWalk::meetFalling; here all blocks are plain and none contains the eye.
 void StripWalk::meetFalling(TextureId ceiling) {
     const SliceWalk& any = this->any();
     bool ceilingToCome = ceiling != kNoTexture && any.ceilingRise_ < 0;
@@ -280,7 +279,7 @@ void StripWalk::takeSide(const Block& block, Lanes first, Lanes last) {
     }
 }
 
-// As SliceWalk::sideView does it.
+// The same as SliceWalk::sideView.
 void StripWalk::findViews() {
     viewsKnown_ = true;
     const Lighting& lighting = any().vista_->lighting;
@@ -302,7 +301,7 @@ void StripWalk::findViews() {
     });
 }
 
-// The roof or the underside.
+// Closes the rows of a roof or an underside.
 void StripWalk::takeFace(const Block& block, Face face, Lanes first, Lanes last) {
     PlaneLook* look = nullptr;
     const TileRange here = {tileX(v_), tileY(v_), tileX(v_), tileY(v_), false};

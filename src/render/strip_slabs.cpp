@@ -1,4 +1,4 @@
-// Through which tiles of a slab the columns of a strip come, and over how many slabs they can pass.
+// Finds which tiles of a slab the columns of a strip pass, and how many slabs they can skip.
 #include "render/strip_walk.h"
 
 #include <algorithm>
@@ -8,12 +8,13 @@
 namespace slicecast {
 namespace {
 
-// A point so near to a border may lie on the other side of it by its roundings; units.
+// Rounding may put a point this close to a border on the other side of it; units.
 constexpr double kNearBorder = 1e-7;
 
 }  // namespace
 
-// Where the columns leave the slab. Those between the two outer ones do not go beyond these.
+// Finds the tiles in which the columns leave the slab. The inner columns are between the two outer
+// ones.
 void StripWalk::findFarTiles() {
     constexpr int kLast = kLanes - 1;
     const auto at = [&](int i) { return fractionV_ + far_ * slope_[indexOf(i)]; };
@@ -33,8 +34,8 @@ void StripWalk::findFarTiles() {
     }
 }
 
-// Near a border along v the order of the crossings decides, as it does in GridWalk: `v` lies at
-// that border or beside it, from the eye's tile on.
+// Close to a border along v the order of the crossings decides, as in GridWalk. `v` is at or near
+// that border, relative to the eye's tile.
 int StripWalk::farTile(int lane, double v) const {
     const auto border = static_cast<int>(std::floor(v + 0.5));
     const int step = stepV_[indexOf(lane)];
@@ -47,7 +48,7 @@ int StripWalk::farTile(int lane, double v) const {
     return step > 0 ? border - !isCrossed : border - isCrossed;
 }
 
-// On over slabs of the grid in which no column meets anything, if there are some.
+// Skips slabs of the grid in which no column meets anything. False if there are none.
 bool StripWalk::passOpenLand() {
     if (map_->openLand.empty() || onlyFloor_ != map_->floor.texture || onlyCeiling_ != kNoTexture)
         return false;

@@ -57,8 +57,8 @@ void StripWalk::find(int first, int count) {
     });
 }
 
-// How the columns go through the map. False where they do not go one way: where they are few and
-// wide, or the eye stands outside the grid.
+// Finds how the columns cross the map. False if their directions differ too much (few and wide
+// columns), or the eye is outside the grid; then they cannot walk together.
 bool StripWalk::aim(int first, int count) {
     const Vista& vista = frame_.vistas.ofEye();
     const Viewpoint& eye = vista.viewpoint;
@@ -94,7 +94,7 @@ bool StripWalk::aim(int first, int count) {
     return true;
 }
 
-// The columns in `bits` from the eye's tile on, all by one vista, to the ends of their parts.
+// Walks the columns in `bits` from the eye's tile, all in one vista, to the ends of their parts.
 void StripWalk::walk(unsigned bits) {
     any_ = __builtin_ctz(bits);
     projection_ = any().projection_;
@@ -139,7 +139,7 @@ void StripWalk::walkSlab() {
     if (lowest != least || highest != most) leaveGridSideways();
 }
 
-// Columns that leave the grid within the slab: their last tile is the grid's outermost one.
+// Columns that leave the grid within the slab: their last tile is the outermost one of the grid.
 void StripWalk::leaveGridSideways() {
     unsigned bits = 0;
     eachLane(open_.live(), [&](int i) {
@@ -151,12 +151,12 @@ void StripWalk::leaveGridSideways() {
     goAlone(bits);
 }
 
-// Whether nothing can be met there but the floor and the sky: see SliceWalk::whereToStop.
+// Whether only the floor and the sky can be met from there on: see SliceWalk::whereToStop.
 bool StripWalk::isBeyond(double along) const {
     return along > any().whereToStop(open_.first(), open_.last());
 }
 
-// The rest of the way of some columns, each by itself, from where they leave the slab.
+// Walks the rest of some columns one by one, from where they leave the slab.
 void StripWalk::goAlone(unsigned bits) {
     eachLane(bits, [&](int i) {
         comeTo(i, farV_.at[i]);
@@ -166,7 +166,7 @@ void StripWalk::goAlone(unsigned bits) {
     open_.findEnds();
 }
 
-// A tile of the slab.
+// Visits a tile of the slab.
 void StripWalk::visit(int v) {
     const SliceWalk& any = this->any();
     const std::size_t tile = map_->tileIndex(tileX(v), tileY(v));
@@ -208,13 +208,13 @@ void StripWalk::visit(int v) {
     noticeChange(live);
 }
 
-// Whether some columns enter the tile at no distance.
+// Whether some columns enter the tile at distance 0.
 bool StripWalk::isAtEye(unsigned bits) const {
     const unsigned alongU = bitsOf(enteredAlongU_) & bits;
     return (alongU != 0 && near_ <= 0.0) || (alongU != bits && enteredV_ <= 0.0);
 }
 
-// The columns with open rows that come through a tile of the slab, and how.
+// Finds the columns with open rows that pass a tile of the slab, and how.
 unsigned StripWalk::crossing(int v) {
     v_ = v;
     enteredV_ = v > eyeV_ ? v - eyeV_ - fractionV_ : fractionV_ + (eyeV_ - v - 1);
@@ -230,7 +230,7 @@ unsigned StripWalk::crossing(int v) {
     return open_.live() & ~bitsOf((tile < lesser(near, far)) | (greater(near, far) < tile));
 }
 
-// Those of them that pass an object there.
+// Those of the columns that pass an object in the tile.
 unsigned StripWalk::withObjects(unsigned bits) {
     unsigned found = 0;
     eachLane(bits, [&](int i) {
@@ -239,7 +239,7 @@ unsigned StripWalk::withObjects(unsigned bits) {
     return found;
 }
 
-// What the current tile holds, each column by itself.
+// Meets the contents of the current tile, column by column.
 void StripWalk::meetAlone(unsigned bits) {
     coverChanged_ = true;
     eachLane(bits, [&](int i) {
@@ -257,7 +257,7 @@ void StripWalk::meetAlone(unsigned bits) {
     });
 }
 
-// Brings a column's own walk to a tile of the slab, with all that the column has come over.
+// Brings a column's own walk to a tile of the slab, with its runs of floor and ceiling.
 void StripWalk::comeTo(int i, int v) {
     SliceWalk& walk = lane(i);
     open_.write(i);
@@ -273,7 +273,7 @@ void StripWalk::comeTo(int i, int v) {
     walk.ceiling_.row = ceilingRow_.at[i];
 }
 
-// A way's tiles follow from where it is.
+// Counts a column's tiles, which follow from its position.
 void StripWalk::countTiles(int i, int v) {
     SliceWalk& walk = lane(i);
     const int tiles = std::abs(u_ - eyeU_) + std::abs(v - eyeV_) + 1;
@@ -281,7 +281,7 @@ void StripWalk::countTiles(int i, int v) {
     walk.tiles_ = tiles;
 }
 
-// After a tile: `live` were the columns with open rows before.
+// Updates the state after a tile; `live` were the columns with open rows before.
 void StripWalk::noticeChange(unsigned live) {
     open_.findEnds();
     eachLane(live & ~open_.live(), [&](int i) {

@@ -1,22 +1,22 @@
-// The walk of a strip's 16 columns together: each tile of the eye's map is looked at once, front to
-// back, for all columns that come through it.
+// The walk of a strip's 16 columns together: each tile of the eye's map is examined once, front to
+// back, for all columns that pass it.
 //
-//      +---+---+---+---+        The rays run farther along the major axis, u, than along v. A
-//      |   |   | . |.  |  ^     slab is the tiles between two borders of u. Within it all
-//      |   | . |.' |   |  |     columns come through a few tiles beside each other. Tiles are
-//      | o:' ' |   |   |  v     looked at slab by slab, in a slab from the eye's row outward:
-//      +---+---+---+---+        for each column that is front to back.
+//      +---+---+---+---+        The rays run mostly along the major axis, u. A slab is the
+//      |   |   | . |.  |  ^     tiles between two borders of u. Within it the columns pass
+//      |   | . |.' |   |  |     a few neighbouring tiles. Tiles are examined slab by slab,
+//      | o:' ' |   |   |  v     and in a slab from the eye's row outward: for each column
+//      +---+---+---+---+        that is front to back.
 //        u -->
 //
-// What a tile holds is projected for all columns at once, and open rows are closed in all at once.
-// What is rare in it (see-through blocks, portals, objects, mirrors in roofs, the eye's own tile)
-// each column meets by itself, by the walk of slice_walk.h. What mirrors show of the eye's map is
-// walked together, too. What is not to be copied to each of its calls, for the program's size, is
-// marked noinline.
+// The contents of a tile are projected for all columns at once, and open rows are closed for all at
+// once. For rare contents (see-through blocks, portals, objects, mirrors in roofs, the eye's own
+// tile) each column goes by itself, by the walk of slice_walk.h. Mirrored parts of the eye's map
+// are walked together, too. Functions marked noinline are not copied to each call, to keep the
+// program small.
 //
 // strip_walk.cpp      from tile to tile
-// strip_slabs.cpp     which columns come through which tiles
-// strip_blocks.cpp    what a tile holds
+// strip_slabs.cpp     which columns pass which tiles
+// strip_blocks.cpp    the contents of a tile
 #pragma once
 
 #include "render/open_lanes.h"
@@ -30,7 +30,7 @@
 
 namespace slicecast {
 
-// Memory that is kept from strip to strip, and from frame to frame.
+// Memory kept from strip to strip and from frame to frame.
 struct StripScratch {
     OpenLanes::Scratch open;
     std::array<SliceSpans, kLanes> found;
@@ -38,11 +38,11 @@ struct StripScratch {
 
 class StripWalk {
 public:
-    // All outlive the walk.
+    // All must outlive the walk.
     StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report);
 
-    // What all rows of the columns [first, first + count) show, 1 to 16 of them, into the first
-    // ones of scratch.found.
+    // Finds what all rows of the columns [first, first + count) show, 1 to 16 of them; writes the
+    // first elements of scratch.found.
     void find(int first, int count);
 
 private:
@@ -51,7 +51,7 @@ private:
     using Pass = SliceWalk::Pass;
     using What = FilledRows::What;
 
-    // One for each column.
+    // One number for each column.
     struct LaneDoubles {
         alignas(16) std::array<double, kLanes> at;
         double& operator[](std::size_t i) { return at[i]; }
@@ -104,7 +104,7 @@ private:
     __attribute__((noinline)) void findViews();
     void takeFace(const Block& block, Face face, Lanes first, Lanes last);
 
-    // One of the columns that walk together, for what they have in common.
+    // One of the columns that walk together, for values that they share.
     const SliceWalk& any() const { return lanes_[static_cast<std::size_t>(any_)]; }
     SliceWalk& lane(int index) { return lanes_[static_cast<std::size_t>(index)]; }
     int tileX(int v) const { return alongX_ ? u_ : v; }
@@ -116,7 +116,7 @@ private:
     OpenLanes open_;
     std::array<SliceWalk, kLanes> lanes_;
 
-    // Of the strip:
+    // Of the strip
     const Map* map_ = nullptr;
     bool alongX_ = false;  // the major axis, u, is x
     int stepU_ = 1;
@@ -129,39 +129,39 @@ private:
     LaneDoubles speedU_;  // see Crossing
     LaneDoubles speedV_;
     LaneDoubles rayV_;   // the rays' direction along v
-    LaneDoubles slope_;  // v for each u, positive or negative
+    LaneDoubles slope_;  // v per u, with sign
     std::array<int, kLanes> stepV_;
-    Lanes stepsV_;            // the same
-    double alongPerU_ = 0.0;  // least and greatest `along` for each unit of u
+    Lanes stepsV_;            // the same as lanes
+    double alongPerU_ = 0.0;  // least and greatest `along` per unit of u
     double alongPerUMost_ = 0.0;
 
-    // Of the walk, over the map or as a mirror shows it:
-    int any_ = 0;  // one of its columns
+    // Of the walk, which is over the map or its reflection
+    int any_ = 0;  // one of the walk's columns
     const Projection* projection_ = nullptr;
 
-    // Of the slab:
+    // Of the slab
     int u_ = 0;
-    double near_ = 0.0;  // distance of its borders from the eye, units
+    double near_ = 0.0;  // distances of its borders from the eye, units
     double far_ = 0.0;
-    LaneValues nearV_;  // the tiles in which columns come into it and leave it
+    LaneValues nearV_;  // the tiles in which columns enter and leave it
     LaneValues farV_;
-    bool isWhole_ = false;     // all columns come through one tile of it
-    bool slabIsOpen_ = false;  // nothing was met in it so far, or in the one before
+    bool isWhole_ = false;     // all columns stay in one tile of it
+    bool slabIsOpen_ = false;  // nothing was met in this slab so far, nor in the last one
 
-    // Of the tile:
+    // Of the tile
     int v_ = 0;
-    double enteredV_ = 0.0;  // distance of its border along v through which columns enter
-    Lanes mask_;             // columns that come through it
-    Lanes enteredAlongU_;    // of those
-    Lanes leftAlongU_;
-    LaneDoubles entered_;  // rows that a height of 1/65536 unit takes at its borders
+    double enteredV_ = 0.0;  // distance of the border along v through which columns enter, units
+    Lanes mask_;             // columns that pass it
+    Lanes enteredAlongU_;    // which of them enter along u
+    Lanes leftAlongU_;       // and which leave along u
+    LaneDoubles entered_;    // rows per 1/65536 unit of height at its borders
     LaneDoubles left_;
     bool viewsKnown_ = false;
-    std::array<SliceWalk::SideView, kLanes> views_;  // of its sides, if they are known
+    std::array<SliceWalk::SideView, kLanes> views_;  // of its sides, valid if viewsKnown_
     std::array<Block, kMaxLevels> block_;
     std::size_t blocks_ = 0;
 
-    // What the columns have come over.
+    // The runs of floor and ceiling under and above the columns
     LaneValues floor_;  // texture
     LaneValues floorFromU_;
     LaneValues floorFromV_;
@@ -169,10 +169,10 @@ private:
     LaneValues ceilingRow_;
     LaneValues ceilingFromU_;
     LaneValues ceilingFromV_;
-    bool coverChanged_ = false;  // since these were found:
+    bool coverChanged_ = false;  // since the three following were found
     int onlyFloor_ = 0;          // texture of all columns, or -1
     int onlyCeiling_ = 0;
-    double nextObject_ = 0.0;  // `along` of the nearest object that is not met yet
+    double nextObject_ = 0.0;  // `along` of the nearest object that has not been met
 };
 
 }  // namespace slicecast

@@ -1,4 +1,4 @@
-// See-through sides and objects cut into what blends, what is opaque, and holes.
+// Cuts see-through sides and objects into blended rows, opaque rows and holes.
 #pragma once
 
 #include "render/column_fill.h"
@@ -10,11 +10,11 @@
 namespace slicecast {
 
 // Cuts the rows [first, last) of a column of texels, whose runs begin with `run`. Calls add(column,
-// first, last, true) for those that blend and add(column, first, last, false) for those that are
-// opaque, in order; holes are left out. Each column begins with the first of its rows.
+// first, last, true) for blended and add(column, first, last, false) for opaque rows, in order;
+// leaves out holes. Each column starts at the first of its rows.
 template <typename Add>
 void cutTexels(const TexelColumn& column, const TexelRun* run, int first, int last, Add&& add) {
-    // Pieces have their cost, too: so many rows are worth one, and so many a look.
+    // The fewest rows for which a piece of its own, and the search, are worth their cost
     constexpr int kWorthAPiece = 12;
     constexpr int kWorthALook = 32;
     if (last - first < kWorthALook) return add(column, first, last, true);
@@ -24,7 +24,7 @@ void cutTexels(const TexelColumn& column, const TexelRun* run, int first, int la
         add(piece, from, to, layer);
     };
     const auto count = static_cast<std::uint64_t>(last - first);
-    int blended = first;  // the first row that blends, or is not worth a piece of its own
+    int blended = first;  // the first row that is blended or in too short a run
     for (int row = first; row < last; ++run) {
         const std::uint64_t border = std::uint64_t{run->end} << column.shift;
         if (border <= column.start) continue;

@@ -1,4 +1,4 @@
-// What the renderer met on its way, as plain data for inspectors and lessons.
+// What the renderer met, as plain data for inspectors and lessons.
 #pragma once
 
 #include "base/coordinate.h"
@@ -11,17 +11,17 @@
 
 namespace slicecast {
 
-// The texel that one row shows, and in what light.
+// The texel that one row shows, and its light.
 struct TracedTexel {
     double depth = 0.0;  // perpendicular depth t, units
     int detail = 0;      // level of detail m
-    int u = 0;  // which texel of that level, from the left and from the top as its picture is seen
+    int u = 0;           // in that level, from the left and from the top of its picture
     int v = 0;
     std::uint32_t light = 0;  // q, 0 to 256
     std::uint32_t fog = 0;    // weight, 0 to 255
 };
 
-// A texture of 1024 texels a side has so many levels.
+// The levels of a texture with 1024 texels a side.
 inline constexpr int kMostDetails = 11;
 
 // Rows [first, last) of a slice that one face, plane or object filled.
@@ -32,32 +32,30 @@ struct FilledRows {
     int first = 0;
     int last = 0;
     int map = 0;
-    int portals = 0;     // that the rays had passed before
-    int hit = -1;        // whose block it is: index into SliceTrace::hits; of what is no block, -1
+    int portals = 0;     // passed by the rays before it
+    int hit = -1;        // index of its block in SliceTrace::hits; -1 if it is not of a block
     int object = -1;     // index into SliceTrace::objects
-    int begun = 0;       // of the classic method: its place before it was sorted by depth
-    bool layer = false;  // laid over what is behind, which is told too
-    TextureId texture = kNoTexture;  // or the sprite's number; none for the sky and haze
-    TracedTexel top = {};            // of the first row, where there is a texture
+    int begun = 0;       // classic method: its position before sorting by depth
+    bool layer = false;  // blended over the background, which is listed too
+    TextureId texture = kNoTexture;  // or the sprite's number; none for sky and haze
+    TracedTexel top = {};            // of the first row, if there is a texture
     TracedTexel bottom = {};         // of the last row
-    std::array<std::uint16_t, kMostDetails> rowsOfDetail =
-        {};  // how many rows show each level of detail
+    std::array<std::uint16_t, kMostDetails> rowsOfDetail = {};  // number of rows by level of detail
 };
 
-// A block that a slice's ground line passes, whether or not any of it is seen. Rows are real
-// numbers: row r's centre is r + 0.5, and rows grow downwards. "Front" is where the line enters the
-// block's tile, "back" where it leaves it. In the eye's own tile the front depth is 0 and the front
-// rows are infinite.
+// A block that a slice's ground line passes, seen or not. Rows are real numbers: row r's centre is
+// r + 0.5, and rows grow downwards. "Front" is where the line enters the block's tile, "back" where
+// it leaves it. In the eye's own tile the front depth is 0 and the front rows are infinite.
 struct Hit {
     int map = 0;
-    int portals = 0;  // that the line has passed before
+    int portals = 0;  // passed by the line before it
     int tileX = 0;
     int tileY = 0;
     int level = 0;
     BlueprintId blueprint = kEmptyCell;
-    bool entered = false;     // false in the eye's own tile, where the line starts inside
-    Face face = Face::north;  // through which the line enters, if it does
-    double x = 0.0;           // world point where the line enters the tile, units
+    bool entered = false;     // false in the eye's own tile, where the line starts
+    Face face = Face::north;  // that the line enters, if `entered`
+    double x = 0.0;           // world point at the entry of the tile, units
     double y = 0.0;
     double rawDepth = 0.0;   // distance from the eye to that point along the ground
     double depth = 0.0;      // perpendicular depth t of that point
@@ -68,33 +66,31 @@ struct Hit {
     double bottomFrontRow = 0.0;
     double topBackRow = 0.0;
     double bottomBackRow = 0.0;
-    std::vector<FilledRows> filled;  // what was seen of it, from the top
+    std::vector<FilledRows> filled;  // its visible rows, from the top
 };
 
-// One tile that the walk entered. The walk counts in `along`, the share of the ray's direction
-// (SliceTrace::ray times the distance to the projection plane) that lies behind: along = distance /
-// speed, depth = along * projectionDistance. The tile is left by whichever of the two borders ahead
-// comes first.
+// One tile that the walk entered. The walk measures distance by `along`, in multiples of the ray's
+// direction (SliceTrace::ray times the distance to the projection plane): along = distance / speed,
+// depth = along * projectionDistance. The nearer of the two borders ahead leads on.
 struct WalkedTile {
     int map = 0;
     int x = 0;
     int y = 0;
-    double depth = 0.0;    // perpendicular depth on entering
-    int portals = 0;       // that the line has passed before
-    bool entered = false;  // false in the tile in which a walk begins
+    double depth = 0.0;    // perpendicular, at the entry
+    int portals = 0;       // passed by the line before it
+    bool entered = false;  // false in the tile where a walk starts
     bool alongX = false;   // entered through a border of constant x
     double along = 0.0;
-    double distance = 0.0;  // of that border from the eye, along its axis, units
+    double distance = 0.0;  // from the eye to the border, along its axis, units
     double speed = 1.0;     // size of the ray's direction on that axis
-    double nextX = 0.0;     // `along` of the next border of constant x, infinite if there is none
+    double nextX = 0.0;     // `along` of the next border of constant x, infinite for none
     double nextY = 0.0;
 };
 
-// An object that a slice shows, and the rows [first, last) in which it is seen through its holes or
-// not.
+// An object that a slice shows, and the rows [first, last) that it covers, holes included.
 struct SeenObject {
     int map = 0;
-    int portals = 0;  // that the rays had passed before
+    int portals = 0;  // passed by the rays before it
     int object = 0;   // index into Map::objects
     double depth = 0.0;
     int first = 0;
@@ -104,14 +100,14 @@ struct SeenObject {
 // Rows [first, last) of a slice whose rays went through a portal.
 struct PassedPortal {
     PortalId portal = kNoPortal;
-    int portals = 0;     // that the rays had passed before
-    double depth = 0.0;  // perpendicular depth of the tile's border; of what falls or rises through
-                         // a roof or an underside, where the line enters the tile
+    int portals = 0;     // passed by the rays before it
+    double depth = 0.0;  // perpendicular depth of the tile's border; for a roof or an underside,
+                         // where the line enters the tile
     int first = 0;
     int last = 0;
 };
 
-// Rows [first, last) of a slice that show something in a mirror.
+// Rows [first, last) of a slice that reflect something.
 struct MirroredRows {
     int map = 0;
     int strength = 0;   // 1 to 255
@@ -120,19 +116,19 @@ struct MirroredRows {
     int last = 0;
 };
 
-// What the ray of the watched row meets: a run of rows that holds it, and the point of it there.
+// What the ray of the watched row meets: a run of rows, and the point seen.
 struct SeenPoint {
     int run = 0;             // index into SliceTrace::filled
-    TracedTexel texel = {};  // where there is a texture; else its depth is infinite
-    double x = 0.0;          // of the run's map, units; of no meaning where there is no texture
+    TracedTexel texel = {};  // depth is infinite if there is no texture
+    double x = 0.0;          // in the run's map, units; undefined without a texture
     double y = 0.0;
     double z = 0.0;
 };
 
-// Everything that one slice did, in the order in which it happened.
+// Everything that one slice did, in order.
 struct SliceTrace {
-    int watchedRow = -1;         // asked for: the row of which `seen` tells; -1 for none
-    bool asksReflection = true;  // asked for: what mirrors show
+    int watchedRow = -1;         // input: the row for `seen`; -1 for none
+    bool asksReflection = true;  // input: whether to trace what mirrors show
     int column = 0;
     double rayX = 0.0;  // the ground direction per unit of perpendicular depth
     double rayY = 0.0;
@@ -140,16 +136,16 @@ struct SliceTrace {
     double projectionDistance = 0.0;  // pixels
     std::vector<WalkedTile> tiles;
     std::vector<Hit> hits;
-    std::vector<FilledRows> filled;  // all, in the order in which they were met
+    std::vector<FilledRows> filled;  // all, front to back
     std::vector<FilledRows> planes;  // those of floor, ceiling, sky and haze
     std::vector<SeenObject> objects;
     std::vector<PassedPortal> portals;
     std::vector<MirroredRows> mirrors;
-    std::vector<SliceTrace> reflection;  // one, of what is seen in them, if there are any; its rows
-                                         // are those of the picture
-    std::vector<SeenPoint> seen;         // front to back: layers, then what lies behind them
+    std::vector<SliceTrace>
+        reflection;  // one element if there are mirrors: what they show, in rows of the picture
+    std::vector<SeenPoint> seen;  // front to back: layers, then the opaque rows behind
 
-    // Forgets all that is told; the memory is kept.
+    // Empties the results; keeps the memory.
     void clear() {
         tiles.clear();
         hits.clear();
@@ -167,17 +163,17 @@ struct SliceTrace {
 struct FrameReport {
     std::int64_t tilesWalked = 0;
     std::int64_t blocksMet = 0;           // blocks whose rows were looked at
-    std::int64_t spansDrawn = 0;          // runs of rows that were filled
-    std::int64_t partsBehindPortals = 0;  // walks that went on behind a portal
-    int deepestPortal = 0;                // portals passed by one ray, at most
+    std::int64_t spansDrawn = 0;          // runs of filled rows
+    std::int64_t partsBehindPortals = 0;  // walks that continued behind a portal
+    int deepestPortal = 0;                // most portals passed by one ray
     std::int64_t mirroredRows = 0;
-    std::int64_t layers = 0;        // runs of rows that were seen through, objects among them
-    std::int64_t objectSlices = 0;  // columns of objects that were drawn
-    // Rows of slices: each once, and again for each layer that is blended over it.
+    std::int64_t layers = 0;        // runs of see-through rows, including objects
+    std::int64_t objectSlices = 0;  // columns of objects drawn
+    // Rows of slices: each once, and again for each layer over it.
     std::int64_t rowsFilled = 0;
 };
 
-// Which column of a picture is traced.
+// The column of a picture to trace.
 struct ColumnRequest {
     int width = 0;  // of the picture, pixels
     int height = 0;
@@ -185,13 +181,13 @@ struct ColumnRequest {
     int watchedRow = -1;  // see SliceTrace
 };
 
-// The same for many columns, and how much of them is told.
+// The same for many columns.
 struct TraceRequest {
     int width = 0;  // of the picture, pixels
     int height = 0;
     std::span<const int> columns = {};
     int watchedRow = -1;      // see SliceTrace
-    bool reflections = true;  // without them there is less to find
+    bool reflections = true;  // false saves the work of tracing them
 };
 
 }  // namespace slicecast

@@ -1,6 +1,6 @@
-// Four pixels at a time, written once for all machines: the compilers' own vector types become SSE
-// on x86, NEON on ARM and SIMD128 in WebAssembly. Where a machine has none (kHasVectors is false)
-// only the scalar forms are used. Both do the same arithmetic, so their bytes are the same.
+// Four pixels at a time, written once for all machines: the compilers' vector types become SSE on
+// x86, NEON on ARM and SIMD128 in WebAssembly. Without vectors (kHasVectors is false) only the
+// scalar forms are used. Both do the same arithmetic, so they give the same bytes.
 #pragma once
 
 #include <cstdint>

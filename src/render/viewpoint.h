@@ -1,5 +1,5 @@
-// A place that rays come from, in the coordinates of the map that they are in: the eye's own, or
-// where the eye seems to be behind portals and in mirrors (see vista.h).
+// A place that rays come from, in the coordinates of their map: the eye, or where the eye appears
+// to be behind portals and in mirrors (see vista.h).
 #pragma once
 
 #include "render/projection.h"
@@ -10,10 +10,9 @@ namespace slicecast {
 
 // Where the eye's rays come from, in the coordinates of a map.
 struct Viewpoint {
-    int map = 0;   // index into World::maps
-    int turn = 0;  // quarter turns clockwise from the eye's map to this one
-    std::int64_t x =
-        0;  // 1/65536 units; behind portals it may be far outside of what a Coordinate holds
+    int map = 0;         // index into World::maps
+    int turn = 0;        // quarter turns clockwise from the eye's map to this one
+    std::int64_t x = 0;  // 1/65536 units; behind portals it may exceed a Coordinate
     std::int64_t y = 0;
     std::int32_t z = 0;  // may be below the floor
     bool upsideDown = false;
@@ -26,7 +25,7 @@ struct Viewpoint {
     friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };
 
-// A level direction turned clockwise by quarter turns.
+// A horizontal direction turned clockwise by quarter turns.
 inline GroundDirection turned(GroundDirection direction, int quarterTurns) {
     for (int i = 0; i < quarterTurns; ++i) direction = {-direction.y, direction.x};
     return direction;

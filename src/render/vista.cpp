@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kUnit = 65536;
 
-// 1 / |horizon - (row + 0.5)| by row.
+// Fills 1 / |horizon - (row + 0.5)| by row.
 void fillInverseOffsets(const Projection& projection, std::vector<double>& inverseOffsets) {
     inverseOffsets.resize(static_cast<std::size_t>(projection.height));
     for (int row = 0; row < projection.height; ++row) {
@@ -25,7 +25,7 @@ void fillInverseOffsets(const Projection& projection, std::vector<double>& inver
 }  // namespace
 
 Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
-    // Relative to the middle of the portal's tile, then from the middle of the exit tile.
+    // Relative to the middle of the portal's tile, then from the middle of the exit tile
     std::int64_t x = from.x - portal.fromX * kUnit - kUnit / 2;
     std::int64_t y = from.y - portal.fromY * kUnit - kUnit / 2;
     for (int i = 0; i < portal.turn; ++i) x = -std::exchange(y, x);
@@ -120,7 +120,7 @@ Vista& Vistas::find(const Viewpoint& from) {
                 from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
                                 : FrameRays{*projection_, inverseOffsets_.data()},
                 sameMap);
-    // The eye's own, which comes first, is asked for by all columns.
+    // The eye's own vista comes first, and all columns ask for its objects
     if (used_ == 1) vista.objects.findAll();
     return vista;
 }

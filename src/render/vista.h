@@ -1,17 +1,20 @@
-// A vista: a map as some rays of a frame see it. The eye's own map is one; what portals lead to is
-// laid on behind them, turned and shifted, and seen as if the eye stood there; what shows in a
-// mirror is seen from as far below it as the eye is above, upside down (see Projection::mirrored):
+// A vista: a map as some rays of a frame see it. The eye's own map is one. The map behind a portal
+// is laid on there, turned and shifted, and seen as if the eye were in it. A map in a mirror is
+// seen from as far below the mirror as the eye is above, upside down (see Projection::mirrored):
 //
-//         eye  o                          Beyond a mirror at height h a ray of slope s runs like one of slope -s that comes from height 2 h - z, and is the true one
-//               \     . reflected         where it is above h. So whatever is drawn of blocks can be drawn of reflections too.
+//         eye  o
+//               \     . reflected
 //      h  -------\---/------- mirror
 //                 \ /
 //                  X
 //                 /
 //     2 h - z    o
 //
+// Above a mirror at height h, a reflected ray of slope s runs like a ray of slope -s from height
+// 2 h - z. So reflections are drawn by the same code as everything else.
+//
 // All numbers here are in the coordinates of the map: eye, rays and heights are turned and shifted
-// into them, which rounds nothing.
+// into them without rounding.
 #pragma once
 
 #include "render/detail.h"
@@ -31,22 +34,22 @@
 
 namespace slicecast {
 
-// Where the eye seems to be for those who have come through a portal.
+// Where the eye appears to be for rays that have passed a portal.
 Viewpoint throughPortal(const Viewpoint& from, const Portal& portal);
 
-// How rays run over the rows of a picture, upright or upside down.
+// The rows of a picture, upright or upside down.
 struct FrameRays {
     const Projection& projection;
     const double* inverseOffsets;  // 1 / |horizon - (row + 0.5)| by row
 };
 
-// What all vistas of a frame have in common.
+// Values shared by all vistas of a frame.
 struct FrameView {
     const World* world = nullptr;
     const Eye* eye = nullptr;
     const RenderOptions* options = nullptr;
     Detail detail;
-    EyeWater water;  // that the eye is in
+    EyeWater water;  // around the eye
 };
 
 class Vista {
@@ -64,18 +67,18 @@ public:
     const double* inverseOffsets = nullptr;
     Lighting lighting;
     int firstFloorRow = 0;  // rows above it, down to the horizon, look beyond the map's `far`
-    double highest = 0.0;   // no block, no ceiling and no object lies higher, units
-    ObjectCells ownCells;   // filled in the first vista of a map
-    const ObjectCells* cells = nullptr;  // of the map
+    double highest = 0.0;   // no block, ceiling or object is higher, units
+    ObjectCells ownCells;   // filled only in the first vista of a map
+    const ObjectCells* cells = nullptr;  // of the map: its own or another vista's
     FrameObjects objects;
     PlaneLooks planeLooks;
     SkyRows skyRows;
 };
 
-// The vistas of a frame, found when first asked for. Their memory is kept from frame to frame.
+// The vistas of a frame, made when first needed. Memory is kept from frame to frame.
 class Vistas {
 public:
-    // Forgets all but the memory. What is given here must outlive the frame.
+    // Forgets all vistas; keeps their memory. The arguments must outlive the frame.
     void beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width,
                     int height);
 
@@ -87,7 +90,7 @@ public:
     Vista& mirrored(const Vista& from, std::int32_t height);
 
     const Projection& projection() const { return *projection_; }
-    // The most fog of each row, for an eye in water; else null.
+    // The fog limit of each row for an eye in water; else null.
     const std::uint8_t* waterFogs() const {
         return frame_.water.water != nullptr ? waterFogs_.data() : nullptr;
     }

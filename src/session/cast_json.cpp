@@ -50,11 +50,11 @@ void writePortal(Json& json, const World& world, const CastPortal& passed) {
     json.key("distance").number(passed.distance).endObject();
 }
 
-template <typename Json, typename Thing>
-void writeAll(Json& json, const World& world, const char* key, const std::vector<Thing>& things,
-              void (*writeOne)(Json&, const World&, const Thing&)) {
-    json.key(key).beginList(things.size());
-    for (const Thing& thing : things) writeOne(json, world, thing);
+template <typename Json, typename Item>
+void writeAll(Json& json, const World& world, const char* key, const std::vector<Item>& items,
+              void (*writeOne)(Json&, const World&, const Item&)) {
+    json.key(key).beginList(items.size());
+    for (const Item& item : items) writeOne(json, world, item);
     json.endList();
 }
 

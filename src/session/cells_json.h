@@ -1,13 +1,13 @@
 // The cells and blocks of a running world as JSON, for figures and editors.
 //
-//     cells         [ [ROW, ...], ... ]       for each level its rows, the north edge first, in the
+//     cells         [ [ROW, ...], ... ]       for each level its rows from north to south, in the
 //                                             characters of edit_cells.h
-//     blueprints    [ { "character", "name",  what the map's legend has, in its order
+//     blueprints    [ { "character", "name",  the map's legend, in its order
 //                       "bottom", "top",      heights above the level's base
 //                       "seeThrough", "moves", "gate",     true or false
 //                       "faces": { "north": { "texture",
-//                                             "colour",    its average, "#rrggbb"; null where all
-//                                                          of it is a hole
+//                                             "colour",    its average, "#rrggbb"; null if it has
+//                                                          no visible texel
 //                                             "light", "glow", "mirror" }, ... } } ]
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace slicecast {
 
-// The map exists.
+// The map must exist.
 std::string cellsJson(const World& world, int map);
 std::string blueprintsJson(const World& world, int map);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr char32_t kEmptyCharacter = U'.';
 
-// Blocks that move, open or have portals got blueprints of their own when the scene was loaded, of
+// When a scene is loaded, blocks that move, open or have portals get blueprints of their own with
 // the same name.
 char32_t characterOf(const World& world, const Map& map, BlueprintId id) {
     for (const LegendEntry& entry : map.legend) {
@@ -25,7 +25,7 @@ char32_t characterOf(const World& world, const Map& map, BlueprintId id) {
     return kEmptyCharacter;
 }
 
-// A mover has a blueprint on every level that it can reach: whether it is there at rest.
+// A mover has a blueprint on every level that it can reach. True if it stands on this one at rest.
 bool isAtRest(const World& world, const CellBlueprint& part, BlueprintId id, int level) {
     for (const Shaft& shaft : world.movers[static_cast<std::size_t>(part.mover)].shafts) {
         const int levels = shaft.lastLevel - shaft.firstLevel;
@@ -35,8 +35,8 @@ bool isAtRest(const World& world, const CellBlueprint& part, BlueprintId id, int
     return false;
 }
 
-// What keeps a blueprint where it is, or from being put anywhere; empty for a plain block.
-const char* whatHolds(const CellBlueprint& blueprint) {
+// The kind of a block that cannot be edited; empty for a plain block.
+const char* fixedKind(const CellBlueprint& blueprint) {
     if (blueprint.mover >= 0 || blueprint.motion >= 0) return "a block that moves";
     if (blueprint.gate >= 0) return "a gate";
     return blueprint.hasPortals ? "a block with a portal" : "";
@@ -101,13 +101,13 @@ std::string CellEdits::set(World& world, const CellAt& at, char32_t character) {
         blueprint = entry->blueprint;
     }
     const std::size_t cell = map.cellIndex(at.x, at.y, at.level);
-    const BlueprintId there = map.cells[cell];
-    for (const BlueprintId id : {there, blueprint}) {
-        const char* const held = whatHolds(world.blueprints[id]);
-        if (*held == '\0') continue;
-        return words("found ", held, ", \"", world.blueprints[id].name,
-                     id == there ? "\", in that cell" : "\", for that cell",
-                     ", expected a block that stands still, without portals: the others are made "
+    const BlueprintId current = map.cells[cell];
+    for (const BlueprintId id : {current, blueprint}) {
+        const char* const kind = fixedKind(world.blueprints[id]);
+        if (*kind == '\0') continue;
+        return words("found ", kind, ", \"", world.blueprints[id].name,
+                     id == current ? "\", in that cell" : "\", for that cell",
+                     ", expected a block that stands still, without portals: the others are set up "
                      "when the scene is loaded");
     }
 
@@ -115,7 +115,7 @@ std::string CellEdits::set(World& world, const CellAt& at, char32_t character) {
         edits_.begin(), edits_.end(), std::tie(at.map, cell),
         [](const Edit& edit, const auto& key) { return std::tie(edit.map, edit.cell) < key; });
     if (place == edits_.end() || place->map != at.map || place->cell != cell) {
-        if (blueprint != there) edits_.insert(place, {at.map, cell, at, there});
+        if (blueprint != current) edits_.insert(place, {at.map, cell, at, current});
     } else if (place->before == blueprint) {
         edits_.erase(place);
     }

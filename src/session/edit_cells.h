@@ -1,11 +1,11 @@
-// The cells of a running world as the characters of its scene, and what changes them.
+// Reads and changes the cells of a running world as the characters of its scene.
 //
-//     cellRow(world, map, level, y)                       "#..s#"; a cell that is empty is '.'
-//     edits.set(world, {map, level, x, y}, U'#');         "" on success, else what was wrong
-//     edits.undo(world);                                  every cell is again as the scene has it
+//     cellRow(world, map, level, y)                       "#..s#"; '.' is an empty cell
+//     edits.set(world, {map, level, x, y}, U'#');         "" on success, else a message
+//     edits.undo(world);                                  restores the scene's cells
 //
-// Characters are those of the map's legend; where two stand for the same block the first is given.
-// What moves is told where it stands at rest.
+// Characters are those of the map's legend; if two stand for the same block, the first is given.
+// Moving blocks appear where they stand at rest.
 #pragma once
 
 #include "world/world.h"
@@ -25,19 +25,19 @@ struct CellAt {
     int y = 0;
 };
 
-// The map and the level exist, and the row. UTF-8.
+// Map, level and row must exist. UTF-8.
 std::string cellRow(const World& world, int map, int level, int y);
 
 class CellEdits {
 public:
-    // Puts the block that a character stands for into a cell, or nothing for '.' and the space.
-    // Refused, with nothing changed: a place outside the map, a character that its legend lacks,
-    // and whatever was made when the scene was loaded: blocks that move, gates, and blocks with
-    // portals, where they are or where they would come.
+    // Puts the block of a character into a cell; '.' and the space empty it. Refuses, and changes
+    // nothing: a place outside the map, a character that its legend lacks, and blocks that are set
+    // up when the scene is loaded (those that move, gates, and those with portals), whether they
+    // are in the cell or would come into it.
     std::string set(World& world, const CellAt& at, char32_t character);
     void undo(World& world);
 
-    // Mixes in which cells differ from the scene's, and how.
+    // Hashes which cells differ from the scene's, and how.
     void addTo(Hash& hash, const World& world) const;
 
 private:

@@ -77,7 +77,8 @@ void writeView(Json& json, const Session& session, const std::string& sceneName,
 
 namespace {
 
-// Planes need no face: the kind says it. They name their map, as blocks do elsewhere.
+// Planes need no face, because the kind implies it; they name their map, which elsewhere the block
+// does.
 template <typename Json>
 void writeFilled(Json& json, const World& world, const std::vector<FilledRows>& filled,
                  bool arePlanes) {
@@ -180,12 +181,12 @@ void writeMirror(Json& json, const World& world, const MirroredRows& mirror) {
     json.endObject();
 }
 
-template <typename Json, typename Thing>
-void writeAll(Json& json, const World& world, const char* key, const std::vector<Thing>& things,
-              void (*writeOne)(Json&, const World&, const Thing&)) {
-    json.line(1).key(key).beginList(things.size());
-    for (const Thing& thing : things) writeOne(json.line(2), world, thing);
-    if (!things.empty()) json.line(1);
+template <typename Json, typename Item>
+void writeAll(Json& json, const World& world, const char* key, const std::vector<Item>& items,
+              void (*writeOne)(Json&, const World&, const Item&)) {
+    json.line(1).key(key).beginList(items.size());
+    for (const Item& item : items) writeOne(json.line(2), world, item);
+    if (!items.empty()) json.line(1);
     json.endList();
 }
 

@@ -1,4 +1,4 @@
-// What runs a hundred thousand times for the traces of all columns of a picture, and is built for
+// Functions that run a hundred thousand times for the traces of all columns of a picture; built for
 // speed.
 #include "session/json_text.h"
 
@@ -32,9 +32,9 @@ PackedJson& PackedJson::endList() {
 }
 
 PackedJson& PackedJson::text(const char* value) {
-    PackedText& lately = packedTexts_[reinterpret_cast<std::uintptr_t>(value) / 4 % kPackedTexts];
-    if (lately.data != value) lately = {value, indexOf(value)};
-    return pack(lately.index);
+    PackedText& cached = packedTexts_[reinterpret_cast<std::uintptr_t>(value) / 4 % kPackedTexts];
+    if (cached.data != value) cached = {value, indexOf(value)};
+    return pack(cached.index);
 }
 
 }  // namespace slicecast

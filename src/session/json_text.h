@@ -4,22 +4,21 @@
 //     json.beginObject();
 //     json.key("name").text("brick");
 //     json.key("sizes").beginArray().number(8).number(0.5).endArray();
-//     json.endObject(); {"name":"brick","sizes":[8,0.5]}
+//     json.endObject();                  {"name":"brick","sizes":[8,0.5]}
 //
-// Everything stands in one line, except what is told to begin a new one.
+// Everything is written into one line unless line() starts a new one.
 //
-// PackedJson takes the same values and writes no text. Reading and writing them then takes a tenth
-// of the time. Numbers stand one after another, for a reader that knows their order
-// (web/engine/read-packed.js):
+// PackedJson takes the same calls and stores numbers instead of text, which takes a tenth of the
+// time to write and read. The reader must know their order (web/engine/read-packed.js):
 //
 //     number              itself; NaN where JSON has null
 //     text                its index in PackedValues::texts; NaN for null
 //     true, false         1, 0
-//     list                how many elements it has, how many numbers those are, and then those
-//     tuple               its elements: their number is known
-//     object              its members' values; keys are left out
+//     list                its length, the number of numbers that its elements take, and they
+//     tuple               its elements; the reader knows how many
+//     object              the values of its members, without keys
 //
-// What writes either is a template of which it is.
+// Functions that can write either are templates of the writer.
 #pragma once
 
 #include <cstddef>
@@ -31,11 +30,11 @@
 namespace slicecast {
 
 struct PackedValues {
-    std::vector<double> numbers;  // the first `count` of them
+    std::vector<double> numbers;  // only the first `count` are used
     std::size_t count = 0;
     std::vector<std::string> texts;
 
-    // Forgets all but the memory.
+    // Empties it; keeps the memory.
     void clear() {
         count = 0;
         texts.clear();
@@ -47,19 +46,19 @@ public:
     JsonText& beginObject() { return open('{'); }
     JsonText& endObject() { return close('}'); }
     JsonText& beginArray() { return open('['); }
-    JsonText& beginList(std::size_t) { return open('['); }  // of so many elements
+    JsonText& beginList(std::size_t) { return open('['); }  // of this many elements
     JsonText& beginTuple() { return open('['); }
     JsonText& endList() { return close(']'); }
     JsonText& endArray() { return close(']'); }  // also of a tuple
     JsonText& key(std::string_view name);
     JsonText& text(std::string_view value);  // UTF-8
-    JsonText& number(
-        double value);  // every bit of it comes back when it is read; null where it is not finite
+    // Reads back exactly; null if the value is not finite.
+    JsonText& number(double value);
     JsonText& pair(double a, double b);  // a tuple of two numbers
     JsonText& yesNo(bool value);
     JsonText& null();
 
-    // The next key, value or closing bracket begins a line, so many steps in.
+    // The next key, value or closing bracket starts a new line with this indentation.
     JsonText& line(int steps);
 
     const std::string& str() const { return out_; }
@@ -73,12 +72,12 @@ private:
 
     std::string out_;
     bool needsComma_ = false;
-    int steps_ = -1;  // of the line to begin; -1 for none
+    int steps_ = -1;  // indentation of the line to start; -1 for none
 };
 
 class PackedJson {
 public:
-    // The texts that it is given must outlive it.
+    // Texts given to it must outlive it.
     explicit PackedJson(PackedValues& packed) : packed_(packed) {}
 
     PackedJson& beginObject() { return *this; }
@@ -99,7 +98,7 @@ public:
     PackedJson& line(int) { return *this; }
 
 private:
-    // Inlined always: it runs a million times for all columns of a picture.
+    // Always inlined: it runs a million times for all columns of a picture.
     __attribute__((always_inline)) PackedJson& pack(double value) {
         if (packed_.count == packed_.numbers.size()) grow();
         packed_.numbers[packed_.count++] = value;
@@ -109,7 +108,7 @@ private:
     static constexpr double kNull = std::numeric_limits<double>::quiet_NaN();
     double indexOf(const char* text);
 
-    // Texts that were packed lately, by where they stand in memory.
+    // A cache of recently packed texts, by their address.
     struct PackedText {
         const char* data = nullptr;
         double index = 0.0;
@@ -119,7 +118,7 @@ private:
 
     PackedValues& packed_;
     PackedText packedTexts_[kPackedTexts];
-    std::size_t lists_[kDeepestList];  // where the elements of the open lists begin
+    std::size_t lists_[kDeepestList];  // index of the first element of each open list
     std::size_t openLists_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace {
 struct Preset {
     Light light;
     Fog fog;
-    Colour low;  // of the haze and of the sky at the horizon, so that no edge shows between them
+    Colour low;  // of the haze and of the sky at the horizon, so that the two meet without an edge
     Colour high;
     double slope;
 };
@@ -67,7 +67,7 @@ void MapLights::apply(const LightWishes& wishes, std::vector<Map>& maps) {
         Map& map = maps[i];
         Own& own = own_[i];
 
-        // A sky may hold a large image: it is moved, not copied.
+        // Moves the sky, because it may hold a large image.
         if (applied_ == LightPreset::map && preset != nullptr) own.sky = std::move(map.sky);
         if (applied_ != LightPreset::map && preset == nullptr) map.sky = std::move(own.sky);
         map.light = preset != nullptr ? preset->light : own.light;

@@ -1,5 +1,4 @@
-// Times of day that a viewer may lay over the maps' own light: a preset takes the place of a map's
-// light, fog, haze and sky, in all maps.
+// Times of day that replace the light, fog, haze and sky of all maps.
 #pragma once
 
 #include "slicecast/colour.h"
@@ -12,27 +11,27 @@
 namespace slicecast {
 
 enum class LightPreset : std::uint8_t {
-    map,    // as each map has it
-    day,    // bright to the horizon
+    map,    // each map's own
+    day,    // bright up to the horizon
     dusk,   // a low sun: warm haze, dark blue above
-    night,  // a lamp's reach around the eye, then darkness
+    night,  // a lamp lights the surroundings of the eye; darkness beyond
     fog,    // the world fades into one colour
 };
 
 struct LightWishes {
     LightPreset preset = LightPreset::map;
-    std::optional<double> intensity = std::nullopt;   // instead of the preset's or the map's
+    std::optional<double> intensity = std::nullopt;   // replaces the preset's or the map's
     std::optional<double> multiplier = std::nullopt;  // units
-    std::optional<Colour> haze =
-        std::nullopt;  // colour of fog and far floor; with the fog preset of the sky too
+    // Colour of the fog and the far floor; with the fog preset also of the sky.
+    std::optional<Colour> haze = std::nullopt;
 };
 
-// Keeps what the maps came with, so that it comes back.
+// Applies presets, and remembers the maps' own light to restore it.
 class MapLights {
 public:
     explicit MapLights(const std::vector<Map>& maps);
 
-    // Gives these maps, the same ones each time, the light that is wished for.
+    // Lights the maps as wished. `maps` must be the same maps each time.
     void apply(const LightWishes& wishes, std::vector<Map>& maps);
 
 private:
@@ -40,7 +39,7 @@ private:
         Light light;
         Fog fog;
         Colour haze;
-        Sky sky;  // while a preset is on; else the map itself has it
+        Sky sky;  // moved here while a preset is on
     };
     std::vector<Own> own_;
     LightPreset applied_ = LightPreset::map;

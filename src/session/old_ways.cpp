@@ -16,7 +16,7 @@ constexpr auto kOldWays = std::to_array<OldWay>({
     {"Marching with a step",
      "Rays look for walls every fifth of a unit: edges are ragged, thin corners are missed.",
      "classic.march=on classic.step=0.2"},
-    {"Marching that gives up", "Rays end after eight units: what is further away is not there.",
+    {"Marching that gives up", "Rays end after eight units: anything further away is missing.",
      "classic.march=on classic.step=0.02 classic.reach=8"},
     {"A coarse sine table",
      "A table with one entry per degree: groups of columns look the same way.",
@@ -29,7 +29,8 @@ constexpr auto kOldWays = std::to_array<OldWay>({
      "Textures are not turned for each side: on two of four faces letters are mirrored.",
      "classic.mirroredTextures=on"},
     {"Painter's order",
-     "Blocks are painted from far to near by their middles: where they interlock it goes wrong.",
+     "Blocks are painted from far to near by the distance of their middles, which fails where they "
+     "interlock.",
      "classic.painter=on"},
     {"One level", "All blocks are one unit high and stand on the floor: the first hides the rest.",
      "classic.oneLevel=on"},
@@ -37,24 +38,24 @@ constexpr auto kOldWays = std::to_array<OldWay>({
      "Each level shows its first block: behind a low wall houses have no ground floor.",
      "classic.firstHits=on"},
     {"Roofs of one colour", "Tops of blocks have no texture yet.", "classic.roofs=flat"},
-    {"No roofs", "Only walls are drawn: one looks past them at what is behind.",
+    {"No roofs", "Only walls are drawn: you look over them at the things behind.",
      "classic.roofs=missing"},
-    {"The own tile is missing", "The roof that one stands on, and what is above, are not drawn.",
+    {"The own tile is missing", "The roof under your feet and the blocks above you are not drawn.",
      "classic.noOwnCell=on"},
     {"Seams", "Walls begin one row too low: lines between stacked blocks.", "classic.seams=on"},
-    {"A drifting horizon", "Who flies up sees the horizon sink, as if looking up.",
+    {"A drifting horizon", "When you fly up, the horizon sinks as if you were looking up.",
      "classic.driftingHorizon=on"},
     {"One depth per column",
-     "A low wall hides all of a tree behind it: a column knows one distance only.",
+     "A low wall hides all of a tree behind it: each column has only one distance.",
      "classic.columnDepth=on"},
     {"Objects in a wrong scale",
-     "Objects go by the picture's height, walls by its width: they shrink and float.",
+     "Objects scale with the picture's height, walls with its width: objects shrink and float.",
      "classic.wrongScale=on"},
     {"A flipped reflection",
-     "Floors show the picture above them upside down, not what a mirror would show.",
+     "Floors copy the picture above them upside down, instead of mirroring the scene.",
      "classic.flippedMirrors=on"},
     {"Portals drawn over",
-     "What is behind a portal covers what stands before it, but at its two ends.",
+     "The view through a portal covers the things in front of it, except at its two ends.",
      "classic.portalsOverdrawn=on"},
 });
 
@@ -83,8 +84,7 @@ std::vector<std::string> leftOut(const World& world, const SessionOptions& optio
     if (options.render.detail && options.render.textures)
         sentences.push_back("Smaller texture images far away: distant textures flicker.");
     if (!world.portals.empty() && hasJoinedBlocks(world)) {
-        sentences.push_back(
-            "Glass that touches through a portal is not joined: the faces between are drawn.");
+        sentences.push_back("Glass is not joined through a portal: the faces between are drawn.");
     }
     if (classic.flippedMirrors && hasMirrorsAboveFloor(world))
         sentences.push_back("Mirrors above the floor: they do not reflect.");

@@ -1,4 +1,5 @@
-// Named settings of the classic method, as a person would ask for them, and what it cannot show.
+// Named settings of the classic method, each with the defect that it shows, and what that method
+// cannot draw.
 #pragma once
 
 #include "session/options.h"
@@ -12,15 +13,15 @@ namespace slicecast {
 
 struct OldWay {
     const char* name;
-    const char* description;  // a sentence: what is seen, and why
-    const char* options;      // "classic.march=on classic.step=0.2"; others as they are by default
+    const char* description;  // one sentence: what one sees, and why
+    const char* options;      // "classic.march=on classic.step=0.2"; all others keep their defaults
 };
 
-// In the order in which to list them. Every option of the classic method is in one of them.
+// In the order of a list. Each option of the classic method occurs in at least one of them.
 std::span<const OldWay> knownOldWays();
 
-// What of a world the present method leaves out of the picture, a sentence each. None for the exact
-// one.
+// The features of a world that the present method does not draw, a sentence each. Empty for the
+// exact method.
 std::vector<std::string> leftOut(const World& world, const SessionOptions& options);
 
 }  // namespace slicecast

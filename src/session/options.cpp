@@ -18,9 +18,9 @@
 namespace slicecast {
 namespace {
 
-static_assert(kGreatestMirrors <= kMaxMirrors, "the renderer draws what can be set");
+static_assert(kGreatestMirrors <= kMaxMirrors, "the renderer must be able to draw every value");
 
-// Where an option is kept.
+// The member that stores an option.
 using Place = std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*,
                            int SessionOptions::*, double SessionOptions::*,
                            std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*,
@@ -41,16 +41,16 @@ constexpr const char* kClassic = "classic";
 
 constexpr std::array kEntries = {
     Entry{{"fov", "Field of view", kView, OptionKind::number, kMinFovDegrees, kMaxFovDegrees, "60",
-           "field of view from left to right, degrees"},
+           "horizontal field of view in degrees"},
           &RenderOptions::fovDegrees},
     Entry{{"detail", "Smooth far textures", kView, OptionKind::onOff, 0, 0, "on",
-           "smaller texture images far away, so that they do not flicker"},
+           "smaller images for distant textures, so that they do not flicker"},
           &RenderOptions::detail},
     Entry{{"detailThreshold", "Texels per pixel", kView, OptionKind::number, 0.125, 64, "1",
-           "texels per pixel at which the next smaller image is taken"},
+           "texels per pixel from which the next smaller image is used"},
           &RenderOptions::detailThreshold},
     Entry{{"textures", "Textures", kView, OptionKind::onOff, 0, 0, "on",
-           "textures, or their average colours"},
+           "textures; off: their average colours"},
           &RenderOptions::textures},
     Entry{
         {"light", "Light", kLight, OptionKind::onOff, 0, 0, "on", "light that fades with distance"},
@@ -61,13 +61,13 @@ constexpr std::array kEntries = {
     Entry{{"multiplier", "Reach of the light", kLight, OptionKind::ownOrNumber, 0, 1000, "map",
            "reach of the light, units"},
           &SessionOptions::multiplier},
-    Entry{{"fog", "Fog", kLight, OptionKind::onOff, 0, 0, "on", "fog in the maps that have some"},
+    Entry{{"fog", "Fog", kLight, OptionKind::onOff, 0, 0, "on", "fog, in maps that have it"},
           &RenderOptions::fog},
     Entry{{"mirrors", "Mirrors", kLight, OptionKind::number, 0, kGreatestMirrors, "1",
-           "times the strength of all mirrors, 0 for none"},
+           "multiplies the strength of all mirrors; 0 for none"},
           &RenderOptions::mirrors},
     Entry{{"lightPreset", "Time of day", kLight, OptionKind::choice, 0, 0, "map",
-           "the time of day in all maps, or each map's own light, fog and sky",
+           "time of day in all maps; map keeps the light, fog and sky of each",
            "map day dusk night fog"},
           &SessionOptions::lightPreset},
     Entry{{"hazeColour", "Haze", kLight, OptionKind::ownOrColour, 0, 0, "map",
@@ -76,28 +76,28 @@ constexpr std::array kEntries = {
     Entry{{"minimap", "Minimap", kOverlays, OptionKind::onOff, 0, 0, "off", "the map from above"},
           &SessionOptions::minimap},
     Entry{{"minimapLevel", "Level of the minimap", kOverlays, OptionKind::wholeNumber, -1,
-           kMaxLevels - 1, "-1", "level that the minimap shows, -1 for the player's"},
+           kMaxLevels - 1, "-1", "level that the minimap shows; -1 for the player's"},
           &SessionOptions::minimapLevel},
     Entry{{"minimapRays", "Rays on the minimap", kOverlays, OptionKind::onOff, 0, 0, "off",
-           "rays on the minimap, each to the first block that it meets"},
+           "rays on the minimap, each up to the first block that it meets"},
           &SessionOptions::minimapRays},
     Entry{{"minimapTurns", "Minimap turns", kOverlays, OptionKind::onOff, 0, 0, "off",
-           "the minimap turns with the view; else north is up"},
+           "the minimap turns with the view; off: north is up"},
           &SessionOptions::minimapTurns},
     Entry{{"minimapReach", "Circle on the minimap", kOverlays, OptionKind::number, 0, 100, "2",
-           "radius of the circle about the player, units, 0 for none"},
+           "radius of the circle around the player, units; 0 for none"},
           &SessionOptions::minimapReach},
     Entry{{"playerPanel", "Player", kOverlays, OptionKind::onOff, 0, 0, "off",
-           "where the player is and looks"},
+           "the player's position and heading"},
           &SessionOptions::playerPanel},
     Entry{{"processPanel", "Drawing", kOverlays, OptionKind::onOff, 0, 0, "off",
-           "what it takes to draw the picture"},
+           "figures about drawing the picture"},
           &SessionOptions::processPanel},
     Entry{{"inspector", "Slice inspector", kOverlays, OptionKind::onOff, 0, 0, "off",
-           "one slice: its line, and what it meets seen from the side"},
+           "one slice: its line, and its hits from the side"},
           &SessionOptions::inspector},
     Entry{{"inspectorColumn", "Inspected slice", kOverlays, OptionKind::wholeNumber, -1,
-           kMaxPictureSide - 1, "-1", "the slice that is inspected, -1 for the middle one"},
+           kMaxPictureSide - 1, "-1", "the inspected slice; -1 for the middle one"},
           &SessionOptions::inspectorColumn},
     Entry{{"grid", "Pixel grid", kOverlays, OptionKind::onOff, 0, 0, "off",
            "a grid of 10 and 100 pixels over the picture"},
@@ -110,34 +110,34 @@ constexpr std::array kEntries = {
            "slices that each picture adds; -n adds one every n pictures"},
           &SessionOptions::slowSlices},
     Entry{{"drawnColumns", "Drawn slices", kOverlays, OptionKind::wholeNumber, -1, kMaxPictureSide,
-           "-1", "slices of the picture that are drawn, from the left; -1 for all"},
+           "-1", "number of slices drawn, from the left; -1 for all"},
           &SessionOptions::drawnColumns},
     Entry{{"speed", "Speed", kMoving, OptionKind::number, kLeastSpeed, kGreatestSpeed, "1",
-           "times the usual speed of moving"},
+           "multiplies the moving speed"},
           &SessionOptions::speed},
     Entry{{"bob", "Bobbing on water", kMoving, OptionKind::onOff, 0, 0, "on",
            "the view bobs up and down on the water"},
           &SessionOptions::bob},
     Entry{{"method", "Renderer", kClassic, OptionKind::choice, 0, 0, "exact",
-           "how pictures are made; classic is slow and shows the old ways below, for lessons",
+           "the renderer; classic is slow and shows the old ways below, for lessons",
            "exact classic"},
           &SessionOptions::method},
     Entry{{"compare", "Old against exact", kClassic, OptionKind::number, 0, 1, "0",
-           "share of the picture, from the left, that the classic method draws beside the exact "
+           "share of the picture, from the left, that the classic renderer draws beside the exact "
            "one; 0 for no comparison"},
           &SessionOptions::compare},
     Entry{{"classic.projection", "Projection", kClassic, OptionKind::choice, 0, 0, "plane",
-           "how columns are aimed; equal angles bend walls, and are a fish eye unless corrected",
+           "how columns are aimed; equal angles bend walls, like a fish eye unless corrected",
            "plane equalAngles equalAnglesCorrected"},
           &ClassicOptions::projection},
     Entry{{"classic.march", "Marching with a step", kClassic, OptionKind::onOff, 0, 0, "off",
            "rays look for blocks step by step"},
           &ClassicOptions::march},
     Entry{{"classic.step", "Size of the step", kClassic, OptionKind::number, kLeastMarchStep,
-           kGreatestMarchStep, "0.001", "size of such a step, units"},
+           kGreatestMarchStep, "0.001", "size of a step, units"},
           &ClassicOptions::stepSize},
     Entry{{"classic.reach", "Reach of the rays", kClassic, OptionKind::number, kLeastMarchReach,
-           kGreatestMarchReach, "25", "distance at which they give up, units"},
+           kGreatestMarchReach, "25", "distance at which rays stop, units"},
           &ClassicOptions::reach},
     Entry{{"classic.stretched", "Stretched textures", kClassic, OptionKind::onOff, 0, 0, "off",
            "one texture over the whole height of a stack of blocks"},
@@ -156,13 +156,13 @@ constexpr std::array kEntries = {
            "painter's order: all blocks, from far to near, over each other"},
           &ClassicOptions::paintersOrder},
     Entry{{"classic.oneLevel", "One level", kClassic, OptionKind::onOff, 0, 0, "off",
-           "the eye's level alone, as if on the floor, all blocks one unit high"},
+           "only the eye's level, placed on the floor, with all blocks one unit high"},
           &ClassicOptions::oneLevel},
     Entry{{"classic.firstHits", "One hit per level", kClassic, OptionKind::onOff, 0, 0, "off",
-           "one hit per level: what stands behind the first block of a level is missing"},
+           "one hit per level: everything behind the first block of a level is missing"},
           &ClassicOptions::firstHits},
     Entry{{"classic.noOwnCell", "Own cell missing", kClassic, OptionKind::onOff, 0, 0, "off",
-           "the roof under the eye, and what is above it, are missing"},
+           "the blocks of the eye's own tile are missing"},
           &ClassicOptions::noOwnCell},
     Entry{{"classic.driftingHorizon", "Drifting horizon", kClassic, OptionKind::onOff, 0, 0, "off",
            "the horizon sinks when the eye rises"},
@@ -177,13 +177,13 @@ constexpr std::array kEntries = {
            "floors reflect the picture flipped; other mirrors do not reflect"},
           &ClassicOptions::flippedMirrors},
     Entry{{"classic.portalsOverdrawn", "Portals drawn over", kClassic, OptionKind::onOff, 0, 0,
-           "off", "what is behind a portal is drawn over what stands before it"},
+           "off", "the view through a portal is drawn over the things in front of it"},
           &ClassicOptions::portalsOverdrawn},
     Entry{{"classic.sineSteps", "Table of sines", kClassic, OptionKind::wholeNumber, 0,
-           kMostSineSteps, "0", "steps of the sine table over the full turn, 0 for exact sines"},
+           kMostSineSteps, "0", "entries of the sine table for a full turn; 0 for exact sines"},
           &ClassicOptions::sineSteps},
     Entry{{"classic.pixelSize", "Coarse pixels", kClassic, OptionKind::wholeNumber, 1,
-           kMostPixelSize, "1", "pixels a side that show one colour"},
+           kMostPixelSize, "1", "side of the squares of one colour, pixels"},
           &ClassicOptions::pixelSize},
 };
 
@@ -200,13 +200,13 @@ const Entry* findEntry(std::string_view name) {
     return nullptr;
 }
 
-// A decimal number that is the whole of the text.
+// The whole text must be a finite decimal number.
 std::optional<double> readFinite(std::string_view text) {
     const std::optional<double> number = readNumber(text);
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-// The words of a choice: each, until there are none.
+// Removes the first word of a choice and returns it; empty if there is none.
 std::string_view nextWord(std::string_view& words) {
     const std::size_t end = std::min(words.find(' '), words.size());
     const std::string_view word = words.substr(0, end);
@@ -244,7 +244,7 @@ std::string expected(const OptionInfo& info) {
     return words("a number from ", range);
 }
 
-// The member of the options that an entry is kept in.
+// The member that stores an entry's value.
 auto& member(SessionOptions& options, bool RenderOptions::*place) {
     return options.render.*place;
 }
@@ -260,7 +260,7 @@ auto& member(SessionOptions& options, Value SessionOptions::*place) {
     return options.*place;
 }
 
-// Each gives false for a text that is not within the option's range.
+// Each returns false if the option does not allow the text.
 bool read(const OptionInfo&, std::string_view text, bool& value) {
     if (text != "on" && text != "off") return false;
     value = text == "on";
@@ -306,7 +306,7 @@ bool read(const OptionInfo&, std::string_view text, std::optional<Colour>& value
     return true;
 }
 
-// The words of a choice stand in the order of the values.
+// The words of a choice are in the order of the enum's values.
 template <typename Value>
     requires std::is_enum_v<Value> bool
 read(const OptionInfo& info, std::string_view text, Value& value) {

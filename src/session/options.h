@@ -1,6 +1,5 @@
-// Everything about a running game that can be set by name: on a command line ("--set fov=75"), in a
-// page's settings, by a key. One table holds the name, the kind, the range, the default and the
-// description of each.
+// The options of a running game, set by name: on a command line ("--set fov=75"), in a page's
+// settings, or by a key. One table holds the name, kind, range, default and description of each.
 #pragma once
 
 #include "render/classic/classic_options.h"
@@ -15,48 +14,48 @@
 
 namespace slicecast {
 
-// Who makes the pictures.
+// The renderer that draws the pictures.
 enum class DrawMethod : std::uint8_t {
     exact,    // the fast renderer
-    classic,  // the slow one for lessons, by the old ways that ClassicOptions names
+    classic,  // the slow one for lessons, with the defects of ClassicOptions
 };
 
-inline constexpr double kGreatestMirrors =
-    4.0;  // times the strength that a scene gives its mirrors
+// Multiplies the strength that a scene gives its mirrors.
+inline constexpr double kGreatestMirrors = 4.0;
 
 struct SessionOptions {
     RenderOptions render;
     DrawMethod method = DrawMethod::exact;
     ClassicOptions classic;
-    double compare = 0.0;  // the columns left of this share of the width are drawn by the classic
-                           // method, the others by the exact one; 0 for no comparison
-    std::optional<double> intensity;   // of the light, in all maps; each map's own when empty
-    std::optional<double> multiplier;  // of the light, units; each map's own when empty
+    double compare = 0.0;  // share of the width, from the left, that the classic method draws
+                           // beside the exact one; 0 for no comparison
+    std::optional<double> intensity;   // of the light in all maps; empty: each map's own
+    std::optional<double> multiplier;  // of the light, units; empty: each map's own
     LightPreset lightPreset = LightPreset::map;
-    std::optional<Colour> hazeColour;  // of the fog and the far floor; each map's own when empty
+    std::optional<Colour> hazeColour;  // of the fog and the far floor; empty: each map's own
     bool minimap = false;
-    int minimapLevel = -1;  // the level shown; -1 for the eye's
+    int minimapLevel = -1;  // the level shown; -1 for the player's
     bool minimapRays = false;
-    bool minimapTurns = false;  // with the way that the player looks up; else north
-    double minimapReach = 2.0;  // radius of the circle about the player, units; 0 for none
+    bool minimapTurns = false;  // the player's heading is up; else north is up
+    double minimapReach = 2.0;  // radius of the circle around the player, units; 0 for none
     bool playerPanel = false;
     bool processPanel = false;
-    bool inspector = false;    // the line of one slice, and that slice from the side
+    bool inspector = false;    // marks one slice, and shows it from the side
     int inspectorColumn = -1;  // which slice; -1 for the middle one
     bool grid = false;         // over the picture, in pixels
     bool slow = false;         // the picture builds up slice by slice
-    int slowSlices = 1;     // so many more with each picture; one every n pictures where it is -n
-    int drawnColumns = -1;  // so many slices of the picture are drawn; -1 for all
-    double speed = 1.0;     // multiplies the player's moving speeds
-    bool bob = true;        // a swimmer's eye goes up and down with the water
+    int slowSlices = 1;        // slices added with each picture; -n adds one every n pictures
+    int drawnColumns = -1;     // slices drawn, from the left; -1 for all
+    double speed = 1.0;        // multiplies the player's moving speeds
+    bool bob = true;           // a swimmer's eye bobs with the water
 };
 
 enum class OptionKind {
     onOff,        // "on" or "off"
-    number,       // within least and greatest
+    number,       // from least to greatest
     wholeNumber,  // the same, without a fraction
     ownOrNumber,  // "map" for each map's own value, or a number
-    choice,       // one of some words
+    choice,       // one word of a list
     ownOrColour,  // "map" for each map's own value, or a colour as "#rrggbb"
 };
 
@@ -67,29 +66,29 @@ struct OptionInfo {
     OptionKind kind;
     double least;  // of numbers
     double greatest;
-    const char* standard;  // the default, as it would be given
+    const char* standard;  // the default, as setOption takes it
     const char* description;
-    const char* choices = "";  // the words of a choice, with a space between them
+    const char* choices = "";  // the words of a choice, separated by spaces
 };
 
-// All options, in the order in which to list them.
+// All options, in the order of a list.
 std::span<const OptionInfo> knownOptions();
 // Null for an unknown name.
 const OptionInfo* findOption(std::string_view name);
 
-// Sets one option. An empty string on success; else what is wrong, and nothing has changed:
+// Sets one option. Returns an empty text on success, else changes nothing and returns a message:
 // "Unknown option 'fvo'. Did you mean 'fov'?"
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
 
-// The word after `value` among those of a choice, the first one after the last; empty if there is
-// no such choice or word.
+// The word that follows `value` in a choice; the first one after the last. Empty for an unknown
+// option or word.
 std::string nextChoice(std::string_view name, std::string_view value);
 
-// The value as setOption would take it; empty for an unknown name.
+// The value in the form that setOption takes; empty for an unknown name.
 std::string optionValue(const SessionOptions& options, std::string_view name);
 
-// Whether anything is drawn over the picture, or not all of it: an option of the group "overlays"
-// is on.
+// Whether an option of the group "overlays" is on: something is drawn over the picture, or only
+// part of the picture is drawn.
 bool showsOverlay(const SessionOptions& options);
 
 }  // namespace slicecast

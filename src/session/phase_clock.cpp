@@ -6,8 +6,8 @@ namespace slicecast {
 namespace {
 
 constexpr double kPeriodSeconds = 0.5;
-constexpr double kGapSeconds =
-    2.0;  // since the averages began; longer, nothing was drawn for a while, and they begin anew
+// After a longer time without averages, drawing has paused: the averages start anew.
+constexpr double kGapSeconds = 2.0;
 
 }  // namespace
 

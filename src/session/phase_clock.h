@@ -1,5 +1,5 @@
-// Measures how long the parts of a picture take, with a clock that somebody else reads. Without a
-// clock it measures nothing.
+// Measures how long the parts of a picture take, with a clock that the caller provides. Without one
+// it measures nothing.
 #pragma once
 
 #include "overlay/panels.h"
@@ -14,15 +14,15 @@ public:
     using Now = std::function<double()>;
 
     void set(Now now);
-    // Null before the first averages.
+    // Null until the first averages are complete.
     const ProcessTimes* times() const { return known_ ? &times_ : nullptr; }
 
-    // The parts, in the order in which they come; the time since the last call counts for the part
-    // that ends.
+    // Mark the parts in the order in which they run; the time since the previous call counts for
+    // the part that ends.
     void begin() { last_ = read(); }
     void endSteps() { add(steps_); }
     void endView() { add(view_); }
-    // The last part of a picture.
+    // Ends the last part of a picture.
     void endOverlays();
 
 private:
@@ -36,12 +36,12 @@ private:
     Now now_;
     ProcessTimes times_;
     bool known_ = false;
-    double last_ = 0.0;    // seconds, of the clock
-    double period_ = 0.0;  // when the averages' time began
-    double steps_ = 0.0;   // seconds since then
+    double last_ = 0.0;    // of the clock, seconds
+    double period_ = 0.0;  // start of the present averages, seconds of the clock
+    double steps_ = 0.0;   // spent since then, seconds
     double view_ = 0.0;
     double overlays_ = 0.0;
-    int pictures_ = -1;  // since then; -1 before the first one
+    int pictures_ = -1;  // drawn since then; -1 before the first one
 };
 
 }  // namespace slicecast

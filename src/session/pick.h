@@ -1,13 +1,15 @@
-// What one pixel of a session's picture shows, and where a point of the world lies in it: each
-// answers what the other asks.
+// Finds what one pixel of a session's picture shows (pick), and the pixel of a point of the world
+// (project).
 //
-//     project(session, session.eye(), {x, y, z}, map, 640, 400)     -> column and row, real numbers: the middle of
-//                                                     the pixel (c, r) is at c + 0.5, r + 0.5
-//     writePick(json, session, 640, 400, c, r)     -> the numbers of the pixel's ray
+//     project(session, session.eye(), {x, y, z}, map, 640, 400)
+//                                  -> column and row as real numbers: the middle of
+//                                     pixel (c, r) is at c + 0.5, r + 0.5
+//     writePick(json, session, 640, 400, c, r)
+//                                  -> this JSON:
 //
 //     { "column", "row",
 //       "what",                      as in hits_json.h: "side" ... "object"
-//       "map", "portals",            where it is; how many portals lie before it
+//       "map", "portals",            where it is; portals passed before it
 //       "tile": [x, y],              of a block, the floor or the ceiling; else null
 //       "level", "blueprint", "face",    of a block; else null
 //       "object",                    its number in the map; else null
@@ -16,9 +18,9 @@
 //       "depth",                     perpendicular; null for sky and haze
 //       "texel": { ... },            as in trace_json.h; null for sky and haze
 //       "alpha",                     of that texel, 1 to 255
-//       "reflection": { ... } }      what shows in a mirror there, told in the same way; else null
+//       "reflection": { ... } }      what a mirror shows there, in the same form; else null
 //
-// It is the nearest thing whose texel there is no hole.
+// A pick is the nearest thing that has no hole at that pixel.
 #pragma once
 
 #include "session/json_text.h"
@@ -29,20 +31,20 @@
 
 namespace slicecast {
 
-// What the watched row of a slice shows: the nearest run of rows there and its point. Both are
-// parts of the trace.
+// What the watched row of a slice shows: the nearest run of rows and its point. Both point into the
+// trace.
 struct SeenThing {
     const FilledRows* rows = nullptr;
     const SeenPoint* point = nullptr;
     int alpha = 255;
-    bool isHole = false;  // of a floor: what is below it is haze
+    bool isHole = false;  // of a floor: the pixel shows the haze below it
 };
 SeenThing nearestSeen(const World& world, const SliceTrace& trace);
 
-// The height of that point; `z` is that of SeenPoint. Those of level planes are known exactly.
+// The height of that point; `z` is SeenPoint's. Exact for horizontal planes.
 double heightOf(const World& world, const SliceTrace& trace, const FilledRows& rows, double z);
 
-// The column and the row lie within the picture; `Json` is JsonText or PackedJson.
+// Column and row must lie within the picture; `Json` is JsonText or PackedJson.
 template <typename Json>
 void writePick(Json& json, Session& session, int width, int height, int column, int row);
 
@@ -52,7 +54,7 @@ struct PicturePoint {
     double depth = 0.0;
 };
 
-// Nothing for a point that is not before the eye, or in another map.
+// Nothing for a point in another map, or not in front of the eye.
 std::optional<PicturePoint> project(const Session& session, const Eye& eye, const Place& place,
                                     int map, int width, int height);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kRecordedOptions = {"speed", "bob"};
 
-// The nearest whole number of units. What is no number counts as 0, as it does in a step.
+// The nearest whole number of units. NaN counts as 0, as in a step.
 int inUnits(double value, int unitsOfOne, int most) {
     if (!(value == value)) return 0;
     const double bounded = std::clamp(value, -static_cast<double>(most), static_cast<double>(most));
@@ -23,7 +23,7 @@ double fromUnits(int units, int unitsOfOne) {
     return static_cast<double>(units) / unitsOfOne;
 }
 
-// What an entry does to a session that is no step.
+// Applies an entry that is not a step to a session.
 struct Performer {
     Session& session;
 
@@ -55,7 +55,7 @@ struct Performer {
 }  // namespace
 
 RecordedInput toRecorded(const Input& input) {
-    // A new field of Input is missed here by the compiler, and belongs into the recording.
+    // If Input gets a new field, this line fails to compile: add the field to the recording.
     const auto& [forward, strafe, turn, look, fly, turnDegrees, lookHeights, jump, fast, slow, use,
                  open, close] = input;
     return {.forward = inUnits(forward, kRecordedAxis, 1),
@@ -135,7 +135,7 @@ Recording Recorder::finish(const Session& session) const {
 // ---- replay
 
 bool Replay::step(Session& session) {
-    // What comes before the step
+    // Entries before the step
     if (isOver()) return false;
     passMarks(session);
     while (!isOver() && !std::holds_alternative<RecordedSteps>(recording_.entries[next_])) {

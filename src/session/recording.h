@@ -1,15 +1,15 @@
-// What was done in a game, step by step, so that it can be done again: the same inputs give the
-// same states and pictures on every machine.
+// Records the steps of a game and replays them: the same inputs give the same states and pictures
+// on every machine.
 //
 //     Recorder recorder("harbour-town");
-//     session.record(&recorder);                            from the first step on; the session notes down what it is asked for
-//     std::string text = writeRecording(recorder.finish(session));                       (recording_text.h)
+//     session.record(&recorder);         before the first step
+//     std::string text = writeRecording(recorder.finish(session));      (recording_text.h)
 //
 //     Replay replay(recording);
 //     while (replay.step(sessionOfTheSameScene)) ...
 //
-// Inputs are kept as whole numbers of small units, and the session acts on the input as it was
-// kept. So nothing is rounded differently when it is read again.
+// Inputs are stored as whole numbers of small units, and the session acts on the stored values. So
+// replaying them rounds nothing differently.
 #pragma once
 
 #include "slicecast/input.h"
@@ -26,17 +26,17 @@ namespace slicecast {
 
 class Session;
 
-inline constexpr int kRecordedAxis = 256;         // an axis of 1
-inline constexpr int kRecordedDegree = 1024;      // a degree
-inline constexpr int kRecordedHeight = 65536;     // a screen height, a unit
+inline constexpr int kRecordedAxis = 256;         // per full axis
+inline constexpr int kRecordedDegree = 1024;      // per degree
+inline constexpr int kRecordedHeight = 65536;     // per screen height or unit
 inline constexpr int kMaxRecordedDegrees = 3600;  // turned in one step
 inline constexpr int kMaxRecordedHeights = 64;    // looked up in one step, screen heights
 inline constexpr std::int64_t kMaxRecordedSteps =
-    120 * 36000;  // ten hours; the recorder keeps no more
+    120 * 36000;  // ten hours; the rest is not recorded
 
-// An Input on the grid of the recording.
+// An Input in the units of the recording.
 struct RecordedInput {
-    int forward = 0;  // in 1 / kRecordedAxis, as the others
+    int forward = 0;  // in 1 / kRecordedAxis, like the next four
     int strafe = 0;
     int turn = 0;
     int look = 0;
@@ -56,7 +56,7 @@ struct RecordedInput {
 RecordedInput toRecorded(const Input& input);
 Input toInput(const RecordedInput& input);
 
-// A recording is a list of these. What is no step happens between two steps.
+// A recording is a list of entries. All entries but steps take place between two steps.
 struct RecordedSteps {
     std::int64_t count = 0;
     RecordedInput input;
@@ -71,7 +71,7 @@ struct RecordedHeading {
 struct RecordedReset {};
 struct RecordedEye {
     int map = 0;
-    int x = 0;  // in 1 / kRecordedHeight, as y, z and look
+    int x = 0;  // in 1 / kRecordedHeight, like y, z and look
     int y = 0;
     int z = 0;
     int heading = 0;  // in 1 / kRecordedDegree
@@ -88,7 +88,7 @@ struct RecordedOption {
     std::string name;
     std::string value;
 };
-// A place on the way with a name, and where the eye is then. It changes nothing.
+// Names a moment, with a hash of where the eye is then. Changes nothing.
 struct RecordedMark {
     std::string name;
     std::uint64_t pose = 0;
@@ -98,25 +98,24 @@ using RecordedEntry =
                  RecordedEye, RecordedCell, RecordedOption, RecordedMark>;
 
 struct Recording {
-    std::string scene;  // its file's name without folder and ending
+    std::string scene;  // its file's name without folder and extension
     std::vector<RecordedEntry> entries;
     std::int64_t steps = 0;     // of all entries
     std::uint64_t endPose = 0;  // of the eye after all of them
 };
 
-// True for the options that bear on steps. The others change pictures only, and belong to who looks
-// on.
+// True for options that affect steps. The others change pictures only, so each viewer has their
+// own.
 bool isRecordedOption(std::string_view name);
 
-// A number that two sessions share if their eyes are at the same place and look the same way.
+// A hash of the eye's place and direction, to compare two sessions.
 std::uint64_t poseOf(const Session& session);
 
 class Recorder {
 public:
     explicit Recorder(std::string scene) { recording_.scene = std::move(scene); }
 
-    // Keeps one step's input, and gives it back as it was kept. A recorder that is full gives it
-    // back as it is.
+    // Stores one step's input and returns it as stored. A full recorder returns it unchanged.
     Input step(const Input& input);
     void add(RecordedEntry entry);
     void mark(const std::string& name, const Session& session) {
@@ -124,14 +123,14 @@ public:
     }
     bool isFull() const { return recording_.steps >= kMaxRecordedSteps; }
 
-    // Everything so far. The session may go on.
+    // Everything so far. Recording may continue.
     Recording finish(const Session& session) const;
 
 private:
     Recording recording_;
 };
 
-// Where a replay has passed a mark, and whether the eye was where it was when the mark was made.
+// A mark that a replay has passed, and whether the eye was at the same place as in the recording.
 struct PassedMark {
     std::string name;
     std::int64_t step = 0;
@@ -142,15 +141,14 @@ class Replay {
 public:
     explicit Replay(Recording recording) : recording_(std::move(recording)) {}
 
-    // The next step. False after the last one: nothing was stepped.
+    // Plays the next step. False after the last one; then nothing is stepped.
     bool step(Session& session);
 
     const Recording& recording() const { return recording_; }
     std::int64_t stepsDone() const { return stepsDone_; }
     bool isOver() const { return next_ >= recording_.entries.size(); }
     const std::vector<PassedMark>& marks() const { return marks_; }
-    // False once a mark, or the end, was found elsewhere than in the recording: the scene has
-    // changed since, or the engine.
+    // False once a mark or the end differs from the recording: the scene or the engine has changed.
     bool isSame() const { return isSame_; }
 
 private:

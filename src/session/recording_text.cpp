@@ -96,7 +96,7 @@ struct Wrong {
     std::string expected;
 };
 
-// A name is of letters, digits, '-', '_' and '.', so that it can stand in a line and name a file.
+// A name has letters, digits, '-', '_' and '.', so that it fits into a line and can name a file.
 bool isName(std::string_view text) {
     if (text.empty() || text.size() > kMaxRecordedName || text[0] == '.') return false;
     for (const char c : text) {
@@ -130,8 +130,8 @@ std::optional<std::uint64_t> hexNumber(std::string_view text) {
     return number;
 }
 
-// The words of one line, taken one after the other. The first that is wrong is remembered, and from
-// then on nothing is found.
+// The words of one line, taken in order. Remembers the first error, and finds no more words after
+// it.
 class Line {
 public:
     Line(std::vector<Token> tokens, std::size_t end) : tokens_(std::move(tokens)), end_(end) {}
@@ -164,7 +164,7 @@ public:
     }
     std::uint64_t pose() {
         const auto value = hasMore() ? hexNumber(peek()) : std::nullopt;
-        if (!value) refuse("where the eye is, 16 digits from 0 to f");
+        if (!value) refuse("the pose of the eye, 16 digits from 0 to f");
         take();
         return value.value_or(0);
     }
@@ -194,8 +194,8 @@ RecordedSteps readSteps(Line& line) {
     std::vector<std::string_view> seen;
     while (line.hasMore()) {
         const std::string_view word = line.peek();
-        for (const std::string_view before : seen) {
-            if (before == word) line.refuse("each word once");
+        for (const std::string_view earlier : seen) {
+            if (earlier == word) line.refuse("each word once");
         }
         seen.push_back(word);
         bool isKnown = false;
@@ -223,7 +223,7 @@ RecordedEye readEye(Line& line) {
     constexpr int kMost = static_cast<int>(kCoordinateLimit) * kRecordedHeight;
     constexpr int kMostLook = static_cast<int>(kMaxLook) * kRecordedHeight;
     RecordedEye eye;
-    eye.map = line.smallNumber(0, 65535, "the map's place in the list");
+    eye.map = line.smallNumber(0, 65535, "the map's index");
     eye.x = line.smallNumber(-kMost, kMost, "x");
     eye.y = line.smallNumber(-kMost, kMost, "y");
     eye.z = line.smallNumber(1, kMost, "z");
@@ -234,26 +234,26 @@ RecordedEye readEye(Line& line) {
 
 RecordedCell readCell(Line& line) {
     RecordedCell cell;
-    cell.map = line.smallNumber(0, 65535, "the map's place in the list");
+    cell.map = line.smallNumber(0, 65535, "the map's index");
     cell.level = line.smallNumber(0, kMaxLevels - 1, "the level");
     cell.x = line.smallNumber(0, kMaxMapWidth - 1, "the cell's x");
     cell.y = line.smallNumber(0, kMaxMapDepth - 1, "the cell's y");
-    cell.character = line.smallNumber(1, 0x10ffff, "a character's number in Unicode");
+    cell.character = line.smallNumber(1, 0x10ffff, "a Unicode character number");
     return cell;
 }
 
 RecordedOption readOption(Line& line) {
     RecordedOption option;
     if (!line.hasMore() || !isRecordedOption(line.peek())) {
-        line.refuse("an option that bears on steps: speed or bob");
+        line.refuse("an option that affects steps: speed or bob");
         return option;
     }
     option.name = line.peek();
     line.take();
     if (line.hasMore()) {
         option.value = line.peek();
-        SessionOptions tried;
-        if (setOption(tried, option.name, option.value).empty()) {
+        SessionOptions unused;
+        if (setOption(unused, option.name, option.value).empty()) {
             line.take();
             return option;
         }
@@ -262,7 +262,7 @@ RecordedOption readOption(Line& line) {
     return option;
 }
 
-// What a line says between the first two and the last one.
+// Reads a line between the first two and the last one.
 std::optional<RecordedEntry> readEntry(Line& line) {
     const std::string_view word = line.peek();
     if (word[0] >= '0' && word[0] <= '9') return readSteps(line);
@@ -329,7 +329,7 @@ public:
     }
 
 private:
-    enum class Awaited { version, scene, entries, nothing };
+    enum class Next { version, scene, entries, nothing };
 
     void readLines(std::string_view text) {
         std::size_t begin = source_.start();
@@ -343,8 +343,7 @@ private:
             }
             begin = end + 1;
         }
-        if (awaited_ != Awaited::nothing)
-            addWrong({text.size(), "the end of the file", expectedNext()});
+        if (next_ != Next::nothing) addWrong({text.size(), "the end of the file", expectedNext()});
     }
 
     static std::vector<Token> tokensOf(std::string_view text, std::size_t begin, std::size_t end) {
@@ -360,32 +359,32 @@ private:
     }
 
     std::string expectedNext() const {
-        switch (awaited_) {
-            case Awaited::version:
+        switch (next_) {
+            case Next::version:
                 return words("\"", kFirstLine, kRecordingVersion, "\"");
-            case Awaited::scene:
+            case Next::scene:
                 return "\"scene\" and its name";
-            case Awaited::entries:
-                return "\"end\", which says that the recording is whole";
-            case Awaited::nothing:
+            case Next::entries:
+                return "\"end\", which proves that the recording is complete";
+            case Next::nothing:
                 break;
         }
-        return "nothing behind the end of the recording";
+        return "nothing after the end of the recording";
     }
 
-    // False where the rest is not worth reading.
+    // False if it makes no sense to read on.
     bool readLine(Line line, std::string_view whole) {
-        switch (awaited_) {
-            case Awaited::version:
+        switch (next_) {
+            case Next::version:
                 if (whole != words(kFirstLine, kRecordingVersion)) {
                     line.refuse(expectedNext());
-                    addOf(line);
+                    addFaultOf(line);
                     return false;
                 }
-                awaited_ = Awaited::scene;
+                next_ = Next::scene;
                 return true;
-            case Awaited::scene:
-                awaited_ = Awaited::entries;
+            case Next::scene:
+                next_ = Next::entries;
                 if (line.peek() != "scene") {
                     line.refuse("\"scene\" and its name");
                 } else {
@@ -393,21 +392,21 @@ private:
                     recording_.scene = line.name("the scene's name");
                 }
                 break;
-            case Awaited::entries:
-                readWithin(line);
+            case Next::entries:
+                readEntryLine(line);
                 break;
-            case Awaited::nothing:
+            case Next::nothing:
                 line.refuse(expectedNext());
                 break;
         }
         line.end();
-        addOf(line);
+        addFaultOf(line);
         return true;
     }
 
-    void readWithin(Line& line) {
+    void readEntryLine(Line& line) {
         if (line.peek() == "end") {
-            awaited_ = Awaited::nothing;
+            next_ = Next::nothing;
             line.take();
             if (isSumKnown_ && line.hasMore() && wholeNumber(line.peek()) != recording_.steps) {
                 line.refuse({recording_.steps, ", the sum of all steps"});
@@ -430,7 +429,7 @@ private:
         }
     }
 
-    void addOf(const Line& line) {
+    void addFaultOf(const Line& line) {
         if (line.wrong()) addWrong(*line.wrong());
     }
 
@@ -452,7 +451,7 @@ private:
     SourceText source_;
     std::string fileName_;
     Recording recording_;
-    Awaited awaited_ = Awaited::version;
+    Next next_ = Next::version;
     bool isSumKnown_ = true;
     std::vector<Fault> faults_;
     std::size_t omitted_ = 0;

@@ -19,7 +19,7 @@
 namespace slicecast {
 namespace {
 
-static_assert(kLookLimit <= kMaxLook, "every look of the player can be drawn");
+static_assert(kLookLimit <= kMaxLook, "the renderer must be able to draw every look of the player");
 
 PlayerInput playerInput(const Input& input, const SessionOptions& options) {
     return {.forward = input.forward,
@@ -36,12 +36,12 @@ PlayerInput playerInput(const Input& input, const SessionOptions& options) {
             .bob = options.bob};
 }
 
-// By the difference alone, so that an eye and what carries it are rounded alike.
+// Adds only the rounded difference, so that an eye and the mover under it are rounded alike.
 Coordinate between(Coordinate a, Coordinate b, double fraction) {
     return a + toCoordinate((b - a).value() * fraction);
 }
 
-// The short way round.
+// Turns the shorter way.
 double headingBetween(double a, double b, double fraction) {
     const double turn = wrapDegrees(b - a + 180.0) - 180.0;
     return wrapDegrees(a + turn * fraction);
@@ -56,7 +56,7 @@ Eye eyeOf(const Player& player) {
             .look = player.look};
 }
 
-// On the grid of a recording.
+// Rounded to the units of a recording.
 double recordedHeading(double degrees) {
     return std::isfinite(degrees)
                ? std::floor(wrapDegrees(degrees) * kRecordedDegree + 0.5) / kRecordedDegree
@@ -97,7 +97,7 @@ void Session::step(const Input& input) {
     world_.seconds = static_cast<double>(steps_ - beganAt_) * kStepSeconds;
 }
 
-// A press is one wish, however long it lasts.
+// A press is one wish, however long the key is held.
 GateAsk Session::gateAsk(const Input& input) {
     const auto isPressed = [&](bool Input::*button) {
         return input.*button && !(heldBefore_.*button);
@@ -110,7 +110,7 @@ GateAsk Session::gateAsk(const Input& input) {
     return ask;
 }
 
-// What moves and opens by itself, with everybody who may be in its way.
+// Steps movers and gates; bodies may stand in their way.
 void Session::stepAround(const GateAsk& ask) {
     if (isStill(world_)) return;
     bodies_.clear();
@@ -123,8 +123,8 @@ void Session::stepAround(const GateAsk& ask) {
 
 bool Session::draw(const Picture& picture, double fraction) {
     clock_.begin();
-    // What moves is drawn between the steps as the eye is, or whoever rides on it would see it
-    // tremble.
+    // Movers are shown between the steps like the eye; otherwise they would tremble for a player
+    // who rides on one.
     showMovers(world_, fraction);
     drawnFraction_ = fraction;
     const bool isDrawn = drawView(eye(fraction), picture);
@@ -135,7 +135,7 @@ bool Session::draw(const Picture& picture, double fraction) {
 bool Session::drawView(const Eye& seen, const Picture& picture) {
     const int classic = classicColumns(picture.width);
     const bool isAllClassic = classic > 0 && classic >= picture.width;
-    // What the classic method draws over is not drawn before.
+    // Skips the columns that the classic method draws afterwards.
     if (!isAllClassic && !renderer_.draw(world_, seen, options_.render, picture, classic))
         return false;
     if (classic > 0) {
@@ -150,7 +150,7 @@ bool Session::drawView(const Eye& seen, const Picture& picture) {
     return true;
 }
 
-// What covers the whole picture comes first, the panels lie on it.
+// First the overlays that cover the whole picture, then the panels on top.
 void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     const SessionOptions& o = options_;
     if (o.drawnColumns >= 0) {
@@ -351,13 +351,13 @@ SliceTrace Session::trace(int width, int height, int column, int watchedRow) {
 }
 
 void Session::trace(const TraceRequest& request, const std::function<void(SliceTrace&)>& take) {
-    // Neighbours of one method are traced together.
+    // Runs of neighbouring columns of the exact method are traced together.
     TraceRequest together = request;
     std::span<const int> columns = request.columns;
-    const int old = classicColumns(request.width);
-    const auto isOld = [old](int column) { return column < old; };
+    const int classic = classicColumns(request.width);
+    const auto isClassic = [classic](int column) { return column < classic; };
     while (!columns.empty()) {
-        const auto exactEnd = std::find_if(columns.begin(), columns.end(), isOld);
+        const auto exactEnd = std::find_if(columns.begin(), columns.end(), isClassic);
         const auto count = static_cast<std::size_t>(exactEnd - columns.begin());
         if (count > 0) {
             together.columns = columns.first(count);
@@ -371,7 +371,7 @@ void Session::trace(const TraceRequest& request, const std::function<void(SliceT
     }
 }
 
-// By the method that draws the column.
+// Uses the method that draws the column.
 SliceTrace Session::traceFrom(const Eye& seen, const ColumnRequest& request) {
     return request.column < classicColumns(request.width)
                ? traceClassic(world_, seen, options_.render, options_.classic, request)
@@ -437,7 +437,7 @@ int Session::inspectedColumn(int width) const {
     return options_.inspectorColumn < 0 ? width / 2 : std::min(options_.inspectorColumn, width - 1);
 }
 
-// The renderer takes the light from the map.
+// The renderer reads the light from the map.
 void Session::applyLight() {
     lights_.apply({.preset = options_.lightPreset,
                    .intensity = options_.intensity,

@@ -1,12 +1,12 @@
-// One running game: a world, a player in it, and options. The only thing that the program, the
-// page's bindings and the tools talk to.
+// One running game: a world, a player and options. The program, the page's bindings and the tools
+// all work through this class.
 //
 //     Session session(std::move(world));
-//     session.step(input);                  exactly 1/120 s (kStepSeconds), as often as time has passed
-//     session.draw(picture, fraction);      `fraction` (0 to 1) of the way from the last step but one to the last
+//     session.step(input);                  exactly 1/120 s (kStepSeconds)
+//     session.draw(picture, fraction);      `fraction` (0 to 1): between the last two steps
 //
-// It reads no clock, prints nothing and holds no global state: the same inputs give the same states
-// and pictures everywhere.
+// Reads no clock, prints nothing and has no global state: the same inputs give the same states and
+// pictures everywhere.
 #pragma once
 
 #include "overlay/minimap.h"
@@ -35,7 +35,7 @@
 
 namespace slicecast {
 
-// What a panel may show about a game, after the last step.
+// Facts about a game for panels, after the last step.
 struct SessionState {
     std::string title;  // of the world
     std::string map;    // name of the map
@@ -50,7 +50,7 @@ struct SessionState {
     bool swimming = false;
     bool crouched = false;
     bool onGround = false;
-    GateOffer gate = GateOffer::none;  // what the key for gates would do
+    GateOffer gate = GateOffer::none;  // what the use key would do
     double intensity = 0.0;            // of the light in this map
     double multiplier = 0.0;           // units
     std::int64_t steps = 0;            // since the session began
@@ -58,82 +58,81 @@ struct SessionState {
 
 class Session {
 public:
-    // The player stands at the world's start. The world has at least one map.
+    // The player stands at the world's start. The world must have at least one map.
     explicit Session(World world);
 
     void step(const Input& input);
 
-    // Draws the view between the last two steps, and the overlays that are switched on. False if
-    // the picture cannot be drawn (see Renderer::draw).
+    // Draws the view at `fraction` of the way between the last two steps, and the overlays that are
+    // on. False if the picture cannot be drawn (see Renderer::draw).
     bool draw(const Picture& picture, double fraction = 1.0);
 
-    // Back to the world's start, at rest, walking; what moves, opens and is animated begins anew
-    // too, and every cell is as the scene has it. Options stay as they are.
+    // Back to the world's start, standing and walking. Motions, gates and animations restart, and
+    // every cell is as the scene has it. Options stay.
     void reset();
-    // Looks level; when flying, also comes down to standing height (the notes' R key).
+    // Looks level; when flying, also comes down to standing height.
     void levelLook();
     void setHeading(double degrees);
     void setFlying(bool flying);
-    // Puts the player's eye somewhere else, flying, for tools; outside the grid and inside blocks
-    // too. False, and nothing changed, if such an eye cannot see: no such map, at or below the
-    // floor, look beyond kMaxLook, or a heading that is no number.
+    // Puts the player's eye somewhere else, flying, for tools; also outside the grid and inside
+    // blocks. Returns false and changes nothing if the eye would see nothing: no such map, at or
+    // below the floor, look beyond kMaxLook, or a heading that is NaN or infinite.
     bool setEye(const Eye& eye);
 
-    // Into a map: to the scene's start if it lies in that map, else to the place that map_entry.h
-    // describes, with the same heading. At rest, walking where there is room. False, and nothing
-    // changed, if there is no such map.
+    // Moves the player into a map: to the scene's start if it lies in that map, else to the place
+    // that map_entry.h describes, with the same heading. The player stands, and walks if there is
+    // room. Returns false and changes nothing if there is no such map.
     bool goToMap(int map);
 
-    // Changes a cell of the running world (see CellEdits::set). "" on success, else what was wrong.
-    // The eye stays where it is: a player who is inside the new block flies until they are out of
-    // it, as after setEye.
+    // Changes a cell of the running world (see CellEdits::set). Returns "" on success, else a
+    // message. The eye stays where it is: a player inside the new block flies until out of it, as
+    // after setEye.
     std::string setCell(const CellAt& at, char32_t character);
 
-    // From now on notes down there whatever bears on the player, until null is given. A recording
-    // is of use only if it begins with the session.
+    // Records everything that affects the player, until null is given. Start with the session, or
+    // the recording is useless.
     void record(Recorder* recorder);
 
-    // A clock to measure with what the process panel shows; without one it shows none of that.
-    // Nothing else depends on it.
+    // Sets the clock for the timings of the process panel; without one it shows none. Nothing else
+    // uses it.
     void setClock(PhaseClock::Now now) { clock_.set(std::move(now)); }
 
-    // What draws its view: natively it may be lent a crew.
+    // Draws the view. Natively it may be given a crew.
     SessionRenderer& renderer() { return renderer_; }
 
-    // Options by name ("fov", "light" ...); see options.h. An empty string on success, else what
-    // was wrong.
+    // Options by name ("fov", "light" ...); see options.h. Returns "" on success, else a message.
     std::string setOption(std::string_view name, std::string_view value);
     std::string option(std::string_view name) const;
 
-    // The world as it came, for another session; what this one does then means nothing.
+    // Gives back the world as it was loaded, for another session; this one must not be used
+    // afterwards.
     World takeWorld();
 
     const World& world() const { return world_; }
     const Player& player() const { return player_; }
-    const Player& beforeStep() const {
-        return previous_;
-    }  // the player as it was before the last step; as it is now after a leap
+    // The player before the last step; after a leap, as now.
+    const Player& beforeStep() const { return previous_; }
     const SessionOptions& options() const { return options_; }
     const FrameReport& report() const { return renderer_.report(); }
     std::int64_t steps() const { return steps_; }
     SessionState state() const;
-    // The eye as it would be drawn.
+    // The eye that draw(picture, fraction) uses.
     Eye eye(double fraction = 1.0) const;
-    // The eye as it was drawn last; after a step, as it would be drawn the same part of the way on.
+    // The eye of the last picture; after a step, with the same fraction.
     Eye drawnEye() const { return eye(drawnFraction_); }
-    // Everything that one column of a picture of that size does, by the method that draws it.
+    // A trace of one column of a picture of this size, by the method that draws it.
     SliceTrace trace(int width, int height, int column, int watchedRow = -1);
-    // The same for many of them, which takes far less time than one after another.
+    // The same for many columns; far faster than one by one.
     void trace(const TraceRequest& request, const std::function<void(SliceTrace&)>& take);
-    // What it takes to draw a picture of that size, overlays apart; all 0 where it cannot be drawn.
-    // Of a comparison, the exact method's part.
+    // The work of drawing a picture of this size, without overlays; all 0 if it cannot be drawn. In
+    // a comparison, of the exact method's part.
     FrameReport measure(int width, int height);
-    // How long the parts of a picture have taken lately; null without a clock.
+    // Recent times of the parts of a picture; null without a clock.
     const ProcessTimes* times() const { return clock_.times(); }
-    // The column that is inspected in a picture of that width: the option's, or the middle one.
+    // The inspected column of a picture of this width: the option's, or the middle one.
     int inspectedColumn(int width) const;
-    // A number that two sessions share if they are in the same state: the player, what moves and
-    // opens, the options that bear on a step, and the steps done.
+    // A hash of the state: the player, movers and gates, the options that affect a step, and the
+    // number of steps.
     std::uint64_t fingerprint() const;
 
 private:
@@ -141,8 +140,8 @@ private:
     void stepAround(const GateAsk& ask);
     bool drawView(const Eye& seen, const Picture& picture);
     SliceTrace traceFrom(const Eye& seen, const ColumnRequest& request);
-    double classicShare() const;          // of the width, from the left
-    int classicColumns(int width) const;  // that the classic method draws
+    double classicShare() const;          // share of the width, from the left
+    int classicColumns(int width) const;  // columns that the classic method draws
     void applyLight();
     void drawOverlays(const Eye& seen, const Picture& picture);
 
@@ -151,18 +150,17 @@ private:
     MapLights lights_;
     SessionOptions options_;
     Player player_;
-    Player previous_;   // before the last step; the same as player_ after a leap
-    Input heldBefore_;  // of the last step, to tell a press from a key that is held
+    Player previous_;   // before the last step; equals player_ after a leap
+    Input heldBefore_;  // of the last step, to tell a new press from a held key
     std::vector<Body> bodies_;
     SessionRenderer renderer_;
-    FrameReport
-        classicReport_;  // of the last picture, or part of one, that the classic method drew
+    FrameReport classicReport_;  // of what the classic method drew in the last picture
     SlowDrawing slowDrawing_;
     Minimap minimap_;
     PhaseClock clock_;
     double drawnFraction_ = 1.0;
     std::int64_t steps_ = 0;
-    std::int64_t beganAt_ = 0;  // the step after which the world stood at its start
+    std::int64_t beganAt_ = 0;  // the step after which the world was last at its start
     Recorder* recorder_ = nullptr;
 };
 

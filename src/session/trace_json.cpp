@@ -18,7 +18,7 @@ using What = FilledRows::What;
 
 constexpr auto kOpaqueKinds = std::to_array<What>(
     {What::side, What::roof, What::underside, What::floor, What::ceiling, What::sky, What::haze});
-static_assert(kOpaqueKinds.back() == What{kOpaqueKinds.size() - 1}, "in the order of What");
+static_assert(kOpaqueKinds.back() == What{kOpaqueKinds.size() - 1}, "must be in the order of What");
 
 bool hasTexture(const FilledRows& rows) {
     return rows.texture != kNoTexture;
@@ -142,7 +142,7 @@ void writeSlice(Json& json, const Session& session, const SliceTrace& trace) {
     json.endList();
 }
 
-// One number for each column.
+// Writes one number for each column.
 void writeColumns(JsonText& json, const char* key, const std::vector<double>& numbers) {
     json.line(2).key(key).beginArray();
     for (const double number : numbers) json.number(number);
@@ -156,7 +156,7 @@ void writeNumbers(JsonText& json, const char* key,
     json.endObject();
 }
 
-// What all columns of a picture add up to.
+// Sums over all columns of a picture.
 struct Sums {
     explicit Sums(int width)
         : nearest(static_cast<std::size_t>(width), std::numeric_limits<double>::infinity()),
@@ -197,9 +197,9 @@ void writeTextures(JsonText& json, const World& world, const Sums& sums) {
     for (const bool isSprite : {false, true}) {
         const auto& texels = sums.texels[isSprite ? 1 : 0];
         for (std::size_t i = 0; i < texels.size(); ++i) {
-            std::size_t details = kMostDetails;
-            while (details > 0 && texels[i][details - 1] == 0) --details;
-            if (details == 0) continue;
+            std::size_t levelCount = kMostDetails;
+            while (levelCount > 0 && texels[i][levelCount - 1] == 0) --levelCount;
+            if (levelCount == 0) continue;
             json.line(2)
                 .beginObject()
                 .key("name")
@@ -207,7 +207,7 @@ void writeTextures(JsonText& json, const World& world, const Sums& sums) {
                 .key("kind")
                 .text(isSprite ? "sprite" : "texture");
             json.key("texels").beginArray();
-            for (std::size_t m = 0; m < details; ++m)
+            for (std::size_t m = 0; m < levelCount; ++m)
                 json.number(static_cast<double>(texels[i][m]));
             json.endArray().endObject();
         }

@@ -35,18 +35,18 @@
 
 using namespace slicecast;
 
-// One session as JavaScript sees it: what has been read of a scene so far, and the game. The game
-// of the program's session lives in the program.
+// One session of JavaScript: what has been read of a scene so far, and the game. The program owns
+// the game of its session.
 struct SlicecastSession {
     bool ofProgram = false;
     ParsedScene parsed;
     SceneFiles files;
-    EarlyImages early;                 // of the files that have come
-    std::optional<Recorder> recorder;  // of the own game, which writes to it
+    EarlyImages early;                 // decoded from `files`
+    std::optional<Recorder> recorder;  // of `own`, which writes to it
     std::optional<Replay> replay;
     std::unique_ptr<Session> own;
-    std::optional<Recording> recording;  // read, and not yet played
-    SessionOptions waiting;              // options set before there is a game
+    std::optional<Recording> recording;  // read, but not yet replayed
+    SessionOptions waiting;              // options set before there is a game; see currentValue()
     Image picture;
     std::string answer;
     PackedValues packed;
@@ -58,7 +58,7 @@ struct SlicecastSession {
     void changed() const {
         if (ofProgram) pageProgram().redraw();
     }
-    // Packed anew.
+    // Empties `packed` for a new answer.
     PackedValues& pack() {
         packed.clear();
         return packed;
@@ -133,12 +133,12 @@ const double* packColumns(SlicecastSession* session, int32_t width, int32_t heig
                           const int32_t* columns, int32_t count, PackColumns pack) {
     Session* game = session->game();
     if (game == nullptr || !isPictureSize(width, height)) return nullptr;
-    const std::span<const int> asked(reinterpret_cast<const int*>(columns),
-                                     static_cast<std::size_t>(count));
-    for (const int column : asked) {
+    const std::span<const int> columnList(reinterpret_cast<const int*>(columns),
+                                          static_cast<std::size_t>(count));
+    for (const int column : columnList) {
         if (column < 0 || column >= width) return nullptr;
     }
-    pack(*game, game->world().title, width, height, asked, session->pack());
+    pack(*game, game->world().title, width, height, columnList, session->pack());
     return session->packed.numbers.data();
 }
 
@@ -203,7 +203,7 @@ EMSCRIPTEN_KEEPALIVE const uint32_t* slicecast_supply(SlicecastSession* session,
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
-    // A scene whose text is at fault says so again, and makes no world.
+    // If the text had faults, this reports them again and makes no world.
     LoadedScene loaded =
         loadScene(std::move(session->parsed), session->files, std::move(session->early));
     session->files.clear();
@@ -235,10 +235,10 @@ EMSCRIPTEN_KEEPALIVE uint32_t slicecast_memoryEnd(void) {
 
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_adopt(void) {
     if (pageProgram().game() == nullptr) return 0;
-    auto anew = std::make_unique<Session>(pageProgram().game()->takeWorld());
+    auto restarted = std::make_unique<Session>(pageProgram().game()->takeWorld());
     renewPageProgram();
     *slicecast_programSession() = {.ofProgram = true};
-    pageProgram().play(std::move(anew));
+    pageProgram().play(std::move(restarted));
     return 1;
 }
 
@@ -504,7 +504,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_setCell(SlicecastSession* session, in
                                                    int32_t level, int32_t x, int32_t y,
                                                    int32_t character) {
     Session* game = session->game();
-    if (game == nullptr) return session->give("there is no scene");
+    if (game == nullptr) return session->give("no scene is loaded");
     session->changed();
     return session->give(game->setCell({map, level, x, y}, static_cast<char32_t>(character)));
 }

@@ -1,55 +1,61 @@
-// What JavaScript may call in the WebAssembly module: the same functions serve a page, where the
+// The functions of the WebAssembly module for JavaScript. They serve both a page, where the
 // program draws into a canvas, and Node, where there is no canvas. Plain C; each function
 // `slicecast_NAME` is `module._slicecast_NAME` in JavaScript.
 //
-//     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});   //
-//     web/engine/engine-module.js; without a canvas under Node
+//     // web/engine/engine-module.js; under Node without a canvas
+//     const module = await createModule(program, {canvas, onSlicecast(event, value) {...}});
+//     // Without the program: module._slicecast_create()
+//     const session = module._slicecast_programSession();
+//     {files, faults} = JSON.parse(module.UTF8ToString(
+//         module._slicecast_parse(session, text, textBytes, name)));
+//     // For each of the files that could be read:
+//     module._slicecast_supply(session, fileName, bytes, byteCount);
+//     // Without faults it plays:
+//     {faults, warnings} = JSON.parse(module.UTF8ToString(module._slicecast_start(session)));
+//     // Once, in a page: the program starts to draw and listen
+//     module._slicecast_begin();
 //
-//     const session = module._slicecast_programSession();                                     // or
-//     module._slicecast_create() without the program {files, faults} =
-//     JSON.parse(module.UTF8ToString(module._slicecast_parse(session, text, textBytes, name))); for
-//     each of the files:    module._slicecast_supply(session, fileName, bytes, byteCount);  // no
-//     call: the file could not be read {faults, warnings} =
-//     JSON.parse(module.UTF8ToString(module._slicecast_start(session)));  // no faults: it plays
-//     module._slicecast_begin();                                                              //
-//     once, in a page: the program begins to draw and listen
+// Strings passed in are UTF-8; those without a byte count end in a zero byte. Arguments are copied,
+// so the caller may free its memory at once. Returned strings belong to the session and are valid
+// until its next call that returns a string. A fault is
+// {"file", "pointer", "line", "column", "row", "character", "found", "expected", "message"} as in
+// scene/scene.h; `message` has all of it in one line.
 //
-// Strings in are UTF-8; those without a byte count end in a zero byte. What goes in is copied: the
-// caller frees its own memory at once. Strings out belong to the session and hold until the next
-// call for the same session that returns a string. A fault is
-// {"file", "pointer", "line", "column", "row", "character", "found", "expected", "message"} as
-// scene/scene.h describes it; `message` says all in one line.
-//
-// The program tells the page what happens by calling onSlicecast(event, value), if there is one:
+// The program reports events to the page by calling onSlicecast(event, value), if it is given:
 //
 //     "ready"       true          the first picture is on the canvas
-//     "pause"       true, false   play stands still or goes on (P, slicecast_pause); a hidden tab
-//     stands still without this event "pointer"     true, false   the canvas holds the pointer (a
-//     click) or has lost it (Escape) "cursor"      true, false   the cursor's place in the picture
-//     steers (N, or a refusal to hold the pointer), or not "recording"   true, false   the game is
-//     recorded, or no more "replay"      true, false   a recording is played, or it is over: it has
-//     ended, or somebody moves "fly"         true, false   fly or walk mode (V), after every
-//     change; false in the beginning "overlay"     true, false   some overlay (a key of M, B, O, J,
-//     U, G, K, Y) is on, or none, after every change; false in the beginning "help"        true H
-//     was pressed: the page shows or hides the keys "rate"        true          I was pressed: the
-//     page shows or hides the frame rate "fullscreen"  true          F was pressed: the page enters
-//     or leaves full screen "record"      true          F9 was pressed: the page opens the scene
-//     anew and records it, or saves what was recorded "hits"        {...}         T was pressed:
-//     what the inspected slice meets, as slicecast_hits gives it "frames"      {"framesPerSecond",
-//     "drawMilliseconds", "longestMilliseconds"}   twice a second, over the time since the last one
+//     "pause"       true, false   paused or continued (P, slicecast_pause); a hidden tab pauses
+//                                 without this event
+//     "pointer"     true, false   the canvas has captured the pointer (a click) or lost it (Escape)
+//     "cursor"      true, false   the cursor's place in the picture steers (N, or after a refusal
+//                                 to capture the pointer), or not
+//     "recording"   true, false   recording has started or stopped
+//     "replay"      true, false   a replay has started, or ended by itself or by a player's input
+//     "fly"         true, false   fly or walk mode (V), after every change; initially false
+//     "overlay"     true, false   whether some overlay (keys M, B, O, J, U, G, K, Y) is on, after
+//                                 every change; initially false
+//     "help"        true          H was pressed: the page shows or hides the keys
+//     "rate"        true          I was pressed: the page shows or hides the frame rate
+//     "fullscreen"  true          F was pressed: the page enters or leaves full screen
+//     "record"      true          F9 was pressed: the page reopens the scene and records it, or
+//                                 saves the recording
+//     "hits"        {...}         T was pressed: the hits of the inspected slice, as slicecast_hits
+//                                 returns them
+//     "frames"      {"framesPerSecond", "drawMilliseconds", "longestMilliseconds"}
+//                                 twice a second, over the time since the last one
 //     "frame"       true          a picture has been put on the canvas
-//     "view"        true          before it: the eye is not where it was in the picture before
+//     "view"        true          before "frame": the eye has moved since the last picture
 //     "portal"      {"from", "to"}   the player has gone through a portal; names of the maps, which
-//     may be the same
+//                                 may be the same
 //
-// While it stands still or its page is hidden, the program asks for no frame of the browser's and
-// no timer; whatever changes what is to be seen asks for one frame.
+// While it is paused or hidden, the program requests no frames and sets no timers; anything that
+// changes the picture requests one frame.
 //
-// The program looks after the input of its canvas, which the page makes focusable: it focuses it on
-// a press, holds the pointer after a click, and takes the keys that it knows only while the canvas
-// has the focus. Tab and anything with Ctrl, Alt or Meta stay the page's; Escape frees the pointer,
-// then gives the focus back. Of the canvas's CSS size it takes only where in the picture the cursor
-// is.
+// The program handles the input of its canvas, which the page makes focusable. It focuses the
+// canvas on a press, captures the pointer after a click, and takes the keys that it knows only
+// while the canvas has the focus. Tab and anything with Ctrl, Alt or Meta stay the page's; Escape
+// releases the pointer, then gives the focus back. It uses the canvas's CSS size only to place the
+// cursor in the picture.
 #pragma once
 
 #include <stdint.h>
@@ -58,7 +64,7 @@
 extern "C" {
 #endif
 
-// A scene being loaded, or one running game with its world, player and options.
+// A scene that is being loaded, or a running game with its world, player and options.
 typedef struct SlicecastSession SlicecastSession;
 
 // "1.2.3", the version of the project. Never freed.
@@ -67,35 +73,34 @@ const char* slicecast_version(void);
 // A session without a game. Free it with slicecast_free.
 SlicecastSession* slicecast_create(void);
 
-// Ends a session that slicecast_create made, and all of its memory.
+// Frees a session that slicecast_create made, with all of its memory.
 void slicecast_free(SlicecastSession* session);
 
-// The session that the program shows. It exists from the beginning and is never freed.
+// The session of the program. It always exists and is never freed.
 SlicecastSession* slicecast_programSession(void);
 
-// Checks the text of a scene; `fileName` stands in the faults. Gives {"files": [names of the images
-// needed], "faults": [...]}. A game that is already running goes on until slicecast_start. What was
-// supplied for an earlier text is forgotten.
+// Checks the text of a scene; `fileName` is used in the faults. Returns {"files": [names of the
+// images needed], "faults": [...]}. A running game continues until slicecast_start. Forgets the
+// images supplied for an earlier text.
 const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes,
                             const char* fileName);
 
-// Supplies the bytes of one of those files, whose picture is decoded at once. Gives where its
-// pixels are and how many bytes they have, R, G, B, A each; 0 where it is no picture, which is told
-// by slicecast_start. With `blank` 1 nothing is decoded: the caller knows the pixels of these very
-// bytes from another module, and writes them there. The place holds until the next call for the
-// same session. A file never supplied becomes a fault ("could not be read").
+// Supplies the bytes of one of those files and decodes the picture at once. Returns the address of
+// its pixels and their size in bytes (R, G, B, A each); 0 if it is not a picture, which
+// slicecast_start reports. With `blank` 1 it decodes nothing: the caller has the pixels of these
+// bytes from another module and writes them there. The address is valid until the next call for the
+// same session. A file that is not supplied becomes a fault ("could not be read").
 const uint32_t* slicecast_supply(SlicecastSession* session, const char* fileName,
                                  const uint8_t* bytes, int32_t byteCount, int32_t blank);
 
-// Builds the world and begins to play it. Gives {"faults": [...], "warnings": [...]}; with any
-// fault the game that ran before, if any, goes on, warnings keep nothing from playing. Options are
-// kept.
+// Builds the world and starts to play it. Returns {"faults": [...], "warnings": [...]}. With any
+// fault the game that ran before continues; warnings do not prevent playing. Options are kept.
 const char* slicecast_start(SlicecastSession* session);
 
-// How much of the module's memory is in use, in bytes from its beginning. A module whose memory has
-// been overwritten with that of another one of the same build then has the scene of the other's
-// program by slicecast_adopt: from its start, with all options as in the beginning, and without a
-// canvas. 1 on success, 0 if there was no game.
+// The size of the module's memory in use, in bytes from its start. To clone a program: overwrite a
+// module's memory with that of another module of the same build, then call slicecast_adopt. It
+// starts the other program's scene from its start, with default options and without a canvas. 1 on
+// success, 0 if there was no game.
 uint32_t slicecast_memoryEnd(void);
 int32_t slicecast_adopt(void);
 
@@ -106,120 +111,120 @@ const char* slicecast_world(SlicecastSession* session);
 // One step of exactly 1/120 s. Axes are -1 to 1: forward, strafe (right), turn (right), look (up),
 // fly (up; negative crouches in walk mode). turnDegrees (right) and lookHeights (up, in screen
 // heights) act at once, for a mouse. `buttons` is a sum of 1 = jump, 2 = fast, 4 = slow, 8 = open
-// or close the gates within reach, 16 = open them, 32 = close them. Without a game: nothing. The
-// program steps its own session by itself, and by this function also while it stands still; what it
-// replayed is then over.
+// or close the gates within reach, 16 = open them, 32 = close them. Does nothing without a game.
+// The program steps its own session by itself; this call adds a step, also while paused, and ends a
+// replay.
 void slicecast_step(SlicecastSession* session, double forward, double strafe, double turn,
                     double look, double fly, double turnDegrees, double lookHeights,
                     int32_t buttons);
 
-// Draws the view, `fraction` (0 to 1) of the way from the last step but one to the last, into the
-// session's own picture. 1 on success, 0 if there is no game or the picture cannot be drawn (size
-// not within 1 to 8192 pixels a side).
+// Draws the view at `fraction` (0 to 1) of the way between the last two steps into the session's
+// own picture. 1 on success, 0 if there is no game or the size is not within 1 to 8192 pixels a
+// side.
 int32_t slicecast_draw(SlicecastSession* session, int32_t width, int32_t height, double fraction);
 
 // The picture last drawn by slicecast_draw: width * height * 4 bytes R, G, B, A, rows from the top,
-// no padding. Holds until the next slicecast_draw.
+// no padding. Valid until the next slicecast_draw.
 const uint8_t* slicecast_picture(SlicecastSession* session);
 
-// Sets an option by name, as `--set` of the command line tools does. Gives "" on success, else what
-// was wrong. Without a game the option waits for it.
+// Sets an option by name, like `--set` of the command line tools. Returns "" on success, else a
+// message. Without a game the option is kept for the next one.
 const char* slicecast_setOption(SlicecastSession* session, const char* name, const char* value);
 
-// The value of an option; "" where there is no such option.
+// The value of an option; "" for an unknown name.
 const char* slicecast_option(SlicecastSession* session, const char* name);
 
-// All options, in the order in which to list them: [{"name", "kind", "label", "group", "least",
-// "greatest", "choices", "standard", "description", "value"}]. `label` is for a settings dialog;
-// `group` is "view", "light", "overlays", "moving" or "classic". `kind` is "onOff", "number",
-// "wholeNumber", "ownOrNumber" ("map" for each map's own value), "ownOrColour" ("map" or "#rrggbb")
-// or "choice"; `least` and `greatest` bound the numbers, `choices` are a choice's words with a
-// space between them.
+// All options, in the order of a list: [{"name", "kind", "label", "group", "least", "greatest",
+// "choices", "standard", "description", "value"}]. `label` is for a settings dialog; `group` is
+// "view", "light", "overlays", "moving" or "classic". `kind` is "onOff", "number", "wholeNumber",
+// "ownOrNumber" ("map" for each map's own value), "ownOrColour" ("map" or "#rrggbb") or "choice";
+// `least` and `greatest` bound the numbers, `choices` has a choice's words, separated by spaces.
 const char* slicecast_options(SlicecastSession* session);
 
-// Named settings of the classic method, as a person would ask for them ("Fish eye"): [{"name",
-// "description", "options": {"classic.projection": "equalAngles"}}]. All options of the method that
-// one does not name are as they are by default.
+// Named settings of the classic method ("Fish eye"), each with the defect that it shows: [{"name",
+// "description", "options": {"classic.projection": "equalAngles"}}]. All other options of the
+// method have their defaults.
 const char* slicecast_oldWays(SlicecastSession* session);
 
-// What of the world the present method leaves out of the picture: a list of sentences, empty for
+// The features of the world that the present method does not draw: a list of sentences, empty for
 // the exact method and without a game.
 const char* slicecast_leftOut(SlicecastSession* session);
 
-// Where the player is, after the last step: {"map", "mapName", "x", "y", "z", "feet", "heading",
-// "look", "speed", "flying", "swimming", "crouched", "onGround", "intensity", "multiplier",
-// "steps", "fingerprint"}: map by its number, x, y, z of the eye and height of the feet in units,
-// heading in degrees (0 = east, 90 = south), look in screen heights, speed in units per second. The
-// fingerprint is the same text for the same state on every machine. null without a game.
+// The player after the last step: {"map", "mapName", "x", "y", "z", "feet", "heading", "look",
+// "speed", "flying", "swimming", "crouched", "onGround", "gate", "intensity", "multiplier",
+// "steps", "fingerprint"}: the map's number, x, y, z of the eye and height of the feet in units,
+// heading in degrees (0 = east, 90 = south), look in screen heights, speed in units per second;
+// "gate" is "open" or "close" if the use key would do that, else "". The fingerprint is the same
+// text for the same state on every machine. null without a game.
 const char* slicecast_state(SlicecastSession* session);
 
-// The eye after the last step, cheap enough for every frame: map by its number, x, y, z, heading,
-// look, as in slicecast_state. Holds until the next call. Null without a game.
+// The eye after the last step, fast enough for every frame: map number, x, y, z, heading, look, as
+// in slicecast_state. Valid until the next call. Null without a game.
 const double* slicecast_view(SlicecastSession* session);
 
-// Records the game, which has just begun, under the name of the scene's file without its ending.
-// Nothing without a game.
+// Records the game, which must have just begun, under the name of the scene's file without its
+// extension. Does nothing without a game.
 void slicecast_record(SlicecastSession* session, const char* sceneName);
 
-// Ends the recording and gives it as text; "" where nothing was recorded.
+// Stops recording and returns the text; "" if nothing was recorded.
 const char* slicecast_takeRecording(SlicecastSession* session);
 
 // Checks the text of a recording, and keeps it if it has no faults: {"scene", "steps", "marks":
-// [{"name", "step"}], "faults": [...]}. `fileName` stands in the faults.
+// [{"name", "step"}], "faults": [...]}. `fileName` is used in the faults.
 const char* slicecast_readRecording(SlicecastSession* session, const char* text, int32_t textBytes,
                                     const char* fileName);
 
-// Plays the recording that was read in the game, which has just begun. The program does so by
-// itself from now on; another session step by step, by slicecast_replayStep. 1 on success, 0
-// without a game or a recording.
+// Replays the recording that was read, in the game, which must have just begun. The program plays
+// it by itself; other sessions step it by slicecast_replayStep. 1 on success, 0 without a game or a
+// recording.
 int32_t slicecast_replay(SlicecastSession* session);
 
-// Up to `count` steps of the replay. Gives how many there were; fewer at its end.
+// Plays up to `count` steps of the replay. Returns how many it played; fewer at the end.
 int32_t slicecast_replayStep(SlicecastSession* session, int32_t count);
 
-// {"steps", "stepsDone", "isSame"}: how far a replay has come, and whether the eye was, at every
-// mark so far, where it was when the recording was made. null where none is played.
+// {"steps", "stepsDone", "isSame"}: the length of the replay, its progress, and whether the eye was
+// at the recorded place at every mark so far. null if there is no replay.
 const char* slicecast_replayState(SlicecastSession* session);
 
-// Puts the player's eye somewhere else, flying; inside blocks and outside the grid too. 1 on
-// success, 0 if such an eye cannot see (no such map, not above the floor).
+// Puts the player's eye somewhere else, flying; also inside blocks and outside the grid. 1 on
+// success, 0 if the eye would see nothing (no such map, not above the floor).
 int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z,
                          double headingDegrees, double look);
 
-// Into a map by its number: to the scene's start if it lies in that map, else to the free tile
-// nearest to the map's middle. 1 on success, 0 if there is no such map.
+// Moves the player into a map by its number: to the scene's start if it lies in that map, else to
+// the free tile nearest to the map's middle. 1 on success, 0 if there is no such map.
 int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 
-// ---- Questions that figures ask. Those that give numbers have packed their answer as
-// session/json_text.h says: slicecast_texts then gives the texts that stand in it, as a JSON list.
-// Both hold until the next such call. Null without a game, and for what does not exist.
+// ---- Questions of figures. Answers that consist of numbers are packed (session/json_text.h);
+// slicecast_texts returns their texts. Both are valid until the next such call. Null without a
+// game, and for things that do not exist.
 
 // The texts of the last packed answer, as a JSON list.
 const char* slicecast_texts(SlicecastSession* session);
 
-// Everything that columns of a picture of that size meet: an array of what session/hits_json.h
-// describes. "scene" is the scene's title. Null if one of the columns does not exist.
+// What columns of a picture of this size meet: an array of the objects of session/hits_json.h.
+// "scene" is the scene's title. Null if one of the columns does not exist.
 const double* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height,
                              const int32_t* columns, int32_t count);
 
-// Everything that the renderer did for columns of a picture of that size: an array of what
-// session/trace_json.h describes. Null if one of the columns does not exist.
+// All that the renderer did for columns of a picture of this size: an array of the objects of
+// session/trace_json.h. Null if one of the columns does not exist.
 const double* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height,
                               const int32_t* columns, int32_t count);
 
-// The same for a picture of that size as a whole, as JSON; "null" without a game.
+// The same for a whole picture of this size, as JSON; "null" without a game.
 const char* slicecast_traceFrame(SlicecastSession* session, int32_t width, int32_t height);
 
-// A free ray, as session/cast_json.h describes it; without a height where z is not a number.
+// A free ray, see session/cast_json.h; without a height if z is NaN.
 const double* slicecast_cast(SlicecastSession* session, int32_t map, double x, double y, double z,
                              double headingDegrees);
 
-// What one pixel of a picture of that size shows, as session/pick.h describes it.
+// What one pixel of a picture of this size shows, see session/pick.h.
 const double* slicecast_pick(SlicecastSession* session, int32_t width, int32_t height,
                              int32_t column, int32_t row);
 
-// Where a point of the world lies in a picture of that size: x and y in pixels, and its depth. Null
-// for one that is not before the eye, or in another map.
+// Where a point of the world lies in a picture of this size: x and y in pixels, and its depth. Null
+// for a point in another map, or not in front of the eye.
 const double* slicecast_project(SlicecastSession* session, int32_t map, double x, double y,
                                 double z, int32_t width, int32_t height);
 
@@ -228,80 +233,79 @@ const double* slicecast_project(SlicecastSession* session, int32_t map, double x
 const char* slicecast_cells(SlicecastSession* session, int32_t map);
 const char* slicecast_blueprints(SlicecastSession* session, int32_t map);
 
-// Changes a cell of the running world (session/edit_cells.h) until slicecast_reset; the character
-// by its number in Unicode. The eye stays where it is. Gives "" on success, else what was wrong.
+// Changes a cell of the running world (session/edit_cells.h) until slicecast_reset; `character` is
+// its Unicode number. The eye stays where it is. Returns "" on success, else a message.
 const char* slicecast_setCell(SlicecastSession* session, int32_t map, int32_t level, int32_t x,
                               int32_t y, int32_t character);
 
-// Where a place of the world stands in a picture of that size, seen as the last picture was: x and
-// y in pixels, perpendicular depth, and 1 if nothing covers it there, else 0
-// (world/line_of_sight.h). Holds until the next call. Null for a place that is not before the eye,
-// or in another map.
+// Where a place of the world appears in a picture of this size, from the eye of the last picture: x
+// and y in pixels, perpendicular depth, and 1 if nothing hides it, else 0 (world/line_of_sight.h).
+// Valid until the next call. Null for a place in another map, or not in front of the eye.
 const double* slicecast_spot(SlicecastSession* session, int32_t map, double x, double y, double z,
                              int32_t width, int32_t height);
 
 // Fly mode (1) or walk mode (0).
 void slicecast_setFlying(SlicecastSession* session, int32_t flying);
 
-// Back to the scene's start, at rest; every cell is as the scene has it.
+// Back to the scene's start, standing; every cell is as the scene has it.
 void slicecast_reset(SlicecastSession* session);
 
-// ---- The program in a page: these act on it and its session, also before it begins.
+// ---- The program in a page: these act on the program and its session, also before it starts.
 
-// The size of the picture in pixels, 1 to 4096 a side; the page scales the canvas with CSS. 640 x
-// 400 until then.
+// The size of the picture in pixels, 1 to 4096 a side, initially 640 x 400; the page scales the
+// canvas with CSS.
 void slicecast_resize(int32_t width, int32_t height);
 
-// Stands still (1) or goes on (0).
+// Pauses (1) or continues (0).
 void slicecast_pause(int32_t paused);
 
-// 1 while it stands still by P or slicecast_pause.
+// 1 while paused by P or slicecast_pause.
 int32_t slicecast_paused(void);
 
-// Mouse look: degrees turned per CSS pixel of movement (0.15 until set), and whether moving the
-// mouse forward looks down (1) rather than up (0).
+// Mouse look: degrees per CSS pixel of motion (initially 0.15), and whether moving the mouse
+// forward looks down (1) or up (0).
 void slicecast_setMouse(double degreesPerPixel, int32_t invert);
 
-// A gamepad as it is now, by the web's standard mapping: sticks -1 to 1 to the right and down,
-// triggers 0 to 1, bit n of the buttons for button n. Dead zones are the program's. All zero where
-// there is none.
+// The gamepad's present state in the web's standard mapping: sticks -1 to 1, right and down
+// positive, triggers 0 to 1, bit n of the buttons for button n. The program applies dead zones. All
+// zero without a gamepad.
 void slicecast_gamepad(double leftX, double leftY, double rightX, double rightY, double leftTrigger,
                        double rightTrigger, int32_t buttons);
 
-// What thumbs on the screen hold, until the next call or the focus is lost: forward, strafe (right)
+// What touch controls hold, until the next call or until the focus is lost: forward, strafe (right)
 // and fly (up) from -1 to 1; buttons as in slicecast_step.
 void slicecast_thumbs(double forward, double strafe, double fly, int32_t buttons);
 
-// A finger has dragged the picture by so many CSS pixels: it turns and looks as the mouse does.
+// A finger has dragged the picture by this many CSS pixels; turns and looks like the mouse.
 void slicecast_drag(double right, double down);
 
-// Lets the cursor's place in the picture turn and look (1), or not (0): beyond a fifth of the way
-// from the middle to an edge, more the further out.
+// Steers by the cursor's place in the picture (1), or not (0). It turns and looks beyond a fifth of
+// the way from the middle to an edge, faster further out.
 void slicecast_steerByCursor(int32_t on);
 
-// What the keys do, a line for each row of a help text: [{"keys": ["W", "S"], "does", "group",
-// "scope", "actions": [{"name": "forward", "does", "press", "keys": [{"code": "KeyW", "label":
-// "W"}]}]}] in the order in which to show them. `group` is "move", "look", "gates", "light", "show"
-// or "program"; `scope` is "move", "element" or "page" (see app/actions.h); `press` is "hold",
-// "press" or "repeat". A line without keys has none at the moment. Holds until the next call of
-// these two.
+// All keys, one object for each row of a help text: [{"keys": ["W", "S"], "does", "group", "scope",
+// "actions": [{"name": "forward", "does", "press", "keys": [{"code": "KeyW", "label": "W"}]}]}], in
+// the order of the help. `group` is "move", "look", "gates", "light", "show" or "program"; `scope`
+// is "move", "element" or "page" (see app/actions.h); `press` is "hold", "press" or "repeat".
+// `keys` is empty for actions that have no key at present. Valid until the next slicecast_keys or
+// slicecast_bindKey.
 const char* slicecast_keys(void);
 
-// From now on a key (a KeyboardEvent.code) does that action and nothing else; "" for nothing at
-// all. Gives "" on success, else what was wrong.
+// Binds a key (a KeyboardEvent.code) to an action instead of its present one; "" removes that.
+// Returns "" on success, else a message.
 const char* slicecast_bindKey(const char* code, const char* action);
 
-// Every key does what it does in the beginning.
+// Restores the standard keys.
 void slicecast_standardKeys(void);
 
-// The scope of what a key does; "" if it does nothing.
+// The scope of a key's action; "" if it has none.
 const char* slicecast_keyScope(const char* code);
 
-// Begins to draw into the canvas and to listen to it; the second call does nothing. 0 if there is
-// no canvas.
+// Starts to draw into the canvas and to listen to it; a second call does nothing. 0 if there is no
+// canvas.
 int32_t slicecast_begin(void);
 
-// Ends the program: no picture, no listener, no timer remains, and the module may be dropped.
+// Stops the program: no picture, listener or timer remains, and the module may be dropped.
 void slicecast_stop(void);
 
 #ifdef __cplusplus

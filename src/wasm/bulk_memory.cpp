@@ -1,6 +1,6 @@
-// Copying and filling by the machine's own instructions, where WebAssembly has them: the small C
-// library goes byte by byte. These functions stay out of the optimisation of the whole, which takes
-// what it compiles with them for a program of several threads.
+// Copies and fills memory by WebAssembly's own instructions, because the small C library goes byte
+// by byte. This file is not part of the link-time optimisation, which would treat code compiled for
+// these instructions as a multi-threaded program.
 #ifdef __wasm_bulk_memory__
 
 #include <cstddef>

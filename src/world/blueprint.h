@@ -26,37 +26,37 @@ inline constexpr double kWaterSight = 8.0;
 struct FaceBlueprint {
     TextureId texture = kNoTexture;
     double light = 1.0;  // factor on the map's light, 0 to 1
-    bool glow =
-        false;  // the factor is all: as bright as that at any distance, whatever the map's light
-    std::uint8_t mirror = 0;      // of a top face: how much of what is above shows in it, of 255
-    PortalId portal = kNoPortal;  // who or what comes in through this face is elsewhere
+    // The factor alone sets the brightness, at any distance and whatever the map's light.
+    bool glow = false;
+    std::uint8_t mirror = 0;      // of a top face: strength of its reflection, of 255
+    PortalId portal = kNoPortal;  // the face leads to another place
 };
 
-// A filled cell: the box between `bottom` and `top` above its level's base. What moves, opens, or
-// leads elsewhere has blueprints of its own, made when the world is: its edges and textures may
-// change with every step. While top <= bottom its cells are empty (see Map::occupied).
+// A filled cell: the box between `bottom` and `top` above its level's base. Blocks that move, open
+// or lead elsewhere get blueprints of their own when the world is made, because each step may
+// change their edges and textures. While top <= bottom their cells are empty (see Map::occupied).
 struct CellBlueprint {
     std::string name;
     Coordinate bottom;             // 0 <= bottom < top
     Coordinate top = tileEdge(1);  // <= 1
     std::array<FaceBlueprint, kFaces> faces;
     bool seeThrough = false;  // a texel of a face has alpha below 255; set by markSeeThrough
-    bool join = true;         // where two see-through blocks of this blueprint touch, the two faces
-                              // between them are left out
+    bool join =
+        true;  // leaves out the two faces between touching see-through blocks of this blueprint
 
-    bool passable = false;  // bodies go through it: an open gate
-    bool isWater = false;   // bodies get into it, see world/water.h; counts as see-through, and
-                            // faces without a texture are not there
-    Colour waterColour = kWaterColour;  // what an eye in it sees all in, the more the farther
-    double waterSight = kWaterSight;    // units, > 0: from there on it sees this colour alone
-    bool hasPortals = false;            // a face has one; set by markPortals
-    Coordinate textureRise;  // by which what moves has carried its sides' textures up, 0 to 1; they
-                             // begin anew where they end
-    BlueprintId origin = kEmptyCell;  // what it was made from, as one that moves, opens or has
-                                      // portals; empty for those of the scene's text
-    int mover = -1;   // the thing that moves as one, of which this block is a part; -1 for none
-    int motion = -1;  // index into World::motions; -1 for what stands still
-    int gate = -1;    // index into World::gateKinds; -1 for what is no gate
+    bool passable = false;  // bodies go through it, as through an open gate
+    bool isWater = false;   // see world/water.h; counts as see-through, and faces without a texture
+                            // are not drawn
+    Colour waterColour = kWaterColour;  // under water everything fades to this colour with distance
+    double waterSight = kWaterSight;  // units, > 0: from this distance on only that colour is seen
+    bool hasPortals = false;          // a face has one; set by markPortals
+    Coordinate textureRise;  // how far its motion has moved its sides' textures up, 0 to 1; they
+                             // wrap around
+    BlueprintId origin = kEmptyCell;  // the blueprint that this one was made from, if it moves,
+                                      // opens or has portals; else empty
+    int mover = -1;   // index into World::movers, of which this block is a part; -1 for none
+    int motion = -1;  // index into World::motions; -1 for still blocks
+    int gate = -1;    // index into World::gateKinds; -1 for other blocks
 
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
 };

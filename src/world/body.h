@@ -1,5 +1,5 @@
-// Bodies as moving blocks and gates see them: whoever must not be crushed, and who rides on what
-// moves.
+// Bodies for movers and gates: these must not crush bodies, and movers carry those that stand on
+// them.
 //
 //     bodies.push_back(bodyOf(travellerOf(player), player.onGround));
 //     stepWorld(world, bodies, ask);
@@ -13,17 +13,17 @@ namespace slicecast {
 
 struct Body {
     int map = 0;         // index into World::maps
-    Box box = {};        // higher than a moving block gets in a step; moved along by the step
-    bool rides = false;  // stands with its weight: goes down with what it stands on too
-    Position eye = {};   // as of a Traveller; of no meaning in a world without portals
+    Box box = {};        // taller than the way of a mover in a step; the step moves it along
+    bool rides = false;  // rests with its weight: also goes down with the ground
+    Position eye = {};   // as in Traveller; only used in a world with portals
     Threshold behind = {};
-    bool floats = false;   // as of a Traveller
-    Coordinate lift = {};  // by how much a step has moved it up; negative is down
+    bool floats = false;   // as in Traveller
+    Coordinate lift = {};  // how far the step has moved it up; negative is down
 
-    // Of no meaning outside the step.
+    // Used only during a step.
     bool straddles = false;  // reaches into a portal
-    bool isMet = false;      // may be met by the mover at hand
-    Coordinate push = {};    // by how much that mover takes it up; negative is down
+    bool isMet = false;      // may meet the present mover or gate
+    Coordinate push = {};    // how far the present mover lifts it; negative is down
 };
 
 inline Body bodyOf(const Traveller& traveller, bool rides) {
@@ -35,7 +35,7 @@ inline Body bodyOf(const Traveller& traveller, bool rides) {
             .floats = traveller.floats};
 }
 
-// The same, so far up.
+// The traveller of a body, moved up by `up`.
 inline Traveller travellerOf(const Body& body, Coordinate up = {}) {
     const Position eye = {body.eye.x, body.eye.y, body.eye.z + up};
     return {.map = body.map,

@@ -19,10 +19,10 @@ void show(World& world, const Gate& gate, const GateKind& kind) {
     }
 }
 
-// Between two intervals, 0 where they meet.
-std::int64_t gap(Coordinate low, Coordinate high, Coordinate otherLow, Coordinate otherHigh) {
-    const std::int64_t below = std::int64_t{otherLow.raw} - high.raw;
-    const std::int64_t above = std::int64_t{low.raw} - otherHigh.raw;
+// The gap between two intervals, 0 if they touch.
+std::int64_t gap(Coordinate low, Coordinate high, Coordinate fromLow, Coordinate fromHigh) {
+    const std::int64_t below = std::int64_t{fromLow.raw} - high.raw;
+    const std::int64_t above = std::int64_t{low.raw} - fromHigh.raw;
     return std::max({below, above, std::int64_t{0}});
 }
 
@@ -47,9 +47,8 @@ void obey(Gate& gate, const GateKind& kind, const GateAsk& ask) {
         ask.wish == GateAsk::Wish::open || (ask.wish == GateAsk::Wish::change && !gate.wantsOpen);
 }
 
-// Only who comes opens it, and only when all have gone it closes; between, it is as the keys have
-// left it.
-void lookOut(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
+// Opens when someone comes near, closes when all have left; keys override in between.
+void updateApproach(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
     const bool wasNear = gate.isNear;
     gate.isNear = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
         return body.map == gate.map && isWithin(gate, body.box, kind.approach);
@@ -62,7 +61,7 @@ void lookOut(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
     }
 }
 
-// True if a body that was free would not be with the gate shut, which it is not yet.
+// True if closing the fully open gate would enclose a body that is free now.
 bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
     for (Body& body : bodies) {
         body.isMet = (body.straddles || (body.map == gate.map && isWithin(gate, body.box, {}))) &&
@@ -79,7 +78,7 @@ bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
 void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& ask) {
     const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
     obey(gate, kind, ask);
-    if (kind.opensOnApproach) lookOut(gate, kind, bodies);
+    if (kind.opensOnApproach) updateApproach(gate, kind, bodies);
     if (gate.progress == (gate.wantsOpen ? kind.steps : 0)) return;
     if (gate.progress == kind.steps && isInUse(world, gate, bodies)) return;
     gate.progress += gate.wantsOpen ? 1 : -1;

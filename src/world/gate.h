@@ -1,11 +1,10 @@
 // Gates: blocks that open and close.
 //
-//     closed -> opening -> open -> closing -> closed         at any moment the other way round, from the progress reached
+//     closed -> opening -> open -> closing -> closed     it may reverse at any moment
 //
-// Cells of one gate's blueprint that touch, side by side or stacked, are one gate. Bodies go
-// through it only while it is fully open. A gate never closes on anyone: it waits, still open,
-// until nobody is in it. Its faces that show a held sheet show the frame of its progress, the last
-// one when it is open.
+// Cells of one gate's blueprint that touch, side by side or stacked, are one gate. Bodies pass only
+// while it is fully open. A gate never closes on a body: it stays open until nobody is inside.
+// Faces with a held sheet show the frame of the gate's progress, the last one when it is open.
 #pragma once
 
 #include "base/coordinate.h"
@@ -21,18 +20,18 @@ namespace slicecast {
 struct Body;
 struct World;
 
-inline constexpr double kLongestGate = 60.0;   // seconds, to open and to hold
-inline constexpr double kFarthestGate = 64.0;  // units, to reach and to approach
+inline constexpr double kLongestGate = 60.0;   // seconds; for opening and for holding
+inline constexpr double kFarthestGate = 64.0;  // units; for reach and approach
 
-// What a blueprint says of its gates.
+// The properties of the gates of one blueprint.
 struct GateKind {
     int steps = 96;  // from closed to open, > 0
-    Coordinate reach =
-        tileEdge(2);    // how far an eye may be that opens it, from the nearest point of its blocks
-    bool keyed = true;  // opened and closed by whoever is within reach
+    // Keys work within this distance, from the eye to the nearest point of the gate's blocks.
+    Coordinate reach = tileEdge(2);
+    bool keyed = true;  // keys within reach open and close it
     bool opensOnApproach = false;
-    Coordinate approach = {};  // a body that comes this near opens it
-    int holdSteps = 120;       // and it closes when nobody has been that near for so long
+    Coordinate approach = {};  // a body that comes this close opens it
+    int holdSteps = 120;       // it closes after nobody has been that close for this long
     bool startsOpen = false;
 };
 
@@ -62,12 +61,12 @@ struct Gate {
     std::vector<GateFace> faces;
     int progress = 0;  // steps, 0 is closed
     bool wantsOpen = false;
-    bool isNear = false;  // somebody has approached
-    int awaySteps = 0;    // since nobody was near
+    bool isNear = false;  // a body is within `approach`
+    int awaySteps = 0;    // steps since the last body left
 };
 
-// What somebody asks of the gates within reach of an eye. To close one that has somebody in it is
-// granted when they have gone.
+// What a player asks of the gates within reach of the eye. A gate with somebody inside closes when
+// they have left.
 struct GateAsk {
     enum class Wish : std::uint8_t { nothing, change, open, close };
     Wish wish = Wish::nothing;
@@ -77,23 +76,23 @@ struct GateAsk {
     Coordinate z;
 };
 
-// Finds the gates of a world whose cells are complete, and puts them in their first state. What it
-// gives is wrong with the world, which is of no use then.
+// Finds the gates of a world whose cells are complete, and sets their initial states. Returns
+// faults; with any the world is unusable.
 std::vector<PlacingFault> makeGates(World& world);
 
-// Textures for the frames of the sheets that the gates show. For a world whose textures have been
-// read, before markSeeThrough.
+// Makes textures for the frames of the sheets that gates show. Call it after the textures are read
+// and before markSeeThrough.
 void makeGateFrames(World& world);
 
-// What the key would do to the gates that hear it there: the wish itself does not matter. Where one
-// would open and another one close, it is open.
+// What the use key would do to the gates within reach; ignores ask.wish. `open` if it would open
+// any.
 enum class GateOffer : std::uint8_t { none, open, close };
 GateOffer gateOffer(const World& world, const GateAsk& ask);
 
-// One step of all of them. The bodies stay where they are.
+// One step of all gates. Does not move the bodies.
 void stepGates(World& world, std::span<Body> bodies, const GateAsk& ask);
 
-// Back to the beginning.
+// Restores the initial states.
 void resetGates(World& world);
 
 GateState stateOf(const Gate& gate, const GateKind& kind);

@@ -1,4 +1,4 @@
-// Finding the gates of a world, and giving each of them blueprints of its own.
+// Finds the gates of a world and gives each blueprints of its own.
 #include "base/words.h"
 #include "world/gate.h"
 #include "world/mover.h"
@@ -17,7 +17,8 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
     Gate gate;
     gate.map = mapIndex;
     gate.kind = world.blueprints[map.cell(group[0].x, group[0].y, group[0].level)].gate;
-    std::vector<std::pair<BlueprintId, BlueprintId>> partOf;  // by the blueprint in the text
+    std::vector<std::pair<BlueprintId, BlueprintId>>
+        partOf;  // part by its blueprint in the scene's text
     for (const CellPlace& at : group) {
         const BlueprintId id = map.cell(at.x, at.y, at.level);
         auto known = std::find_if(partOf.begin(), partOf.end(),
@@ -37,8 +38,8 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
     return gate;
 }
 
-// The texture of the sheet's second frame, the others behind it. The sheet itself keeps its first
-// one, which it shows wherever it is no gate.
+// Makes textures of a sheet's frames from the second on, and returns the first of these. The sheet
+// keeps frame 0, which faces that are not gates show.
 TextureId framesOf(World& world, TextureId sheet) {
     const auto later = static_cast<TextureId>(world.textures.size());
     std::vector<std::vector<TextureLevel>> frames = std::move(world.textures[sheet].laterFrames);
@@ -71,11 +72,11 @@ std::vector<PlacingFault> makeGates(World& world) {
             break;
         }
         for (const std::vector<CellPlace>& group : groups) {
-            // A gate has at most as many parts as cells.
+            // A gate has at most one part per cell.
             if (world.blueprints.size() + group.size() > static_cast<std::size_t>(kMaxBlueprints)) {
                 faults.push_back(
                     {static_cast<int>(map), group[0].x, group[0].y, group[0].level,
-                     words("a gate with which there are more than ", kMaxBlueprints, " blueprints"),
+                     words("a gate that exceeds the limit of ", kMaxBlueprints, " blueprints"),
                      "fewer gates"});
                 return faults;
             }
@@ -87,7 +88,7 @@ std::vector<PlacingFault> makeGates(World& world) {
 }
 
 void makeGateFrames(World& world) {
-    std::vector<GateFace> known;  // by the sheet
+    std::vector<GateFace> known;  // by sheet
     for (Gate& gate : world.gates) {
         for (const BlueprintId part : gate.parts) {
             for (int side = 0; side < kFaces; ++side) {

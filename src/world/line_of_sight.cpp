@@ -7,9 +7,9 @@
 namespace slicecast {
 namespace {
 
-constexpr double kFarthest = 32768.0;  // units, as coordinates
+constexpr double kFarthest = 32768.0;  // units, the limit of coordinates
 
-// The borders of tiles that the way crosses along one axis, as shares of it.
+// The tile borders that the way crosses along one axis, as parts of the way's length.
 struct Borders {
     int tile;
     int step;
@@ -29,7 +29,7 @@ struct Borders {
     }
 };
 
-// Within one tile the way reaches from one height to another.
+// True if a block hides the part of the way in one tile, between two heights.
 bool blockCovers(const World& world, const Map& map, int x, int y, double low, double high) {
     if (!map.contains(x, y)) return false;
     const int last = std::min(map.levels - 1, static_cast<int>(std::floor(high)));

@@ -1,11 +1,10 @@
-// Whether something stands between two places of a map: for labels that hide when what they name is
-// covered.
+// Tests whether something hides one place of a map from another, for labels.
 //
 //     isInSight(world, map, eye, {x, y, z})
 //
-// Blocks cover unless they are see-through or open gates, and so do floor and ceiling. Portals lead
-// elsewhere, so what lies behind them is covered too. Objects cover nothing. The last kNearPlace of
-// the way does not count: a place may lie on a wall.
+// Blocks hide places unless they are see-through or open gates; floor and ceiling hide them too,
+// and so do portals, because they lead elsewhere. Objects hide nothing. Ignores the last kNearPlace
+// of the way, because a place may lie on a wall.
 #pragma once
 
 #include "world/world.h"
@@ -15,7 +14,7 @@ namespace slicecast {
 inline constexpr double kNearPlace = 1.0 / 16.0;  // units
 
 struct Place {
-    double x = 0.0;  // units; outside the grid too
+    double x = 0.0;  // units; may lie outside the grid
     double y = 0.0;
     double z = 0.0;
 };

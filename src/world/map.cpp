@@ -13,8 +13,7 @@ void Map::setCell(int x, int y, int level, BlueprintId blueprint) {
     openLand.clear();
 }
 
-// One more than the least of the neighbours has: from the north and the west first, then from the
-// others.
+// One more than the least neighbour: first from the north and west, then from the south and east.
 void Map::findOpenLand() {
     constexpr int kMost = 255;
     openLand.assign(floor.tiles.size(), 0);

@@ -1,4 +1,4 @@
-// A map: a grid of width x depth tiles with stacked levels, and what surrounds it (floor, ceiling,
+// A map: a grid of width x depth tiles with stacked levels, and its surroundings (floor, ceiling,
 // sky, light, fog).
 //
 //        x ->                       level n lies between heights n and n + 1;
@@ -23,41 +23,38 @@
 
 namespace slicecast {
 
-// The plane at height 0. It goes on without end: outside the grid with `texture`, inside with a
-// texture per tile.
+// The plane at height 0. It is endless: one `texture` outside the grid, a texture per tile inside.
 struct Floor {
     TextureId texture = kNoTexture;
     std::vector<TextureId> tiles;  // [y * width + x]
     double light = 1.0;            // factor on the map's light, 0 to 1
     bool glow = false;             // see FaceBlueprint
     std::uint8_t mirror = 0;       // see FaceBlueprint
-    TextureId water = kNoTexture;  // tiles that show it are water, which one wades in
+    TextureId water = kNoTexture;  // tiles with this texture are water, in which bodies wade
 };
 
-// A plane above some or all tiles of the grid, seen from both sides. There is none where no tile
-// has a texture.
+// A plane above some or all tiles of the grid, seen from both sides.
 struct Ceiling {
-    Coordinate height;             // units, > 0
-    std::vector<TextureId> tiles;  // [y * width + x], kNoTexture where the tile is open to the sky;
-                                   // empty when the map has no ceiling
+    Coordinate height;  // units, > 0
+    std::vector<TextureId>
+        tiles;  // [y * width + x], kNoTexture where there is no ceiling; empty if the map has none
     double light = 1.0;
     bool glow = false;
 };
 
-// What is seen where nothing else is: rays that rise or run level. Never lit, never in fog.
+// The background of rays that rise or run level. Never lit, never in fog.
 struct Sky {
     enum class Kind : std::uint8_t { colour, gradient, panorama };
     Kind kind = Kind::colour;
     Colour low = {150, 190, 230, 255};  // the colour; the gradient's colour at the horizon
     Colour high;                        // the gradient's colour at `slope` and above
-    double slope = 1.0;  // upward slope (height / distance) that the gradient's end or the
-                         // panorama's upper edge stands for, > 0
-    Image panorama;  // any size; wraps around the full circle, its left edge in the east, turning
-                     // clockwise
+    double slope = 1.0;  // upward slope (height / distance) of the gradient's end or the panorama's
+                         // upper edge, > 0
+    Image panorama;      // any size; wraps around the full circle clockwise, starting in the east
 };
 
-// Brightness at depth t is clamp(intensity * multiplier / t, darkest, brightest), or 1 where the
-// light is off, times a face's own factor.
+// Brightness at depth t is clamp(intensity * multiplier / t, darkest, brightest), or 1 if the light
+// is off, times the face's own factor.
 struct Light {
     bool on = true;
     double intensity = 1.5;
@@ -66,14 +63,14 @@ struct Light {
     double brightest = 1.0;
 };
 
-// Blends towards the haze colour from depth `start` on, wholly at depth `end`.
+// Blends towards the haze colour from depth `start` on, completely at depth `end`.
 struct Fog {
     bool on = false;
     double start = 0.0;  // units
     double end = 1.0;    // units, > start
 };
 
-// A character of the scene's rows, and the blueprint that it stands for.
+// A character of the scene's rows, and its blueprint.
 struct LegendEntry {
     char32_t character = 0;
     BlueprintId blueprint = kEmptyCell;
@@ -81,18 +78,15 @@ struct LegendEntry {
 
 struct Map {
     std::string name;
-    int width = 0;                    // tiles eastward
-    int depth = 0;                    // tiles southward
-    int levels = 0;                   // stacked levels
-    std::vector<BlueprintId> cells;   // [(y * width + x) * levels + level]
-    std::vector<LegendEntry> legend;  // as the scene has it; blueprints as they were in its text
-    std::vector<Object> objects;      // the order decides where two are at one depth
-    std::vector<std::uint32_t>
-        occupied;  // [y * width + x]: bit n is set where level n holds a block
-    std::vector<PortalId>
-        tilePortals;  // [y * width + x], kNoPortal where there is none; empty when the map has none
-    std::vector<std::uint8_t>
-        openLand;  // [y * width + x]: see findOpenLand; empty where nobody has asked for it
+    int width = 0;                        // tiles eastward
+    int depth = 0;                        // tiles southward
+    int levels = 0;                       // stacked levels
+    std::vector<BlueprintId> cells;       // [(y * width + x) * levels + level]
+    std::vector<LegendEntry> legend;      // as in the scene, with the blueprints of its text
+    std::vector<Object> objects;          // at equal depth the order decides
+    std::vector<std::uint32_t> occupied;  // [y * width + x]: bit n is set if level n has a block
+    std::vector<PortalId> tilePortals;    // [y * width + x], kNoPortal for none; may be empty
+    std::vector<std::uint8_t> openLand;   // [y * width + x]: see findOpenLand; may be empty
     Floor floor;
     Ceiling ceiling;
     Sky sky;
@@ -114,8 +108,8 @@ struct Map {
         return contains(x, y) && level >= 0 && level < levels &&
                (occupied[tileIndex(x, y)] >> level & 1u) != 0;
     }
-    // The blueprint at a cell; empty where no block is at the moment, outside the grid and outside
-    // the levels.
+    // The blueprint of a cell; empty if it holds no block at present, and outside the grid and the
+    // levels.
     BlueprintId cell(int x, int y, int level) const {
         return isOccupied(x, y, level) ? cells[cellIndex(x, y, level)] : kEmptyCell;
     }
@@ -127,10 +121,10 @@ struct Map {
     }
     void setCell(int x, int y, int level, BlueprintId blueprint);
 
-    // For each tile, how much open land is around it: all tiles of the grid that are less than so
+    // Finds for each tile how much open land surrounds it: all tiles of the grid less than this
     // many tiles away, in x and in y, never hold a block, and have the floor's own texture, no
-    // ceiling and no portal. At most 255. Views over wide land are drawn faster with it. To be
-    // called again after any of that has changed; setCell() forgets it.
+    // ceiling and no portal. At most 255. Speeds up views over wide land. Call it again after any
+    // of that has changed; setCell() clears it.
     void findOpenLand();
 };
 

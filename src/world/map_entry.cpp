@@ -10,7 +10,7 @@
 namespace slicecast {
 namespace {
 
-// The lowest place to stand in the middle of a tile.
+// The lowest height at which a player can stand in the middle of a tile.
 std::optional<Coordinate> lowestPlace(const World& world, int mapIndex, int tileX, int tileY) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const Coordinate x = {tileEdge(tileX).raw + tileEdge(1).raw / 2};

@@ -12,8 +12,7 @@ constexpr double eased(double p) {
 
 }  // namespace
 
-// Rounded once, at the end. The product of whole numbers is exact, so `even` is right to the last
-// bit.
+// Rounds once, at the end. The product of integers is exact, so `even` is exact to the last bit.
 Coordinate offsetAt(const Motion& motion, int steps) {
     const std::int64_t period = motion.periodSteps;
     const std::int64_t at = (std::int64_t{steps} + motion.phaseSteps) % period;

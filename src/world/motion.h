@@ -1,10 +1,10 @@
-// Motions: how an edge of a moving block goes to and fro. Time counts in whole steps, and an offset
-// is rounded once, to 1/65536 of a unit.
+// Motions: how the edges of a moving block move back and forth. Time is counted in whole steps, and
+// offsets are rounded once, to 1/65536 unit.
 //
-//     offset  to |      ___                                A period takes the offset from `from` to `to` and back again. `even` goes at one speed,
-//                |    /     \            smooth            `smooth` begins and ends slowly, `stopAndGo` does so too and rests for a quarter of the
-//           from |__/         \__                          period at either end.
-//                +----------------> steps
+//     offset  to |      ___                      A period takes the offset from `from` to `to`
+//                |    /     \            smooth  and back. `even` has constant speed, `smooth`
+//           from |__/         \__                starts and ends slowly, `stopAndGo` does so too
+//                +----------------> steps        and rests for a quarter of the period at each end.
 //
 //     part   = 2 * min(at, period - at) / period, at = (steps + phase) modulo period
 //     way    = part                                 even
@@ -25,9 +25,9 @@ enum class MotionShape : std::uint8_t { smooth, even, stopAndGo };
 
 inline constexpr double kShortestPeriod = 0.1;    // seconds
 inline constexpr double kLongestPeriod = 3600.0;  // seconds
-inline constexpr double kGreatestOffset = 32.0;   // units either way: all levels of a map
-// Units per second. In a step an edge gets no further than 1/30, which is less than any body is
-// high: nothing passes through anything.
+inline constexpr double kGreatestOffset = 32.0;   // units up or down: all levels of a map
+// Units per second. In a step an edge moves at most 1/30 unit, less than the height of any body, so
+// nothing passes through anything.
 inline constexpr double kFastestMotion = 4.0;
 
 struct Motion {
@@ -36,14 +36,14 @@ struct Motion {
     Coordinate from = {};  // added to the edges' height
     Coordinate to = {};
     int periodSteps = 240;  // > 1
-    int phaseSteps = 0;     // into the period at the beginning; 0 <= phaseSteps < periodSteps
+    int phaseSteps = 0;     // position in the period at the start; 0 <= phaseSteps < periodSteps
     MotionShape shape = MotionShape::smooth;
 };
 
-// After so many steps, at least 0.
+// The offset after this many steps, >= 0.
 Coordinate offsetAt(const Motion& motion, int steps);
 
-// Units per second at the fastest, of a motion over such a distance.
+// The highest speed of a motion over this distance, units per second.
 double fastestSpeed(MotionShape shape, double distance, double periodSeconds);
 
 }  // namespace slicecast

@@ -20,8 +20,8 @@ Extent extentOf(const Shaft& shaft, MovingEdges edges, Coordinate offset) {
             edges == MovingEdges::bottom ? shaft.high : shaft.high + offset};
 }
 
-// What stands on the shaft, or would if it were not empty. A top that does not move carries
-// nothing.
+// The height at which bodies stand on the shaft, even while it is empty. A top that does not move
+// carries nothing.
 Coordinate groundOf(const Extent& extent) {
     return std::max(extent.low, extent.high);
 }
@@ -30,7 +30,7 @@ constexpr Coordinate withinLevel(Coordinate height, int level) {
     return std::clamp(height - tileEdge(level), Coordinate{0}, tileEdge(1));
 }
 
-// The textures of its sides go with it.
+// Updates a shaft's parts; the textures of the sides move with it.
 void placeShaft(World& world, Map& map, const Shaft& shaft, const Extent& extent,
                 Coordinate offset) {
     for (int level = shaft.firstLevel; level <= shaft.lastLevel; ++level) {
@@ -54,21 +54,20 @@ void place(World& world, const Mover& mover, Coordinate offset) {
         placeShaft(world, map, shaft, extentOf(shaft, edges, offset), offset);
 }
 
-// One mover that is about to move.
+// One mover with its next offset.
 struct Move {
     const World& world;
     const Mover& mover;
     Coordinate offset;
 
-    // The push that a body gets, if it stands above the mover or beside, and whether the mover has
-    // anything to do with it.
+    // Sets the body's push, and isMet if the mover may touch it.
     void meet(Body& body) const;
 };
 
 void Move::meet(Body& body) const {
     body.isMet = body.straddles;
     body.push = {};
-    // Water pushes and carries only what floats.
+    // Water pushes and carries only floating bodies.
     if (world.blueprints[mover.shafts.front().firstPart].isWater && !body.floats) {
         body.isMet = false;
         return;
@@ -104,7 +103,7 @@ void Move::meet(Body& body) const {
     body.isMet = body.isMet && isFree(world, travellerOf(body));
 }
 
-// How far up a body gets that is met; the mover has moved.
+// How far a met body gets up, after the mover has moved.
 Coordinate liftOf(const World& world, const Body& body) {
     return body.push < Coordinate{0} ? sweepZ(world, travellerOf(body), body.push) : body.push;
 }
@@ -118,7 +117,7 @@ void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
         mover.clock = clock;
         return;
     }
-    // Tried out: it moves, and everybody with it
+    // Try: move it with all bodies on it
     for (Body& body : bodies) Move{world, mover, offset}.meet(body);
     place(world, mover, offset);
     const bool isInTheWay = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
@@ -130,10 +129,10 @@ void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
     }
     for (Body& body : bodies) {
         if (!body.isMet || body.push == Coordinate{0}) continue;
-        const Traveller there = travellerOf(body, liftOf(world, body));
-        body.lift = body.lift + (there.box.bottom - body.box.bottom);
-        body.box = there.box;
-        body.eye = there.eye;
+        const Traveller lifted = travellerOf(body, liftOf(world, body));
+        body.lift = body.lift + (lifted.box.bottom - body.box.bottom);
+        body.box = lifted.box;
+        body.eye = lifted.eye;
     }
     mover.clock = clock;
     mover.offset = offset;

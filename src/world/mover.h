@@ -1,11 +1,17 @@
 // Movers: blocks whose bottom, top or both go up and down by a motion.
 //
-//      |     |  level 2        Cells of one moving blueprint that touch, side by side or stacked, are one mover: all of it moves by the same offset. A
-//      |:::::|                 shaft is what of it stands in tiles of the same levels. On each level that a shaft can reach its cells have a blueprint of
-//      |#####|  level 1        their own, which is cut off at the level's borders, and empty while the shaft is elsewhere.
-//      |#####|
-//      |     |  level 0        A mover waits, and its clock with it, as long as it would enter a body that was free. What stands on its top, or is met by
-//      +-----+                 it from below, goes up with it; what stands there with its weight goes down with it too.
+//      |     |  level 2
+//      |:::::|                  Each shaft has a blueprint of its own on every level that it can
+//      |#####|  level 1         reach. It is cut off at the level's borders, and empty while the
+//      |#####|                  shaft is elsewhere.
+//      |     |  level 0
+//      +-----+
+//
+// Cells of one moving blueprint that touch, side by side or stacked, are one mover: all of it moves
+// by the same offset. A shaft is the part of it in tiles of the same levels.
+//
+// A mover waits, and its clock with it, while it would enter a body that was free. It lifts bodies
+// that stand on its top or that it meets from below; bodies that rest on it go down with it too.
 #pragma once
 
 #include "base/coordinate.h"
@@ -21,44 +27,44 @@ namespace slicecast {
 struct Body;
 struct World;
 
-inline constexpr std::size_t kMaxMovingCells =
-    1'000'000;  // of all movers, with what they reach, and all gates
+// All cells of gates and movers, with the cells that movers reach.
+inline constexpr std::size_t kMaxMovingCells = 1'000'000;
 
 struct Shaft {
-    Coordinate low;  // without the motion's offset, above the map's floor
+    Coordinate low;  // above the map's floor, without the motion's offset
     Coordinate high;
-    int firstLevel = 0;  // that it can reach
+    int firstLevel = 0;  // the levels that it can reach
     int lastLevel = 0;
     BlueprintId firstPart =
-        kEmptyCell;  // its blueprint on firstLevel; those of the levels above follow
+        kEmptyCell;                  // blueprint on firstLevel; those of the levels above follow
     std::vector<std::size_t> tiles;  // Map::tileIndex
 };
 
 struct Mover {
     int map = 0;  // indices into World::maps and World::motions
     int motion = 0;
-    int west = 0;  // the tiles around it, all included
+    int west = 0;  // its bounding tiles, inclusive
     int east = 0;
     int north = 0;
     int south = 0;
     std::vector<Shaft> shafts;
-    int clock = 0;  // steps that it has moved, within the period
+    int clock = 0;  // steps that it has moved, modulo the period
     Coordinate offset;
     Coordinate previousOffset;  // before the last step
 };
 
-// Finds the movers of a world whose cells are complete, and puts them in their first places. What
-// it gives is wrong with the world, which is of no use then.
+// Finds the movers of a world whose cells are complete, and puts them in their initial places.
+// Returns faults; with any the world is unusable.
 std::vector<PlacingFault> makeMovers(World& world);
 
-// One step of all of them. The bodies are moved along.
+// One step of all movers. Moves the bodies along.
 void stepMovers(World& world, std::span<Body> bodies);
 
-// Back to the beginning.
+// Restores the initial places.
 void resetMovers(World& world);
 
-// Puts the blocks where they are at `fraction` (0 to 1) of the way from the last step but one to
-// the last, for a picture. Steps are made from 1.
+// Shows the movers at `fraction` (0 to 1) of the way between the last two steps, for a picture.
+// Reset to 1 before the next step.
 void showMovers(World& world, double fraction);
 
 }  // namespace slicecast

@@ -1,4 +1,4 @@
-// Finding the movers of a world, and giving each of them blueprints of its own.
+// Finds the movers of a world and gives each blueprints of its own.
 #include "base/number_text.h"
 #include "base/words.h"
 #include "world/mover.h"
@@ -11,7 +11,7 @@
 namespace slicecast {
 namespace {
 
-// The levels that a shaft's cells were put on, lowest first, and what they were.
+// The levels that a shaft's cells occupy in the scene, lowest first, and their blueprints.
 struct Run {
     int firstLevel = 0;
     std::vector<BlueprintId> blueprints;
@@ -22,7 +22,7 @@ struct Run {
 
 struct Maker {
     World& world;
-    std::size_t cells = kMaxMovingCells;  // left
+    std::size_t cells = kMaxMovingCells;  // remaining
     std::vector<PlacingFault> faults;
 
     void addFault(int map, const CellPlace& at, std::string found, std::string expected) {
@@ -45,7 +45,7 @@ std::string heightText(Coordinate height) {
     return text;
 }
 
-// Its extent, its reach, and its blueprints. `at` is its lowest cell in its first tile.
+// Sets a shaft's extent, levels and blueprints. `at` is its lowest cell in its first tile.
 bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const Motion& motion,
                       int mover, Shaft& shaft) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
@@ -55,13 +55,13 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
             world.blueprints[run.blueprints[i + 1]].bottom == Coordinate{0})
             continue;
         addFault(mapIndex, at, words(block, " stacked without touching"),
-                 "a bottom of 0 and a top of 1 where a moving block is stacked");
+                 "a bottom of 0 and a top of 1 in stacked moving blocks");
         return false;
     }
     shaft.low = tileEdge(run.firstLevel) + world.blueprints[run.blueprints.front()].bottom;
     shaft.high = tileEdge(run.lastLevel()) + world.blueprints[run.blueprints.back()].top;
 
-    // How far it gets
+    // Its range
     const Coordinate least = std::min(motion.from, motion.to);
     const Coordinate most = std::max(motion.from, motion.to);
     const Coordinate lowest = motion.edges == MovingEdges::top ? shaft.low : shaft.low + least;
@@ -75,7 +75,7 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     }
     if (lowest >= highest) {
         addFault(mapIndex, at, words(block, " whose top never gets above its bottom"),
-                 "a motion with which the block is to be seen");
+                 "a motion during which the block is visible");
         return false;
     }
     shaft.firstLevel = std::min(run.firstLevel, lowest.tile());
@@ -84,10 +84,9 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     // A blueprint for each level
     const std::size_t parts = static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1);
     if (world.blueprints.size() + parts > static_cast<std::size_t>(kMaxBlueprints)) {
-        addFault(
-            mapIndex, at,
-            words(block, ", with whose parts there are more than ", kMaxBlueprints, " blueprints"),
-            "fewer moving blocks and gates, or fewer levels that they reach");
+        addFault(mapIndex, at,
+                 words(block, ", whose parts exceed the limit of ", kMaxBlueprints, " blueprints"),
+                 "fewer moving blocks and gates, or fewer levels that they reach");
         return false;
     }
     shaft.firstPart = static_cast<BlueprintId>(world.blueprints.size());
@@ -102,7 +101,7 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     return true;
 }
 
-// Fills what the shaft reaches in one tile. It is empty otherwise.
+// Takes a tile's cells in the shaft's range, which must be empty except for its own.
 bool Maker::takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& shaft) {
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const std::size_t reached =
@@ -144,7 +143,7 @@ void Maker::makeMover(int mapIndex, const std::vector<CellPlace>& group) {
     const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
     std::vector<Run> runs;  // of the shafts
     for (std::size_t i = 0; i < group.size();) {
-        // A run of cells above one another
+        // A vertical run of cells
         const CellPlace at = group[i];
         Run run;
         run.firstLevel = at.level;
@@ -154,7 +153,7 @@ void Maker::makeMover(int mapIndex, const std::vector<CellPlace>& group) {
              ++i) {
             run.blueprints.push_back(map.cell(at.x, at.y, group[i].level));
         }
-        // Its shaft, with the other tiles of its kind
+        // Its shaft, shared by all tiles with the same run
         const auto known = std::find(runs.begin(), runs.end(), run);
         const auto shaft = static_cast<std::size_t>(known - runs.begin());
         if (known == runs.end()) {

@@ -1,4 +1,4 @@
-// Finds the cells that belong together as one mover or one gate.
+// Finds the cells that form one mover or one gate.
 #pragma once
 
 #include "world/world.h"
@@ -15,14 +15,13 @@ struct CellPlace {
     friend auto operator<=>(const CellPlace&, const CellPlace&) = default;
 };
 
-// For each blueprint the first one of its name, since a blueprint may have got instances: what
-// touches of one name belongs together. 0 where `CellBlueprint::*index` names nothing.
+// For each blueprint the first one of its name, because instances share names and cells of one name
+// belong together. 0 for blueprints whose `CellBlueprint::*index` is negative.
 std::vector<BlueprintId> kindsOf(const World& world, int CellBlueprint::*index);
 
-// The cells of a map in groups of one kind that touch along the axes, in the order of each group's
-// first cell by x, y and level; so are those of a group. `kinds` is by blueprint, 0 for those that
-// belong to no group. Nothing, and false, if they are more than `limit`, which is lowered by their
-// number.
+// The cells of a map in groups of one kind that touch along the axes. Groups are ordered by their
+// first cell by x, y and level; so are the cells of a group. `kinds` maps blueprints to kinds, 0
+// for no group. Lowers `limit` by the number of cells; returns false if they exceed it.
 bool groupCells(const Map& map, const std::vector<BlueprintId>& kinds, std::size_t& limit,
                 std::vector<std::vector<CellPlace>>& groups);
 

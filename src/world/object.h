@@ -1,6 +1,6 @@
-// Objects: billboards. An object is an upright rectangle that always turns to the viewer, parallel
-// to the picture plane: `width` units wide about (x, y), from its feet at height z up. It is met at
-// one depth t, that of its middle, rounded to 1/65536.
+// Objects: billboards. An object is an upright rectangle parallel to the picture plane that always
+// faces the viewer: `width` units wide, centred on (x, y), with its feet at height z. It has one
+// depth t, that of its middle, rounded to 1/65536.
 #pragma once
 
 #include "base/coordinate.h"
@@ -20,7 +20,7 @@ struct Object {
     Coordinate height;   // > 0
     double light = 1.0;  // see FaceBlueprint
     bool glow = false;
-    bool floats = false;  // water bears it, as ground does
+    bool floats = false;  // floats on water
 };
 
 }  // namespace slicecast

@@ -12,13 +12,13 @@
 namespace slicecast {
 namespace {
 
-constexpr int kShortestWay = kStepsPerSecond / 2;  // steps that a wanderer goes one way
+constexpr int kShortestWay = kStepsPerSecond / 2;  // steps for which a wanderer keeps its heading
 constexpr int kLongestWay = kStepsPerSecond * 4;
-constexpr double kWidestTurn = 70.0;   // degrees, at the end of a way
-constexpr double kTurnAtLedge = 60.0;  // to either side of straight back
+constexpr double kWidestTurn = 70.0;   // degrees, at each change of heading
+constexpr double kTurnAtLedge = 60.0;  // degrees to either side of straight back
 constexpr Coordinate kFallPerStep = toCoordinate(kGravity * kStepSeconds * kStepSeconds);
 constexpr Coordinate kFastestFall = toCoordinate(kGreatestFall * kStepSeconds);
-constexpr double kPhases = 4294967296.0;  // of a turn
+constexpr double kPhases = 4294967296.0;  // per turn
 constexpr double kPi = 3.14159265358979323846;
 
 Object& movedObject(World& world, const ObjectMotion& motion) {
@@ -34,14 +34,14 @@ Traveller travellerOf(const ObjectMotion& motion, const Object& object) {
             .floats = object.floats};
 }
 
-// True if the water has become deeper than a walker goes, half its height.
+// True if the water has become too deep for a walker: deeper than half its height.
 bool isTooDeep(const World& world, const Object& object, const Traveller& before,
                const Traveller& body) {
     const Coordinate depth = waterDepth(world, body);
     return depth.raw > object.height.raw / 2 && depth > waterDepth(world, before);
 }
 
-// Takes an object from its map's list to the end of another one's; the rest keep their order.
+// Moves an object from its map's list to the end of another map's; the others keep their order.
 void changeMap(World& world, ObjectMotion& motion, int map) {
     std::vector<Object>& from = world.maps[static_cast<std::size_t>(motion.map)].objects;
     std::vector<Object>& to = world.maps[static_cast<std::size_t>(map)].objects;
@@ -54,8 +54,8 @@ void changeMap(World& world, ObjectMotion& motion, int map) {
     motion.object = static_cast<int>(to.size()) - 1;
 }
 
-// The object where its body has come to, by a way of so much in its old map; everything that has a
-// direction turns with it.
+// Puts the object where its body has arrived after moving by `way`. Portals turn everything that
+// has a direction.
 void put(World& world, ObjectMotion& motion, const Traveller& body, GroundPoint way) {
     Object& object = movedObject(world, motion);
     GroundPoint fromHome = {object.x + way.x - motion.homeX, object.y + way.y - motion.homeY};
@@ -81,13 +81,13 @@ void face(ObjectMotion& motion, double degrees) {
     motion.wayY = toCoordinate(heading.sine * motion.speed * kStepSeconds);
 }
 
-// The eye halfway up again, after a step up or down.
+// Raises or lowers the eye to half height after a step up or down.
 void straighten(const World& world, const Object& object, Traveller& body) {
     const Coordinate lag = body.box.bottom + Coordinate{object.height.raw / 2} - body.eye.z;
     if (lag.raw != 0) moveEye(world, body, lag);
 }
 
-// Where a body comes to rest on the ground, if there is any within a step below it.
+// Puts a body onto the ground, if there is any within a step below it.
 bool comeDown(const World& world, Traveller& body) {
     const Coordinate drop = sweepZ(world, body, {-kStepHeight.raw});
     const Box above = body.box;
@@ -97,7 +97,7 @@ bool comeDown(const World& world, Traveller& body) {
     return false;
 }
 
-// Straight down.
+// Falls straight down.
 void fall(World& world, ObjectMotion& motion) {
     Traveller body = travellerOf(motion, movedObject(world, motion));
     motion.fallen = std::min(motion.fallen + kFallPerStep, kFastestFall);
@@ -106,24 +106,22 @@ void fall(World& world, ObjectMotion& motion) {
     put(world, motion, body, {});
 }
 
-// What became of a step.
+// The result of a step.
 struct Step {
     bool stoppedX = false;
     bool stoppedY = false;
-    bool refused =
-        false;  // it has not moved: before a ledge, or whatever would lead it off its line
+    bool refused = false;  // not moved: at a ledge, or pushed off its line
 };
 
-// One step sideways and, over stairs, up or down. What has lost the ground under its feet begins to
-// fall.
+// One step sideways and, over stairs, up or down. Starts to fall if the ground is lost.
 Step walk(World& world, ObjectMotion& motion, GroundPoint way) {
     const Object& object = movedObject(world, motion);
     const Traveller before = travellerOf(motion, object);
     Traveller body = before;
     const Travelled done = slide(world, body, way.x, way.y, kStepHeight);
     Step step = {.stoppedX = done.stoppedX, .stoppedY = done.stoppedY};
-    // A pacer keeps to its line; and where a wanderer's home is behind a portal, is known if it has
-    // come all the way.
+    // A pacer keeps to its line. A wanderer with a limited reach must pass a portal on a straight
+    // way, because its home moves by the same way.
     const bool straight =
         motion.kind == ObjectMotion::Kind::pace || (body.leaps > 0 && motion.reach.raw > 0);
     step.refused = (straight && (step.stoppedX || step.stoppedY)) || !comeDown(world, body) ||
@@ -181,7 +179,7 @@ GroundPoint onCircle(GroundPoint centre, Coordinate radius, std::uint32_t phase)
             toCoordinate(centre.y.value() + radius.value() * at.sine)};
 }
 
-// Of one that flies clockwise along that heading.
+// The phase of an object that flies clockwise along this heading.
 std::uint32_t phaseOf(double headingDegrees) {
     return static_cast<std::uint32_t>(
         static_cast<std::int64_t>(wrapDegrees(headingDegrees - 90.0) / 360.0 * kPhases));
@@ -252,8 +250,8 @@ void startObjects(World& world) {
     for (Map& map : world.maps) {
         moving.objectsAtStart.push_back(map.objects);
         if (!world.portals.empty())
-            map.objects.reserve(map.objects.size() +
-                                moving.motions.size());  // for those that come by
+            // Room for visitors through portals
+            map.objects.reserve(map.objects.size() + moving.motions.size());
     }
 }
 

@@ -8,10 +8,10 @@
 namespace slicecast {
 namespace {
 
-constexpr int kMargin =
-    65536 / 5;  // of a tile, where no middle of an object is: the widest body fits into the rest
+// Border of a tile that holds no middle of an object: the widest body fits into the rest.
+constexpr int kMargin = 65536 / 5;
 
-// The ground of a tile on one level, if it is asked for: the floor is the ground below level 0.
+// The ground of a tile on one level. The floor is the ground below level 0.
 struct Ground {
     Coordinate height;
     TextureId texture = kNoTexture;
@@ -33,8 +33,8 @@ std::optional<Ground> roofAt(const World& world, const Map& map, const Sowing& s
     return Ground{tileEdge(level) + block.top, roof.texture};
 }
 
-// Nothing is or may come, by moving, into the tile's cells between two heights but the ground
-// itself.
+// True if the tile's cells between two heights are empty, except for the ground, and no mover can
+// reach them.
 bool isEmpty(const World& world, const Map& map, int mapIndex, int x, int y, Coordinate ground,
              Coordinate top) {
     for (int level = ground.tile();
@@ -46,8 +46,9 @@ bool isEmpty(const World& world, const Map& map, int mapIndex, int x, int y, Coo
                   {tileEdge(x), tileEdge(x + 1), tileEdge(y), tileEdge(y + 1), ground, top});
 }
 
-// Where somebody starts, or too near to it.
-bool isKept(const World& world, int map, int x, int y, const Object& object, Coordinate clear) {
+// True where the player starts, or closer to the start than `clear`.
+bool isNearStart(const World& world, int map, int x, int y, const Object& object,
+                 Coordinate clear) {
     if (world.start.map != map) return false;
     const Box body = bodyBox(world.start.x, world.start.y, world.start.z, kStandingHeight);
     if (body.east > tileEdge(x) && body.west < tileEdge(x + 1) && body.south > tileEdge(y) &&
@@ -58,7 +59,7 @@ bool isKept(const World& world, int map, int x, int y, const Object& object, Coo
     return dx * dx + dy * dy < std::int64_t{clear.raw} * clear.raw;
 }
 
-// The numbers of one spot.
+// The random numbers of one spot.
 Random randomAt(std::uint64_t seed, int x, int y, int spot) {
     const auto place = static_cast<std::uint64_t>(y) << 40 | static_cast<std::uint64_t>(x) << 20 |
                        static_cast<std::uint64_t>(spot);
@@ -69,7 +70,7 @@ Coordinate within(const CoordinateRange& range, Random& random) {
     return {random.between(range.least.raw, range.greatest.raw)};
 }
 
-// True where a circle has room all around.
+// True if a circling object has room all around.
 bool hasRoom(const World& world, int map, const Object& object, const ObjectMotion& motion) {
     if (motion.kind != ObjectMotion::Kind::circle) return true;
     const Coordinate reach = motion.reach + kWidestBody;
@@ -101,7 +102,7 @@ void sowSpot(World& world, int mapIndex, const Sowing& sowing, int x, int y, int
     object.x = tileEdge(x) + Coordinate{random.between(kMargin, 65536 - kMargin)};
     object.y = tileEdge(y) + Coordinate{random.between(kMargin, 65536 - kMargin)};
     object.z = ground.height + within(sowing.above, random);
-    if (isKept(world, mapIndex, x, y, object, sowing.clear)) return;
+    if (isNearStart(world, mapIndex, x, y, object, sowing.clear)) return;
     if (!isEmpty(world, map, mapIndex, x, y, ground.height, object.z + object.height)) return;
     if (sowing.motion && !hasRoom(world, mapIndex, object, *sowing.motion)) return;
     if (!taken.take(map.tileIndex(x, y), ground.height)) return;

@@ -1,10 +1,10 @@
-// Objects that are sown over a map rather than placed one by one: trees in a meadow, people in a
-// square.
+// Objects that are sown over a map at random instead of placed one by one: trees in a meadow,
+// people in a square.
 //
-// A spot can hold one if it is on the ground that was asked for, its tile is empty from there up to
-// the object's top, it is no portal's, nobody starts there and nothing stands there yet. Each tile
-// draws its own numbers from the seed and its place: what changes elsewhere on the map, or the
-// map's size, does not move what was sown here.
+// A spot can hold an object if it is on the wanted ground, its tile is empty from there up to the
+// object's top, it belongs to no portal, nobody starts there and nothing stands there yet. Each
+// tile draws its own random numbers from the seed and its place, so changes elsewhere on the map,
+// or of its size, do not move what was sown here.
 #pragma once
 
 #include "world/blueprint.h"
@@ -28,37 +28,37 @@ struct CoordinateRange {
 };
 
 struct Sowing {
-    Object object;         // what is sown; its place and height are found for each
-    double density = 0.1;  // share of the spots that can hold one, 0 to 1
+    Object object;         // the object to sow; its place and height vary
+    double density = 0.1;  // part of the possible spots that get one, 0 to 1
     std::uint64_t seed = 1;
     CoordinateRange height;           // units
-    CoordinateRange above;            // of the feet over the ground
-    bool onFloor = true;              // it grows on the floor
-    std::vector<BlueprintId> on;      // and on the roofs of these
-    std::vector<TextureId> textures;  // if there are any: only where the ground shows one of them
-    Coordinate clear;                 // distance that is kept from the world's start
+    CoordinateRange above;            // of the feet above the ground
+    bool onFloor = true;              // sow on the floor
+    std::vector<BlueprintId> on;      // and on the roofs of these blocks
+    std::vector<TextureId> textures;  // if not empty: only where the ground shows one of these
+    Coordinate clear;                 // distance to keep from the world's start
     std::optional<ObjectMotion> motion;
-    bool anyHeading = true;  // each one moves off another way
+    bool anyHeading = true;  // each one gets a random heading
 };
 
-// The spots of a map that hold something.
+// The spots of a map that are taken.
 class TakenSpots {
 public:
-    // Those of the objects that stand there.
+    // Starts with the spots of the map's objects.
     explicit TakenSpots(const Map& map);
 
-    // False if it was taken already.
+    // Takes a spot. False if it was taken already.
     bool take(std::size_t tile, Coordinate feet);
 
 private:
-    std::size_t spots_;  // of a tile
+    std::size_t spots_;  // per tile
     std::vector<bool> taken_;
 };
 
 enum class Sown : std::uint8_t { all, tooMany, tooManyMoving };
 
-// Adds to the map's objects, and to what moves. Ends, with part of them added, where they would be
-// more than a world may have.
+// Adds to the map's objects and to the moving ones. Stops, with a part of them added, when a limit
+// of the world is exceeded.
 Sown sowObjects(World& world, int map, const Sowing& sowing, TakenSpots& taken);
 
 }  // namespace slicecast

@@ -1,4 +1,4 @@
-// What is wrong with a cell of a map that moves or opens.
+// A fault of a cell that moves or opens.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace slicecast {
 
-inline constexpr std::size_t kMaxPlacingFaults = 1000;  // more help nobody
+inline constexpr std::size_t kMaxPlacingFaults = 1000;  // more would help nobody
 
 struct PlacingFault {
     int map = 0;  // index into World::maps

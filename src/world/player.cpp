@@ -9,8 +9,8 @@
 namespace slicecast {
 namespace {
 
-constexpr double kGreatestTurnDegrees = 360.0;  // at once, by a mouse
-constexpr double kEyeAtRest = 1.0 / 4096.0;     // units: a lag that nobody sees
+constexpr double kGreatestTurnDegrees = 360.0;  // at once, for a mouse
+constexpr double kEyeAtRest = 1.0 / 4096.0;     // units: an invisible lag
 constexpr Coordinate kEyeDrop = kStandingEye - kCrouchedEye;
 
 double within(double value, double least, double greatest, double ifNoNumber) {
@@ -18,7 +18,7 @@ double within(double value, double least, double greatest, double ifNoNumber) {
     return std::min(std::max(value, least), greatest);
 }
 
-// The same wishes with every number within its range, and no more than full speed in any direction.
+// Clamps every number to its range, and the direction to full speed.
 PlayerInput withinRanges(const PlayerInput& input) {
     PlayerInput wish = input;
     for (double PlayerInput::*axis : {&PlayerInput::forward, &PlayerInput::strafe,
@@ -36,7 +36,7 @@ PlayerInput withinRanges(const PlayerInput& input) {
     return wish;
 }
 
-// `value` brought towards `target` by at most `change`.
+// `value` moved towards `target` by at most `change`.
 double approach(double value, double target, double change) {
     return value < target ? std::min(value + change, target) : std::max(value - change, target);
 }
@@ -46,7 +46,7 @@ struct Vector {
     double y;
 };
 
-// The same for a vector; `change` bounds its length.
+// The same for a vector; `change` limits the length of the difference.
 Vector approach(Vector value, Vector target, double change) {
     const Vector difference = {target.x - value.x, target.y - value.y};
     const double length = std::sqrt(difference.x * difference.x + difference.y * difference.y);
@@ -55,8 +55,8 @@ Vector approach(Vector value, Vector target, double change) {
     return {value.x + difference.x * part, value.y + difference.y * part};
 }
 
-// A rate that reaches its full value within 1 / response seconds, and slows down from a higher one
-// as fast.
+// Moves a rate towards its target. It reaches its full value within 1 / response seconds, and slows
+// down equally fast from a higher one.
 double respond(double rate, double target, double full, double response) {
     return approach(rate, target, std::max(full, std::abs(rate)) * response * kStepSeconds);
 }
@@ -65,7 +65,7 @@ double gear(const Pace& pace, const PlayerInput& wish) {
     return wish.slow ? pace.slow : wish.fast ? pace.fast : 1.0;
 }
 
-// The velocity along the ground that is asked for.
+// The wanted velocity along the ground.
 Vector wishedVelocity(const Player& player, const PlayerInput& wish, double speed) {
     const SineCosine heading = sineCosineDegrees(player.headingDegrees);
     return {speed * (wish.forward * heading.cosine - wish.strafe * heading.sine),
@@ -90,8 +90,7 @@ Coordinate eyeAboveFeet(const Player& player) {
     return player.flying || player.swimming || player.crouched ? kCrouchedEye : kStandingEye;
 }
 
-// The player where the body has come to, maybe through portals: everything that has a direction
-// turns with it.
+// Puts the player where the body has arrived. Portals turn everything that has a direction.
 void put(Player& player, const Traveller& body) {
     player.map = body.map;
     player.x = body.eye.x;
@@ -105,10 +104,10 @@ void put(Player& player, const Traveller& body) {
     turnArrow(body.turn, player.velocityX, player.velocityY);
 }
 
-// Moves the eye to its place, but keeps it above the feet, and below what is above the body.
+// Moves the eye towards its place, but keeps it above the feet and below any block above the body.
 void moveEyeTo(const World& world, Player& player, Coordinate wantedLag) {
     Traveller body = travellerOf(player);
-    // Where feet are in a floor of water, the eye is still above the floor.
+    // Feet may be below a floor of water; the eye must stay above the floor.
     Coordinate lag =
         std::max(wantedLag, kLowestEye - eyeAboveFeet(player) - std::min(player.z, Coordinate{0}));
     if (lag.raw > 0) lag = sweepZ(world, body, lag);
@@ -117,7 +116,7 @@ void moveEyeTo(const World& world, Player& player, Coordinate wantedLag) {
     if (!arrived || lag != wantedLag) player.eyeLagRate = 0.0;
 }
 
-// One step of a critically damped spring, by the implicit Euler method, which never overshoots.
+// One step of a critically damped spring by the implicit Euler method, which never overshoots.
 void easeEye(const World& world, Player& player) {
     constexpr double kPart = kEyeResponse * kStepSeconds;
     const double lag = player.eyeLag.value();
@@ -131,8 +130,8 @@ void easeEye(const World& world, Player& player) {
     moveEyeTo(world, player, wantedLag);
 }
 
-// Slides along the ground by the velocity; what stops it takes the velocity along that axis away.
-// Over steps the eye stays behind.
+// Slides along the ground by the velocity; obstacles cancel the velocity on their axis. The eye
+// lags behind on steps.
 Travelled slidePlayer(const World& world, Player& player, Coordinate step) {
     Traveller body = travellerOf(player);
     const Travelled way = slide(world, body, toCoordinate(player.velocityX * kStepSeconds),
@@ -151,7 +150,7 @@ bool rise(const World& world, Player& player, Coordinate distance) {
     return arrived;
 }
 
-// True if there is room to stand with the feet at a height, the eye being where it is.
+// True if there is room to stand with the feet at a height without moving the eye.
 bool canStand(const World& world, const Player& player, Coordinate feet) {
     Traveller body = travellerOf(player);
     body.box = bodyBox(player.x, player.y, feet, kStandingHeight);
@@ -165,8 +164,8 @@ void crouchOrStand(const World& world, Player& player, bool crouch) {
     player.eyeLag = crouch ? player.eyeLag + kEyeDrop : player.eyeLag - kEyeDrop;
 }
 
-// A press is remembered for a while before it can be obeyed, and can be obeyed for a while after
-// the ground has gone; holding the key does nothing more.
+// A press is remembered for a while before landing, and works for a while after leaving the ground;
+// holding the key adds nothing.
 void jumpIfAsked(Player& player, bool pressed) {
     if (pressed && !player.jumpHeld) player.earlyJumpSteps = kEarlyJumpSteps;
     player.jumpHeld = pressed;
@@ -182,7 +181,7 @@ void jumpIfAsked(Player& player, bool pressed) {
     player.lateJumpSteps = std::max(0, player.lateJumpSteps - 1);
 }
 
-// A body on the ground follows it downwards over steps, and begins to fall where it goes deeper.
+// Keeps a body on the ground over steps down; where it is deeper, the body starts to fall.
 void followGround(const World& world, Player& player) {
     Traveller body = travellerOf(player);
     body.box = moved(body.box, {.x = {}, .y = {}, .z = sweepZ(world, body, {-kStepHeight.raw})});
@@ -244,7 +243,7 @@ void fly(const World& world, Player& player) {
     if (!rise(world, player, toCoordinate(player.velocityZ * kStepSeconds))) player.velocityZ = 0.0;
 }
 
-// Out of whatever the body is in: nothing is in the way.
+// Moves a body that is stuck through everything.
 void drift(Player& player) {
     player.x = toCoordinate(player.x.value() + player.velocityX * kStepSeconds);
     player.y = toCoordinate(player.y.value() + player.velocityY * kStepSeconds);
@@ -255,8 +254,8 @@ void drift(Player& player) {
     player.behind = {};
 }
 
-// The flying or swimming body, around the eye. It lies within the space that a free body and its
-// eye have.
+// Makes the body a flying or swimming one around the eye. It stays within the space of a free body
+// and its eye.
 void shrinkToEye(Player& player, bool Player::*mode) {
     const Coordinate eye = eyeHeight(player);
     player.z = std::max(player.z, eye - kCrouchedEye);
@@ -266,8 +265,8 @@ void shrinkToEye(Player& player, bool Player::*mode) {
     player.eyeLag = eye - player.z - kCrouchedEye;
 }
 
-// The same for a free body. Above a portal that the eye has just passed there may be no room for
-// it: then the eye comes down to the body.
+// The same for a free body. Above a portal that the eye has just passed, it may have no room: then
+// the eye comes down to the body.
 void bringBodyToEye(const World& world, Player& player, bool Player::*mode) {
     const Coordinate feet = player.z;
     shrinkToEye(player, mode);
@@ -278,8 +277,8 @@ void bringBodyToEye(const World& world, Player& player, bool Player::*mode) {
     moveEyeTo(world, player, {});
 }
 
-// Lets the legs down as far as there is room for them; stays crouched if that is not enough to
-// stand. The eye stays where it is.
+// Extends the legs as far as there is room; crouches if that is not enough to stand. The eye stays
+// where it is.
 void standUp(const World& world, Player& player, Coordinate mostLegs) {
     const Coordinate eye = eyeHeight(player);
     const Coordinate legs = sweepZ(world, travellerOf(player), {-mostLegs.raw});
@@ -292,7 +291,7 @@ void standUp(const World& world, Player& player, Coordinate mostLegs) {
     moveEyeTo(world, player, player.eyeLag);
 }
 
-// Where the ground is near enough to the surface to stand on it.
+// True if the ground is close enough to the surface to stand on it.
 bool reachesGround(const World& world, const Player& player, Coordinate depth) {
     Traveller body = travellerOf(player);
     const Coordinate legs = sweepZ(world, body, {-kEyeDrop.raw});
@@ -301,7 +300,7 @@ bool reachesGround(const World& world, const Player& player, Coordinate depth) {
     return isSupported(world, body);
 }
 
-// Into the water, where it is deep, and out of it.
+// Starts and stops swimming by the depth of the water.
 void swimOrStand(const World& world, Player& player) {
     const Coordinate depth = waterDepth(world, travellerOf(player));
     if (!player.swimming) {
@@ -316,7 +315,7 @@ void swimOrStand(const World& world, Player& player) {
     if (!player.swimming) player.onGround = isSupported(world, travellerOf(player));
 }
 
-// The speed that lifts a swimmer onto a bank in the way, or nothing. One has to make for it.
+// The upward speed that gets a swimmer onto a bank, or 0. The swimmer must move towards it.
 double climbingSpeed(const World& world, const Player& player, Vector wished, Travelled stopped,
                      Coordinate highest) {
     const double x = std::abs(wished.x);
@@ -337,7 +336,7 @@ void swim(const World& world, Player& player, const PlayerInput& wish) {
     const Coordinate surface = player.z + waterDepth(world, travellerOf(player));
     const double factor = gear(kWalkingPace, wish) * wish.speed;
 
-    // Up and down
+    // Vertical
     player.bobStep = (player.bobStep + 1) % kBobSteps;
     const double bob =
         wish.bob ? kBobHeight * sineCosineDegrees(player.bobStep * (360.0 / kBobSteps)).sine : 0.0;
@@ -348,13 +347,13 @@ void swim(const World& world, Player& player, const PlayerInput& wish) {
     player.velocityZ =
         respond(player.velocityZ, target, std::max(kSwimRise, std::abs(up)), kSwimResponse);
 
-    // Along
+    // Horizontal
     const Vector wished = wishedVelocity(player, wish, kWalkingPace.move * kSwimmingPace * factor);
     const Vector velocity = approach({player.velocityX, player.velocityY}, wished,
                                      kWalkingPace.move * factor * kSwimResponse * kStepSeconds);
     player.velocityX = velocity.x;
     player.velocityY = velocity.y;
-    // The eye follows over low steps without a jerk; a higher bank is climbed.
+    // The eye follows low steps smoothly; a higher bank is climbed.
     const Coordinate lowStep = {std::max(0, (eye - player.z - kLowestEye).raw)};
     const Player before = player;
     const Travelled way = slidePlayer(world, player, lowStep);

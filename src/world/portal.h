@@ -1,15 +1,19 @@
-// Portals: faces of blocks and whole tiles through which another map, or another place of the same
-// one, is seen and entered.
+// Portals: faces of blocks and whole tiles through which one sees and enters another map, or
+// another place of the same map.
 //
-//      entry map                 exit map                 The portal's tile is laid on the exit tile, turned clockwise (as seen from above) about its middle by
-//      +---+---+                 +---+---+                quarter turns and shifted by whole levels; headings grow by 90 degrees for each quarter turn. What
-//      |   | P |   turn = 1      | Q |   |                enters the portal goes on from there: seen from inside the block, or for an eye within the tile, the
-//   -> |  ->>>>|  ========>      | v |   |                portal does nothing, and the exit tile's
-//   own portal does not act on what arrives.
+//      entry map                 exit map
+//      +---+---+                 +---+---+
+//      |   | P |   turn = 1      | Q |   |
+//   -> |  ->>>>|  ========>      | v |   |
 //      +---+---+                 +-v-+---+
 //
-// Where a portal puts things is a turn in integers: all of it is exact, and the reversed portal
-// puts them back. How bodies go through is in traveller.h.
+// The portal's tile is laid on the exit tile, turned clockwise (seen from above) about its middle
+// by quarter turns and shifted by whole levels; headings grow by 90 degrees for each quarter turn.
+// Whatever enters the portal continues from there. Seen from inside the block, or for an eye within
+// the tile, the portal does nothing, and a portal of the exit tile does not act on arrivals.
+//
+// All of this is integer arithmetic and therefore exact, and the reversed portal undoes it. How
+// bodies go through is in traveller.h.
 #pragma once
 
 #include "base/coordinate.h"
@@ -30,12 +34,12 @@ struct Portal {
     friend bool operator==(const Portal&, const Portal&) = default;
 };
 
-// The plane of a portal that a body has passed and still reaches back through.
+// The plane of a portal that a body has passed and still reaches through.
 struct Threshold {
     bool isOn = false;
-    Portal back;             // from the tile that the eye has come into to where it came from
-    Face side = Face::west;  // of that tile: what reaches out there is still on the other side
-    Coordinate height;       // of the plane, where the side is the top or the bottom
+    Portal back;             // leads from the eye's tile back to where the eye came from
+    Face side = Face::west;  // of that tile: parts beyond it are still on the other side
+    Coordinate height;       // of the plane, if the side is top or bottom
 
     friend bool operator==(const Threshold&, const Threshold&) = default;
 };
@@ -56,21 +60,20 @@ struct GridTile {
     friend constexpr bool operator==(const GridTile&, const GridTile&) = default;
 };
 
-// Where a place of the entry map comes to lie in the exit map. The tile is what matters: a place on
-// its western or northern edge, which belongs to it, may come to lie on the exit tile's eastern or
-// southern edge, which does not (see `keptInside`).
+// Maps a place of the entry map to the exit map. The tile decides: a place on the western or
+// northern edge of the entry tile, which belongs to it, may land on the eastern or southern edge of
+// the exit tile, which does not (see `keptInside`).
 Position carried(const Portal& portal, Position place);
 GridTile carried(const Portal& portal, GridTile tile);
 double carriedHeading(const Portal& portal, double degrees);
 
-// The same place, at most one 65536th of a unit to the west and to the north, so that it is in the
-// tile on whose edge it lies.
+// Moves a place on the eastern or southern edge by 1/65536 unit into the tile.
 Position keptInside(GridTile tile, Position place);
 
-// A side of a block, turned; the top and the bottom stay what they are.
+// A side of a block, turned; top and bottom stay.
 Face turned(Face face, int turn);
 
-// An arrow along the ground, turned clockwise by quarter turns.
+// Turns a vector along the ground clockwise by quarter turns.
 template <typename Number>
 constexpr void turnArrow(int turn, Number& x, Number& y) {
     for (int i = 0; i < turn; ++i) {
@@ -80,13 +83,13 @@ constexpr void turnArrow(int turn, Number& x, Number& y) {
     }
 }
 
-// True if both put every place at the same other place.
+// True if both map every place to the same place.
 bool leadOnTogether(const Portal& a, const Portal& b);
 
 // The portal that leads back.
 Portal reversed(const Portal& portal);
 
-// A portal that changes nothing, at a tile.
+// A portal at a tile that changes nothing.
 Portal identityPortal(int map, GridTile tile);
 
 }  // namespace slicecast

@@ -5,8 +5,7 @@
 namespace slicecast {
 namespace {
 
-// The side of a tile that faces another one beside it; nothing for tiles that have no side in
-// common.
+// The side of a tile that faces a neighbour; nothing for tiles without a common side.
 std::optional<Face> sideTowards(GridTile tile, GridTile other) {
     const int x = other.x - tile.x;
     const int y = other.y - tile.y;
@@ -17,7 +16,7 @@ std::optional<Face> sideTowards(GridTile tile, GridTile other) {
     return std::nullopt;
 }
 
-// What of a thing lies between two heights; planes at these heights too.
+// Calls met() for the part of a solid thing between two heights, including planes at these heights.
 void meet(Coordinate bottom, Coordinate top, Coordinate low, Coordinate high, Meeting met) {
     const Coordinate from = std::max(bottom, low);
     const Coordinate to = std::min(top, high);
@@ -101,7 +100,7 @@ void PortalSolids::visitThrough(const Portal& portal, int x, int y, Coordinate f
 Openings PortalSolids::openingsAbove(GridTile tile) const {
     Openings openings;
     if (tile == eyeTile_) {
-        // Down to the next block and up to the next one.
+        // Down to the next block and up to the next one
         for (int level = std::min(eye_.z.tile(), map_.levels - 1); level >= 0; --level) {
             if (!map_.isOccupied(tile.x, tile.y, level)) continue;
             const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
@@ -122,7 +121,7 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
         }
         return openings;
     }
-    // Beside the eye, or beside what is beside it where both lead on side by side
+    // Beside the eye, or beside such a tile if both lead to adjacent places
     const GridTile across = {tile.x, eyeTile_.y};
     const GridTile along = {eyeTile_.x, tile.y};
     if (const std::optional<Face> side = sideTowards(tile, eyeTile_)) {
@@ -131,13 +130,13 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
         for (const GridTile between : {across, along}) {
             const std::optional<Face> towardsEye = sideTowards(between, eyeTile_);
             if (!towardsEye || !sideTowards(between, tile)) continue;
-            const Portal* const other = openingBeside(between, *towardsEye, nullptr).portal;
-            if (other != nullptr && openings.below.portal == nullptr)
-                openings.below = openingBeside(tile, *towardsEye, other);
+            const Portal* const neighbour = openingBeside(between, *towardsEye, nullptr).portal;
+            if (neighbour != nullptr && openings.below.portal == nullptr)
+                openings.below = openingBeside(tile, *towardsEye, neighbour);
         }
     }
     if (openings.below.portal != nullptr) return openings;
-    // Beside a top or bottom that the eye is above or below
+    // Beside a top or bottom face that the eye is above or below
     const Openings ofEye = openingsAbove(eyeTile_);
     if (ofEye.below.portal != nullptr)
         openings.below = {portalAt(tile, ofEye.below.high, Face::top, *ofEye.below.portal),
@@ -148,8 +147,8 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
     return openings;
 }
 
-// The opening of a side at the eye's height, with the blocks right above and below that lead on in
-// the same way; if `like` is given, one that leads on as that.
+// The opening of a side at the eye's height, extended by adjacent blocks above and below that lead
+// on alike; with `like`, only if it leads on as that portal.
 Opening PortalSolids::openingBeside(GridTile tile, Face side, const Portal* like) const {
     const int eyeLevel = eye_.z.tile();
     const CellBlueprint* block = portalBlock(world_, map_, tile.x, tile.y, eyeLevel);
@@ -174,7 +173,7 @@ Opening PortalSolids::openingBeside(GridTile tile, Face side, const Portal* like
     return opening;
 }
 
-// The portal of a top or bottom at that height if it leads on as the other one does.
+// The portal of a top or bottom face at this height, if it leads on like `other`.
 const Portal* PortalSolids::portalAt(GridTile tile, Coordinate height, Face face,
                                      const Portal& other) const {
     const int level = face == Face::top ? Coordinate{height.raw - 1}.tile() : height.tile();

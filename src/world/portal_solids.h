@@ -1,12 +1,12 @@
-// What is solid around a body among portals, while its eye stays before, behind or beside the same
-// ones (see traveller.h); in the coordinates of its map.
+// Finds what is solid around a body near portals, in the coordinates of its map, while its eye
+// stays in front of, behind or beside the same portals (see traveller.h).
 //
-// Portals side by side that lead on side by side are one opening: what a body reaches into of it is
-// open as a whole.
+// Adjacent portals that lead to adjacent places are one opening: the body may reach into any part
+// of it.
 //
-// Each tile is put together from up to three stretches of height: what is behind the threshold that
-// the body has come over, what is seen through a portal face, and the map's own. A tile behind a
-// threshold or with a portal of its own is of one piece.
+// Each tile has up to three height ranges: what is behind the threshold that the body has passed,
+// what is behind a portal face, and the map's own. A tile behind a threshold or with a portal of
+// its own has only one.
 #pragma once
 
 #include "world/solids.h"
@@ -15,15 +15,15 @@
 
 namespace slicecast {
 
-// Heights low .. high that show what a portal leads to.
+// The heights low .. high that show what is behind a portal.
 struct Opening {
     const Portal* portal = nullptr;  // null for none
     Coordinate low = kBoundless;
     Coordinate high = kBoundless;
 };
 
-// What an eye is right in front of above one tile: in it upwards and downwards, beside it at most
-// one.
+// The openings at a tile that the eye is right in front of: in the eye's tile below and above it,
+// in neighbouring tiles at most one.
 struct Openings {
     Opening below;  // or beside
     Opening above;

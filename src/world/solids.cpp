@@ -7,7 +7,7 @@
 namespace slicecast {
 namespace {
 
-// Calls met(bottom, top) for every tile that the box reaches into.
+// Calls met(bottom, top) for all tiles that the box reaches into.
 void visitBox(const Solids& solids, const Box& box, Meeting met) {
     const SolidRange columns = reached(box.west, box.east);
     const SolidRange rows = reached(box.north, box.south);
@@ -25,8 +25,8 @@ bool tileBlocks(const Solids& solids, int x, int y, Coordinate bottom, Coordinat
     return blocks;
 }
 
-// How far a side at `side` gets on its way along an axis of the grid, if blocks(i) tells whether
-// tile i of that axis is in the way. Whatever stops it begins at a tile's edge.
+// How far the box's side gets along an axis; blocks(i) is true if tile i of that axis stops it.
+// Obstacles start at tile edges.
 template <typename Blocks>
 Coordinate sweepAcross(Coordinate low, Coordinate high, Coordinate distance, Blocks blocks) {
     if (distance.raw > 0) {
@@ -113,7 +113,7 @@ Coordinate sweepZAmong(const Solids& solids, const Box& box, Coordinate distance
 }
 
 std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, Coordinate limit) {
-    // Onto the highest thing in the way, again and again: each time is higher than the last.
+    // Raise it onto the highest obstacle, until nothing is in the way
     Box raised = box;
     for (;;) {
         Coordinate bottom = raised.bottom;
@@ -136,9 +136,9 @@ bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, 
         state.box = moved(state.box, way);
         return true;
     }
-    // Up, if there is room, and across. The rise is the least that frees the body over there, so it
-    // comes to rest there without a way down, and nothing is in its way across: the part is shorter
-    // than the body, which has reached into all the same tiles when it arrives.
+    // Up, if there is room, and across. The rise is the least that frees the body there, so it
+    // lands without moving down. The way across needs no test: this part is shorter than the body,
+    // so on arrival the body touches all tiles of the way.
     Offset wholeWay;
     wholeWay.*axis = distance;
     const std::optional<Coordinate> rise =

@@ -1,5 +1,5 @@
-// How boxes meet solid things. collision.cpp asks a map, traveller.cpp what a body sees that stands
-// among portals.
+// How boxes meet solid things. collision.cpp applies it to a map, traveller.cpp to the surroundings
+// of a body near portals.
 #pragma once
 
 #include "world/collision.h"
@@ -10,7 +10,7 @@
 
 namespace slicecast {
 
-// Higher and deeper than anything; sums with heights of bodies stay within their type.
+// Higher and deeper than everything, but sums with body heights still fit their type.
 inline constexpr Coordinate kBoundless = tileEdge(4096);
 
 // Tiles or levels first .. last, both included; none if last < first.
@@ -19,13 +19,13 @@ struct SolidRange {
     int last;
 };
 
-// Those that the open interval low < v < high reaches into.
+// The tiles that the open interval low < v < high touches.
 constexpr SolidRange reached(Coordinate low, Coordinate high) {
     return {low.tile(), Coordinate{high.raw - 1}.tile()};
 }
 
-// What is called with the bottom and top of a solid thing. It refers to a function object, which
-// must outlive it.
+// A callback for the bottom and top of a solid thing. Refers to a function object, which must
+// outlive it.
 class Meeting {
 public:
     template <typename Met>
@@ -41,18 +41,18 @@ private:
     void (*call_)(const void*, Coordinate, Coordinate);
 };
 
-// Tells what is solid where.
+// Lists solid things.
 class Solids {
 public:
     // Calls met(bottom, top) for the solid things above tile (x, y) that touch the heights from
-    // `low` to `high`, and maybe for some that do not; planes have bottom == top.
+    // `low` to `high`, and possibly for others; planes have bottom == top.
     virtual void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const = 0;
 
 protected:
     ~Solids() = default;
 };
 
-// A map with its floor, ceiling and outline, and the end of the air.
+// A map with its floor, ceiling and outline, and the upper limit of the air.
 class MapSolids final : public Solids {
 public:
     MapSolids(const World& world, const Map& map, bool floats = false)
@@ -62,28 +62,28 @@ public:
 private:
     const World& world_;
     const Map& map_;
-    bool floats_;  // water is solid to who asks
+    bool floats_;  // water counts as solid
 };
 
 bool isFreeAmong(const Solids& solids, const Box& box);
 
-// As the functions of collision.h with such names, wherever the box is.
+// Like the functions of the same names in collision.h, for a box anywhere.
 Coordinate sweepXAmong(const Solids& solids, const Box& box, Coordinate distance);
 Coordinate sweepYAmong(const Solids& solids, const Box& box, Coordinate distance);
 Coordinate sweepZAmong(const Solids& solids, const Box& box, Coordinate distance);
 std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, Coordinate limit);
 
-// One part of a slide, along one axis and over a step if need be; no longer than kLongestSlide.
-// True if it got all the way.
+// One part of a slide along one axis, at most kLongestSlide long, over a step if needed. True if it
+// got all the way.
 bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance,
                   Coordinate step);
 
-// Part i of `parts` of a way.
+// Part i of a way in `parts` parts.
 constexpr Coordinate partOf(Coordinate whole, std::int64_t i, std::int64_t parts) {
     return {static_cast<std::int32_t>(whole.raw * (i + 1) / parts - whole.raw * i / parts)};
 }
 
-// The number of parts of a way none of which is longer than kLongestSlide along an axis.
+// The number of parts that keeps each at most kLongestSlide long on both axes.
 std::int64_t partsOf(Coordinate distanceX, Coordinate distanceY);
 
 }  // namespace slicecast

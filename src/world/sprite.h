@@ -1,6 +1,6 @@
 // Sprites: the pictures of objects, of any size up to kMaxSpriteSide a side, with levels of detail.
-// As with textures each level is made from the one before, 2 x 2 texels at a time, but only while
-// both sides are even. A sheet holds frames side by side.
+// Like those of textures, each level is made from the one before, 2 x 2 texels at a time, but only
+// while both sides are even. A sheet has frames side by side.
 #pragma once
 
 #include "base/image.h"
@@ -21,9 +21,9 @@ struct SpriteLevel {
 struct Sprite {
     std::string name;
     std::vector<std::vector<SpriteLevel>> frames;
-    double rate = 0.0;  // frames per second, for ever around; 0 where there is one frame
+    double rate = 0.0;  // frames per second, repeating; 0 for a single frame
 
-    // The frame shown at a time: floor(seconds * rate) modulo their number.
+    // The frame shown at a time: floor(seconds * rate) modulo the number of frames.
     const std::vector<SpriteLevel>& levelsAt(double seconds) const;
 };
 

@@ -1,6 +1,5 @@
 // Runs of texels in the columns of a see-through picture: holes, which show nothing, and opaque
-// ones, behind which nothing is seen. Who draws a column may leave out the former and forget what
-// lies behind the latter.
+// ones, which hide everything behind them. Drawing a column skips holes, and what opaque runs hide.
 #pragma once
 
 #include "slicecast/colour.h"
@@ -13,7 +12,7 @@ namespace slicecast {
 
 enum class Coverage : std::uint8_t { hole, opaque, blended };
 
-// The texels before `end`, behind those of the run before.
+// The texels from the end of the run before up to `end`.
 struct TexelRun {
     std::uint16_t end = 0;
     Coverage coverage = Coverage::blended;
@@ -22,7 +21,7 @@ struct TexelRun {
 class TexelRuns {
 public:
     TexelRuns() = default;
-    // Of columns `height` texels long, 1 to 65535, one after another.
+    // Of consecutive columns of `height` texels each, 1 to 65535.
     TexelRuns(const std::vector<Pixel>& columns, int height);
 
     // The runs of column u, from the top.

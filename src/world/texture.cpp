@@ -20,12 +20,12 @@ std::vector<TextureLevel> levelsOf(const Image& sheet, int frame, bool seeThroug
     return levels;
 }
 
-// As many pixels to be written over: bytes are copied far faster than zeros are constructed.
+// Pixels to be overwritten, copied because that is far faster than constructing zeros.
 std::vector<Pixel> firstOf(const std::vector<Pixel>& pixels, std::size_t count) {
     return {pixels.data(), pixels.data() + count};
 }
 
-// The mean of texels that are not all opaque.
+// The mean of four texels, weighted by alpha.
 Pixel meanByAlpha(const Pixel (&four)[4]) {
     unsigned alpha = 0;
     unsigned red = 0;
@@ -46,8 +46,8 @@ Pixel meanByAlpha(const Pixel (&four)[4]) {
                     static_cast<std::uint8_t>((alpha + 2) / 4)});
 }
 
-// The mean of opaque ones, where (sum * 255 + 510) / 1020 is (sum + 2) / 4: two channels at a time,
-// each with 16 bits for its sum.
+// The mean of four opaque texels: (sum * 255 + 510) / 1020 is (sum + 2) / 4. Works on two channels
+// at a time, with 16 bits for each sum.
 Pixel mean(const Pixel (&four)[4]) {
     constexpr Pixel kChannels = 0x00ff00ff;
     constexpr Pixel kHalf = 0x00020002;

@@ -1,12 +1,12 @@
-// Block textures: square, N x N texels with N a power of two from 8 to 1024, with their levels of
-// detail.
+// Block textures: square, N x N texels with N a power of two from 8 to 1024, with levels of detail.
 //
 // A texture coordinate (u, v) is a fraction of a tile: u = 0 at the left, v = 0 at the top of the
 // image. Level 0 is the image; each further level has half as many texels a side, down to 1. Level
 // m + 1 is made from level m, 2 x 2 texels at a time:
 //
 //     a      = (a0 + a1 + a2 + a3 + 2) / 4
-//     colour = (sum of c * a + half the sum of a) / sum of a, 0 where that sum is 0                  (integers, halves rounded down)
+//     colour = (sum of c * a + half the sum of a) / sum of a, 0 where that sum is 0
+//                                                       (integers, halves rounded down)
 #pragma once
 
 #include "base/image.h"
@@ -20,43 +20,43 @@ namespace slicecast {
 struct TextureLevel {
     int size = 0;               // texels a side
     int bits = 0;               // size = 1 << bits
-    std::vector<Pixel> texels;  // column after column, since walls are drawn downwards: texel (u,
-                                // v) is texels[(u << bits) + v]
-    TexelRuns runs = {};        // none where all texels are opaque
+    std::vector<Pixel> texels;  // columns one after another, because walls are drawn downwards:
+                                // texel (u, v) is texels[(u << bits) + v]
+    TexelRuns runs = {};        // empty if all texels are opaque
 };
 
 struct Texture {
     std::string name;
-    std::vector<TextureLevel>
-        levels;  // levels[0] is the image, or a sheet's first frame, the last one is a single texel
+    // [0] is the image, or a sheet's first frame; the last one is a single texel.
+    std::vector<TextureLevel> levels;
     std::vector<std::vector<TextureLevel>> laterFrames;
-    double rate = 0.0;  // frames per second, for ever around; 0 where there is one frame, or the
-                        // first is held
+    double rate = 0.0;        // frames per second, repeating; 0 for a single or held frame
     bool seeThrough = false;  // a texel has alpha below 255
 
     int size() const { return levels[0].size; }
     int frames() const { return 1 + static_cast<int>(laterFrames.size()); }
-    // A sheet without a rate: it shows its first frame, and on a gate the one of its progress.
+    // A sheet without a rate: shows its first frame, and on a gate the frame of the gate's
+    // progress.
     bool isHeld() const { return frames() > 1 && rate == 0.0; }
 
-    // The frame shown at a time: floor(seconds * rate) modulo their number.
+    // The frame shown at a time: floor(seconds * rate) modulo the number of frames.
     int frameAt(double seconds) const;
     const std::vector<TextureLevel>& levelsOf(int frame) const {
         return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)];
     }
 };
 
-// A frame of a sheet, `width` pixels wide: column after column.
+// The columns of a sheet's frame, `width` pixels wide.
 std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width);
 
-// The next level of detail of columns `height` texels long; both sides are even.
+// The next level of detail of columns of `height` texels; both sides must be even.
 std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height);
 
-// floor(seconds * rate) modulo `frames`; 0 before the beginning.
+// floor(seconds * rate) modulo `frames`; 0 for negative times.
 int frameAt(double seconds, double rate, int frames);
 
-// The levels of a square image whose side is a power of two, or of a sheet of `frames` such images
-// side by side.
+// Makes the levels of a square image whose side is a power of two, or of a sheet of `frames` such
+// images side by side.
 Texture makeTexture(std::string name, const Image& image, int frames = 1, double rate = 0.0);
 
 }  // namespace slicecast

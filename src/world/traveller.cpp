@@ -21,7 +21,7 @@ GridTile tileOf(const Position& place) {
     return {place.x.tile(), place.y.tile()};
 }
 
-// Once nothing of the box is beyond the threshold any more, it is forgotten.
+// Forgets the threshold when no part of the box is beyond it any more.
 void leaveThreshold(Traveller& body) {
     if (!body.behind.isOn) return;
     const Portal& back = body.behind.back;
@@ -50,13 +50,13 @@ void leaveThreshold(Traveller& body) {
     if (!reaches) body.behind = {};
 }
 
-// A body whose eye has just come through a portal by that side, put where the portal leads. Gives
-// by how much it was put inside the exit tile.
+// Carries a body whose eye has just passed a portal by that side. Returns how far the place was
+// moved into the exit tile (see keptInside).
 Offset passPortal(Traveller& body, const Portal& portal, Face side, Coordinate height) {
     const Position middle = body.eye;
-    const Position there = carried(portal, middle);
-    const Position kept = keptInside({portal.toX, portal.toY}, there);
-    // The box turns about the eye.
+    const Position carriedEye = carried(portal, middle);
+    const Position kept = keptInside({portal.toX, portal.toY}, carriedEye);
+    // The box turns about the eye
     Coordinate halfX = body.box.east - middle.x;
     Coordinate halfY = body.box.south - middle.y;
     if (portal.turn % 2 != 0) std::swap(halfX, halfY);
@@ -71,10 +71,10 @@ Offset passPortal(Traveller& body, const Portal& portal, Face side, Coordinate h
                    .height = height + lift};
     body.turn = (body.turn + portal.turn) % 4;
     ++body.leaps;
-    return {.x = kept.x - there.x, .y = kept.y - there.y, .z = {}};
+    return {.x = kept.x - carriedEye.x, .y = kept.y - carriedEye.y, .z = {}};
 }
 
-// The portal face of a block through which an eye has just come, if there is one.
+// The portal face of a block through which an eye has just come.
 struct EnteredFace {
     const Portal* portal = nullptr;
     Coordinate low;  // of the block
@@ -91,7 +91,7 @@ EnteredFace enteredFace(const World& world, const Map& map, const Position& eye,
     return {portalOf(world, block->face(face).portal), low, high};
 }
 
-// The body after its eye has come into the next tile by that side of it.
+// Updates a body whose eye has entered the next tile by that side.
 Offset enterTile(const World& world, Traveller& body, GridTile left, Face side) {
     const Map& map = mapOf(world, body);
     const GridTile tile = tileOf(body.eye);
@@ -99,14 +99,14 @@ Offset enterTile(const World& world, Traveller& body, GridTile left, Face side) 
     if (portal == nullptr) portal = enteredFace(world, map, body.eye, side).portal;
     if (portal != nullptr) return passPortal(body, *portal, side, {});
     body.behind = {};
-    // What still is in a portal's tile after the eye has left it stays there.
+    // Parts that are still in a portal's tile after the eye has left it stay there
     if (map.tilePortal(left.x, left.y) != kNoPortal)
         body.behind = {
             .isOn = true, .back = identityPortal(body.map, tile), .side = side, .height = {}};
     return {};
 }
 
-// The body after its eye has come over the edge of a portal's block, or its threshold, upwards or
+// Updates a body whose eye has crossed an edge of a portal's block, or its threshold, upwards or
 // downwards.
 void passEdge(const World& world, Traveller& body, Coordinate before) {
     const bool down = body.eye.z < before;
@@ -124,8 +124,8 @@ void passEdge(const World& world, Traveller& body, Coordinate before) {
     if (isBack) body.behind = {};
 }
 
-// How far the eye can go up (or down) and remain before, behind and beside the same portals, if it
-// goes at most `distance`.
+// How far the eye can move up or down, at most `distance`, while it stays in front of, behind and
+// beside the same portals.
 Coordinate roomForEye(const World& world, const Traveller& body, Coordinate distance) {
     Coordinate room = distance;
     const Coordinate eye = body.eye.z;
@@ -152,13 +152,13 @@ Coordinate roomForEye(const World& world, const Traveller& body, Coordinate dist
     return room;
 }
 
-// Takes up what the body has become, if there is room for it, over a step if need be.
-bool arrive(const World& world, Traveller& body, const Traveller& there, Coordinate step,
+// Accepts the new state of the body if it has room, over a step if needed.
+bool arrive(const World& world, Traveller& body, const Traveller& candidate, Coordinate step,
             Coordinate& risen) {
-    const PortalSolids solids(world, there);
-    const std::optional<Coordinate> rise = leastRiseAmong(solids, there.box, step);
+    const PortalSolids solids(world, candidate);
+    const std::optional<Coordinate> rise = leastRiseAmong(solids, candidate.box, step);
     if (!rise) return false;
-    body = there;
+    body = candidate;
     if (rise->raw > 0) {
         body.box = moved(body.box, {.x = {}, .y = {}, .z = *rise});
         risen = risen + *rise;
@@ -166,7 +166,7 @@ bool arrive(const World& world, Traveller& body, const Traveller& there, Coordin
     return true;
 }
 
-// A way along the ground, along one axis.
+// A way along one axis of the ground.
 struct Stretch {
     Coordinate x;
     Coordinate y;
@@ -175,8 +175,8 @@ struct Stretch {
     Coordinate length() const { return isAlongX() ? x : y; }
 };
 
-// One part of a slide: through whatever is on the way, each time up to the border of the eye's tile
-// and then over it.
+// One part of a slide. Goes through everything on the way: each time to the border of the eye's
+// tile, then over it.
 void go(const World& world, Traveller& body, Stretch way, Coordinate step, Travelled& done) {
     while (way.length().raw != 0) {
         const bool alongX = way.isAlongX();
@@ -213,15 +213,15 @@ void go(const World& world, Traveller& body, Stretch way, Coordinate step, Trave
         // Over its border
         Offset over;
         over.*axis = ahead ? kTiniest : Coordinate{-1};
-        Traveller there = body;
-        there.box = moved(there.box, over);
-        there.eye.x = there.eye.x + over.x;
-        there.eye.y = there.eye.y + over.y;
+        Traveller candidate = body;
+        candidate.box = moved(candidate.box, over);
+        candidate.eye.x = candidate.eye.x + over.x;
+        candidate.eye.y = candidate.eye.y + over.y;
         const Face side =
             alongX ? (ahead ? Face::west : Face::east) : (ahead ? Face::north : Face::south);
-        const Offset inwards = enterTile(world, there, tile, side);
-        const int turn = (there.turn - body.turn + 4) % 4;
-        if (!arrive(world, body, there, step, done.rise)) {
+        const Offset inwards = enterTile(world, candidate, tile, side);
+        const int turn = (candidate.turn - body.turn + 4) % 4;
+        if (!arrive(world, body, candidate, step, done.rise)) {
             (alongX ? done.stoppedX : done.stoppedY) = true;
             return;
         }
@@ -292,12 +292,12 @@ bool rise(const World& world, Traveller& body, Coordinate distance) {
 
         // Over an edge
         const Coordinate over = left.raw > 0 ? kTiniest : Coordinate{-1};
-        Traveller there = body;
-        there.box = moved(there.box, {.x = {}, .y = {}, .z = over});
-        there.eye.z = there.eye.z + over;
-        passEdge(world, there, body.eye.z);
+        Traveller candidate = body;
+        candidate.box = moved(candidate.box, {.x = {}, .y = {}, .z = over});
+        candidate.eye.z = candidate.eye.z + over;
+        passEdge(world, candidate, body.eye.z);
         Coordinate none;
-        if (!arrive(world, body, there, {}, none)) return false;
+        if (!arrive(world, body, candidate, {}, none)) return false;
         left = left - over;
     }
 }
@@ -312,11 +312,11 @@ bool moveEye(const World& world, Traveller& body, Coordinate distance) {
         if (left.raw == 0) return true;
 
         const Coordinate over = left.raw > 0 ? kTiniest : Coordinate{-1};
-        Traveller there = body;
-        there.eye.z = there.eye.z + over;
-        passEdge(world, there, body.eye.z);
+        Traveller candidate = body;
+        candidate.eye.z = candidate.eye.z + over;
+        passEdge(world, candidate, body.eye.z);
         Coordinate none;
-        if (!arrive(world, body, there, {}, none)) return false;
+        if (!arrive(world, body, candidate, {}, none)) return false;
         leaveThreshold(body);
         left = left - over;
     }

@@ -22,7 +22,7 @@ WaterAt waterAt(const World& world, const Map& map, int tileX, int tileY, Coordi
 Coordinate waterDepth(const World& world, const Traveller& body) {
     const Coordinate feet = body.box.bottom;
     const Map& map = world.maps[static_cast<std::size_t>(body.map)];
-    // Below the floor there is water alone.
+    // Below the floor there is only water
     const WaterAt here = waterAt(world, map, body.eye.x.tile(), body.eye.y.tile(),
                                  feet.raw < 0 ? Coordinate{0} : feet);
     return here.water != nullptr || feet.raw < 0 ? here.surface - feet : Coordinate{0};

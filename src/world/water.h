@@ -1,7 +1,7 @@
-// Water: blocks that bodies get into, and floors that they wade in.
+// Water: blocks that bodies get into, and floors in which they wade.
 //
-//     ~~~~~~~~~~  surface     Water blocks that touch, one upon another, are one body of water.
-//     |  water |              A body wades while its feet are at most kSwimDepth below the surface,
+//     ~~~~~~~~~~  surface     Stacked water blocks that touch are one body of water.
+//     |  water |              A body wades in water up to kSwimDepth,
 //     |--------|              and swims in deeper water.
 //     |  water |
 //     +--------+  ground      The ground under a floor of water lies kFloorWade below the floor.
@@ -16,7 +16,8 @@ struct Map;
 struct Traveller;
 struct World;
 
-// How deep a floor of water is. Less than the height of a crouched eye: no eye gets below a floor.
+// The depth of a floor of water. Less than the height of a crouched eye, so that no eye gets below
+// a floor.
 inline constexpr Coordinate kFloorWade = toCoordinate(0.2);
 
 struct WaterAt {
@@ -24,13 +25,13 @@ struct WaterAt {
     Coordinate surface;                    // its height
 };
 
-// The water block that a place is in, which may be outside the grid.
+// The water block at a place, which may be outside the grid.
 WaterAt waterAt(const World& world, const Map& map, int tileX, int tileY, Coordinate z);
 
-// How far below the surface the feet are, below the eye; 0 out of the water.
+// How far the feet are below the surface; 0 out of the water. Looks at the column below the eye.
 Coordinate waterDepth(const World& world, const Traveller& body);
 
-// Puts the objects that float and are in water onto its surface.
+// Moves floating objects that are in water to its surface.
 void floatObjects(World& world);
 
 }  // namespace slicecast

@@ -17,7 +17,7 @@ bool somethingMoves(const World& world, const Map& map, GridTile tile) {
         for (int x = tile.x - 1; x <= tile.x + 1; ++x) {
             if (!map.contains(x, y)) continue;
             for (int level = 0; level < map.levels; ++level) {
-                // Moving blocks that are elsewhere at the moment count too.
+                // Moving blocks that are elsewhere at present count too
                 if (!isStill(world.blueprints[map.cells[map.cellIndex(x, y, level)]])) return true;
             }
         }
@@ -32,20 +32,22 @@ bool hasWayOut(const World& world, int map, Coordinate x, Coordinate y, Coordina
                       .box = bodyBox(x, y, feet, kCrouchedHeight),
                       .eye = {x, y, feet + kCrouchedEye},
                       .behind = {}};
-    // Over water one gets away as over ground.
+    // Water can be crossed like ground
     body.floats = true;
     body.floats = isFree(world, body);
-    const GridTile home = {x.tile(), y.tile()};
+    const GridTile startTile = {x.tile(), y.tile()};
     const Map& here = world.maps[static_cast<std::size_t>(map)];
-    if ((here.width == 1 && here.depth == 1) || somethingMoves(world, here, home)) return true;
+    if ((here.width == 1 && here.depth == 1) || somethingMoves(world, here, startTile)) return true;
     const auto isElsewhere = [&](const Traveller& there) {
-        return there.leaps > 0 || there.eye.x.tile() != home.x || there.eye.y.tile() != home.y;
+        return there.leaps > 0 || there.eye.x.tile() != startTile.x ||
+               there.eye.y.tile() != startTile.y;
     };
     rise(world, body, {-kMaxBodyHeight.raw});
 
-    // To the middle of the tile, and from there in all four directions
+    // To the middle of the tile, then in all four directions
     const Coordinate half = {tileEdge(1).raw / 2};
-    slide(world, body, tileEdge(home.x) + half - x, tileEdge(home.y) + half - y, kJumpHeight);
+    slide(world, body, tileEdge(startTile.x) + half - x, tileEdge(startTile.y) + half - y,
+          kJumpHeight);
     if (isElsewhere(body)) return true;
     constexpr int kEast[] = {1, 0, -1, 0};
     constexpr int kSouth[] = {0, 1, 0, -1};

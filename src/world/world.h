@@ -18,7 +18,7 @@
 
 namespace slicecast {
 
-// Where the player starts: the middle of the feet, and where they look.
+// Where the player starts: the point under the feet, and the view.
 struct Start {
     int map = 0;  // index into World::maps
     Coordinate x;
@@ -28,7 +28,7 @@ struct Start {
     double look = 0.0;            // screen heights, positive up
 };
 
-// It may be hundreds of megabytes: it is moved, and copied by copy() alone.
+// May take hundreds of megabytes, so it moves; only copy() copies it.
 struct World {
     World() = default;
     World(World&&) = default;
@@ -40,17 +40,17 @@ struct World {
     std::vector<Texture> textures;
     std::vector<Sprite> sprites;
     std::vector<CellBlueprint> blueprints = {
-        CellBlueprint{}};  // [0] stands for the empty cell and is never drawn
+        CellBlueprint{}};  // [0] is the empty cell, never drawn
     std::vector<Map> maps;
     MovingObjects movingObjects;
     std::vector<Portal> portals;
-    int portalLimit = kDefaultPortalLimit;  // a ray passes at most that many
+    int portalLimit = kDefaultPortalLimit;  // the most portals that a ray passes
     std::vector<Motion> motions;
     std::vector<Mover> movers;  // see makeMovers
     std::vector<GateKind> gateKinds;
     std::vector<Gate> gates;  // see makeGates
     Start start;
-    double seconds = 0.0;  // since the world began; animated textures follow it
+    double seconds = 0.0;  // since the world began; drives animated textures
 
 private:
     World(const World&) = default;
@@ -60,21 +60,18 @@ static_assert(!std::is_copy_constructible_v<World> && !std::is_copy_assignable_v
 // A copy of a blueprint for a block that moves, opens or has portals.
 CellBlueprint instanceOf(const World& world, BlueprintId id);
 
-// Whether two see-through blocks are of one kind, so that where they touch there are no faces
-// between them.
+// Whether two see-through blocks are of one kind, so that there are no faces between them.
 bool areJoined(const World& world, const CellBlueprint& a, const CellBlueprint& b);
 
-// Parts of one thing that moves, which a border between levels has cut, are one block where they
-// touch.
+// Parts of one mover that a border between levels separates count as one block.
 inline bool areOneMover(const CellBlueprint& a, const CellBlueprint& b) {
     return a.mover >= 0 && a.mover == b.mover;
 }
 
-// Finds out which blueprints are see-through; water always is. For a world whose textures and faces
-// are complete.
+// Sets CellBlueprint::seeThrough; water always is. Textures and faces must be complete.
 void markSeeThrough(World& world);
 
-// Finds out which blueprints have portals. For a world whose portals are complete.
+// Sets CellBlueprint::hasPortals. Portals must be complete.
 void markPortals(World& world);
 
 }  // namespace slicecast

@@ -8,7 +8,7 @@
 namespace slicecast {
 namespace {
 
-// True if a tile that the body reaches into leads elsewhere, so that a part of it may be there.
+// True if the body reaches into a tile with a portal, so that a part of it may be elsewhere.
 bool reachesIntoPortal(const World& world, const Body& body) {
     if (body.behind.isOn) return true;
     const Map& map = world.maps[static_cast<std::size_t>(body.map)];

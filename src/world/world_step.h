@@ -1,5 +1,5 @@
-// What of a world changes by itself from step to step: movers, then gates. The player's step comes
-// after it.
+// The parts of a world that change by themselves: movers, then gates. The player's step comes after
+// them.
 #pragma once
 
 #include "world/body.h"
@@ -13,17 +13,16 @@ namespace slicecast {
 struct World;
 class Hash;
 
-// True if nothing of the world changes by itself: a step has nothing to do.
+// True if the world has neither movers nor gates, so that a step does nothing.
 bool isStill(const World& world);
 
-// One step of kStepSeconds. Bodies ride, and are not crushed: one that was free in the world as it
-// was is free in the world as it is.
+// One step of kStepSeconds. Carries bodies and never crushes one: a body that was free stays free.
 void stepWorld(World& world, std::span<Body> bodies, const GateAsk& ask);
 
-// Movers and gates as they were in the beginning.
+// Movers and gates return to their initial states.
 void resetWorld(World& world);
 
-// Everything that the next step depends on.
+// Hashes everything that the next step depends on.
 void addTo(Hash& hash, const World& world);
 
 }  // namespace slicecast

@@ -102,7 +102,7 @@ protected:
     App app;
 };
 
-TEST_F(AppTest, TheFirstPictureIsShownAndTold) {
+TEST_F(AppTest, ShowsAndReportsTheFirstPicture) {
     EXPECT_EQ(shell.shown, 1);
     EXPECT_EQ(shell.news.front(), (std::pair{News::ready, true}));
     EXPECT_EQ(shell.sizes, (std::vector{std::pair{80, 50}}));
@@ -156,7 +156,7 @@ TEST_F(AppTest, AHiddenScreenNeitherJumpsNorSticks) {
     EXPECT_LT(x(), before + 0.5) << "the key went up unseen";
 }
 
-TEST_F(AppTest, WhileItStandsStillItWantsAFrameOnlyForAChange) {
+TEST_F(AppTest, WhilePausedItWantsAFrameOnlyForAChange) {
     app.setPaused(true);
     app.frame(shell.now);
     EXPECT_FALSE(app.wantsFrame());
@@ -193,7 +193,7 @@ TEST_F(AppTest, WhileItStandsStillItWantsAFrameOnlyForAChange) {
     EXPECT_FALSE(app.wantsFrame());
 }
 
-TEST_F(AppTest, AStepWhilePausedIsDrawnAsItIs) {
+TEST_F(AppTest, AStepWhilePausedIsDrawnWithoutInterpolation) {
     app.setPaused(true);
     const double before = x();
     for (int i = 0; i < 30; ++i) app.step({.forward = 1.0});
@@ -205,7 +205,7 @@ TEST_F(AppTest, AStepWhilePausedIsDrawnAsItIs) {
     EXPECT_EQ(app.game()->steps(), 30);
 }
 
-TEST_F(AppTest, ThePictureAndAMovedEyeAreTold) {
+TEST_F(AppTest, ReportsThePictureAndAMovedEye) {
     EXPECT_EQ(shell.toldShown, 1);
     EXPECT_EQ(shell.moved, 1) << "there was no picture before";
     play(0.5);
@@ -216,7 +216,7 @@ TEST_F(AppTest, ThePictureAndAMovedEyeAreTold) {
     EXPECT_GT(shell.moved, 20);
 }
 
-TEST_F(AppTest, APortalIsTold) {
+TEST_F(AppTest, ReportsAPortal) {
     World world = makeField();
     Map cellar = makeMap("cellar", 40, 40, 2, 0);
     world.maps.push_back(std::move(cellar));
@@ -242,7 +242,7 @@ TEST_F(AppTest, ASlowScreenDropsTime) {
     EXPECT_EQ(app.game()->steps() - before, 12);
 }
 
-TEST_F(AppTest, APauseStandsStillAndDrawsOnlyWhatChanges) {
+TEST_F(AppTest, APauseStopsTimeAndDrawsOnlyChanges) {
     play(0.1);
     press(SDL_SCANCODE_P);
     EXPECT_TRUE(app.paused());
@@ -288,7 +288,7 @@ TEST_F(AppTest, KeysChangeModes) {
     EXPECT_EQ(app.game()->player().look, 0.0);
 }
 
-TEST_F(AppTest, KeysForTheScreenAreHandedOn) {
+TEST_F(AppTest, PassesKeysForTheScreenToTheShell) {
     press(SDL_SCANCODE_H);
     press(SDL_SCANCODE_I);
     press(SDL_SCANCODE_F);
@@ -411,7 +411,7 @@ TEST_F(AppTest, ThumbsWalkAndDrag) {
     EXPECT_EQ(x(), stopped);
 }
 
-TEST_F(AppTest, TheCursorSteersWhileItIsAskedTo) {
+TEST_F(AppTest, TheCursorSteersWhileItIsOn) {
     app.cursorAt(1.0, 0.0);
     play(0.2);
     EXPECT_EQ(heading(), 0.0);
@@ -439,7 +439,7 @@ TEST_F(AppTest, TheCursorSteersWhileItIsAskedTo) {
     EXPECT_FALSE(app.cursorSteers());
 }
 
-TEST_F(AppTest, WhatIsRecordedIsPlayedAgain) {
+TEST_F(AppTest, ReplaysWhatItRecords) {
     app.play(std::make_unique<Session>(makeField()));
     app.record("field");
     EXPECT_TRUE(app.isRecording());
@@ -474,7 +474,7 @@ TEST_F(AppTest, WhatIsRecordedIsPlayedAgain) {
     EXPECT_EQ(shell.news.back(), (std::pair{News::replay, false}));
 }
 
-TEST_F(AppTest, WhoMovesTakesOver) {
+TEST_F(AppTest, AnyMovementEndsAReplay) {
     Recording recording;
     recording.scene = "field";
     recording.entries = {RecordedSteps{1000, {.forward = 256}}};
@@ -516,7 +516,7 @@ TEST_F(AppTest, TheSurfaceShowsWhatTheSessionDraws) {
     EXPECT_EQ(shell.last, expected);
 }
 
-TEST_F(AppTest, RatesAreToldTwiceASecond) {
+TEST_F(AppTest, ReportsRatesTwiceASecond) {
     play(2.2);
     ASSERT_EQ(shell.rates.size(), 4u);
     EXPECT_NEAR(shell.rates.back().framesPerSecond, 60.0, 0.1);
@@ -532,7 +532,7 @@ TEST_F(AppTest, AnotherGameBeginsFromItsOwnStart) {
     EXPECT_EQ(shell.news.back(), (std::pair{News::fly, false}));
 }
 
-TEST_F(AppTest, ANewKeyActsAndTheOldOneDoesNot) {
+TEST_F(AppTest, AReboundKeyActsAndTheOldOneDoesNot) {
     press(SDL_SCANCODE_W);
     KeyBindings keys;
     EXPECT_EQ(keys.read("forward=ArrowUp,fly=KeyW"), "");
@@ -548,7 +548,7 @@ TEST_F(AppTest, ANewKeyActsAndTheOldOneDoesNot) {
     EXPECT_TRUE(app.game()->player().flying);
 }
 
-TEST(App, WithoutAGameThereIsNothingToDo) {
+TEST(App, DoesNothingWithoutAGame) {
     NoteShell shell;
     App app(shell);
     for (const KeyPosition& key : allPositions()) {
@@ -581,7 +581,7 @@ TEST_F(AppTest, KeysSwitchTheOverlaysOnAndOff) {
     }
 }
 
-TEST_F(AppTest, AKeyGoesRoundTheTimesOfDay) {
+TEST_F(AppTest, AKeyCyclesThroughTheTimesOfDay) {
     for (const char* preset : {"day", "dusk", "night", "fog", "map", "day"}) {
         press(SDL_SCANCODE_L);
         EXPECT_EQ(app.game()->option("lightPreset"), preset);
@@ -615,7 +615,7 @@ TEST_F(AppTest, KeysMoveTheInspectedSlice) {
     EXPECT_EQ(app.game()->option("inspectorColumn"), "79") << "the last one";
 }
 
-TEST_F(AppTest, AKeyTellsWhatTheInspectedSliceMeets) {
+TEST_F(AppTest, AKeyListsTheHitsOfTheInspectedSlice) {
     app.game()->setOption("inspectorColumn", "7");
     press(SDL_SCANCODE_T);
     ASSERT_EQ(shell.hits.size(), 1u);

@@ -46,14 +46,14 @@ TEST(HelpPages, FitThePicture) {
     }
 }
 
-TEST(HelpPages, AreOneWhereAllHasRoomAndFewElse) {
+TEST(HelpPages, AreOneIfAllFitsAndElseFew) {
     EXPECT_EQ(helpPages(KeyBindings(), {1280, 720}).size(), 1u);
     EXPECT_EQ(helpPages(KeyBindings(), {640, 360}).size(), 2u);
     EXPECT_LE(helpPages(KeyBindings(), {320, 200}).size(), 4u);
     EXPECT_FALSE(helpPages(KeyBindings(), {1, 1}).empty());
 }
 
-TEST(HelpPages, LeaveOutWhatHasNoKey) {
+TEST(HelpPages, OmitLinesWithoutAKey) {
     KeyBindings keys;
     EXPECT_NE(helpPages(keys, {1280, 720})[0].find("grid of pixels"), std::string::npos);
     EXPECT_EQ(keys.unbind("KeyK"), "");

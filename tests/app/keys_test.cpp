@@ -33,7 +33,7 @@ protected:
     HeldKeys held;
 };
 
-TEST(Keyboard, EachPositionIsThereOnce) {
+TEST(Keyboard, EachPositionOccursOnce) {
     std::set<SDL_Scancode> scancodes;
     std::set<std::string_view> codes;
     for (const KeyPosition& key : allPositions()) {
@@ -59,7 +59,7 @@ TEST(Keyboard, CodesAndScancodesAreTheSamePlaces) {
     }
 }
 
-TEST(Actions, EachHasItsOwnNameAndItsOwnStandardKeys) {
+TEST(Actions, NamesAndStandardKeysAreUnique) {
     std::set<std::string_view> names;
     const KeyBindings keys;
     for (int i = 0; i < kActions; ++i) {
@@ -78,7 +78,7 @@ TEST(Actions, EachHasItsOwnNameAndItsOwnStandardKeys) {
     EXPECT_EQ(findAction("map7"), Action::map7);
 }
 
-TEST(Actions, WhatChangesAnOptionNamesOneThatThereIs) {
+TEST(Actions, OptionsOfActionsExist) {
     for (const ActionInfo& info : allActions()) {
         if (info.option == nullptr) continue;
         const OptionInfo* option = findOption(info.option);
@@ -99,7 +99,7 @@ TEST(Actions, TheNumberPadIsACompass) {
     EXPECT_EQ(standard(SDL_SCANCODE_KP_9), Action::faceNorthEast);
 }
 
-TEST(KeyBindings, AKeyIsGivenAnotherAction) {
+TEST(KeyBindings, BindsAKeyToAnotherAction) {
     KeyBindings keys;
     EXPECT_EQ(keys.bind("ArrowUp", "forward"), "");
     EXPECT_EQ(keysOf(keys, Action::forward), "KeyW ArrowUp ");
@@ -112,7 +112,7 @@ TEST(KeyBindings, AKeyIsGivenAnotherAction) {
     EXPECT_EQ(keysOf(keys, Action::lookUp), "ArrowUp ");
 }
 
-TEST(KeyBindings, TextsGiveActionsTheirKeys) {
+TEST(KeyBindings, ReadsBindingsFromText) {
     KeyBindings keys;
     EXPECT_EQ(keys.read("forward=KeyS+ArrowUp,back=KeyW"), "") << "two that swap theirs";
     EXPECT_EQ(keysOf(keys, Action::forward), "KeyS ArrowUp ");
@@ -121,7 +121,7 @@ TEST(KeyBindings, TextsGiveActionsTheirKeys) {
     EXPECT_EQ(keysOf(keys, Action::leave), "KeyZ Escape ") << "Escape always leaves";
 }
 
-TEST(KeyBindings, FaultsSayWhatIsWrongAndChangeNothing) {
+TEST(KeyBindings, FaultyTextsAreReportedAndChangeNothing) {
     KeyBindings keys;
     const std::pair<const char*, const char*> faults[] = {
         {"foward=KeyZ", "Unknown action 'foward'. Did you mean 'forward'?"},
@@ -159,7 +159,7 @@ TEST(KeyHelp, FollowsTheKeys) {
 }
 
 // The documentation has the table of the standard keys.
-TEST(KeyHelp, IsThatOfTheDocumentation) {
+TEST(KeyHelp, EqualsTheDocumentation) {
     std::ifstream file(SLICECAST_PLAY_PAGE);
     ASSERT_TRUE(file);
     const std::string page{std::istreambuf_iterator<char>(file), {}};
@@ -235,7 +235,7 @@ TEST_F(Hands, RepeatedPressesAndStrayReleasesChangeNothing) {
     EXPECT_FALSE(held.isDown(Action::forward));
 }
 
-TEST_F(Hands, ReleaseAllLeavesNothing) {
+TEST_F(Hands, ReleaseAllReleasesEverything) {
     press(SDL_SCANCODE_W);
     press(SDL_SCANCODE_LCTRL);
     held.releaseAll();

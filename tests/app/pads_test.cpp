@@ -8,7 +8,7 @@
 namespace slicecast {
 namespace {
 
-TEST(Pads, TheCursorRestsInTheMiddleAndReachesAllAtTheEdge) {
+TEST(Pads, TheCursorIsCentredInTheMiddleAndFullAtTheEdge) {
     for (const double inside : {0.0, 0.1, -0.2, 0.2})
         EXPECT_EQ(pastDeadZone(inside, kCursorDeadZone), 0.0) << inside;
     EXPECT_NEAR(pastDeadZone(0.2001, kCursorDeadZone), 0.0001 / 0.8, 1e-12)
@@ -20,7 +20,7 @@ TEST(Pads, TheCursorRestsInTheMiddleAndReachesAllAtTheEdge) {
     EXPECT_EQ(pastDeadZone(std::numeric_limits<double>::quiet_NaN(), kCursorDeadZone), 0.0);
 }
 
-TEST(Pads, TheCursorTurnsBesideAndLooksAbove) {
+TEST(Pads, TheCursorTurnsSidewaysAndLooksUpAndDown) {
     const Input right = cursorInput(1.0, 0.1);
     EXPECT_EQ(right.turn, 1.0);
     EXPECT_EQ(right.look, 0.0);

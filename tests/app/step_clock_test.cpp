@@ -38,7 +38,7 @@ TEST(StepClock, ALongFrameIsCutShort) {
     EXPECT_EQ(clock.advance(500.0 + 1.01 / 120), 1);
 }
 
-TEST(StepClock, TimeDoesNotPassWhileItStands) {
+TEST(StepClock, TimeDoesNotPassWhileStopped) {
     StepClock clock;
     clock.advance(0.0);
     clock.advance(1.5 / 120);
@@ -48,7 +48,7 @@ TEST(StepClock, TimeDoesNotPassWhileItStands) {
     EXPECT_EQ(clock.advance(60.0 + 0.75 / 120), 1);
 }
 
-TEST(StepClock, AClockThatGoesBackDoesNoHarm) {
+TEST(StepClock, AClockGoingBackwardsIsHarmless) {
     StepClock clock;
     clock.advance(10.0);
     EXPECT_EQ(clock.advance(9.0), 0);
@@ -69,7 +69,7 @@ TEST(FrameMeter, CountsTwiceASecond) {
     EXPECT_EQ(times, 3);
 }
 
-TEST(FrameMeter, APauseIsNoLongFrame) {
+TEST(FrameMeter, APauseIsNotALongFrame) {
     FrameMeter meter;
     for (int i = 0; i < 30; ++i) meter.add(i / 100.0, 0.001);
     meter.skip();

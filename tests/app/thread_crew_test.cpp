@@ -42,7 +42,7 @@ TEST(ThreadCrew, TheCallerHasAHandAndTheOthersAreThreads) {
     EXPECT_NE(who[2], who[1]);
 }
 
-TEST(ThreadCrew, HasAsManyAsThereCanBe) {
+TEST(ThreadCrew, IsLimitedToThePossibleThreads) {
     EXPECT_EQ(ThreadCrew(0).hands(), 1);
     EXPECT_EQ(ThreadCrew(kMostThreads + 1).hands(), kMostThreads);
     EXPECT_GE(threadsOfMachine(), 1);
@@ -85,7 +85,7 @@ bool isSame(const FrameReport& a, const FrameReport& b) {
 
 class CrewPictures : public testing::TestWithParam<const char*> {};
 
-TEST_P(CrewPictures, AreThoseOfOneRenderer) {
+TEST_P(CrewPictures, EqualThoseOfOneRenderer) {
     const std::unique_ptr<Session> alone = sessionOf(GetParam());
     const std::unique_ptr<Session> together = sessionOf(GetParam());
     for (int hands = 1; hands <= kMostHands; ++hands) {
@@ -105,7 +105,7 @@ TEST_P(CrewPictures, AreThoseOfOneRenderer) {
 }
 
 // The left part of a comparison is the old way's: the crew begins within a strip.
-TEST_P(CrewPictures, BeginWhereAComparisonEnds) {
+TEST_P(CrewPictures, StartWhereAComparisonEnds) {
     const std::unique_ptr<Session> alone = sessionOf(GetParam());
     const std::unique_ptr<Session> together = sessionOf(GetParam());
     ThreadCrew crew(3);
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CrewPictures,
                              return name;
                          });
 
-TEST(CrewPictures, WhatCannotBeDrawnIsLeftAlone) {
+TEST(CrewPictures, InvalidPicturesAreNotChanged) {
     const std::unique_ptr<Session> session = sessionOf("castle");
     ThreadCrew crew(3);
     CrewRenderer renderer;

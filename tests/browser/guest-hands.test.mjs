@@ -170,7 +170,7 @@ test('under the sheet of keys nothing can be reached; it lists what works here',
   const listed = await sheet.locator('dt').allTextContents();
   assert.ok(listed.includes('MBO'), listed.join('; '));
   for (const key of ['I', 'T', 'F9']) assert.ok(!listed.includes(key), key);
-  assert.match(await sheet.textContent(), /Escape\s*let the mouse go, then leave/);
+  assert.match(await sheet.textContent(), /Escape\s*release the mouse, then leave/);
   const seen = [];
   for (const step of ['Shift+Tab', 'Tab', 'Tab']) {
     await page.keyboard.press(step);

@@ -55,9 +55,9 @@ protected:
         return {
             {"does not exist", [](const fs::path&) {}},
             {"is a folder", [](const fs::path& path) { fs::create_directory(path); }},
-            {"is no regular file",
+            {"is not a regular file",
              [](const fs::path& path) { ASSERT_EQ(mkfifo(path.c_str(), 0600), 0); }},
-            {"is no regular file",
+            {"is not a regular file",
              [](const fs::path& path) { fs::create_symlink("/dev/zero", path); }},
             {"has " + std::to_string(large) + " bytes; at most " + std::to_string(limit) +
                  " are read",
@@ -87,7 +87,7 @@ TEST_F(SceneFile, FindsImagesFromTheScenesFolder) {
     EXPECT_EQ(loaded.world->maps[1].sky.panorama.width, 24);
 }
 
-TEST_F(SceneFile, NamesTheFileAsItWasGiven) {
+TEST_F(SceneFile, FaultsHaveTheNameFromTheCaller) {
     const std::string path = kFolder + "broken/image-missing.json";
     const LoadedScene loaded = readSceneFile(path);
     EXPECT_FALSE(loaded.world.has_value());
@@ -96,7 +96,7 @@ TEST_F(SceneFile, NamesTheFileAsItWasGiven) {
     EXPECT_EQ(loaded.faults[0].pointer, "/textures/brick");
 }
 
-TEST_F(SceneFile, ThatIsNoneIsAFaultAtOnce) {
+TEST_F(SceneFile, AnythingButARegularFileIsAFault) {
     const auto start = std::chrono::steady_clock::now();
     for (const Bad& bad : badFiles(kMaxSceneBytes)) {
         fs::remove_all(scene());
@@ -111,7 +111,7 @@ TEST_F(SceneFile, ThatIsNoneIsAFaultAtOnce) {
     EXPECT_EQ(readSceneFile("").faults.size(), 1u);
 }
 
-TEST_F(SceneFile, SaysOfItsImagesWhyTheyAreNotRead) {
+TEST_F(SceneFile, FaultsSayWhyImagesCannotBeRead) {
     const auto start = std::chrono::steady_clock::now();
     for (const Bad& bad : badFiles(kMaxImageBytes)) {
         fs::remove_all(image());
@@ -125,7 +125,7 @@ TEST_F(SceneFile, SaysOfItsImagesWhyTheyAreNotRead) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
-TEST(ReadWholeFile, TellsWhatTheSystemSays) {
+TEST(ReadWholeFile, ReportsTheErrorOfTheSystem) {
     // A regular file of Linux that tells no size and refuses to be read, by root too
     const char* kUnreadable = "/proc/self/mem";
     if (!fs::is_regular_file(kUnreadable)) GTEST_SKIP() << "needs Linux";
@@ -134,7 +134,7 @@ TEST(ReadWholeFile, TellsWhatTheSystemSays) {
     EXPECT_EQ(file.fault.substr(0, 16), "cannot be read: ") << file.fault;
 }
 
-TEST(ReadWholeFile, ThatMayNotBeReadIsAFault) {
+TEST(ReadWholeFile, AnUnreadableFileIsAFault) {
     if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
     const fs::path path = fs::path(testing::TempDir()) / "slicecast-locked";
     std::ofstream(path) << "secret";
@@ -143,7 +143,7 @@ TEST(ReadWholeFile, ThatMayNotBeReadIsAFault) {
     fs::remove(path);
 }
 
-TEST(ReadWholeFile, TakesAsMuchAsTheLimit) {
+TEST(ReadWholeFile, ReadsUpToTheLimit) {
     const fs::path path = fs::path(testing::TempDir()) / "slicecast-limit";
     std::ofstream(path) << "12345";
     EXPECT_EQ(readWholeFile(path, 5).text(), "12345");
@@ -151,7 +151,7 @@ TEST(ReadWholeFile, TakesAsMuchAsTheLimit) {
     fs::remove(path);
 }
 
-TEST(ReadWholeFile, HoldsTheLimitWhereNoSizeIsTold) {
+TEST(ReadWholeFile, KeepsTheLimitWithoutAReportedSize) {
     if (!fs::is_regular_file("/proc/self/status")) GTEST_SKIP() << "needs Linux";
     EXPECT_NE(readWholeFile("/proc/self/status", 1u << 20).text().find("Name:"), std::string::npos);
     EXPECT_NE(readWholeFile("/proc/self/status", 10).fault.find("at most 10"), std::string::npos);

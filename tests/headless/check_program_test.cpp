@@ -22,7 +22,7 @@ TEST(CheckProgram, SaysOk) {
     EXPECT_EQ(finished.err, "");
 }
 
-TEST(CheckProgram, TellsAllFaultsOfAllScenes) {
+TEST(CheckProgram, ReportsAllFaultsOfAllScenes) {
     const std::string several = kFolder + "broken/several-faults.json";
     const std::string missing = kFolder + "no-such-scene.json";
     const Finished finished =
@@ -33,7 +33,7 @@ TEST(CheckProgram, TellsAllFaultsOfAllScenes) {
               faultsOf(several) + kFolder + "everything.json: ok\n" + faultsOf(missing));
 }
 
-TEST(CheckProgram, WarnsOfWhatIsProbablyNotMeantSo) {
+TEST(CheckProgram, WarnsOfProbableMistakes) {
     const std::string path = kFolder + "warnings.json";
     std::string lines;
     for (const Fault& warning : readSceneFile(path).warnings)

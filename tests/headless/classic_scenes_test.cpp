@@ -37,7 +37,7 @@ Eye anyEye(Random& random, const World& world) {
 
 class ClassicScenes : public testing::TestWithParam<const char*> {};
 
-TEST_P(ClassicScenes, AreDrawnAsByTheExactMethod) {
+TEST_P(ClassicScenes, EqualTheExactMethodsPictures) {
     LoadedScene scene = readSceneFile(std::string(SLICECAST_SOURCE_FOLDER "/tests/frozen/scenes/") +
                                       GetParam() + ".json");
     ASSERT_TRUE(scene.world.has_value());

@@ -26,7 +26,7 @@ bool isPng(const std::string& bytes) {
     return bytes.compare(0, kPngBeginning.size(), kPngBeginning) == 0;
 }
 
-TEST(Output, KeepsTheModeOfAFileThatWasThere) {
+TEST(Output, KeepsTheModeOfAnExistingFile) {
     const TestFolder folder;
     const fs::path out = folder / "out.png";
     writeText(out, "old");
@@ -122,7 +122,7 @@ const std::vector<Printing> kPrintings = {
     {SLICECAST_TEXTURES, {"--help"}},
 };
 
-TEST(Output, IsNotLostWithoutAWord) {
+TEST(Output, IsNotLostWithoutAMessage) {
     constexpr int kClosedPipe = 9;
     std::array<int, 2> ends{};
     ASSERT_EQ(pipe(ends.data()), 0);
@@ -135,7 +135,7 @@ TEST(Output, IsNotLostWithoutAWord) {
             const Finished finished = runProgram(printing.program, printing.arguments, output);
             const std::string what = name + " " + printing.arguments.back() + " >" + output;
             EXPECT_EQ(finished.status, 1) << what;
-            EXPECT_EQ(finished.err.find(name + ": the standard output cannot be written"), 0u)
+            EXPECT_EQ(finished.err.find(name + ": cannot write the standard output"), 0u)
                 << what << ": " << finished.err;
         }
         EXPECT_EQ(runProgram(printing.program, printing.arguments).status, 0) << name;

@@ -120,7 +120,7 @@ TEST(RenderProgram, DrawsAnyEyeMapAndOptions) {
     EXPECT_NE(picture.pixels, plain.pixels);
 }
 
-TEST(RenderProgram, TellsTheHitsOfAColumn) {
+TEST(RenderProgram, PrintsTheHitsOfAColumn) {
     const TestFolder folder;
     const Finished finished = render({corridor(folder), "--eye", "1.5,2.5,0.5,0,0", "--fov", "90",
                                       "--size", "64x64", "--hits", "32"});
@@ -176,7 +176,7 @@ TEST(RenderProgram, TellsTheHitsOfAColumn) {
     EXPECT_EQ(json["planes"][1]["last"].GetInt(), 25);
 }
 
-TEST(RenderProgram, TellsTheTraceOfAColumnOrOfAll) {
+TEST(RenderProgram, PrintsTheTraceOfAColumnOrOfAll) {
     const TestFolder folder;
     const std::string scene = corridor(folder);
     rapidjson::Document json;
@@ -195,7 +195,7 @@ TEST(RenderProgram, TellsTheTraceOfAColumnOrOfAll) {
     EXPECT_EQ(json["totals"]["rowsFilled"].GetInt(), 64 * 48);
 }
 
-TEST(RenderProgram, HasNullForWhatIsInfinite) {
+TEST(RenderProgram, PrintsNullForInfiniteNumbers) {
     const TestFolder folder;
     const Finished finished =
         render({corridor(folder), "--eye", "0.5,3.5,0.5,0,0", "--size", "64x64", "--hits", "32"});
@@ -217,7 +217,7 @@ struct WrongUse {
     std::string says;
 };
 
-TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
+TEST(RenderProgram, ReportsFaultsOfTheCommandLine) {
     const TestFolder folder;
     const std::string out = (folder / "picture.png").string();
     const std::vector<WrongUse> uses = {
@@ -235,7 +235,7 @@ TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
         {{kScene, "--out", out, "--map", "cellar"},
          "found \"cellar\", expected a map of this scene: \"hall\", \"yard\", \"works\", "
          "\"plain\", \"gallery\""},
-        {{kScene, "--out", out, "--map", "yard"}, "expected --eye"},
+        {{kScene, "--out", out, "--map", "yard"}, "add --eye"},
         {{kScene, "--out", out, "--eye", "1,1,0.5,0"}, "expected five numbers X,Y,Z,HEADING,LOOK"},
         {{kScene, "--out", out, "--eye", "1,1,0.5,0,0,0"}, "expected five numbers"},
         {{kScene, "--out", out, "--eye", "1,north,0.5,0,0"},
@@ -267,7 +267,7 @@ TEST(RenderProgram, SaysWhatIsWrongWithACommandLine) {
     EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(RenderProgram, LeavesNothingBehindWhereItCannotWrite) {
+TEST(RenderProgram, LeavesNoFilesIfItCannotWrite) {
     const TestFolder folder;
     std::filesystem::create_directory(folder / "taken.png");
     EXPECT_EQ(render({kScene, "--out", (folder / "taken.png").string()}).status, 1);
@@ -276,7 +276,7 @@ TEST(RenderProgram, LeavesNothingBehindWhereItCannotWrite) {
     EXPECT_EQ(folder.names(), std::vector<std::string>{"taken.png"});
 }
 
-TEST(RenderProgram, TellsTheFaultsOfAScene) {
+TEST(RenderProgram, ReportsTheFaultsOfAScene) {
     const TestFolder folder;
     const std::string broken = SLICECAST_SOURCE_FOLDER "/tests/scene/broken/image-missing.json";
     const Finished finished = render({broken, "--out", (folder / "picture.png").string()});
@@ -364,7 +364,7 @@ TEST(RenderProgram, RefusesARecordingThatDoesNotFit) {
         {{scene, "--at", "7"}, 2, "--replay"},
         {{scene, "--replay", walk, "--eye", "1.5,2.5,0.5,0,0"},
          2,
-         "expected no --eye and no --map"},
+         "cannot be used with --eye or --map"},
         {{kScene, "--replay", walk},
          2,
          "found a recording of the scene \"corridor\", expected one of \"everything\""},
@@ -372,7 +372,7 @@ TEST(RenderProgram, RefusesARecordingThatDoesNotFit) {
          1,
          "found a path that is a folder, expected a recording"},
         {{scene, "--replay", broken}, 1, "broken.txt:3:3: found \"run\""},
-        {{scene, "--replay", elsewhere}, 1, "leads elsewhere"},
+        {{scene, "--replay", elsewhere}, 1, "ends elsewhere"},
     };
     for (const Refusal& refusal : refusals) {
         std::vector<std::string> arguments = refusal.arguments;

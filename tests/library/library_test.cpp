@@ -53,7 +53,7 @@ Game corridor() {
     return Game(std::move(Corridor().build().scene).value());
 }
 
-TEST(Library, LoadsAFileOrSaysWhyNot) {
+TEST(Library, LoadsAFileOrReturnsFaults) {
     const LoadResult loaded = loadSceneFile(kCastle);
     EXPECT_TRUE(loaded.faults.empty());
     ASSERT_TRUE(loaded.scene.has_value());
@@ -91,7 +91,7 @@ TEST(Library, DrawsTheSameIntoImagesAndIntoPixels) {
     }
 }
 
-TEST(Library, RefusesWhatIsNoPicture) {
+TEST(Library, RefusesInvalidPictures) {
     Game game = corridor();
     for (const auto& [width, height] : {std::pair{0, 10}, {10, -1}, {8193, 10}, {10, 8193}}) {
         EXPECT_TRUE(game.picture(width, height).empty());
@@ -109,7 +109,7 @@ TEST(Library, RefusesWhatIsNoPicture) {
     }
 }
 
-TEST(Library, WalksAndIsPutElsewhere) {
+TEST(Library, WalksAndMovesTheCamera) {
     Game game = corridor();
     const Camera start = game.camera();
     EXPECT_EQ(start.x, 1.5);
@@ -132,7 +132,7 @@ TEST(Library, WalksAndIsPutElsewhere) {
     EXPECT_FALSE(game.goToMap(1));
 }
 
-TEST(Library, TellsTheHitsOfAColumn) {
+TEST(Library, ReturnsTheHitsOfAColumn) {
     Game game = corridor();
     const std::vector<ColumnHit> hits = game.hits(64, 40, 32);
     ASSERT_EQ(hits.size(), 1u);
@@ -204,7 +204,7 @@ TEST(Library, SavesPictures) {
     EXPECT_NE(saveImage(Image(1, 1), file / "in-no-folder.png"), "");
 }
 
-TEST(SceneBuilder, TellsWhatIsWrong) {
+TEST(SceneBuilder, ReportsFaults) {
     EXPECT_EQ(Corridor().fault(), "0 faults");
     {
         SceneBuilder empty("Nothing");
@@ -216,7 +216,7 @@ TEST(SceneBuilder, TellsWhatIsWrong) {
         c.builder.fill(c.map, {.x = 7, .width = 2}, c.wall);
         EXPECT_EQ(c.fault(),
                   "map \"corridor\": found a box of 2x1 tiles and 1 level at x 7, y 0, level 0, "
-                  "expected one that lies in the map's 8x3 tiles and 2 levels");
+                  "expected one inside the map's 8x3 tiles and 2 levels");
     }
     {
         Corridor c;

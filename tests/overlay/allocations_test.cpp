@@ -12,7 +12,7 @@
 namespace slicecast {
 namespace {
 
-TEST(Allocations, ThereAreNoneAfterTheFirstPicture) {
+TEST(Allocations, NoneAfterTheFirstPicture) {
     Canvas canvas(1280, 720);
     World world;
     world.blueprints.emplace_back();

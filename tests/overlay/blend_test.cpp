@@ -19,7 +19,7 @@ TEST(Blend, RoundsToTheNearestByte) {
 }
 
 // (over * a + under * (255 - a) + 127) / 255 in each channel, whatever the number of pixels.
-TEST(Blend, RowsAreWhatTheirPixelsAre) {
+TEST(Blend, RowsEqualTheirPixels) {
     const auto channel = [](unsigned under, unsigned over, unsigned a) {
         return static_cast<std::uint8_t>((over * a + under * (255 - a) + 127) / 255);
     };

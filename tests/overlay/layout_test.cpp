@@ -13,7 +13,7 @@ bool overlap(PixelRect a, PixelRect b) {
            b.y < a.y + a.height;
 }
 
-TEST(Layout, PanelsStandOnOneMarginAndApartFromEachOther) {
+TEST(Layout, PanelsKeepTheMarginAndDoNotOverlap) {
     for (int width = 320; width <= 3840; width += 40) {
         for (int height = 200; height <= 2160; height += 20) {
             const OverlayLayout layout = layoutOverlays(width, height);
@@ -38,7 +38,7 @@ TEST(Layout, PanelsStandOnOneMarginAndApartFromEachOther) {
     }
 }
 
-TEST(Layout, ASmallPictureLeavesOutWhatHasNoRoom) {
+TEST(Layout, ASmallPictureOmitsPanelsWithoutRoom) {
     for (int side = 1; side <= 640; side += 3) {
         const OverlayLayout layout = layoutOverlays(side, side / 2 + 1);
         for (const PixelRect& panel :

@@ -10,7 +10,7 @@ namespace {
 constexpr Colour kWhite = {255, 255, 255, 255};
 constexpr PixelRect kAll = {0, 0, 40, 30};
 
-TEST(Lines, LevelAndUprightOnesFillTheirPixelsWholly) {
+TEST(Lines, HorizontalAndVerticalOnesFillWholePixels) {
     Canvas canvas(40, 30);
     drawLine(canvas.picture, kAll, {5.0, 10.5}, {15.0, 10.5}, kWhite);
     for (int x = 5; x < 15; ++x) EXPECT_EQ(toColour(canvas.at(x, 10)), kWhite) << x;
@@ -38,7 +38,7 @@ TEST(Lines, SlantedOnesShareTheirColourBetweenTwoPixels) {
     }
 }
 
-TEST(Lines, AreAsWideAsIsAsked) {
+TEST(Lines, HaveTheGivenWidth) {
     for (int width = 1; width <= 4; ++width) {
         Canvas canvas(40, 30);
         for (Pixel& pixel : canvas.image.pixels) pixel = toPixel({0, 0, 0, 255});
@@ -60,7 +60,7 @@ TEST(Lines, AreAsWideAsIsAsked) {
     }
 }
 
-TEST(Lines, StayInside) {
+TEST(Lines, AreClipped) {
     Canvas canvas(40, 30);
     const PixelRect inside = {10, 8, 20, 12};
     for (double end = -1e9; end <= 1e9; end += 1.7e8) {

@@ -45,14 +45,14 @@ TEST(MapRay, EndsAtTheFirstBlockOfItsLevel) {
     EXPECT_EQ(follow(-1.0, 0.0).length, 100.0);
 }
 
-TEST(MapRay, EndsOnlyAtBlocksThatStandAtItsHeight) {
+TEST(MapRay, EndsOnlyAtBlocksAtItsHeight) {
     EXPECT_EQ(follow(0.0, -1.0, 0.25).length, 2.5);
     EXPECT_FALSE(follow(0.0, -1.0, 0.5).met) << "a top is not part of its block";
     EXPECT_FALSE(follow(0.0, 1.0, 0.25).met);
     EXPECT_EQ(follow(0.0, 1.0, 0.5).length, 2.5);
 }
 
-TEST(MapRay, GoesSlantwiseFromTileToTile) {
+TEST(MapRay, GoesDiagonallyFromTileToTile) {
     const MapRayEnd end = follow(1.0, -0.25);
     EXPECT_TRUE(end.met);
     EXPECT_EQ(end.length, 1.75);

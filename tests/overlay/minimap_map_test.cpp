@@ -65,7 +65,7 @@ struct Kept {
     }
 };
 
-TEST(MinimapMap, NothingIsDrawnAgainWithoutAChange) {
+TEST(MinimapMap, RedrawsNothingWithoutAChange) {
     Kept kept;
     EXPECT_GT(kept.draw(), 400);
     EXPECT_EQ(kept.draw(), 0);
@@ -79,7 +79,7 @@ TEST(MinimapMap, NothingIsDrawnAgainWithoutAChange) {
     EXPECT_EQ(kept.draw(), 0);
 }
 
-TEST(MinimapMap, AChangeDrawsItsTileAndThoseBesideIt) {
+TEST(MinimapMap, AChangeRedrawsItsTileAndTheNeighbours) {
     Kept kept;
     kept.draw();
     const auto drawsFew = [&](const char* what) {
@@ -100,7 +100,7 @@ TEST(MinimapMap, AChangeDrawsItsTileAndThoseBesideIt) {
     drawsFew("water");
 }
 
-TEST(MinimapMap, GoingOnDrawsOnlyWhatComesIntoSight) {
+TEST(MinimapMap, MovingDrawsOnlyNewTiles) {
     Kept kept;
     kept.draw();
     kept.eye = eyeAt(21.5, 15.5);
@@ -111,7 +111,7 @@ TEST(MinimapMap, GoingOnDrawsOnlyWhatComesIntoSight) {
     EXPECT_EQ(kept.draw(), 2 * across);
 }
 
-TEST(MinimapMap, AnotherSizeLevelOrMapDrawsItAll) {
+TEST(MinimapMap, AnotherSizeLevelOrMapRedrawsAll) {
     Kept kept;
     const long all = kept.draw();
     kept.width = 800;
@@ -129,7 +129,7 @@ TEST(MinimapMap, AnotherSizeLevelOrMapDrawsItAll) {
     EXPECT_EQ(kept.draw(), 0);
 }
 
-TEST(MinimapMap, IsAsIfDrawnAnewAfterAnyChanges) {
+TEST(MinimapMap, EqualsAFreshOneAfterAnyChanges) {
     Kept kept;
     Random random(7);
     const auto below = [&](int count) { return random.below(count); };

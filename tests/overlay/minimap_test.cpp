@@ -65,7 +65,7 @@ int brightness(Colour colour) {
     return colour.r + colour.g + colour.b;
 }
 
-TEST(Minimap, IsASquareOfAThirdOfThePictureAndMoreOfASmallOne) {
+TEST(Minimap, TakesAThirdOfThePictureAndMoreOfASmallOne) {
     for (const auto& [width, height] :
          {std::pair{1280, 720}, {160, 100}, {640, 400}, {320, 900}, {60, 45}, {8192, 8192}}) {
         const MinimapLayout layout = layoutMinimap(width, height);
@@ -199,7 +199,7 @@ TEST(Minimap, TurnsWithTheViewWhenAsked) {
     EXPECT_GT(before.r + before.g - 2 * before.b, 60);
 }
 
-TEST(Minimap, TurnedItMarksWhereNorthIs) {
+TEST(Minimap, MarksNorthWhenTurned) {
     const World world = smallWorld();
     // Heading east, north is on the left.
     Canvas canvas(640, 400);
@@ -242,7 +242,7 @@ TEST(Minimap, RaysOnAnotherLevelEndAtItsBlocks) {
     }
 }
 
-TEST(Minimap, TheCircleReachesAsFarAsItSays) {
+TEST(Minimap, TheCircleHasTheRadiusOfTheReach) {
     const World world = smallWorld();
     const Eye eye = eyeAt(20.5, 15.5, 0.5, 225.0);
     const Seen without(world, eye);
@@ -347,7 +347,7 @@ TEST(Minimap, ShowsPortals) {
     EXPECT_LT(edge(half - 1, 0), 120);
 }
 
-TEST(Minimap, MarksWhereNorthIsWhenItIsUpToo) {
+TEST(Minimap, MarksNorthWhenItIsUpToo) {
     const Seen seen(smallWorld(), eyeAt(20.5, 15.5, 0.5, 0.0));
     int bright = 0;
     for (int y = 2; y <= 14; ++y) {
@@ -358,7 +358,7 @@ TEST(Minimap, MarksWhereNorthIsWhenItIsUpToo) {
     EXPECT_GT(bright, 12) << "the letter";
 }
 
-TEST(Minimap, TellsGatesMoversWaterAndWhatIsAboveApart) {
+TEST(Minimap, DistinguishesGatesMoversWaterAndBlocksAbove) {
     World world = smallWorld();
     Map& map = world.maps[0];
     const auto add = [&](CellBlueprint block) {
@@ -418,7 +418,7 @@ TEST(Minimap, TellsGatesMoversWaterAndWhatIsAboveApart) {
     EXPECT_LT(dashes, size * 3 / 4) << "dashed";
 }
 
-TEST(Minimap, AStackOfBarsTellsTheLevels) {
+TEST(Minimap, AStackOfBarsShowsTheLevels) {
     const World world = smallWorld();
     const auto corner = [&](int level) {
         const Seen seen(world, eyeAt(20.5, 15.5, 0.5, 0.0), {.level = level});

@@ -55,7 +55,7 @@ void expectValues(const Canvas& canvas, PixelRect panel, int scale,
 
 const std::vector<int> kProcessRules = {2, 5, 14};
 
-TEST(Panels, ThePlayersTellsWhereAndHow) {
+TEST(Panels, ThePlayerPanelShowsPositionAndMode) {
     for (const auto& [width, height] : {std::pair{640, 400}, {1280, 720}}) {
         Canvas canvas(width, height);
         drawPlayerPanel({.map = "castle yard",
@@ -105,7 +105,7 @@ TEST(Panels, NumbersKeepTheirPlaces) {
     }
 }
 
-TEST(Panels, TheProcessTellsTimesAndCounts) {
+TEST(Panels, TheProcessPanelShowsTimesAndCounts) {
     const ProcessTimes times = {.framesPerSecond = 59.94,
                                 .stepMilliseconds = 0.012,
                                 .viewMilliseconds = 4.5,
@@ -160,7 +160,7 @@ TEST(Panels, TheProcessTellsTimesAndCounts) {
     expectProcess(without, values);
 }
 
-TEST(Panels, GreatCountsAreNotCut) {
+TEST(Panels, LargeCountsAreNotCut) {
     constexpr int kGreat = 12345678;
     const FrameReport report = {.tilesWalked = kGreat,
                                 .blocksMet = kGreat,
@@ -184,7 +184,7 @@ TEST(Panels, GreatCountsAreNotCut) {
 }
 
 // A small picture shows the first rows, one with room for all of them all.
-TEST(Panels, TheProcessShowsAsManyRowsAsThereIsRoomFor) {
+TEST(Panels, TheProcessPanelShowsTheRowsThatFit) {
     const OverlayLayout layout = layoutOverlays(320, 200);
     EXPECT_GE(layout.processRows, 6);
     EXPECT_LT(layout.processRows, kProcessPanelRows);
@@ -196,7 +196,7 @@ TEST(Panels, TheProcessShowsAsManyRowsAsThereIsRoomFor) {
     EXPECT_EQ(layoutOverlays(640, 400).processRows, kProcessPanelRows);
 }
 
-TEST(Panels, ALongNameIsCutNotSpilt) {
+TEST(Panels, ALongNameIsCut) {
     Canvas canvas(640, 400);
     drawPlayerPanel({.map = "a name that is much too long for the panel"}, canvas.picture);
     const PixelRect panel = layoutOverlays(640, 400).player;
@@ -211,7 +211,7 @@ TEST(Panels, ALongNameIsCutNotSpilt) {
 
 // Bright text on a panel over white, and dim labels over white, stay readable: the panel is far
 // darker than both.
-TEST(Panels, AreDarkEnoughOverABrightScene) {
+TEST(Panels, AreReadableOverABrightScene) {
     const Colour panel = toColour(blended(toPixel({255, 255, 255, 255}), kPanelColour));
     EXPECT_LT(panel.r + panel.g + panel.b, 3 * 90);
 }

@@ -10,7 +10,7 @@
 namespace slicecast {
 namespace {
 
-TEST(PixelGrid, HasFineLinesEveryTenPixelsAndClearOnesEveryHundred) {
+TEST(PixelGrid, HasFineLinesEveryTenPixelsAndStrongOnesEveryHundred) {
     Canvas canvas(640, 400);
     for (Pixel& pixel : canvas.image.pixels) pixel = toPixel({100, 100, 100, 255});
     drawPixelGrid(canvas.picture);
@@ -34,7 +34,7 @@ TEST(PixelGrid, HasFineLinesEveryTenPixelsAndClearOnesEveryHundred) {
 
 // In large pictures, too, the numbers do not cover each other: after each there is something of the
 // picture before the next.
-TEST(PixelGrid, NumbersHaveRoomAndClearLinesAreSeen) {
+TEST(PixelGrid, NumbersFitAndStrongLinesAreVisible) {
     for (const auto& [width, height] : {std::pair{1280, 720}, {2560, 1440}, {3840, 2160}}) {
         Canvas canvas(width, height);
         for (Pixel& pixel : canvas.image.pixels) pixel = toPixel({100, 100, 100, 255});

@@ -65,7 +65,7 @@ int apart(Colour a, Colour b) {
     return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
 }
 
-TEST(SliceInspector, TheLineStandsInItsColumnAndTellsWhatFillsEachRow) {
+TEST(SliceInspector, TheLineIsInItsColumnAndShowsWhatFillsEachRow) {
     Canvas canvas(kWidth, kHeight);
     const SliceTrace trace = stairs();
     drawSliceLine(trace, canvas.picture);
@@ -132,7 +132,7 @@ TEST(SliceInspector, TheSideViewStaysInItsPanel) {
     }
 }
 
-TEST(SliceInspector, WhatIsNotSeenIsDimmer) {
+TEST(SliceInspector, HiddenBlocksAreDimmer) {
     const auto greyAt = [](bool seen) {
         Canvas canvas(kWidth, kHeight);
         SliceTrace trace = stairs();
@@ -178,7 +178,7 @@ World twoMaps() {
     return world;
 }
 
-TEST(SliceInspector, DepthsAndHeightsGoOnBehindAPortal) {
+TEST(SliceInspector, DepthsAndHeightsContinueBehindAPortal) {
     Canvas straight(kWidth, kHeight);
     drawSideView(stairs(), oneMap(), kEye, straight.picture);
     Canvas canvas(kWidth, kHeight);
@@ -202,7 +202,7 @@ TEST(SliceInspector, DepthsAndHeightsGoOnBehindAPortal) {
     }
 }
 
-TEST(SliceInspector, RowsAreBehindThePortalsThatTheyWentThrough) {
+TEST(SliceInspector, RowsAreBehindThePortalsThatTheyPassed) {
     SliceTrace trace = behindPortal();
     trace.portals = {{0, 0, 5.0, 10, 50}, {1, 1, 9.0, 20, 30}};
     World world = twoMaps();
@@ -259,7 +259,7 @@ TEST(SliceInspector, ObjectsAreBarsAndMirrorsDashes) {
     EXPECT_GT(touchedWith(true), touchedWith(false) + 10);
 }
 
-TEST(SliceInspector, ASecondStripeTellsOfPortalsAndMirrors) {
+TEST(SliceInspector, ASecondStripeMarksPortalsAndMirrors) {
     Canvas canvas(kWidth, kHeight);
     SliceTrace trace = behindPortal();
     trace.portals[0].first = 20;
@@ -272,7 +272,7 @@ TEST(SliceInspector, ASecondStripeTellsOfPortalsAndMirrors) {
     EXPECT_FALSE(canvas.touched(205, 380));
 }
 
-TEST(SliceInspector, NothingIsDrawnWhereThereIsNoRoomOrNoMap) {
+TEST(SliceInspector, DrawsNothingWithoutRoomOrMap) {
     Canvas small(100, 70);
     drawSideView(stairs(), oneMap(), kEye, small.picture);
     EXPECT_EQ(small.touchedPixels(), 0);

@@ -30,7 +30,7 @@ std::vector<int> shown(SlowDrawing& slow, std::uint8_t grey, int slices) {
     return columns;
 }
 
-TEST(SlowDrawing, BuildsThePictureUpSliceBySliceAndOver) {
+TEST(SlowDrawing, BuildsThePictureUpSliceBySliceAgainAndAgain) {
     SlowDrawing slow;
     EXPECT_EQ(shown(slow, 100, 3), (std::vector<int>{100, 100, 100, -1, 0, 0, 0, 0, 0, 0}));
     EXPECT_EQ(shown(slow, 120, 5),
@@ -60,7 +60,7 @@ std::vector<int> drawnColumns(int count) {
     return columns;
 }
 
-TEST(DrawColumns, LeavesTheFirstOnes) {
+TEST(DrawColumns, KeepsTheFirstOnes) {
     EXPECT_EQ(drawnColumns(0), (std::vector<int>{-1, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
     EXPECT_EQ(drawnColumns(4), (std::vector<int>{90, 90, 90, 90, -1, 0, 0, 0, 0, 0}));
     EXPECT_EQ(drawnColumns(9), (std::vector<int>{90, 90, 90, 90, 90, 90, 90, 90, 90, -1}));
@@ -78,7 +78,7 @@ TEST(SlowDrawing, ANegativeRateWaits) {
     EXPECT_EQ(next, (std::vector<int>{0, 0, 1, 1, 1, 2, 2}));
 }
 
-TEST(SlowDrawing, BeginsAnewWhenAskedOrWhereTheSizeIsAnother) {
+TEST(SlowDrawing, RestartsWhenAskedOrForAnotherSize) {
     SlowDrawing slow;
     shown(slow, 100, 7);
     slow.restart();

@@ -46,19 +46,19 @@ TEST(Text, EveryCharacterLooksDifferent) {
     EXPECT_EQ(seen.size(), 95u);
 }
 
-TEST(Text, LettersAreAsWideAsTheyNeedAndDigitsAllAlike) {
+TEST(Text, LettersVaryInWidthAndDigitsDoNot) {
     EXPECT_LT(textWidth("illicit"), textWidth("mammals"));
     for (char c = '0'; c <= '9'; ++c) EXPECT_EQ(textWidth(std::string(4, c)), textWidth("0000"));
     EXPECT_EQ(textWidth("1"), kGlyphWidth);
     EXPECT_EQ(textWidth("l"), 3);
 }
 
-TEST(Text, ATabGoesOnInTheNextColumn) {
+TEST(Text, ATabContinuesAtTheNextTabStop) {
     EXPECT_EQ(textWidth("W\tahead"), kTabWidth + textWidth("ahead"));
     EXPECT_EQ(textWidth("Page Down\tcrouch"), kTabWidth + textWidth("crouch"));
 }
 
-TEST(Text, OtherCharactersAreBoxesOneEach) {
+TEST(Text, EachOtherCharacterIsABox) {
     Canvas box(40, 12);
     Canvas others(40, 12);
     drawText(box.picture, 0, 0, "\x7f\x7f\x7f");
@@ -68,7 +68,7 @@ TEST(Text, OtherCharactersAreBoxesOneEach) {
     EXPECT_EQ(textWidth("\xc3\xa4\xe2\x82\xac"), textWidth("ab"));
 }
 
-TEST(Text, HasTheSizeThatItSays) {
+TEST(Text, HasTheReportedSize) {
     EXPECT_EQ(textWidth(""), 0);
     EXPECT_EQ(textWidth("a"), kGlyphWidth);
     EXPECT_EQ(textWidth("one\nthree\ntwo"), textWidth("three"));
@@ -100,7 +100,7 @@ TEST(Text, IsClippedToThePicture) {
     EXPECT_GT(canvas.touchedPixels(), 50);
 }
 
-TEST(Text, PanelsStandWhereTheyAreAnchored) {
+TEST(Text, PanelsAreAtTheirAnchors) {
     const std::string text = "help\nlines";
     for (const int scale : {1, 2, 3}) {
         const int width = 320 * scale;

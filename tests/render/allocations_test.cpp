@@ -135,7 +135,7 @@ std::vector<Eye> way(int pictures) {
     return eyes;
 }
 
-TEST(RendererAllocations, ThereAreNoneOnAWayThatWasGoneBefore) {
+TEST(RendererAllocations, NoneOnARepeatedWay) {
     World world = mixedWorld();
     Renderer renderer;
     Image image(kWidth, kHeight);

@@ -47,7 +47,7 @@ CastFrom at(CastFrom from, double z) {
     return from;
 }
 
-TEST(Cast, WithoutAHeightTellsAllBlocksUpToTheEdge) {
+TEST(Cast, WithoutAHeightListsAllBlocksUpToTheEdge) {
     const CastRay ray = cast(yard(), from(1.5, 1.5, 0.0));
     std::vector<int> tiles;
     for (const CastTile& tile : ray.tiles) {
@@ -76,7 +76,7 @@ TEST(Cast, WithoutAHeightTellsAllBlocksUpToTheEdge) {
     EXPECT_DOUBLE_EQ(ray.x, 10.0);
 }
 
-TEST(Cast, AHeightMeetsWhatIsThereAndEndsAtWhatIsOpaque) {
+TEST(Cast, AtAHeightMeetsItsBlocksAndEndsAtAnOpaqueOne) {
     const World world = yard();
     const CastRay low = cast(world, at(from(1.5, 1.5, 0.0), 0.1));
     ASSERT_EQ(low.hits.size(), 1u);
@@ -138,7 +138,7 @@ TEST(Cast, BeginsOutsideAndInsideOfBlocks) {
 
 // A portal tile at (5, 1) that leads to (2, 7), turned by 90 degrees and a level up: what goes east
 // goes on south. The way is blocked there by nothing: the map ends.
-TEST(Cast, GoesOnBehindPortals) {
+TEST(Cast, ContinuesBehindPortals) {
     World world = yard();
     world.maps.push_back(makeMap("cellar", 5, 9, 3, 0));
     world.maps[1].setCell(2, 5, 1, 1);

@@ -78,15 +78,15 @@ FrameReport expectTheRenderersPictures(std::uint64_t seed, MakeWorld&& makeWorld
     return shown;
 }
 
-TEST(Classic, DrawsTheRenderersPictureWithoutAnOldWay) {
+TEST(Classic, WithoutOldWaysEqualsTheRenderer) {
     expectTheRenderersPictures(7, mixedWorld);
 }
 
-TEST(Classic, SeesThroughGlassAsTheRenderer) {
+TEST(Classic, DrawsGlassLikeTheRenderer) {
     expectTheRenderersPictures(8, glassWorld);
 }
 
-TEST(Classic, DrawsObjectsMirrorsAndPortalsAsTheRenderer) {
+TEST(Classic, DrawsObjectsMirrorsAndPortalsLikeTheRenderer) {
     const FrameReport shown = expectTheRenderersPictures(9, featureWorld);
     EXPECT_GT(shown.objectSlices, 1000);
     EXPECT_GT(shown.mirroredRows, 20'000);
@@ -95,7 +95,7 @@ TEST(Classic, DrawsObjectsMirrorsAndPortalsAsTheRenderer) {
 }
 
 // Two blocks that touch in a corner: nothing is seen between them, and the eastern one comes first.
-TEST(Classic, ThroughACornerAsTheRenderer) {
+TEST(Classic, DrawsThroughACornerLikeTheRenderer) {
     World world = emptyWorld(9, 9, 1, plain("floor", kBlack));
     const BlueprintId east = addBlock(world, addTexture(world, plain("east", kRed)));
     const BlueprintId south = addBlock(world, addTexture(world, plain("south", kGreen)));

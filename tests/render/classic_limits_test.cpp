@@ -8,7 +8,7 @@
 namespace slicecast::known {
 namespace {
 
-TEST(Classic, RefusesWhatCannotBeDrawn) {
+TEST(Classic, RefusesInvalidViews) {
     const World world = wallWorld(plain("wall", kWhite));
     const Eye eye = eyeAt(8.0, 20.5, 0.5, 0.0);
     EXPECT_FALSE(drawOld(world, eye, 8, 8, {}).image.empty());

@@ -88,7 +88,7 @@ TEST(Classic, AFlippedReflectionIsNotAMirror) {
 }
 
 // A window of bars, or a beam, before a portal: what is behind it covers them, but at its ends.
-TEST(Classic, PortalsAreDrawnOverWhatIsBeforeThem) {
+TEST(Classic, PortalsAreDrawnOverThingsInFront) {
     World world = emptyWorld(20, 9, 1, plain("floor", kBlack));
     const BlueprintId gate = addBlock(world, addTexture(world, plain("gate", kRed)));
     const BlueprintId beam = addBlock(world, addTexture(world, plain("beam", kWhite)),

@@ -57,7 +57,7 @@ TEST(Classic, PaintersOrderIsWrongWhereBlocksInterlock) {
     EXPECT_GT(count(drawOld(pierced, below, 100, 100, {.paintersOrder = true}).image, kGreen), 100);
 }
 
-TEST(Classic, OneLevelHidesWhatIsAboveAndBehind) {
+TEST(Classic, OneLevelHidesBlocksAboveAndBehind) {
     World world = emptyWorld(20, 21, 3, plain("floor", kBlack));
     const BlueprintId tower = addBlock(world, addTexture(world, plain("tower", kWhite)));
     const BlueprintId low =
@@ -96,7 +96,7 @@ TEST(Classic, OneLevelHidesWhatIsAboveAndBehind) {
 }
 
 // A low wall, a high one behind it, and a beam that floats before both.
-TEST(Classic, OneHitPerLevelHidesWhatIsBehind) {
+TEST(Classic, OneHitPerLevelHidesBlocksBehind) {
     World world = emptyWorld(20, 21, 2, plain("floor", kBlack));
     const BlueprintId low =
         addBlock(world, addTexture(world, plain("low", kRed)), {}, toCoordinate(0.25));

@@ -53,7 +53,7 @@ TEST(Classic, MarchingFindsWallsTooLateAndRagged) {
     EXPECT_LT(count(coarse, kWhite), count(exact, kWhite) * 95 / 100);
 }
 
-TEST(Classic, MarchingMissesThinCornersAndGivesUp) {
+TEST(Classic, MarchingMissesThinCornersAndEnds) {
     // A lone block whose corner is all that some columns meet.
     World world = emptyWorld(60, 9, 1, plain("floor", kBlack));
     const BlueprintId block = addBlock(world, addTexture(world, plain("wall", kWhite)));

@@ -47,7 +47,7 @@ std::vector<RowSeen> rowsOf(const SliceTrace& trace) {
     return rows;
 }
 
-TEST(ClassicTrace, TellsWhatTheRendererTellsWhereNothingIsSeeThrough) {
+TEST(ClassicTrace, EqualsTheRenderersWithoutSeeThroughBlocks) {
     Random random(3);
     int rows = 0;
     int different = 0;
@@ -142,7 +142,7 @@ TEST(ClassicTrace, EachRowHasOneRunWhateverTheWay) {
     }
 }
 
-TEST(ClassicTrace, OfNoColumnItIsEmpty) {
+TEST(ClassicTrace, IsEmptyWithoutAColumn) {
     const World world = mixedWorld(2);
     const Eye eye = eyeAt(5.2, 4.2, 0.5, 0.0);
     EXPECT_FALSE(traceClassic(world, eye, {}, {}, {kWidth, kHeight, 0}).filled.empty());

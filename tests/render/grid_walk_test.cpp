@@ -242,7 +242,7 @@ TEST(GridWalk, ComesToATileOfItsWay) {
     }
 }
 
-TEST(FirstRowBelow, AsTheExactQuotientSays) {
+TEST(FirstRowBelow, EqualsTheExactQuotients) {
     Random random(4);
     for (int i = 0; i < 20000 && !testing::Test::HasFailure(); ++i) {
         const int width = random.between(1, 400);

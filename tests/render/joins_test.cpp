@@ -91,7 +91,7 @@ World movingBlock(Colour colour, bool join) {
     return world;
 }
 
-TEST(Joins, WhatMovesHasNoFacesInsideItself) {
+TEST(Joins, MoversHaveNoInnerFaces) {
     for (const bool classic : {true, false}) {
         World world = movingBlock(kPane, false);
         World still = movingBlock(kPane, true);
@@ -105,7 +105,7 @@ TEST(Joins, WhatMovesHasNoFacesInsideItself) {
 }
 
 // From inside an opaque block one sees its far faces, and nothing at the border between levels.
-TEST(Joins, WhatMovesIsHollowFromInside) {
+TEST(Joins, MoversAreHollowFromInside) {
     constexpr Colour kUpper = {200, 0, 0, 255};
     constexpr Colour kLower = {0, 0, 200, 255};
     World world = movingBlock({10, 200, 10, 255}, true);

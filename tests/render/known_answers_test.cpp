@@ -254,7 +254,7 @@ TEST(KnownAnswers, LetteringOnAllSixFaces) {
 }
 
 // What cannot be drawn is refused, and the picture is left alone.
-TEST(KnownAnswers, RefusesWhatCannotBeDrawn) {
+TEST(KnownAnswers, RefusesInvalidViews) {
     const World world = emptyWorld(3, 3, 1, plain("floor", kWhite));
     const Eye good = eyeAt(1.5, 1.5, 0.5, 0.0);
     EXPECT_FALSE(draw(world, good, 4, 4).empty());

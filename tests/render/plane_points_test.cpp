@@ -63,7 +63,7 @@ TEST_F(PointsOfPlanes, ACeilingIsAsFarAsAFloor) {
 }
 
 // Tiles 4 and 5: 1.5 to 3.5 east of the viewpoint.
-TEST_F(PointsOfPlanes, HeldInsideTheTiles) {
+TEST_F(PointsOfPlanes, ClampedToTheTiles) {
     const PlanePoints two = points({4, 2, 5, 9});
     EXPECT_EQ(two.at(atEast(1.5)).east, 0u);
     EXPECT_TRUE(two.isInside(atEast(1.5)));
@@ -82,7 +82,7 @@ TEST_F(PointsOfPlanes, HeldInsideTheTiles) {
 }
 
 // South of the viewpoint by half as much: tile 3 is 0.5 to 1.5 south, 1 to 3 east.
-TEST_F(PointsOfPlanes, HeldBetweenNorthAndSouth) {
+TEST_F(PointsOfPlanes, ClampedBetweenNorthAndSouth) {
     const PlanePoints one = points({2, 3, 12, 3});
     EXPECT_EQ(one.at(atEast(1.0 - kTiny)).south, 0u);
     EXPECT_FALSE(one.isInside(atEast(1.0 - kTiny)));
@@ -142,7 +142,7 @@ TEST_F(PointsOfPlanes, BordersBehindTurnedPortals) {
 }
 
 // Where the tiles begin a point is held, whichever tile a border within them would go to.
-TEST_F(PointsOfPlanes, HeldAtTheNearEdgeBehindTurnedPortals) {
+TEST_F(PointsOfPlanes, ClampedAtTheNearEdgeBehindTurnedPortals) {
     const PlanePoints two = pointsTurned(1, {4, 2, 5, 9});
     EXPECT_EQ(two.at(atEast(1.5 - kTiny)).east, 0u);
     EXPECT_EQ(two.at(atEast(1.5 + kTiny)).east, 0u);

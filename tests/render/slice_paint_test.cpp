@@ -168,7 +168,7 @@ TEST_F(SlicePaint, ASideStretchesItsTexels) {
 }
 
 // Spans stand nearest first: the later one is farther, and laid over what is there first.
-TEST_F(SlicePaint, LayersAreLaidOverFromTheBack) {
+TEST_F(SlicePaint, LayersAreBlendedFromTheBack) {
     const std::vector<Pixel> near = anyTexels(3, 20, false);
     const std::vector<Pixel> far = anyTexels(4, 20, false);
     const std::vector<Pixel> behind = anyTexels(5, 40, true);
@@ -240,7 +240,7 @@ TEST_F(SlicePaint, RunsEndWhereThePlaneChanges) {
 
 // Row 133 sees (3.99, 2.51), a trifle before tile 4, and row 119 (5.06, 2.51), behind it. If the
 // walk says that they are in tile 4, their texels are the first and the last of that.
-TEST_F(SlicePaint, TexelsAreHeldInsideTheirTiles) {
+TEST_F(SlicePaint, TexelsAreClampedToTheirTiles) {
     addPlane(What::floor, 119, 134, kFloor, {4, 2, 4, 2, false});
     const std::vector<Pixel> pixels = painted();
     const auto texelAt = [&](std::size_t u) {
@@ -359,7 +359,7 @@ TEST_F(SlicePaintInWater, FogEndsAtTheSurface) {
 }
 
 // What is seen in a mirror under water knows no surface.
-TEST_F(SlicePaintInWater, MirrorsKnowNoSurface) {
+TEST_F(SlicePaintInWater, ReflectionsIgnoreTheSurface) {
     const std::vector<Pixel> texels = anyTexels(11, 20, true);
     addTexels(What::side, 150, texels);
     slice_.upright.mirrors.push_back({.first = 150, .last = 170, .strength = 255});

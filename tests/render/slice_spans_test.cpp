@@ -395,7 +395,7 @@ side 33-100 east of 2,2,0: block detail 0, u 3, v 0-3, depth 0.75, light 256, fo
 }
 
 // Nothing is left of the slice before.
-TEST(SliceSpans, ASecondSliceBeginsAnew) {
+TEST(SliceSpans, ASecondSliceStartsEmpty) {
     World world = hall();
     setRow(world, 6, addNamed(world, "wall"));
     SliceStage stage(world, eyeInHall(), 200, 200);

@@ -210,7 +210,7 @@ TEST(DrawMethod, TheExactMethodDrawsFromAColumnOn) {
 }
 
 // Of each column, by the method that draws it.
-TEST(DrawMethod, TracesTellOfTheMethodThatDraws) {
+TEST(DrawMethod, TracesAreOfTheMethodThatDraws) {
     Session session(yard());
     const SliceTrace exact = session.trace(96, 60, 10);
     session.setOption("classic.march", "on");

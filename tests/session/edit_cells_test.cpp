@@ -85,7 +85,7 @@ std::vector<std::string> rows(const Session& session, int level) {
     return rows;
 }
 
-TEST(EditCells, RowsAreThoseOfTheScene) {
+TEST(EditCells, RowsEqualTheScenes) {
     Session session(yard());
     const std::vector<std::string> ground = {"#######", ".....g.", ".......",
                                              ".......", "...d.l.", "#######"};
@@ -99,7 +99,7 @@ TEST(EditCells, RowsAreThoseOfTheScene) {
     EXPECT_EQ(cellsJson(session.world(), 0).substr(0, 22), "[[\"#######\",\".....g.\",");
 }
 
-TEST(EditCells, DrawsTheWorldThatHasTheBlock) {
+TEST(EditCells, DrawsTheChangedWorld) {
     World other = yard();
     other.maps[0].setCell(4, 2, 0, 1);
     other.maps[0].setCell(3, 5, 0, kEmptyCell);
@@ -140,7 +140,7 @@ TEST(EditCells, KeepsTheEyeInsideOfANewBlock) {
     EXPECT_FALSE(walker.player().flying);
 }
 
-TEST(EditCells, RefusesWhatIsMadeWhenTheSceneIsLoaded) {
+TEST(EditCells, RefusesBlocksThatAreSetUpAtLoading) {
     Session session(yard());
     const std::uint64_t before = session.fingerprint();
     const auto refusal = [&](CellAt at, char32_t character) {
@@ -162,7 +162,7 @@ TEST(EditCells, RefusesWhatIsMadeWhenTheSceneIsLoaded) {
     EXPECT_EQ(session.fingerprint(), before);
 }
 
-TEST(EditCells, TheWorldComesBackAsTheSceneHasIt) {
+TEST(EditCells, UndoRestoresTheScenesCells) {
     Session session(yard());
     const std::vector<std::string> ground = rows(session, 0);
     const std::uint64_t before = session.fingerprint();
@@ -204,7 +204,7 @@ TEST(EditCells, AreRecorded) {
     EXPECT_EQ(rows(again, 0), rows(session, 0));
 }
 
-TEST(EditCells, BlueprintsAreThoseOfTheLegend) {
+TEST(EditCells, BlueprintsEqualTheLegend) {
     const World world = yard();
     const std::string text = blueprintsJson(world, 0);
     EXPECT_EQ(text.find("[{\"character\":\"#\",\"name\":\"wall\",\"bottom\":0,\"top\":1,"
@@ -218,7 +218,7 @@ TEST(EditCells, BlueprintsAreThoseOfTheLegend) {
               std::string::npos);
 }
 
-TEST(EditCells, AFaceThatIsNotThereHasNoTexture) {
+TEST(EditCells, AMissingFaceHasNoTexture) {
     World world = yard();
     for (CellBlueprint& blueprint : world.blueprints) {
         if (blueprint.name == "wall") blueprint.faces[0].texture = kNoTexture;

@@ -64,7 +64,7 @@ rapidjson::Document hitsOf(int column, const char* mirrors = "1") {
     return json;
 }
 
-TEST(HitsJson, TellsThePortalsThatRowsWentThrough) {
+TEST(HitsJson, ListsThePortalsThatRowsPassed) {
     const rapidjson::Document json = hitsOf(50);
     ASSERT_EQ(json["portals"].Size(), 1u);
     const auto& portal = json["portals"][0];
@@ -86,7 +86,7 @@ TEST(HitsJson, TellsThePortalsThatRowsWentThrough) {
     EXPECT_EQ(beyond["map"], "cellar");
 }
 
-TEST(HitsJson, NamesTheMapOfWhateverIsMet) {
+TEST(HitsJson, NamesTheMapOfEachHit) {
     const rapidjson::Document json = hitsOf(50);
     EXPECT_EQ(json["tiles"][0][3], "hall");
     EXPECT_EQ(json["tiles"][json["tiles"].Size() - 1][3], "cellar");
@@ -100,7 +100,7 @@ TEST(HitsJson, NamesTheMapOfWhateverIsMet) {
     EXPECT_NEAR(hit["depth"].GetDouble(), 4.5, 1e-9);
 }
 
-TEST(HitsJson, TellsObjects) {
+TEST(HitsJson, ListsObjects) {
     const rapidjson::Document json = hitsOf(50);
     ASSERT_EQ(json["objects"].Size(), 1u);
     const auto& object = json["objects"][0];
@@ -120,7 +120,7 @@ TEST(HitsJson, TellsObjects) {
     EXPECT_EQ(hitsOf(0)["objects"].Size(), 0u);
 }
 
-TEST(HitsJson, TellsMirrors) {
+TEST(HitsJson, ListsMirrors) {
     const rapidjson::Document json = hitsOf(50);
     ASSERT_EQ(json["mirrors"].Size(), 1u);
     const auto& mirror = json["mirrors"][0];

@@ -19,7 +19,7 @@ std::vector<Map> twoMaps() {
     return maps;
 }
 
-TEST(LightPresets, TakeThePlaceOfLightFogHazeAndSkyInAllMaps) {
+TEST(LightPresets, ReplaceLightFogHazeAndSkyOfAllMaps) {
     std::vector<Map> maps = twoMaps();
     MapLights lights(maps);
     lights.apply({.preset = LightPreset::night}, maps);
@@ -51,7 +51,7 @@ TEST(LightPresets, GetDarkerFromDayToNight) {
     }
 }
 
-TEST(LightPresets, GiveBackEachMapsOwn) {
+TEST(LightPresets, RestoreEachMapsOwn) {
     std::vector<Map> maps = twoMaps();
     const Pixel* panorama = maps[1].sky.panorama.pixels.data();
     MapLights lights(maps);
@@ -69,7 +69,7 @@ TEST(LightPresets, GiveBackEachMapsOwn) {
     EXPECT_EQ(maps[1].sky.panorama.pixels.data(), panorama) << "moved, not copied";
 }
 
-TEST(LightPresets, WishesForTheLightGoBeforeThePresets) {
+TEST(LightPresets, OptionsOverrideThePresets) {
     std::vector<Map> maps = twoMaps();
     MapLights lights(maps);
     lights.apply({.preset = LightPreset::dusk, .intensity = 0.25, .multiplier = 3.0}, maps);
@@ -79,7 +79,7 @@ TEST(LightPresets, WishesForTheLightGoBeforeThePresets) {
     EXPECT_NE(maps[1].light.intensity, 0.25);
 }
 
-TEST(LightPresets, TheFogHasTheColourThatIsWishedFor) {
+TEST(LightPresets, TheFogHasTheColourOfTheOption) {
     std::vector<Map> maps = twoMaps();
     MapLights lights(maps);
     const Colour red = {200, 10, 20, 255};

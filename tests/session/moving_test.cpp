@@ -81,7 +81,7 @@ TEST(SessionThatMoves, ShowsARiderThePlatformAtRest) {
     }
 }
 
-TEST(SessionThatMoves, IsLeftAsItIsByDrawing) {
+TEST(SessionThatMoves, IsNotChangedByDrawing) {
     Session session(works());
     for (int step = 0; step < 100; ++step) session.step({});
     const std::vector<CellBlueprint> blocks = session.world().blueprints;
@@ -98,7 +98,7 @@ const Gate& gateOf(const Session& session) {
     return session.world().gates[0];
 }
 
-TEST(SessionThatMoves, TakesAPressForOneWishHoweverLongItLasts) {
+TEST(SessionThatMoves, TakesALongPressForOneWish) {
     Session session(works());
     for (int step = 0; step < 30; ++step) session.step({.use = true});
     EXPECT_EQ(gateOf(session).progress, 30);
@@ -112,7 +112,7 @@ TEST(SessionThatMoves, TakesAPressForOneWishHoweverLongItLasts) {
     EXPECT_FALSE(gateOf(session).wantsOpen);
 }
 
-TEST(SessionThatMoves, BeginsAnewWhenItIsReset) {
+TEST(SessionThatMoves, RestartsWhenReset) {
     Session session(works());
     for (int step = 0; step < 200; ++step) session.step({.forward = 0.2, .use = step == 3});
     EXPECT_GT(session.world().movers[0].clock, 0);
@@ -128,7 +128,7 @@ TEST(SessionThatMoves, BeginsAnewWhenItIsReset) {
     EXPECT_EQ(session.steps(), 201);
 }
 
-TEST(SessionThatMoves, IsInAnotherStateWhereSomethingElseStands) {
+TEST(SessionThatMoves, HasAnotherFingerprintForAnotherGateOrMover) {
     Session still(works());
     Session other(works());
     for (int step = 0; step < 3; ++step) {

@@ -25,7 +25,7 @@ std::set<std::string> apply(SessionOptions& options, std::string_view list) {
     return names;
 }
 
-TEST(OldWays, EachIsDifferentAndCanBeSet) {
+TEST(OldWays, EachIsDifferentAndValid) {
     std::set<std::string> names;
     std::set<std::string> lists;
     for (const OldWay& way : knownOldWays()) {
@@ -52,7 +52,7 @@ TEST(OldWays, EveryClassicOptionIsInOne) {
     }
 }
 
-TEST(OldWays, TheClassicMethodSaysWhatItLeavesOut) {
+TEST(OldWays, TheClassicMethodListsWhatItCannotDraw) {
     World world;
     CellBlueprint glass;
     glass.seeThrough = true;

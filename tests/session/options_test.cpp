@@ -9,7 +9,7 @@
 namespace slicecast {
 namespace {
 
-TEST(Options, TheTableHoldsTheDefaults) {
+TEST(Options, TheTableHasTheDefaults) {
     std::set<std::string> names;
     for (const OptionInfo& info : knownOptions()) {
         EXPECT_TRUE(names.insert(info.name).second) << info.name << " twice";
@@ -24,7 +24,7 @@ TEST(Options, TheTableHoldsTheDefaults) {
         EXPECT_EQ(names.count(name), 1u) << name;
 }
 
-TEST(Options, TakeTheEndsOfTheirRangeAndNothingBeyond) {
+TEST(Options, AcceptTheirRangeAndNothingBeyond) {
     for (const OptionInfo& info : knownOptions()) {
         SessionOptions options;
         if (info.kind == OptionKind::onOff) {
@@ -34,7 +34,7 @@ TEST(Options, TakeTheEndsOfTheirRangeAndNothingBeyond) {
             continue;
         }
         if (info.kind == OptionKind::choice || info.kind == OptionKind::ownOrColour)
-            continue;  // see ChoicesTakeTheirWords, ColoursAreSixDigits
+            continue;  // see ChoicesAcceptTheirWords, ColoursAreSixDigits
         for (const double end : {info.least, info.greatest}) {
             EXPECT_EQ(setOption(options, info.name, std::to_string(end)), "") << info.name;
             EXPECT_EQ(std::stod(optionValue(options, info.name)), end) << info.name;
@@ -47,7 +47,7 @@ TEST(Options, TakeTheEndsOfTheirRangeAndNothingBeyond) {
     }
 }
 
-TEST(Options, ComeBackExactly) {
+TEST(Options, ReadBackExactly) {
     SessionOptions options;
     for (const char* value : {"75", "60.5", "33.3", "12.000000000000002", "149.99999999999997"}) {
         EXPECT_EQ(setOption(options, "fov", value), "");
@@ -65,7 +65,7 @@ TEST(Options, ComeBackExactly) {
     EXPECT_FALSE(options.render.textures);
 }
 
-TEST(Options, ChoicesTakeTheirWords) {
+TEST(Options, ChoicesAcceptTheirWords) {
     SessionOptions options;
     EXPECT_EQ(setOption(options, "method", "classic"), "");
     EXPECT_EQ(options.method, DrawMethod::classic);
@@ -97,7 +97,7 @@ TEST(Options, ChoicesTakeTheirWords) {
               "Option 'method' takes 'exact' or 'classic', not 'clasic'. Did you mean 'classic'?");
 }
 
-TEST(Options, ChoicesGoRound) {
+TEST(Options, ChoicesCycle) {
     EXPECT_EQ(nextChoice("lightPreset", "map"), "day");
     EXPECT_EQ(nextChoice("lightPreset", "night"), "fog");
     EXPECT_EQ(nextChoice("lightPreset", "fog"), "map");
@@ -123,7 +123,7 @@ TEST(Options, ColoursAreSixDigits) {
     EXPECT_EQ(options.hazeColour, std::nullopt);
 }
 
-TEST(Options, SayWhatWasFoundAndWhatWasExpected) {
+TEST(Options, MessagesSayWhatWasFoundAndExpected) {
     SessionOptions options;
     EXPECT_EQ(setOption(options, "fov", "wide"),
               "Option 'fov' takes a number from 10 to 150, not 'wide'.");
@@ -140,7 +140,7 @@ TEST(Options, SayWhatWasFoundAndWhatWasExpected) {
     EXPECT_EQ(optionValue(options, "fvo"), "");
 }
 
-TEST(Options, RefuseWhatIsNoPlainNumber) {
+TEST(Options, RefuseAnythingButPlainNumbers) {
     SessionOptions options;
     for (const char* value : {"", " ", " 60", "60 ", "0x3c", "nan", "inf", "infinity", "1e400",
                               "60,5", "60deg", "+-60", "--60", ".", "e5", "1e"}) {

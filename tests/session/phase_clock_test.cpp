@@ -45,7 +45,7 @@ TEST(PhaseClock, APauseDoesNotCount) {
     EXPECT_NEAR(clock.times()->framesPerSecond, 50.0, 1e-3);
 }
 
-TEST(PhaseClock, WithoutAClockThereIsNothing) {
+TEST(PhaseClock, MeasuresNothingWithoutAClock) {
     PhaseClock clock;
     double now = 0.0;
     for (int i = 0; i < 100; ++i) picture(clock, now);

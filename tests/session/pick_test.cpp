@@ -193,11 +193,11 @@ void PickTest::expectTexelsOfPictures() {
     EXPECT_GT(throughHoles, 20);
 }
 
-TEST_F(PickTest, EveryPixelShowsTheTexelThatIsPicked) {
+TEST_F(PickTest, EveryPixelShowsThePickedTexel) {
     expectTexelsOfPictures();
 }
 
-TEST_F(PickTest, EveryPixelOfTheClassicMethodShowsTheTexelThatIsPicked) {
+TEST_F(PickTest, EveryPixelOfTheClassicMethodShowsThePickedTexel) {
     EXPECT_EQ(session.setOption("method", "classic"), "");
     expectTexelsOfPictures();
     EXPECT_EQ(session.setOption("method", "exact"), "");
@@ -206,7 +206,7 @@ TEST_F(PickTest, EveryPixelOfTheClassicMethodShowsTheTexelThatIsPicked) {
     expectTexelsOfPictures();
 }
 
-TEST_F(PickTest, EveryPixelOfAnOldWayShowsTheTexelThatIsPicked) {
+TEST_F(PickTest, EveryPixelOfAnOldWayShowsThePickedTexel) {
     EXPECT_EQ(session.setOption("method", "classic"), "");
     for (const auto& [name, value] : std::map<const char*, const char*>{
              {"classic.projection", "equalAngles"},
@@ -258,7 +258,7 @@ void PickTest::expectPointsInTheirPixels() {
     EXPECT_GT(points, 3000);
 }
 
-TEST_F(PickTest, TellsTileLevelFaceAndObject) {
+TEST_F(PickTest, FindsTileLevelFaceAndObject) {
     look(5.0);
     std::map<std::string, int> faces;
     for (int row = 0; row < kHeight; ++row) {
@@ -308,16 +308,16 @@ protected:
     void expectReflections();
 };
 
-TEST_F(PickMirrorTest, TellsWhatShowsInAMirror) {
+TEST_F(PickMirrorTest, FindsReflections) {
     expectReflections();
 }
 
-TEST_F(PickMirrorTest, TellsWhatShowsInAMirrorOfTheClassicMethod) {
+TEST_F(PickMirrorTest, FindsReflectionsOfTheClassicMethod) {
     EXPECT_EQ(session.setOption("method", "classic"), "");
     expectReflections();
 }
 
-TEST_F(PickMirrorTest, AMirrorThatFlipsThePictureTellsOfNoRay) {
+TEST_F(PickMirrorTest, FlippedReflectionsHaveNoRay) {
     EXPECT_EQ(session.setOption("method", "classic"), "");
     EXPECT_EQ(session.setOption("classic.flippedMirrors", "on"), "");
     int floors = 0;
@@ -356,7 +356,7 @@ void PickMirrorTest::expectReflections() {
     EXPECT_GT(reflected, 300);
 }
 
-TEST_F(PickTest, WhatIsNotBeforeTheEyeIsNotProjected) {
+TEST_F(PickTest, PointsBehindTheEyeAreNotProjected) {
     look(0.0, 0.0);
     EXPECT_FALSE(project(session, session.eye(), {2.2, 5.2, 0.6}, 0, kWidth, kHeight).has_value());
     EXPECT_FALSE(

@@ -32,7 +32,7 @@ World corridor() {
     return world;
 }
 
-TEST(PortalSession, NothingIsDrawnBetweenTheTwoSidesWithinOneMapEither) {
+TEST(PortalSession, DoesNotInterpolateBetweenTheSidesWithinOneMapEither) {
     Session session(corridor());
     int between = 0;
     int leaps = 0;
@@ -59,7 +59,7 @@ TEST(PortalSession, NothingIsDrawnBetweenTheTwoSidesWithinOneMapEither) {
 
 // Two players at the same place are in different states while one of them still reaches back
 // through a portal.
-TEST(PortalSession, TheStateIsAnotherBetweenTheTwoSides) {
+TEST(PortalSession, TheFingerprintDiffersBetweenTheSides) {
     Session walker(corridor());
     while (walker.player().leaps == 0) walker.step({.forward = 1.0});
     ASSERT_TRUE(walker.player().behind.isOn);

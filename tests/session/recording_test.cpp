@@ -79,7 +79,7 @@ Recording readBack(const Recording& recording) {
     return read.recording.value_or(Recording{});
 }
 
-TEST(Recording, LeadsThroughTheSameStates) {
+TEST(Recording, ReplaysTheSameStates) {
     Session session(makeField());
     Recorder recorder("field");
     session.record(&recorder);
@@ -106,7 +106,7 @@ TEST(Recording, LeadsThroughTheSameStates) {
     EXPECT_EQ(again.option("fov"), "60");
 }
 
-TEST(Recording, OfAReplayIsTheSame) {
+TEST(Recording, RecordingAReplayGivesTheSame) {
     Session session(makeField());
     Recorder recorder("field");
     session.record(&recorder);
@@ -128,7 +128,7 @@ TEST(Recording, OfAReplayIsTheSame) {
     EXPECT_EQ(doubled.substr(0, at) + doubled.substr(at + firstOption.size()), text);
 }
 
-TEST(Recording, AnotherWorldIsNoticed) {
+TEST(Recording, NoticesAnotherWorld) {
     Session session(makeField());
     Recorder recorder("field");
     session.record(&recorder);
@@ -165,7 +165,7 @@ World makeFloodedField() {
 }
 
 // Every option either leads elsewhere and is recorded, or is not and leads to the same place.
-TEST(Recording, HoldsTheOptionsThatBearOnSteps) {
+TEST(Recording, HoldsTheOptionsThatAffectSteps) {
     for (const OptionInfo& info : knownOptions()) {
         const std::string name = info.name;
         Session plain(makeFloodedField());
@@ -190,7 +190,7 @@ TEST(Recording, HoldsTheOptionsThatBearOnSteps) {
     }
 }
 
-TEST(Recording, InputsAreKeptOnAGridAndGoOnFromIt) {
+TEST(Recording, InputsAreStoredAndAppliedInUnits) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const RecordedInput kept = toRecorded({.forward = 7.0,
                                            .strafe = nan,
@@ -209,7 +209,7 @@ TEST(Recording, InputsAreKeptOnAGridAndGoOnFromIt) {
     }
 }
 
-TEST(Recording, SameInputsAreOneLine) {
+TEST(Recording, EqualInputsAreOneLine) {
     Session session(makeField());
     Recorder recorder("field");
     session.record(&recorder);
@@ -235,7 +235,7 @@ std::string faultsOf(const std::string& text) {
     return words;
 }
 
-TEST(Recording, AGoodTextHasNoFaults) {
+TEST(Recording, AValidTextHasNoFaults) {
     EXPECT_EQ(faultsOf(kHead +
                        "# a comment\n\n  5   forward 256 turn -12  look-heights 655 jump fast slow "
                        "\nfly off\r\n" +
@@ -244,7 +244,7 @@ TEST(Recording, AGoodTextHasNoFaults) {
     EXPECT_EQ(faultsOf("\xef\xbb\xbf" + kHead + "5\n" + kTail), "");
 }
 
-TEST(Recording, FaultsAreNamedWithTheirPlaces) {
+TEST(Recording, FaultsHaveTheirPlaces) {
     const std::string words =
         "forward, strafe, turn, look, fly, turn-degrees, look-heights, jump, fast, slow, use, open "
         "or close";
@@ -263,15 +263,16 @@ TEST(Recording, FaultsAreNamedWithTheirPlaces) {
          "f:2:7: found \"../x\", expected the scene's name, of at most 60 letters, digits, '-', "
          "'_' and '.'\n"},
         {kHead + "5\n",
-         "f:4:1: found the end of the file, expected \"end\", which says that the recording is "
-         "whole\n"},
+         "f:4:1: found the end of the file, expected \"end\", which proves that the "
+         "recording is complete\n"},
         {kHead + "4\n" + kTail, "f:4:5: found \"5\", expected 4, the sum of all steps\n"},
         {kHead + "5\n" + kTail + "1\n",
-         "f:5:1: found \"1\", expected nothing behind the end of the recording\n"},
+         "f:5:1: found \"1\", expected nothing after the end of the recording\n"},
         {kHead + "5\nend 5\n",
-         "f:4:6: found the end of the line, expected where the eye is, 16 digits from 0 to f\n"},
+         "f:4:6: found the end of the line, expected the pose of the eye, 16 digits from 0 to f\n"},
         {kHead + "5\nend 5 0123456789ABCDEF\n",
-         "f:4:7: found \"0123456789ABCDEF\", expected where the eye is, 16 digits from 0 to f\n"},
+         "f:4:7: found \"0123456789ABCDEF\", expected the pose of the eye, 16 digits from 0 to "
+         "f\n"},
         {kHead + "0\n" + kTail,
          "f:3:1: found \"0\", expected a number of steps, a whole number from 1 to 4320000\n"},
         {kHead + "5x\n" + kTail,
@@ -301,14 +302,14 @@ TEST(Recording, FaultsAreNamedWithTheirPlaces) {
         {kHead + "eye 0 1 1 0 0 0\n5\n" + kTail,
          "f:3:11: found \"0\", expected z, a whole number from 1 to 2147418112\n"},
         {kHead + "set fov 70\n5\n" + kTail,
-         "f:3:5: found \"fov\", expected an option that bears on steps: speed or bob\n"},
+         "f:3:5: found \"fov\", expected an option that affects steps: speed or bob\n"},
         {kHead + "set speed 99\n5\n" + kTail,
          "f:3:11: found \"99\", expected a value of the option speed\n"},
         {kHead + "mark\n5\n" + kTail,
          "f:3:5: found the end of the line, expected the mark's name, of at most 60 letters, "
          "digits, '-', '_' and '.'\n"},
         {kHead + "mark x y\n5\n" + kTail,
-         "f:3:8: found \"y\", expected where the eye is, 16 digits from 0 to f\n"},
+         "f:3:8: found \"y\", expected the pose of the eye, 16 digits from 0 to f\n"},
         {kHead + "5 \xff\n" + kTail,
          "f:3:3: found a byte that is not UTF-8, expected a recording, which is UTF-8 text\n"},
         // Several: each line's first
@@ -320,7 +321,7 @@ TEST(Recording, FaultsAreNamedWithTheirPlaces) {
 }
 
 // Any damage to a text is a fault or another sound recording; nothing else happens.
-TEST(Recording, DamagedTextsAreRefusedOrSound) {
+TEST(Recording, DamagedTextsAreRefusedOrValid) {
     Session session(makeField());
     Recorder recorder("field");
     session.record(&recorder);

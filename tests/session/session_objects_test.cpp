@@ -58,7 +58,7 @@ World livelyYards() {
     return world;
 }
 
-TEST(SessionObjects, MoveRideAndBeginAnew) {
+TEST(SessionObjects, MoveRideAndRestart) {
     Session session(livelyYards());
     const std::vector<Object>& objects = session.world().maps[0].objects;
     const std::uint64_t before = session.fingerprint();

@@ -76,7 +76,7 @@ TEST(Session, BeginsAtTheStart) {
     EXPECT_EQ(session.eye().x, toCoordinate(2.5));
 }
 
-TEST(Session, HandsEveryWishOnToThePlayer) {
+TEST(Session, PassesEveryInputToThePlayer) {
     const auto after = [](const Input& input, int steps = 60) {
         Session session(yards());
         for (int i = 0; i < steps; ++i) session.step(input);
@@ -130,7 +130,7 @@ TEST(Session, TurnsTheShortWayRoundBetweenSteps) {
     }
 }
 
-TEST(Session, DoesNotGlideAcrossALeap) {
+TEST(Session, DoesNotInterpolateAcrossALeap) {
     Session session(yards());
     const auto still = [&session] {
         const Eye a = session.eye(0.25);
@@ -341,7 +341,7 @@ TEST(Session, TheSameInputsGiveTheSameFingerprintEverywhere) {
     EXPECT_EQ(fingerprintOfAGame(5000), 0x767d1bcb9c5e70bau);
 }
 
-TEST(Session, TheFingerprintTellsStatesApart) {
+TEST(Session, DifferentStatesHaveDifferentFingerprints) {
     const std::uint64_t start = Session(yards()).fingerprint();
     Session session(yards());
     EXPECT_EQ(session.fingerprint(), start);
@@ -378,7 +378,7 @@ TEST(Session, GoesIntoEveryMap) {
     EXPECT_EQ(state.headingDegrees, 0.0) << "as at the start";
 }
 
-TEST(Session, TheWayIntoAMapIsRecorded) {
+TEST(Session, GoingIntoAMapIsRecorded) {
     Session played(yards());
     Recorder recorder("yards");
     played.record(&recorder);

@@ -11,7 +11,7 @@
 namespace slicecast {
 namespace {
 
-TEST(Allocations, ThereAreNoneAfterTheFirstStep) {
+TEST(Allocations, NoneAfterTheFirstStep) {
     World world;
     world.textures.push_back(makeTexture("plain", Image(8, 8)));
     CellBlueprint plate;

@@ -169,7 +169,7 @@ std::vector<bool> bareRows(const Json& trace) {
     return bare;
 }
 
-TEST_F(TraceJsonTest, TheTexelsAreThoseOfThePicture) {
+TEST_F(TraceJsonTest, TexelsEqualThePictures) {
     for (const bool isLit : {false, true}) {
         set("light", isLit ? "on" : "off");
         set("fog", isLit ? "on" : "off");
@@ -243,7 +243,7 @@ TEST_F(TraceJsonTest, LightFogAndDetailFollowTheDepth) {
     EXPECT_GT(texels, 100);
 }
 
-TEST_F(TraceJsonTest, TheWalkGoesByItsOwnNumbers) {
+TEST_F(TraceJsonTest, TheWalkFollowsItsNumbers) {
     const double eye[] = {toCoordinate(2.3).value(), toCoordinate(5.2).value()};
     for (int column = 0; column < kWidth; column += 11) {
         const rapidjson::Document json = trace(column);
@@ -362,7 +362,7 @@ TEST_F(TraceJsonTest, GlassAndObjectsAreLayers) {
 }
 
 // The lamp is opaque, so where it is the last layer its own texels are seen.
-TEST_F(TraceJsonTest, AnObjectsTexelsAreThoseOfThePicture) {
+TEST_F(TraceJsonTest, AnObjectsTexelsEqualThePictures) {
     set("light", "off");
     set("fog", "off");
     const std::vector<Pixel> pixels = picture();
@@ -385,7 +385,7 @@ TEST_F(TraceJsonTest, AnObjectsTexelsAreThoseOfThePicture) {
 }
 
 // A mirror of full strength shows nothing but what is in it.
-TEST_F(TraceJsonTest, TheReflectionsTexelsAreThoseOfThePicture) {
+TEST_F(TraceJsonTest, TheReflectionsTexelsEqualThePictures) {
     set("mirrors", "1");
     set("light", "off");
     set("fog", "off");
@@ -435,7 +435,7 @@ TEST_F(TraceJsonTest, TheReflectionsTexelsAreThoseOfThePicture) {
     EXPECT_TRUE(trace(60)["reflection"].IsNull());
 }
 
-TEST_F(TraceJsonTest, ItHoldsWhatTheHitsHold) {
+TEST_F(TraceJsonTest, IncludesTheHits) {
     const rapidjson::Document whole = trace(70);
     const rapidjson::Document hits = parsed(hitsJson(session, "scene", kWidth, kHeight, 70));
     ASSERT_GT(hits.MemberCount(), 10u);
@@ -498,7 +498,7 @@ TEST_F(TraceJsonTest, APicturesTraceIsTheSumOfItsColumns) {
     EXPECT_TRUE(frame["times"].IsNull()) << "nobody measures";
 }
 
-TEST_F(TraceJsonTest, TimesAreToldWhereTheyAreMeasured) {
+TEST_F(TraceJsonTest, TimesAreListedIfMeasured) {
     double now = 0.0;
     session.setClock([&now] { return now += 0.125; });
     for (int i = 0; i < 12; ++i) picture();

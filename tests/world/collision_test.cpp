@@ -49,7 +49,7 @@ TEST(Collision, TheOutlineTheFloorAndTheGreatestHeightAreSolid) {
     EXPECT_FALSE(isFree(world, -1, whole));
 }
 
-TEST(Collision, SweepsEndExactlyAtWhatTheyMeet) {
+TEST(Collision, SweepsEndExactlyAtObstacles) {
     World world = emptyWorld(8, 8, 3);
     putBlock(world, 5, 2, 0.0_u, 1.0_u);
     putBlock(world, 1, 2, 0.0_u, 1.0_u);
@@ -69,7 +69,7 @@ TEST(Collision, SweepsEndExactlyAtWhatTheyMeet) {
     EXPECT_EQ(sweepZ(world, 0, above, tileEdge(2000)), kMaxBodyHeight - above.top);
 }
 
-TEST(Collision, ACornerThatIsOnlyTouchedDoesNotCatch) {
+TEST(Collision, ATouchedCornerDoesNotStopABody) {
     World world = emptyWorld(4, 4, 1);
     putBlock(world, 2, 2, 0.0_u, 1.0_u);
     // The southern side runs exactly along the block's northern one.
@@ -93,7 +93,7 @@ TEST(Collision, TheCeilingHasNoThickness) {
     EXPECT_TRUE(isSupported(world, 0, boxAt(0.5_u, 0.5_u, 0.8_u)));
 }
 
-TEST(Collision, LeastRiseGoesOntoWhatIsInTheWay) {
+TEST(Collision, LeastRiseGoesOntoTheObstacle) {
     World world = emptyWorld(3, 1, 3);
     putBlock(world, 1, 0, 0.0_u, 0.3_u);
     putBlock(world, 2, 0, 0.2_u, 0.4_u);
@@ -110,7 +110,7 @@ TEST(Collision, LeastRiseGoesOntoWhatIsInTheWay) {
         << "beyond the grid";
 }
 
-TEST(Collision, AFastSlideFollowsItsSlant) {
+TEST(Collision, AFastSlideFollowsItsDiagonal) {
     World world = emptyWorld(12, 12, 1);
     putBlock(world, 4, 4, 0.0_u, 1.0_u);
     // On the diagonal towards the block's corner region, far past it in one move: it must not go

@@ -55,7 +55,7 @@ TEST(Gates, OpenAndCloseByKey) {
     EXPECT_EQ(state(who.world), GateState::closed);
 }
 
-TEST(Gates, TurnRoundFromTheProgressReached) {
+TEST(Gates, ReverseFromTheirProgress) {
     Walker who(corridor(), 2.5, 1.5, 0.0);
     ask(who, Wish::open);
     steps(who, 29);
@@ -74,7 +74,7 @@ TEST(Gates, TurnRoundFromTheProgressReached) {
     EXPECT_EQ(state(who.world), GateState::closed);
 }
 
-TEST(Gates, LetNobodyThroughButOpen) {
+TEST(Gates, LetBodiesThroughOnlyWhenOpen) {
     Walker who(corridor(), 2.5, 1.5, 0.0);
     ask(who, Wish::open);
     int through = 0;
@@ -89,7 +89,7 @@ TEST(Gates, LetNobodyThroughButOpen) {
 
 // The eye at each of these distances from the nearest point of the gate, which is two high and one
 // wide.
-TEST(Gates, HearWhoIsWithinARoundReach) {
+TEST(Gates, ObeyKeysWithinARoundReach) {
     GateKind kind;
     kind.reach = 2.0_u;
     World world = emptyWorld(9, 9, 6);
@@ -124,7 +124,7 @@ TEST(Gates, HearWhoIsWithinARoundReach) {
     EXPECT_FALSE(world.gates[0].wantsOpen) << "from another map";
 }
 
-TEST(Gates, SayWhatTheKeyWouldDo) {
+TEST(Gates, ReportWhatTheKeyWouldDo) {
     Walker who(corridor(), 2.5, 1.5, 0.0);
     const auto offer = [&] { return gateOffer(who.world, asks(who.player, Wish::nothing)); };
     EXPECT_EQ(offer(), GateOffer::open);
@@ -138,7 +138,7 @@ TEST(Gates, SayWhatTheKeyWouldDo) {
     EXPECT_EQ(gateOffer(deaf.world, asks(deaf.player, Wish::nothing)), GateOffer::none);
 }
 
-TEST(Gates, WithoutAKeyHearNobody) {
+TEST(Gates, WithoutAKeyIgnoreKeys) {
     GateKind kind;
     kind.keyed = false;
     kind.startsOpen = true;
@@ -174,7 +174,7 @@ TEST(Gates, NeverCloseOnAnyone) {
     EXPECT_EQ(state(undecided.world), GateState::open);
 }
 
-TEST(Gates, OpenForWhoComesNearAndCloseBehindThem) {
+TEST(Gates, OpenOnApproachAndCloseAfterwards) {
     GateKind kind;
     kind.keyed = false;
     kind.opensOnApproach = true;
@@ -202,7 +202,7 @@ TEST(Gates, OpenForWhoComesNearAndCloseBehindThem) {
     EXPECT_EQ(state(who.world), GateState::opening);
 }
 
-TEST(Gates, OfTouchingCellsAreOneAndTheOthersStayShut) {
+TEST(Gates, OfTouchingCellsAreOneAndOthersStayShut) {
     World world = emptyWorld(9, 3, 2);
     const BlueprintId id = addGate(world, {});
     for (const int x : {1, 2, 4}) world.maps[0].setCell(x, 1, 0, id);

@@ -28,7 +28,7 @@ bool sees(const World& world, const Place& from, const Place& to) {
     return isInSight(world, world.maps[0], from, to);
 }
 
-TEST(LineOfSight, BlocksCover) {
+TEST(LineOfSight, BlocksHide) {
     const World world = makeYard();
     EXPECT_TRUE(sees(world, {1, 3.5, 0.5}, {7, 3.5, 0.5}));
     EXPECT_FALSE(sees(world, {1, 4.5, 0.5}, {7, 4.5, 0.5}));
@@ -51,7 +51,7 @@ TEST(LineOfSight, HeightsCount) {
     EXPECT_FALSE(sees(world, {1, 3.5, 0.5}, {7, 3.5, -0.5}));
 }
 
-TEST(LineOfSight, WhatLiesOnAWallIsSeenFromItsSide) {
+TEST(LineOfSight, APlaceOnAWallIsVisibleFromItsSide) {
     const World world = makeYard();
     EXPECT_TRUE(sees(world, {1, 4.5, 0.5}, {4, 4.5, 0.5}));
     EXPECT_FALSE(sees(world, {1, 4.5, 0.5}, {5, 4.5, 0.5}));
@@ -60,14 +60,14 @@ TEST(LineOfSight, WhatLiesOnAWallIsSeenFromItsSide) {
     EXPECT_TRUE(sees(world, {3.99, 4.5, 0.5}, {4, 4.5, 0.5}));
 }
 
-TEST(LineOfSight, SeeThroughAndOpenGatesDoNotCover) {
+TEST(LineOfSight, SeeThroughBlocksAndOpenGatesDoNotHide) {
     World world = makeYard();
     EXPECT_TRUE(sees(world, {1, 6.5, 0.5}, {7, 6.5, 0.5}));
     world.blueprints[1].passable = true;
     EXPECT_TRUE(sees(world, {1, 4.5, 0.5}, {7, 4.5, 0.5}));
 }
 
-TEST(LineOfSight, CeilingsCoverAndPortalsToo) {
+TEST(LineOfSight, CeilingsAndPortalsHide) {
     World world = makeYard();
     world.textures.resize(1);
     Map& map = world.maps[0];
@@ -82,7 +82,7 @@ TEST(LineOfSight, CeilingsCoverAndPortalsToo) {
     EXPECT_TRUE(sees(world, {4.5, 0.5, 0.5}, {6.5, 0.5, 0.5})) << "the eye's own tile's acts not";
 }
 
-TEST(LineOfSight, EndsWithoutNumbers) {
+TEST(LineOfSight, EndsForNaN) {
     const World world = makeYard();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(sees(world, {1, 1, 1}, {nan, 1, 1}));

@@ -27,11 +27,11 @@ void expectEntry(const World& world, double x, double y, double feet) {
     EXPECT_EQ(entry.feet.value(), feet);
 }
 
-TEST(MapEntry, IsTheMiddleOfTheMapWhereThatIsFree) {
+TEST(MapEntry, IsTheMiddleOfTheMapIfFree) {
     expectEntry(emptyMap(), 3.5, 3.5, 0.0);
 }
 
-TEST(MapEntry, IsOnTopOfWhatStandsThere) {
+TEST(MapEntry, IsOnTopOfABlock) {
     World world = emptyMap();
     world.maps[0].setCell(3, 3, 0, 2);
     expectEntry(world, 3.5, 3.5, 0.5);
@@ -62,7 +62,7 @@ TEST(MapEntry, IsTheFirstFreeTileOfTheNearestRing) {
     expectEntry(world, 6.5, 0.5, 0.0);
 }
 
-TEST(MapEntry, IsInTheAirWhereNobodyCanStand) {
+TEST(MapEntry, IsInTheAirIfNobodyCanStand) {
     World world = emptyMap();
     Map& map = world.maps[0];
     map.ceiling.height = toCoordinate(0.5);

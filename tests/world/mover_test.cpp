@@ -80,7 +80,7 @@ TEST(Motion, GoesToAndFroWithinItsPeriod) {
     }
 }
 
-TEST(Motion, HasTheShapeThatItSays) {
+TEST(Motion, HasItsShape) {
     EXPECT_EQ(offsetAt(lift(MotionShape::even), kPeriod / 8), 0.5_u);
     EXPECT_EQ(offsetAt(lift(MotionShape::smooth), kPeriod / 4), 1.0_u);
     EXPECT_EQ(offsetAt(lift(MotionShape::smooth), kPeriod / 8),
@@ -194,7 +194,7 @@ TEST(Movers, MoveInEveryMap) {
     }
 }
 
-TEST(Movers, AreRefusedWhereTheyCannotMove) {
+TEST(Movers, AreRefusedIfTheyCannotMove) {
     const auto faultOf = [](World world) {
         const std::vector<PlacingFault> faults = makeMovers(world);
         return faults.size() == 1 ? faults[0].found + " at " + std::to_string(faults[0].x) + " " +
@@ -243,7 +243,7 @@ TEST(Movers, AreRefusedWhereTheyCannotMove) {
     gap.maps[0].setCell(2, 3, 1, half);
     EXPECT_EQ(faultOf(gap.copy()),
               "the moving block \"moving 0\" stacked without touching at 2 3 0: a bottom of 0 and "
-              "a top of 1 where a moving block is stacked");
+              "a top of 1 in stacked moving blocks");
     World never = emptyWorld(5, 5, 5);
     Motion hidden = lift();
     hidden.edges = MovingEdges::top;
@@ -252,10 +252,10 @@ TEST(Movers, AreRefusedWhereTheyCannotMove) {
     never.maps[0].setCell(2, 3, 0, addMoving(never, {}, 0.5_u, hidden));
     EXPECT_EQ(faultOf(never.copy()),
               "the moving block \"moving 0\" whose top never gets above its bottom at 2 3 0: a "
-              "motion with which the block is to be seen");
+              "motion during which the block is visible");
 }
 
-TEST(Movers, AreNoMoreThanThereIsRoomForTheirBlueprints) {
+TEST(Movers, AreLimitedByTheirBlueprints) {
     World world = emptyWorld(300, 300, 3);
     Motion motion = lift();
     const BlueprintId id = addMoving(world, {}, 0.5_u, motion);
@@ -270,7 +270,7 @@ TEST(Movers, AreNoMoreThanThereIsRoomForTheirBlueprints) {
 
 // ---- riders
 
-TEST(Riders, GoUpAndDownExactlyAsWhatTheyStandOn) {
+TEST(Riders, FollowTheirMoverExactly) {
     for (const MotionShape shape :
          {MotionShape::smooth, MotionShape::even, MotionShape::stopAndGo}) {
         for (const MovingEdges edges : {MovingEdges::both, MovingEdges::top}) {
@@ -287,7 +287,7 @@ TEST(Riders, GoUpAndDownExactlyAsWhatTheyStandOn) {
     }
 }
 
-TEST(Riders, MayWalkOnItAndOffIt) {
+TEST(Riders, WalkOnAndOffAMover) {
     World world = emptyWorld(7, 3, 4);
     const BlueprintId id = addMoving(world, {}, 0.5_u, lift());
     for (const int x : {2, 3, 4}) world.maps[0].setCell(x, 1, 0, id);
@@ -304,7 +304,7 @@ TEST(Riders, MayWalkOnItAndOffIt) {
     EXPECT_GT(rider.x(), 6.0);
 }
 
-TEST(Riders, JumpFromItAndLandOnIt) {
+TEST(Riders, JumpFromAMoverAndLandOnIt) {
     Walker rider(platform(lift(MotionShape::even)), 2.5, 2.5, 0.5);
     bool flew = false;
     for (int step = 1; step <= kSecond * 3; ++step) {
@@ -316,7 +316,7 @@ TEST(Riders, JumpFromItAndLandOnIt) {
     EXPECT_TRUE(rider.player.onGround);
 }
 
-TEST(Riders, WhoFliesIsPushedUpButNotTakenDown) {
+TEST(Riders, FlyersArePushedUpButNotTakenDown) {
     Walker flyer(platform(lift()), 2.5, 2.5, 0.5);
     setFlying(flyer.world, flyer.player, true);
     flyer.player.z = 0.75_u;
@@ -325,7 +325,7 @@ TEST(Riders, WhoFliesIsPushedUpButNotTakenDown) {
     EXPECT_EQ(flyer.player.z, 2.5_u);
 }
 
-TEST(Riders, StayOnWhatStandsStillBesideIt) {
+TEST(Riders, StayOnStillGroundBesideAMover) {
     // Half on the platform, half on a block of its height.
     World world = emptyWorld(5, 5, 4);
     putBlock(world, 3, 2, {}, 0.5_u);
@@ -355,7 +355,7 @@ Coordinate offsetWhereItWaits(World& world, Player& player) {
     return world.movers[0].offset;
 }
 
-TEST(Movers, WaitForWhoWouldBeSqueezedAgainstACeiling) {
+TEST(Movers, WaitForBodiesUnderACeiling) {
     World world = emptyWorld(5, 5, 4);
     world.maps[0].setCell(2, 2, 0, addMoving(world, {}, 0.5_u, lift()));
     putBlock(world, 3, 2, 2.0_u, 2.25_u);
@@ -373,7 +373,7 @@ TEST(Movers, WaitForWhoWouldBeSqueezedAgainstACeiling) {
     EXPECT_EQ(rider.world.movers[0].clock, clock + 1);
 }
 
-TEST(Movers, WaitForWhoIsBelow) {
+TEST(Movers, WaitForBodiesBelow) {
     Motion press = lift();
     press.from = 1.5_u;
     press.to = {};
@@ -384,7 +384,7 @@ TEST(Movers, WaitForWhoIsBelow) {
     EXPECT_EQ(victim.z(), 0.0);
 }
 
-TEST(Movers, WaitForWhoIsBesideWhatGrows) {
+TEST(Movers, WaitForBodiesBesideAGrowingBlock) {
     // Grows out of a wall's side at the height of the hips: from nothing at 0.5 to 0.9.
     Motion grow = lift();
     grow.edges = MovingEdges::top;
@@ -401,7 +401,7 @@ TEST(Movers, WaitForWhoIsBesideWhatGrows) {
     EXPECT_EQ(lifted.z(), 0.625);
 }
 
-TEST(Movers, DoNotWaitForWhoIsInsideThemAnyway) {
+TEST(Movers, DoNotWaitForBodiesInsideThem) {
     World world = platform(lift());
     Player player = playerWithEye(0, 2.5_u, 2.5_u, 0.25_u, 0.0, 0.0);
     ASSERT_FALSE(isFree(world, 0, bodyBox(player)));
@@ -412,7 +412,7 @@ TEST(Movers, DoNotWaitForWhoIsInsideThemAnyway) {
 
 // ---- both
 
-TEST(Movers, BeginAnewWithTheWorld) {
+TEST(Movers, RestartWithTheWorld) {
     World world = platform(lift());
     const auto before = extentAt(world, 2, 2);
     const std::vector<std::uint32_t> occupied = world.maps[0].occupied;

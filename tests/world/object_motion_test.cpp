@@ -153,7 +153,7 @@ TEST(ObjectMotion, WalkersTakeStepsAndTurnAtLedges) {
     EXPECT_NEAR(farthest, 9.0 + 0.15, 0.02) << "from 1.25 down to 0.5 is no step: it stays up";
 }
 
-TEST(ObjectMotion, WithoutGroundTheyFallAndThenWalk) {
+TEST(ObjectMotion, WalkersWithoutGroundFallAndThenWalk) {
     World world = emptyWorld(10, 10, 4);
     addMoving(world, 5.0, 5.0, 3.0, pacer(90.0, 2.0));
     startObjects(world);
@@ -175,7 +175,7 @@ TEST(ObjectMotion, WithoutGroundTheyFallAndThenWalk) {
     EXPECT_EQ(objectOf(world, 1).z, Coordinate{});
 }
 
-TEST(ObjectMotion, WanderersAreThrownBackAxisByAxis) {
+TEST(ObjectMotion, WanderersBounceAxisByAxis) {
     World world = emptyWorld(4, 40, 1);
     addMoving(world, 3.5, 20.0, 0.0, wanderer(30.0));
     startObjects(world);
@@ -238,7 +238,7 @@ TEST(ObjectMotion, CirclesAreRoundAtOneHeightAndClosed) {
     EXPECT_LT(objectOf(world).y, 6.01_u);
 }
 
-TEST(ObjectMotion, FlyersTurnBackAtBlocks) {
+TEST(ObjectMotion, FlyersReverseAtBlocks) {
     World world = emptyWorld(20, 20, 8);
     putBlock(world, 13, 9, 5.0_u, 6.0_u);
     addMoving(world, 10.0, 10.0, 5.0, circler(0.0, 4.0, 3.0));
@@ -287,7 +287,7 @@ constexpr int kWorlds = 100;
 constexpr int kWorlds = 1000;
 #endif
 
-TEST(RandomObjects, NoneIsEverInsideABlockAndAllHappensTheSameWayTwice) {
+TEST(RandomObjects, NoneIsEverInsideABlockAndAllRunsAreEqual) {
     std::int64_t free = 0;
     std::int64_t moved = 0;
     std::int64_t higher = 0;

@@ -135,7 +135,7 @@ void expectSameWays(World& plain, World& world, const Portal& toCopy, int tolera
     checkLists(world);
 }
 
-TEST(ObjectPortals, ThatLeadToACopyChangeNoWay) {
+TEST(ObjectPortals, ToACopyChangeNoWay) {
     int leaps = 0;
     for (int seed = 1; seed <= kSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
@@ -175,7 +175,7 @@ TEST(ObjectPortals, TurnWaysWithThem) {
     EXPECT_GT(leaps, kSeeds * 5);
 }
 
-TEST(ObjectPortals, NobodyIsInsideAnythingOnEitherSideAndAllGoesBackToTheBeginning) {
+TEST(ObjectPortals, NobodyIsEverInsideABlockOnEitherSideAndResetRestoresAll) {
     std::int64_t free = 0;
     std::int64_t leaps = 0;
     for (int seed = 1; seed <= kSeeds; ++seed) {

@@ -52,7 +52,7 @@ TEST(Sowing, AreAsManyAsTheDensitySays) {
     }
 }
 
-TEST(Sowing, LeavesWhatWasSownElsewhereWhereItIs) {
+TEST(Sowing, DoesNotMoveObjectsSownElsewhere) {
     World small = emptyWorld(20, 20, 3);
     World large = emptyWorld(30, 25, 5);
     putBlock(large, 3, 3, 0.0_u, 1.0_u);
@@ -90,7 +90,7 @@ TEST(Sowing, NeedsRoomUpToTheTopOfTheObject) {
     EXPECT_EQ(tilesOf(sown(roofed, trees(1.0))), (std::set<std::pair<int, int>>{{1, 0}}));
 }
 
-TEST(Sowing, StaysOnTheGroundThatIsAskedFor) {
+TEST(Sowing, StaysOnTheWantedGround) {
     World world = emptyWorld(4, 1, 3);
     world.start.map = -1;
     putBlock(world, 0, 0, 0.0_u, 1.0_u);
@@ -155,7 +155,7 @@ TEST(Sowing, KeepsClearOfTheStartAndOfPortals) {
     EXPECT_FALSE(tilesOf(world.maps[0].objects).contains({1, 2}));
 }
 
-TEST(Sowing, NeverPutsTwoOnOneSpot) {
+TEST(Sowing, TakesEachSpotOnce) {
     World world = emptyWorld(10, 10, 3);
     world.start.map = -1;
     Object placed;
@@ -206,7 +206,7 @@ TEST(Sowing, GivesEachItsOwnWay) {
         EXPECT_GT(std::abs(object.y.value() - 10.5), 2.5);
 }
 
-TEST(Sowing, StopsAtTheMostThatAWorldMayHave) {
+TEST(Sowing, StopsAtTheLimitOfObjects) {
     World world = emptyWorld(257, 257, 1);
     Sowing sowing = trees(1.0);
     TakenSpots taken(world.maps[0]);

@@ -31,7 +31,7 @@ int openAround(const Map& map, int x, int y) {
     return least;
 }
 
-TEST(OpenLand, ReachesToTheNearestTileThatIsNotOpen) {
+TEST(OpenLand, EndsAtTheNearestTileThatIsNotOpen) {
     Random random(1);
     for (int n = 0; n < 60; ++n) {
         Map map = makeMap("land", random.between(1, 24), random.between(1, 24), 2, kGrass);
@@ -57,7 +57,7 @@ TEST(OpenLand, ReachesToTheNearestTileThatIsNotOpen) {
     }
 }
 
-TEST(OpenLand, ReachesToBlocksThatAreNotThereAtTheMoment) {
+TEST(OpenLand, EndsAtMoversThatAreElsewhere) {
     Map map = makeMap("land", 9, 9, 1, kGrass);
     map.setCell(4, 4, 0, 1);
     map.occupied[map.tileIndex(4, 4)] = 0;
@@ -74,7 +74,7 @@ TEST(OpenLand, EndsAt255) {
     EXPECT_EQ(map.openLand[map.tileIndex(599, 1)], 255);
 }
 
-TEST(OpenLand, IsForgottenWithAChangedCell) {
+TEST(OpenLand, IsClearedByAChangedCell) {
     Map map = makeMap("land", 9, 9, 1, kGrass);
     map.findOpenLand();
     map.setCell(4, 4, 0, 1);

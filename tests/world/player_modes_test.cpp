@@ -154,7 +154,7 @@ TEST(Player, TurnsLooksAndFacesHeadings) {
     EXPECT_EQ(walker.player.look, 0.0);
 }
 
-TEST(Player, NumbersThatAreNoneCountAsNothing) {
+TEST(Player, NaNCountsAsZero) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     Walker walker(emptyWorld(9, 9, 1), 4.5, 4.5, 0.0);
@@ -185,7 +185,7 @@ TEST(Player, NumbersThatAreNoneCountAsNothing) {
     EXPECT_EQ(walker.player.headingDegrees, 0.0);
 }
 
-TEST(Player, StartsStandingCrouchedOrFlyingAsThereIsRoom) {
+TEST(Player, StartsStandingCrouchedOrFlyingByTheRoom) {
     World world = lowPassage(0.6_u);
     putBlock(world, 7, 0, 0.0_u, 1.0_u);
     EXPECT_FALSE(Walker(world.copy(), 0.5, 0.5, 0.0).player.crouched);

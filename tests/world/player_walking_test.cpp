@@ -262,7 +262,7 @@ TEST(Player, APressJustBeforeLandingIsRemembered) {
     }
 }
 
-TEST(Player, AJumpStillCountsJustAfterTheEdge) {
+TEST(Player, AJumpStillWorksJustAfterTheEdge) {
     for (const int late : {kLateJumpSteps - 2, kLateJumpSteps + 2}) {
         World world = emptyWorld(8, 1, 3);
         putBlock(world, 0, 0, 0.0_u, 1.0_u);
@@ -277,7 +277,7 @@ TEST(Player, AJumpStillCountsJustAfterTheEdge) {
     }
 }
 
-TEST(Player, TheHeadStopsAtWhatIsAboveIt) {
+TEST(Player, TheHeadStopsAtBlocksAbove) {
     World world = emptyWorld(3, 3, 2);
     putBlock(world, 1, 1, 1.0_u, 1.5_u);
     Walker walker(std::move(world), 1.5, 1.5, 0.0);

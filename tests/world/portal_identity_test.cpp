@@ -127,7 +127,7 @@ int liftOf(const World& world, Random& random) {
     return random.between(0, std::min(2, kMaxLevels - world.maps[0].levels));
 }
 
-TEST(PortalIdentity, TilesThatLeadToACopyChangeNoWay) {
+TEST(PortalIdentity, TilesToACopyChangeNoWay) {
     Counts counts;
     for (int seed = 1; seed <= kSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 7919);
@@ -191,7 +191,7 @@ World withBarriers(const World& plain, int turn, int levels, const std::vector<B
     return world;
 }
 
-TEST(PortalIdentity, FacesInACorridorThatLeadToACopyChangeNoWay) {
+TEST(PortalIdentity, FacesInACorridorToACopyChangeNoWay) {
     Counts counts;
     for (int seed = 1; seed <= kSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 15485863);
@@ -213,7 +213,7 @@ TEST(PortalIdentity, FacesInACorridorThatLeadToACopyChangeNoWay) {
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }
 
-TEST(PortalIdentity, TopsAndBottomsInAShaftThatLeadToACopyChangeNoWay) {
+TEST(PortalIdentity, TopsAndBottomsInAShaftToACopyChangeNoWay) {
     Counts counts;
     for (int seed = 1; seed <= kSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 32452843);
@@ -239,7 +239,7 @@ TEST(PortalIdentity, TopsAndBottomsInAShaftThatLeadToACopyChangeNoWay) {
 }
 
 // Portals side by side and one above the other that lead on side by side are one wide portal.
-TEST(PortalIdentity, WideGatesThatLeadToACopyChangeNoWay) {
+TEST(PortalIdentity, WideGatesToACopyChangeNoWay) {
     Counts counts;
     for (int seed = 1; seed <= kSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 49979687);
@@ -264,7 +264,7 @@ TEST(PortalIdentity, WideGatesThatLeadToACopyChangeNoWay) {
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }
 
-TEST(PortalIdentity, WideWellsThatLeadToACopyChangeNoWay) {
+TEST(PortalIdentity, WideWellsToACopyChangeNoWay) {
     Counts counts;
     for (int seed = 1; seed <= kSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 67867967);

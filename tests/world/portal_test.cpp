@@ -31,7 +31,7 @@ TEST(Portal, TurnsClockwiseAboutTheMiddleOfTheTile) {
     }
 }
 
-TEST(Portal, ReversedPutsEverythingBackExactly) {
+TEST(Portal, ReversedUndoesItExactly) {
     Random random(4);
     for (int i = 0; i < 1000; ++i) {
         const auto tile = [&random] { return random.below(kMaxMapWidth); };
@@ -54,7 +54,7 @@ TEST(Portal, ReversedPutsEverythingBackExactly) {
     }
 }
 
-TEST(Portal, KeepsWhatComesToLieOnTheFarEdgeInside) {
+TEST(Portal, MovesPlacesOnTheFarEdgeInside) {
     const Portal portal = {.fromMap = 0,
                            .fromX = 0,
                            .fromY = 0,
@@ -88,7 +88,7 @@ World doorway() {
     return world;
 }
 
-TEST(Traveller, WalksOnWithTheSameSpeedAndView) {
+TEST(Traveller, KeepsItsSpeedAndView) {
     Walker walker(doorway(), 4.5, 1.4, 0.0, 10.0);
     walker.step(kAhead, kSecond / 4);
     EXPECT_EQ(walker.player.map, 0);
@@ -128,7 +128,7 @@ TEST(Traveller, IsStoppedByTheSameBlockFromElsewhere) {
     EXPECT_EQ(behind.player.x - kBodyHalfWidth, tileEdge(7));
 }
 
-TEST(Traveller, DoesNotComeBackWhereThereIsNoWayBack) {
+TEST(Traveller, DoesNotReturnThroughAOneWayPortal) {
     Walker walker(doorway(), 5.5, 1.5, 0.0);
     walker.step(kAhead, kSecond);
     ASSERT_EQ(walker.player.map, 1);
@@ -160,7 +160,7 @@ TEST(Traveller, ComesOutOfASolidWall) {
 }
 
 // What stands beyond the portal stops the body before the eye gets there.
-TEST(Traveller, BumpsIntoWhatIsOnTheOtherSide) {
+TEST(Traveller, BumpsIntoBlocksOnTheOtherSide) {
     World world = doorway();
     world.maps[1].setCell(2, 2, 0, world.maps[0].cell(6, 0, 0));
     Walker near(world.copy(), 5.0, 1.5, 0.0);
@@ -175,7 +175,7 @@ TEST(Traveller, BumpsIntoWhatIsOnTheOtherSide) {
 }
 
 // A step on the other side is taken before the eye is there.
-TEST(Traveller, ClimbsWhatIsOnTheOtherSide) {
+TEST(Traveller, ClimbsBlocksOnTheOtherSide) {
     World world = doorway();
     CellBlueprint slab;
     slab.top = 0.5_u;
@@ -223,7 +223,7 @@ TEST(Traveller, FallsThroughATop) {
     EXPECT_TRUE(walker.player.onGround);
 }
 
-TEST(Traveller, TilesActAtAllHeightsButNotOnWhoIsThere) {
+TEST(Traveller, TilesActAtAllHeightsButNotOnEyesInside) {
     for (const double height : {0.0, 3.25}) {
         World world = emptyWorld(6, 1, 1);
         world.maps.push_back(makeMap("far", 9, 9, 1, kNoTexture));

@@ -44,7 +44,7 @@ TEST(Texture, HolesDoNotDarkenTheirNeighbours) {
     EXPECT_EQ(toColour(texture.levels[1].texels[1]), (Colour{0, 0, 0, 0}));
 }
 
-TEST(Texture, ASheetsFramesFollowOneAnotherForEver) {
+TEST(Texture, ASheetsFramesRepeat) {
     Image sheet(24, 8);
     for (int frame = 0; frame < 3; ++frame)
         sheet.at(8 * frame + 2, 5) = toPixel({static_cast<std::uint8_t>(frame + 1), 0, 0, 255});

@@ -74,7 +74,7 @@ TEST(Water, WadingIsSlowerTheDeeperItIs) {
     EXPECT_NEAR(before, kWalkingPace.move * kWadingPace, 0.01);
 }
 
-TEST(Water, DeepWaterIsSwumInWithTheEyeJustAboveIt) {
+TEST(Water, SwimmersKeepTheEyeJustAboveDeepWater) {
     Walker walker(canal(1.0_u, 1.0_u), 1.5, 0.5, 1.0);
     const Coordinate onLand = eyeHeight(walker.player);
     walker.step(kAhead, kSecond);
@@ -164,7 +164,7 @@ TEST(Water, BanksUpToHalfAUnitAreClimbedAndNoneHigher) {
     }
 }
 
-TEST(Water, WhoPassesABankAlongsideStaysInTheWater) {
+TEST(Water, PassingABankAlongsideStaysInTheWater) {
     World world = emptyWorld(12, 3, 2);
     for (int x = 0; x < 12; ++x) {
         putBlock(world, x, 0, 0.0_u, 1.0_u);
@@ -177,7 +177,7 @@ TEST(Water, WhoPassesABankAlongsideStaysInTheWater) {
     EXPECT_TRUE(walker.player.swimming);
 }
 
-TEST(Water, AShoreIsWalkedOutOf) {
+TEST(Water, WalksOutAtAShore) {
     // The ground rises from 0 to 1 through water that stands at 1.5 on the next level.
     World deep = emptyWorld(12, 1, 4);
     for (int x = 0; x < 12; ++x) {
@@ -192,7 +192,7 @@ TEST(Water, AShoreIsWalkedOutOf) {
     EXPECT_FALSE(walker.player.swimming);
 }
 
-TEST(Water, WhereThereIsNoRoomToStandOneGoesOnCrouched) {
+TEST(Water, CrouchesWithoutRoomToStand) {
     World world = canal(1.0_u, 1.0_u);
     for (int x = 0; x < 8; ++x) putBlock(world, x, 0, 1.5_u, 2.0_u);
     Walker walker(std::move(world), 4.0, 0.5, 0.8);
@@ -240,7 +240,7 @@ World floorOfWater(int width) {
     return world;
 }
 
-TEST(WaterFloor, IsWadedInAndTheEyeStaysAboveIt) {
+TEST(WaterFloor, BodiesWadeInItAndTheEyeStaysAboveIt) {
     Walker walker(floorOfWater(9), 0.5, 0.5, 0.0);
     walker.step(kAhead, 2 * kSecond);
     EXPECT_EQ(walker.player.z, Coordinate{-kFloorWade.raw});
@@ -302,7 +302,7 @@ TEST(WaterObjects, WalkersWadeUpToHalfTheirHeightAndTurnBack) {
     }
 }
 
-TEST(WaterObjects, WhatFloatsGoesOverWaterAndOntoTheBank) {
+TEST(WaterObjects, FloatingOnesCrossWaterAndGoOntoTheBank) {
     World world = canal(1.0_u, 0.75_u);
     addWalker(world, 2.5_u, 0.1_u, true);
     startObjects(world);

@@ -1,4 +1,4 @@
-// A colour: bytes R, G, B, A in memory in that order, straight alpha, sRGB.
+// A colour: four bytes R, G, B, A in memory in that order, sRGB, alpha not premultiplied.
 #pragma once
 
 #include <cstdint>

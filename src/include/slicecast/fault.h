@@ -6,15 +6,15 @@
 namespace slicecast {
 
 struct Fault {
-    std::string file;     // the scene's name as the caller gave it; of a scene made in code the
-                          // thing that is wrong
+    std::string file;     // name that the caller gave the scene; for a scene made in code, the kind
+                          // and name of the faulty part
     std::string pointer;  // JSON pointer to the value, "" for the whole document
-    int line = 0;         // from 1; 0 where no place in a text is meant
+    int line = 0;         // from 1; 0 where the fault has no place in a text
     int column = 0;       // from 1, in characters
     int row = -1;  // within a grid of characters: the tile's y, from 0 in the north; -1 elsewhere
     int character = -1;    // within such a row: the tile's x, from 0 in the west; -1 elsewhere
-    std::string found;     // what stands there
-    std::string expected;  // what may stand there
+    std::string found;     // what the text has there
+    std::string expected;  // what is allowed there
 
     friend bool operator==(const Fault&, const Fault&) = default;
 };

@@ -9,14 +9,14 @@
 
 namespace slicecast {
 
-// Row by row from the upper left, width x height pixels, no padding.
+// Rows from the top, pixels from the left, width x height pixels, no padding.
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<Pixel> pixels;
 
     Image() = default;
-    // Both sides >= 0; pixels of value 0.
+    // Both sides >= 0; all pixels are 0.
     Image(int w, int h)
         : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 
@@ -32,7 +32,7 @@ struct Image {
     bool empty() const { return pixels.empty(); }
     bool isOpaque() const;  // every alpha is 255
 
-    // To draw into, as long as the image lives and is not changed otherwise.
+    // To draw into. Valid until the image is destroyed, moved or resized.
     Picture view() { return {pixels.data(), width, height, width}; }
 };
 

@@ -1,5 +1,5 @@
-// What the player asks for during one step. Axes are -1 to 1 (values beyond are clamped, NaN counts
-// as 0); the shell maps keys, mouse and pad to them.
+// What the player wants to do during one step. Axes are -1 to 1 (values beyond are clamped, NaN
+// counts as 0).
 #pragma once
 
 namespace slicecast {
@@ -10,13 +10,13 @@ struct Input {
     double turn = 0.0;         // positive turns right (clockwise), at the turning speed
     double look = 0.0;         // positive looks up, at the looking speed
     double fly = 0.0;          // fly mode: positive rises. Walk mode: negative crouches
-    double turnDegrees = 0.0;  // turned at once, for a mouse; positive right
+    double turnDegrees = 0.0;  // turned at once, degrees, for a mouse; positive right
     double lookHeights = 0.0;  // looked up at once, in screen heights
-    bool jump = false;         // held; walk mode. One press is one jump
+    bool jump = false;         // held; walk mode. Each press is one jump
     bool fast = false;         // Shift
     bool slow = false;         // Ctrl; wins over fast
     bool use = false;          // held; one press opens or closes the gates within reach
-    bool open = false;         // one press opens them
+    bool open = false;         // one press opens the gates within reach
     bool close = false;        // one press closes them
 };
 

@@ -1,4 +1,4 @@
-// A view of pixels that belong to somebody else: rows from the top, bytes R, G, B, A with A = 255.
+// A view of pixels that the caller owns: rows from the top, bytes R, G, B, A with A = 255.
 #pragma once
 
 #include "slicecast/colour.h"

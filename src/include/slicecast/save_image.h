@@ -1,4 +1,4 @@
-// Pictures as files.
+// Writes pictures to files.
 #pragma once
 
 #include "slicecast/image.h"
@@ -8,8 +8,8 @@
 
 namespace slicecast {
 
-// Writes a PNG file, whole or not at all: what stood there before stays until all is written. Empty
-// on success, else what was wrong. An empty image is refused.
+// Writes a PNG file, whole or not at all: an old file stays until all of the new one is written.
+// Returns an empty text on success, else what is wrong. Refuses an empty image.
 std::string saveImage(const Image& image, const std::filesystem::path& file);
 
 }  // namespace slicecast

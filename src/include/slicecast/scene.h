@@ -15,9 +15,9 @@
 
 namespace slicecast {
 
-struct World;  // of the engine's own
+struct World;  // of the engine, not for users
 
-// What a map is called, and how large it is.
+// A map's name and size.
 struct MapInfo {
     std::string name;
     int width = 0;   // tiles eastward, 1 to 4096
@@ -25,7 +25,7 @@ struct MapInfo {
     int levels = 0;  // stacked levels of height 1, 1 to 32
 };
 
-// May hold hundreds of megabytes, so it is moved; copy() alone copies it.
+// May hold hundreds of megabytes, so it moves; only copy() copies it.
 class Scene {
 public:
     explicit Scene(World&& world);  // for the engine itself
@@ -44,7 +44,7 @@ public:
     // At least one. A map's index in this list is its number everywhere.
     std::vector<MapInfo> maps() const;
 
-    // The world itself, for the engine; the scene is then as if it were moved from.
+    // The world itself, for the engine. The scene counts as moved from afterwards.
     World takeWorld() &&;
 
 private:
@@ -53,21 +53,21 @@ private:
 
 // A scene, or everything that is wrong with it.
 struct LoadResult {
-    std::optional<Scene> scene;  // empty if and only if there are faults
-    std::vector<Fault>
-        faults;  // in the order of the text; at most 1000, and one that counts the rest
-    std::vector<Fault> warnings;  // the scene loads, but something in it is hardly meant so
+    std::optional<Scene> scene;   // empty if and only if there are faults
+    std::vector<Fault> faults;    // in the order of the text; at most 1000, then one for the rest
+    std::vector<Fault> warnings;  // the scene loads, but something in it is probably a mistake
 };
 
-// Reads a scene file (JSON) and the PNG files that it names, seen from its folder. Only regular
-// files are opened, so no pipe keeps it waiting; the text may have 128 MB, each image 64 MB.
+// Reads a scene file (JSON) and the PNG files that it names; their paths are relative to its
+// folder. Opens regular files only, because a pipe could block forever. Limits: 128 MB for the
+// text, 64 MB for each image.
 LoadResult loadSceneFile(const std::filesystem::path& file);
 
-// The bytes of PNG files, by the names that a scene has for them.
+// The bytes of PNG files, by the names that the scene uses.
 using ImageFiles = std::map<std::string, std::vector<std::uint8_t>>;
 
-// The same of a text in memory, UTF-8. `name` stands for the file in faults. Touches no disk: an
-// image that is missing in `images` is a fault.
+// The same from a text in memory, UTF-8. `name` stands for the file in faults. Touches no disk: an
+// image that `images` lacks is a fault.
 LoadResult loadSceneText(std::string_view text, const std::string& name,
                          const ImageFiles& images = {});
 

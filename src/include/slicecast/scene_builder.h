@@ -8,9 +8,8 @@
 //     builder.start(room, {.x = 4.0, .y = 4.0, .headingDegrees = 270.0});
 //     LoadResult built = std::move(builder).build();
 //
-// Whatever is wrong on the way is kept, and told as faults in the end: no call has to be checked by
-// itself. What a scene may have besides (portals, motions, gates, objects) is read from texts:
-// loadSceneText().
+// The calls collect faults, and build() returns them all: no call has to be checked by itself.
+// Portals, motions, gates and objects cannot be built; loadSceneText() reads them.
 #pragma once
 
 #include "slicecast/colour.h"
@@ -24,7 +23,7 @@ namespace slicecast {
 
 class SceneBuilder {
 public:
-    // Given out by the calls below; each is of use for the builder that gave it, and no other.
+    // Handles that the calls below return. A handle is valid only for the builder that returned it.
     struct Texture {
         int index = -1;  // below 0: none
     };
@@ -37,28 +36,27 @@ public:
 
     // A box that fills a cell from side to side.
     struct BlockSpec {
-        std::string name = {};    // any but an empty one
+        std::string name = {};    // not empty
         Texture texture = {};     // of all faces
-        Texture topTexture = {};  // of the top; none for the same as the others
-        double bottom = 0.0;      // heights above the base of the cell's level,
+        Texture topTexture = {};  // of the top; none: like the other faces
+        double bottom = 0.0;      // heights above the base of the cell's level, units;
         double top = 1.0;         // 0 <= bottom < top <= 1
-        double light = 1.0;       // how much of the map's light its faces take, 0 to 1
-        double mirror = 0.0;      // how much of what is above shows in its top, 0 to 1
+        double light = 1.0;       // share of the map's light that its faces receive, 0 to 1
+        double mirror = 0.0;      // how strongly its top mirrors what is above, 0 to 1
         char32_t character = 0;   // for Game::setCell; 0 for none
     };
     struct MapSpec {
-        std::string name = {};                 // any but an empty one, each once
+        std::string name = {};                 // not empty, unique
         int width = 0;                         // tiles eastward, 1 to 4096
         int depth = 0;                         // tiles southward, 1 to 4096
         int levels = 1;                        // 1 to 32; at most 64,000,000 cells in all
-        Texture floor = {};                    // under the whole map, and around it without end
+        Texture floor = {};                    // under the whole map, and endless around it
         Colour skyLow = {150, 190, 230, 255};  // at the horizon
         Colour skyHigh = {90, 140, 200, 255};  // high above
-        double fogStart =
-            0.0;              // units, 0 to 100,000; there is fog where the end is beyond the start
-        double fogEnd = 0.0;  // wholly the colour of the horizon from here on
+        double fogStart = 0.0;  // units, 0 to 100,000; no fog unless the end lies beyond the start
+        double fogEnd = 0.0;    // from here on only the colour of the horizon
     };
-    // Cells from (x, y, level) on. All of it lies in the map.
+    // A box of cells from (x, y, level) on. It must lie inside the map.
     struct Box {
         int x = 0;
         int y = 0;
@@ -81,10 +79,10 @@ public:
     SceneBuilder(const SceneBuilder&) = delete;
     SceneBuilder& operator=(const SceneBuilder&) = delete;
 
-    // A square image whose side is a power of two from 8 to 1024. Where its alpha is below 255 one
-    // looks through.
+    // A square image whose side is a power of two from 8 to 1024. Pixels with alpha below 255 are
+    // see-through.
     Texture texture(std::string name, const Image& image);
-    // The same of one opaque colour.
+    // A texture of one opaque colour.
     Texture colour(std::string name, Colour colour);
 
     Block block(const BlockSpec& spec);
@@ -92,14 +90,14 @@ public:
     // A map of empty cells.
     Map map(const MapSpec& spec);
 
-    // Puts a block into each cell of a box; the empty one takes out what is there.
+    // Puts a block into each cell of a box; the empty block clears the cells.
     void fill(Map map, const Box& box, Block block);
 
-    // Where the player begins; who is put inside a block flies. Without it: in the middle of the
+    // Where the player starts; flies if that is inside a block. Without a call: the middle of the
     // first map, facing east.
     void start(Map map, const Start& start);
 
-    // The scene, or all faults. The builder is used up.
+    // The scene, or all faults. The builder cannot be used afterwards.
     LoadResult build() &&;
 
 private:

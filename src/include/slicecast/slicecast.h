@@ -1,4 +1,4 @@
-// Slicecast, a raycasting engine: everything of the library.
+// Slicecast, a raycasting engine: includes the whole library.
 //
 //     #include <slicecast/slicecast.h>
 //
@@ -6,7 +6,7 @@
 //     slicecast::Game game(std::move(*loaded.scene));
 //     slicecast::saveImage(game.picture(640, 400), "castle.png");
 //
-// What holds everywhere:
+// These hold for all of it:
 //
 //   units      A block is 1 unit. x grows east, y grows south, z grows up. Tile i is the interval
 //              [i, i + 1). Headings are degrees, 0 = east, growing clockwise seen from above (90 =

@@ -90,7 +90,7 @@ Shown Colouring::ofBackground(double y) const {
                                                   .light = map_.floor.light,
                                                   .glow = map_.floor.glow});
     floor.mirror = mirrorStrength(map_.floor.mirror);
-    // What lies below it is haze, but a mirror has no holes.
+    // Below the floor is haze, but a mirror has no holes
     floor.colour =
         floor.mirror > 0 ? floor.colour | kOpaque : laidOver(floor.colour, toPixel(map_.haze));
     return floor;
@@ -148,7 +148,7 @@ Shown Colouring::shown(FilledRows::What what, const Texel& at) const {
         width = height = level.size;
         texels = level.texels.data();
     }
-    // A fraction just outside [0, 1], by a rounding or a march's stride, stands for the edge.
+    // Rounding or a march's stride may put a fraction just outside [0, 1]
     const auto index = [](double fraction, int size, bool reversed) {
         const int i = std::min(size - 1, static_cast<int>(std::clamp(fraction, 0.0, 1.0) * size));
         return reversed ? size - 1 - i : i;

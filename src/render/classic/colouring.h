@@ -1,5 +1,5 @@
-// Colours: of a surface in a row, and of what lies behind all surfaces, the floor and the sky.
-// Nearest texels of the whole image, never of a smaller one.
+// Colours of surfaces in a row, and of the background: the floor and the sky. Uses the nearest
+// texel of the full image, without levels of detail.
 #pragma once
 
 #include "render/classic/column_ray.h"
@@ -12,7 +12,7 @@
 
 namespace slicecast::classic {
 
-// An opaque colour with another laid over it.
+// Blends `colour` over an opaque one.
 Pixel laidOver(Pixel colour, Pixel behind);
 
 // What a row shows of a surface or of the background.
@@ -20,25 +20,25 @@ struct Shown {
     FilledRows::What what = FilledRows::What::haze;
     TextureId texture = kNoTexture;  // or the sprite's number
     TracedTexel texel = {};
-    Pixel colour = 0;  // of a surface with its texel's alpha
-    int mirror = 0;    // how much of what is above shows in it, 0 to 255
+    Pixel colour = 0;  // with its texel's alpha, for a surface
+    int mirror = 0;    // strength of its reflection, 0 to 255
 };
 
 class Colouring {
 public:
-    // What is given here must outlive it.
+    // All arguments must outlive it.
     Colouring(const World& world, const Map& map, const View& view, const ColumnRay& ray,
               const RenderOptions& options, const ClassicOptions& classic);
 
-    // In the row whose middle is at y.
+    // For the row whose middle is at y.
     Shown ofSurface(const Surface& surface, double y) const;
     Shown ofBackground(double y) const;
     Shown ofHaze() const;
-    // It may have holes.
+    // True if it may have holes.
     bool isSeeThrough(const Surface& surface) const;
 
 private:
-    // Where a texture, or a sprite, is looked at, and in what light.
+    // A place in a texture or a sprite, and its light.
     struct Texel {
         TextureId texture = kNoTexture;
         double depth = 0.0;
@@ -48,7 +48,7 @@ private:
         bool vReversed = false;  // counted from the bottom
         double light = 1.0;
         bool glow = false;
-        bool plain = false;  // its texture's average
+        bool plain = false;  // shows its texture's average colour
     };
 
     int mirrorStrength(int strength) const;

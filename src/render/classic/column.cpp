@@ -14,7 +14,7 @@ bool isOpaque(const Shown& shown) {
     return toColour(shown.colour).a == 255;
 }
 
-// A thing as it is laid over what is behind it, or over what it mirrors.
+// A thing ready to be blended over the background, or over its reflection.
 Pixel layerOf(const Shown& shown) {
     Colour colour = toColour(shown.colour);
     if (shown.mirror > 0) colour.a = static_cast<std::uint8_t>(255 - shown.mirror);
@@ -27,11 +27,11 @@ bool isSame(const Mark& a, const Mark& b) {
 
 }  // namespace
 
-bool Column::Place::isBefore(const Place& other) const {
-    if (depth != other.depth) return depth < other.depth;
-    if (surface->passing != other.surface->passing)
-        return surface->passing < other.surface->passing;
-    return surface < other.surface;
+bool Column::Place::isBefore(const Place& second) const {
+    if (depth != second.depth) return depth < second.depth;
+    if (surface->passing != second.surface->passing)
+        return surface->passing < second.surface->passing;
+    return surface < second.surface;
 }
 
 Column::Column(const World& world, const Eye& eye, const RenderOptions& options,
@@ -133,14 +133,14 @@ Part& Column::mirrored(const Part& from, double height) {
     return part;
 }
 
-// ---- What the rays of a row meet
+// ---- Meeting surfaces
 
 Column::Place Column::nextBehind(const Part& part, const Place& last, int row,
                                  const Surface* over) const {
     const double y = rows_.middle(row);
     Place next;
     for (const Surface& surface : part.surfaces) {
-        if (next.surface != nullptr && surface.nearest > next.depth) break;  // as are all others
+        if (next.surface != nullptr && surface.nearest > next.depth) break;  // so are all others
         if (row < surface.firstRow || row >= surface.lastRow) continue;
         if (over != nullptr && &surface != over && surface.what != FilledRows::What::object)
             continue;
@@ -177,7 +177,8 @@ Part* Column::meetBackground(Part& part, int row) {
                : nullptr;
 }
 
-// Where a part begins, and a portal is drawn over what is before it, the ray begins there.
+// Follows a row's ray from where the part begins; a portal drawn over the things in front of it
+// hides them.
 void Column::follow(Part* part, int row) {
     const double y = rows_.middle(row);
     while (part != nullptr) {
@@ -196,9 +197,9 @@ void Column::follow(Part* part, int row) {
     }
 }
 
-// ---- Portals over what is before them
+// ---- Portals drawn over the things in front of them
 
-// The rows of a portal from the first to the last in which it is seen.
+// Marks the rows of a portal from the first to the last visible one.
 void Column::findOverdrawn(Part& part) {
     for (std::size_t i = 0; i < part.surfaces.size(); ++i) {
         const Surface& portal = part.surfaces[i];
@@ -214,8 +215,8 @@ void Column::findOverdrawn(Part& part) {
     }
 }
 
-// Something opaque, or another portal, is before it. What is see-through was drawn later, objects
-// last of all.
+// Whether something opaque, or another portal, is in front of it. See-through things were drawn
+// later, objects last.
 bool Column::isMasked(const Part& part, const Surface& portal, int row) const {
     const double y = rows_.middle(row);
     Place place = {nullptr, part.beginsAt(y)};
@@ -264,8 +265,8 @@ void Column::paintFarToNear(Part& part) {
     }
 }
 
-// From the back to the front. A floor that flips shows what is as far above the upper end of its
-// run of rows.
+// Blends each row from back to front. A flipping floor shows the row equally far above the upper
+// end of its run.
 void Column::colourRows() {
     int foot = 0;
     for (int row = 0; row < rows_.rows; ++row) {

@@ -1,5 +1,5 @@
-// One column of the picture: what its rows show, and by which way round. A column has parts: what
-// is seen of the eye's map, and of what lies behind a portal or shows in a mirror.
+// One column of the picture: what its rows show. A column has parts: the eye's map, and maps behind
+// portals or in mirrors.
 #pragma once
 
 #include "render/classic/colouring.h"
@@ -14,7 +14,7 @@ namespace slicecast::classic {
 // A map as the column sees it.
 struct Part {
     int map = 0;
-    int portals = 0;  // that the ray had passed before
+    int portals = 0;  // passed by the ray before it
     View view;
     ColumnRay ray;
     std::optional<Colouring> colouring;
@@ -22,12 +22,12 @@ struct Part {
     std::vector<TileSpan> spans;
     std::vector<BlockMet> blocks;
     std::vector<Surface> surfaces;
-    std::vector<int> overdrawn;  // by row, the surface that is a portal drawn over what is before
-                                 // it; -1 for none
+    std::vector<int> overdrawn;  // by row, the surface of the portal that covers the things in
+                                 // front of it; -1 for none
 
-    // Where the rays of a row begin: at the eye, behind a portal, at a mirror.
+    // Where the rays of a row start: at the eye, behind a portal, or at a mirror.
     const Part* before = nullptr;
-    const Surface* door = nullptr;  // of `before`; null where it is a mirror
+    const Surface* door = nullptr;  // of `before`; null for a mirror
     double mirrorHeight = 0.0;
     double beginsAt(double y) const {
         if (before == nullptr) return -1.0;
@@ -37,38 +37,38 @@ struct Part {
     bool isMirrored() const { return view.up < 0.0; }
 };
 
-// What a row shows, one thing before the other.
+// One of the things that a row shows, front to back.
 struct Mark {
     const Part* part = nullptr;
-    const Surface* surface = nullptr;  // null for the floor, the sky and what is seen beyond `far`
+    const Surface* surface = nullptr;  // null for the floor, the sky and the haze beyond `far`
     Shown shown;
 };
 
 class Column {
 public:
-    // What is given here must outlive it.
+    // All arguments must outlive it.
     Column(const World& world, const Eye& eye, const RenderOptions& options,
            const ClassicOptions& classic, int width, int height);
 
-    // The colours of the rows, where x is the middle of the column.
+    // The colours of the rows; x is the middle of the column.
     const std::vector<Pixel>& draw(double x);
 
-    // What was drawn.
+    // The results of the last drawing.
     const RowGrid& rows() const { return rows_; }
     const std::vector<Mark>& marks(int row) const { return marks_[static_cast<std::size_t>(row)]; }
     const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
     std::size_t partsUsed() const { return used_; }
-    // What all the columns took.
+    // The work of all columns.
     const FrameReport& report() const { return report_; }
 
 private:
-    // Where a ray meets a surface; nothing is before the first one. At equal depth the order is
-    // that of Passing, then that of the gathering.
+    // Where a ray meets a surface; without a surface, before all others. At equal depth the order
+    // is that of Passing, then that of gathering.
     struct Place {
         const Surface* surface = nullptr;
         double depth = -1.0;
 
-        bool isBefore(const Place& other) const;
+        bool isBefore(const Place& second) const;
     };
 
     Part& nextPart();
@@ -76,12 +76,12 @@ private:
     Part& beyond(const Part& from, const Surface& door);
     Part& mirrored(const Part& from, double height);
 
-    // The next place of a row's ray; with `over`, objects and that surface are all that there is.
+    // The next place on a row's ray; with `over`, only objects and that surface count.
     Place nextBehind(const Part& part, const Place& last, int row, const Surface* over) const;
     void findOverdrawn(Part& part);
     bool isMasked(const Part& part, const Surface& portal, int row) const;
 
-    // Each tells where the ray goes on: in the same part, in another one, or, null, nowhere.
+    // Each returns the part where the ray continues: the same, another one, or null if it ends.
     Part* meet(Part& part, const Surface& surface, int row);
     Part* meetBackground(Part& part, int row);
     void follow(Part* part, int row);

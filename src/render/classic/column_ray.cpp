@@ -10,7 +10,7 @@
 namespace slicecast::classic {
 namespace {
 
-// Where there was one level the eye never left it.
+// With one level, the eye never leaves it.
 constexpr double kLowestEyeOfOneLevel = 1.0 / 65536.0;
 constexpr double kHighestEyeOfOneLevel = 65535.0 / 65536.0;
 

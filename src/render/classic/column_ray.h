@@ -1,8 +1,8 @@
-// How one column of the picture looks into the world, by each of the old projections.
+// The direction of one column of the picture in the world, by each of the old projections.
 //
 //     equal angles                 plane
-//     \  |  |  /                   \   |   /         a column's ground line from above; both kinds
-//      \ | | /                      \  |  /          meet at the picture's edges and its middle
+//     \  |  |  /                   \   |   /         ground lines of columns from above; both kinds
+//      \ | | /                      \  |  /          agree at the picture's edges and its middle
 //       \|/                          \ | /
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace slicecast::classic {
 
-// Sine and cosine as programs had them from a table with a number of steps over the full turn: the
-// entry at or before the angle. 0 steps stand for no table.
+// Sine and cosine from a table with a number of steps for the full turn, as in old programs: the
+// entry at or before the angle. 0 steps: no table.
 struct SineTable {
     int steps = 0;
 
@@ -23,19 +23,19 @@ struct SineTable {
     double cosine(double degrees) const;
 };
 
-// A ground line from the eye. `along` counts in its own direction's lengths.
+// A ground line from the eye. `along` is in multiples of its direction.
 struct ColumnRay {
     double x = 0.0;  // direction
     double y = 0.0;
     double length = 1.0;         // of that direction, units
-    double depthPerAlong = 1.0;  // what heights and light take for the depth
-    double ahead = 1.0;  // how far a length of it goes along the eye's heading, units: an object is
-                         // met where this makes up its depth
-    double azimuthDegrees = 0.0;  // where the sky is looked at
+    double depthPerAlong = 1.0;  // factor from `along` to the depth for heights and light
+    double ahead =
+        1.0;  // factor from `along` to units along the eye's heading; for meeting objects
+    double azimuthDegrees = 0.0;  // for the sky
 };
 
-// What the picture shows of a map, and from where. Places on the picture are in pixels from its
-// upper left, real numbers: a pixel's centre is at + 0.5.
+// The view of a map in the picture. Positions in the picture are pixels from its upper left, real
+// numbers: a pixel's centre is at + 0.5.
 struct View {
     double width = 0.0;
     double height = 0.0;
@@ -46,10 +46,10 @@ struct View {
     double eyeX = 0.0;  // in the map's coordinates
     double eyeY = 0.0;
     double eyeZ = 0.0;
-    double up = 1.0;  // -1 where it is seen in a mirror, from below it and upside down
+    double up = 1.0;  // -1 in a mirror: from below, upside down
     bool oneLevel = false;
-    int storey = 0;  // heights count from this level's base: the eye's level where there is one
-                     // level only, else 0
+    int storey = 0;  // heights count from this level's base: the eye's level if only one level is
+                     // drawn, else 0
     ClassicProjection projection = ClassicProjection::plane;
     SineTable table;
 
@@ -59,16 +59,16 @@ struct View {
 
     ColumnRay rayAt(double x) const;
     double upwardSlopeAt(double y) const { return up * (horizon - y) / distance; }
-    // Where a height appears at a depth; infinitely high or low at depth 0.
+    // The row of a height at a depth; infinitely high or low at depth 0.
     double rowOf(double z, double depth) const;
-    // The depth of a level plane in a row that is not the horizon's.
+    // The depth of a horizontal plane in a row other than the horizon's.
     double depthOfPlane(double z, double y) const {
         return (z - eyeZ) * distance / (up * (horizon - y));
     }
 
-    // What is behind a portal, in the coordinates of its exit map.
+    // The view behind a portal, in the coordinates of its exit map.
     View beyond(const Portal& portal) const;
-    // What a mirror at that height shows.
+    // The view in a mirror at that height.
     View mirroredAt(double z) const;
 };
 

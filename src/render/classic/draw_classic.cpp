@@ -9,7 +9,7 @@
 namespace slicecast {
 namespace {
 
-// Written so that NaN is refused too.
+// All comparisons also refuse NaN.
 bool canSee(const World& world, const Eye& eye, const RenderOptions& options) {
     return isAboveFloor(eye) && eye.map >= 0 && eye.map < static_cast<int>(world.maps.size()) &&
            options.fovDegrees >= kMinFovDegrees && options.fovDegrees <= kMaxFovDegrees &&

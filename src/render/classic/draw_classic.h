@@ -1,15 +1,15 @@
-// The slow renderer for lessons: draws a world by the old ways that ClassicOptions names. It works
-// out every pixel by itself and shares nothing with the fast renderer but plain data: the eye, the
-// options, the light, the picture, the trace.
+// The slow renderer for lessons: draws a world by the old ways of ClassicOptions. It computes every
+// pixel on its own and shares only plain data with the fast renderer: eye, options, light, picture,
+// trace.
 //
-//     column_ray       how a column of the picture looks into the world
-//     tile_spans       which tiles it passes: exactly, or by marching
-//     surfaces         what on those tiles it could see, in which rows; objects
+//     column_ray       the direction of a column of the picture
+//     tile_spans       the tiles that it passes: exactly, or by marching
+//     surfaces         the surfaces on those tiles and their rows; objects
 //     colouring        a surface's colour in a row
-//     column           what its rows show, behind portals and in mirrors too
+//     column           what its rows show, also behind portals and in mirrors
 //
-// What it leaves out of the definition: levels of detail, and that see-through blocks which touch
-// through a portal are joined.
+// It differs from the definition in two points: it has no levels of detail, and does not join
+// see-through blocks that touch through a portal.
 #pragma once
 
 #include "render/classic/classic_options.h"
@@ -23,19 +23,19 @@
 
 namespace slicecast {
 
-// Draws the leftmost `columns` columns of the picture, all of them if it is no wider, and tells
-// what that took. Gives nothing and leaves the picture alone where the fast renderer would, or if a
-// classic option is out of its range.
+// Draws the leftmost `columns` columns of the picture, or all of a narrower picture, and returns
+// the work done. Returns nothing and changes nothing where the fast renderer would refuse, or if a
+// classic option is out of range.
 //
-// In the report, tilesWalked are the places along the ground at which tiles were looked up, and
-// rowsFilled counts what was painted over again, a pixel of `pixelSize` as one.
+// In the report, tilesWalked counts the places along the ground at which tiles were looked up, and
+// rowsFilled includes overpainted rows; a pixel of `pixelSize` counts once.
 std::optional<FrameReport> drawClassic(const World& world, const Eye& eye,
                                        const RenderOptions& options, const ClassicOptions& classic,
                                        const Picture& picture, int columns = kMaxPictureSide);
 
-// What one column of such a picture shows and met on its way. An invalid eye or column gives an
-// empty trace. Of a march, the borders of tiles are where it found them. Of the watched row the
-// middle of its pixel is told, however coarse that is.
+// Traces one column of such a picture. Empty for an invalid eye or column. For a march, borders of
+// tiles are where it found them. The watched row is traced at the middle of its pixel, however
+// coarse that is.
 SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions& options,
                         const ClassicOptions& classic, const ColumnRequest& request);
 

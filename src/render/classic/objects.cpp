@@ -1,4 +1,4 @@
-// The objects of a column.
+// The objects that a column meets.
 #include "base/angle.h"
 #include "render/classic/surfaces.h"
 
@@ -18,7 +18,7 @@ void gatherObjects(const Scenery& scenery, std::vector<Surface>& surfaces) {
         const Object& object = scenery.map.objects[i];
         if (view.oneLevel && object.z.tile() != view.storey) continue;
 
-        // Where the ray meets its plane
+        // Where the ray meets the object's plane
         const double x = object.x.value() - view.eyeX;
         const double y = object.y.value() - view.eyeY;
         const double ahead = std::floor(65536.0 * (forwardX * x + forwardY * y) + 0.5) / 65536.0;

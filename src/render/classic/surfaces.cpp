@@ -9,7 +9,7 @@ namespace {
 
 using What = FilledRows::What;
 
-// A block, and how its texture lies on it.
+// A block and its texture's extent.
 struct Block {
     const CellBlueprint* blueprint = nullptr;
     int level = 0;
@@ -19,7 +19,7 @@ struct Block {
     double textureBottom = 0.0;
 };
 
-// One column's collecting.
+// Collects the surfaces of one column.
 class Gathering {
 public:
     Gathering(const Scenery& scenery, const std::vector<TileSpan>& spans,
@@ -35,7 +35,7 @@ public:
           blocks_(blocks),
           surfaces_(surfaces) {}
 
-    // False if nothing of the tiles behind can be seen.
+    // False if nothing behind the tile can be seen.
     bool addTile(int index) {
         const TileSpan& span = spans_[static_cast<std::size_t>(index)];
         if (span.first && span.enter <= 0.0 && classic_.noOwnCell) return true;
@@ -78,7 +78,7 @@ private:
         if (classic_.stretched) {
             block.textureTop = block.top;
             block.textureBottom = block.bottom;
-            // The stack that it belongs to: blocks that touch.
+            // Extend over the stack of touching blocks
             for (int n = level + 1; block.textureTop == n; ++n) {
                 const CellBlueprint* above = blueprintAt(span.x, span.y, n);
                 if (above == nullptr || above->bottom.raw != 0) break;
@@ -95,7 +95,7 @@ private:
 
     void addBlock(const TileSpan& span, const Block& block) {
         const double distance = distanceOf(span, (block.bottom + block.top) / 2.0);
-        // The ray begins inside it, or may do so where it comes out of a portal.
+        // True if the ray starts inside the block, or may do so behind a portal
         const bool beginsInside =
             !classic_.oneLevel && (span.enter <= 0.0 ? holdsEye(span, block) : span.first);
         const bool hasPlanes = !classic_.oneLevel && classic_.roofs != ClassicRoofs::missing;
@@ -115,7 +115,7 @@ private:
         if (!span.first) addSide(span, block, span.entered, Passing::entered, span.enter, distance);
     }
 
-    // Whether it and the block above, or below, are parts of one thing that moves.
+    // Whether the block and the one above it, or below, are parts of one mover.
     bool goesOn(const TileSpan& span, const Block& block, bool up) const {
         const auto reachesEnd = [](const CellBlueprint& blueprint, bool top) {
             return top ? blueprint.top == tileEdge(1) : blueprint.bottom.raw == 0;
@@ -125,7 +125,7 @@ private:
         return next != nullptr && areOneMover(*block.blueprint, *next) && reachesEnd(*next, !up);
     }
 
-    // Whether the eye is in it, or in another part of the same thing that moves.
+    // Whether the eye is in the block, or in another part of the same mover.
     bool holdsEye(const TileSpan& span, const Block& block) const {
         const auto isIn = [&](const Block& part) {
             return part.bottom <= view_.eyeZ && view_.eyeZ < part.top;
@@ -136,12 +136,12 @@ private:
                                isIn(blockAt(span, level)));
     }
 
-    // Two see-through blocks that touch here have no faces between them.
+    // Whether two see-through blocks touch here, with no faces between them.
     bool isJoined(const TileSpan& span, const Block& block, Face face) const {
         const CellBlueprint& blueprint = *block.blueprint;
-        const auto joins = [&](const CellBlueprint* other) {
-            return other != nullptr && areJoined(world_, blueprint, *other) &&
-                   other->bottom == blueprint.bottom && other->top == blueprint.top;
+        const auto joins = [&](const CellBlueprint* neighbour) {
+            return neighbour != nullptr && areJoined(world_, blueprint, *neighbour) &&
+                   neighbour->bottom == blueprint.bottom && neighbour->top == blueprint.top;
         };
         if (face == Face::top || face == Face::bottom) {
             const bool spansLevel = blueprint.bottom.raw == 0 && blueprint.top == tileEdge(1);
@@ -159,7 +159,7 @@ private:
                  double distance) {
         Surface side;
         if (!makeFace(span, block, face, passing, distance, side)) return;
-        // A face at the eye is not drawn, but one that is a portal is gone through.
+        // A face at the eye is not drawn, but the eye goes through a portal there
         if (along <= 0.0 && side.portal == kNoPortal) return;
         side.what = What::side;
         side.along = along;
@@ -197,7 +197,7 @@ private:
         addLevel(span, ceiling, height);
     }
 
-    // At all heights above the floor. Where rays go through no more portals it shows the haze.
+    // Covers all heights above the floor. Beyond the limit of portals it shows haze.
     void addPortalTile(const TileSpan& span, PortalId portal) {
         Surface side =
             surfaceAt(span, {}, span.entered, Passing::portal, distanceOf(span, view_.eyeZ));
@@ -208,8 +208,8 @@ private:
             view_.rowOf(0.0, depth));
     }
 
-    // False if there is no such face: water lacks some, see-through blocks are joined, and from
-    // inside a portal nothing is seen.
+    // False if the face is not drawn: missing in water, between joined blocks, or a portal seen
+    // from inside.
     bool makeFace(const TileSpan& span, const Block& block, Face face, Passing passing,
                   double distance, Surface& surface) const {
         const FaceBlueprint& look = block.blueprint->face(face);
@@ -245,7 +245,7 @@ private:
         return x * x + y * y + z * z;
     }
 
-    // Between two edges on the picture, whichever is the upper one.
+    // Adds the rows between two edges in the picture, in either order.
     void add(Surface& surface, double a, double b) {
         surface.firstRow = rows_.firstBelow(std::min(a, b));
         surface.lastRow = rows_.firstBelow(std::max(a, b));

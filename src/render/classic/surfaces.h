@@ -1,6 +1,6 @@
-// What a column could see on the tiles that it passes, whether or not something nearer hides it:
-// the faces of blocks, ceilings, portals and objects. Faces that a ray leaves a block through are
-// seen only where the eye is inside it, or the block is see-through.
+// Collects the surfaces that a column could see on its tiles, even if something nearer hides them:
+// faces of blocks, ceilings, portals and objects. A face by which a ray leaves a block is visible
+// only if the eye is inside it, or the block is see-through.
 #pragma once
 
 #include "render/classic/classic_options.h"
@@ -14,8 +14,7 @@
 
 namespace slicecast::classic {
 
-// The picture's rows: of `pixelSize` pixels each, row r's middle being r * pixelSize + pixelSize
-// / 2.
+// The picture's rows of `pixelSize` pixels each; row r's middle is r * pixelSize + pixelSize / 2.
 struct RowGrid {
     int pixelSize = 1;
     int rows = 0;
@@ -25,36 +24,35 @@ struct RowGrid {
     int firstBelow(double y) const;
 };
 
-// What a ray does there. At equal depth the earlier ones come first.
+// What a ray does at a surface. At equal depth the earlier ones come first.
 enum class Passing : std::uint8_t { left, portal, entered, ceiling, object };
 
-// Something upright at one depth, or a level plane: a roof, an underside, a ceiling.
+// An upright thing at one depth, or a horizontal plane: a roof, an underside, a ceiling.
 struct Surface {
     FilledRows::What what = FilledRows::What::side;
-    TextureId texture = kNoTexture;  // or the sprite's number; none shows the haze
+    TextureId texture = kNoTexture;  // or the sprite's number; none shows haze
     double light = 1.0;
     bool glow = false;
     std::uint8_t mirror = 0;
-    Face face =
-        Face::top;  // top and bottom are level planes, a ceiling a bottom; of an object none
+    Face face = Face::top;  // top and bottom are horizontal planes; a ceiling is a bottom
     Passing passing = Passing::entered;
-    PortalId portal = kNoPortal;  // rays go on behind it
+    PortalId portal = kNoPortal;  // the portal behind which rays continue
     int tileX = 0;
     int tileY = 0;
     int block = -1;    // index into the blocks met
     int object = -1;   // index into Map::objects
-    int firstRow = 0;  // where it appears: [firstRow, lastRow)
+    int firstRow = 0;  // it covers [firstRow, lastRow)
     int lastRow = 0;
-    double along = 0.0;       // of what is upright: where on the ray
-    double nearest = 0.0;     // nothing of it is at a smaller depth
-    double height = 0.0;      // of level planes: units
-    double textureTop = 0.0;  // of what is upright: heights at which the texture begins and ends
+    double along = 0.0;       // of upright things: position on the ray
+    double nearest = 0.0;     // least depth of any of its points
+    double height = 0.0;      // of horizontal planes, units
+    double textureTop = 0.0;  // of upright things: heights of the texture's ends
     double textureBottom = 0.0;
     double textureRise = 0.0;    // see CellBlueprint
-    double stretch = 1.0;        // of objects: units of height to what the row's slope gives
-    double u = 0.0;              // of objects: from the left of the picture, 0 to 1
-    double thingDistance = 0.0;  // of the middle of the block, ceiling tile or object from the eye,
-                                 // squared: what painter's order goes by
+    double stretch = 1.0;        // of objects: factor from the row's slope to units of height
+    double u = 0.0;              // of objects: from the left of the sprite, 0 to 1
+    double thingDistance = 0.0;  // squared, from the eye to the middle of the block, ceiling tile
+                                 // or object; sorts painter's order
 
     bool isUpright() const {
         return what == FilledRows::What::side || what == FilledRows::What::object;
@@ -64,7 +62,7 @@ struct Surface {
     }
 };
 
-// A block on the way, as a method takes it.
+// A block on the way, with the method's heights.
 struct BlockMet {
     int span = 0;  // index into the tiles
     int level = 0;
@@ -81,18 +79,18 @@ struct Scenery {
     const RowGrid& rows;
     const ClassicOptions& classic;
     bool isBeyondLimit = false;  // no further portals
-    double begins = 0.0;         // nothing is seen at a smaller depth
+    double begins = 0.0;         // nothing is visible at a smaller depth
 };
 
-// Fills both lists anew. Surfaces: objects first, then near tiles before far ones, and of one block
-// the faces that are left before those that are entered. Nothing is told of what is behind a tile
-// that is a portal.
+// Refills both lists. Surfaces are in this order: objects, then near tiles before far ones, and for
+// each block the faces by which it is left before those by which it is entered. Skips everything
+// behind a portal tile.
 void gatherSurfaces(const Scenery& scenery, const std::vector<TileSpan>& spans,
                     std::vector<BlockMet>& blocks, std::vector<Surface>& surfaces);
 
-// Puts the objects that the column meets first into an empty list. In objects.cpp, as is:
+// Adds the objects that the column meets to an empty list. In objects.cpp, like the next:
 void gatherObjects(const Scenery& scenery, std::vector<Surface>& surfaces);
-// Takes out those behind the first block.
+// Removes objects behind the first block.
 void hideBehindFirstBlock(std::vector<Surface>& surfaces);
 
 }  // namespace slicecast::classic

@@ -6,7 +6,7 @@
 namespace slicecast::classic {
 namespace {
 
-// The borders of one axis: the next one, and its distance from the eye.
+// The next border on one axis.
 struct Borders {
     double speed = 0.0;  // along the axis, with its sign
     double distance = 0.0;
@@ -25,12 +25,12 @@ int tileOf(double position) {
     return static_cast<int>(std::floor(position));
 }
 
-// No tile of the grid lies further along an axis.
+// True if the grid has no further tile along an axis.
 bool isPast(int tile, int end, double direction) {
     return tile < 0 ? direction <= 0.0 : tile >= end && direction >= 0.0;
 }
 
-// The side of its tile that a point is nearest to.
+// The side of its tile that a point is closest to.
 Face nearestSide(double fromMiddleX, double fromMiddleY) {
     if (std::fabs(fromMiddleX) > std::fabs(fromMiddleY))
         return fromMiddleX < 0.0 ? Face::west : Face::east;
@@ -52,7 +52,8 @@ std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray,
     std::int64_t samples = 0;
     while (!isPast(span.x, map.width, ray.x) && !isPast(span.y, map.depth, ray.y)) {
         ++samples;
-        // At a corner an eastward border comes first: the eye counts as a trifle further east.
+        // At a corner an eastward border comes first, because the eye counts as slightly further
+        // east
         const bool alongX = x.along() < y.along() || (x.along() == y.along() && x.step > 0);
         Borders& next = alongX ? x : y;
         span.leave = next.along();

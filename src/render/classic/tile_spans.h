@@ -1,10 +1,10 @@
-// Which tiles of the grid a column's ground line passes: by the exact walk from border to border,
-// or by the march that looks every so often where it is.
+// Finds the tiles that a column's ground line passes: by the exact walk from border to border, or
+// by a march that checks its position after every step.
 //
-//     +-----+-----+          the march steps from the eye e in equal strides. It finds the wall #
+//     +-----+-----+          The march goes from the eye e in equal strides. It finds the wall #
 //     |     | #.  |          up to a stride behind its border, never finds a corner that lies
-//     |     .     |          between two strides, and tells the face by the quadrant of the tile in
-//     | e . |     |          which it came to stand
+//     |     .     |          between two strides, and guesses the face from the quadrant of the
+//     | e . |     |          tile in which it arrived.
 //     +-----+-----+
 #pragma once
 
@@ -22,20 +22,19 @@ struct TileSpan {
     int y = 0;
     double enter = 0.0;  // `along` of the ray
     double leave = 0.0;
-    bool first = false;          // where the walk begins: nothing was entered
-    Face entered = Face::north;  // the face of this tile that the line came in through
-    Face left = Face::north;     // and goes out through
+    bool first = false;          // the first tile of a walk, which was not entered
+    Face entered = Face::north;  // face of this tile by which the line entered
+    Face left = Face::north;     // and by which it leaves
 };
 
-// Where a walk begins: in the eye's tile, or in the exit tile of a portal.
+// The start of a walk: in the eye's tile, or in the exit tile of a portal.
 struct TileStart {
     int x = 0;
     int y = 0;
     double along = 0.0;
 };
 
-// Replace `spans` by the tiles of the grid in the order in which they are passed, and give the
-// number of places that were looked at.
+// Replace `spans` by the passed tiles of the grid in order. Return the number of places examined.
 std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray,
                        const TileStart& start, std::vector<TileSpan>& spans);
 std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray,

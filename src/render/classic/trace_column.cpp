@@ -11,22 +11,22 @@
 namespace slicecast::classic {
 namespace {
 
-// Runs of rows without a texture, the sky and haze, come last.
+// Runs without a texture, sky and haze, come last.
 double nearestOf(const FilledRows& rows) {
     return rows.texture == kNoTexture ? std::numeric_limits<double>::infinity()
                                       : std::min(rows.top.depth, rows.bottom.depth);
 }
 
-class Telling {
+class TraceMaker {
 public:
-    Telling(const Column& column, const World& world, int pictureHeight, int watchedRow)
+    TraceMaker(const Column& column, const World& world, int pictureHeight, int watchedRow)
         : column_(column),
           world_(world),
           pictureHeight_(pictureHeight),
           watchedRow_(watchedRow),
           firstHits_(column.partsUsed()) {}
 
-    SliceTrace tell() {
+    SliceTrace make() {
         begin(*column_.parts()[0], upright_.trace);
         for (std::size_t i = 0; i < column_.partsUsed(); ++i) {
             const Part& part = *column_.parts()[i];
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    // What is seen at once, or in a mirror; and of each run of rows the mark that began it.
+    // The direct view, or that in mirrors; `marks` has the first mark of each run.
     struct Account {
         SliceTrace trace;
         std::vector<Mark> marks;
@@ -63,7 +63,8 @@ private:
     }
 
     void addTiles(const Part& part, SliceTrace& trace) const {
-        const double unit = part.ray.depthPerAlong / part.view.distance;  // of `along`, as told
+        const double unit = part.ray.depthPerAlong /
+                            part.view.distance;  // from the ray's `along` to that of the trace
         const auto next = [&](double eye, int tile, double direction) {
             if (direction == 0.0) return std::numeric_limits<double>::infinity();
             return (direction > 0.0 ? tile + 1 - eye : tile - eye) / direction * unit;
@@ -123,7 +124,7 @@ private:
         }
     }
 
-    // Gives the run's index.
+    // Returns the run's index.
     int addRun(const Mark& mark, bool isLayer, int first, int last) {
         Account& account = of(*mark.part);
         std::vector<FilledRows>& runs = account.trace.filled;
@@ -158,7 +159,7 @@ private:
         return static_cast<int>(run - runs.data());
     }
 
-    // Where the ray of a row meets what it shows.
+    // The point at which the ray of a row meets what it shows.
     SeenPoint seenAt(const Mark& mark, int run, int row) const {
         SeenPoint point;
         point.run = run;
@@ -181,7 +182,7 @@ private:
         return point;
     }
 
-    // Whose rows they are
+    // Sets the block or the object that the rows belong to
     void addThing(const Mark& mark, SliceTrace& trace, FilledRows& run) const {
         const Surface& surface = *mark.surface;
         run.face = surface.face;
@@ -210,7 +211,7 @@ private:
         }
     }
 
-    // All that the ray has come through.
+    // Adds all portals that the ray has passed.
     void addPortals(const Part& seen, int first, int last) {
         for (const Part* part = &seen; part->before != nullptr; part = part->before) {
             if (part->door == nullptr) continue;
@@ -230,7 +231,7 @@ private:
         }
     }
 
-    // Runs were begun from the top; they are told from front to back.
+    // Runs are listed from the top; sorts them front to back.
     static void finish(SliceTrace& trace) {
         for (const FilledRows& run : trace.filled) {
             if (run.hit >= 0) {
@@ -261,7 +262,7 @@ private:
 }  // namespace
 
 SliceTrace traceOf(const Column& column, const World& world, int pictureHeight, int watchedRow) {
-    return Telling(column, world, pictureHeight, watchedRow).tell();
+    return TraceMaker(column, world, pictureHeight, watchedRow).make();
 }
 
 }  // namespace slicecast::classic

@@ -1,4 +1,4 @@
-// What a column showed and met on its way, as plain data.
+// Lists what a column showed and met, as plain data.
 #pragma once
 
 #include "render/classic/column.h"
@@ -6,7 +6,7 @@
 
 namespace slicecast::classic {
 
-// Of the column that was drawn last, in a picture of that height.
+// The trace of the column drawn last, in a picture of this height.
 SliceTrace traceOf(const Column& column, const World& world, int pictureHeight, int watchedRow);
 
 }  // namespace slicecast::classic
