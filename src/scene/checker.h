@@ -2,6 +2,7 @@
 // that fails reports its own fault, so that one pass over the tree finds all of them.
 #pragma once
 
+#include "base/named.h"
 #include "base/words.h"
 #include "scene/json_tree.h"
 #include "scene/names.h"
@@ -27,6 +28,12 @@ struct NumberRange {
     const char* words;
 };
 inline constexpr NumberRange kUnitRange = {0.0, 1.0, false, "a number from 0 to 1"};
+
+// A text in quotes, shortened if it is long.
+std::string quoted(std::string_view text);
+
+// `"a", "b" or "c"`
+std::string listed(const std::vector<std::string_view>& texts);
 
 class Fields;
 
@@ -115,8 +122,29 @@ public:
     int wholeNumber(const char* key, const NumberRange& range, int fallback) const;
     bool flag(const char* key, bool fallback) const;
     Colour colour(const char* key, Colour fallback) const;
+    // One of the names of a table.
+    template <typename Value, std::size_t count>
+    Value choice(const char* key, const Named<Value> (&table)[count], Value fallback) const {
+        const FoundValue member = find(key);
+        if (!member) return fallback;
+        const std::optional<Value> value =
+            valueOf(table, member->isText() ? member->text() : std::string_view());
+        if (!value) checker_->refuse(*member, listedNames(table));
+        return value.value_or(fallback);
+    }
+    template <typename Value, std::size_t count>
+    void requireChoice(const char* key, const Named<Value> (&table)[count]) const {
+        require(key, listedNames(table).c_str());
+    }
 
 private:
+    template <typename Value, std::size_t count>
+    static std::string listedNames(const Named<Value> (&table)[count]) {
+        std::vector<std::string_view> names;
+        for (const Named<Value>& named : table) names.emplace_back(named.name);
+        return listed(names);
+    }
+
     Checker* checker_;
     JsonValue object_;
     std::vector<std::pair<std::string_view, JsonValue>> misspelt_;
@@ -130,8 +158,5 @@ inline std::optional<Fields> Checker::fields(JsonValue value,
 
 // The last entry of a list that leaves out others.
 Fault moreFaults(const std::string& file, std::size_t count);
-
-// A text in quotes, shortened if it is long.
-std::string quoted(std::string_view text);
 
 }  // namespace slicecast

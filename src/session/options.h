@@ -81,12 +81,18 @@ const OptionInfo* findOption(std::string_view name);
 // "Unknown option 'fvo'. Did you mean 'fov'?"
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
 
+// The same for an option that is a number, which is brought into its range.
+void setOption(SessionOptions& options, std::string_view name, double number);
+
 // The word after `value` among those of a choice, the first one after the last; empty if there is
 // no such choice or word.
 std::string nextChoice(std::string_view name, std::string_view value);
 
 // The value as setOption would take it; empty for an unknown name.
 std::string optionValue(const SessionOptions& options, std::string_view name);
+
+// Of an option that is a number; 0 for any other, and where each map has its own.
+double optionNumber(const SessionOptions& options, std::string_view name);
 
 // Whether anything is drawn over the picture, or not all of it: an option of the group "overlays"
 // is on.

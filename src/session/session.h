@@ -103,6 +103,7 @@ public:
     // Options by name ("fov", "light" ...); see options.h. An empty string on success, else what
     // was wrong.
     std::string setOption(std::string_view name, std::string_view value);
+    void setOption(std::string_view name, double number);
     std::string option(std::string_view name) const;
 
     // The world as it came, for another session; what this one does then means nothing.
@@ -143,6 +144,7 @@ private:
     SliceTrace traceFrom(const Eye& seen, const ColumnRequest& request);
     double classicShare() const;          // of the width, from the left
     int classicColumns(int width) const;  // that the classic method draws
+    void optionChanged(std::string_view name);
     void applyLight();
     void drawOverlays(const Eye& seen, const Picture& picture);
 
