@@ -24,7 +24,7 @@ Fault moreFaults(const std::string& file, std::size_t count) {
     Fault last;
     last.file = file;
     last.found = words(Counted{static_cast<std::int64_t>(count), "more fault"});
-    last.expected = words("fewer; no more than ", kMaxFaults, " are listed");
+    last.expected = words("none; only the first ", kMaxFaults, " are listed");
     return last;
 }
 
@@ -139,7 +139,10 @@ std::string Checker::shown(JsonValue value) const {
         case JsonValue::Kind::text:
             return words("the text ", quoted(value.text()));
         case JsonValue::Kind::array:
-            return value.count() == 0 ? "an empty array" : words("an array of ", value.count());
+            return value.count() == 0
+                       ? "an empty array"
+                       : words("an array of ",
+                               Counted{static_cast<std::int64_t>(value.count()), "element"});
         case JsonValue::Kind::object:
             return "an object";
     }

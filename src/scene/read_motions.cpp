@@ -57,9 +57,8 @@ Motion readMotion(Checker& checker, JsonValue value) {
         static_cast<int>(std::floor(phase * motion.periodSteps + 0.5)) % motion.periodSteps;
     const double fastest = fastestSpeed(motion.shape, to - from, period);
     if (checker.count() == faultsBefore && fastest > kFastestMotion) {
-        checker.add(value,
-                    {"a motion that is as fast as ", roundedText(fastest, 4), " units per second"},
-                    "at most 4 units per second, by a longer period for instance");
+        checker.add(value, {"a motion that reaches ", roundedText(fastest, 4), " units per second"},
+                    "at most 4 units per second; a longer period makes it slower");
     }
     return motion;
 }

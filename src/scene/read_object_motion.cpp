@@ -32,7 +32,7 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value) {
     read.motion.speed = fields->number("speed", kSpeed, 1.0);
     read.motion.headingDegrees = fields->number("heading", kHeading, 0.0);
     read.hasHeading = static_cast<bool>(fields->find("heading"));
-    // Only a wanderer may do without.
+    // Only "wander" works without "reach".
     if (read.motion.kind != Kind::wander) fields->require("reach", kReach.words);
     read.motion.reach = toCoordinate(fields->number("reach", kReach, 0.0));
     return read;

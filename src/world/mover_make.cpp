@@ -54,8 +54,8 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
         if (world.blueprints[run.blueprints[i]].top == tileEdge(1) &&
             world.blueprints[run.blueprints[i + 1]].bottom == Coordinate{0})
             continue;
-        addFault(mapIndex, at, words(block, " stacked without touching"),
-                 "a bottom of 0 and a top of 1 where a moving block is stacked");
+        addFault(mapIndex, at, words(block, " stacked with a gap between its parts"),
+                 "a bottom of 0 and a top of 1 where moving blocks are stacked");
         return false;
     }
     shaft.low = tileEdge(run.firstLevel) + world.blueprints[run.blueprints.front()].bottom;
@@ -75,7 +75,7 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     }
     if (lowest >= highest) {
         addFault(mapIndex, at, words(block, " whose top never gets above its bottom"),
-                 "a motion with which the block is to be seen");
+                 "a motion that shows the block at some time");
         return false;
     }
     shaft.firstLevel = std::min(run.firstLevel, lowest.tile());
@@ -84,10 +84,9 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     // A blueprint for each level
     const std::size_t parts = static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1);
     if (world.blueprints.size() + parts > static_cast<std::size_t>(kMaxBlueprints)) {
-        addFault(
-            mapIndex, at,
-            words(block, ", with whose parts there are more than ", kMaxBlueprints, " blueprints"),
-            "fewer moving blocks and gates, or fewer levels that they reach");
+        addFault(mapIndex, at,
+                 words(block, " whose parts make more than ", kMaxBlueprints, " blueprints"),
+                 "fewer moving blocks and gates, or fewer levels that they reach");
         return false;
     }
     shaft.firstPart = static_cast<BlueprintId>(world.blueprints.size());

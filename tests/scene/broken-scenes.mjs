@@ -1,4 +1,4 @@
-// The scenes at fault that broken/cases.txt lists, and what is said of each; it tells its own form.
+// The faulty scenes that broken/cases.txt lists, with the faults expected of each.
 //
 //     for (const { name, bytes, verdict, faults } of brokenScenes()) ...
 
@@ -7,7 +7,7 @@ import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-// What the scenes name is seen from here.
+// Image names are relative to it.
 export const brokenScenesFolder = join(dirname(fileURLToPath(import.meta.url)), 'broken');
 
 export function brokenScenes() {

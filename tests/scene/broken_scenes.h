@@ -1,4 +1,4 @@
-// The scenes at fault that tests/scene/broken/cases.txt lists, and what is said of each.
+// The faulty scenes that tests/scene/broken/cases.txt lists, with the faults expected of each.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ struct BrokenScene {
         faults;  // as describe() puts them, without the file name and its colon
 };
 
-// tests/scene/broken; what the scenes name is seen from here.
+// tests/scene/broken; image names are relative to it.
 std::filesystem::path brokenScenesFolder();
 
 // In the order of the list. A mistake in the list ends the program.
