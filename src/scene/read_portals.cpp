@@ -118,10 +118,8 @@ private:
         if (!name) return Face::north;
         const auto found = std::find(names.begin(), names.end(), *name);
         if (found != names.end()) return static_cast<Face>(found - names.begin());
-        checker_.add(
-            value, {"the name ", quoted(*name)},
-            {"one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"",
-             suggestion(*name, names)});
+        checker_.add(value, {"the name ", quoted(*name)},
+                     {"one of the faces ", listed(names), suggestion(*name, names)});
         return Face::north;
     }
 
