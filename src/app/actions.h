@@ -94,6 +94,7 @@ enum class KeyScope : unsigned char {
 };
 
 struct ActionInfo {
+    Action action;
     const char* name;  // as bindKey takes it
     ActionGroup group;
     Press press;

@@ -1,11 +1,11 @@
 #include "app/app.h"
 
 #include "base/angle.h"
-#include "base/number_text.h"
 #include "overlay/minimap.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -216,19 +216,18 @@ void App::changeOption(const ActionInfo& info) {
                               : keys_.isDown(Action::fast) ? kFastFactor
                                                            : 1.0;
         const double target = optionNow(info.option) + info.by * factor;
-        game_->setOption(info.option, fixedText(std::clamp(target, option->least, option->greatest),
-                                                whole ? 0 : 2));
+        game_->setOption(info.option, std::floor(target * 100.0 + 0.5) / 100.0);
     }
 }
 
 double App::optionNow(std::string_view option) const {
     if (option == "intensity") return game_->state().intensity;
     if (option == "multiplier") return game_->state().multiplier;
-    return readNumber(game_->option(option)).value_or(0.0);
+    return optionNumber(game_->options(), option);
 }
 
 void App::changeNumber(const char* option, int now, int by, int least, int greatest) {
-    game_->setOption(option, wholeText(std::clamp(now + by, least, greatest)));
+    game_->setOption(option, static_cast<double>(std::clamp(now + by, least, greatest)));
 }
 
 // Below the lowest level, the minimap shows the player's level.

@@ -26,7 +26,7 @@ SLICECAST_PAGE("leaveCanvas") void slicecastLeaveCanvas(void);
 SLICECAST_PAGE("showPixels") void slicecastShowPixels(uint32_t address, int width, int height);
 SLICECAST_PAGE("askForFrame") int slicecastAskForFrame(void);
 SLICECAST_PAGE("forgetFrame") void slicecastForgetFrame(int frame);
-SLICECAST_PAGE("tell") void slicecastTell(int news, int yes);
+SLICECAST_PAGE("tell") void slicecastTell(const char* news, int yes);
 SLICECAST_PAGE("tellShown") void slicecastTellShown(int moved);
 SLICECAST_PAGE("tellPortal") void slicecastTellPortal(const char* from, const char* to);
 SLICECAST_PAGE("tellRates")
@@ -55,7 +55,7 @@ public:
                             picture.w, picture.h);
     }
     void askForFrame() override;
-    void tell(News news, bool yes) override { slicecastTell(static_cast<int>(news), yes); }
+    void tell(News news, bool yes) override { slicecastTell(nameOf(kNews, news), yes); }
     void tellShown(bool moved) override { slicecastTellShown(moved); }
     void tellPortal(const std::string& from, const std::string& to) override {
         slicecastTellPortal(from.c_str(), to.c_str());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/frame_meter.h"
+#include "base/named.h"
 
 #include <SDL2/SDL_surface.h>
 
@@ -13,8 +14,7 @@ namespace slicecast {
 
 class Session;
 
-// Events of the program, each with a yes or no. web/engine/engine-module.js names them in this
-// order.
+// Events of the program, each with a yes or no.
 enum class News {
     ready,       // the first picture is on the screen
     pause,       // yes: paused
@@ -29,6 +29,12 @@ enum class News {
     fullscreen,  // its key was pressed
     record,      // its key was pressed
 };
+// As a page hears of them.
+inline constexpr Named<News> kNews[] = {
+    {News::ready, "ready"},   {News::pause, "pause"},           {News::pointer, "pointer"},
+    {News::cursor, "cursor"}, {News::recording, "recording"},   {News::replay, "replay"},
+    {News::fly, "fly"},       {News::overlay, "overlay"},       {News::help, "help"},
+    {News::rate, "rate"},     {News::fullscreen, "fullscreen"}, {News::record, "record"}};
 
 class Shell {
 public:

@@ -17,11 +17,11 @@ struct DecodedImage {
     std::string fault;
 };
 
-// How many pixels the file says that it has; 0 if it is no PNG. Nothing else of it is read.
+// The number of pixels that the header of a PNG states; 0 if it is no PNG.
 std::int64_t pixelsOfPng(std::span<const std::uint8_t> bytes);
 
 // Reads a PNG of at most maxWidth x maxHeight pixels; the size is checked before any pixel memory
-// is taken. With `blank` it gives an image of that size, for pixels that somebody else has.
+// is taken. With `blank`, decodes nothing: gives an image of that size for the caller to fill.
 DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight,
                        bool blank = false);
 

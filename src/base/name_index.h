@@ -11,7 +11,7 @@ namespace slicecast {
 
 class NameIndex {
 public:
-    // The name's number: this one, or the one that it has already. The name's characters must
+    // Gives a new name this number, and returns the number of a known one. The characters must
     // outlive the index.
     std::uint32_t add(std::string_view name, std::uint32_t number);
     std::optional<std::uint32_t> find(std::string_view name) const;
@@ -26,7 +26,7 @@ private:
     std::size_t placeOf(std::string_view name) const;
     void grow();
 
-    // A name stands where its hash says, or in the next free place behind that. At least half of
+    // A name stands at the place of its hash, or in the next free one after it. At least half of
     // the places are free.
     std::vector<Entry> entries_;  // as many as a power of two
     std::size_t count_ = 0;

@@ -8,13 +8,13 @@
 namespace slicecast {
 namespace {
 
-// Names longer than this are not compared, and no more names than that: a message must not cost
-// more than a hostile scene is worth.
+// Limits the length and number of names compared, so that a hostile scene cannot make messages
+// slow.
 constexpr std::size_t kLongestCompared = 32;
 constexpr std::size_t kMostCompared = 500;
 
-// Bytes to change, add, leave out or swap with their neighbour to make one text of the other. Both
-// are at most kLongestCompared long.
+// The edit distance: bytes to change, add, leave out or swap with their neighbour. Both texts are
+// at most kLongestCompared long.
 std::size_t editDistance(std::string_view a, std::string_view b) {
     using Row = std::array<std::size_t, kLongestCompared + 1>;
     Row twoBefore{};

@@ -1,4 +1,4 @@
-// The nearest of some names to one that is not among them, for messages:
+// Finds the known name nearest to a misspelt one, for messages:
 //
 //     words("Unknown option 'fvo'.", didYouMean("fvo", {"fov", "fog", "light"}))
 //                                                     "Unknown option 'fvo'. Did you mean 'fov'?"

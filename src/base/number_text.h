@@ -14,7 +14,7 @@
 
 namespace slicecast {
 
-// The characters of one number. It takes no memory elsewhere.
+// The characters of one number, without an allocation.
 class NumberText {
 public:
     operator std::string_view() const {
@@ -37,7 +37,7 @@ NumberText hexText(std::uint64_t number, int digits);
 // exponent. The number is finite.
 NumberText shortestText(double number);
 
-// Rounded to `decimals` digits behind the point, 0 to 6, halves to even digits: 2.50. From 1e15 on
+// Rounded to `decimals` digits after the point, 0 to 6, halves to even digits: 2.50. From 1e15 on
 // as shortestText. The number is finite.
 NumberText fixedText(double number, int decimals);
 

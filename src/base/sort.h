@@ -1,5 +1,5 @@
-// A sort that is little code for each kind of thing: std::sort is written out anew, some kilobytes
-// each time, and what a page loads should be small.
+// A sort with little code per element type: each use of std::sort adds some kilobytes, and what a
+// page loads should be small.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,7 @@
 
 namespace slicecast {
 
-// Merge sort: what is equal stays in its order. `room` is needed meanwhile, and can be kept where
-// there should be no allocation.
+// Stable merge sort. `room` is scratch memory; keep it between calls to avoid allocations.
 template <typename Thing, typename Less>
 void mergeSort(std::vector<Thing>& things, std::vector<Thing>& room, Less isBefore) {
     const std::size_t count = things.size();

@@ -1,4 +1,4 @@
-// Texts put together from texts and numbers, in little code at each place that does it:
+// Builds texts from texts and numbers, with little code at each call:
 //
 //     words("at most ", kMaxLevels, " in a map")
 //     words("x ", Fixed{1.5, 2})                                            "x 1.50"
@@ -17,7 +17,7 @@
 
 namespace slicecast {
 
-// A number with so many digits behind the point, 0 to 6; and in few digits that give it back
+// A number with 0 to 6 digits after the point; and in the fewest digits that give it back
 // (base/number_text.h).
 struct Fixed {
     double number;
@@ -45,7 +45,7 @@ public:
     Word(Fixed number) : kind_(number.decimals), number_(number.number) {}
     Word(Shortest number) : kind_(kShortest), number_(number.number) {}
 
-    // Calls take(std::string_view) with what it says, piece by piece.
+    // Calls take(std::string_view) with each piece of its text.
     template <typename Take>
     void say(Take take) const;
 
@@ -64,7 +64,7 @@ private:
     };
 };
 
-// Words that a function takes, and uses before it returns: one, or several in braces.
+// The argument of a function: one word, or several in braces. It is not kept.
 class Words {
 public:
     Words(std::initializer_list<Word> words) : single_(0), count_(words.size()) {
@@ -89,7 +89,7 @@ private:
 // Appended to a text.
 void add(std::string& text, const Words& words);
 
-// Into a place of a fixed size, as much as there is room for.
+// Into a buffer; what does not fit is cut off.
 std::string_view write(std::span<char> place, const Words& words);
 
 template <typename... Pieces>

@@ -20,14 +20,14 @@ constexpr Pixel kOpaque = 0xff000000;
 constexpr int kMostAcross = 40;
 constexpr std::size_t kLookNumbers = 5;
 constexpr auto kMarkColours = [] {
-    std::array<Pixel, 2 * kStripe> colours = {0,
-                                              toPixel({236, 240, 244, 64}),
-                                              toPixel({0, 0, 0, 110}),
-                                              toPixel({236, 240, 244, 150}),
-                                              toPixel({236, 240, 244, 190}),
-                                              toPixel({206, 232, 244, 96}),
-                                              toPixel(kMinimapPortal),
-                                              toPixel(kMinimapGate)};
+    std::array<Pixel, 2 * kStripe> colours{};
+    colours[stepEdge] = toPixel({236, 240, 244, 64});
+    colours[shadow] = toPixel({0, 0, 0, 110});
+    colours[overhang] = toPixel({236, 240, 244, 150});
+    colours[blockEdge] = toPixel({236, 240, 244, 190});
+    colours[ripple] = toPixel({206, 232, 244, 96});
+    colours[portal] = toPixel(kMinimapPortal);
+    colours[gate] = toPixel(kMinimapGate);
     for (unsigned i = 0; i < kStripe; ++i)
         colours[kStripe + i] = blended(toPixel(kMover), colours[i]);
     return colours;

@@ -10,7 +10,6 @@ namespace {
 constexpr Colour kLine = {255, 255, 255, 220};
 constexpr Colour kBesideLine = {0, 0, 0, 150};
 
-// In the order of FilledRows::What.
 constexpr auto kKinds = std::to_array<SliceKind>({
     {FilledRows::What::side, "side", {255, 196, 92, 255}},
     {FilledRows::What::roof, "roof", {242, 112, 92, 255}},
@@ -20,6 +19,12 @@ constexpr auto kKinds = std::to_array<SliceKind>({
     {FilledRows::What::sky, "sky", {112, 178, 255, 255}},
     {FilledRows::What::haze, "haze", {186, 192, 200, 255}},
 });
+static_assert([] {
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        if (kKinds[i].what != static_cast<FilledRows::What>(i)) return false;
+    }
+    return true;
+}());
 
 }  // namespace
 

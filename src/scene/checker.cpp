@@ -18,23 +18,13 @@ std::optional<int> hexDigit(char c) {
     return std::nullopt;
 }
 
-// `"a", "b" or "c"`
-std::string listed(const std::vector<std::string_view>& keys) {
-    std::string list;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (i > 0) list += i + 1 < keys.size() ? ", " : " or ";
-        list += quoted(keys[i]);
-    }
-    return list;
-}
-
 }  // namespace
 
 Fault moreFaults(const std::string& file, std::size_t count) {
     Fault last;
     last.file = file;
     last.found = words(Counted{static_cast<std::int64_t>(count), "more fault"});
-    last.expected = words("fewer; no more than ", kMaxFaults, " are listed");
+    last.expected = words("none; only the first ", kMaxFaults, " are listed");
     return last;
 }
 
@@ -49,6 +39,15 @@ std::string quoted(std::string_view text) {
         shown += c < 0x20 || c == 0x7f ? std::string("?") : toUtf8(c);
     }
     return shown + (offset < text.size() ? "...\"" : "\"");
+}
+
+std::string listed(const std::vector<std::string_view>& texts) {
+    std::string list;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (i > 0) list += i + 1 < texts.size() ? ", " : " or ";
+        list += quoted(texts[i]);
+    }
+    return list;
 }
 
 bool Checker::onlyCounts() {
@@ -140,7 +139,10 @@ std::string Checker::shown(JsonValue value) const {
         case JsonValue::Kind::text:
             return words("the text ", quoted(value.text()));
         case JsonValue::Kind::array:
-            return value.count() == 0 ? "an empty array" : words("an array of ", value.count());
+            return value.count() == 0
+                       ? "an empty array"
+                       : words("an array of ",
+                               Counted{static_cast<std::int64_t>(value.count()), "element"});
         case JsonValue::Kind::object:
             return "an object";
     }

@@ -2,6 +2,7 @@
 // that fails reports its own fault, so that one pass over the tree finds all of them.
 #pragma once
 
+#include "base/named.h"
 #include "base/words.h"
 #include "scene/json_tree.h"
 #include "scene/names.h"
@@ -28,6 +29,12 @@ struct NumberRange {
 };
 inline constexpr NumberRange kUnitRange = {0.0, 1.0, false, "a number from 0 to 1"};
 
+// A text in quotes, shortened if it is long.
+std::string quoted(std::string_view text);
+
+// `"a", "b" or "c"`
+std::string listed(const std::vector<std::string_view>& texts);
+
 class Fields;
 
 class Checker {
@@ -42,24 +49,25 @@ public:
     void add(JsonValue at, const Words& found, const Words& expected);
     void addAtKey(JsonValue member, const Words& found, const Words& expected);
     void addSecondKey(JsonValue again, JsonValue first);
-    // Finds the value itself.
+    // Reports the value itself as found.
     void refuse(JsonValue value, const Words& expected);
     // In a row of a grid: `row` and `character` count from 0 in the north and west.
     void addInRow(JsonValue text, int row, int character, const Words& found,
                   const Words& expected);
     void addSyntax(const SyntaxFault& fault);
-    // What may be meant so, but probably is not.
+    // For what loads, but is probably a mistake.
     void warn(JsonValue at, const Words& found, const Words& expected);
 
     // All faults in the order of the text.
     std::vector<Fault> take();
     std::vector<Fault> takeWarnings();
 
-    // What a value is, for a message: `the text "north"`, `the number 1.5`, `an array of 3`.
+    // What a value is, for a message: `the text "north"`, `the number 1.5`, `an array of 3
+    // elements`.
     std::string shown(JsonValue value) const;
 
-    // The members of an object; `known` are the keys that it may have, besides "comment". Nothing
-    // if it is no object.
+    // The members of an object; `known` are its keys besides "comment". Nothing if the value is no
+    // object.
     std::optional<Fields> fields(JsonValue value, std::span<const std::string_view> known,
                                  const char* expected);
     std::optional<Fields> fields(JsonValue value, std::initializer_list<std::string_view> known,
@@ -70,7 +78,7 @@ public:
     std::optional<bool> flag(JsonValue value);
     // A text of 1 to `longest` characters; `expected` says what it is.
     std::optional<std::string> text(JsonValue value, std::size_t longest, const Words& expected);
-    // The number of a name out of `names`; `what` says of what: "texture".
+    // Looks up a name; `what` is its kind in messages: "texture".
     std::optional<std::uint16_t> name(JsonValue value, const NameTable& names, const char* what);
     // "#rrggbb"
     std::optional<Colour> colour(JsonValue value);
@@ -81,8 +89,7 @@ private:
         std::size_t number;  // as they were found
         Fault fault;
     };
-    // Beyond the most faults that are listed, the others are only counted, which this has done
-    // then; nothing that costs time should be done for them.
+    // Beyond kMaxFaults, counts a fault and gives true: its message is not needed.
     bool onlyCounts();
     void addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row,
                int character, const Words& found, const Words& expected);
@@ -115,8 +122,29 @@ public:
     int wholeNumber(const char* key, const NumberRange& range, int fallback) const;
     bool flag(const char* key, bool fallback) const;
     Colour colour(const char* key, Colour fallback) const;
+    // One of the names of a table.
+    template <typename Value, std::size_t count>
+    Value choice(const char* key, const Named<Value> (&table)[count], Value fallback) const {
+        const FoundValue member = find(key);
+        if (!member) return fallback;
+        const std::optional<Value> value =
+            valueOf(table, member->isText() ? member->text() : std::string_view());
+        if (!value) checker_->refuse(*member, listedNames(table));
+        return value.value_or(fallback);
+    }
+    template <typename Value, std::size_t count>
+    void requireChoice(const char* key, const Named<Value> (&table)[count]) const {
+        require(key, listedNames(table).c_str());
+    }
 
 private:
+    template <typename Value, std::size_t count>
+    static std::string listedNames(const Named<Value> (&table)[count]) {
+        std::vector<std::string_view> names;
+        for (const Named<Value>& named : table) names.emplace_back(named.name);
+        return listed(names);
+    }
+
     Checker* checker_;
     JsonValue object_;
     std::vector<std::pair<std::string_view, JsonValue>> misspelt_;
@@ -130,8 +158,5 @@ inline std::optional<Fields> Checker::fields(JsonValue value,
 
 // The last entry of a list that leaves out others.
 Fault moreFaults(const std::string& file, std::size_t count);
-
-// A text in quotes, shortened if it is long.
-std::string quoted(std::string_view text);
 
 }  // namespace slicecast

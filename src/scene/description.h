@@ -1,4 +1,4 @@
-// What is known of a scene when its text has been checked and its images have not been read yet.
+// A scene whose text has been checked and whose images have not been read yet.
 #pragma once
 
 #include "scene/scene.h"

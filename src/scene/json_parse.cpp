@@ -4,8 +4,8 @@
 #include "scene/json_tree.h"
 #include "scene/limits.h"
 
-// RapidJSON 1.1 adds to a null pointer when its stack is first used, in a comparison that comes out
-// right all the same; the sanitizer need not stop there.
+// RapidJSON 1.1 adds to a null pointer in a comparison when its stack is first used. The result is
+// right, so the sanitizer skips it.
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((no_sanitize("pointer-overflow"))), apply_to = function)
 #endif
@@ -25,8 +25,8 @@ constexpr std::size_t kLongestWord = 30;  // in a message
 constexpr const char* kHalfPair = "half of a surrogate pair";
 constexpr const char* kWholePair = "both halves, as in \\ud83e\\uddf1";
 
-// Takes the reader's events. They come without the place of their token's first byte, so it is
-// found from the end of the token before: only white space, a comma or a colon can stand between.
+// Builds the tree from the reader's events. An event lacks the offset of its token, which is found
+// from the end of the token before: only white space, a comma or a colon can stand between.
 class TreeBuilder {
 public:
     using Ch = char;
@@ -40,7 +40,7 @@ public:
         tree_.nodes.back().boolean = value;
         return true;
     }
-    // Numbers come as they are written; those of other kinds only without the flag that is used.
+    // All numbers come as text (kParseNumbersAsStringsFlag); the other callbacks are never called.
     bool RawNumber(const char* characters, rapidjson::SizeType length, bool) {
         const double number = readNumber({characters, length}).value_or(0.0);
         if (!std::isfinite(number)) {
@@ -81,15 +81,14 @@ public:
         return std::min(start, text_.size());
     }
 
-    // What ended the reading, besides the reader's own faults.
+    // Set where a callback has stopped the reader.
     std::optional<SyntaxFault> fault;
 
 private:
     bool add(JsonValue::Kind kind) {
         if (tree_.nodes.size() >= kMaxSceneValues) {
-            fault = {
-                tokenStart(), words("more than ", kMaxSceneValues, " values"),
-                "a scene with at most that many numbers, texts, rows, arrays and objects together"};
+            fault = {tokenStart(), words("more than ", kMaxSceneValues, " values"),
+                     "fewer numbers, texts, rows, arrays and objects"};
             return false;
         }
         JsonNode node;
@@ -120,7 +119,7 @@ private:
         if (open_.size() >= static_cast<std::size_t>(kMaxNesting)) {
             fault = {tokenStart(),
                      words("arrays and objects nested more than ", kMaxNesting, " deep"),
-                     "a scene, which needs 5"};
+                     "less nesting: a scene needs 5"};
             return false;
         }
         if (!add(kind)) return false;
@@ -139,7 +138,7 @@ private:
         return true;
     }
 
-    // The reader refuses the first half of a surrogate pair without the second, but not the second
+    // RapidJSON refuses the first half of a surrogate pair without the second, but not the second
     // without the first.
     bool isWellFormed(std::string_view characters) {
         for (std::size_t at = characters.find('\xed'); at != std::string_view::npos;
@@ -151,7 +150,7 @@ private:
         return true;
     }
 
-    // There is room for all of them: no text is longer than it is written.
+    // Never reallocates: no string is longer than its spelling in the file.
     JsonNode::TextRange keep(const char* characters, std::size_t length) {
         const std::size_t start = tree_.characters.size();
         tree_.characters.insert(tree_.characters.end(), characters, characters + length);
@@ -189,20 +188,20 @@ bool standsAt(std::string_view text, std::size_t offset, std::string_view wanted
     return offset <= text.size() && text.substr(offset, wanted.size()) == wanted;
 }
 
-// Says what is wrong with what stands at `offset`, where `expected` should. Behind a comma, that
-// would be `another` value or key.
+// The fault of whatever stands at `offset` in place of `expected`; after a comma, in place of
+// `another` value or key.
 SyntaxFault explainMissing(std::string_view text, std::size_t offset, std::string expected,
                            const char* another = nullptr) {
     std::string found = shown(text, offset);
     if (standsAt(text, offset, "/")) {
         expected += "; JSON has no comments";
     } else if (standsAt(text, offset, "'") || standsAt(text, offset, "\xe2\x80\x9c")) {
-        expected += "; texts and keys stand in plain double quotes";
+        expected += "; texts and keys need plain double quotes";
     } else if (another && (standsAt(text, offset, "]") || standsAt(text, offset, "}"))) {
         const std::size_t before = text.substr(0, offset).find_last_not_of(" \t\r\n");
         if (before != std::string_view::npos && text[before] == ',') {
             found = words("a comma before ", found);
-            expected = words(another, " behind the comma, or no comma");
+            expected = words(another, " after the comma, or no comma");
         }
     }
     return {offset, found, expected};
@@ -217,7 +216,7 @@ SyntaxFault explainValue(std::string_view text, std::size_t offset) {
     if (standsAt(text, offset, "."))
         return {offset, shown(text, offset), "a number that starts with a digit, as in 0.5"};
     if (standsAt(text, offset, "True") || standsAt(text, offset, "False")) {
-        return {offset, shown(text, offset), "true or false in small letters"};
+        return {offset, shown(text, offset), "true or false in lower case"};
     }
     return explainMissing(text, offset,
                           "a value: a text in double quotes, a number, true, false, [ or {",
@@ -252,7 +251,7 @@ SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::
             const bool isControl =
                 offset < text.size() && static_cast<unsigned char>(text[offset]) < 0x20;
             if (!isControl)
-                return {offset, "a backslash before something else",
+                return {offset, "a backslash without a valid escape",
                         "\\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\u and four hex digits"};
             if (text[offset] == '\t') return {offset, "a tab within a text", "spaces, or \\t"};
             return {token, "a text that is not closed at the end of its line",
@@ -265,7 +264,7 @@ SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::
         case rapidjson::kParseErrorNumberTooBig:
             return {offset, shown(text, offset), "a finite number, at most about 1.8e308"};
         case rapidjson::kParseErrorNumberMissFraction:
-            return {token, shown(text, token), "a number with digits behind its point"};
+            return {token, shown(text, token), "a number with digits after its decimal point"};
         case rapidjson::kParseErrorNumberMissExponent:
             return {token, shown(text, token), "a number with digits in its exponent"};
         default:

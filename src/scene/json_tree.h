@@ -2,7 +2,7 @@
 // place.
 //
 //     ParsedJson json = parseJson(source);
-//     if (json.fault) ...                                 // the text is not JSON: one fault, no tree
+//     if (json.fault) ...                  // the text is not JSON: one fault, no tree
 //     JsonValue root = json.tree.root();
 //     for (JsonValue member : root) member.key() ...
 //
@@ -20,7 +20,7 @@
 
 namespace slicecast {
 
-// One value as it is kept. Values stand in the order of the text, a container before its children.
+// A stored value. Values follow the order of the text, a container before its children.
 struct JsonNode {
     enum class Kind : std::uint8_t { null, boolean, number, text, array, object };
     struct TextRange {

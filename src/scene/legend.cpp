@@ -92,17 +92,16 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         const bool isReserved = key == "." || key == " ";
         if (isReserved) {
             checker.addAtKey(member, {"the key ", quoted(key)},
-                             "another character; '.' and the space have a meaning of their own");
+                             "another character: '.' and the space already have a meaning");
         } else if (isSingle && !isPrintable(character)) {
             checker.addAtKey(member, {"a key that is ", shownCharacter(character)},
-                             "a single character that can be seen");
+                             "a single visible character");
         } else if (!isSingle) {
-            checker.addAtKey(member, {"the key ", quoted(key)},
-                             "a single character that can be seen");
+            checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character");
         }
         const std::uint16_t id = checker.name(member, names, what).value_or(0);
-        // A character of a faulty key, or with a faulty meaning, is known all the same: its uses in
-        // the grids are no faults of their own.
+        // Characters of faulty entries count as known, so that their uses in grids are not reported
+        // too.
         std::size_t offset = 0;
         for (std::size_t taken = 0; offset < key.size() && taken < kMaxNameLength && !isReserved;
              ++taken) {
@@ -125,8 +124,7 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
             if (x < width) ids[static_cast<std::size_t>(x)] = *id;
         } else if (reported.size() < kMostReportedPerRow &&
                    std::find(reported.begin(), reported.end(), character) == reported.end()) {
-            // Once per row: a character that was forgotten in the legend would fill the list
-            // otherwise.
+            // Once per row, or a character that the legend lacks would fill the list.
             reported.push_back(character);
             checker.addInRow(value, row, x, shownCharacter(character),
                              {"a character of the legend: ", legend.characters()});

@@ -22,7 +22,7 @@ public:
     void set(char32_t character, std::uint16_t id);
     std::optional<std::uint16_t> find(char32_t character) const;
 
-    // Where the legend could not be read, no character is unknown: the others have number 0.
+    // After a faulty legend, unknown characters count as known, with number 0.
     void takeAny() { takesAny_ = true; }
 
     // What has been set, in that order.
@@ -50,8 +50,8 @@ struct GridSize {
     int depth = 0;
 };
 
-// What the characters of one row stand for, put into `ids`. Characters that the legend lacks are
-// reported and leave their place alone, as is a row that is not `width` characters long.
+// Writes the number of each character of a row to `ids`. Reports characters that the legend lacks,
+// whose entries stay as they are, and rows that are not `width` characters long.
 void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
              std::vector<std::uint16_t>& ids);
 

@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxTitleLength = 200;  // characters
 inline constexpr std::size_t kMaxLegend = 4096;      // characters of one legend
 inline constexpr int kMaxSowings =
     64;  // kinds of objects sown over one map: each looks at all of its tiles
-inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more help nobody
+inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more do not help
 inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
 inline constexpr std::int64_t kMaxSceneTexels =
     64 << 20;  // of all images together, a panorama counted for each map that shows it: 600 MB with

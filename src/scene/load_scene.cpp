@@ -31,9 +31,9 @@ public:
         if (!fits || !isPowerOfTwo || image.height < kMinTextureSize) {
             constexpr const char* sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
             add(reference, {"which is ", image.width, "x", image.height, " pixels"},
-                texture.frames == 1 ? words("a square texture with ", sizes)
+                texture.frames == 1 ? words("a square texture of ", sizes)
                                     : words("a sheet of ", texture.frames,
-                                            " square frames side by side, with ", sizes));
+                                            " square frames side by side, each of ", sizes));
             return {};
         }
         return take(reference, image)
@@ -47,7 +47,7 @@ public:
         if (image.empty()) return {};
         if (image.width % sprite.frames != 0) {
             add(reference, {"which is ", image.width, "x", image.height, " pixels"},
-                {"a sheet of ", sprite.frames, " frames of one width side by side"});
+                {"a sheet of ", sprite.frames, " frames of equal width side by side"});
             return {};
         }
         return take(reference, image)
@@ -98,7 +98,7 @@ private:
     Image decode(const ImageReference& reference, int maxWidth, int maxHeight) {
         const auto file = files_.find(reference.file);
         if (file == files_.end()) {
-            add(reference, kUnreadImage, "a PNG file of that name, seen from the scene's folder");
+            add(reference, kUnreadImage, "a PNG file of that name, relative to the scene's folder");
             return {};
         }
         Image early = early_.take(reference.file);
@@ -118,11 +118,11 @@ private:
         return image;
     }
 
-    // Counts the image's memory; false if all images together have too much of it.
+    // Counts the image's memory. False if all images together take too much.
     bool take(const ImageReference& reference, const Image& image) {
         texels_ += static_cast<std::int64_t>(image.pixels.size());
         if (texels_ <= kMaxSceneTexels) return true;
-        add(reference, {"with which the scene has ", texels_, " pixels of images"},
+        add(reference, {"which brings the scene's images to ", texels_, " pixels"},
             {"at most ", kMaxSceneTexels});
         texels_ -= static_cast<std::int64_t>(image.pixels.size());
         return false;
@@ -137,7 +137,7 @@ private:
         add(reference,
             {"which has a see-through pixel at column ", index % image.width, ", row ",
              index / image.width},
-            "an opaque picture: nothing lies behind the sky");
+            "an opaque picture, because nothing lies behind the sky");
         return false;
     }
 
@@ -149,7 +149,7 @@ private:
     std::int64_t texels_ = 0;
 };
 
-// Objects without a width of their own are as wide as their sprite's shape makes them.
+// An object without a width gets one from its height and its sprite's shape.
 void widenObjects(const World& world, Map& map) {
     for (Object& object : map.objects) {
         if (object.width > Coordinate{0}) continue;
@@ -163,7 +163,7 @@ void widenObjects(const World& world, Map& map) {
 
 std::span<Pixel> EarlyImages::decode(const std::string& name, std::span<const std::uint8_t> bytes,
                                      bool blank) {
-    // What is wrong with others is found when it is known what they are for.
+    // Faults are reported later, when it is known what the image is for.
     if (texels_ + pixelsOfPng(bytes) > kMaxSceneTexels) return {};
     Image image = decodePng(bytes, kMaxPanoramaWidth, kMaxPanoramaHeight, blank).image;
     texels_ += static_cast<std::int64_t>(image.pixels.size());

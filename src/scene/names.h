@@ -1,5 +1,5 @@
-// Names that a scene gives to its textures, blueprints and maps, and the nearest one to a name that
-// nobody has given.
+// The names of a scene's textures, blueprints and maps; suggests the nearest one for an unknown
+// name.
 #pragma once
 
 #include "base/name_index.h"
@@ -18,12 +18,12 @@ std::string suggestion(std::string_view wanted, const std::vector<std::string_vi
 
 class NameTable {
 public:
-    // A name that is there already keeps its number.
+    // A known name keeps its number.
     void add(std::string_view name, std::uint16_t id);
     std::optional<std::uint16_t> find(std::string_view name) const;
     std::string suggestionFor(std::string_view wanted) const { return suggestion(wanted, order_); }
 
-    // Where the names could not be read, none is unknown: every one is number 0.
+    // After names that could not be read, every unknown name counts as number 0.
     void takeAny() { takesAny_ = true; }
 
 private:

@@ -11,7 +11,7 @@ constexpr NumberRange kPortalLimit = {0.0, kMaxPortalLimit, false,
                                       "a whole number of portals, from 0 to 32"};
 static_assert(kMaxPortalLimit == 32, "as the words say");
 
-// The whole tree: every part is read, whatever was wrong with the ones before.
+// Reads every part of the tree, even after faults in earlier ones.
 void readScene(Reading& reading, JsonValue root) {
     Checker& checker = reading.checker;
     const auto fields =

@@ -1,5 +1,5 @@
-// What moves and opens gets its own blueprints once all maps are complete, and is checked to have
-// room.
+// Gives moving blocks and gates their own blueprints once all maps are complete, and checks that
+// they have room.
 #include "scene/readers.h"
 #include "world/gate.h"
 #include "world/mover.h"
@@ -17,7 +17,7 @@ JsonValue elementOf(JsonValue array, int index) {
     return *element;
 }
 
-// At the cell, whose row stands in the text.
+// At the cell's character in its row.
 void addFault(Reading& reading, JsonValue maps, const PlacingFault& fault) {
     const auto levels = elementOf(maps, fault.map).find("levels");
     if (!levels) return;
@@ -27,7 +27,7 @@ void addFault(Reading& reading, JsonValue maps, const PlacingFault& fault) {
                              fault.expected);
 }
 
-// The frames of sheets that gates show become textures.
+// Each frame of a sheet that a gate shows becomes a texture.
 void checkGateFrames(Reading& reading, JsonValue maps) {
     const World& world = reading.description.world;
     std::vector<bool> isSheet(world.textures.size());
@@ -46,7 +46,7 @@ void checkGateFrames(Reading& reading, JsonValue maps) {
     if (textures <= static_cast<std::size_t>(kMaxTextures)) return;
     reading.checker.add(
         maps,
-        {Counted{static_cast<std::int64_t>(textures), "texture"}, ", with the frames of the gates"},
+        {Counted{static_cast<std::int64_t>(textures), "texture"}, ", counting the frames of gates"},
         {"at most ", kMaxTextures});
 }
 
@@ -62,7 +62,7 @@ void placeMovers(Reading& reading, JsonValue maps) {
     const std::vector<PlacingFault> more = makeGates(world);
     faults.insert(faults.end(), more.begin(), more.end());
     for (const PlacingFault& fault : faults) addFault(reading, maps, fault);
-    // What stands around the start is not known then.
+    // The blocks around the start are unknown then.
     if (!faults.empty()) reading.areBlueprintsSound = false;
     if (faults.empty()) checkGateFrames(reading, maps);
 }

@@ -1,5 +1,5 @@
-// What can only be done with objects when all maps, portals and the start are known: sowing, and
-// finding out whether what moves has room.
+// Sows objects and checks that moving ones have room, once all maps, portals and the start are
+// known.
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/collision.h"
@@ -11,7 +11,7 @@ bool isSound(const Reading& reading, std::size_t map) {
     return reading.areBlueprintsSound && map < reading.isMapSound.size() && reading.isMapSound[map];
 }
 
-// The width that follows from the picture is not known yet: it has room for the widest body.
+// A width that depends on the picture is not known yet, so the widest body must fit.
 void checkRoom(Reading& reading, const PlacedMotion& placed) {
     const World& world = reading.description.world;
     const ObjectMotion& motion = world.movingObjects.motions[placed.motion];
@@ -22,9 +22,9 @@ void checkRoom(Reading& reading, const PlacedMotion& placed) {
     object.x = begins.x;
     object.y = begins.y;
     if (isFree(world, motion.map, objectBody(object))) return;
-    reading.checker.add(
-        placed.value, "an object that moves, and begins inside something solid or off the map",
-        "free room for its body, which is as high as the object and at most 0.4 wide");
+    reading.checker.add(placed.value,
+                        "a moving object that starts inside something solid or outside the map",
+                        "free room for its body: as high as the object and at most 0.4 wide");
 }
 
 }  // namespace
@@ -45,8 +45,8 @@ void placeObjects(Reading& reading) {
             const Sown sown = sowObjects(world, static_cast<int>(map), order.sowing, *taken);
             if (sown == Sown::all) continue;
             const int most = sown == Sown::tooMany ? kMaxObjects : kMaxMovingObjects;
-            const char* what = sown == Sown::tooMany ? " objects" : " objects that move";
-            reading.checker.add(order.value, {"more than ", most, what, ", with those before"},
+            const char* what = sown == Sown::tooMany ? " objects" : " moving objects";
+            reading.checker.add(order.value, {"more than ", most, what, ", counting those before"},
                                 {"at most ", most, " in a scene"});
             return;
         }

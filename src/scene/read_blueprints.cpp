@@ -9,8 +9,7 @@ namespace {
 
 constexpr NumberRange kSight = {0.0, 1000.0, true, "a number above 0 and at most 1000, in units"};
 
-// A key of "faces" and the faces that it means, from the widest to the narrowest: a narrower key
-// overrides a wider one.
+// The faces that each key of "faces" covers. Wider keys come first: a narrower one overrides them.
 struct FaceKey {
     const char* key;
     std::array<bool, kFaces> faces;  // north, east, south, west, top, bottom
@@ -26,9 +25,9 @@ constexpr FaceKey kFaceKeys[] = {
     {"bottom", {false, false, false, false, false, true}},
 };
 
-// "brick" or { "texture": "brick", "light": 0.8 } or { "texture": "lava", "glow": true }; what is
-// or has a roof may have a "mirror". A faulty face counts as given, so that it is not reported as
-// missing too.
+// "brick" or { "texture": "brick", "light": 0.8 } or { "texture": "lava", "glow": true }; only a
+// roof may have a "mirror". A faulty face counts as given, so that it is not also reported as
+// missing.
 FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     FaceBlueprint face;
     if (value.isText()) {
@@ -47,14 +46,13 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     face.glow = fields->flag("glow", false);
     face.mirror = readMirror(*fields);
     if (const auto mirror = fields->find("mirror"); mirror && !isRoof) {
-        reading.checker.addAtKey(
-            *mirror, "a mirror that is no roof",
-            "\"mirror\" at \"top\" or \"all\": only what is seen from above reflects");
+        reading.checker.addAtKey(*mirror, "a mirror on a side or an underside",
+                                 "\"mirror\" on \"top\" or \"all\": only roofs reflect");
     }
     return face;
 }
 
-// Of water, faces may be left out: they are not there.
+// Water may leave out faces; they do not exist then.
 void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     if (value.isText()) {
         blueprint.faces.fill(readFace(reading, value, true));
@@ -83,27 +81,27 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     }
     if (!missing.empty() && !blueprint.isWater) {
         reading.checker.add(value, {"no texture for ", missing},
-                            "a texture for each of the six faces, by \"all\" for instance");
+                            "a texture for each of the six faces, for example with \"all\"");
     }
 }
 
-// What is wrong with a sound gate in its block.
+// Checks that a gate fits its blueprint.
 void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint) {
     if (blueprint.motion >= 0)
-        reading.checker.add(value, "a gate that has a motion too", "either \"gate\" or \"motion\"");
+        reading.checker.add(value, "a gate that has a motion", "\"gate\" or \"motion\", not both");
     if (blueprint.isWater)
-        reading.checker.add(value, "a gate of water", "either \"gate\" or \"water\"");
+        reading.checker.add(value, "a gate that is water", "\"gate\" or \"water\", not both");
     const bool isSeen =
         std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
-            // Where the textures could not be read, this one may be right.
+            // With faulty textures, this one may be right.
             if (face.texture >= reading.description.textures.size()) return true;
             const TextureReference& texture = reading.description.textures[face.texture];
             return texture.frames > 1 && texture.rate == 0.0;
         });
     if (!isSeen) {
-        reading.checker.add(
-            value, "a gate that looks the same open and shut",
-            "a face with a texture of \"frames\" and no \"rate\", the first shut, the last open");
+        reading.checker.add(value, "a gate that looks the same open and shut",
+                            "a face whose texture has \"frames\" and no \"rate\": the first frame "
+                            "is shut, the last open");
     }
 }
 
@@ -130,8 +128,8 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     blueprint.top = toCoordinate(fields->number("top", kUnitRange, 1.0));
     if (reading.checker.count() == faultsBefore && blueprint.bottom >= blueprint.top) {
         const auto given = fields->find("top") ? fields->find("top") : fields->find("bottom");
-        reading.checker.add(*given, "a top that is not above the bottom",
-                            "bottom < top, by at least 1/65536");
+        reading.checker.add(*given, "a \"top\" that is not above \"bottom\"",
+                            "\"top\" above \"bottom\", by at least 1/65536");
     }
     blueprint.join = fields->flag("join", true);
     if (const auto water = fields->find("water")) readWater(reading, *water, blueprint);

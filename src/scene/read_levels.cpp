@@ -7,8 +7,8 @@
 namespace slicecast {
 namespace {
 
-// Counts how often each size occurs; the most frequent one is what was meant, the first one of
-// equals. All that are too large count as the first of them.
+// Counts how often each size occurs. The most frequent one wins; of equals, the first. All sizes
+// beyond the limit count as one.
 class Votes {
 public:
     explicit Votes(int most) : votes_(static_cast<std::size_t>(most) + 2) {}
@@ -37,8 +37,8 @@ private:
     int sizes_ = 0;
 };
 
-// Checks that all is arrays of arrays of texts, and finds the size that most rows and levels have.
-// Nothing if there is no row at all.
+// Checks that levels are arrays of arrays of texts, and finds the size that most of them have.
+// Nothing if there is no row.
 std::optional<GridSize> measure(Checker& checker, JsonValue value) {
     Votes widths(kMaxMapWidth);
     Votes depths(kMaxMapDepth);
@@ -94,14 +94,14 @@ void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& ma
     const std::optional<GridSize> size = measure(checker, value);
     if (!size) return;
 
-    // Memory is taken only for a map within the limits.
+    // Allocates only for a map within the limits.
     const int levels = static_cast<int>(value.count());
     const std::int64_t cells = std::int64_t{size->width} * size->depth * levels;
     reading.cells += cells;
     if (reading.cells > kMaxSceneCells) {
         checker.add(
             value,
-            {"a map of ", Counted{cells, "cell"}, ", ", reading.cells, " with the maps before"},
+            {"a map of ", Counted{cells, "cell"}, ", ", reading.cells, " with the maps before it"},
             {"at most ", kMaxSceneCells, " in all maps together"});
         reading.cells -= cells;
         return;

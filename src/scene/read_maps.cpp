@@ -31,7 +31,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
 
-    // The grid comes first: it gives the size to the rest.
+    // The grid comes first: the rest needs its size.
     Legend legend = legendOfAll;
     if (const auto own = fields->find("legend"))
         readLegend(checker, *own, reading.blueprints, "blueprint", legend);

@@ -23,23 +23,11 @@ static_assert(kGreatestOffset == 32.0 && kShortestPeriod == 0.1 && kLongestPerio
                   kFastestMotion == 4.0,
               "as the words say");
 
-// One of a few words.
-template <typename Choice, std::size_t count>
-Choice readChoice(Checker& checker, JsonValue value,
-                  const std::pair<std::string_view, Choice> (&choices)[count], const char* words) {
-    for (const auto& [word, choice] : choices) {
-        if (value.isText() && value.text() == word) return choice;
-    }
-    checker.refuse(value, words);
-    return choices[0].second;
-}
-
-constexpr std::pair<std::string_view, MovingEdges> kEdges[] = {
-    {"both", MovingEdges::both}, {"top", MovingEdges::top}, {"bottom", MovingEdges::bottom}};
-constexpr std::pair<std::string_view, MotionShape> kShapes[] = {
-    {"smooth", MotionShape::smooth},
-    {"even", MotionShape::even},
-    {"stop-and-go", MotionShape::stopAndGo}};
+constexpr Named<MovingEdges> kEdges[] = {
+    {MovingEdges::top, "top"}, {MovingEdges::bottom, "bottom"}, {MovingEdges::both, "both"}};
+constexpr Named<MotionShape> kShapes[] = {{MotionShape::smooth, "smooth"},
+                                          {MotionShape::even, "even"},
+                                          {MotionShape::stopAndGo, "stop-and-go"}};
 
 int stepsOf(double seconds) {
     return static_cast<int>(std::floor(seconds * kStepsPerSecond + 0.5));
@@ -53,18 +41,15 @@ Motion readMotion(Checker& checker, JsonValue value) {
                                        "a motion: an object with \"moves\", \"to\" and \"period\"");
     if (!fields) return motion;
     const std::size_t faultsBefore = checker.count();
-    constexpr const char* kEdgesWords = "\"top\", \"bottom\" or \"both\"";
-    if (const auto moves = fields->require("moves", kEdgesWords))
-        motion.edges = readChoice(checker, *moves, kEdges, kEdgesWords);
+    fields->requireChoice("moves", kEdges);
     fields->require("to", kOffset.words);
     fields->require("period", kPeriod.words);
     const double from = fields->number("from", kOffset, 0.0);
     const double to = fields->number("to", kOffset, 1.0);
     const double period = fields->number("period", kPeriod, 1.0);
     const double phase = fields->number("phase", kUnitRange, 0.0);
-    if (const auto shape = fields->find("shape"))
-        motion.shape =
-            readChoice(checker, *shape, kShapes, "\"smooth\", \"even\" or \"stop-and-go\"");
+    motion.edges = fields->choice("moves", kEdges, MovingEdges::both);
+    motion.shape = fields->choice("shape", kShapes, MotionShape::smooth);
     motion.from = toCoordinate(from);
     motion.to = toCoordinate(to);
     motion.periodSteps = stepsOf(period);
@@ -72,9 +57,8 @@ Motion readMotion(Checker& checker, JsonValue value) {
         static_cast<int>(std::floor(phase * motion.periodSteps + 0.5)) % motion.periodSteps;
     const double fastest = fastestSpeed(motion.shape, to - from, period);
     if (checker.count() == faultsBefore && fastest > kFastestMotion) {
-        checker.add(value,
-                    {"a motion that is as fast as ", roundedText(fastest, 4), " units per second"},
-                    "at most 4 units per second, by a longer period for instance");
+        checker.add(value, {"a motion that reaches ", roundedText(fastest, 4), " units per second"},
+                    "at most 4 units per second; a longer period makes it slower");
     }
     return motion;
 }

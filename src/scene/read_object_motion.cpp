@@ -14,15 +14,9 @@ constexpr NumberRange kReach = {0.0, kMaxObjectReach, true,
 static_assert(kMaxObjectSpeed == 16.0 && kMaxStartHeading == 360.0 && kMaxObjectReach == 1000.0,
               "as the words say");
 
-constexpr const char* kKinds = "\"wander\", \"pace\" or \"circle\"";
-
-std::optional<ObjectMotion::Kind> readKind(Checker& checker, JsonValue value) {
-    if (value.isText() && value.text() == "wander") return ObjectMotion::Kind::wander;
-    if (value.isText() && value.text() == "pace") return ObjectMotion::Kind::pace;
-    if (value.isText() && value.text() == "circle") return ObjectMotion::Kind::circle;
-    checker.refuse(value, kKinds);
-    return std::nullopt;
-}
+using Kind = ObjectMotion::Kind;
+constexpr Named<Kind> kKinds[] = {
+    {Kind::wander, "wander"}, {Kind::pace, "pace"}, {Kind::circle, "circle"}};
 
 }  // namespace
 
@@ -32,14 +26,14 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value) {
     const auto fields = checker.fields(value, {"kind", "speed", "heading", "reach"},
                                        "a motion: an object with \"kind\" and \"speed\"");
     if (!fields) return read;
-    if (const auto kind = fields->require("kind", kKinds))
-        read.motion.kind = readKind(checker, *kind).value_or(ObjectMotion::Kind::wander);
+    fields->requireChoice("kind", kKinds);
+    read.motion.kind = fields->choice("kind", kKinds, Kind::wander);
     fields->require("speed", kSpeed.words);
     read.motion.speed = fields->number("speed", kSpeed, 1.0);
     read.motion.headingDegrees = fields->number("heading", kHeading, 0.0);
     read.hasHeading = static_cast<bool>(fields->find("heading"));
-    // Only a wanderer may do without.
-    if (read.motion.kind != ObjectMotion::Kind::wander) fields->require("reach", kReach.words);
+    // Only "wander" works without "reach".
+    if (read.motion.kind != Kind::wander) fields->require("reach", kReach.words);
     read.motion.reach = toCoordinate(fields->number("reach", kReach, 0.0));
     return read;
 }

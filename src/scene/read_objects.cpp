@@ -13,12 +13,12 @@ static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000
                   kMaxObjectSize == 64.0,
               "as the words say");
 
-// The next object of the map that is being read moves. Where it stands among all that move gives it
-// random numbers of its own.
+// Adds the motion of the next object of the map being read. Its number among all moving objects
+// seeds its random numbers.
 void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int object) {
     std::vector<ObjectMotion>& motions = reading.description.world.movingObjects.motions;
     if (motions.size() == static_cast<std::size_t>(kMaxMovingObjects)) {
-        reading.checker.add(value, "one object that moves too many",
+        reading.checker.add(value, words("more than ", kMaxMovingObjects, " moving objects"),
                             {"at most ", kMaxMovingObjects, " in a scene"});
         return;
     }
@@ -55,7 +55,7 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     if (const auto motion = fields->find("motion")) moves = readObjectMotion(reading, *motion);
     if (checker.count() == faultsBefore && hasSize &&
         !map.contains(object.x.tile(), object.y.tile())) {
-        checker.add(value, "an object that is not on the map",
+        checker.add(value, "an object outside the map",
                     {"x below ", map.width, " and y below ", map.depth});
     }
     if (checker.count() != faultsBefore) return std::nullopt;
@@ -103,7 +103,7 @@ void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     if (before + value.count() > static_cast<std::size_t>(kMaxObjects)) {
         checker.add(value,
                     {static_cast<std::int64_t>(before + value.count()),
-                     " objects, with those of maps before"},
+                     " objects, counting those of earlier maps"},
                     {"at most ", kMaxObjects, " in a scene"});
         return;
     }

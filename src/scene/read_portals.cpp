@@ -1,9 +1,15 @@
 // Portals: faces of blocks and tiles that lead elsewhere.
 //
-//      map a                  map b         A face's way back, for "twoWay": the block N behind the exit tile E, as seen by who has just come out, gets a
-//      portal . . . .                . . . . .     on the side towards E. It leads to the tile B before the first portal, so that who turns around there and .
-//      B|A . . - to E - >   . N|E . .     walks back comes out where they went in. For a top or bottom, N is the block that touches the same plane from the . .
-//      . .                . . . . .     other side. A tile's way back is a portal of the exit tile.
+//     map a               map b
+//     . . . . .           . . . . .
+//     . B|A . .    ->     . N|E . .
+//     . . . . .           . . . . .
+//
+// The portal is the face of block A towards tile B; its exit is tile E. With "twoWay", block N
+// behind the exit gets a portal on its face towards E, which leads back to tile B: a player who
+// turns around and walks back comes out where they went in. For a top or bottom, N is the block
+// that touches the same plane from the other side. The way back of a tile is a portal of the exit
+// tile.
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/player.h"
@@ -22,7 +28,7 @@ constexpr NumberRange kTurn = {0.0, 270.0, false,
                                "0, 90, 180 or 270 degrees, clockwise as seen from above"};
 static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxLevels == 32, "as the words say");
 
-// A portal as it is written.
+// A portal as the scene file states it.
 struct PortalOrder {
     JsonValue value;
     JsonValue exit;  // "to"
@@ -112,10 +118,8 @@ private:
         if (!name) return Face::north;
         const auto found = std::find(names.begin(), names.end(), *name);
         if (found != names.end()) return static_cast<Face>(found - names.begin());
-        checker_.add(
-            value, {"the name ", quoted(*name)},
-            {"one of the faces \"north\", \"east\", \"south\", \"west\", \"top\" or \"bottom\"",
-             suggestion(*name, names)});
+        checker_.add(value, {"the name ", quoted(*name)},
+                     {"one of the faces ", listed(names), suggestion(*name, names)});
         return Face::north;
     }
 
@@ -142,7 +146,7 @@ private:
         order.portal.levels = order.toLevel - order.level;
     }
 
-    // With faults in the maps on either side, the portal may be right.
+    // With faults in the maps on either side, the portal may be right: it is not checked.
     bool isSound(int map) const {
         const auto index = static_cast<std::size_t>(map);
         return reading_.areBlueprintsSound && index < reading_.isMapSound.size() &&
@@ -154,14 +158,14 @@ private:
     bool isOnMap(JsonValue at, int mapIndex, GridTile tile, int level, const char* what) {
         const Map& map = mapAt(mapIndex);
         if (!map.contains(tile.x, tile.y)) {
-            checker_.add(at, {what, " that is not on the map ", quoted(map.name)},
+            checker_.add(at, {what, " outside the map ", quoted(map.name)},
                          {"x below ", map.width, " and y below ", map.depth});
             return false;
         }
         if (level > map.levels) {
             checker_.add(at, {what, " on level ", level},
-                         {"a level of the map ", quoted(map.name), ", at most ", map.levels,
-                          ", above all its blocks"});
+                         {"a level from 0 to ", map.levels,
+                          ", the one above all blocks of the map ", quoted(map.name)});
             return false;
         }
         return true;
@@ -186,7 +190,7 @@ private:
         const Portal& portal = order.portal;
         if (portal.turn == 0 && portal.levels == 0 && portal.fromMap == portal.toMap &&
             portal.fromX == portal.toX && portal.fromY == portal.toY) {
-            checker_.add(order.value, "a portal that leads to where it is",
+            checker_.add(order.value, "a portal that leads to itself",
                          "another tile, a turn or another level");
             return;
         }
@@ -242,15 +246,14 @@ private:
                 order.value,
                 {"no block for the way back at ", cellText({back.fromX, back.fromY}, backLevel)},
                 {"a block whose ", kFaceNames[static_cast<std::size_t>(backFace)],
-                 " face is behind the exit, or no \"twoWay\""});
+                 " face lies behind the exit, or no \"twoWay\""});
             return;
         }
         const CellBlueprint& other = world_.blueprints[backId];
         const int exitLevel = backLevel + back.levels;
         if (!mapAt(back.toMap).contains(back.toX, back.toY)) {
-            checker_.add(order.value,
-                         "a portal at the edge of the map, to which nothing can come back",
-                         "a tile before the portal, or no \"twoWay\"");
+            checker_.add(order.value, "a two-way portal that faces the edge of the map",
+                         "a tile in front of the portal, or no \"twoWay\"");
             return;
         }
         if (!hasRoom(order.value, back.toMap, {back.toX, back.toY},
@@ -264,7 +267,7 @@ private:
         return tileEdge(level) + (face == Face::top ? block.top : block.bottom);
     }
 
-    // The heights at which one comes out of a face of such a block.
+    // The heights that the opening of a block's face covers.
     static Stretch beyond(Face face, int level, const Stretch& block) {
         const Stretch box = {tileEdge(level) + block.low, tileEdge(level) + block.high};
         if (face == Face::top) return {box.high - Coordinate{1}, box.high};
@@ -272,7 +275,8 @@ private:
         return box;
     }
 
-    // Exits are not inside blocks. Where the player does not fit, one may still look through.
+    // An exit must not be inside a block. Where the player does not fit, it can still be looked
+    // through.
     bool hasRoom(JsonValue at, int mapIndex, GridTile tile, const Stretch& opening,
                  const char* what) {
         const Map& map = mapAt(mapIndex);
@@ -298,7 +302,7 @@ private:
             checker_.add(at,
                          {what, " inside the block ", quoted(inTheWay), " at ",
                           cellText(tile, levelInTheWay)},
-                         "an exit into the open");
+                         "an exit outside solid blocks");
             return false;
         }
         const auto isHighEnough = [&](const Stretch& room) {
@@ -306,15 +310,14 @@ private:
         };
         if (std::none_of(free.begin(), free.end(), isHighEnough)) {
             checker_.warn(at, {what, " where the player does not fit"},
-                          "room of at least 0.35 above one another, to be entered");
+                          "at least 0.35 units of free height, so that the player can enter");
         }
         return true;
     }
 
     std::optional<PortalId> add(JsonValue at, const Portal& portal) {
         if (world_.portals.size() >= static_cast<std::size_t>(kMaxPortals)) {
-            checker_.add(at, {"more than ", kMaxPortals, " portals"},
-                         "at most as many in all maps together");
+            checker_.add(at, {"more than ", kMaxPortals, " portals"}, "fewer in all maps together");
             return std::nullopt;
         }
         world_.portals.push_back(portal);
@@ -329,7 +332,7 @@ private:
             checker_.add(at,
                          {"a second portal at x ", portal.fromX, ", y ", portal.fromY,
                           " of the map ", quoted(map.name)},
-                         "one portal for each tile, ways back of others among them");
+                         "one portal per tile, counting the ways back of others");
             return false;
         }
         const auto id = add(at, portal);
@@ -343,7 +346,7 @@ private:
         BlueprintId id = map.cell(tile.x, tile.y, level);
         if (!isStill(world_.blueprints[id])) {
             checker_.add(at,
-                         {"a portal at the block ", quoted(world_.blueprints[id].name),
+                         {"a portal on the block ", quoted(world_.blueprints[id].name),
                           ", which moves or opens"},
                          "a block that stands still");
             return false;
@@ -351,7 +354,7 @@ private:
         if (world_.blueprints[id].isWater) {
             checker_.add(
                 at,
-                {"a portal at the block ", quoted(world_.blueprints[id].name), ", which is water"},
+                {"a portal on the block ", quoted(world_.blueprints[id].name), ", which is water"},
                 "a solid block, or a portal of the whole tile, without \"face\"");
             return false;
         }
@@ -359,8 +362,8 @@ private:
             if (world_.blueprints.size() >= static_cast<std::size_t>(kMaxBlueprints)) {
                 checker_.add(at,
                              {"more than ", kMaxBlueprints,
-                              " blueprints, with those of the blocks that have portals"},
-                             "fewer of them");
+                              " blueprints: each block with portals needs its own"},
+                             "fewer blocks with portals");
                 return false;
             }
             CellBlueprint own = instanceOf(world_, id);
@@ -374,7 +377,7 @@ private:
             checker_.add(at,
                          {"a second portal on the ", kFaceNames[static_cast<std::size_t>(face)],
                           " face at ", cellText(tile, level), " of the map ", quoted(map.name)},
-                         "one portal for each face, ways back of others among them");
+                         "one portal per face, counting the ways back of others");
             return false;
         }
         const auto added = add(at, portal);

@@ -18,7 +18,7 @@ static_assert(kMaxHeight == 1000.0 && kMaxObjectSize == 64.0 && kMaxMapWidth == 
 
 constexpr Coordinate kDefaultClear = toCoordinate(1.0);
 
-// A number, or the least and the greatest one.
+// A number, or an array of the least and the greatest number.
 std::optional<CoordinateRange> readRange(Checker& checker, JsonValue value,
                                          const NumberRange& range) {
     if (!value.isArray()) {
@@ -33,10 +33,10 @@ std::optional<CoordinateRange> readRange(Checker& checker, JsonValue value,
         numbers.push_back(*number);
     }
     if (numbers.size() != 2 || numbers[0] > numbers[1]) {
-        checker.add(
-            value,
-            numbers.size() == 2 ? "a range that ends below its beginning" : checker.shown(value),
-            "a number, or an array of the least and the greatest");
+        checker.add(value,
+                    numbers.size() == 2 ? "a range from a greater to a smaller number"
+                                        : checker.shown(value),
+                    "a number, or an array of the least and the greatest number");
         return std::nullopt;
     }
     return CoordinateRange{toCoordinate(numbers[0]), toCoordinate(numbers[1])};
@@ -82,7 +82,7 @@ void readSown(Reading& reading, JsonValue value) {
         checker.fields(value,
                        {"sprite", "density", "seed", "height", "width", "above", "on", "textures",
                         "clear", "light", "glow", "float", "motion"},
-                       "what is sown: an object with \"sprite\", \"density\" and \"height\"");
+                       "something to sow: an object with \"sprite\", \"density\" and \"height\"");
     if (!fields) return;
     Sowing sowing;
     if (const auto sprite = fields->require("sprite", "the name of a sprite")) {
@@ -118,11 +118,11 @@ void readSown(Reading& reading, JsonValue value) {
 void readSowing(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of what is sown");
+        checker.refuse(value, "an array of objects that each say what to sow");
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxSowings)) {
-        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "kind"},
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "element"},
                     {"at most ", kMaxSowings});
         return;
     }

@@ -19,7 +19,7 @@ static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000
                   kMaxStartHeading == 360.0 && kLookLimit == 1.5,
               "as the words say");
 
-// What the body reaches into, over or through.
+// Names what the body overlaps.
 std::string obstacle(const World& world, const Map& map, const Box& body) {
     for (int y = body.north.tile(); y <= body.south.tile(); ++y) {
         for (int x = body.west.tile(); x <= body.east.tile(); ++x) {
@@ -41,12 +41,12 @@ std::string obstacle(const World& world, const Map& map, const Box& body) {
     return "through the ceiling";
 }
 
-// The player is never in a block, nor off the map.
+// The player must not start in a block or outside the map.
 void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     const World& world = reading.description.world;
     const Map& map = world.maps[static_cast<std::size_t>(start.map)];
     if (!map.contains(start.x.tile(), start.y.tile())) {
-        reading.checker.add(value, "a start that is not on the map",
+        reading.checker.add(value, "a start outside the map",
                             {"x below ", map.width, " and y below ", map.depth});
         return;
     }
@@ -57,21 +57,21 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
                             .box = body,
                             .eye = {start.x, start.y, start.z + kCrouchedEye},
                             .behind = {}})) {
-            reading.checker.add(value, "a start that reaches through a portal into something",
+            reading.checker.add(value, "a start that reaches through a portal into something solid",
                                 "free room for the player on both sides of a portal");
             return;
         }
         if (hasWayOut(world, start.map, start.x, start.y, start.z)) return;
-        reading.checker.warn(
-            value, "a start from where no other tile can be walked to",
-            "a way out: over no more than 0.79, the height of a jump, and at least 0.35 high");
+        reading.checker.warn(value, "a start from which the player can walk to no other tile",
+                             "a way out with at least 0.35 of free height and no step above 0.79, "
+                             "the height of a jump");
         return;
     }
     reading.checker.add(value, {"a start that reaches ", obstacle(world, map, body)},
-                        "free room for the player, who is 0.4 wide and, crouched, 0.35 high");
+                        "free room for the player: 0.4 wide and, when crouched, 0.35 high");
 }
 
-// Every map can be gone to by its number; nobody should be shut in there.
+// Number keys enter every map; warns of maps where the player would be trapped.
 void checkEntries(Reading& reading) {
     const World& world = reading.description.world;
     for (std::size_t map = 0; map < reading.mapValues.size(); ++map) {
@@ -80,9 +80,9 @@ void checkEntries(Reading& reading) {
         const MapEntry entry = findMapEntry(world, index);
         if (!entry.stands || hasWayOut(world, index, entry.x, entry.y, entry.feet)) continue;
         reading.checker.warn(reading.mapValues[map],
-                             {"a map whose number leads to x ", entry.x.tile(), ", y ",
-                              entry.y.tile(), ", from where no other tile can be walked to"},
-                             "a way out of the free tile nearest to the map's middle");
+                             {"a map that its number key enters at x ", entry.x.tile(), ", y ",
+                              entry.y.tile(), ", from where the player can walk to no other tile"},
+                             "a way out of the free tile nearest to the middle of the map");
     }
 }
 
@@ -106,7 +106,7 @@ void readStart(Reading& reading, JsonValue value) {
     start.look = fields->number("look", kLook, 0.0);
 
     const auto map = static_cast<std::size_t>(start.map);
-    // With faults in what stands around it, the position may be right.
+    // With faults in what surrounds it, the position may be right: it is not checked.
     const bool isMapSound =
         reading.areBlueprintsSound && map < reading.isMapSound.size() && reading.isMapSound[map];
     if (checker.count() == faultsBefore && isMapSound) checkPosition(reading, value, start);

@@ -111,7 +111,7 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
         sky.low = checker.colour(value).value_or(Colour{});
         return;
     }
-    // Which kind is meant shows in the keys, be they spelt right or not.
+    // The keys show which kind is meant, even misspelt ones.
     bool isPanorama = false;
     if (value.isObject()) {
         for (const JsonValue member : value)
@@ -156,8 +156,8 @@ void readLight(Reading& reading, JsonValue value, Light& light) {
     if (reading.checker.count() == faultsBefore && light.darkest > light.brightest) {
         const auto given =
             fields->find("darkest") ? fields->find("darkest") : fields->find("brightest");
-        reading.checker.add(*given, "a darkest light that is brighter than the brightest",
-                            "darkest <= brightest, which are 0.1 and 1 if not given");
+        reading.checker.add(*given, "a \"darkest\" that is above \"brightest\"",
+                            "\"darkest\" at most \"brightest\"; their defaults are 0.1 and 1");
     }
 }
 
@@ -171,7 +171,8 @@ void readFog(Reading& reading, JsonValue value, Fog& fog) {
     const auto end = fields->require("end", kFogEnd.words);
     fog.end = fields->number("end", kFogEnd, 1.0);
     if (reading.checker.count() == faultsBefore && fog.start >= fog.end) {
-        reading.checker.add(*end, "an end of the fog that is not behind its start", "start < end");
+        reading.checker.add(*end, "an \"end\" of the fog that is not beyond its \"start\"",
+                            "\"end\" greater than \"start\"");
     }
 }
 

@@ -7,8 +7,8 @@
 namespace slicecast {
 namespace {
 
-// A file name that means the same on every system and in every address: forward slashes, relative,
-// none of the characters that an address gives a meaning.
+// A file name that works on every system and in URLs: relative, with forward slashes and without
+// the special characters of URLs.
 bool isPortable(std::string_view name) {
     if (name.empty() || name.front() == '/') return false;
     for (const char c : name) {
@@ -104,14 +104,14 @@ void readTextures(Reading& reading, JsonValue value) {
         return;
     }
     NameIndex ids;
-    std::vector<std::string> sheets;  // the names in the index, which stay where they are
+    std::vector<std::string> sheets;  // the names in the index; reserved, so that none moves
     sheets.reserve(value.count());
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
             checker.addAtKey(member, {"the name ", quoted(member.key())},
                              {"a name of 1 to ", kMaxNameLength, " characters"});
         }
-        // A faulty texture is known by its name all the same.
+        // The name of a faulty texture still counts as known.
         TextureReference reference = readTextureOrColour(checker, member);
         const auto next = static_cast<std::uint32_t>(reading.description.textures.size());
         const std::uint32_t id =

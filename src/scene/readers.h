@@ -15,14 +15,14 @@
 
 namespace slicecast {
 
-// What is to be sown over a map, and where it says so.
+// Something to sow over a map, and where the file states it.
 struct SowingOrder {
     JsonValue value;
     std::size_t map;
     Sowing sowing;
 };
 
-// Where an object stands that moves.
+// A moving object, and where the file states it.
 struct PlacedMotion {
     JsonValue value;
     std::size_t motion;  // index into the world's
@@ -34,7 +34,7 @@ struct PortalList {
     std::size_t map;
 };
 
-// What the readers hand on to each other.
+// What the readers share.
 struct Reading {
     Checker& checker;
     SceneDescription& description;
@@ -77,7 +77,7 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value);
 // glow, motion } ]
 void readSowing(Reading& reading, JsonValue value);
 
-// Sows, and checks that what moves has room. For when everything else has been read.
+// Sows objects and checks that moving ones have room. Call it when everything else has been read.
 void placeObjects(Reading& reading);
 
 // A PNG file's name, relative to the scene.
@@ -114,12 +114,12 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map);
 void readLight(Reading& reading, JsonValue value, Light& light);
 void readFog(Reading& reading, JsonValue value, Fog& fog);
 
-// Gives what moves and opens its own blueprints, and checks that it can. `maps` are those of the
-// text, all of them read.
+// Gives moving blocks and gates their own blueprints, and checks that they have room. `maps` is the
+// value in the file; all maps have been read.
 void placeMovers(Reading& reading, JsonValue maps);
 
-// "portals" of all maps: [ { x, y, level, face, to: { map, x, y, level }, turn, twoWay } ]. For
-// when all maps have been read; what moves does not yet.
+// "portals" of all maps: [ { x, y, level, face, to: { map, x, y, level }, turn, twoWay } ]. Call it
+// when all maps have been read, before placeMovers.
 void placePortals(Reading& reading);
 
 // "start": { map, x, y, z, heading, look }

@@ -1,13 +1,13 @@
 // Reading a scene file, in two steps because a page loads asynchronously:
 //
-//     ParsedScene scene = parseScene(text, "castle.json");        // checks the text, gives the names of the files that it needs
-//     for (const std::string& name : scene.files) ...             // the caller brings their bytes
-//     LoadedScene loaded = loadScene(std::move(scene), files);    // decodes the images and builds the world
+//     ParsedScene scene = parseScene(text, "castle.json");       // checks the text
+//     for (const std::string& name : scene.files) ...            // the caller brings their bytes
+//     LoadedScene loaded = loadScene(std::move(scene), files);   // images -> world
 //
-// Both report all faults that they can reach, in the order of the text; a scene with any fault
-// gives no world. At most kMaxFaults (limits.h) are listed, and then one more that says how many
-// are not. Warnings are told like faults, but the scene loads: what they name is probably not meant
-// so. What a scene file may hold is written down in assets/scene.schema.json.
+// Both report all faults that they can reach, in the order of the text; a scene with a fault gives
+// no world. At most kMaxFaults (limits.h) are listed, and then one more that counts the others. A
+// scene with warnings loads: they name probable mistakes. assets/scene.schema.json defines what a
+// scene file may hold.
 #pragma once
 
 #include "base/image.h"
@@ -51,14 +51,14 @@ struct LoadedScene {
 // The bytes of the files by name; a name without an entry is a fault ("could not be read").
 using SceneFiles = std::map<std::string, std::vector<std::uint8_t>>;
 
-// Images that are decoded while other files are still on their way, as far as they are images.
+// Images that are decoded while other files are still being fetched.
 class EarlyImages {
 public:
-    // Gives the pixels, none if it is no image. Who knows them already asks for `blank` ones, of
-    // the size that the bytes tell, and writes them.
+    // Gives the pixels, none if it is no image. With `blank`, decodes nothing: gives pixels of the
+    // size that the bytes state, for the caller to write.
     std::span<Pixel> decode(const std::string& name, std::span<const std::uint8_t> bytes,
                             bool blank = false);
-    // An empty one if there is none, or no longer.
+    // Empty if there is none, or if it has been taken.
     Image take(const std::string& name);
 
 private:
@@ -66,11 +66,11 @@ private:
     std::int64_t texels_ = 0;
 };
 
-// What has been decoded early is not decoded again; `files` has all of them. The scene becomes the
-// world: nothing of it is copied, and none is left for a second one.
+// Early images are not decoded again, but `files` must name them too. The scene's data moves into
+// the world without a copy.
 LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages early = {});
 
-// What a fault has found where an image is named: "\"brick.png\", which could not be read".
+// What a fault of an image has found: "\"brick.png\", which could not be read".
 std::string imageFound(std::string_view name, std::string_view what);
 inline constexpr std::string_view kUnreadImage = "which could not be read";
 

@@ -1,8 +1,8 @@
-// The text of a scene file: UTF-8, found faulty or not, and where its bytes stand for a reader.
+// The text of a scene file: checks its UTF-8, and finds the line and column of a byte.
 //
 // Offsets count bytes from 0. Lines and columns count from 1; a column is one character (code
 // point), whatever its bytes. A line ends at "\n", "\r\n" or a lone "\r". A byte order mark at the
-// start is no character.
+// start does not count.
 #pragma once
 
 #include <cstddef>

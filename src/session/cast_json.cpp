@@ -1,14 +1,16 @@
 #include "session/cast_json.h"
 
+#include "base/named.h"
 #include "session/hits_json.h"
 
-#include <array>
 #include <cstddef>
 
 namespace slicecast {
 namespace {
 
-constexpr std::array kEnds = {"block", "edge", "portal", "floor"};  // in the order of CastRay::End
+using End = CastRay::End;
+constexpr Named<End> kEnds[] = {
+    {End::block, "block"}, {End::edge, "edge"}, {End::portal, "portal"}, {End::floor, "floor"}};
 
 template <typename Json>
 void writeTile(Json& json, const World& world, const CastTile& tile) {
@@ -75,7 +77,7 @@ void writeCast(Json& json, const World& world, const CastFrom& from) {
     writeAll(json, world, "tiles", ray.tiles, writeTile<Json>);
     writeAll(json, world, "hits", ray.hits, writeHit<Json>);
     writeAll(json, world, "portals", ray.portals, writePortal<Json>);
-    json.key("end").beginObject().key("why").text(kEnds[static_cast<std::size_t>(ray.end)]);
+    json.key("end").beginObject().key("why").text(nameOf(kEnds, ray.end));
     json.key("map").text(mapName(world, ray.map));
     json.key("point").pair(ray.x, ray.y);
     json.key("distance").number(ray.distance).endObject().endObject();

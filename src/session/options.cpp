@@ -1,5 +1,6 @@
 #include "session/options.h"
 
+#include "base/named.h"
 #include "base/nearest_name.h"
 #include "base/number_text.h"
 #include "base/words.h"
@@ -27,6 +28,34 @@ using Place = std::variant<bool RenderOptions::*, double RenderOptions::*, bool 
                            LightPreset SessionOptions::*, std::optional<Colour> SessionOptions::*,
                            bool ClassicOptions::*, int ClassicOptions::*, double ClassicOptions::*,
                            ClassicProjection ClassicOptions::*, ClassicRoofs ClassicOptions::*>;
+
+// The words of the choices.
+constexpr Named<LightPreset> kPresets[] = {{LightPreset::map, "map"},
+                                           {LightPreset::day, "day"},
+                                           {LightPreset::dusk, "dusk"},
+                                           {LightPreset::night, "night"},
+                                           {LightPreset::fog, "fog"}};
+constexpr Named<DrawMethod> kMethods[] = {{DrawMethod::exact, "exact"},
+                                          {DrawMethod::classic, "classic"}};
+constexpr Named<ClassicProjection> kProjections[] = {
+    {ClassicProjection::plane, "plane"},
+    {ClassicProjection::equalAngles, "equalAngles"},
+    {ClassicProjection::equalAnglesCorrected, "equalAnglesCorrected"}};
+constexpr Named<ClassicRoofs> kRoofs[] = {{ClassicRoofs::textured, "textured"},
+                                          {ClassicRoofs::flat, "flat"},
+                                          {ClassicRoofs::missing, "missing"}};
+constexpr auto& choicesOf(LightPreset) {
+    return kPresets;
+}
+constexpr auto& choicesOf(DrawMethod) {
+    return kMethods;
+}
+constexpr auto& choicesOf(ClassicProjection) {
+    return kProjections;
+}
+constexpr auto& choicesOf(ClassicRoofs) {
+    return kRoofs;
+}
 
 struct Entry {
     OptionInfo info;
@@ -68,7 +97,7 @@ constexpr std::array kEntries = {
           &RenderOptions::mirrors},
     Entry{{"lightPreset", "Time of day", kLight, OptionKind::choice, 0, 0, "map",
            "time of day in all maps; map keeps the light, fog and sky of each",
-           "map day dusk night fog"},
+           kJoinedNames<kPresets>.data()},
           &SessionOptions::lightPreset},
     Entry{{"hazeColour", "Haze", kLight, OptionKind::ownOrColour, 0, 0, "map",
            "colour of the fog and of the far floor, #rrggbb"},
@@ -120,7 +149,7 @@ constexpr std::array kEntries = {
           &SessionOptions::bob},
     Entry{{"method", "Renderer", kClassic, OptionKind::choice, 0, 0, "exact",
            "the renderer; classic is slow and shows the old ways below, for lessons",
-           "exact classic"},
+           kJoinedNames<kMethods>.data()},
           &SessionOptions::method},
     Entry{{"compare", "Old against exact", kClassic, OptionKind::number, 0, 1, "0",
            "share of the picture, from the left, that the classic renderer draws beside the exact "
@@ -128,7 +157,7 @@ constexpr std::array kEntries = {
           &SessionOptions::compare},
     Entry{{"classic.projection", "Projection", kClassic, OptionKind::choice, 0, 0, "plane",
            "how columns are aimed; equal angles bend walls, like a fish eye unless corrected",
-           "plane equalAngles equalAnglesCorrected"},
+           kJoinedNames<kProjections>.data()},
           &ClassicOptions::projection},
     Entry{{"classic.march", "Marching with a step", kClassic, OptionKind::onOff, 0, 0, "off",
            "rays look for blocks step by step"},
@@ -147,7 +176,7 @@ constexpr std::array kEntries = {
           &ClassicOptions::mirroredTextures},
     Entry{{"classic.roofs", "Roofs", kClassic, OptionKind::choice, 0, 0, "textured",
            "tops and undersides of blocks: with their textures, in one colour, or not drawn",
-           "textured flat missing"},
+           kJoinedNames<kRoofs>.data()},
           &ClassicOptions::roofs},
     Entry{{"classic.seams", "Seams", kClassic, OptionKind::onOff, 0, 0, "off",
            "lines one pixel high between stacked blocks, and at the picture's edges"},
@@ -306,17 +335,12 @@ bool read(const OptionInfo&, std::string_view text, std::optional<Colour>& value
     return true;
 }
 
-// The words of a choice are in the order of the enum's values.
 template <typename Value>
     requires std::is_enum_v<Value> bool
-read(const OptionInfo& info, std::string_view text, Value& value) {
-    std::string_view words = info.choices;
-    for (int i = 0; !words.empty(); ++i) {
-        if (nextWord(words) != text) continue;
-        value = static_cast<Value>(i);
-        return true;
-    }
-    return false;
+read(const OptionInfo&, std::string_view text, Value& value) {
+    const std::optional<Value> found = valueOf(choicesOf(value), text);
+    value = found.value_or(value);
+    return found.has_value();
 }
 
 std::string written(const OptionInfo&, bool value) {
@@ -338,10 +362,8 @@ std::string written(const OptionInfo&, const std::optional<Colour>& value) {
 }
 template <typename Value>
     requires std::is_enum_v<Value>
-std::string written(const OptionInfo& info, Value value) {
-    std::string_view words = info.choices;
-    for (int i = 0; i < static_cast<int>(value); ++i) nextWord(words);
-    return std::string(nextWord(words));
+std::string written(const OptionInfo&, Value value) {
+    return nameOf(choicesOf(value), value);
 }
 
 }  // namespace
@@ -374,6 +396,23 @@ std::string setOption(SessionOptions& options, std::string_view name, std::strin
                  didYouMean(value, choices));
 }
 
+void setOption(SessionOptions& options, std::string_view name, double number) {
+    const Entry* entry = findEntry(name);
+    if (entry == nullptr) return;
+    const double taken = std::clamp(number, entry->info.least, entry->info.greatest);
+    const auto write = [&](auto place) {
+        auto& value = member(options, place);
+        using Value = std::remove_reference_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, int>) {
+            value = static_cast<int>(taken);
+        } else if constexpr (std::is_same_v<Value, double> ||
+                             std::is_same_v<Value, std::optional<double>>) {
+            value = taken;
+        }
+    };
+    std::visit(write, entry->place);
+}
+
 std::string nextChoice(std::string_view name, std::string_view value) {
     const Entry* entry = findEntry(name);
     if (entry == nullptr) return {};
@@ -391,6 +430,22 @@ std::string optionValue(const SessionOptions& options, std::string_view name) {
     SessionOptions copy = options;
     return std::visit([&](auto place) { return written(entry->info, member(copy, place)); },
                       entry->place);
+}
+
+double optionNumber(const SessionOptions& options, std::string_view name) {
+    const Entry* entry = findEntry(name);
+    if (entry == nullptr) return 0.0;
+    SessionOptions copy = options;
+    const auto read = [&](auto place) -> double {
+        auto& value = member(copy, place);
+        using Value = std::remove_reference_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, double>) {
+            return value;
+        } else {
+            return 0.0;
+        }
+    };
+    return std::visit(read, entry->place);
 }
 
 bool showsOverlay(const SessionOptions& options) {

@@ -80,12 +80,18 @@ const OptionInfo* findOption(std::string_view name);
 // "Unknown option 'fvo'. Did you mean 'fov'?"
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
 
+// The same for an option that is a number, which is brought into its range.
+void setOption(SessionOptions& options, std::string_view name, double number);
+
 // The word that follows `value` in a choice; the first one after the last. Empty for an unknown
 // option or word.
 std::string nextChoice(std::string_view name, std::string_view value);
 
 // The value in the form that setOption takes; empty for an unknown name.
 std::string optionValue(const SessionOptions& options, std::string_view name);
+
+// The number of a numeric option; 0 for any other, and where each map has its own.
+double optionNumber(const SessionOptions& options, std::string_view name);
 
 // Whether an option of the group "overlays" is on: something is drawn over the picture, or only
 // part of the picture is drawn.

@@ -300,11 +300,20 @@ void Session::record(Recorder* recorder) {
 
 std::string Session::setOption(std::string_view name, std::string_view value) {
     std::string fault = slicecast::setOption(options_, name, value);
-    if (recorder_ != nullptr && fault.empty() && isRecordedOption(name))
+    if (fault.empty()) optionChanged(name);
+    return fault;
+}
+
+void Session::setOption(std::string_view name, double number) {
+    slicecast::setOption(options_, name, number);
+    optionChanged(name);
+}
+
+void Session::optionChanged(std::string_view name) {
+    if (recorder_ != nullptr && isRecordedOption(name))
         recorder_->add(RecordedOption{std::string(name), option(name)});
     if (!options_.slow) slowDrawing_.restart();
     applyLight();
-    return fault;
 }
 
 std::string Session::option(std::string_view name) const {

@@ -102,6 +102,7 @@ public:
 
     // Options by name ("fov", "light" ...); see options.h. Returns "" on success, else a message.
     std::string setOption(std::string_view name, std::string_view value);
+    void setOption(std::string_view name, double number);
     std::string option(std::string_view name) const;
 
     // Gives back the world as it was loaded, for another session; this one must not be used
@@ -142,6 +143,7 @@ private:
     SliceTrace traceFrom(const Eye& seen, const ColumnRequest& request);
     double classicShare() const;          // share of the width, from the left
     int classicColumns(int width) const;  // columns that the classic method draws
+    void optionChanged(std::string_view name);
     void applyLight();
     void drawOverlays(const Eye& seen, const Picture& picture);
 

@@ -3,6 +3,7 @@
 #include "app/keys.h"
 #include "app/page_shell.h"
 #include "base/image.h"
+#include "base/named.h"
 #include "base/number_text.h"
 #include "scene/scene.h"
 #include "session/cast_json.h"
@@ -99,23 +100,12 @@ void writeFaults(JsonText& json, const char* key, const std::vector<Fault>& faul
     json.endArray();
 }
 
-const char* kindName(OptionKind kind) {
-    switch (kind) {
-        case OptionKind::onOff:
-            return "onOff";
-        case OptionKind::number:
-            return "number";
-        case OptionKind::wholeNumber:
-            return "wholeNumber";
-        case OptionKind::ownOrNumber:
-            return "ownOrNumber";
-        case OptionKind::choice:
-            return "choice";
-        case OptionKind::ownOrColour:
-            return "ownOrColour";
-    }
-    return "";
-}
+constexpr Named<OptionKind> kKinds[] = {{OptionKind::onOff, "onOff"},
+                                        {OptionKind::number, "number"},
+                                        {OptionKind::wholeNumber, "wholeNumber"},
+                                        {OptionKind::ownOrNumber, "ownOrNumber"},
+                                        {OptionKind::choice, "choice"},
+                                        {OptionKind::ownOrColour, "ownOrColour"}};
 
 std::string currentValue(const SlicecastSession& session, std::string_view name) {
     const Session* game = session.game();
@@ -315,7 +305,11 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_options(SlicecastSession* session) {
     JsonText json;
     json.beginArray();
     for (const OptionInfo& option : knownOptions()) {
-        json.beginObject().key("name").text(option.name).key("kind").text(kindName(option.kind));
+        json.beginObject()
+            .key("name")
+            .text(option.name)
+            .key("kind")
+            .text(nameOf(kKinds, option.kind));
         json.key("label").text(option.label).key("group").text(option.group);
         json.key("least")
             .number(option.least)
@@ -358,7 +352,8 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_leftOut(SlicecastSession* session) {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
-    constexpr std::array<std::string_view, 3> kOffers = {"", "open", "close"};
+    constexpr Named<GateOffer> kOffers[] = {
+        {GateOffer::none, ""}, {GateOffer::open, "open"}, {GateOffer::close, "close"}};
     const Session* game = session->game();
     if (game == nullptr) return session->give("null");
     const SessionState state = game->state();
@@ -388,7 +383,7 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
         .key("onGround")
         .yesNo(state.onGround)
         .key("gate")
-        .text(kOffers[static_cast<std::size_t>(state.gate)]);
+        .text(nameOf(kOffers, state.gate));
     json.key("intensity").number(state.intensity).key("multiplier").number(state.multiplier);
     json.key("steps")
         .number(static_cast<double>(state.steps))

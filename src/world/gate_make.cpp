@@ -76,7 +76,7 @@ std::vector<PlacingFault> makeGates(World& world) {
             if (world.blueprints.size() + group.size() > static_cast<std::size_t>(kMaxBlueprints)) {
                 faults.push_back(
                     {static_cast<int>(map), group[0].x, group[0].y, group[0].level,
-                     words("a gate that exceeds the limit of ", kMaxBlueprints, " blueprints"),
+                     words("a gate that makes more than ", kMaxBlueprints, " blueprints"),
                      "fewer gates"});
                 return faults;
             }

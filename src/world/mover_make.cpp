@@ -54,8 +54,8 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
         if (world.blueprints[run.blueprints[i]].top == tileEdge(1) &&
             world.blueprints[run.blueprints[i + 1]].bottom == Coordinate{0})
             continue;
-        addFault(mapIndex, at, words(block, " stacked without touching"),
-                 "a bottom of 0 and a top of 1 in stacked moving blocks");
+        addFault(mapIndex, at, words(block, " stacked with a gap between its parts"),
+                 "a bottom of 0 and a top of 1 where moving blocks are stacked");
         return false;
     }
     shaft.low = tileEdge(run.firstLevel) + world.blueprints[run.blueprints.front()].bottom;
@@ -85,7 +85,7 @@ bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const M
     const std::size_t parts = static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1);
     if (world.blueprints.size() + parts > static_cast<std::size_t>(kMaxBlueprints)) {
         addFault(mapIndex, at,
-                 words(block, ", whose parts exceed the limit of ", kMaxBlueprints, " blueprints"),
+                 words(block, " whose parts make more than ", kMaxBlueprints, " blueprints"),
                  "fewer moving blocks and gates, or fewer levels that they reach");
         return false;
     }

@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "session/hits_json.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -55,21 +56,16 @@ public:
 
 // An open field with a row of blocks far in the east.
 World makeField() {
-    World world;
     Random random(1);
-    Image image(8, 8);
-    for (Pixel& pixel : image.pixels) pixel = static_cast<Pixel>(random.next()) | 0xff000000u;
-    world.textures.push_back(makeTexture("speckled", image));
-    CellBlueprint block;
-    block.name = "block";
-    for (FaceBlueprint& face : block.faces) face.texture = 0;
-    world.blueprints.push_back(block);
-    Map map = makeMap("field", 40, 40, 2, 0);
-    for (int y = 0; y < 40; ++y) map.setCell(30, y, 0, 1);
-    world.maps.push_back(std::move(map));
-    world.start.x = toCoordinate(20.5);
-    world.start.y = toCoordinate(20.5);
-    return world;
+    Image speckled(8, 8);
+    for (Pixel& pixel : speckled.pixels) pixel = static_cast<Pixel>(random.next()) | 0xff000000u;
+    WorldBuilder make;
+    make.texture("speckled", speckled);
+    make.block('#', {.name = "block"});
+    make.map("field", 40, 40, 2);
+    for (int y = 0; y < 40; ++y) make.put('#', 30, y);
+    make.start(20.5, 20.5);
+    return std::move(make.world);
 }
 
 class AppTest : public testing::Test {

@@ -252,10 +252,10 @@ test('--help lists options and keys', () => {
 });
 
 test('a scene at fault ends it with all faults', () => {
-  const { status, stderr } = run([join(root, 'tests/scene/broken/image-several.json')]);
+  const { status, stderr } = run([join(root, 'tests/scene/broken/several-faults.json')]);
   assert.equal(status, 1);
   assert.ok(stderr.trim().split('\n').length > 1, stderr);
-  assert.match(stderr, /image-several\.json:\d+:\d+/);
+  assert.match(stderr, /several-faults\.json:\d+:\d+/);
 });
 
 test('what cannot be is refused with the reason', () => {

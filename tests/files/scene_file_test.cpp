@@ -88,7 +88,8 @@ TEST_F(SceneFile, FindsImagesFromTheScenesFolder) {
 }
 
 TEST_F(SceneFile, FaultsHaveTheNameFromTheCaller) {
-    const std::string path = kFolder + "broken/image-missing.json";
+    fs::remove(image());
+    const std::string path = scene().string();
     const LoadedScene loaded = readSceneFile(path);
     EXPECT_FALSE(loaded.world.has_value());
     ASSERT_EQ(loaded.faults.size(), 1u);

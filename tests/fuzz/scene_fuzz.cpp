@@ -67,7 +67,7 @@ void play(World world, std::uint8_t seed) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const ParsedScene parsed = parseScene({reinterpret_cast<const char*>(data), size}, "fuzz.json");
+    ParsedScene parsed = parseScene({reinterpret_cast<const char*>(data), size}, "fuzz.json");
     checkFaults(parsed.faults);
     checkFaults(parsed.warnings);
     if (!parsed.description) {
@@ -76,7 +76,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     SceneFiles files;
     for (const std::string& name : parsed.files) files[name] = picture(name);
-    LoadedScene loaded = loadScene(parsed, files);
+    LoadedScene loaded = loadScene(std::move(parsed), files);
     checkFaults(loaded.faults);
     if (loaded.world.has_value() == !loaded.faults.empty()) std::abort();
     if (loaded.world) play(std::move(*loaded.world), size > 0 ? data[size / 2] : std::uint8_t{0});

@@ -278,7 +278,7 @@ TEST(RenderProgram, LeavesNoFilesIfItCannotWrite) {
 
 TEST(RenderProgram, ReportsTheFaultsOfAScene) {
     const TestFolder folder;
-    const std::string broken = SLICECAST_SOURCE_FOLDER "/tests/scene/broken/image-missing.json";
+    const std::string broken = SLICECAST_SOURCE_FOLDER "/tests/scene/broken/several-faults.json";
     const Finished finished = render({broken, "--out", (folder / "picture.png").string()});
     EXPECT_EQ(finished.status, 1);
     EXPECT_EQ(finished.err.find(broken + ":"), 0u) << finished.err;

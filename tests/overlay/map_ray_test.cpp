@@ -1,4 +1,5 @@
 #include "overlay/map_ray.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +11,15 @@ namespace {
 // Ten tiles a side. On level 1 a whole block at (7, 5), the lower half of one at (5, 2), the upper
 // half of one at (5, 8).
 World rayWorld() {
-    World world;
-    for (const auto& [bottom, top] : {std::pair{0.0, 1.0}, {0.0, 0.5}, {0.5, 1.0}}) {
-        CellBlueprint block;
-        block.bottom = toCoordinate(bottom);
-        block.top = toCoordinate(top);
-        world.blueprints.push_back(block);
-    }
-    world.maps.push_back(makeMap("map", 10, 10, 2, kNoTexture));
-    world.maps[0].setCell(7, 5, 1, 1);
-    world.maps[0].setCell(5, 2, 1, 2);
-    world.maps[0].setCell(5, 8, 1, 3);
-    return world;
+    WorldBuilder make;
+    make.block('#');
+    make.block('-', {.top = 0.5});
+    make.block('^', {.bottom = 0.5});
+    make.map("map", 10, 10, 2, kNoTexture);
+    make.put('#', 7, 5, 1);
+    make.put('-', 5, 2, 1);
+    make.put('^', 5, 8, 1);
+    return std::move(make.world);
 }
 
 MapRayEnd follow(double directionX, double directionY, double height = 0.25, int level = 1) {

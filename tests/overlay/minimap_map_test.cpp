@@ -3,6 +3,7 @@
 #include "base/random.h"
 #include "canvas.h"
 #include "overlay/minimap.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,26 +15,18 @@ namespace {
 enum : BlueprintId { kEmpty, kWall, kGate, kMover, kWater };
 
 World makeWorld() {
-    World world;
-    CellBlueprint block;
-    world.blueprints.push_back(block);
-    block.gate = 0;
-    world.blueprints.push_back(block);
-    block.gate = -1;
-    block.motion = 0;
-    block.top = toCoordinate(0.25);
-    world.blueprints.push_back(block);
-    block.motion = -1;
-    block.isWater = true;
-    world.blueprints.push_back(block);
-    world.maps.push_back(makeMap("map", 40, 30, 3, kNoTexture));
-    Map& map = world.maps[0];
-    map.setCell(20, 13, 0, kWall);
-    map.setCell(22, 15, 0, kGate);
-    map.setCell(18, 15, 0, kMover);
-    map.setCell(20, 18, 0, kWater);
-    map.setCell(16, 15, 1, kWall);
-    return world;
+    WorldBuilder make;
+    make.block('#');
+    make.block('g').gate = 0;
+    make.block('m', {.top = 0.25}).motion = 0;
+    make.block('w', {.top = 0.25}).isWater = true;
+    make.map("map", 40, 30, 3, kNoTexture);
+    make.put('#', 20, 13);
+    make.put('g', 22, 15);
+    make.put('m', 18, 15);
+    make.put('w', 20, 18);
+    make.put('#', 16, 15, 1);
+    return std::move(make.world);
 }
 
 Eye eyeAt(double x, double y, double heading = 20.0) {

@@ -1,6 +1,7 @@
 #include "overlay/minimap.h"
 
 #include "canvas.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -15,23 +16,18 @@ namespace {
 // one two tiles east, a higher one two tiles south, and a block on level 1 two tiles west; four
 // tiles north the upper half of a block in the air.
 World smallWorld() {
-    World world;
-    for (const double top : {1.0, 0.25, 0.75}) {
-        CellBlueprint block;
-        block.top = toCoordinate(top);
-        world.blueprints.push_back(block);
-    }
-    CellBlueprint floating;
-    floating.bottom = toCoordinate(0.5);
-    world.blueprints.push_back(floating);
-    world.maps.push_back(makeMap("map", 40, 30, 3, kNoTexture));
-    Map& map = world.maps[0];
-    map.setCell(20, 13, 0, 1);
-    map.setCell(22, 15, 0, 2);
-    map.setCell(20, 17, 0, 3);
-    map.setCell(18, 15, 1, 1);
-    map.setCell(20, 11, 0, 4);
-    return world;
+    WorldBuilder make;
+    make.block('#');
+    make.block('_', {.top = 0.25});
+    make.block('-', {.top = 0.75});
+    make.block('^', {.bottom = 0.5});
+    make.map("map", 40, 30, 3, kNoTexture);
+    make.put('#', 20, 13);
+    make.put('_', 22, 15);
+    make.put('-', 20, 17);
+    make.put('#', 18, 15, 1);
+    make.put('^', 20, 11);
+    return std::move(make.world);
 }
 
 Eye eyeAt(double x, double y, double z, double heading) {

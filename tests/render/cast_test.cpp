@@ -1,6 +1,7 @@
 #include "render/cast.h"
 
 #include "base/angle.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -11,30 +12,25 @@
 namespace slicecast {
 namespace {
 
-CellBlueprint blueprintOf(const char* name, double bottom, double top, bool seeThrough = false) {
-    CellBlueprint blueprint;
-    blueprint.name = name;
-    blueprint.bottom = toCoordinate(bottom);
-    blueprint.top = toCoordinate(top);
-    blueprint.seeThrough = seeThrough;
-    return blueprint;
-}
-
 // A row of blocks to the east of (1.5, 1.5): a step, glass, a beam above a wall, a wall.
 World yard() {
-    World world;
-    world.blueprints.push_back(blueprintOf("wall", 0.0, 1.0));
-    world.blueprints.push_back(blueprintOf("step", 0.0, 0.25));
-    world.blueprints.push_back(blueprintOf("glass", 0.0, 1.0, true));
-    world.blueprints.push_back(blueprintOf("beam", 0.5, 1.0));
-    Map map = makeMap("yard", 10, 8, 2, 0);
-    map.setCell(3, 1, 0, 2);
-    map.setCell(4, 1, 0, 3);
-    map.setCell(6, 1, 0, 1);
-    map.setCell(6, 1, 1, 4);
-    map.setCell(8, 1, 0, 1);
-    world.maps.push_back(std::move(map));
-    return world;
+    WorldBuilder make;
+    make.block('#', {.name = "wall"});
+    make.block('-', {.name = "step", .top = 0.25});
+    make.block('o', {.name = "glass"}).seeThrough = true;
+    make.block('=', {.name = "beam", .bottom = 0.5});
+    make.map("yard", 2, R"(
+..........
+...-o.#.#.
+..........
+..........
+..........
+..........
+..........
+..........
+)");
+    make.put('=', 6, 1, 1);
+    return std::move(make.world);
 }
 
 CastFrom from(double x, double y, double heading) {

@@ -1,5 +1,5 @@
-// Scenes that were cut short or damaged at random: reading them must end, in a sound world or in
-// faults, and never in both. The sanitizers look on.
+// Scenes that were cut short or damaged at random: reading them must give either a sound world or
+// faults. Sanitizers check the rest.
 #include "base/random.h"
 #include "scene/scene.h"
 #include "scene/scene_files.h"
@@ -76,7 +76,7 @@ bool expectWorldOrFaults(const std::string& text, const SceneFiles& files) {
     return loaded.world.has_value();
 }
 
-// One to four changes: a byte changed, left out, put in, or a piece moved to where another one was.
+// One to four changes: a byte changed, left out or put in, or a piece copied to another place.
 std::string damaged(std::string text, Random& random) {
     const int changes = random.between(1, 4);
     for (int i = 0; i < changes; ++i) {

@@ -45,15 +45,14 @@ TEST(Limits, TheLargestMapIsReadInSeconds) {
     EXPECT_EQ(loaded.world->maps[0].depth, kMaxMapDepth);
 }
 
-// Texts that would take minutes if anything in their reading went with the square of a length, or
-// slowly digit by digit.
+// Texts that would take minutes if reading took quadratic time anywhere.
 TEST(Limits, HostileTextsAreReadInSeconds) {
     const auto repeated = [](const std::string& text, int times) {
         std::string all;
         for (int i = 0; i < times; ++i) all += (i > 0 ? "," : "") + text;
         return all;
     };
-    // A legend's key of many characters, none of them a second time and each before the others
+    // A legend's key of many different characters, in falling order
     std::string key;
     for (char32_t c = 0x10000 + 200000; c > 0x10000; --c) key += toUtf8(c);
     // Rows of every width, and then many more
@@ -145,7 +144,7 @@ TEST(Limits, NamesTitlesAndLegends) {
     EXPECT_EQ(faultsOf(std::string(tooMany).insert(at + 8, ", \"x\": \"wall\"")).size(), 1u);
 }
 
-TEST(Limits, NoMoreFaultsThanAPersonReads) {
+TEST(Limits, BoundTheFaultsThatAreListed) {
     std::string rows = "[";
     for (int y = 0; y < 1500; ++y) rows += y > 0 ? ",\"Q\"" : "\"Q\"";
     const std::vector<Fault> faults = faultsOf(smallScene("[" + rows + "]]"));
@@ -156,7 +155,7 @@ TEST(Limits, NoMoreFaultsThanAPersonReads) {
     EXPECT_EQ(faults.back().line, 0);
 }
 
-TEST(Limits, NoMoreMissingImagesEither) {
+TEST(Limits, BoundTheMissingImagesThatAreListed) {
     std::string textures;
     for (int i = 0; i < 1200; ++i)
         textures += "\"t" + std::to_string(i) + "\": \"" + std::to_string(i) + ".png\", ";
@@ -168,7 +167,7 @@ TEST(Limits, NoMoreMissingImagesEither) {
     EXPECT_EQ(faults.back().found, "201 more faults");
 }
 
-TEST(Limits, AreTheSchemasToo) {
+TEST(Limits, AreThoseOfTheSchema) {
     const std::string text =
         readText(std::filesystem::path(SLICECAST_SOURCE_FOLDER) / "assets/scene.schema.json");
     const SourceText source(text);
@@ -225,7 +224,9 @@ std::string sownScene(int side, const std::string& sow) {
     const std::string row = "\"" + std::string(static_cast<std::size_t>(side), '.') + "\"";
     std::string rows = row;
     for (int y = 1; y < side; ++y) rows += "," + row;
-    return R"({ "title": "Sown", "textures": { "brick": "broken/images/brick.png" }, "sprites": { "bush": "broken/images/tile.png" }, "maps": [ { "name": "map", "floor": "brick", "levels": [[)" +
+    return R"({ "title": "Sown", "textures": { "brick": "broken/images/brick.png" },
+               "sprites": { "bush": "broken/images/tile.png" },
+               "maps": [ { "name": "map", "floor": "brick", "levels": [[)" +
            rows + R"(]], "sow": [)" + sow + R"(] } ], "start": { "x": 1.5, "y": 1.5 } })";
 }
 
@@ -233,20 +234,21 @@ TEST(Limits, SownObjects) {
     const std::string bush = R"({ "sprite": "bush", "density": 1, "height": 1 })";
     const ParsedScene full = parseScene(sownScene(256, bush), "test.json");
     EXPECT_EQ(inWords(full.faults), "")
-        << "one less than there are tiles: nobody stands at the start";
+        << "one less than there are tiles: nothing is sown at the start";
     const ParsedScene over = parseScene(sownScene(257, bush), "test.json");
     ASSERT_EQ(over.faults.size(), 1u);
     EXPECT_EQ(over.faults[0].pointer, "/maps/0/sow/0");
-    EXPECT_EQ(over.faults[0].found, "more than 65536 objects, with those before");
+    EXPECT_EQ(over.faults[0].found, "more than 65536 objects, counting those before");
     EXPECT_EQ(over.faults[0].expected, "at most 65536 in a scene");
 
     const std::string walkers =
-        R"({ "sprite": "bush", "density": 1, "height": 1, "motion": { "kind": "wander", "speed": 1 } })";
+        R"({ "sprite": "bush", "density": 1, "height": 1,
+             "motion": { "kind": "wander", "speed": 1 } })";
     EXPECT_EQ(inWords(parseScene(sownScene(64, walkers), "test.json").faults), "");
     const ParsedScene crowd = parseScene(sownScene(65, walkers), "test.json");
     ASSERT_EQ(crowd.faults.size(), 1u);
     EXPECT_EQ(crowd.faults[0].pointer, "/maps/0/sow/0");
-    EXPECT_EQ(crowd.faults[0].found, "more than 4096 objects that move, with those before");
+    EXPECT_EQ(crowd.faults[0].found, "more than 4096 moving objects, counting those before");
     EXPECT_EQ(crowd.faults[0].expected, "at most 4096 in a scene");
 
     std::string kinds = bush;
@@ -254,7 +256,7 @@ TEST(Limits, SownObjects) {
     EXPECT_EQ(inWords(parseScene(sownScene(3, kinds), "test.json").faults), "");
     const ParsedScene many = parseScene(sownScene(3, kinds + "," + bush), "test.json");
     ASSERT_EQ(many.faults.size(), 1u);
-    EXPECT_EQ(many.faults[0].found, "65 kinds");
+    EXPECT_EQ(many.faults[0].found, "65 elements");
 }
 
 // A scene with two maps, each with so many objects.
@@ -266,7 +268,9 @@ std::string scatteredScene(int first, int second, const std::string& motion) {
         for (int i = 1; i < count; ++i) all += "," + one;
         return all;
     };
-    return R"({ "title": "Scattered", "textures": { "brick": "broken/images/brick.png" }, "sprites": { "bush": "broken/images/tile.png" }, "maps": [ { "name": "a", "floor": "brick", "levels": [["..."]], "objects": [)" +
+    return R"({ "title": "Scattered", "textures": { "brick": "broken/images/brick.png" },
+               "sprites": { "bush": "broken/images/tile.png" },
+               "maps": [ { "name": "a", "floor": "brick", "levels": [["..."]], "objects": [)" +
            objects(first) +
            R"(] }, { "name": "b", "floor": "brick", "levels": [["..."]], "objects": [)" +
            objects(second) + R"(] } ], "start": { "map": "a", "x": 1.5, "y": 0.5 } })";
@@ -277,7 +281,7 @@ TEST(Limits, PlacedObjectsOfAllMapsTogether) {
     const ParsedScene over = parseScene(scatteredScene(65535, 2, ""), "test.json");
     ASSERT_EQ(over.faults.size(), 1u);
     EXPECT_EQ(over.faults[0].pointer, "/maps/1/objects");
-    EXPECT_EQ(over.faults[0].found, "65537 objects, with those of maps before");
+    EXPECT_EQ(over.faults[0].found, "65537 objects, counting those of earlier maps");
     EXPECT_EQ(over.faults[0].expected, "at most 65536 in a scene");
 
     const std::string wander = R"(, "motion": { "kind": "wander", "speed": 1 })";
@@ -285,7 +289,7 @@ TEST(Limits, PlacedObjectsOfAllMapsTogether) {
     const ParsedScene crowd = parseScene(scatteredScene(4095, 3, wander), "test.json");
     ASSERT_EQ(crowd.faults.size(), 2u);
     EXPECT_EQ(crowd.faults[0].pointer, "/maps/1/objects/1");
-    EXPECT_EQ(crowd.faults[0].found, "one object that moves too many");
+    EXPECT_EQ(crowd.faults[0].found, "more than 4096 moving objects");
     EXPECT_EQ(crowd.faults[0].expected, "at most 4096 in a scene");
 }
 

@@ -5,7 +5,7 @@
 namespace slicecast {
 namespace {
 
-TEST(Names, SuggestOneThatIsNear) {
+TEST(Names, SuggestTheNearest) {
     const std::vector<std::string_view> names = {"brick", "stone"};
     EXPECT_EQ(suggestion("grass", names), "");
     EXPECT_EQ(suggestion("stine", names), "; did you mean \"stone\"?");

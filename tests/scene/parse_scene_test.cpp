@@ -1,4 +1,4 @@
-// What a sound scene becomes.
+// The world that a sound scene becomes.
 #include "scene/description.h"
 #include "scene/scene.h"
 #include "scene/scene_files.h"
@@ -150,7 +150,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(bird.light, 0.5);
     EXPECT_TRUE(bird.glow);
 
-    // Three that were put there move, then come the bushes and the birds that are sown.
+    // First the three moving objects of the map, then the sown bushes and birds.
     const std::vector<ObjectMotion>& motions = world.movingObjects.motions;
     ASSERT_EQ(motions.size(), hall.objects.size() - 4);
     EXPECT_EQ(motions[0].kind, ObjectMotion::Kind::pace);
@@ -240,7 +240,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(faceOf(0, 0, Face::east), kNoPortal);
     EXPECT_TRUE(world.blueprints[gallery.cell(0, 1, 0)].hasPortals);
     EXPECT_FALSE(world.blueprints[gallery.cell(0, 0, 0)].hasPortals);
-    // Who walks south into the pillar comes out of the east wall, going west.
+    // Walking south into the pillar leads out of the east wall, going west.
     EXPECT_EQ(world.portals[faceOf(2, 2, Face::north)], (Portal{.fromMap = galleryMap,
                                                                 .fromX = 2,
                                                                 .fromY = 2,
@@ -303,7 +303,7 @@ TEST(ParseScene, ReadsWater) {
     EXPECT_TRUE(world.maps[0].objects[1].floats);
 }
 
-TEST(ParseScene, ReadsWhatMovesAndOpens) {
+TEST(ParseScene, ReadsMotionsAndGates) {
     const LoadedScene loaded = loadFrom(sceneTestFolder() / "everything.json");
     ASSERT_TRUE(loaded.world.has_value());
     const World& world = *loaded.world;
@@ -369,7 +369,7 @@ TEST(ParseScene, ReadsWhatMovesAndOpens) {
     EXPECT_EQ(world.textures[6].size(), world.textures[3].size());
 }
 
-TEST(ParseScene, GivesWhatIsLeftOutItsNormalValue) {
+TEST(ParseScene, UsesDefaultsForMissingKeys) {
     const World world = load(smallScene());
     const Map& map = world.maps[0];
     const Map normal;
@@ -385,7 +385,7 @@ TEST(ParseScene, GivesWhatIsLeftOutItsNormalValue) {
     EXPECT_EQ(world.start.headingDegrees, 0.0);
 }
 
-TEST(ParseScene, RoundsCoordinatesAndNothingElse) {
+TEST(ParseScene, RoundsOnlyCoordinates) {
     const World world =
         load(replaced(smallScene(), R"("x": 1.5, "y": 1.5)",
                       R"("x": 1.4000076, "y": 1.59999, "heading": 0.1, "look": 0.3)"));
@@ -409,7 +409,7 @@ TEST(ParseScene, ReadsNumbersWithCorrectRounding) {
     }
 }
 
-TEST(ParseScene, ReadsTheSameFromEveryKindOfLineEnd) {
+TEST(ParseScene, TakesEveryKindOfLineEnd) {
     const std::string plain = smallScene("[[\"###\",\n\"#Q#\",\n\"###\"]]");
     std::string windows = "\xef\xbb\xbf";
     std::string oldMac;
@@ -427,7 +427,7 @@ TEST(ParseScene, ReadsTheSameFromEveryKindOfLineEnd) {
     EXPECT_EQ(parseScene(oldMac, "test.json").faults, faults);
 }
 
-TEST(ParseScene, FindsTheCharacterBehindEscapes) {
+TEST(ParseScene, PlacesFaultsAfterEscapes) {
     const std::vector<Fault> faults =
         parseScene(smallScene("[[\"###\", \"\\u0023\\ud83e\\uddf1#\", \"###\"]]"), "test.json")
             .faults;
@@ -452,7 +452,8 @@ TEST(ParseScene, FindsTheCharacterBehindEscapes) {
 TEST(ParseScene, NeedsNoBlueprints) {
     const World world =
         load(R"({ "title": "Plain", "textures": { "grass": "broken/images/brick.png" },
-        "maps": [{ "name": "plain", "levels": [["...", "...", "..."]], "floor": "grass" }], "start": { "x": 1, "y": 1 } })");
+        "maps": [{ "name": "plain", "levels": [["...", "...", "..."]], "floor": "grass" }],
+        "start": { "x": 1, "y": 1 } })");
     EXPECT_EQ(world.maps[0].width, 3);
 }
 
@@ -473,7 +474,7 @@ TEST(LoadScene, PassesOnTheFaultsOfTheText) {
 }
 
 // A world of a large map has hundreds of megabytes.
-TEST(LoadScene, CopiesNothingOfTheWorld) {
+TEST(LoadScene, DoesNotCopyTheWorld) {
     ParsedScene parsed = parseScene(smallScene(), "test.json");
     const SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
     const BlueprintId* cells = parsed.description->world.maps[0].cells.data();

@@ -13,14 +13,14 @@ std::filesystem::path sceneTestFolder();
 
 std::string readText(const std::filesystem::path& path);
 
-// The files that a scene names, those of them that exist.
+// The existing files among those that a scene names.
 SceneFiles readSceneFiles(const std::filesystem::path& folder, const ParsedScene& scene);
 
-// Checks and loads a text whose images are seen from a folder.
+// Checks and loads a text; image names are relative to the folder.
 LoadedScene loadText(const std::string& text, const std::string& name = "test.json",
                      const std::filesystem::path& folder = sceneTestFolder());
 
-// Checks and loads a scene of the disk; faults name it by its file name.
+// Checks and loads a file; faults show its name without the folder.
 LoadedScene loadFrom(const std::filesystem::path& path);
 
 // A scene of one room whose parts a test replaces.

@@ -34,7 +34,7 @@ TEST(SourceText, DoesNotCountAByteOrderMark) {
     EXPECT_EQ(placeOf(source, 0), "1:1");
 }
 
-TEST(SourceText, FindsPlacesInLongTextsAsInShortOnes) {
+TEST(SourceText, FindsPlacesInLongTexts) {
     // Counted one character after the other, against the looked-up places.
     Random random(7);
     std::string text;
@@ -67,7 +67,7 @@ TEST(SourceText, FindsPlacesInLongTextsAsInShortOnes) {
     }
 }
 
-TEST(SourceText, KnowsWhatIsUtf8) {
+TEST(SourceText, DetectsInvalidUtf8) {
     for (const char* sound : {"", "plain", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf",
                               "\xee\x80\x80", "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"}) {
         EXPECT_FALSE(SourceText(sound).invalidByte().has_value()) << sound;
@@ -100,7 +100,7 @@ TEST(SourceText, ConvertsCodePointsBothWays) {
     }
 }
 
-TEST(SourceText, KnowsWhatCanBeSeen) {
+TEST(SourceText, TellsVisibleCharacters) {
     for (const char32_t seen : {U'#', U'~', U'a', U'\u00e9', U'\u2588', U'\u65e5', U'\U0001f9f1'})
         EXPECT_TRUE(isPrintable(seen));
     for (const char32_t unseen :

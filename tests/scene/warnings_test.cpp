@@ -1,4 +1,4 @@
-// What loads, but is probably not meant so.
+// Scenes that load, but probably hold a mistake.
 #include "scene/scene.h"
 #include "scene/scene_files.h"
 
@@ -19,7 +19,7 @@ std::size_t warningsOf(const std::string& levels, const std::string& moreOfTheMa
     return load(smallScene(levels, moreOfTheMap)).warnings.size();
 }
 
-TEST(Warnings, ComeWithTheirPlacesInTheOrderOfTheText) {
+TEST(Warnings, HavePlacesAndFollowTheText) {
     const LoadedScene loaded = loadFrom(sceneTestFolder() / "warnings.json");
     ASSERT_TRUE(loaded.world.has_value());
     EXPECT_EQ(inWords(loaded.faults), "");
@@ -30,7 +30,7 @@ TEST(Warnings, ComeWithTheirPlacesInTheOrderOfTheText) {
     EXPECT_EQ(loaded.warnings[0].column, 33);
     EXPECT_EQ(loaded.warnings[0].found, "an exit where the player does not fit");
     EXPECT_EQ(loaded.warnings[1].pointer, "/start");
-    EXPECT_EQ(loaded.warnings[1].found, "a start from where no other tile can be walked to");
+    EXPECT_EQ(loaded.warnings[1].found, "a start from which the player can walk to no other tile");
 }
 
 TEST(Warnings, AreNotGivenBesideFaults) {
@@ -44,7 +44,7 @@ TEST(Warnings, AreNotGivenBesideFaults) {
 }
 
 // The player starts in the middle of 3 x 3 tiles.
-TEST(Warnings, TellStartsWithNoWayOut) {
+TEST(Warnings, TellOfStartsWithoutAWayOut) {
     const std::string closed = R"(["###", "#.#", "###"])";
     const std::string open = R"(["###", "#..", "###"])";
     EXPECT_EQ(warningsOf("[" + closed + ", " + closed + "]"), 1u);
@@ -52,7 +52,7 @@ TEST(Warnings, TellStartsWithNoWayOut) {
     EXPECT_EQ(warningsOf("[" + closed + ", " + open + "]"), 1u) << "too high to jump";
 }
 
-TEST(Warnings, CountWhatIsLowEnoughToJumpOntoAsAWayOut) {
+TEST(Warnings, CountAJumpAsAWayOut) {
     const auto pit = [](const std::string& top) {
         std::string text = smallScene(R"([["###", "#.#", "###"]])");
         const std::string faces = R"("wall": { )";
@@ -75,7 +75,7 @@ TEST(Warnings, CountPortalsAsAWayOut) {
         << "on the far side of the wall";
 }
 
-TEST(Warnings, TellMapsWhoseNumberLeadsIntoAHole) {
+TEST(Warnings, TellOfMapsThatTrapThePlayer) {
     const auto second = [](const std::string& levels) {
         std::string text = smallScene(R"([["###", "#..", "###"]])");
         const std::string other =
@@ -89,11 +89,11 @@ TEST(Warnings, TellMapsWhoseNumberLeadsIntoAHole) {
     ASSERT_EQ(hole.size(), 1u);
     EXPECT_EQ(hole[0].pointer, "/maps/1");
     EXPECT_EQ(second(R"([["."]])").size(), 0u) << "there is no other tile";
-    EXPECT_EQ(
-        second(
-            R"([["###", "###", "###"], ["###", "###", "###"], ["###", "#.#", "###"], ["###", "#.#", "###"]])")
-            .size(),
-        1u)
+    EXPECT_EQ(second(
+                  R"([["###", "###", "###"], ["###", "###", "###"],
+                ["###", "#.#", "###"], ["###", "#.#", "###"]])")
+                  .size(),
+              1u)
         << "on the blocks";
 }
 
@@ -105,7 +105,8 @@ TEST(Warnings, AreNotGivenWhereTheWayOutMayOpen) {
         return std::string(text).replace(at, from.size(), to);
     };
     const std::string moving =
-        R"("motions": { "lift": { "moves": "top", "from": -0.75, "to": 0, "period": 8 } }, "blueprints": {)";
+        R"("motions": { "lift": { "moves": "top", "from": -0.75, "to": 0, "period": 8 } },
+           "blueprints": {)";
     std::string withLift = replaced(R"("blueprints": {)",
                                     moving + R"( "lift": { "motion": "lift", "faces": "brick" },)");
     const auto put = [&](const std::string& from, const std::string& to) {

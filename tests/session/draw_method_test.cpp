@@ -2,6 +2,7 @@
 #include "base/image.h"
 #include "render/classic/draw_classic.h"
 #include "session/session.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -21,61 +22,35 @@ namespace {
 // it a low block and a figure, behind it another; a portal with a beam before it; a floor that
 // mirrors. The eye stands on a step.
 World yard() {
-    World world;
-    Image image(8, 8);
-    for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 8; ++x)
-            image.at(x, y) = toPixel({static_cast<std::uint8_t>(100 + 15 * x),
-                                      static_cast<std::uint8_t>(60 + 20 * y), 90, 255});
-    }
-    world.textures.push_back(makeTexture("squares", image));
-    world.sprites.push_back(makeSprite("figure", image));
-    CellBlueprint block;
-    for (FaceBlueprint& face : block.faces) face.texture = 0;
-    world.blueprints.push_back(block);
-    CellBlueprint low = block;
-    low.top = toCoordinate(0.2);
-    world.blueprints.push_back(low);
-    CellBlueprint beam = block;
-    beam.bottom = toCoordinate(0.4);
-    beam.top = toCoordinate(0.6);
-    world.blueprints.push_back(beam);
-    CellBlueprint gate = block;
-    gate.faces[static_cast<std::size_t>(Face::west)].portal = 0;
-    world.blueprints.push_back(gate);
-    Map map = makeMap("yard", 12, 9, 2, 0);
-    for (int x = 0; x < 12; ++x) {
-        for (int y = 0; y < 9; ++y) {
-            if (x == 0 || y == 0 || x == 11 || y == 8 || (x == 7 && y == 4))
-                map.setCell(x, y, 0, 1);
-        }
-    }
-    map.setCell(7, 4, 1, 1);
-    map.setCell(5, 4, 0, 2);
-    map.setCell(2, 3, 0, 2);
-    map.setCell(9, 5, 0, 3);
-    map.setCell(11, 5, 0, 4);
-    map.ceiling.height = toCoordinate(1.3);
-    map.ceiling.tiles.assign(12 * 9, kNoTexture);
+    WorldBuilder make;
+    make.texture("squares", squaresImage());
+    make.world.sprites.push_back(makeSprite("figure", squaresImage()));
+    make.block('#');
+    make.block('-', {.top = 0.2});
+    make.block('=', {.bottom = 0.4, .top = 0.6});
+    make.block('|').faces[static_cast<std::size_t>(Face::west)].portal = 0;
+    make.map("yard", 2, R"(
+############
+#..........#
+#..........#
+#.-........#
+#....-.#...#
+#........=.|
+#..........#
+#..........#
+############
+)")
+        .floor.mirror = 100;
+    make.put('#', 7, 4, 1);
+    make.ceiling(1.3, kNoTexture, 0, 0);
+    Map& map = make.world.maps[0];
     map.ceiling.tiles[map.tileIndex(7, 4)] = 0;
-    map.floor.mirror = 100;
-    map.objects.push_back({.sprite = 0,
-                           .x = toCoordinate(6.2),
-                           .y = toCoordinate(4.4),
-                           .z = {},
-                           .width = toCoordinate(0.8),
-                           .height = toCoordinate(1.4)});
-    world.portals.push_back(
+    make.object(6.2, 4.4, 0.0, 0.8, 1.4);
+    make.world.portals.push_back(
         {.fromMap = 0, .fromX = 11, .fromY = 5, .toMap = 0, .toX = 2, .toY = 6, .turn = 1});
-    world.maps.push_back(std::move(map));
-    markPortals(world);
-    world.start = {.map = 0,
-                   .x = toCoordinate(2.5),
-                   .y = toCoordinate(3.7),
-                   .z = toCoordinate(0.2),
-                   .headingDegrees = 10.0,
-                   .look = 0.0};
-    return world;
+    markPortals(make.world);
+    make.start(2.5, 3.7, 0.2, 10.0);
+    return std::move(make.world);
 }
 
 std::vector<Pixel> drawn(Session& session) {

@@ -4,6 +4,7 @@
 #include "session/cells_json.h"
 #include "session/recording_text.h"
 #include "session/session.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,63 +15,38 @@
 namespace slicecast {
 namespace {
 
-Image plain(std::uint8_t grey) {
-    Image image(8, 8);
-    for (Pixel& pixel : image.pixels) pixel = toPixel({grey, grey, 90, 255});
-    return image;
-}
-
 // A walled yard of 7 x 6 tiles and three levels, seen from (1.5, 2.5) to the east; a lift that
-// rises from level 0 at (5, 4), a gate at (5, 1), a portal face at (3, 4).
+// rises from level 0, a gate, a portal face.
 World yard() {
-    World world;
-    world.textures.push_back(makeTexture("plain", plain(200)));
-    world.textures.push_back(makeTexture("dark", plain(60)));
-    const auto add = [&](const char* name, double top, TextureId texture) {
-        CellBlueprint blueprint;
-        blueprint.name = name;
-        blueprint.top = toCoordinate(top);
-        for (FaceBlueprint& face : blueprint.faces) face.texture = texture;
-        world.blueprints.push_back(blueprint);
-    };
-    add("wall", 1.0, 0);
-    add("step", 0.25, 1);
-    add("lift", 0.5, 1);
-    add("gate", 1.0, 1);
-    add("door", 1.0, 1);
-    world.blueprints[3].motion = 0;
-    world.blueprints[4].gate = 0;
-    Motion motion;
-    motion.edges = MovingEdges::both;
-    motion.to = toCoordinate(1.25);
-    world.motions.push_back(motion);
-    world.gateKinds.emplace_back();
-    Map map = makeMap("yard", 7, 6, 3, 0);
-    map.legend = {{U'#', 1}, {U'w', 1}, {U'ß', 2}, {U'l', 3}, {U'g', 4}, {U'd', 5}};
-    for (int x = 0; x < 7; ++x) {
-        map.setCell(x, 0, 0, 1);
-        map.setCell(x, 5, 0, 1);
-    }
-    map.setCell(5, 4, 0, 3);
-    map.setCell(5, 1, 0, 4);
-    map.setCell(3, 4, 0, 5);
-    world.maps.push_back(std::move(map));
-    world.blueprints[5].faces[static_cast<std::size_t>(Face::north)].portal = 0;
-    world.blueprints[5].hasPortals = true;
-    world.portals.push_back({.fromMap = 0,
-                             .fromX = 3,
-                             .fromY = 4,
-                             .toMap = 0,
-                             .toX = 2,
-                             .toY = 1,
-                             .turn = 0,
-                             .levels = 0});
-    EXPECT_TRUE(makeMovers(world).empty());
-    EXPECT_TRUE(makeGates(world).empty());
-    makeGateFrames(world);
-    markSeeThrough(world);
-    world.start = {.map = 0, .x = toCoordinate(1.5), .y = toCoordinate(2.5), .z = {}};
-    return world;
+    WorldBuilder make;
+    make.texture("plain", {200, 200, 90, 255});
+    make.texture("dark", {60, 60, 90, 255});
+    make.block('#', {.name = "wall"});
+    make.block('-', {.name = "step", .top = 0.25, .texture = 1});
+    make.block('l', {.name = "lift", .top = 0.5, .texture = 1}).motion = 0;
+    make.block('g', {.name = "gate", .texture = 1}).gate = 0;
+    CellBlueprint& door = make.block('d', {.name = "door", .texture = 1});
+    door.faces[static_cast<std::size_t>(Face::north)].portal = 0;
+    door.hasPortals = true;
+    make.world.motions.push_back(
+        {.name = "lift", .edges = MovingEdges::both, .from = {}, .to = toCoordinate(1.25)});
+    make.world.gateKinds.emplace_back();
+    make.map("yard", 3, R"(
+#######
+.....g.
+.......
+.......
+...d.l.
+#######
+)")
+        .legend = {{U'#', 1}, {U'w', 1}, {U'ß', 2}, {U'l', 3}, {U'g', 4}, {U'd', 5}};
+    make.world.portals.push_back({.fromX = 3, .fromY = 4, .toX = 2, .toY = 1});
+    EXPECT_TRUE(makeMovers(make.world).empty());
+    EXPECT_TRUE(makeGates(make.world).empty());
+    makeGateFrames(make.world);
+    markSeeThrough(make.world);
+    make.start(1.5, 2.5);
+    return std::move(make.world);
 }
 
 std::vector<Pixel> drawn(Session& session) {

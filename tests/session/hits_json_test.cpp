@@ -1,5 +1,6 @@
 // What a column meets behind a portal, in a mirror, and of objects, as JSON.
 #include "session/hits_json.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
@@ -19,37 +20,26 @@ Image plain() {
 // 0) in the cellar, turned by 90 degrees and two levels up. There stand a post three tiles on,
 // which goes south, and a lamp before it; both floors reflect.
 World portalWorld() {
-    World world;
-    world.textures.push_back(makeTexture("plain", plain()));
-    world.sprites.push_back(makeSprite("lamp", plain()));
-    CellBlueprint post;
-    post.name = "post";
-    post.top = toCoordinate(0.5);
-    for (FaceBlueprint& face : post.faces) face.texture = 0;
-    world.blueprints.push_back(post);
-    world.maps.push_back(makeMap("hall", 6, 3, 1, 0));
-    world.maps.push_back(makeMap("cellar", 5, 9, 4, 0));
-    world.maps[1].setCell(2, 3, 2, 1);
-    world.maps[1].objects.push_back({.x = toCoordinate(2.5),
-                                     .y = toCoordinate(1.5),
-                                     .z = toCoordinate(2.25),
-                                     .width = toCoordinate(0.5),
-                                     .height = toCoordinate(0.25)});
-    world.maps[0].floor.mirror = 128;
-    world.portals.push_back({.fromMap = 0,
-                             .fromX = 3,
-                             .fromY = 1,
-                             .toMap = 1,
-                             .toX = 2,
-                             .toY = 0,
-                             .turn = 1,
-                             .levels = 2});
-    world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
-    world.maps[0].tilePortals[world.maps[0].tileIndex(3, 1)] = 0;
-    markPortals(world);
-    markSeeThrough(world);
-    world.start.x = world.start.y = toCoordinate(1.5);
-    return world;
+    WorldBuilder make;
+    make.texture("plain", plain());
+    make.world.sprites.push_back(makeSprite("lamp", plain()));
+    make.block('p', {.name = "post", .top = 0.5});
+    make.map("hall", 6, 3, 1).floor.mirror = 128;
+    make.map("cellar", 5, 9, 4);
+    make.put('p', 2, 3, 2);
+    make.object(2.5, 1.5, 2.25, 0.5, 0.25);
+    make.tilePortal({.fromMap = 0,
+                     .fromX = 3,
+                     .fromY = 1,
+                     .toMap = 1,
+                     .toX = 2,
+                     .toY = 0,
+                     .turn = 1,
+                     .levels = 2});
+    markPortals(make.world);
+    markSeeThrough(make.world);
+    make.start(1.5, 1.5);
+    return std::move(make.world);
 }
 
 rapidjson::Document hitsOf(int column, const char* mirrors = "1") {

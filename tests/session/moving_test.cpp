@@ -4,6 +4,7 @@
 #include "session/session.h"
 
 #include "base/image.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -18,48 +19,33 @@ constexpr int kPeriod = 480;
 // A platform of 5 x 5 tiles that goes up and down, with the player in its middle, and a gate beside
 // it in the east.
 World works() {
-    World world;
-    world.title = "Works";
-    Image image(8, 8);
-    for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 8; ++x)
-            image.at(x, y) = toPixel({static_cast<std::uint8_t>(90 + 16 * x),
-                                      static_cast<std::uint8_t>(60 + 20 * y), 110, 255});
-    }
-    world.textures.push_back(makeTexture("squares", image));
-    CellBlueprint plate;
-    plate.name = "plate";
-    plate.top = toCoordinate(0.25);
-    plate.motion = 0;
-    for (FaceBlueprint& face : plate.faces) face.texture = 0;
-    world.blueprints.push_back(plate);
-    world.motions.push_back({.name = "lift",
-                             .edges = MovingEdges::both,
-                             .from = {},
-                             .to = toCoordinate(1.5),
-                             .periodSteps = kPeriod});
-    CellBlueprint gate;
-    gate.name = "gate";
-    gate.gate = 0;
-    for (FaceBlueprint& face : gate.faces) face.texture = 0;
-    world.blueprints.push_back(gate);
-    world.gateKinds.push_back({.steps = 60, .reach = toCoordinate(2.5)});
-    Map map = makeMap("yard", 12, 9, 3, 0);
-    for (int x = 1; x < 6; ++x) {
-        for (int y = 2; y < 7; ++y) map.setCell(x, y, 0, 1);
-    }
-    map.setCell(6, 4, 0, 2);
-    world.maps.push_back(std::move(map));
-    world.start = {.map = 0,
-                   .x = toCoordinate(3.5),
-                   .y = toCoordinate(4.5),
-                   .z = toCoordinate(0.25),
-                   .headingDegrees = 0.0,
-                   .look = -1.0};
-    EXPECT_TRUE(makeMovers(world).empty());
-    EXPECT_TRUE(makeGates(world).empty());
-    makeGateFrames(world);
-    return world;
+    WorldBuilder make;
+    make.world.title = "Works";
+    make.texture("squares", squaresImage());
+    make.block('=', {.name = "plate", .top = 0.25}).motion = 0;
+    make.block('|', {.name = "gate"}).gate = 0;
+    make.world.motions.push_back({.name = "lift",
+                                  .edges = MovingEdges::both,
+                                  .from = {},
+                                  .to = toCoordinate(1.5),
+                                  .periodSteps = kPeriod});
+    make.world.gateKinds.push_back({.steps = 60, .reach = toCoordinate(2.5)});
+    make.map("yard", 3, R"(
+............
+............
+.=====......
+.=====......
+.=====|.....
+.=====......
+.=====......
+............
+............
+)");
+    make.start(3.5, 4.5, 0.25, 0.0, -1.0);
+    EXPECT_TRUE(makeMovers(make.world).empty());
+    EXPECT_TRUE(makeGates(make.world).empty());
+    makeGateFrames(make.world);
+    return std::move(make.world);
 }
 
 std::vector<Pixel> drawn(Session& session, double fraction) {

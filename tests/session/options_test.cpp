@@ -24,6 +24,20 @@ TEST(Options, TheTableHasTheDefaults) {
         EXPECT_EQ(names.count(name), 1u) << name;
 }
 
+TEST(Options, NumbersAreSetAndReadAsNumbers) {
+    SessionOptions options;
+    setOption(options, "slowSlices", -3.0);
+    setOption(options, "mirrors", 99.0);
+    setOption(options, "intensity", 1.25);
+    EXPECT_EQ(options.slowSlices, -3);
+    EXPECT_EQ(options.render.mirrors, kGreatestMirrors) << "brought into its range";
+    EXPECT_EQ(options.intensity, 1.25);
+    EXPECT_EQ(optionNumber(options, "slowSlices"), -3.0);
+    EXPECT_EQ(optionNumber(options, "mirrors"), kGreatestMirrors);
+    EXPECT_EQ(optionNumber(options, "minimap"), 0.0);
+    EXPECT_EQ(optionNumber(options, "no such option"), 0.0);
+}
+
 TEST(Options, AcceptTheirRangeAndNothingBeyond) {
     for (const OptionInfo& info : knownOptions()) {
         SessionOptions options;

@@ -2,6 +2,8 @@
 // pixel.
 #include "session/pick.h"
 
+#include "session/hall.h"
+
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
 
@@ -19,89 +21,16 @@ using Json = rapidjson::Value;
 constexpr int kWidth = 96;
 constexpr int kHeight = 72;
 
-// A texel tells which one it is, and of which texture. `hole` makes a chess board of holes.
-Image numbered(int size, int blue, int alpha = 255, bool hole = false) {
-    Image image(size, size);
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            const auto share = [size](int i) {
-                return static_cast<std::uint8_t>(i * 255 / (size - 1));
-            };
-            const bool isHole = hole && (x / 4 + y / 4) % 2 == 0;
-            image.pixels[static_cast<std::size_t>(y * size + x)] =
-                toPixel({share(x), share(y), static_cast<std::uint8_t>(blue),
-                         static_cast<std::uint8_t>(isHole ? 0 : alpha)});
-        }
-    }
-    return image;
-}
-
-CellBlueprint blueprintOf(const char* name, TextureId texture, double bottom, double top) {
-    CellBlueprint blueprint;
-    blueprint.name = name;
-    blueprint.bottom = toCoordinate(bottom);
-    blueprint.top = toCoordinate(top);
-    for (FaceBlueprint& face : blueprint.faces) face.texture = texture;
-    return blueprint;
-}
-
-// Blocks of several heights, a fence with holes, a ceiling over one half, a lamp with holes, a
-// portal in the north.
-World hall() {
-    World world;
-    world.textures.push_back(makeTexture("stone", numbered(32, 60)));
-    world.textures.push_back(makeTexture("fence", numbered(16, 200, 255, true)));
-    world.textures.push_back(makeTexture("ground", numbered(64, 130)));
-    world.sprites.push_back(makeSprite("lamp", numbered(16, 250, 255, true)));
-    world.blueprints.push_back(blueprintOf("wall", 0, 0.0, 1.0));
-    world.blueprints.push_back(blueprintOf("bench", 0, 0.0, 0.375));
-    world.blueprints.push_back(blueprintOf("beam", 0, 0.5, 0.75));
-    world.blueprints.back().textureRise = toCoordinate(0.35);
-    world.blueprints.push_back(blueprintOf("fence", 1, 0.25, 1.0));
-    Map map = makeMap("hall", 14, 11, 3, 2);
-    for (int x = 0; x < 14; ++x) {
-        map.setCell(x, 10, 0, 1);
-        map.setCell(x, 10, 1, 1);
-    }
-    for (int y = 0; y < 11; ++y) map.setCell(12, y, 0, 1);
-    map.setCell(6, 4, 0, 2);
-    map.setCell(7, 5, 0, 4);
-    map.setCell(9, 5, 1, 3);
-    map.setCell(8, 7, 0, 2);
-    map.setCell(5, 7, 2, 3);
-    map.ceiling.height = toCoordinate(2.0);
-    map.ceiling.tiles.assign(map.occupied.size(), kNoTexture);
-    for (int y = 5; y < 11; ++y) {
-        for (int x = 0; x < 14; ++x) map.ceiling.tiles[map.tileIndex(x, y)] = 0;
-    }
-    map.objects.push_back({.x = toCoordinate(5.5),
-                           .y = toCoordinate(4.75),
-                           .z = toCoordinate(0.25),
-                           .width = toCoordinate(0.5),
-                           .height = toCoordinate(0.5)});
-    world.maps.push_back(std::move(map));
-    world.maps.push_back(makeMap("garden", 9, 9, 2, 2));
-    world.maps[1].setCell(4, 3, 0, 1);
-    world.portals.push_back({.fromMap = 0,
-                             .fromX = 6,
-                             .fromY = 1,
-                             .toMap = 1,
-                             .toX = 4,
-                             .toY = 7,
-                             .turn = 3,
-                             .levels = 0});
-    world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
-    world.maps[0].tilePortals[world.maps[0].tileIndex(6, 1)] = 0;
-    markPortals(world);
-    markSeeThrough(world);
-    world.start.x = toCoordinate(2.3);
-    world.start.y = toCoordinate(5.2);
+World fencedHall() {
+    World world = hall("fence", numbered(16, 200, 255, true), numbered(16, 250, 255, true));
+    world.blueprints[3].textureRise = toCoordinate(0.35);
+    world.maps[0].objects[0].y = toCoordinate(4.75);
     return world;
 }
 
 class PickTest : public testing::Test {
 protected:
-    explicit PickTest(World world = hall()) : session(std::move(world)) {
+    explicit PickTest(World world = fencedHall()) : session(std::move(world)) {
         EXPECT_EQ(session.setOption("light", "off"), "");
         EXPECT_EQ(session.setOption("fog", "off"), "");
         look(-12.0);
@@ -301,7 +230,7 @@ class PickMirrorTest : public PickTest {
 protected:
     PickMirrorTest()
         : PickTest([] {
-              World world = hall();
+              World world = fencedHall();
               world.maps[0].floor.mirror = 255;
               return world;
           }()) {}

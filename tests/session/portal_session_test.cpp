@@ -1,5 +1,6 @@
 // Games with portals: what is drawn between two steps.
 #include "session/session.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -10,26 +11,11 @@ namespace {
 
 // A corridor along which tile 3 leads to tile 20, turned around.
 World corridor() {
-    World world;
-    world.maps.push_back(makeMap("corridor", 30, 1, 1, kNoTexture));
-    Map& map = world.maps[0];
-    map.tilePortals.assign(map.occupied.size(), kNoPortal);
-    map.tilePortals[3] = 0;
-    world.portals.push_back({.fromMap = 0,
-                             .fromX = 3,
-                             .fromY = 0,
-                             .toMap = 0,
-                             .toX = 20,
-                             .toY = 0,
-                             .turn = 2,
-                             .levels = 0});
-    world.start = {.map = 0,
-                   .x = toCoordinate(1.5),
-                   .y = toCoordinate(0.5),
-                   .z = {},
-                   .headingDegrees = 0.0,
-                   .look = 0.0};
-    return world;
+    WorldBuilder make;
+    make.map("corridor", 30, 1, 1, kNoTexture);
+    make.tilePortal({.fromX = 3, .fromY = 0, .toX = 20, .toY = 0, .turn = 2});
+    make.start(1.5, 0.5);
+    return std::move(make.world);
 }
 
 TEST(PortalSession, DoesNotInterpolateBetweenTheSidesWithinOneMapEither) {

@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "session/session.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -16,21 +17,14 @@ namespace {
 
 // A field with a stair of one step, and a block in the way.
 World makeField() {
-    World world;
-    world.title = "A field";
-    Image image(8, 8);
-    for (Pixel& pixel : image.pixels) pixel = 0xff808080u;
-    world.textures.push_back(makeTexture("grey", image));
-    CellBlueprint block;
-    block.name = "block";
-    for (FaceBlueprint& face : block.faces) face.texture = 0;
-    world.blueprints.push_back(block);
-    Map map = makeMap("field", 20, 20, 2, 0);
-    map.setCell(14, 10, 0, 1);
-    world.maps.push_back(std::move(map));
-    world.start.x = toCoordinate(10.5);
-    world.start.y = toCoordinate(10.5);
-    return world;
+    WorldBuilder make;
+    make.world.title = "A field";
+    make.texture("grey", {128, 128, 128, 255});
+    make.block('#', {.name = "block"});
+    make.map("field", 20, 20, 2);
+    make.put('#', 14, 10);
+    make.start(10.5, 10.5);
+    return std::move(make.world);
 }
 
 Input anyInput(Random& random) {

@@ -2,6 +2,7 @@
 #include "session/session.h"
 #include "world/mover.h"
 #include "world/object_motion.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,48 +15,33 @@ namespace {
 
 // A yard in which one walks to and fro, and another stands on a lift, almost still.
 World livelyYards() {
-    World world;
-    Image image(8, 8);
-    std::fill(image.pixels.begin(), image.pixels.end(), toPixel({120, 110, 100, 255}));
-    world.textures.push_back(makeTexture("grey", image));
-    world.maps.push_back(makeMap("yard", 12, 9, 2, 0));
-    world.start = {.map = 0,
-                   .x = toCoordinate(2.5),
-                   .y = toCoordinate(4.5),
-                   .z = {},
-                   .headingDegrees = 0.0,
-                   .look = 0.0};
-    world.motions.push_back({.name = "lift",
-                             .edges = MovingEdges::top,
-                             .from = {},
-                             .to = toCoordinate(0.5),
-                             .periodSteps = 480,
-                             .phaseSteps = 0});
-    CellBlueprint lift;
-    lift.top = toCoordinate(0.5);
-    for (FaceBlueprint& face : lift.faces) face.texture = 0;
-    lift.motion = 0;
-    world.blueprints.push_back(lift);
-    world.maps[0].setCell(9, 6, 0, 1);
-    EXPECT_TRUE(makeMovers(world).empty());
-    world.sprites.push_back(makeSprite("walker", image));
-    for (const double x : {4.5, 9.5}) {
-        Object object;
-        object.x = toCoordinate(x);
-        object.y = toCoordinate(6.5);
-        object.z = toCoordinate(x > 9.0 ? 0.5 : 0.0);
-        object.width = toCoordinate(0.3);
-        object.height = toCoordinate(0.6);
+    const Image grey = imageOf({120, 110, 100, 255});
+    WorldBuilder make;
+    make.texture("grey", grey);
+    make.world.sprites.push_back(makeSprite("walker", grey));
+    make.block('=', {.top = 0.5}).motion = 0;
+    make.world.motions.push_back({.name = "lift",
+                                  .edges = MovingEdges::top,
+                                  .from = {},
+                                  .to = toCoordinate(0.5),
+                                  .periodSteps = 480});
+    make.map("yard", 12, 9, 2);
+    make.put('=', 9, 6);
+    make.start(2.5, 4.5);
+    EXPECT_TRUE(makeMovers(make.world).empty());
+    const auto walker = [&](double x, double z, double speed) {
         ObjectMotion motion;
         motion.kind = ObjectMotion::Kind::pace;
-        motion.object = static_cast<int>(world.maps[0].objects.size());
-        motion.speed = x > 9.0 ? 0.001 : 1.0;
+        motion.object = static_cast<int>(make.world.maps[0].objects.size());
+        motion.speed = speed;
         motion.reach = toCoordinate(2.0);
-        world.maps[0].objects.push_back(object);
-        world.movingObjects.motions.push_back(motion);
-    }
-    startObjects(world);
-    return world;
+        make.world.movingObjects.motions.push_back(motion);
+        make.object(x, 6.5, z, 0.3, 0.6);
+    };
+    walker(4.5, 0.0, 1.0);
+    walker(9.5, 0.5, 0.001);
+    startObjects(make.world);
+    return std::move(make.world);
 }
 
 TEST(SessionObjects, MoveRideAndRestart) {

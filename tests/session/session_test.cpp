@@ -3,6 +3,7 @@
 #include "base/image.h"
 #include "base/random.h"
 #include "overlay/minimap.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -16,40 +17,27 @@ namespace {
 
 // Two walled yards with a stair in the first; the player starts in its west and looks east.
 World yards() {
-    World world;
-    world.title = "Yards";
-    Image image(8, 8);
-    for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 8; ++x)
-            image.at(x, y) = toPixel({static_cast<std::uint8_t>(90 + 16 * x),
-                                      static_cast<std::uint8_t>(60 + 20 * y), 110, 255});
-    }
-    world.textures.push_back(makeTexture("squares", image));
-    for (const double top : {1.0, 0.5}) {
-        CellBlueprint block;
-        block.top = toCoordinate(top);
-        for (FaceBlueprint& face : block.faces) face.texture = 0;
-        world.blueprints.push_back(block);
-    }
+    WorldBuilder make;
+    make.world.title = "Yards";
+    make.texture("squares", squaresImage());
+    make.block('#');
+    make.block('-', {.top = 0.5});
     for (const char* name : {"first", "second"}) {
-        Map map = makeMap(name, 12, 9, 2, 0);
-        for (int x = 0; x < 12; ++x) {
-            for (int y = 0; y < 9; ++y) {
-                if (x == 0 || y == 0 || x == 11 || y == 8) map.setCell(x, y, 0, 1);
-            }
-        }
-        map.setCell(6, 4, 0, 2);
-        map.setCell(7, 4, 0, 1);
-        world.maps.push_back(std::move(map));
+        make.map(name, 2, R"(
+############
+#..........#
+#..........#
+#..........#
+#.....-#...#
+#..........#
+#..........#
+#..........#
+############
+)");
     }
-    world.maps[1].light.intensity = 0.75;
-    world.start = {.map = 0,
-                   .x = toCoordinate(2.5),
-                   .y = toCoordinate(4.5),
-                   .z = {},
-                   .headingDegrees = 0.0,
-                   .look = 0.0};
-    return world;
+    make.world.maps[1].light.intensity = 0.75;
+    make.start(2.5, 4.5);
+    return std::move(make.world);
 }
 
 Image drawn(Session& session, double fraction = 1.0, int width = 96, int height = 60) {

@@ -1,7 +1,9 @@
 // What a trace tells is what the picture shows: its texels are those of the picture, its depths
 // those of the definition, and no row is missing.
 #include "session/trace_json.h"
+
 #include "base/angle.h"
+#include "session/hall.h"
 #include "session/hits_json.h"
 
 #include <gtest/gtest.h>
@@ -22,87 +24,16 @@ using Json = rapidjson::Value;
 constexpr int kWidth = 120;
 constexpr int kHeight = 90;
 
-// A texel tells which one it is.
-Image numbered(int size, int blue, int alpha = 255) {
-    Image image(size, size);
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            const auto share = [size](int i) {
-                return static_cast<std::uint8_t>(i * 255 / (size - 1));
-            };
-            image.pixels[static_cast<std::size_t>(y * size + x)] =
-                toPixel({share(x), share(y), static_cast<std::uint8_t>(blue),
-                         static_cast<std::uint8_t>(alpha)});
-        }
-    }
-    return image;
-}
-
-// Blocks of several heights, glass, a ceiling over one half, a lamp, and a portal in the north.
-World hall() {
-    World world;
-    world.textures.push_back(makeTexture("stone", numbered(32, 60)));
-    world.textures.push_back(makeTexture("glass", numbered(16, 200, 120)));
-    world.textures.push_back(makeTexture("ground", numbered(64, 130)));
-    world.sprites.push_back(makeSprite("lamp", numbered(16, 250)));
-    const auto addBlueprint = [&](const char* name, TextureId texture, double bottom, double top) {
-        CellBlueprint blueprint;
-        blueprint.name = name;
-        blueprint.bottom = toCoordinate(bottom);
-        blueprint.top = toCoordinate(top);
-        for (FaceBlueprint& face : blueprint.faces) face.texture = texture;
-        world.blueprints.push_back(blueprint);
-    };
-    addBlueprint("wall", 0, 0.0, 1.0);
-    addBlueprint("bench", 0, 0.0, 0.375);
-    addBlueprint("beam", 0, 0.5, 0.75);
-    addBlueprint("window", 1, 0.25, 1.0);
-    Map map = makeMap("hall", 14, 11, 3, 2);
-    for (int x = 0; x < 14; ++x) {
-        map.setCell(x, 10, 0, 1);
-        map.setCell(x, 10, 1, 1);
-    }
-    for (int y = 0; y < 11; ++y) map.setCell(12, y, 0, 1);
-    map.setCell(6, 4, 0, 2);
-    map.setCell(7, 5, 0, 4);
-    map.setCell(9, 5, 1, 3);
-    map.setCell(8, 7, 0, 2);
-    map.setCell(5, 7, 2, 3);
-    map.ceiling.height = toCoordinate(2.0);
-    map.ceiling.tiles.assign(map.occupied.size(), kNoTexture);
-    for (int y = 5; y < 11; ++y) {
-        for (int x = 0; x < 14; ++x) map.ceiling.tiles[map.tileIndex(x, y)] = 0;
-    }
-    map.objects.push_back({.x = toCoordinate(5.5),
-                           .y = toCoordinate(4.25),
-                           .z = toCoordinate(0.25),
-                           .width = toCoordinate(0.5),
-                           .height = toCoordinate(0.5)});
-    map.floor.mirror = 255;
-    map.fog = {.on = true, .start = 2.0, .end = 12.0};
-    world.maps.push_back(std::move(map));
-    world.maps.push_back(makeMap("garden", 9, 9, 2, 2));
-    world.maps[1].setCell(4, 3, 0, 1);
-    world.portals.push_back({.fromMap = 0,
-                             .fromX = 6,
-                             .fromY = 1,
-                             .toMap = 1,
-                             .toX = 4,
-                             .toY = 7,
-                             .turn = 3,
-                             .levels = 0});
-    world.maps[0].tilePortals.assign(world.maps[0].occupied.size(), kNoPortal);
-    world.maps[0].tilePortals[world.maps[0].tileIndex(6, 1)] = 0;
-    markPortals(world);
-    markSeeThrough(world);
-    world.start.x = toCoordinate(2.3);
-    world.start.y = toCoordinate(5.2);
+World glassHall() {
+    World world = hall("glass", numbered(16, 200, 120), numbered(16, 250));
+    world.maps[0].floor.mirror = 255;
+    world.maps[0].fog = {.on = true, .start = 2.0, .end = 12.0};
     return world;
 }
 
 class TraceJsonTest : public testing::Test {
 protected:
-    TraceJsonTest() : session(hall()) {
+    TraceJsonTest() : session(glassHall()) {
         set("mirrors", "0");
         EXPECT_TRUE(session.setEye({.map = 0,
                                     .x = toCoordinate(2.3),

@@ -3,33 +3,25 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readdirSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
+import { brokenScenes, brokenScenesFolder } from '../scene/broken-scenes.mjs';
 import { loadModule, roomScene, root, Session, shippedScenes, textureBytes } from './load.mjs';
 
 const readTexture = () => textureBytes;
 
 test('every broken scene has the same faults natively and in WebAssembly', async () => {
   const session = new Session(await loadModule('simd'));
-  const folder = join(root, 'tests/scene/broken');
-  const scenes = readdirSync(folder).filter((name) => name.endsWith('.json'));
-  assert.ok(scenes.length >= 30);
-  for (const name of scenes) {
-    const scene = join(folder, name);
-    const faults = session.load(scene);
-    const native = spawnSync(
-      join(root, 'build/native/tests/slicecast-replay'),
-      [scene, '1', '1', '/dev/null'],
-      { input: '', encoding: 'utf8' },
+  for (const { name, bytes, faults } of brokenScenes()) {
+    const found = session.loadText(bytes, `${name}.json`, (image) =>
+      readFileSync(join(brokenScenesFolder, image)),
     );
     assert.deepEqual(
-      faults.map(({ message }) => message),
-      native.stderr.trimEnd().split('\n'),
-      name,
+      found.map(({ message }) => message),
+      faults.map((fault) => `${name}.json:${fault}`),
     );
-    assert.equal(native.status, 1, name);
     assert.equal(session.draw(8, 8), null, name);
   }
 });

@@ -1,4 +1,5 @@
 #include "world/line_of_sight.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -7,21 +8,22 @@
 namespace slicecast {
 namespace {
 
-// 8 x 8 tiles, three levels; a whole block at (4, 4), a half one at (4, 2), glass at (4, 6).
 World makeYard() {
-    World world;
-    world.blueprints.resize(4);
-    world.blueprints[1].name = "wall";
-    world.blueprints[2].name = "step";
-    world.blueprints[2].top = toCoordinate(0.5);
-    world.blueprints[3].name = "glass";
-    world.blueprints[3].seeThrough = true;
-    world.maps.push_back(makeMap("yard", 8, 8, 3, 0));
-    Map& map = world.maps[0];
-    map.setCell(4, 4, 0, 1);
-    map.setCell(4, 2, 0, 2);
-    map.setCell(4, 6, 0, 3);
-    return world;
+    WorldBuilder make;
+    make.block('#', {.name = "wall"});
+    make.block('-', {.name = "step", .top = 0.5});
+    make.block('o', {.name = "glass"}).seeThrough = true;
+    make.map("yard", 3, R"(
+........
+........
+....-...
+........
+....#...
+........
+....o...
+........
+)");
+    return std::move(make.world);
 }
 
 bool sees(const World& world, const Place& from, const Place& to) {

@@ -1,6 +1,7 @@
 #include "world/map_entry.h"
 
 #include "world/world.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +10,11 @@ namespace {
 
 // A map of 7 x 7 tiles; blueprint 1 is a whole block, 2 a half one.
 World emptyMap() {
-    World world;
-    for (const double top : {1.0, 0.5}) {
-        CellBlueprint block;
-        block.top = toCoordinate(top);
-        world.blueprints.push_back(block);
-    }
-    world.maps.push_back(makeMap("map", 7, 7, 2, kNoTexture));
-    return world;
+    WorldBuilder make;
+    make.block('#');
+    make.block('-', {.top = 0.5});
+    make.map("map", 7, 7, 2, kNoTexture);
+    return std::move(make.world);
 }
 
 void expectEntry(const World& world, double x, double y, double feet) {

@@ -242,8 +242,8 @@ TEST(Movers, AreRefusedIfTheyCannotMove) {
     gap.maps[0].setCell(2, 3, 0, half);
     gap.maps[0].setCell(2, 3, 1, half);
     EXPECT_EQ(faultOf(gap.copy()),
-              "the moving block \"moving 0\" stacked without touching at 2 3 0: a bottom of 0 and "
-              "a top of 1 in stacked moving blocks");
+              "the moving block \"moving 0\" stacked with a gap between its parts at 2 3 0: a "
+              "bottom of 0 and a top of 1 where moving blocks are stacked");
     World never = emptyWorld(5, 5, 5);
     Motion hidden = lift();
     hidden.edges = MovingEdges::top;
@@ -252,7 +252,7 @@ TEST(Movers, AreRefusedIfTheyCannotMove) {
     never.maps[0].setCell(2, 3, 0, addMoving(never, {}, 0.5_u, hidden));
     EXPECT_EQ(faultOf(never.copy()),
               "the moving block \"moving 0\" whose top never gets above its bottom at 2 3 0: a "
-              "motion during which the block is visible");
+              "motion that shows the block at some time");
 }
 
 TEST(Movers, AreLimitedByTheirBlueprints) {

@@ -10,22 +10,6 @@ const kSystem = 'wasi_snapshot_preview1';
 const kNotHere = 52; // what it answers where there is no such thing
 const kPageBytes = 65536;
 
-// In the order of News in src/app/shell.h.
-const kNews = [
-  'ready',
-  'pause',
-  'pointer',
-  'cursor',
-  'recording',
-  'replay',
-  'fly',
-  'overlay',
-  'help',
-  'rate',
-  'fullscreen',
-  'record',
-];
-
 export async function createModule(
   program,
   { canvas = null, openCanvas, onSlicecast = () => {}, takesKey = () => true } = {},
@@ -75,7 +59,7 @@ export async function createModule(
     askForFrame: () => (asked = requestAnimationFrame(drawFrame)),
     forgetFrame: (frame) => cancelAnimationFrame(frame),
     leaveCanvas: () => canvas.blur(),
-    tell: (news, yes) => onSlicecast(kNews[news], yes !== 0),
+    tell: (news, yes) => onSlicecast(module.UTF8ToString(news), yes !== 0),
     tellShown(moved) {
       if (moved) onSlicecast('view', true);
       onSlicecast('frame', true);
