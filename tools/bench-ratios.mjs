@@ -130,8 +130,8 @@ export function compare(record, now) {
 }
 
 // Compares what `measure` gives with a record. Where something seems lost, the builds concerned are
-// measured once more before it counts: `measure(names, isAgain)` takes the builds' names, or null for
-// all of them. All views are, for a view that is measured alone has the caches for itself.
+// measured once more before it counts: `measure(names, isAgain)` takes the builds' names, or null
+// for all of them. All views are, for a view that is measured alone has the caches for itself.
 export function check(record, measure) {
   const now = measure(null, false);
   const views = Object.keys(now).length;

@@ -1,4 +1,5 @@
-// The tables of tools/bench, in 120 columns: a row for each view, a group of columns for each build.
+// The tables of tools/bench, in 120 columns: a row for each view, a group of columns for each
+// build.
 //
 //     table(runs)            what each view takes
 //     phasesTable(runs)      how that falls on the phases of a frame

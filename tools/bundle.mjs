@@ -1,6 +1,6 @@
-// Makes the scripts that a page waits for few and small. Each of them and all that it imports become
-// one file, so that a page waits for one answer, not for thirty, one layer after the other; what the
-// element needs only later are files of their own.
+// Makes the scripts that a page waits for few and small. Each of them and all that it imports
+// become one file, so that a page waits for one answer, not for thirty, one layer after the other;
+// what the element needs only later are files of their own.
 //
 //     node tools/bundle.mjs FOLDER        FOLDER/ray-caster.js and the others become those files
 //

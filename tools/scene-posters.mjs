@@ -1,5 +1,6 @@
-// Draws the pictures of the menu of scenes into a built page: each scene of its list from the start,
-// and names them in the list. A scene that stands there without one has no picture in the menu.
+// Draws the pictures of the menu of scenes into a built page: each scene of its list from the
+// start, and names them in the list. A scene that stands there without one has no picture in the
+// menu.
 //
 //     node tools/scene-posters.mjs FOLDER        // FOLDER/scenes/posters/NAME.png, "poster" in FOLDER/scenes/index.json
 

@@ -217,7 +217,8 @@ export async function startServer({ folder, scene: sceneFile, port, hosts = [] }
     },
   });
   const server = createServer((request, response) => {
-    // A file is closed when the one who wanted it has gone, too; one that cannot be read ends the answer.
+    // A file is closed when the one who wanted it has gone, too; one that cannot be read ends the
+    // answer.
     response.on('pipe', (file) => {
       file.on('error', () => response.destroy());
       response.on('close', () => file.destroy());

@@ -370,16 +370,16 @@ test('a scene inside the element may change, and come later', async (t) => {
 });
 
 // A slip in an attribute, what is said of it, and what an option of the engine is then.
-const kSlips = [
+const kMistakes = [
   ['view', '1,2', /^view: found "1,2", expected x,y,z,heading/],
   ['view', '3.5,3.5,-4,0', /^The view '3.5,3.5,-4,0' is not above the floor\.$/],
   ['view', '3.5,3.5,0.5,0,0,rom', /^Unknown map 'rom'\. Did you mean 'room'\?$/],
   [
     'size',
     'large',
-    /^The size is auto, WIDTHxHEIGHT in pixels of at most 4096, or 10% to 100% of the box, not 'large'\.$/,
+    /^Found 'large', expected auto, WIDTHxHEIGHT of at most 4096 pixels each, or 10% to 100%\.$/,
   ],
-  ['size', '5000x10', /not '5000x10'\.$/],
+  ['size', '5000x10', /^Found '5000x10', expected auto/],
   ['controls', 'play savee', /^Unknown control 'savee'\. Did you mean 'save'\?$/],
   ['controls', 'stop', /^Unknown control 'stop'\. Expected play, reset, .* or fullscreen\.$/],
   [
@@ -402,7 +402,7 @@ test('a slip in an attribute is warned of, and the rest is drawn', async (t) => 
   const { page } = await openElements(t, browser, '', { expectErrors: true });
   const said = [];
   page.on('console', (message) => message.type() === 'warning' && said.push(message.text()));
-  for (const [name, value, message, option, set] of kSlips) {
+  for (const [name, value, message, option, set] of kMistakes) {
     said.length = 0;
     const found = await page.evaluate(
       async ([attribute, slip, which]) => {

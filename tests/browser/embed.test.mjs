@@ -126,7 +126,7 @@ test('a slip in the address blanks no frame', async (t) => {
   for (const [query, expected] of [
     ['&utm_source=mail', /Unknown parameter 'utm_source'/],
     ['&optoins=fov=75', /Unknown parameter 'optoins'\. Did you mean 'options'\?/],
-    ['&scene=other', /'scene' stands there more than once/],
+    ['&scene=other', /'scene' appears more than once/],
     ['&view=1', /view: found "1"/],
     ['&options=fov=9000', /Option 'fov' takes a number from 10 to 150, not '9000'/],
     ['&controls=hat', /Unknown control 'hat'/],
@@ -232,7 +232,7 @@ test('a poster of a link comes from where its scene may come from', async (t) =>
   for (const poster of [`${other.address}poster.png`, 'data:image/png;base64,AAAA']) {
     await page.goto(`${server.address}embed.html?scene=room&poster=${encodeURIComponent(poster)}`);
     await page.waitForSelector('#trouble:visible');
-    assert.match(await page.innerText('#trouble'), /shows nothing from elsewhere/);
+    assert.match(await page.innerText('#trouble'), /does not allow that address/);
   }
   assert.deepEqual(other.asked, []);
 });
@@ -265,11 +265,11 @@ test('a scene from elsewhere says whose it is, and its title poses as nothing el
     await route.continue();
   });
   await page.goto(`${server.address}embed.html${query}&autoplay`);
-  await page.waitForSelector('#whose:visible');
-  assert.equal(await page.innerText('#whose'), `A scene from ${host}`);
+  await page.waitForSelector('#origin:visible');
+  assert.equal(await page.innerText('#origin'), `A scene from ${host}`);
   go();
   await page.waitForFunction((wanted) => document.title === wanted, `${said} · Slicecast`);
-  assert.equal(await page.innerText('#whose'), said);
+  assert.equal(await page.innerText('#origin'), said);
   assert.equal(await page.innerText('#title'), said);
   assert.equal(await name(), said);
 
@@ -285,7 +285,7 @@ test('a scene from elsewhere says whose it is, and its title poses as nothing el
     await page.goto(`${server.address}${where}?scene=room`);
     await page.waitForFunction(() => document.title === 'The coloured room · Slicecast');
     assert.equal(await name(), '');
-    if (where !== '') assert.equal(await page.isVisible('#whose'), false);
+    if (where !== '') assert.equal(await page.isVisible('#origin'), false);
   }
 });
 

@@ -134,7 +134,7 @@ test('opened as a file, the page says what to do', async (t) => {
   t.after(() => context.close());
   const page = await context.newPage();
   await page.goto(new URL('../../build/web/index.html', import.meta.url).href);
-  assert.match(await trouble(page), /wants a server.*tools\/play.*any static web server/);
+  assert.match(await trouble(page), /needs a web server.*tools\/play.*any static web server/);
   assert.equal(
     await page.evaluate(() => getComputedStyle(document.querySelector('.sheet')).backgroundColor),
     'rgb(34, 27, 32)',

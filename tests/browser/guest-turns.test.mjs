@@ -245,7 +245,7 @@ test('a tour that was recorded in another scene is left out', async (t) => {
   );
   assert.equal(attribute, 'tour');
   assert.deepEqual(await middle(page), kGreen);
-  assert.match(message, /mine\.txt was recorded in the scene other, and this one is room\./);
+  assert.match(message, /mine\.txt was recorded in the scene other, not in room\./);
   await page.evaluate(() => document.querySelector('ray-caster').removeAttribute('scene'));
   await page.waitForFunction(
     () => document.querySelector('ray-caster').world?.title === 'The other room',

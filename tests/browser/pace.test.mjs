@@ -1,6 +1,6 @@
 // How many pixels the picture has while it moves: fewer where the machine cannot keep up, all of
-// them again where it stands still. The classic method is slow, and the browser is told to run as if
-// on a processor of a sixth of this one's speed: some machines are fast enough for all pixels.
+// them again where it stands still. The classic method is slow, and the browser is told to run as
+// if on a processor of a sixth of this one's speed: some machines are fast enough for all pixels.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -80,7 +80,7 @@ test("N steers by the cursor's place, with rest in the middle", async (t) => {
   await page.mouse.move(320, 180);
   await page.keyboard.press('n');
   await page.waitForFunction(() => document.body.classList.contains('steering'));
-  assert.equal(await page.textContent('#mode'), "The mouse's place steers; Escape ends it");
+  assert.equal(await page.textContent('#mode'), 'The mouse position steers; Escape ends it');
 
   // 640 x 360: the dead zone reaches from 256 to 384 and from 144 to 216
   await page.mouse.move(380, 148);

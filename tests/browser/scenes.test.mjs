@@ -431,7 +431,7 @@ test('a scene saved under tools/play is loaded anew, and the eye stays where it 
   await save('{"title": "Third",}');
   await inState(page, 'trouble');
   assert.equal((await faultRows(page)).length, 1);
-  assert.match(await page.textContent('#trouble-text'), /as soon as the file is saved/);
+  assert.match(await page.textContent('#trouble-text'), /Fix these faults and save the file/);
   await save(roomScene({ title: 'Fourth' }));
   await page.waitForFunction(() => document.title.startsWith('Fourth'));
   await inState(page, 'playing');

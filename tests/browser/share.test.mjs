@@ -98,8 +98,9 @@ test('a slip in the address is warned of, and the rest is shown', async (t) => {
 
 test('what the address says that cannot be stands over the picture, until it is closed', async (t) => {
   const { page, server } = await openScene(t, browser, { query: '?scene=room' });
-  const lines = () => page.$$eval('#slips li', (all) => all.map(({ innerText }) => innerText));
-  assert.equal(await page.isVisible('#slips'), false);
+  const lines = () =>
+    page.$$eval('#address-problems li', (all) => all.map(({ innerText }) => innerText));
+  assert.equal(await page.isVisible('#address-problems'), false);
   for (const [query, ...expected] of [
     ['options=nonsense:1,fog:off', /^options Unknown option 'nonsense'\. All options$/],
     ['options='],
@@ -124,23 +125,23 @@ test('what the address says that cannot be stands over the picture, until it is 
         `${said}`,
       ),
     );
-    assert.equal(await page.isVisible('#slips'), expected.length > 0, query);
+    assert.equal(await page.isVisible('#address-problems'), expected.length > 0, query);
     if (query.includes('fog:off')) assert.equal(await option(page, 'fog'), 'off');
   }
-  await page.click('#slips button');
-  assert.equal(await page.isVisible('#slips'), false);
+  await page.click('#address-problems button');
+  assert.equal(await page.isVisible('#address-problems'), false);
 
   // Who goes elsewhere, or plays, has read it.
   await page.goto(`${server.address}?scene=room&view=abc`);
-  await page.waitForSelector('#slips', { state: 'visible' });
+  await page.waitForSelector('#address-problems', { state: 'visible' });
   await page.click('#open-scenes');
   await page.click('#scene-list a:has-text("The other room")');
   await page.waitForFunction(() => document.title.startsWith('The other room'));
-  assert.equal(await page.isVisible('#slips'), false);
+  assert.equal(await page.isVisible('#address-problems'), false);
   await page.goBack();
-  await page.waitForSelector('#slips', { state: 'visible' });
+  await page.waitForSelector('#address-problems', { state: 'visible' });
   await play(page);
-  assert.equal(await page.isVisible('#slips'), false);
+  assert.equal(await page.isVisible('#address-problems'), false);
 });
 
 test('a scene or a tour that is nearly one of the list: the page asks whether that was meant', async (t) => {

@@ -82,7 +82,7 @@ test('hotspots stand on their places, follow the view, hide where they are cover
     [],
   );
   assert.deepEqual(await page.evaluate(() => document.getElementById('a').warnings), [
-    { attribute: 'data-at', message: "A place is x,y,z or x,y,z,map, not 'here'." },
+    { attribute: 'data-at', message: "Found 'here', expected x,y,z or x,y,z,map." },
   ]);
 
   // Round the block it is the other way round.
@@ -162,7 +162,7 @@ test('two views move together, whoever of them is moved', async (t) => {
   });
   assert.deepEqual(found, [
     3.5,
-    [{ attribute: 'syncwith', message: "No other <ray-caster> is found by '#nobody'." }],
+    [{ attribute: 'syncwith', message: "'#nobody' finds no other <ray-caster>." }],
   ]);
   // No longer.
   await page.evaluate(() => {

@@ -1,5 +1,5 @@
-// The pages under the strictest rule for scripts: no text becomes HTML or a script, and no policy may
-// let it through.
+// The pages under the strictest rule for scripts: no text becomes HTML or a script, and no policy
+// may let it through.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

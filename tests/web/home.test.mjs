@@ -1,5 +1,5 @@
-// Where the element looks for the shipped scenes and the engine: web/engine/home.js in pages of every
-// kind.
+// Where the element looks for the shipped scenes and the engine: web/engine/home.js in pages of
+// every kind.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

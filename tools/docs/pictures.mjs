@@ -1,5 +1,5 @@
-// The pictures of the documentation. A fence ```json picture=glass alt="A pane"``` holds a part of a
-// scene. Laid over web/docs/scenes/glass.json, where that is, and over base.json there, it is a
+// The pictures of the documentation. A fence ```json picture=glass alt="A pane"``` holds a part of
+// a scene. Laid over web/docs/scenes/glass.json, where that is, and over base.json there, it is a
 // whole scene. The engine draws it from its start when the pages are built, and the reader can open
 // it. So no snippet is shown that does not load.
 //

@@ -2,8 +2,8 @@
 //
 //     keyExamples(schema, scenes, others)       // Map: 'gate.seconds' -> '1.2'
 //
-// `others` serve for keys that no scene has. A value that is not the key's default, and short, is the
-// better example.
+// `others` serve for keys that no scene has. A value that is not the key's default, and short, is
+// the better example.
 
 const kLongest = 44; // characters; of what is longer the shortest is cut
 

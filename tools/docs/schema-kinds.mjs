@@ -4,8 +4,8 @@
 //     objectKinds(schema)       // [{id, title, description, nodes, keys}]
 //     keys                      // [{name, node, required, description, standard}]
 //
-// A node is the schema's own with its references followed: {type, enum, minimum, ..., items, values,
-// variants, said}. Equal places of the schema are one node.
+// A node is the schema's own with its references followed: {type, enum, minimum, ..., items,
+// values, variants, said}. Equal places of the schema are one node.
 
 const kSaid = {
   colour: 'a colour, <code>#rrggbb</code>',

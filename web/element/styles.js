@@ -1,14 +1,14 @@
-// How a <ray-caster> looks: sheets for all of a document, adopted, so that no page has to allow
+// The style of <ray-caster>: adopted style sheets, one set per document, because pages may forbid
 // inline styles.
 //
 //     const styles = new Styles(shadowRoot);
-//     styles.size = '640x400';         // of the picture, if it has one of its own: it gives the shape
-//     styles.add(sheet);               // the text of another one
-//     styles.adopt();                  // in another document
+//     styles.size = '640x400';         // a fixed size sets the aspect ratio
+//     styles.add(sheet);               // adds the text of a style sheet
+//     styles.adopt();                  // after a move to another document
 //
-// Things that can be pressed are blocks: square, lit from above, on a darker edge. A page colours
-// them with --ray-caster-accent, --ray-caster-ink (behind the picture and on the accent),
-// --ray-caster-panel and --ray-caster-text.
+// Buttons look like blocks: square, lit from above, on a darker edge. A page sets their colours by
+// --ray-caster-accent, --ray-caster-ink (behind the picture and on the accent), --ray-caster-panel
+// and --ray-caster-text.
 
 const kSheet = `
 :host {

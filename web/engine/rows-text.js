@@ -1,16 +1,17 @@
-// Plain rows of characters, taken apart: rows.js says how they are written.
+// Splits plain rows of characters into levels and legend; rows.js describes how they are written.
 //
-//     const { levels, size, legend, colours, strays } = readRows(text);      // or lists of rows, or of levels of rows
+//     const { levels, size, legend, colours, strays } = readRows(text);
 //     const tiles = padded(levels);
 //
-// `levels` are rows as texts, of any length; `size` is what the longest need: {width, depth}. Padded
-// they are rows of single characters, all of one length, as many on each level. `legend` is what its
-// lines say, `strays` are those that say nothing.
+// readRows also takes a list of rows, or a list of levels of rows. `levels` are rows as texts of
+// any length; `size` is {width, depth} of the largest. padded() makes rows of single characters,
+// all of one length, as many on each level. `legend` holds the legend's lines; `strays` are lines
+// that mean nothing.
 //
-// Whoever writes rows may be a stranger: all of this takes a time that grows as the text does, but
-// for padding, which must be asked for.
+// Rows may come from strangers: readRows takes time linear in the text. Only padded() can take
+// more.
 
-// Of lines without blanks at their ends; none of them is tried in more ways the longer a line is.
+// For trimmed lines. Neither pattern backtracks more the longer a line is.
 const kSeparator = /^-{3,}\s*(\w*)$/;
 const kLegendLine = /^(\S+?)\s*=\s*(\S.*)$/s;
 
@@ -46,7 +47,7 @@ function readText(text) {
         else legend[character] = meaning;
       }
     } else if (word === 'colours' || word === 'colors') {
-      // What follows it is the first level, where nothing has come yet.
+      // Rows that follow it are a level.
       if (told.length > 0) levels.push(lines);
     } else if (word === '' || word === 'level') {
       levels.push(lines);
@@ -66,8 +67,8 @@ function readText(text) {
   };
 }
 
-// Without the indentation that all of them share, and without empty rows at the end; before the
-// first row too, on the first level.
+// Removes the indentation that all rows share, empty rows at the end of each level, and those
+// before the first row of the first level.
 function linesOf(levels) {
   const lists = levels.map((level) => (Array.isArray(level) ? level : level.split('\n')));
   const isTold = (line) => line.trim() !== '';
@@ -83,7 +84,7 @@ function linesOf(levels) {
   });
 }
 
-// As many characters as a text has at most: a few take two places in it.
+// Counts code units, so an upper bound: a few characters take two.
 function sizeOf(levels) {
   const greatest = (numbers) => numbers.reduce((most, one) => Math.max(most, one), 0);
   return {
