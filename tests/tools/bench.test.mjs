@@ -156,7 +156,7 @@ test('where nothing seems lost, everything is measured once', () => {
   assert.deepEqual(asked, [[null, false]]);
   assert.match(
     reportOf(result, record, 'AMD EPYC'),
-    /^None of 2 views has lost more than 10 % since 2026-11-23 \(Walls stand closer\)\.$/,
+    /^None of 2 views is more than 10 % slower since 2026-11-23 \(Walls stand closer\)\.$/,
   );
 });
 

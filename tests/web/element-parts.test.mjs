@@ -355,7 +355,7 @@ test('whatever is thrown has a code', (t) => {
       /Access-Control-Allow-Origin/,
     ],
     [Object.assign(new Error('strange'), { code: 'toString' }), 'engine', /strange/],
-    [sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }]), 'scene', /Mend/],
+    [sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }]), 'scene', /Fix each place/],
   ];
   for (const [thrown, code, message] of cases) {
     const told = explain(thrown);

@@ -1,11 +1,11 @@
-// A value for each key of the scenes' JSON Schema, from scenes that use it.
+// Finds an example value for each key of the scenes' JSON Schema, from scenes that use it.
 //
 //     keyExamples(schema, scenes, others)       // Map: 'gate.seconds' -> '1.2'
 //
-// `others` serve for keys that no scene has. A value that is not the key's default, and short, is
-// the better example.
+// `others` provides keys that no scene has. Short values that differ from the default are
+// preferred.
 
-const kLongest = 44; // characters; of what is longer the shortest is cut
+const kLongest = 44; // characters; if all values are longer, the shortest is cut
 
 export function keyExamples(schema, scenes, others) {
   let found; // 'kind.key' -> [{text, isDefault}]

@@ -1,6 +1,8 @@
-// The table as a page to read: page.html, its gaps filled.
+// Turns the table into a page: fills the gaps of page.html.
 //
-//     const html = documentation({errorCodes, version, options, scenes});      // options as the engine lists them, the shipped scenes as their index does
+//     const html = documentation({errorCodes, version, options, scenes});
+//
+// `options` is the engine's list; `scenes` is the index of the shipped scenes.
 
 import { readFileSync } from 'node:fs';
 
