@@ -3,7 +3,15 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { cpSync, existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -179,6 +187,30 @@ test('a snippet that does not load ends the build', async (t) => {
   assert.throws(() => draw('broken', '"blueprints": {'), /picture broken/);
   const pictures = new Pictures(folder);
   assert.throws(() => pictures.add({ picture: 'silent' }, '', String), /silent has no alt/);
+});
+
+// Blocks without main() are the bodies of functions that have a game and an image.
+test('the C++ snippets compile', (t) => {
+  const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-docs-'));
+  t.after(() => rmSync(folder, { recursive: true }));
+  const snippets = ['README.md', 'web/docs/library.md'].flatMap((name) =>
+    [...read(root, name).matchAll(/^```cpp\n([\s\S]*?)^```/gm)].map(([, code]) => code),
+  );
+  assert.ok(snippets.length >= 5);
+  const compiler = process.env.CXX ?? 'c++';
+  const options = ['-std=c++20', '-fsyntax-only', '-I', path.join(root, 'src/include')];
+  const bodies = snippets.filter((code) => !code.includes('int main('));
+  const functions = bodies.map(
+    (code, index) =>
+      `void f${index}([[maybe_unused]] slicecast::Game& game,` +
+      ` [[maybe_unused]] slicecast::Image& image) {\n${code}}\n`,
+  );
+  const together = `#include <slicecast/slicecast.h>\n#include <utility>\n${functions.join('')}`;
+  for (const code of [...snippets.filter((one) => !bodies.includes(one)), together]) {
+    const file = path.join(folder, 'snippet.cpp');
+    writeFileSync(file, code);
+    execFileSync(compiler, [...options, file], { stdio: 'pipe' });
+  }
 });
 
 test('building it again gives the same bytes', (t) => {
