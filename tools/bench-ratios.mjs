@@ -97,8 +97,8 @@ export function ratiosText(records) {
 export const recordFor = (records, processor) =>
   records.findLast((record) => record.processor === processor) ?? records.at(-1);
 
-// The measurement in the form of a record: {title: {native, 'native 4K' ...}}. A run is the output of
-// slicecast-bench, with the build's `name`.
+// The measurement in the form of a record: {title: {native, 'native 4K' ...}}. A run is the output
+// of slicecast-bench, with the build's `name`.
 export function figuresOf(runs) {
   const all = {};
   const rounded = (number) => Number(number.toFixed(2));
@@ -112,8 +112,8 @@ export function figuresOf(runs) {
   return all;
 }
 
-// Compares with a record: {losses: [{title, figure, then, now}], unknown: titles}; `unknown` are views
-// without a record. Figures that were not measured now are left out.
+// Compares with a record: {losses: [{title, figure, then, now}], unknown: titles}; `unknown` are
+// views without a record. Figures that were not measured now are left out.
 export function compare(record, now) {
   const losses = [];
   const unknown = [];
@@ -128,9 +128,9 @@ export function compare(record, now) {
   return { losses, unknown };
 }
 
-// Compares a measurement with a record. If a view seems slower, its builds are measured again before
-// it counts: `measure(names, isAgain)` takes the builds' names, or null for all. Always measures all
-// views, because a view measured alone would have the caches for itself.
+// Compares a measurement with a record. If a view seems slower, its builds are measured again
+// before it counts: `measure(names, isAgain)` takes the builds' names, or null for all. Always
+// measures all views, because a view measured alone would have the caches for itself.
 export function check(record, measure) {
   const now = measure(null, false);
   const views = Object.keys(now).length;

@@ -1,6 +1,6 @@
-// Draws the posters of the lessons into web/examples/posters: the first picture of each
-// <ray-caster poster="...">, for readers whose browser cannot run the engine. Run it after tools/page
-// when a lesson's scene or view has changed; it uses the engine of build/web.
+// Draws the posters of the lessons into web/examples/posters: the first picture of each <ray-caster
+// poster="...">, for readers whose browser cannot run the engine. Run it after tools/page when a
+// lesson's scene or view has changed; it uses the engine of build/web.
 //
 //   node tools/lesson-posters.mjs
 

@@ -4,8 +4,8 @@
 //
 //     node tools/order-functions.mjs BINARYEN PROGRAM.wasm FEATURE...
 //
-// BINARYEN is the folder of wasm-dis and wasm-as, which come with Emscripten. Features are spelled as
-// Binaryen's options: --enable-simd.
+// BINARYEN is the folder of wasm-dis and wasm-as, which come with Emscripten. Features are spelled
+// as Binaryen's options: --enable-simd.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,12 +1,12 @@
-// Makes a module of each shipped scene, beside its file: scenes/castle.js. Its default export is the
-// scene as an object that names its pictures by `new URL('...', import.meta.url)`, which bundlers
-// follow; they cannot follow the plain file names of a scene file. `tour` is the address of the
-// scene's tour, if it has one.
+// Makes a module of each shipped scene, beside its file: scenes/castle.js. Its default export is
+// the scene as an object that names its pictures by `new URL('...', import.meta.url)`, which
+// bundlers follow; they cannot follow the plain file names of a scene file. `tour` is the address
+// of the scene's tour, if it has one.
 //
 //     node tools/scene-modules.mjs FOLDER        // a built page with scenes and pictures
 //
-// The module registers itself with the element, so that scene="castle" means this module. So a page,
-// and a server that renders it, needs only the name.
+// The module registers itself with the element, so that scene="castle" means this module. So a
+// page, and a server that renders it, needs only the name.
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';

@@ -1,5 +1,5 @@
-// Draws the pictures of the menu of scenes into a built page, each scene of the list from its start,
-// and adds them to the list.
+// Draws the pictures of the menu of scenes into a built page, each scene of the list from its
+// start, and adds them to the list.
 //
 //     node tools/scene-posters.mjs FOLDER
 //       // FOLDER/scenes/posters/NAME.png, and "poster" in FOLDER/scenes/index.json

@@ -190,7 +190,7 @@ test('the report warns where the record is of another processor', () => {
 for (const [words, message] of [
   [['--chekc'], /unknown option "--chekc"/],
   [['--rounds', '0'], /--rounds needs a number from 1 to 999999/],
-  [['--check', '--record'], /--check and --record do not go together/],
+  [['--check', '--record'], /--check and --record cannot be combined/],
   [['--check', '--view', 'castle, start'], /--check measures all views/],
   [['--record', '--native'], /--record measures every build/],
 ]) {

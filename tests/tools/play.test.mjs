@@ -19,11 +19,11 @@ for (const [args, message] of [
   [['no-such-scene.json'], /there is no scene "no-such-scene\.json"/],
   [['/'], /"\/" is not a file/],
   [[path.join(tools, 'play')], /must end in \.json/],
-  [['a.json', 'b.json'], /one scene at a time/],
-  [['--port'], /--port wants a number/],
+  [['a.json', 'b.json'], /only one scene can be opened/],
+  [['--port'], /--port needs a number/],
   [['--port', '0'], /from 1 to 65535, not "0"/],
   [['--port=70000'], /from 1 to 65535, not "70000"/],
-  [['--host'], /--host wants a name/],
+  [['--host'], /--host needs a name/],
   [['--prot', '80'], /unknown option "--prot"/],
 ]) {
   test(`tools/play ${args.map((arg) => arg.replace(tools, '')).join(' ')} is refused at once`, () => {

@@ -4,8 +4,8 @@
 //     objectKinds(schema)       // [{id, title, description, nodes, keys}]
 //     keys                      // [{name, node, required, description, standard}]
 //
-// A node is a part of the schema with references resolved: {type, enum, minimum, ..., items, values,
-// variants, said}. The same part of the schema is always the same node.
+// A node is a part of the schema with references resolved: {type, enum, minimum, ..., items,
+// values, variants, said}. The same part of the schema is always the same node.
 
 const kSaid = {
   colour: 'a colour, <code>#rrggbb</code>',

@@ -1,5 +1,5 @@
-// Turns the table into TypeScript declarations: shapes for pages and Node alike, the element's module,
-// and the module for Node.
+// Turns the table into TypeScript declarations: shapes for pages and Node alike, the element's
+// module, and the module for Node.
 //
 //     const files = declarations(table);
 //     // {'shapes.d.ts': text, 'ray-caster.d.ts': text, 'node/index.d.ts': text}
