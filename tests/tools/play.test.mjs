@@ -1,4 +1,4 @@
-// What tools/play and tools/setup refuse, and how they say it. Nothing here gets as far as
+// What tools/play and tools/setup refuse, with which message. No test here gets as far as
 // building.
 
 import assert from 'node:assert/strict';
@@ -34,14 +34,14 @@ for (const [args, message] of [
   });
 }
 
-test('--help tells the words and options', () => {
+test('--help lists arguments and options', () => {
   assert.match(run('play', ['--help']).stdout, /SCENE\.json.*--port/s);
   assert.match(run('setup', ['--help']).stdout, /native.*browser/s);
   assert.match(run('test', ['--help']).stdout, /native.*all/s);
 });
 
-test('where it cannot install, tools/setup stops with the whole list of what is missing', (t) => {
-  // A system with a shell and nothing else.
+test('if it cannot install, tools/setup stops with a list of everything missing', (t) => {
+  // A system with only a shell.
   const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-bare-'));
   t.after(() => rmSync(folder, { recursive: true }));
   for (const name of [

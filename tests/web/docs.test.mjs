@@ -69,14 +69,14 @@ test('links lead to files and to places in them', () => {
   }
 });
 
-test('ids are of one element each', () => {
+test('ids are unique', () => {
   for (const page of pages) {
     const ids = attributesOf(read(site, page), 'id');
     assert.deepEqual(ids.sort(), [...new Set(ids)].sort(), page);
   }
 });
 
-// As code hosts spell the ids of headings.
+// The ids of headings as code hosts spell them.
 const slugsOf = (markdown) =>
   [...markdown.matchAll(/^#+ (.*)$/gm)].map(([, title]) =>
     title
@@ -94,7 +94,7 @@ test('links in the Markdown lead somewhere in the repository, too', () => {
       if (isElsewhere(address)) continue;
       const [name, place] = address.split('#');
       count += 1;
-      // What the page is made of stands in its folder only when it is built.
+      // Files that the build makes are not in the repository.
       if (file.startsWith('web/docs/') && name.startsWith('../')) continue;
       const target = path.join(root, name === '' ? file : path.join(path.dirname(file), name));
       assert.ok(existsSync(target), `${file}: ${address}`);
@@ -105,7 +105,7 @@ test('links in the Markdown lead somewhere in the repository, too', () => {
   assert.ok(count > 40);
 });
 
-test('lines of Markdown fit a screen, tables and the first lines of blocks apart', () => {
+test('lines of Markdown have at most 100 characters, except tables and first lines of blocks', () => {
   const files = ['README.md', 'CONTRIBUTING.md'];
   files.push(...filesIn(sources, '.md').map((name) => `web/docs/${name}`));
   for (const file of files) {
@@ -163,7 +163,7 @@ test('the reference has every key of the schema, with what it takes and an examp
   }
 });
 
-test('every picture has its scene, and words for those who do not see it', () => {
+test('every picture has its scene, and a text alternative', () => {
   const html = read(site, 'docs/scenes.html');
   const names = [...html.matchAll(/<img src="scenes\/([\w-]+)\.png" alt="([^"]+)"/g)];
   assert.ok(names.length >= 20);
@@ -173,7 +173,7 @@ test('every picture has its scene, and words for those who do not see it', () =>
   }
 });
 
-test('a snippet that does not load ends the build', async (t) => {
+test('a snippet that does not load stops the build', async (t) => {
   const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-docs-'));
   t.after(() => rmSync(folder, { recursive: true }));
   cpSync(site, folder, { recursive: true });

@@ -8,8 +8,8 @@
 //     picture=NAME      docs/scenes/NAME.json and NAME.png in the built page
 //     alt="..."         what the picture shows, for readers who cannot see it
 //     in=map            the snippet belongs into the scene's first map
-//     view=x,y,...      the view, as in the element's attribute; without it kView, or the start of a
-//                       whole scene
+//     view=x,y,...      the view, as in the element's attribute; the default is kView, or the start
+//                       of a whole scene
 //     seconds=2.5       the time in the world at which to draw the picture
 //     live              a playable element instead of a picture
 

@@ -11,7 +11,8 @@ import { table } from './table.mjs';
 
 const template = readFileSync(new URL('page.html', import.meta.url), 'utf8');
 
-const known = new Set([...table.types, ...table.node.types].map(({ name }) => name)); // shapes that a type may name
+// The names of shapes that types may mention.
+const known = new Set([...table.types, ...table.node.types].map(({ name }) => name));
 
 export function documentation({ errorCodes, version, options, scenes }) {
   const gaps = {
