@@ -33,8 +33,8 @@ function(slicecastProgram name)
   endif()
 endfunction()
 
-# GoogleTest's header, precompiled for all tests of a build: parsing it takes half of a test's compile
-# time.
+# GoogleTest's header, precompiled for all tests of a build: parsing it takes half of a test's
+# compile time.
 function(slicecastTestHeader)
   find_package(GTest REQUIRED)
   set(nothing ${PROJECT_BINARY_DIR}/test_header.cpp)
@@ -48,8 +48,8 @@ function(slicecastTestHeader)
   endif()
 endfunction()
 
-# slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. Shards let a
-# long one run on several cores.
+# slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. Shards let
+# a long one run on several cores.
 function(slicecastTest name)
   cmake_parse_arguments(test "" "SHARDS" "SOURCES;WITH" ${ARGN})
   find_package(GTest REQUIRED)
