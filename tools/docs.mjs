@@ -10,10 +10,10 @@ import { fileURLToPath } from 'node:url';
 
 import { configure } from './docs/site.mjs';
 
-const [given] = process.argv.slice(2);
-if (given === undefined)
+const [argument] = process.argv.slice(2);
+if (argument === undefined)
   throw new Error('tools/docs.mjs: found no folder, expected that of a built page');
-const folder = path.resolve(given);
+const folder = path.resolve(argument);
 
 // Eleventy needs paths relative to the working directory.
 process.chdir(fileURLToPath(new URL('..', import.meta.url)));

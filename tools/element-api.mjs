@@ -25,11 +25,11 @@ const inFolder = (name) => pathToFileURL(join(folder, name)).href;
 const { errorCodes } = await import(inFolder('element/faults.js'));
 const { load } = await import(inFolder('node/index.js'));
 
-const told = Object.keys(errorCodes).sort().join(' ');
+const defined = Object.keys(errorCodes).sort().join(' ');
 const listed = [...table.errorCodes].sort().join(' ');
-if (told !== listed)
+if (defined !== listed)
   throw new Error(
-    `web/element/api.json lists the error codes ${listed}; web/element/faults.js has ${told}`,
+    `web/element/api.json lists the error codes ${listed}; web/element/faults.js has ${defined}`,
   );
 
 const scene = await load('first-walk', { engine: 'scalar' });

@@ -12,10 +12,10 @@ import { pathToFileURL } from 'node:url';
 
 const kSize = { width: 480, height: 270 }; // pixels of a card of the menu
 
-const [given] = process.argv.slice(2);
-if (given === undefined)
+const [argument] = process.argv.slice(2);
+if (argument === undefined)
   throw new Error('tools/scene-posters.mjs: found no folder, expected that of a built page');
-const folder = path.resolve(given);
+const folder = path.resolve(argument);
 const { load } = await import(pathToFileURL(path.join(folder, 'node/index.js')));
 const posters = path.join(folder, 'scenes/posters');
 await mkdir(posters, { recursive: true });

@@ -249,7 +249,7 @@ test('if the pointer cannot be locked, the mouse position steers', async (t) => 
     document
       .getElementById('a')
       .shadowRoot.querySelector('.status')
-      .textContent.includes('place steers'),
+      .textContent.includes('mouse position steers'),
   );
   await page.mouse.move(310, 100);
   await page.waitForFunction(() => document.getElementById('a').currentView.heading > 5);

@@ -32,7 +32,7 @@ export class Pictures {
 
   // Registers a snippet, and returns the HTML of its picture.
   add(
-    { picture: name, alt, in: place, view: given, seconds = 0, live = false },
+    { picture: name, alt, in: place, view: ownView, seconds = 0, live = false },
     snippet,
     escapeHtml,
   ) {
@@ -43,7 +43,7 @@ export class Pictures {
     const under = isWhole ? [] : [partOf('base'), partOf(name)];
     const layers = [...under, place === 'map' ? { maps: [part] } : part];
     const scene = layers.reduce((lower, upper) => laidOver(lower, upper));
-    const view = given ?? (isWhole ? null : kView);
+    const view = ownView ?? (isWhole ? null : kView);
     this.#all.set(name, { scene: movedDown(scene), view, seconds: Number(seconds) });
     const from = view === null ? '' : ` view="${view}"`;
     const fromHere = view === null ? '' : `&amp;view=${view}`;

@@ -199,7 +199,7 @@ function method({ name, parameters, returns, needsScene, description }) {
         `${row.name}${row.default === undefined ? (row.optional ? '?' : '') : ` = ${JSON.stringify(row.default)}`}`,
     )
     .join(', ');
-  const told = parameters.filter((row) => row.description);
+  const described = parameters.filter((row) => row.description);
   return [
     {
       id: name,
@@ -207,9 +207,9 @@ function method({ name, parameters, returns, needsScene, description }) {
     },
     typeText(returns.type) + (returns.description ? `<br>${text(returns.description)}` : ''),
     text(description) +
-      (told.length === 0
+      (described.length === 0
         ? ''
-        : `<dl>${told.map((row) => `<dt>${code(row.name)} ${typeText(row.type)}</dt><dd>${text(row.description)}</dd>`).join('')}</dl>`),
+        : `<dl>${described.map((row) => `<dt>${code(row.name)} ${typeText(row.type)}</dt><dd>${text(row.description)}</dd>`).join('')}</dl>`),
   ];
 }
 

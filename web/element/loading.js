@@ -147,10 +147,10 @@ export class Loading {
   async #load(key, request) {
     const load = ++this.#loads;
     const isStale = () => load !== this.#loads || this.#life.signal.aborted;
-    let told = '';
+    let reported = '';
     const onProgress = (share, bytes) => {
-      if (isStale() || `${share} ${bytes}` === told) return;
-      told = `${share} ${bytes}`;
+      if (isStale() || `${share} ${bytes}` === reported) return;
+      reported = `${share} ${bytes}`;
       this.#actions.progress(share, bytes);
     };
     this.#asked = key;

@@ -137,8 +137,8 @@ export class Steering {
   }
 
   // Returns false if the page handles the request itself.
-  #ask(wish) {
-    return this.#show.tell('request', { wish }, true);
+  #ask(request) {
+    return this.#show.tell('request', { wish: request }, true);
   }
 
   #held(isHeld) {

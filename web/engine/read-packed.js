@@ -70,27 +70,27 @@ function list(read) {
   return values;
 }
 
-// Adds lists to `told`; `readers` maps each list's name to the reader of one element.
-function lists(told, readers) {
+// Adds lists to `answer`; `readers` maps each list's name to the reader of one element.
+function lists(answer, readers) {
   for (const [name, read] of Object.entries(readers)) {
     if (isLazy) {
-      listLater(told, name, read);
+      listLater(answer, name, read);
     } else {
-      told[name] = list(read);
+      answer[name] = list(read);
     }
   }
 }
 
-function listLater(told, name, read) {
+function listLater(answer, name, read) {
   const [packed, itsTexts, first] = [numbers, texts, next];
   next += 2 + packed[first + 1];
   const set = (value) => {
     const kept = { value, writable: true, enumerable: true, configurable: true };
-    Object.defineProperty(told, name, kept);
+    Object.defineProperty(answer, name, kept);
     return value;
   };
   const get = () => set(readFrom(packed, itsTexts, first, () => list(read)));
-  Object.defineProperty(told, name, { get, set, enumerable: true, configurable: true });
+  Object.defineProperty(answer, name, { get, set, enumerable: true, configurable: true });
 }
 
 function orNull(read) {
@@ -173,13 +173,13 @@ const kHitLists = {
   portals: portal,
   mirrors: mirror,
 };
-const slice = (told, itsLists) => {
-  told.column = whole();
-  told.horizonRow = number();
-  told.projectionDistance = number();
-  told.ray = realPair();
-  lists(told, itsLists);
-  return told;
+const slice = (answer, itsLists) => {
+  answer.column = whole();
+  answer.horizonRow = number();
+  answer.projectionDistance = number();
+  answer.ray = realPair();
+  lists(answer, itsLists);
+  return answer;
 };
 
 export const readHits = () => slice(view(), kHitLists);
@@ -223,9 +223,9 @@ const run = () => ({
 const kTraceLists = { ...kHitLists, walk: walked, runs: run };
 
 export const readTrace = () => {
-  const told = slice(view(), kTraceLists);
-  told.reflection = orNull(() => slice({}, kTraceLists));
-  return told;
+  const answer = slice(view(), kTraceLists);
+  answer.reflection = orNull(() => slice({}, kTraceLists));
+  return answer;
 };
 
 // ---- src/session/cast_json.h

@@ -39,16 +39,16 @@ function readText(text) {
   const strays = [];
   const levels = [];
   for (const { word, lines } of parts) {
-    const told = lines.filter((line) => line !== '');
+    const filled = lines.filter((line) => line !== '');
     if (word === 'legend') {
-      for (const line of told) {
+      for (const line of filled) {
         const [, character, meaning] = kLegendLine.exec(line.trim()) ?? [];
         if (character === undefined) strays.push(line.trim());
         else legend[character] = meaning;
       }
     } else if (word === 'colours' || word === 'colors') {
       // Rows that follow it are a level.
-      if (told.length > 0) levels.push(lines);
+      if (filled.length > 0) levels.push(lines);
     } else if (word === '' || word === 'level') {
       levels.push(lines);
     } else {
@@ -57,10 +57,10 @@ function readText(text) {
     }
   }
   const first = levels.findIndex((lines) => lines.some((line) => line !== ''));
-  const told = linesOf(levels.slice(first));
+  const rows = linesOf(levels.slice(first));
   return {
-    levels: told,
-    size: sizeOf(told),
+    levels: rows,
+    size: sizeOf(rows),
     legend,
     colours: parts.some(({ word }) => /^colou?rs$/.test(word)),
     strays,

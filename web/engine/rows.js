@@ -122,11 +122,11 @@ export function sceneOfRows(
   rows,
   { title = 'A map', name = 'rows', legend, textures, ...rest } = {},
 ) {
-  const { levels: texts, size, strays, ...told } = readRows(rows);
+  const { levels: texts, size, strays, ...inText } = readRows(rows);
   checkSize(name, texts.length, size);
   const levels = padded(texts);
-  const hasColours = told.colours || rest.colours === true;
-  const own = readLegend({ ...told.legend, ...legend });
+  const hasColours = inText.colours || rest.colours === true;
+  const own = readLegend({ ...inText.legend, ...legend });
   const tiles = levels.flatMap((level, z) =>
     level.flatMap((row, y) => row.map((character, x) => ({ character, x, y, z }))),
   );
