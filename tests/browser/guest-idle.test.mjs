@@ -419,7 +419,7 @@ test('start times: the first picture, another engine, and another element', asyn
     script: '<script type="module" src="start.js"></script>',
   });
   // The page has them in its script only.
-  const modules = ['source', 'late', 'page-cache'].map((name) => [
+  const modules = ['source', 'later-parts', 'page-cache'].map((name) => [
     `element/${name}.js`,
     readFileSync(new URL(`../../web/element/${name}.js`, import.meta.url)),
   ]);
