@@ -1,16 +1,15 @@
-// The file of past ratios, tests/bench/ratios.json: what each view took, times the limit, whenever
-// tools/bench --record was run. The newest record is the last.
+// The file of past ratios, tests/bench/ratios.json: the time of each view divided by that of the
+// limit, for each run of tools/bench --record. The newest record is the last.
 //
 //     {"records": [{"date": "2026-11-23", "commit": "its subject", "processor": "AMD EPYC",
 //       "rounds": 150, "views": {"castle, start": {"native": 4.37, "native 4K": 1.82,
 //                                                  "wasm": 5.65, "wasm 4K": 2.2}}}]}
 
-export const kMostLoss = 0.1; // a view may take this part more than its record says
+export const kMostLoss = 0.1; // a view may be slower than its record by this share
 
 const kTexts = ['date', 'commit', 'processor'];
 
-// The records of such a text. Throws an Error that says which file, where, what was found and what
-// was expected.
+// Reads the records. Throws an Error with file, place, what was found and what was expected.
 export function readRatios(text, file) {
   const expect = (isRight, where, found, expected) => {
     if (isRight) return;
@@ -54,9 +53,9 @@ function parse(text, file) {
   );
 }
 
-// Where a text stops being JSON: the index of a character, or its length; null where it never does.
-// Not every message of JSON.parse says so; but those about a text that only ends too early differ
-// from the others, which finds the first character that is wrong.
+// The index at which a text stops being valid JSON (its length, if it only ends too early); null if
+// it is valid. Not every message of JSON.parse gives the index. But messages about a text that ends
+// too early differ from the others, so a search over prefixes finds the first wrong character.
 function faultIn(text) {
   const faultOf = (part) => {
     try {
@@ -72,7 +71,7 @@ function faultIn(text) {
   const fault = faultOf(text);
   if (fault === null) return null;
   if (fault === 'end') return text.length;
-  let [right, wrong] = [0, text.length]; // characters without the fault, and with it
+  let [right, wrong] = [0, text.length]; // lengths of a prefix without and with the error
   while (wrong - right > 1) {
     const middle = (right + wrong) >> 1;
     if (faultOf(text.slice(0, middle)) === 'here') wrong = middle;
@@ -81,7 +80,7 @@ function faultIn(text) {
   return right;
 }
 
-// A line for each view, so that a change of one is seen as a change of one.
+// One line per view, so that diffs show which views changed.
 export function ratiosText(records) {
   const pairs = (object) =>
     Object.entries(object)
@@ -94,12 +93,12 @@ export function ratiosText(records) {
   return `{\n  "records": [\n${records.map(recordText).join(',\n')}\n  ]\n}\n`;
 }
 
-// The newest record of that processor, else the newest at all.
+// The newest record of that processor, else the newest of all.
 export const recordFor = (records, processor) =>
   records.findLast((record) => record.processor === processor) ?? records.at(-1);
 
-// What was measured, as a record holds it: {title: {native, 'native 4K' ...}}. A run is what
-// slicecast-bench prints, with `name`, the build's.
+// The measurement in the form of a record: {title: {native, 'native 4K' ...}}. A run is the output
+// of slicecast-bench, with the build's `name`.
 export function figuresOf(runs) {
   const all = {};
   const rounded = (number) => Number(number.toFixed(2));
@@ -113,8 +112,8 @@ export function figuresOf(runs) {
   return all;
 }
 
-// What has been lost since a record, and what it does not tell of: {losses: [{title, figure, then,
-// now}], unknown: titles}. Figures that were not measured now are left out.
+// Compares with a record: {losses: [{title, figure, then, now}], unknown: titles}; `unknown` are
+// views without a record. Figures that were not measured now are left out.
 export function compare(record, now) {
   const losses = [];
   const unknown = [];
@@ -129,9 +128,9 @@ export function compare(record, now) {
   return { losses, unknown };
 }
 
-// Compares what `measure` gives with a record. Where something seems lost, the builds concerned are
-// measured once more before it counts: `measure(names, isAgain)` takes the builds' names, or null for
-// all of them. All views are, for a view that is measured alone has the caches for itself.
+// Compares a measurement with a record. If a view seems slower, its builds are measured again
+// before it counts: `measure(names, isAgain)` takes the builds' names, or null for all. Always
+// measures all views, because a view measured alone would have the caches for itself.
 export function check(record, measure) {
   const now = measure(null, false);
   const views = Object.keys(now).length;
@@ -144,7 +143,7 @@ export function check(record, measure) {
   return { ...first, losses: again.losses.filter(wasLost), views };
 }
 
-// What --check prints. `processor` is this machine's.
+// The output of --check. `processor` is that of this machine.
 export function reportOf({ losses, unknown, views }, record, processor) {
   const lines = [];
   if (record.processor !== processor)
@@ -155,10 +154,10 @@ export function reportOf({ losses, unknown, views }, record, processor) {
   if (unknown.length > 0) lines.push(`Not in the record: ${unknown.join('; ')}.`);
   const since = `since ${record.date} (${record.commit})`;
   if (losses.length === 0) {
-    lines.push(`None of ${views} views has lost more than ${kMostLoss * 100} % ${since}.`);
+    lines.push(`None of ${views} views is more than ${kMostLoss * 100} % slower ${since}.`);
   } else {
     lines.push(
-      `Lost more than ${kMostLoss * 100} % ${since}, in two measurements, times the limit:`,
+      `More than ${kMostLoss * 100} % slower ${since}, in two measurements, times the limit:`,
     );
     for (const { title, figure, then, now } of losses)
       lines.push(

@@ -1,9 +1,9 @@
-// The tables of tools/bench, in 120 columns: a row for each view, a group of columns for each build.
+// The tables of tools/bench, 120 characters wide: a row per view, a group of columns per build.
 //
-//     table(runs)            what each view takes
-//     phasesTable(runs)      how that falls on the phases of a frame
+//     table(runs)            the time of each view
+//     phasesTable(runs)      the time of each phase of a frame
 //
-// A run is what slicecast-bench prints, with `title`, the build's, and `missed`, the titles of the
+// A run is the output of slicecast-bench, with the build's `title`, and `missed`, the titles of the
 // views that miss their target.
 
 const kNameWidth = 32;
@@ -76,10 +76,10 @@ export function table(runs) {
     ]),
     '',
     `ns/px   nanoseconds a pixel of ${width}x${height}, medians of ${rounds} rounds`,
-    'spread  half of what the middle half of the rounds covers',
-    'limit   times the limit: a frame as full with no world behind it; ! above the target',
-    'walk    its share of the time',
-    'replay  the same spans painted without a walk, times the limit: no faster walk gets below it',
+    'spread  half the range of the middle half of the rounds',
+    'limit   times the limit, which is a frame as full without a world; ! above the target',
+    "walk    the walk's share of the time",
+    'replay  the same spans painted without a walk, times the limit: a bound for any faster walk',
     `4K      the view at ${large}, times the limit at that size`,
   ].join('\n');
 }

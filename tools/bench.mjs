@@ -1,5 +1,5 @@
-// Runs the built measurements, one build after another, and tells of them: node tools/bench.mjs
-// OPTION... PRESET... See tools/bench, which builds them and lists the options.
+// Runs the measurements of the given builds one after another and prints the results: node
+// tools/bench.mjs OPTION... PRESET... See tools/bench, which builds them and lists the options.
 
 import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -13,18 +13,18 @@ import { phasesTable, table } from './bench-table.mjs';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const kRatios = 'tests/bench/ratios.json';
-const kMostTimesTheLimit = { native: 3, wasm: 3 }; // what a view may take
+const kMostTimesTheLimit = { native: 3, wasm: 3 }; // target of a view
 const kTargets = {
   'yardstick, flat hall': { native: 1.35, wasm: 1.6 },
   'yardstick, hall of heights': { native: 1.4, wasm: 1.8 },
 };
-const kMostMillisecondsWithMany = 16; // what a view with many objects may take at all
-// What the limit itself may take natively: a slow one would flatter the views.
+const kMostMillisecondsWithMany = 16; // target of a view with many objects
+// Target of the limit itself, natively: a slow limit would flatter the views.
 const kMostTimesACopy = 10;
-const kTimesMoreRounds = 3; // for what seems lost
+const kTimesMoreRounds = 3; // when measuring a suspected loss again
 
-// `name` is the build's in the file of ratios. The scalar WebAssembly is for old browsers; nothing
-// is asked of it.
+// `name` is the build's name in the file of ratios. The scalar WebAssembly is for old browsers and
+// has no target.
 const builds = {
   release: { name: 'native', title: 'native, x86-64-v2' },
   'wasm-simd': { name: 'wasm', title: 'Node, WebAssembly with SIMD' },
@@ -49,7 +49,7 @@ function fail(message) {
   process.exit(1);
 }
 
-// Of the views of those titles, or of all where there are none.
+// Measures the views with these titles, or all if there are none.
 function measure(preset, rounds, titles = []) {
   const program = join(root, 'build', preset, 'bin', 'slicecast-bench');
   const [command, ...start] =
@@ -72,7 +72,7 @@ function measure(preset, rounds, titles = []) {
   return run;
 }
 
-// What asks for an exit status of 1.
+// The missed targets, which make the exit status 1.
 function shortcomings(run) {
   const found = [];
   if (run.name === 'scalar') return found;
@@ -86,7 +86,7 @@ function shortcomings(run) {
   if (run.name === 'native' && run.limit.ratio > kMostTimesACopy) {
     found.push(
       `${run.name}: the limit takes ${run.limit.ratio.toFixed(1)} times a copy of the frame, ` +
-        `at most ${kMostTimesACopy} are asked for`,
+        `the target is at most ${kMostTimesACopy}`,
     );
   }
   for (const view of run.views) {
@@ -94,14 +94,14 @@ function shortcomings(run) {
     if (view.timesThat > view.mostTimes) {
       found.push(
         `${run.name}: ${view.title} takes ${view.timesThat.toFixed(2)} times as long as ` +
-          `${view.comparedWith}, at most ${view.mostTimes} are asked for`,
+          `${view.comparedWith}, the target is at most ${view.mostTimes}`,
       );
     }
     const milliseconds = (view.nsPerPixel * run.width * run.height) / 1e6;
     if (milliseconds > kMostMillisecondsWithMany) {
       found.push(
         `${run.name}: ${view.title} takes ${milliseconds.toFixed(1)} ms, ` +
-          `at most ${kMostMillisecondsWithMany} are asked for`,
+          `the target is at most ${kMostMillisecondsWithMany}`,
       );
     }
   }
@@ -122,7 +122,7 @@ function pastRatios() {
   }
 }
 
-// Whether nothing has been lost.
+// Returns true if no view has become slower.
 function checkRatios(rounds) {
   const records = pastRatios();
   if (records === null) fail(`there is no ${kRatios}; tools/bench --record writes it.`);
@@ -157,7 +157,7 @@ function record(runs) {
 if (options.check) {
   process.exitCode = checkRatios(Number(options.rounds ?? 50)) ? 0 : 1;
 } else {
-  // A file that cannot be read is told of before anything is measured.
+  // Reports an unreadable file before measuring.
   if (options.record) pastRatios();
   const rounds = Number(options.rounds ?? 150);
   const runs = presets.map((preset) => measure(preset, rounds, options.view));

@@ -1,10 +1,10 @@
-// Makes the scripts that a page waits for few and small. Each of them and all that it imports become
-// one file, so that a page waits for one answer, not for thirty, one layer after the other; what the
-// element needs only later are files of their own.
+// Bundles the page's scripts. Each script and all its imports become one small file, so that a page
+// makes one request instead of thirty in several rounds. What the element needs only later is in
+// files of its own.
 //
-//     node tools/bundle.mjs FOLDER        FOLDER/ray-caster.js and the others become those files
+//     node tools/bundle.mjs FOLDER        // bundles FOLDER/ray-caster.js and the others
 //
-// The modules that only stand in those files go; what Node imports stays as it is.
+// Modules that nothing else needs are removed; what Node imports stays.
 
 import { readFile, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -24,7 +24,7 @@ const kPages = ['embed.js', 'play/main.js'];
 const inFolder = (name) => path.resolve(folder, name);
 const kSmall = { target: 'es2022', minify: true, legalComments: 'none', logLevel: 'warning' };
 
-// The sheets stand in the modules as text, `const kSheet = ...`.
+// Style sheets are texts in the modules, `const kSheet = ...`.
 const smallSheets = {
   name: 'small sheets',
   setup: ({ onLoad }) =>
@@ -36,7 +36,7 @@ const smallSheets = {
     }),
 };
 
-// An address relative to a module becomes relative to the script that the module is in now.
+// Makes addresses relative to the bundle instead of the module.
 const addressesFrom = (script) => ({
   name: 'addresses',
   setup: ({ onLoad }) =>
@@ -83,8 +83,8 @@ const bundles = await Promise.all([
   ...kPages.map((name) => bundle(inFolder(name), scripts)),
 ]);
 for (const { script, text } of bundles) {
-  // An address that is known only while the page runs is nothing for other bundlers to follow; the
-  // comment that tells them so has been taken off.
+  // Bundlers cannot follow an address that is known only at run time. Minifying removes the comment
+  // that tells them so; this puts it back.
   const followed = text.replaceAll(/\bimport\((?!")/g, 'import(/* @vite-ignore */ ');
   await writeFile(
     script,

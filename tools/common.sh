@@ -1,17 +1,17 @@
-# Shell functions that the commands in this folder share. Sourced by bash, never run.
+# Shell functions shared by the commands in this folder. To be sourced by bash.
 
 repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 cacheHome="${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}/slicecast"
 
-# The compiler's cache serves every clone on the machine: paths inside a clone count from its root.
+# All clones on the machine share ccache's cache, so paths are relative to the clone's root.
 export CCACHE_BASEDIR="$repo" CCACHE_NOHASHDIR=1
-# It refuses precompiled headers unless it is told that no clock is in them.
+# Without this, ccache does not cache precompiled headers.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
 
-# One line about what happens now.
+# say TEXT: prints a line to stderr.
 say() { printf '%s\n' "$*" >&2; }
 
-# A fault that ends the command.
+# fail TEXT: prints an error and exits.
 fail() {
   printf '%s: %s\n' "$(basename "$0")" "$*" >&2
   exit 1
@@ -20,29 +20,38 @@ fail() {
 # The exit status after Ctrl-C.
 interruptStatus=130
 
-# The last line of a log that says something.
-newestLine() { tail -c 1000 "$1" | tr '\r' '\n' | tr -cd '[:print:]\n' | awk 'NF { line = $0 } END { print line }'; }
+# The last non-empty line of a log.
+newestLine() {
+  tail -c 1000 "$1" | tr '\r' '\n' | tr -cd '[:print:]\n' |
+    awk 'NF { line = $0 } END { print line }'
+}
 
-# progress TITLE COMMAND...: runs the command with its output in a log. On a terminal the newest
-# line of the log stands beside the title; elsewhere a line appears every 15 seconds. A failure
-# shows the whole log.
+# progress TITLE COMMAND...: runs the command with its output in a log. On a terminal it shows the
+# log's newest line beside the title; elsewhere it prints a line every 15 seconds. After a failure
+# it prints the whole log.
 progress() {
   local title="$1" log begin pid status=0 newest lastSaid=0
   shift
   log="$(mktemp "${TMPDIR:-/tmp}/slicecast-log.XXXXXX")"
   begin=$SECONDS
   if [[ -t 2 ]]; then printf '%s ...' "$title" >&2; else say "$title ..."; fi
-  # A process group of its own, so that Ctrl-C ends all that the command has started.
+  # A process group of its own, so that Ctrl-C also ends the command's children.
   set -m
   "$@" >"$log" 2>&1 </dev/null &
   pid=$!
   set +m
-  trap 'trap - INT TERM; kill -INT -- "-$pid" 2>/dev/null || true; wait "$pid" 2>/dev/null || true; rm -f "$log"; printf "\n" >&2; exit "$interruptStatus"' INT TERM
+  trap 'trap - INT TERM
+    kill -INT -- "-$pid" 2>/dev/null || true
+    wait "$pid" 2>/dev/null || true
+    rm -f "$log"
+    printf "\n" >&2
+    exit "$interruptStatus"' INT TERM
   while kill -0 "$pid" 2>/dev/null; do
     sleep 0.1
     if [[ -t 2 ]]; then
       newest="$(newestLine "$log")"
-      printf '\r\033[K%s (%d s) %s' "$title" $((SECONDS - begin)) "${newest:0:$((${COLUMNS:-100} - ${#title} - 12))}" >&2
+      printf '\r\033[K%s (%d s) %s' "$title" $((SECONDS - begin)) \
+        "${newest:0:$((${COLUMNS:-100} - ${#title} - 12))}" >&2
     elif ((SECONDS - begin - lastSaid >= 15)); then
       lastSaid=$((SECONDS - begin))
       newest="$(newestLine "$log")"
@@ -62,29 +71,31 @@ progress() {
   return "$status"
 }
 
-# oneAtATime LOCK COMMAND...: two builds in one folder would spoil it; the second one waits, where
-# the system has flock.
+# oneAtATime LOCK COMMAND...: waits for another build in the same folder, if the system has flock.
 oneAtATime() {
   if command -v flock >/dev/null; then flock "$@"; else "${@:2}"; fi
 }
 
-# configurePreset PRESET: makes the preset's build folder ready, where it is not.
+# configurePreset PRESET: configures the preset if needed.
 configurePreset() {
-  local preset="$1" folder="$repo/build/$1" stamp="$repo/build/$1/.slicecast-configured" wanted options=()
+  local preset="$1" folder="$repo/build/$1" wanted options=()
+  local stamp="$folder/.slicecast-configured"
   wanted="$(cksum <"$repo/CMakePresets.json")"
   if [[ "$preset" == wasm-* ]]; then
     wanted+=" $(command -v emcc) ${SLICECAST_SDL2_WASM:-}"
     options+=(-DSLICECAST_SDL2_WASM="${SLICECAST_SDL2_WASM:-}")
   fi
-  if [[ -f "$folder/build.ninja" && -f "$stamp" && "$(cat "$stamp")" == "$wanted" ]]; then return 0; fi
+  if [[ -f "$folder/build.ninja" && -f "$stamp" && "$(cat "$stamp")" == "$wanted" ]]; then
+    return 0
+  fi
   # Another compiler or SDL than last time: nothing that was found with the old one holds.
   rm -rf "$folder/CMakeCache.txt" "$folder/CMakeFiles"
-  (cd "$repo" && progress "Configuring $preset" cmake --preset "$preset" ${options[@]+"${options[@]}"}) || return 1
+  (cd "$repo" && progress "Configuring $preset" \
+    cmake --preset "$preset" ${options[@]+"${options[@]}"}) || return 1
   printf '%s' "$wanted" >"$stamp"
 }
 
-# buildPreset PRESET TARGET...: builds the targets ("all" for every one), configures before that
-# where needed.
+# buildPreset PRESET TARGET...: configures the preset if needed, and builds the targets.
 buildPreset() {
   configurePreset "$1" || return 1
   progress "Building $1" oneAtATime "$repo/build/$1/.slicecast-lock" \

@@ -1,6 +1,6 @@
-// Builds the documentation: web/docs/*.md become the pages in FOLDER/docs, by Eleventy.
+// Builds the documentation: turns web/docs/*.md into the pages of FOLDER/docs, by Eleventy.
 //
-//     node tools/docs.mjs FOLDER        // of a built page, with its engine, which draws the pictures
+//     node tools/docs.mjs FOLDER        // a built page; its engine draws the pictures
 
 import { Eleventy } from '@11ty/eleventy';
 import { rm } from 'node:fs/promises';
@@ -10,12 +10,12 @@ import { fileURLToPath } from 'node:url';
 
 import { configure } from './docs/site.mjs';
 
-const [given] = process.argv.slice(2);
-if (given === undefined)
+const [argument] = process.argv.slice(2);
+if (argument === undefined)
   throw new Error('tools/docs.mjs: found no folder, expected that of a built page');
-const folder = path.resolve(given);
+const folder = path.resolve(argument);
 
-// Eleventy wants paths relative to where it runs.
+// Eleventy needs paths relative to the working directory.
 process.chdir(fileURLToPath(new URL('..', import.meta.url)));
 const output = path.relative('.', path.join(folder, 'docs'));
 await rm(output, { recursive: true, force: true });

@@ -1,8 +1,7 @@
-// Makes from the table of the element's interface (web/element/api.json) what goes beside it into
-// the built page: types, the custom elements manifest, the documentation, and the package's
-// version.
+// Makes files of the built page from the table of the element's interface (web/element/api.json):
+// types, the custom elements manifest, the documentation, and the package's version.
 //
-//     node tools/element-api.mjs FOLDER        // of a built page, with its engine
+//     node tools/element-api.mjs FOLDER        // a built page with its engine
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
@@ -17,7 +16,7 @@ import { declarations } from './element-api/types.mjs';
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
 
 if (process.argv.length !== 3) {
-  console.error('element-api: one word, the folder of the built page');
+  console.error('element-api: expected one argument, the folder of the built page');
   process.exit(1);
 }
 const folder = resolve(process.argv[2]);
@@ -26,18 +25,18 @@ const inFolder = (name) => pathToFileURL(join(folder, name)).href;
 const { errorCodes } = await import(inFolder('element/faults.js'));
 const { load } = await import(inFolder('node/index.js'));
 
-const told = Object.keys(errorCodes).sort().join(' ');
+const defined = Object.keys(errorCodes).sort().join(' ');
 const listed = [...table.errorCodes].sort().join(' ');
-if (told !== listed)
+if (defined !== listed)
   throw new Error(
-    `web/element/api.json lists the error codes ${listed}; web/element/faults.js has ${told}`,
+    `web/element/api.json lists the error codes ${listed}; web/element/faults.js has ${defined}`,
   );
 
 const scene = await load('first-walk', { engine: 'scalar' });
 const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(
   /project\(Slicecast VERSION ([0-9.]+)/,
 )[1];
-// The version stands in CMakeLists.txt alone.
+// The version is defined only in CMakeLists.txt.
 const { name, ...others } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
 const manifest = { name, version, ...others };
 

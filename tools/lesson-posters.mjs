@@ -1,6 +1,6 @@
-// Draws the posters of the lessons, web/examples/posters: for each <ray-caster poster="..."> the
-// picture that the element begins with, so that the pages can be read where no engine runs. Run it
-// after tools/page when a lesson's scene or view has changed; the engine of build/web draws.
+// Draws the posters of the lessons into web/examples/posters: the first picture of each <ray-caster
+// poster="...">, for readers whose browser cannot run the engine. Run it after tools/page when a
+// lesson's scene or view has changed; it uses the engine of build/web.
 //
 //   node tools/lesson-posters.mjs
 
@@ -15,8 +15,8 @@ const root = path.resolve(fileURLToPath(import.meta.url), '../..');
 const { load } = await import(new URL('../build/web/node/index.js', import.meta.url));
 const { parseOptions } = await import(new URL('../web/engine/address.js', import.meta.url));
 
-// The elements of a page: {attributes, inline}. The lessons are our own, and spelled as this
-// expects it.
+// Finds the elements of a page: {attributes, inline}. It handles only the markup that the lessons
+// use.
 function* elementsOf(html) {
   for (const [, attributes, content] of html.matchAll(
     /<ray-caster\s([^>]*)>([\s\S]*?)<\/ray-caster>/g,

@@ -1,20 +1,21 @@
-// Puts the functions of a WebAssembly program into an order in which it is compressed better: those
-// that are alike stand near each other. gzip finds repetitions within 32 KB only, and a compiler's
-// order, or one by the number of calls, spreads them over the whole file. Nothing else changes.
+// Reorders the functions of a WebAssembly program so that it compresses better: similar functions
+// come close together. gzip finds repetitions only within 32 KB, while the compiler's order, or one
+// by number of calls, spreads them over the whole file. Nothing else changes.
 //
-//     node tools/order-functions.mjs BINARYEN PROGRAM.wasm FEATURE...          the features as Binaryen names them: --enable-simd
+//     node tools/order-functions.mjs BINARYEN PROGRAM.wasm FEATURE...
 //
-// Needs Binaryen's wasm-dis and wasm-as, which come with Emscripten, in the folder BINARYEN.
+// BINARYEN is the folder of wasm-dis and wasm-as, which come with Emscripten. Features are spelled
+// as Binaryen's options: --enable-simd.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const kRun = 8; // lines that must be the same to count as a repetition
-const kWindow = 12000; // lines of text that are about 32 KB of program
-const kShortIndices = 110; // functions whose number takes one byte, besides those that are imported
-const kSmallFunction = 8; // lines that weigh against short functions, which anything seems to be like
+const kRun = 8; // so many equal lines count as a repetition
+const kWindow = 12000; // so many lines of text are about 32 KB of program
+const kShortIndices = 110; // functions whose index takes one byte, besides imported ones
+const kSmallFunction = 8; // lines added to each function, because short ones resemble anything
 
 const [binaryen, program, ...features] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'slicecast-order-'));
@@ -54,8 +55,8 @@ function isWhole(line) {
   return line.split('(').length === line.split(')').length;
 }
 
-// One after the other, always the one of which the largest share has been seen lately; the most
-// called ones first, whose numbers are then short.
+// Greedy: always the function with the largest share of recently seen runs comes next. The most
+// called ones come first, because they then have short indices.
 function inOrder(functions) {
   const runs = functions.map(runsOf);
   const users = new Map();
@@ -106,7 +107,7 @@ function inOrder(functions) {
   return order;
 }
 
-// All runs of lines, without the names in them.
+// All runs of lines, with names removed.
 function runsOf(lines) {
   const bare = lines.map((line) => line.trim().replace(/\$[^\s()]+/g, '$'));
   const runs = [];

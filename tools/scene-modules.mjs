@@ -1,19 +1,19 @@
-// Makes a module of each shipped scene, beside its file: scenes/castle.js, whose default export is
-// the scene as an object that names its pictures by `new URL('...', import.meta.url)`. Bundlers
-// follow these; a scene file names its pictures as plain texts, which they cannot follow. `tour` is
-// the address of the scene's recorded tour, where it has one.
+// Makes a module of each shipped scene, beside its file: scenes/castle.js. Its default export is
+// the scene as an object that names its pictures by `new URL('...', import.meta.url)`, which
+// bundlers follow; they cannot follow the plain file names of a scene file. `tour` is the address
+// of the scene's tour, if it has one.
 //
-//     node tools/scene-modules.mjs FOLDER        // of a built page, which holds scenes and pictures
+//     node tools/scene-modules.mjs FOLDER        // a built page with scenes and pictures
 //
-// The module tells the element of itself, so that scene="castle" means it: then the name alone is
-// in the page, which servers can write.
+// The module registers itself with the element, so that scene="castle" means this module. So a
+// page, and a server that renders it, needs only the name.
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import process from 'node:process';
 
 const kPicture = /^\.\.\/[^/]+\/[^/]+\.png$/;
-const kNotes = ['$schema', 'comment']; // for those who write the scene
+const kNotes = ['$schema', 'comment']; // only for authors
 
 const [folder] = process.argv.slice(2);
 if (folder === undefined)
@@ -32,7 +32,7 @@ function moduleOf(name, title, hasTour) {
   for (const note of kNotes) delete scene[note];
   const paths = picturesIn(scene);
   const constants = paths.map((path, index) => `const p${index} = ${found(name, path)};`);
-  // Each picture is a constant, and where it is named that constant stands.
+  // Replaces each picture's name by a constant.
   const text = JSON.stringify(scene).replace(/"(\.\.\/[^"]+)"/g, (quoted, path) =>
     paths.includes(path) ? `p${paths.indexOf(path)}` : quoted,
   );
@@ -73,7 +73,7 @@ function picturesIn(scene) {
   return [...paths];
 }
 
-// The address stands in it as a literal: that is how bundlers find the file.
+// A literal address, so that bundlers find the file.
 function found(name, path) {
   if (!existsSync(join(scenes, path)))
     throw new Error(`tools/scene-modules.mjs: scenes/${name}: there is no file ${path}`);

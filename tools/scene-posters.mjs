@@ -1,7 +1,8 @@
-// Draws the pictures of the menu of scenes into a built page: each scene of its list from the start,
-// and names them in the list. A scene that stands there without one has no picture in the menu.
+// Draws the pictures of the menu of scenes into a built page, each scene of the list from its
+// start, and adds them to the list.
 //
-//     node tools/scene-posters.mjs FOLDER        // FOLDER/scenes/posters/NAME.png, "poster" in FOLDER/scenes/index.json
+//     node tools/scene-posters.mjs FOLDER
+//       // FOLDER/scenes/posters/NAME.png, and "poster" in FOLDER/scenes/index.json
 
 import { encode } from 'fast-png';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
@@ -9,12 +10,12 @@ import path from 'node:path';
 import process from 'node:process';
 import { pathToFileURL } from 'node:url';
 
-const kSize = { width: 480, height: 270 }; // pixels, as large as a card of the menu
+const kSize = { width: 480, height: 270 }; // pixels of a card of the menu
 
-const [given] = process.argv.slice(2);
-if (given === undefined)
+const [argument] = process.argv.slice(2);
+if (argument === undefined)
   throw new Error('tools/scene-posters.mjs: found no folder, expected that of a built page');
-const folder = path.resolve(given);
+const folder = path.resolve(argument);
 const { load } = await import(pathToFileURL(path.join(folder, 'node/index.js')));
 const posters = path.join(folder, 'scenes/posters');
 await mkdir(posters, { recursive: true });

@@ -1,14 +1,15 @@
-// Serves the page in build/web on this machine, and beside it the scene that someone is working on.
+// Serves the page in build/web on this machine, and a scene that somebody is working on.
 //
 //     node tools/serve.mjs [--folder FOLDER] [--scene SCENE.json] [--port N] [--host NAME]...
 //
-// Only this machine reaches it, and only by a name of this machine or one that --host adds: else a
-// stranger's page whose name leads here could read what is served.
+// It answers only requests from this machine, and only if they use a host name of this machine or
+// of --host. Otherwise a stranger's page whose name resolves to this machine could read the files
+// (DNS rebinding).
 //
 //     /...                   the page
-//     /-/scene/NAME.json     the scene, read anew each time
-//     /-/scene/...           pictures in the scene's folder; what the scene names as ../x is found at /-/x
-//     /-/events              an event stream: `scene` whenever the scene or one of its pictures was saved
+//     /-/scene/NAME.json     the scene, read again for each request
+//     /-/scene/...           pictures in the scene's folder; ../x in the scene is at /-/x
+//     /-/events              an event stream: `scene` when the scene or a picture of it was saved
 
 import { spawn } from 'node:child_process';
 import { createReadStream, watch } from 'node:fs';
@@ -26,7 +27,7 @@ const kHosts = ['localhost', '127.0.0.1', '[::1]'];
 const kMethods = ['GET', 'HEAD'];
 const kSettleMilliseconds = 80; // an editor's save is several events: truncate, write, rename
 
-// The scene that is worked on: which of its files may be served, and when one of them changes.
+// The scene that somebody is working on: which files may be served, and when one of them changes.
 class WatchedScene {
   constructor(file) {
     this.file = path.resolve(file);
@@ -37,20 +38,20 @@ class WatchedScene {
     this.lastState = '';
   }
 
-  // The path of the page's address line, relative to the page.
+  // The query that opens the scene, relative to the page.
   get address() {
     return `?scene=-/scene/${encodeURIComponent(this.name)}&live=1`;
   }
 
-  // Every picture that the text names. The text may be broken JSON at the moment, so this only
-  // looks for strings.
+  // Every picture that the text names. The text may be invalid JSON while somebody edits it, so
+  // this only looks for strings.
   async namedPictures() {
     const text = await readFile(this.file, 'utf8').catch(() => '');
     const names = text.match(/"[^"\n]+\.png"/gi) ?? [];
     return [...new Set(names.map((name) => path.resolve(this.folder, name.slice(1, -1))))];
   }
 
-  // The file for a path below /-/, or null where there is none to be served.
+  // The file for a path below /-/, or null if there is none or it may not be served.
   async resolve(urlPath) {
     if (urlPath.includes('\0') || urlPath.includes('\\')) return null;
     const inFolder = urlPath.startsWith('scene/');
@@ -60,7 +61,7 @@ class WatchedScene {
     if (file === this.file) return file;
     if (!/\.png$/i.test(file)) return null;
     if ((await this.namedPictures()).includes(file)) return file;
-    // Others only from the scene's own folder.
+    // Pictures that the scene does not name are served only from the scene's own folder.
     return realPathWithin(this.folder, file);
   }
 
@@ -90,7 +91,7 @@ class WatchedScene {
         });
         this.watchers.set(folder, watcher);
       } catch {
-        // A picture in a folder that is not there: the scene's faults say so in the page.
+        // A picture's folder does not exist: the page shows that as a fault of the scene.
       }
     }
   }
@@ -108,7 +109,8 @@ class WatchedScene {
     for (const listener of this.listeners) listener();
   }
 
-  // Size and time of the scene and its pictures: other files of the folder may change as they like.
+  // Size and time of the scene and its pictures; changes of other files in the folder do not
+  // matter.
   async state() {
     const describe = async (file) => {
       const found = await stat(file).catch(() => null);
@@ -126,14 +128,14 @@ class WatchedScene {
   }
 }
 
-// Where a file really lies, links followed; null if that is not in the folder.
+// Follows links; returns the real path, or null if it is outside the folder.
 async function realPathWithin(folder, file) {
   const real = await realpath(file).catch(() => null);
   const root = await realpath(folder);
   return real !== null && real.startsWith(root + path.sep) ? real : null;
 }
 
-// The path of the page's file for an address, links followed; null where there is none.
+// The page's file for an address, links followed; null if there is none.
 async function pagePath(folder, urlPath) {
   for (const name of [urlPath, `${urlPath}/index.html`]) {
     const real = await realPathWithin(folder, path.join(folder, name));
@@ -146,7 +148,7 @@ async function pagePath(folder, urlPath) {
   return null;
 }
 
-// Of a Host header, without the port; '' where it is none.
+// The name in a Host header, without the port; '' if it is malformed.
 function hostName(header) {
   try {
     return new URL(`http://${header}`).hostname;
@@ -202,22 +204,22 @@ function listen(server, port) {
   });
 }
 
-// Starts to serve. Without `port` it takes the first free one; `hosts` are names besides those of
-// this machine. Returns the page's address and a function that ends it.
+// Starts the server. Without `port` it takes the first free one; `hosts` are names besides those of
+// this machine. Returns the page's address and a function that stops the server.
 export async function startServer({ folder, scene: sceneFile, port, hosts = [] }) {
   const known = [...kHosts, ...hosts.map((host) => host.toLowerCase())];
   const scene = sceneFile === undefined ? null : new WatchedScene(sceneFile);
   await scene?.start();
 
   const page = sirv(folder, {
-    dev: true, // the folder is exchanged while we run
+    dev: true, // the folder may be replaced while the server runs
     setHeaders(response) {
       response.setHeader('Cache-Control', 'no-store');
-      response.setHeader('Access-Control-Allow-Origin', '*'); // a sandboxed frame has no origin of its own
+      response.setHeader('Access-Control-Allow-Origin', '*'); // for sandboxed frames
     },
   });
   const server = createServer((request, response) => {
-    // A file is closed when the one who wanted it has gone, too; one that cannot be read ends the answer.
+    // Closes the file if the client disconnects, and ends the answer if the file cannot be read.
     response.on('pipe', (file) => {
       file.on('error', () => response.destroy());
       response.on('close', () => file.destroy());
@@ -235,13 +237,13 @@ export async function startServer({ folder, scene: sceneFile, port, hosts = [] }
         `Found the method ${request.method}, expected ${kMethods.join(' or ')}.`,
         { Allow: kMethods.join(', ') },
       );
-    // Taken as it stands: URL() would fold ".." away before it can be looked at.
+    // The raw path: URL() would resolve ".." before it can be checked.
     const rawPath = request.url.split(/[?#]/, 1)[0];
     let urlPath;
     try {
       urlPath = decodeURIComponent(rawPath);
     } catch {
-      return refuse(response, 400, 'That is no address.');
+      return refuse(response, 400, 'The address is malformed.');
     }
     if (urlPath.startsWith('/-/')) {
       if (scene === null) return refuse(response, 404, 'No scene was given to tools/play.');
@@ -286,7 +288,7 @@ export async function startServer({ folder, scene: sceneFile, port, hosts = [] }
   };
 }
 
-// Only where someone sits in front of a desktop.
+// Opens a browser, but only on a desktop.
 function openInBrowser(address) {
   const command = process.platform === 'darwin' ? 'open' : 'xdg-open';
   const hasDesktop =
@@ -316,7 +318,7 @@ async function main() {
   };
   process.on('SIGINT', end);
   process.on('SIGTERM', end);
-  console.log(`Slicecast is at ${server.address}\nCtrl-C ends it.`);
+  console.log(`Slicecast is at ${server.address}\nStop it with Ctrl-C.`);
   openInBrowser(server.address);
 }
 
@@ -327,8 +329,8 @@ if (
   main().catch((error) => {
     const port = error.port === undefined ? '' : ` ${error.port}`;
     const text = {
-      EADDRINUSE: `port${port} is taken; choose another one, or leave --port out to get the next free one.`,
-      EACCES: `port${port} may not be used by you; choose one above 1023.`,
+      EADDRINUSE: `port${port} is in use; choose another one, or leave --port out to get the next free one.`,
+      EACCES: `you may not use port${port}; choose one above 1023.`,
     };
     console.error(`tools/play: ${text[error.code] ?? error.message}`);
     process.exit(1);

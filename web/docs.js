@@ -1,7 +1,6 @@
-// What pages to read do: each snippet of code has a button that copies it. Without this file they are read
-// all the same.
+// For the documentation pages: adds a copy button to each snippet of code.
 
-const kSaysSoMilliseconds = 2000;
+const kCopiedMilliseconds = 2000; // how long the button says "Copied"
 
 for (const snippet of document.querySelectorAll('.snippet:not(.drawing)')) {
   const button = document.createElement('button');
@@ -12,12 +11,12 @@ for (const snippet of document.querySelectorAll('.snippet:not(.drawing)')) {
     button.textContent = isCopied ? 'Copied' : 'Not allowed';
     setTimeout(() => {
       button.textContent = 'Copy';
-    }, kSaysSoMilliseconds);
+    }, kCopiedMilliseconds);
   });
   snippet.append(button);
 }
 
-// A link to a shape opens it.
+// A link to a folded section opens it.
 function openTarget() {
   const target = document.getElementById(location.hash.slice(1));
   if (target instanceof HTMLDetailsElement) target.open = true;

@@ -1,5 +1,5 @@
-// Says what keeps the frame's modules from loading, which nothing in them can. A classic script: it
-// loads where they are refused.
+// Tells why the frame's modules failed to load. A classic script, because it must run even where
+// modules are refused.
 window.addEventListener(
   'error',
   function (event) {
@@ -9,15 +9,15 @@ window.addEventListener(
       document.body.getAttribute('data-state') !== null
     )
       return;
-    document.getElementById('trouble-title').textContent = 'The picture’s program is refused';
+    document.getElementById('trouble-title').textContent = 'The picture’s script was blocked';
     document.getElementById('trouble-text').textContent =
       self.origin === 'null'
-        ? 'This frame is sandboxed, so it has no origin of its own, and ' +
+        ? 'This frame is sandboxed, so it counts as another origin, and ' +
           location.host +
-          ' does not allow others to load its scripts. ' +
-          'Its server has to send "Access-Control-Allow-Origin: *", or the frame needs allow-same-origin beside allow-scripts.'
+          ' does not let other origins load its scripts. ' +
+          'Its server must send "Access-Control-Allow-Origin: *", or the frame needs allow-same-origin beside allow-scripts.'
         : event.target.src +
-          ' or a script that it needs could not be loaded. The folder has to be copied as a whole, and served as it is.';
+          ' or a script that it imports could not be loaded. Copy and serve the whole folder unchanged.';
     document.getElementById('trouble').hidden = false;
   },
   true,

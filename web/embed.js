@@ -1,20 +1,25 @@
-// A page that is nothing but one <ray-caster>, for frames:
-// embed.html?scene=castle&view=...&options=...
+// A page with a single <ray-caster>, for frames: embed.html?scene=castle&view=...&options=...
 //
-// Parameters: scene (a name among the page's scenes, or an address as far as its owner allows it:
-// engine/allowed.js), or tour (the same for a recording, which names its scene); poster, as far as
-// its owner allows it; view, options, overlay, size, controls, label, keys, interaction, loading and
-// engine as the element's attributes of these names; autoplay (without a value); badge=false for no
-// link to the play page; origin, of the page around the frame, with which it then exchanges messages
-// (play/frame-messages.js). What the element finds wrong it says itself; parameters that it does not
-// know are left to whoever wrote them.
+// Parameters:
+//
+//     scene          one of the page's scenes, or an address that its owner allows
+//                    (engine/allowed.js)
+//     tour           a recording, which names its scene: likewise
+//     poster         an address that the owner allows
+//     view, options, overlay, size, controls, label, keys, interaction, loading, engine, autoplay
+//                    the element's attributes
+//     badge=false    no link to the play page
+//     origin         the origin of the page around the frame, to exchange messages with it
+//                    (play/frame-messages.js)
+//
+// The element reports bad values. Unknown parameters only cause a warning on the console.
 
 import { writeQuery } from './engine/address.js';
 import { allowed } from './engine/allowed.js';
 import { unknown } from './engine/nearest-name.js';
 import { listenToHost } from './play/frame-messages.js';
 import { sceneAddress } from './play/scene-list.js';
-import { hostOf, nameFrom, titleFrom } from './play/whose.js';
+import { hostOf, nameFrom, titleFrom } from './play/scene-origin.js';
 import { Trouble, asTrouble } from './engine/trouble.js';
 import './ray-caster.js';
 
@@ -39,7 +44,7 @@ const kNoBadge = ['false', 'off', 'no', 'none', '0'];
 const kOfPlayPage = ['scene', 'tour', 'view', 'options', 'overlay', 'engine'];
 const kTourName = /^[\w-]+$/;
 
-// What may only name some addresses.
+// Parameters that may name only allowed addresses.
 const kAddresses = {
   scene: (text) => sceneAddress(text).href,
   tour: (text) =>
@@ -65,27 +70,27 @@ function show(parameters) {
     if (parameters.has(name)) caster.setAttribute(name, parameters.get(name));
   if (!parameters.has('controls') && parameters.get('interaction') !== 'none')
     caster.setAttribute('controls', '');
-  // Seen as soon as its frame is, and a frame that waits for that says so to the page around it.
+  // A frame shows nothing else, so it loads at once; loading="lazy" on the <iframe> can delay it.
   if (parameters.get('loading') !== 'click') caster.setAttribute('loading', 'eager');
   for (const [name, read] of Object.entries(kAddresses))
     if (parameters.get(name)) caster.setAttribute(name, read(parameters.get(name)));
-  const whose = find('whose');
-  const sayWhose = (text) => {
-    whose.textContent = text;
-    whose.hidden = hostOf(caster.scene || caster.address) === '';
+  const origin = find('origin');
+  const showOrigin = (text) => {
+    origin.textContent = text;
+    origin.hidden = hostOf(caster.scene || caster.address) === '';
   };
   caster.addEventListener('ready', ({ detail }) => {
     const title = titleFrom(caster.address, detail.title);
     document.title = `${title} · Slicecast`;
     find('title').textContent = title;
     if (!parameters.get('label')) caster.label = nameFrom(caster.address, detail.title);
-    sayWhose(title);
+    showOrigin(title);
   });
   caster.addEventListener('statechange', ({ detail }) => {
     document.body.dataset.state = detail.state;
-    if (detail.state === 'loading') sayWhose(`A scene from ${hostOf(caster.scene)}`);
+    if (detail.state === 'loading') showOrigin(`A scene from ${hostOf(caster.scene)}`);
   });
-  sayWhose(`A scene from ${hostOf(caster.scene)}`);
+  showOrigin(`A scene from ${hostOf(caster.scene)}`);
   find('place').append(caster);
   listenToHost(caster, parameters.get('origin') || location.origin, kAddresses);
   if (!kNoBadge.includes(parameters.get('badge'))) offerPlayPage(parameters);
@@ -95,17 +100,17 @@ function check(parameters) {
   for (const name of new Set(parameters.keys())) {
     if (!kParameters.includes(name)) console.warn(unknown('parameter', name, kParameters));
     else if (parameters.getAll(name).length > 1)
-      console.warn(`The parameter '${name}' stands there more than once; the first one counts.`);
+      console.warn(`The parameter '${name}' appears more than once; the first one counts.`);
   }
   if (!parameters.get('scene') && !parameters.get('tour')) {
     throw new Trouble(
       'The address names no scene',
-      'Found neither scene nor tour, expected one of them, as in embed.html?scene=castle.',
+      'Found neither scene nor tour. Expected one of them, as in embed.html?scene=castle.',
     );
   }
 }
 
-// A sandboxed frame may open no other window, but may go there itself.
+// A sandboxed frame may not open another window, so there the link opens in the frame itself.
 function offerPlayPage(parameters) {
   const kept = kOfPlayPage
     .filter((name) => parameters.has(name))

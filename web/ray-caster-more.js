@@ -1,5 +1,5 @@
-// The part of <ray-caster> for pictures that move, have something on them, or move together:
-// tools/bundle.mjs makes one file of it, as it does of ray-caster-steering.js.
+// The part of <ray-caster> for automatic picture size, hotspots, and elements that share a view.
+// tools/bundle.mjs bundles it into one file, like ray-caster-steering.js.
 
 export { Hotspots } from './element/hotspots.js';
 export { Partner } from './element/partner.js';

@@ -1,5 +1,5 @@
-// The part of <ray-caster> that comes when somebody does: tools/bundle.mjs makes one file of it.
-// Nothing in it may be shared with ray-caster.js, of which it then has a copy of its own: modules
-// with a state, classes that are told apart by instanceof.
+// The part of <ray-caster> that loads when somebody is about to steer. tools/bundle.mjs bundles it
+// into one file, with its own copy of each module that ray-caster.js has too. So it must not import
+// modules with state, or classes checked with instanceof, that ray-caster.js also uses.
 
 export { Steering } from './element/steering.js';

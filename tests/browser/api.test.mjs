@@ -1,4 +1,4 @@
-// The element is what the table of its interface says, row by row, and nothing else:
+// The element matches the table of its interface, row by row:
 // web/element/api.json against the class in Chromium.
 
 import assert from 'node:assert/strict';
@@ -81,7 +81,7 @@ test('the module exports what the table lists', async () => {
   );
 });
 
-test('nothing is public on the class that the table does not list', async () => {
+test('the class has no public members that the table does not list', async () => {
   const found = await page.evaluate(() => ({
     prototype: Object.getOwnPropertyNames(slicecast.RayCaster.prototype),
     statics: Object.getOwnPropertyNames(slicecast.RayCaster).filter(
@@ -98,7 +98,7 @@ test('nothing is public on the class that the table does not list', async () => 
   assert.deepEqual(found.instance, []);
 });
 
-test('each attribute is observed and reflects', async () => {
+test('each attribute is observed and reflected', async () => {
   assert.deepEqual(
     await page.evaluate(() => [...slicecast.RayCaster.observedAttributes].sort()),
     sorted(names(table.attributes)),
@@ -132,7 +132,7 @@ test('each attribute is observed and reflects', async () => {
   }
 });
 
-test('each property can only be read, and is there from the beginning', async () => {
+test('each property is read-only, and exists from the beginning', async () => {
   for (const { name, readonly, default: standard } of table.properties) {
     const found = await page.evaluate((property) => {
       const { get, set } = Object.getOwnPropertyDescriptor(slicecast.RayCaster.prototype, property);
@@ -146,7 +146,7 @@ test('each property can only be read, and is there from the beginning', async ()
   }
 });
 
-test('each method takes what the table says, and needs a scene where the table says so', async () => {
+test("each method has the table's parameters, and needs a scene if the table says so", async () => {
   for (const { name, parameters, needsScene = false } of table.methods) {
     const found = await page.evaluate(async (method) => {
       const element = document.createElement('ray-caster');
@@ -169,7 +169,7 @@ test('each method takes what the table says, and needs a scene where the table s
   }
 });
 
-test('each method gives what the table says', async () => {
+test('each method returns what the table says', async () => {
   const kinds = await page.evaluate(async () => {
     const element = document.body.appendChild(
       Object.assign(document.createElement('ray-caster'), { scene: 'room', size: '64x40' }),
@@ -222,7 +222,7 @@ test('each method gives what the table says', async () => {
   );
 });
 
-test('each event comes, with the details of its shape, and does not bubble', async () => {
+test('each event is sent with the details of its type, and does not bubble', async () => {
   const heard = await page.evaluate(async (events) => {
     const found = {};
     const hear = (element) =>

@@ -1,4 +1,4 @@
-// What the browser tests share: Chromium, a page in it, and questions to the page.
+// Shared by the browser tests: Chromium, a page in it, and questions to the page.
 
 import { accessSync, constants } from 'node:fs';
 import path from 'node:path';
@@ -84,7 +84,7 @@ export async function openPage(
   return { page, context, server, complaints };
 }
 
-// The same, waiting until the scene can be played.
+// The same, and waits until the scene can be played.
 export async function openScene(t, browser, options) {
   const opened = await openPage(t, browser, options);
   await inState(opened.page, 'paused');
@@ -104,7 +104,7 @@ export function player(page) {
   return page.evaluate(() => window.slicecast.player);
 }
 
-// Waits until something is true of the player's state: a function that the page runs.
+// Waits until the function, which runs in the page, is true for the player's state.
 export async function untilPlayer(page, condition, argument) {
   await page.waitForFunction(
     `(${condition})(window.slicecast.player, ${JSON.stringify(argument ?? null)})`,
@@ -127,7 +127,7 @@ export function pixel(page, shareX, shareY) {
   );
 }
 
-// All of the canvas's pixels as a string that is equal only for equal pictures.
+// A string of all pixels of the canvas, equal only for equal pictures.
 export function pictureHash(page, selector = 'canvas') {
   return page.evaluate(async (which) => {
     const place = window.slicecast?.shadowRoot ?? document;

@@ -34,7 +34,7 @@ for (const [device, viewport, colorScheme] of [
       });
       const width = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.ok(width <= viewport.width, `it is ${width} pixels wide`);
-      // Nothing is cut off either: what is wider than its place scrolls in it.
+      // Nothing is cut off either: wide content scrolls.
       const cut = await page.evaluate(() =>
         [...document.querySelectorAll('main *')]
           .filter((node) => !node.closest('pre, .table, ray-caster, .reference thead'))

@@ -1,4 +1,4 @@
-// <ray-caster> under the hand: its bar, its cover, the sheet of keys, the pointer and the whole
+// Controls of <ray-caster>: its bar, its cover, the sheet of keys, the pointer and full
 // screen.
 
 import assert from 'node:assert/strict';
@@ -33,7 +33,7 @@ const names = (page) =>
 const button = (page, name) => page.locator('#a').getByRole('button', { name, exact: true });
 const status = (page) => page.locator('#a').locator('.status');
 
-test('the bar shows the buttons that are wanted, and each says what it does', async (t) => {
+test('the bar shows the requested buttons with their labels', async (t) => {
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   await button(page, 'Play').waitFor(); // it comes after the picture
@@ -77,7 +77,7 @@ test('its buttons play, pause, go back, and switch overlays on and off', async (
   );
   await page.keyboard.press('m');
   await page.waitForFunction(() => document.getElementById('a').get('minimap') === 'off');
-  // A key says so on the bar too, with the next frame.
+  // A key changes the bar too, with the next frame.
   await page
     .locator('#a')
     .getByRole('button', { name: 'Map and panels', pressed: false })
@@ -93,7 +93,7 @@ test('its buttons play, pause, go back, and switch overlays on and off', async (
   );
 });
 
-test('it saves the picture, and copies the tag with the view and the options of now', async (t) => {
+test('it saves the picture, and copies the tag with the current view and options', async (t) => {
   const { page, server } = await openElements(t, browser, kRoom, {
     context: { permissions: ['clipboard-read', 'clipboard-write'], acceptDownloads: true },
   });
@@ -121,7 +121,7 @@ test('it saves the picture, and copies the tag with the view and the options of 
   );
 });
 
-test('the copied tag of a tour has its scene and the view of now, and finds its poster from anywhere', async (t) => {
+test("the copied tag of a tour has its scene, the current view, and the poster's full address", async (t) => {
   const tour = 'slicecast recording 1\nscene room\n100 forward 256\nend 100 0123456789abcdef\n';
   const { page, server } = await openElements(
     t,
@@ -148,7 +148,7 @@ test('the copied tag of a tour has its scene and the view of now, and finds its 
   );
 });
 
-test('the whole screen, by the button and by F', async (t) => {
+test('full screen by the button and by F', async (t) => {
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   await button(page, 'Full screen').click();
@@ -161,7 +161,7 @@ test('the whole screen, by the button and by F', async (t) => {
   await page.waitForFunction(() => document.fullscreenElement?.id === 'a');
 });
 
-test('who presses the cover before the scene is there plays when it is, unless they have gone elsewhere', async (t) => {
+test('a press on the cover before the scene has loaded starts play later, unless the focus has moved', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -206,7 +206,7 @@ test('H shows the keys on a sheet; H and Escape close it and give the focus back
   }
 });
 
-test('the first click plays, the next one takes the pointer; then the wheel scrolls nothing', async (t) => {
+test('the first click plays, the next one locks the pointer; then the wheel does not scroll', async (t) => {
   const { page } = await openElements(t, browser, `${kRoom}<div style="height: 3000px"></div>`);
   await ready(page, 'a');
   await page.mouse.click(160, 60);
@@ -233,7 +233,7 @@ test('the first click plays, the next one takes the pointer; then the wheel scro
   await page.waitForFunction(() => scrollY > 0);
 });
 
-test('where the pointer cannot be held, its place steers', async (t) => {
+test('if the pointer cannot be locked, the mouse position steers', async (t) => {
   const { page } = await openElements(t, browser, kRoom, {
     prepare: (opened) =>
       opened.addInitScript(() => {
@@ -249,7 +249,7 @@ test('where the pointer cannot be held, its place steers', async (t) => {
     document
       .getElementById('a')
       .shadowRoot.querySelector('.status')
-      .textContent.includes('place steers'),
+      .textContent.includes('mouse position steers'),
   );
   await page.mouse.move(310, 100);
   await page.waitForFunction(() => document.getElementById('a').currentView.heading > 5);
@@ -281,7 +281,7 @@ test('P pauses, and play and pause of the page agree with it', async (t) => {
   await inElementState(page, 'a', 'paused');
 });
 
-test("a size of its own gives the element its shape, and a pixel is a whole number of the screen's", async (t) => {
+test('a fixed size gives the element its shape, and a pixel covers a whole number of screen pixels', async (t) => {
   for (const ratio of [1, 1.5, 2]) {
     const { page } = await openElements(
       t,

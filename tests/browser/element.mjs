@@ -1,6 +1,7 @@
-// What the tests of <ray-caster> share: a page with elements in it, and questions to them.
+// Shared by the tests of <ray-caster>: a page with elements in it, and questions to them.
 //
-//     const { page } = await openElements(t, browser, '<ray-caster id="a" scene="room"></ray-caster>');
+//     const { page } = await openElements(t, browser,
+//       '<ray-caster id="a" scene="room"></ray-caster>');
 //     await ready(page, 'a');
 
 import { openPage } from './browser.mjs';
@@ -29,7 +30,7 @@ export function openElements(
   });
 }
 
-// What whenReady() gives, or the error that it is rejected with.
+// The result of whenReady(), or the error that it rejects with.
 export function ready(page, id) {
   return page.evaluate(
     ([which, wait]) =>
@@ -69,7 +70,7 @@ export function elementPixel(page, id, shareX = 0.5, shareY = 0.5) {
   );
 }
 
-// What has the focus: the element's id, and inside it the name of the piece.
+// What has the focus: the element's id, and the piece inside it.
 export function focusOf(page) {
   return page.evaluate(() => {
     const { activeElement } = document;

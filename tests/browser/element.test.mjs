@@ -22,7 +22,7 @@ after(() => browser.close());
 const kRoom = '<ray-caster id="a" scene="room" size="160x100"></ray-caster>';
 const kRows = '#######\n#.....#\n#..&gt;..#\n#.....#\n#######';
 
-test('a scene comes from an address, from its name, from a script inside or from rows', async (t) => {
+test('a scene from an address, a name, a script inside, or rows', async (t) => {
   const inline = JSON.stringify({
     ...roomScene({ title: 'Inside', folder: 'pictures/' }),
     start: { x: 3.5, y: 3.5, heading: 90 },
@@ -104,7 +104,7 @@ test('rows are text between the tags, a pre, or an object; ids and objects share
   );
   assert.match((await ready(page, 'circle')).message, /found "#circle", expected the id/);
 
-  // An object: no file is fetched for colours; set once more it is read once more.
+  // An object: colours need no file; setting it again reads it again.
   const before = server.asked.length;
   const seen = await page.evaluate(async () => {
     const scene = { rows: ['#####', '#>.x#', '#####'], legend: { x: '#c03020' }, colours: true };
@@ -151,7 +151,7 @@ test('rows are text between the tags, a pre, or an object; ids and objects share
   );
 });
 
-test('pictures of one’s own lie beside the page, or where base says', async (t) => {
+test('your own pictures are relative to the page, or to base', async (t) => {
   const wall = roomFiles()['scenes/pictures/red.png'];
   const inline = JSON.stringify(roomScene({ folder: '' }));
   const { page, server } = await openElements(
@@ -175,7 +175,7 @@ test('pictures of one’s own lie beside the page, or where base says', async (t
   assert.equal((await ready(page, 'json')).title, 'The coloured room');
 });
 
-test('attributes and properties are the same thing, also those set before the element is defined', async (t) => {
+test('attributes and properties reflect each other, even if set before the element is defined', async (t) => {
   const { page } = await openElements(t, browser, '<ray-caster id="a"></ray-caster>', {
     script: '',
   });
@@ -245,7 +245,7 @@ test('attributes and properties are the same thing, also those set before the el
   assert.deepEqual(seen.empty, ['idle', true, null, 0, null, { width: 0, height: 0 }, null, []]);
 });
 
-test('another scene takes the place of the first only once it is there', async (t) => {
+test('another scene replaces the first only once it has loaded', async (t) => {
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   await noteEvents(page, 'a', ['statechange', 'ready', 'progress']);
@@ -267,7 +267,7 @@ test('another scene takes the place of the first only once it is there', async (
   );
   assert.ok(events.some(([name, { share }]) => name === 'progress' && share === 1));
 
-  // The last wish counts, whatever comes first.
+  // The last request counts, whichever loads first.
   await page.evaluate(() => {
     const a = document.getElementById('a');
     a.scene = 'room';
@@ -352,7 +352,7 @@ test('view, options, overlays, size, engine and label change while it runs', asy
   assert.deepEqual(names, ['Four walls', 'Play: Four walls']);
 });
 
-test('a scene inside the element may change, and come later', async (t) => {
+test('a scene inside the element may change, or be added later', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -369,17 +369,17 @@ test('a scene inside the element may change, and come later', async (t) => {
   await page.waitForFunction(() => document.getElementById('a').currentView?.heading === 270);
 });
 
-// A slip in an attribute, what is said of it, and what an option of the engine is then.
-const kSlips = [
+// A bad attribute, its warning, and the value of an engine's option afterwards.
+const kMistakes = [
   ['view', '1,2', /^view: found "1,2", expected x,y,z,heading/],
   ['view', '3.5,3.5,-4,0', /^The view '3.5,3.5,-4,0' is not above the floor\.$/],
   ['view', '3.5,3.5,0.5,0,0,rom', /^Unknown map 'rom'\. Did you mean 'room'\?$/],
   [
     'size',
     'large',
-    /^The size is auto, WIDTHxHEIGHT in pixels of at most 4096, or 10% to 100% of the box, not 'large'\.$/,
+    /^Found 'large', expected auto, WIDTHxHEIGHT of at most 4096 pixels each, or 10% to 100%\.$/,
   ],
-  ['size', '5000x10', /not '5000x10'\.$/],
+  ['size', '5000x10', /^Found '5000x10', expected auto/],
   ['controls', 'play savee', /^Unknown control 'savee'\. Did you mean 'save'\?$/],
   ['controls', 'stop', /^Unknown control 'stop'\. Expected play, reset, .* or fullscreen\.$/],
   [
@@ -398,11 +398,11 @@ const kSlips = [
   ['autopaly', '', /^Unknown attribute 'autopaly'\. Did you mean 'autoplay'\?$/],
 ];
 
-test('a slip in an attribute is warned of, and the rest is drawn', async (t) => {
+test('a mistake in an attribute gives a warning, and the rest is drawn', async (t) => {
   const { page } = await openElements(t, browser, '', { expectErrors: true });
   const said = [];
   page.on('console', (message) => message.type() === 'warning' && said.push(message.text()));
-  for (const [name, value, message, option, set] of kSlips) {
+  for (const [name, value, message, option, set] of kMistakes) {
     said.length = 0;
     const found = await page.evaluate(
       async ([attribute, slip, which]) => {
@@ -413,7 +413,7 @@ test('a slip in an attribute is warned of, and the rest is drawn', async (t) => 
         const heard = [];
         a.addEventListener('warning', ({ detail }) => heard.push(detail));
         const { title } = await a.whenReady();
-        a.label = 'again'; // what is warned of already is not told once more
+        a.label = 'again'; // a warning is not repeated
         await a.whenReady();
         return {
           title,
@@ -452,7 +452,7 @@ test('a slip in an attribute is warned of, and the rest is drawn', async (t) => 
   );
 });
 
-test('what can only be meant in one way is no slip', async (t) => {
+test('unusual but clear spellings give no warning', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -493,7 +493,7 @@ const kFaults = [
   ['scene', 'missing', /scenes\/missing\.json: the server answers 404/, 'fetch'],
 ];
 
-test('a scene that is not there is an error with a code, and is mended by another value', async (t) => {
+test('a missing scene is an error with a code; another value recovers from it', async (t) => {
   const { page } = await openElements(t, browser, kRoom, { expectErrors: true });
   await ready(page, 'a');
   await noteEvents(page, 'a', ['error']);
@@ -570,7 +570,7 @@ test('a scene with faults lists them all with their places, and can be tried aga
   await inElementState(page, 'a', 'paused');
 });
 
-test('methods that need a scene say so before there is one, and whenReady loads it', async (t) => {
+test('methods that need a scene throw before it has loaded, and whenReady loads it', async (t) => {
   const { page } = await openElements(t, browser, `<div style="height: 5000px"></div>${kRoom}`);
   const refusals = await page.evaluate(async () => {
     await customElements.whenDefined('ray-caster');
@@ -620,7 +620,7 @@ test('methods that need a scene say so before there is one, and whenReady loads 
   );
 });
 
-test('methods step, look, reset, set and get, and hand out pictures, hits and traces', async (t) => {
+test('the methods step, look, reset, set, get, and those for pictures, hits and traces', async (t) => {
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   const seen = await page.evaluate(async () => {
@@ -703,11 +703,11 @@ test('methods step, look, reset, set and get, and hand out pictures, hits and tr
   assert.equal(seen.hit, 'wall');
   assert.equal(seen.noHit, null);
   assert.equal(seen.paused, true);
-  // What was done while paused is on the canvas.
+  // Changes while paused are on the canvas.
   assert.deepEqual(await elementPixel(page, 'a'), kBlue);
 });
 
-test('events tell of pictures, of the eye, and of portals', async (t) => {
+test('events about pictures, the view, and portals', async (t) => {
   const room = roomScene();
   const scene = {
     ...room,
@@ -753,7 +753,7 @@ test('events tell of pictures, of the eye, and of portals', async (t) => {
   );
 });
 
-test('a tour leads through its scene when play begins, and begins again', async (t) => {
+test('a tour plays when play begins, and can start again', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -820,7 +820,7 @@ test('a tour leads through its scene when play begins, and begins again', async 
   );
 });
 
-test('trace() tells what the engine did for one slice, and for the picture', async (t) => {
+test('trace() of one slice, and of the picture', async (t) => {
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   const seen = await page.evaluate(() => {

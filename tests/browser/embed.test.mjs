@@ -79,7 +79,7 @@ test('the link leads to the same in the play page', async (t) => {
   assert.equal(await other.evaluate(() => window.slicecast.player.x), 2.5);
 });
 
-test('a tour leads through its scene, by itself where the address says so', async (t) => {
+test('a tour plays, with autoplay by itself', async (t) => {
   const { page } = await openPage(t, browser, {
     query: 'embed.html?tour=castle&autoplay&size=160x100',
     context: { reducedMotion: 'no-preference' },
@@ -93,7 +93,7 @@ test('a tour leads through its scene, by itself where the address says so', asyn
   }, start);
 });
 
-test('a bad parameter is told in the frame', async (t) => {
+test('the frame shows the error for a bad parameter', async (t) => {
   const own = [
     ['', /neither scene nor tour/],
     ['?sene=room', /neither scene nor tour/],
@@ -119,14 +119,14 @@ test('a bad parameter is told in the frame', async (t) => {
   }
 });
 
-test('a slip in the address blanks no frame', async (t) => {
+test('a mistake in the address does not blank the frame', async (t) => {
   const { page, server } = await openPage(t, browser, { query: 'embed.html?scene=other' });
   const said = [];
   page.on('console', (message) => message.type() === 'warning' && said.push(message.text()));
   for (const [query, expected] of [
     ['&utm_source=mail', /Unknown parameter 'utm_source'/],
     ['&optoins=fov=75', /Unknown parameter 'optoins'\. Did you mean 'options'\?/],
-    ['&scene=other', /'scene' stands there more than once/],
+    ['&scene=other', /'scene' appears more than once/],
     ['&view=1', /view: found "1"/],
     ['&options=fov=9000', /Option 'fov' takes a number from 10 to 150, not '9000'/],
     ['&controls=hat', /Unknown control 'hat'/],
@@ -182,7 +182,7 @@ test('a poster, no badge, no interaction', async (t) => {
   await page.waitForFunction(() => document.querySelector('ray-caster').state === 'playing');
 });
 
-test('scenes from elsewhere are shown only where the owner allows it', async (t) => {
+test('scenes from elsewhere are shown only if the owner allows it', async (t) => {
   const other = await serve({
     files: roomFiles(),
     headers: { 'Access-Control-Allow-Origin': '*' },
@@ -225,19 +225,19 @@ test('scenes from elsewhere are shown only where the owner allows it', async (t)
   }
 });
 
-test('a poster of a link comes from where its scene may come from', async (t) => {
+test('posters follow the same rule as scenes', async (t) => {
   const other = await serve({ files: { 'poster.png': 'a picture' } });
   t.after(() => other.close());
   const { page, server } = await openPage(t, browser, { query: 'embed.html?scene=room' });
   for (const poster of [`${other.address}poster.png`, 'data:image/png;base64,AAAA']) {
     await page.goto(`${server.address}embed.html?scene=room&poster=${encodeURIComponent(poster)}`);
     await page.waitForSelector('#trouble:visible');
-    assert.match(await page.innerText('#trouble'), /shows nothing from elsewhere/);
+    assert.match(await page.innerText('#trouble'), /does not allow that address/);
   }
   assert.deepEqual(other.asked, []);
 });
 
-test('a scene from elsewhere says whose it is, and its title poses as nothing else', async (t) => {
+test('a scene from elsewhere is marked with its host, and its title cannot pose as anything else', async (t) => {
   const title = 'Log in” again, \u202e Slicecast "asks" “you';
   const other = await serve({
     files: roomFiles({ title }),
@@ -255,7 +255,7 @@ test('a scene from elsewhere says whose it is, and its title poses as nothing el
   const query = `?scene=${encodeURIComponent(`${other.address}scenes/room.json`)}`;
   const name = () => page.evaluate(() => document.querySelector('ray-caster').label);
 
-  // The frame says it before the first picture.
+  // The frame shows it before the first picture.
   let go;
   const mayGo = new Promise((resolve) => {
     go = resolve;
@@ -265,11 +265,11 @@ test('a scene from elsewhere says whose it is, and its title poses as nothing el
     await route.continue();
   });
   await page.goto(`${server.address}embed.html${query}&autoplay`);
-  await page.waitForSelector('#whose:visible');
-  assert.equal(await page.innerText('#whose'), `A scene from ${host}`);
+  await page.waitForSelector('#origin:visible');
+  assert.equal(await page.innerText('#origin'), `A scene from ${host}`);
   go();
   await page.waitForFunction((wanted) => document.title === wanted, `${said} · Slicecast`);
-  assert.equal(await page.innerText('#whose'), said);
+  assert.equal(await page.innerText('#origin'), said);
   assert.equal(await page.innerText('#title'), said);
   assert.equal(await name(), said);
 
@@ -280,16 +280,16 @@ test('a scene from elsewhere says whose it is, and its title poses as nothing el
   assert.equal(await page.textContent('#bar-title'), said);
   assert.equal(await name(), said);
 
-  // One of the page's own is called as it is.
+  // The title of the page's own scene is shown as it is.
   for (const where of ['embed.html', '']) {
     await page.goto(`${server.address}${where}?scene=room`);
     await page.waitForFunction(() => document.title === 'The coloured room · Slicecast');
     assert.equal(await name(), '');
-    if (where !== '') assert.equal(await page.isVisible('#whose'), false);
+    if (where !== '') assert.equal(await page.isVisible('#origin'), false);
   }
 });
 
-test('the page around the frame asks, sets and hears, by the origin that the address names', async (t) => {
+test('the page around the frame exchanges messages with it, if the address names its origin', async (t) => {
   const host = await serve({
     files: { 'host.html': '<!doctype html><title>Host</title><body></body>' },
   });
@@ -376,7 +376,7 @@ test('it works in a frame of another origin', async (t) => {
   await ready(frame);
 });
 
-test('it works sandboxed with scripts alone, where its host allows any origin', async (t) => {
+test('it works sandboxed with scripts alone if its host allows any origin', async (t) => {
   const frame = await openHost(t, {
     headers: { 'Access-Control-Allow-Origin': '*' },
     sandbox: 'allow-scripts',
@@ -386,7 +386,7 @@ test('it works sandboxed with scripts alone, where its host allows any origin', 
   assert.equal(await frame.getAttribute('#open', 'target'), '_self', 'a sandbox opens no windows');
 });
 
-test('sandboxed, where its host does not, it says what to do', async (t) => {
+test('sandboxed, if its host does not allow that, it says what to do', async (t) => {
   const frame = await openHost(t, { headers: {}, sandbox: 'allow-scripts' });
   await frame.waitForFunction(() => !document.getElementById('trouble').hidden);
   assert.match(

@@ -1,4 +1,4 @@
-// One engine in a page from its beginning to its end: what it tells, what it schedules, and what is
+// One engine in a page from start to stop: its events, what it schedules, and what is
 // left of it.
 
 import assert from 'node:assert/strict';
@@ -31,7 +31,7 @@ function doubleRoom() {
   });
 }
 
-// Notes down what the page schedules and listens to, before anything of it runs.
+// Records what the page schedules and listens to, before anything runs.
 function watch() {
   window.scheduled = 0;
   for (const name of [
@@ -73,7 +73,7 @@ function watch() {
   };
   window.listening = () => known.map(([target, type]) => `${target.constructor.name} ${type}`);
 
-  // An engine in a room, and everything that it tells.
+  // An engine in a room, and all its events.
   window.startEngine = async ({ paused = true, scene = 'room' } = {}) => {
     const [{ fetchEngine }, { Engine }, { sceneAt }] = await Promise.all(
       ['./engine/engine-files.js', './engine/engine.js', './scene-at.js'].map(
@@ -117,7 +117,7 @@ async function openEngine(t, options) {
 
 const rest = (page, milliseconds = 150) => page.waitForTimeout(milliseconds);
 
-// How many frames the engine has asked for and shown meanwhile.
+// How many frames the engine has requested and shown meanwhile.
 async function during(page, act) {
   await page.evaluate(() => {
     window.scheduled = 0;
@@ -131,7 +131,7 @@ async function during(page, act) {
   ]);
 }
 
-test('an engine that stands still schedules nothing, and one frame for each change', async (t) => {
+test('a paused engine schedules nothing, and one frame for each change', async (t) => {
   const page = await openEngine(t);
   await rest(page);
   assert.deepEqual(await during(page, () => {}), [0, 0]);
@@ -158,7 +158,7 @@ test('an engine that stands still schedules nothing, and one frame for each chan
   assert.deepEqual(await during(page, () => {}), [0, 0]);
 });
 
-test('a step is exactly 1/120 s, and the view, the picture and the news say what it did', async (t) => {
+test('a step is exactly 1/120 s; view, picture and events agree', async (t) => {
   const page = await openEngine(t);
   await rest(page);
   const start = await page.evaluate(() => window.engine.view);
@@ -235,7 +235,7 @@ test('a step is exactly 1/120 s, and the view, the picture and the news say what
   assert.ok((await page.evaluate(() => window.engine.memoryBytes)) >= 1024 * 1024);
 });
 
-test('the engine has a clock that goes on for as long as a page is open', async (t) => {
+test("the engine's clock works however long a page is open", async (t) => {
   const { page } = await openPage(t, browser, {
     query: 'engine.html',
     server: { files: { 'engine.html': kPage, 'scene-at.js': kSceneAt } },
@@ -269,7 +269,7 @@ test('the engine has a clock that goes on for as long as a page is open', async 
   }
 });
 
-test('going through a portal is told with the names of both maps', async (t) => {
+test('going through a portal is reported with the names of both maps', async (t) => {
   const page = await openEngine(t, { scene: 'double' });
   assert.equal(await page.evaluate(() => window.engine.view.map), 'room');
   await page.evaluate(() => {
@@ -307,7 +307,7 @@ test('going through a portal is told with the names of both maps', async (t) => 
   assert.equal(await page.evaluate(() => window.engine.questions.trace(40, 30, 20).map), 'cellar');
 });
 
-test('nothing is left of an engine that has been stopped', async (t) => {
+test('a stopped engine leaves nothing behind', async (t) => {
   const page = await openEngine(t, { paused: false });
   const {
     before: begun,

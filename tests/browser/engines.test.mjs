@@ -1,4 +1,4 @@
-// The engine in the page: both builds of it, several side by side, and what is said where none can
+// The engine in the page: both builds, several side by side, and the messages if none can
 // run.
 
 import assert from 'node:assert/strict';
@@ -112,7 +112,7 @@ test('two canvases on one page draw their own pictures and get their own keys', 
     before.map(({ x, y }) => [x, y]),
   );
 
-  // One ends, the other goes on.
+  // One is stopped, the other goes on.
   await page.evaluate(() => window.engines[0].stop());
   const { steps } = now[1];
   await page.waitForFunction((last) => window.engines[1].state.steps > last + 10, steps);
@@ -134,7 +134,7 @@ test('opened as a file, the page says what to do', async (t) => {
   t.after(() => context.close());
   const page = await context.newPage();
   await page.goto(new URL('../../build/web/index.html', import.meta.url).href);
-  assert.match(await trouble(page), /wants a server.*tools\/play.*any static web server/);
+  assert.match(await trouble(page), /needs a web server.*tools\/play.*any static web server/);
   assert.equal(
     await page.evaluate(() => getComputedStyle(document.querySelector('.sheet')).backgroundColor),
     'rgb(34, 27, 32)',
@@ -186,14 +186,14 @@ for (const [what, server, query, expected] of [
   });
 }
 
-test('wasm sent with the wrong type is good enough', async (t) => {
+test('wasm with the wrong content type still works', async (t) => {
   const { page } = await openScene(t, browser, {
     server: { types: { 'engine/slicecast-simd.wasm': 'text/plain' } },
   });
   assert.equal((await player(page)).heading, 0);
 });
 
-test('an engine that fails while it plays says so, and another try starts a new one', async (t) => {
+test('if an engine crashes during play, an error is shown, and trying again starts a new one', async (t) => {
   const { page } = await openScene(t, browser, { expectErrors: true });
   await play(page);
   await page.evaluate(() => {

@@ -32,7 +32,7 @@ async function openLesson(t, name, options = {}) {
   return opened;
 }
 
-// Moves a slider as a hand would, and waits for what follows from it.
+// Moves a slider as a user would, and waits for the effect.
 async function slide(page, id, value) {
   await page.evaluate(
     ([name, wanted]) => {
@@ -100,7 +100,7 @@ for (const name of kLessons) {
   }
 }
 
-test('the list leads to the lessons, and stands without scripts', async (t) => {
+test('the list links to the lessons, and works without scripts', async (t) => {
   const { page, server } = await openPage(t, browser, {
     query: 'examples/index.html',
     viewport: kPhone,
@@ -170,7 +170,7 @@ test('posters are the pictures that the engine draws', async (t) => {
   }
 });
 
-test('one ray: plan, rulers and table are the engine’s walk', async (t) => {
+test('one ray: plan, rulers and table show the engine’s walk', async (t) => {
   const { page } = await openLesson(t, 'one-ray');
   for (const [heading, share] of [
     [11, 0.5],
@@ -237,7 +237,7 @@ test('one ray: the walk can be followed tile by tile, and the plan follows the p
   assert.equal(await page.locator('#plan .lit').count(), 3);
 });
 
-test('walls: a depth makes the height that the engine projects', async (t) => {
+test('walls: the height for a depth is the one that the engine projects', async (t) => {
   const { page } = await openLesson(t, 'walls-and-floor');
   for (const depth of [1, 3, 7.5]) {
     await slide(page, 'depth', depth);

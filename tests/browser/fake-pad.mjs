@@ -1,4 +1,4 @@
-// A gamepad that tests hold: a page is given one by its own interface.
+// A fake gamepad, provided through the browser's own interface.
 
 // window.pad(axes, pressed buttons) sets it; the first call connects it, window.unplug() takes it
 // away.

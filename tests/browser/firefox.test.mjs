@@ -1,5 +1,5 @@
-// The element in a second engine: Firefox, driven over WebDriver BiDi. The same pixels as in
-// Chromium and under Node, played by keys, and left again.
+// The element in a second browser engine: Firefox, driven over WebDriver BiDi. The same pixels as
+// in Chromium and under Node, played by keys, and left again.
 
 import assert from 'node:assert/strict';
 import { accessSync, constants } from 'node:fs';
@@ -172,4 +172,4 @@ test(
   },
 );
 
-test('nothing complained', { skip }, () => assert.deepEqual(complaints, []));
+test('there were no errors on the console', { skip }, () => assert.deepEqual(complaints, []));

@@ -36,7 +36,7 @@ const halts = async (page) => {
   return now.x < 4;
 };
 
-// As long as it takes to open or to close, and more
+// Longer than it takes to open or to close
 async function gateMoves(page) {
   const { steps } = await player(page);
   await untilPlayer(page, (state, before) => state.steps > before + 60, steps);

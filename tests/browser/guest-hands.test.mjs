@@ -1,5 +1,5 @@
-// Who plays a <ray-caster>, by keys and by fingers: what they hold when the window comes back, what
-// is taken away under them, what stays the page's.
+// Playing a <ray-caster> by keys and fingers: when the window gets the focus back, when something
+// is removed under a finger, and what is left to the page.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -22,7 +22,7 @@ const phone = {
 const button = (page, name) => page.locator('#a').getByRole('button', { name, exact: true });
 const whereIs = (page) => page.evaluate(() => document.getElementById('a').currentView);
 
-test('a finger that was playing finds its thumbs, and the way out, when it comes back from another tab', async (t) => {
+test('after another tab, touch controls and the leave button are back', async (t) => {
   const { page, context } = await openElements(
     t,
     browser,
@@ -46,7 +46,7 @@ test('a finger that was playing finds its thumbs, and the way out, when it comes
   await inElementState(page, 'a', 'paused');
 });
 
-test('thumbs that are taken away under a finger work again afterwards', async (t) => {
+test('touch controls that are removed under a finger work again afterwards', async (t) => {
   const { page, context } = await openElements(
     t,
     browser,
@@ -76,14 +76,14 @@ test('thumbs that are taken away under a finger work again afterwards', async (t
   await touch('touchEnd');
 });
 
-test('keys="none": put back into the page, its picture is still no stop for Tab', async (t) => {
+test('keys="none": put back into the page, Tab still skips the picture', async (t) => {
   const { page } = await openElements(
     t,
     browser,
     '<button id="x">Before</button><ray-caster id="a" scene="room" keys="none"></ray-caster><button id="y">After</button>',
   );
   await ready(page, 'a');
-  await page.hover('#a'); // what one steers by comes
+  await page.hover('#a'); // loads steering.js
   await page.waitForFunction(
     () => document.getElementById('a').shadowRoot.querySelector('.leave') !== null,
   );
@@ -104,7 +104,7 @@ test('keys="none": put back into the page, its picture is still no stop for Tab'
   assert.deepEqual(seen, ['a cover', 'y']);
 });
 
-test('other keys are wished for while somebody plays: they play on', async (t) => {
+test('the attribute keys changes during play: play goes on', async (t) => {
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   await page.click('#a');
@@ -126,7 +126,7 @@ test('other keys are wished for while somebody plays: they play on', async (t) =
     assert.equal(await focusOf(page), place);
     assert.equal(await page.evaluate(() => document.getElementById('a').state), 'playing');
   }
-  // From the bar nothing takes the focus.
+  // The bar does not take the focus.
   await page.keyboard.press('Tab');
   assert.equal(await focusOf(page), 'a play');
   await page.evaluate(() => {
@@ -138,7 +138,7 @@ test('other keys are wished for while somebody plays: they play on', async (t) =
   await inElementState(page, 'a', 'paused');
 });
 
-test('a fault closes the sheet of keys; once it is mended the cover has the focus', async (t) => {
+test('an error closes the sheet of keys; once it is fixed the cover has the focus', async (t) => {
   const { page } = await openElements(t, browser, kRoom, { expectErrors: true });
   await ready(page, 'a');
   await page.click('#a');
@@ -158,7 +158,7 @@ test('a fault closes the sheet of keys; once it is mended the cover has the focu
   assert.equal(await focusOf(page), 'a cover');
 });
 
-test('under the sheet of keys nothing can be reached; it lists what works here', async (t) => {
+test("under the sheet of keys nothing can be reached; it lists the element's keys", async (t) => {
   const { page } = await openElements(t, browser, `${kRoom}<button id="y">After</button>`);
   await ready(page, 'a');
   await button(page, 'Play').waitFor();
@@ -188,7 +188,7 @@ test('under the sheet of keys nothing can be reached; it lists what works here',
   await inElementState(page, 'a', 'playing');
 });
 
-test('keys for which an element has no place go on to the page', async (t) => {
+test("keys that are not the element's go to the page", async (t) => {
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   await page.evaluate(() => {
@@ -217,7 +217,7 @@ test('keys for which an element has no place go on to the page', async (t) => {
   ]);
 });
 
-test('the button for overlays knows of each of them, by whatever key', async (t) => {
+test('the button for overlays reflects each overlay, whichever key changed it', async (t) => {
   const { page } = await openElements(t, browser, kRoom);
   await ready(page, 'a');
   await button(page, 'Play').waitFor();
@@ -232,7 +232,7 @@ test('the button for overlays knows of each of them, by whatever key', async (t)
   }
 });
 
-test('what is wrong can have the focus', async (t) => {
+test('an error message can have the focus', async (t) => {
   const { page } = await openElements(
     t,
     browser,

@@ -1,5 +1,5 @@
-// What <ray-caster> costs a page where nobody plays: no time, one fetch of each file, and nothing
-// once it is gone.
+// What <ray-caster> costs a page while nobody plays: no time, one fetch of each file, and nothing
+// once it is removed.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -22,7 +22,7 @@ const kTries = 4;
 const kIdleShare = 0.005; // of a core
 const kElements = 12;
 const kWarmUp = 50; // elements, until the browser has compiled what it will
-const kHeapSlack = 100_000; // bytes; one element's memory is 16 MB, its tree and listeners some 50 kB
+const kHeapSlack = 100_000; // bytes; an element has 16 MB of memory, 50 kB of tree and listeners
 
 let browser;
 before(async () => {
@@ -55,7 +55,7 @@ function countDecoded() {
   };
 }
 
-// Nothing is scheduled any more.
+// Waits until nothing is scheduled.
 function atRest(page) {
   return until(page, () => window.watch.pending.size === 0 && document.readyState === 'complete');
 }
@@ -75,7 +75,7 @@ test('twelve idle elements use no time, no timer and no frame', async (t) => {
   const { page } = await openGuest(t, browser, { body: twelve, ...watched });
   await ready(page);
   await atRest(page);
-  // What loading has left behind is not the idle elements'.
+  // Garbage of loading does not count.
   const session = await page.context().newCDPSession(page);
   await session.send('HeapProfiler.collectGarbage');
   await wait(1500);
@@ -95,7 +95,7 @@ test('twelve idle elements use no time, no timer and no frame', async (t) => {
   assert.ok(used / kIdleSeconds < kIdleShare, `${used} s of ${kIdleSeconds} s`);
 });
 
-test('several elements fetch each file once and compile once; each tells what it holds', async (t) => {
+test('several elements fetch each file once and compile once; each reports its memory', async (t) => {
   const { page, server } = await openGuest(t, browser, { body: twelve, ...watched });
   await ready(page);
   await until(page, () =>
@@ -119,7 +119,7 @@ test('several elements fetch each file once and compile once; each tells what it
     `${server.asked.length} requests for ${kElements} elements; ${(memory[0] / 2 ** 20).toFixed(1)} MiB each`,
   );
 
-  // One that comes later asks for nothing either.
+  // A later element fetches nothing either.
   const before = server.asked.length;
   await page.evaluate(() => {
     document
@@ -130,7 +130,7 @@ test('several elements fetch each file once and compile once; each tells what it
   assert.equal(server.asked.length, before);
 });
 
-test('a picture that one element has decoded is not decoded by another, whatever its scene', async (t) => {
+test('a picture is decoded by one element only, even for different scenes', async (t) => {
   const lazy = (scene) =>
     `<ray-caster id="${scene}" scene="${scene}" loading="click" size="160x100" style="width: 160px"></ray-caster>`;
   const { page, server } = await openGuest(t, browser, {
@@ -153,7 +153,7 @@ test('a picture that one element has decoded is not decoded by another, whatever
     [...garden.known, ...garden.decoded].filter((file) => castle.decoded.includes(file)).sort(),
   );
   assert.ok(garden.known.length > 15 && garden.decoded.length > 10);
-  // The last one to come finds what is there; then nothing is kept for anybody.
+  // The last element uses what is there; then nothing is kept.
   const library = await show('library');
   assert.ok(library.known.some((file) => castle.decoded.includes(file)));
   await page.evaluate(() =>
@@ -167,7 +167,7 @@ test('a picture that one element has decoded is not decoded by another, whatever
   const often = server.asked.filter((path, index) => server.asked.indexOf(path) !== index);
   assert.deepEqual(often, []);
 
-  // What came as pixels looks like what was decoded.
+  // Adopted pixels look like decoded ones.
   const pixelsOf = (which) =>
     which.evaluate((id) => [...document.getElementById(id).pixels().data], 'garden');
   const alone = await openGuest(t, browser, { body: lazy('garden') });
@@ -175,7 +175,7 @@ test('a picture that one element has decoded is not decoded by another, whatever
   assert.deepEqual(await pixelsOf(page), await pixelsOf(alone.page));
 });
 
-test('an element alone makes no copy of what it decodes, whatever it shows in turn', async (t) => {
+test('a single element makes no copy of decoded pictures, whatever it shows', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: kRoom,
     prepare: (newPage) =>
@@ -196,7 +196,7 @@ test('an element alone makes no copy of what it decodes, whatever it shows in tu
   assert.equal(await page.evaluate(() => window.copies), 0);
 });
 
-test('what one steers by is fetched when somebody comes near, and by a bar after the picture', async (t) => {
+test('steering.js loads when somebody comes near, or after the picture if there is a bar', async (t) => {
   const { page, server } = await openGuest(t, browser, { body: kRoom });
   await ready(page);
   await wait(300);
@@ -245,7 +245,7 @@ test('loading="eager" does not wait for that', async (t) => {
   await until(page, () => document.querySelector('ray-caster').state === 'paused');
 });
 
-test('it runs only while it is seen, and while it was asked to or has the focus', async (t) => {
+test('it runs only in sight, and while it plays or has the focus', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: `${kRoom}<p style="height: 4000px"><input id="text"></p>`,
     ...watched,
@@ -280,7 +280,7 @@ test('it runs only while it is seen, and while it was asked to or has the focus'
   await page.evaluate(() => document.querySelector('main').style.removeProperty('display'));
   await until(page, () => window.watch.pending.size > 0);
 
-  // Not asked to any more
+  // Paused
   await page.evaluate(() => document.querySelector('ray-caster').pause());
   await atRest(page);
   assert.equal(await grows(), false);
@@ -295,7 +295,7 @@ test('it runs only while it is seen, and while it was asked to or has the focus'
   assert.equal(await grows(), false);
 });
 
-test('while it stands still a change draws one picture', async (t) => {
+test('while paused, a change draws one picture', async (t) => {
   const { page } = await openGuest(t, browser, watched);
   await ready(page);
   await atRest(page);
@@ -316,7 +316,7 @@ test('while it stands still a change draws one picture', async (t) => {
   }
 });
 
-test('what is removed is gone: the heap is flat after fifty elements', async (t) => {
+test('removed elements are freed: the heap does not grow after fifty elements', async (t) => {
   const { page, context } = await openGuest(t, browser, {
     body: '<div id="place"></div>',
     ...watched,
@@ -373,7 +373,7 @@ test('what is removed is gone: the heap is flat after fifty elements', async (t)
   assert.deepEqual(await page.evaluate(() => [...window.watch.pending.values()]), []);
 });
 
-test('an element that is moved goes on; one that is taken away while it loads leaves nothing', async (t) => {
+test('a moved element goes on; one removed while loading leaves nothing', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: `<div id="one">${kRoom}</div><div id="two"></div>`,
     ...watched,
@@ -412,14 +412,14 @@ test('an element that is moved goes on; one that is taken away while it loads le
   );
 });
 
-// A machine with nothing else to do keeps far below these limits; here others may be at work. The
+// An idle machine stays far below these limits, but others may be busy. The
 // figures are in the report.
-test('start times: the first picture, an engine more, and an element more', async (t) => {
+test('start times: the first picture, another engine, and another element', async (t) => {
   const startPage = guestPage(kRoom.replace('scene', 'loading="eager" scene'), {
     script: '<script type="module" src="start.js"></script>',
   });
   // The page has them in its script only.
-  const modules = ['source', 'late', 'page-cache'].map((name) => [
+  const modules = ['source', 'later-parts', 'page-cache'].map((name) => [
     `element/${name}.js`,
     readFileSync(new URL(`../../web/element/${name}.js`, import.meta.url)),
   ]);
@@ -471,7 +471,7 @@ test('start times: the first picture, an engine more, and an element more', asyn
   assert.ok(Math.min(...elements) < 25, `an element more: ${list(elements)} ms`);
 });
 
-test('start times of a large scene, and of one more element with it', async (t) => {
+test('start times of a large scene, and of another element with it', async (t) => {
   const startPage = guestPage(
     '<ray-caster scene="castle" loading="eager" style="width: 640px"></ray-caster>',
     { script: '<script type="module" src="start.js"></script>' },

@@ -1,4 +1,4 @@
-// A guest's manners: keys, focus, wheel and touch stay the page's until somebody gives them to
+// Keys, focus, wheel and touch are left to the page until somebody gives them to
 // <ray-caster>, and it gives them back.
 
 import assert from 'node:assert/strict';
@@ -48,7 +48,7 @@ test('arrows scroll the page unless somebody plays; then they turn the eye', asy
     await hold(page, key, 60);
   assert.equal(await scrolled(page), before);
 
-  // Escape leaves, and the arrows are the page's again.
+  // Escape leaves, and arrows scroll the page again.
   await page.keyboard.press('Escape');
   await page.keyboard.press('Escape'); // the first one may have given the pointer back
   await until(page, () => document.querySelector('ray-caster').state === 'paused');
@@ -58,7 +58,7 @@ test('arrows scroll the page unless somebody plays; then they turn the eye', asy
   assert.equal(await headingOf(page), heading);
 });
 
-test('a text box in the page stays usable, and the element hears nothing of it', async (t) => {
+test('a text box in the page works, and the element gets none of its keys', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: `<label>Name <input id="text"></label>${kRoom}`,
   });
@@ -80,7 +80,7 @@ test('a text box in the page stays usable, and the element hears nothing of it',
   );
 });
 
-test('a text box stays usable while an element was asked to play', async (t) => {
+test('a text box works while an element plays', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: `<input id="text" aria-label="Name">${kRoom.replace('scene', 'autoplay scene')}`,
   });
@@ -100,7 +100,7 @@ const three = [1, 2, 3]
   )
   .join('');
 
-test('Tab moves on through several elements, forward and back, and is never kept', async (t) => {
+test('Tab moves through several elements, forward and back', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: `<a id="first" href="#x">first</a>${three}<a id="last" href="#y">last</a>`,
     viewport: { width: 800, height: 900 },
@@ -119,7 +119,7 @@ test('Tab moves on through several elements, forward and back, and is never kept
   assert.deepEqual(await walk('Tab', 'first', 'last'), ['rc1', 'rc2', 'rc3', 'last']);
   assert.deepEqual(await walk('Shift+Tab', 'last', 'first'), ['rc3', 'rc2', 'rc1', 'first']);
 
-  // While it plays too: Tab goes on from the picture, and play ends with the focus.
+  // During play too: Tab leaves the picture, which ends steering.
   await activate(page, '#rc2');
   await page.keyboard.press('Tab');
   for (let i = 0; i < 10 && (await focused(page)) === 'rc2'; ++i) await page.keyboard.press('Tab');
@@ -127,7 +127,7 @@ test('Tab moves on through several elements, forward and back, and is never kept
   await until(page, () => document.querySelector('#rc2').state === 'paused');
 });
 
-test('Enter begins, without a mouse; Escape leaves and the focus stays in place', async (t) => {
+test('Enter plays, without a mouse; Escape leaves and the focus stays', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: `<a id="first" href="#x">first</a>${kRoom}<a id="last" href="#y">last</a>`,
   });
@@ -135,7 +135,7 @@ test('Enter begins, without a mouse; Escape leaves and the focus stays in place'
   await page.focus('#first');
   await page.keyboard.press('Tab');
   assert.equal(await focused(page), 'ray-caster');
-  await hold(page, 'KeyD', 100); // not yet its keys
+  await hold(page, 'KeyD', 100); // before it has the keys
   assert.equal(await stateOf(page), 'paused');
   await page.keyboard.press('Enter');
   await until(page, () => document.querySelector('ray-caster').state === 'playing');
@@ -148,7 +148,7 @@ test('Enter begins, without a mouse; Escape leaves and the focus stays in place'
   assert.equal(await focused(page), 'last');
 });
 
-test('Space on the cover begins too, and does not scroll', async (t) => {
+test('Space on the cover plays too, and does not scroll', async (t) => {
   const { page } = await openGuest(t, browser, { body: `${kRoom}${tall}` });
   await ready(page);
   await page.keyboard.press('Tab');
@@ -157,7 +157,7 @@ test('Space on the cover begins too, and does not scroll', async (t) => {
   assert.equal(await scrolled(page), 0);
 });
 
-test('only the element that somebody plays hears keys', async (t) => {
+test('only the element that somebody plays gets keys', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: three,
     viewport: { width: 800, height: 900 },
@@ -169,7 +169,7 @@ test('only the element that somebody plays hears keys', async (t) => {
   assert.deepEqual([await headingOf(page, '#rc1'), await headingOf(page, '#rc3')], [0, 0]);
 });
 
-test("the browser's own keys stay its own", async (t) => {
+test("the browser's keys still work", async (t) => {
   const { page } = await openGuest(t, browser, {});
   await ready(page);
   await activate(page);
@@ -226,7 +226,7 @@ for (const [keys, moves, shows] of [
   });
 }
 
-test('the wheel scrolls the page, before and while somebody plays', async (t) => {
+test('the wheel scrolls the page, before and during play', async (t) => {
   const { page } = await openGuest(t, browser, { body: `${kRoom}${tall}` });
   await ready(page);
   await page.hover('ray-caster', middle);
@@ -240,7 +240,7 @@ const phone = {
   context: { isMobile: true, hasTouch: true },
 };
 
-test('a finger scrolls the page over the picture; a tap begins, and a button leaves', async (t) => {
+test('a finger on the picture scrolls the page; a tap plays, and a button leaves', async (t) => {
   const { page, context } = await openGuest(t, browser, {
     body: `<ray-caster scene="room"></ray-caster>${tall}`,
     ...phone,
@@ -279,7 +279,7 @@ test('a finger scrolls the page over the picture; a tap begins, and a button lea
   await until(page, () => window.scrollY > 40);
 });
 
-// The colours along the edge of the element as it is seen, as one text.
+// The visible colours along the element's edge, as one text.
 async function edge(page, selector = 'ray-caster') {
   const picture = await page
     .locator(selector)
@@ -295,7 +295,7 @@ async function edge(page, selector = 'ray-caster') {
   }, picture.toString('base64'));
 }
 
-test('the focus is seen: a ring on the cover, and on the picture while somebody plays', async (t) => {
+test('the focus is visible: a ring on the cover, and on the picture during play', async (t) => {
   const { page } = await openGuest(t, browser, {});
   await ready(page);
   const plain = await edge(page);
@@ -312,7 +312,7 @@ test('the focus is seen: a ring on the cover, and on the picture while somebody 
   assert.equal(await edge(page), plain);
 });
 
-test('who prefers reduced motion: autoplay waits to be asked', async (t) => {
+test('with reduced motion, autoplay waits', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: kRoom.replace('scene', 'autoplay scene'),
     context: { reducedMotion: 'reduce' },
@@ -324,7 +324,7 @@ test('who prefers reduced motion: autoplay waits to be asked', async (t) => {
   await until(page, () => document.querySelector('ray-caster').state === 'playing');
 });
 
-test('what is seen can be heard: a name, and a live text when the player has come to rest', async (t) => {
+test('for screen readers: a name, and a live text when the player has come to rest', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: kRoom.replace('scene', 'label="A room with four colours" scene'),
   });

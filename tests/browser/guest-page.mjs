@@ -1,6 +1,7 @@
-// A page of somebody else's with <ray-caster> in it, and questions to it.
+// A third-party page with <ray-caster> in it, and questions to it.
 //
-//     const { page, server } = await openGuest(t, browser, { body: '<ray-caster scene="room"></ray-caster>' });
+//     const { page, server } = await openGuest(t, browser,
+//       { body: '<ray-caster scene="room"></ray-caster>' });
 //     await ready(page);
 //
 // The scene "room" is the one of room.mjs.
@@ -46,7 +47,7 @@ export function ready(page, selector = 'ray-caster') {
   }, selector);
 }
 
-// Waits for something that the page can be asked, without leaving a trace in it.
+// Waits for a condition in the page without scheduling anything there.
 export async function until(page, condition, argument) {
   const end = Date.now() + kWaitMilliseconds;
   for (;;) {

@@ -1,5 +1,5 @@
-// Where <ray-caster> lives: in shadow trees, iframes, under strict rules, on fine and zoomed
-// screens, and where there is no script at all.
+// <ray-caster> in shadow trees, iframes, under strict policies, on high-resolution and zoomed
+// screens, and without scripts.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -40,7 +40,7 @@ async function frameOf(page, name) {
   throw new Error(`There is no frame ${name}.`);
 }
 
-// Another host, with or without leave for others to read.
+// Another host, which allows others to read its files or not.
 async function otherHost(t, files, isShared) {
   const other = await serve({
     files: { ...roomFiles(), ...files },
@@ -50,13 +50,13 @@ async function otherHost(t, files, isShared) {
   return other;
 }
 
-test('the picture is the one that the engine draws anywhere', async (t) => {
+test('the picture is the same as elsewhere', async (t) => {
   const { page } = await openGuest(t, browser, { body: kSized });
   await ready(page);
   assert.equal(await hashIn(page), await roomHash());
 });
 
-test('in a shadow tree it is seen, played and left by keys', async (t) => {
+test('in a shadow tree it can be played and left by keys', async (t) => {
   const { page } = await openGuest(t, browser, { body: '<div id="host"></div>' });
   await page.evaluate(async (markup) => {
     await customElements.whenDefined('ray-caster');
@@ -135,7 +135,7 @@ test('in a sandboxed iframe, scenes of a host that does not share: the code cors
   assert.match(await frame.textContent('.message'), /Access-Control-Allow-Origin/);
 });
 
-test("in a sandboxed iframe of a host that does not share, the script itself is refused: the page's fallback stays", async (t) => {
+test("in a sandboxed iframe of a host that does not share, the script is refused, and the page's fallback stays", async (t) => {
   const closed = await otherHost(
     t,
     { 'inner.html': guestPage('<ray-caster scene="room">A room with four walls</ray-caster>') },
@@ -161,7 +161,7 @@ document.addEventListener('securitypolicyviolation', (event) => {
   violations.push([event.effectiveDirective, event.blockedURI, event.sourceFile, event.lineNumber].join(' '));
 });`;
 
-test('under a strict policy nothing is refused, whatever it shows', async (t) => {
+test('under a strict policy nothing is refused', async (t) => {
   const { page, complaints } = await openGuest(t, browser, {
     body: '<ray-caster scene="room" controls poster="poster.png"></ray-caster><ray-caster id="bad" scene="broken" controls></ray-caster>',
     head: '<link rel="stylesheet" href="guest.css"><script src="violations.js"></script>',
@@ -190,7 +190,7 @@ test('under a strict policy nothing is refused, whatever it shows', async (t) =>
   assert.deepEqual(complaints, []);
 });
 
-test("on a fine screen the picture has the screen's pixels, and keeps its own where a size is given", async (t) => {
+test("on a high-resolution screen the picture has the screen's pixels, unless a size is given", async (t) => {
   const { page } = await openGuest(t, browser, {
     body: `${kRoom}${kSized.replace('<ray-caster', '<ray-caster id="sized"')}`,
     context: { deviceScaleFactor: 2 },
@@ -261,7 +261,7 @@ const kFallback =
   '<ray-caster scene="room"><img id="poster" src="poster.png" alt="A red wall" width="64" height="64"><p id="text">A room with four walls</p></ray-caster>';
 const kFallbackFiles = { files: { 'poster.png': roomPictures()['red.png'] } };
 
-test('without JavaScript the poster and the text that the page wrote are there', async (t) => {
+test("without JavaScript the poster and the page's text are shown", async (t) => {
   const { page } = await openGuest(t, browser, {
     body: kFallback,
     server: kFallbackFiles,
@@ -271,7 +271,7 @@ test('without JavaScript the poster and the text that the page wrote are there',
   assert.equal(await page.isVisible('#poster'), true);
 });
 
-test('with a scene they are not', async (t) => {
+test('with a scene they are not shown', async (t) => {
   const { page } = await openGuest(t, browser, { body: kFallback, server: kFallbackFiles });
   await ready(page);
   assert.equal(await page.isVisible('#text'), false);
@@ -297,7 +297,7 @@ test('an inline scene and rows of characters', async (t) => {
   );
 });
 
-test('where a server sends a scene on, its pictures lie beside the place where it is', async (t) => {
+test("after a redirect, pictures are relative to the scene's final address", async (t) => {
   const files = {
     'far/off/room.json': JSON.stringify(roomScene()),
     ...roomPictures('far/off/pictures/'),
@@ -310,7 +310,7 @@ test('where a server sends a scene on, its pictures lie beside the place where i
   assert.equal(await hashIn(page), await roomHash());
 });
 
-test('taken into another document and back, it comes to life again', async (t) => {
+test('moved to another document and back, it works again', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: `${kSized}<iframe id="inner" srcdoc="<p>empty</p>" title="inner"></iframe>`,
   });
@@ -325,7 +325,7 @@ test('taken into another document and back, it comes to life again', async (t) =
   assert.equal(await hashIn(page), await roomHash());
 });
 
-test('where its place is as wide as what it holds, it has a width of its own, and shrinks', async (t) => {
+test('in a container as wide as its content, it has a default width, and shrinks', async (t) => {
   const room = (attributes = '') =>
     `<ray-caster scene="room" loading="eager" ${attributes}></ray-caster>`;
   const { page } = await openGuest(t, browser, {
@@ -345,7 +345,7 @@ test('where its place is as wide as what it holds, it has a width of its own, an
   assert.deepEqual(boxes, ['640x400', '320x100', '150x93.75', '150x93.75', '114x150', '114x150']);
 });
 
-test('in little room the bar keeps what is used most, and leaves where it would hide the picture', async (t) => {
+test('in small boxes the bar keeps the main buttons, and is hidden in tiny ones', async (t) => {
   const widths = [300, 260, 180, 130, 90];
   const { page } = await openGuest(t, browser, {
     body: widths

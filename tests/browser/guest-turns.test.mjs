@@ -1,5 +1,5 @@
-// What may befall a <ray-caster> in a page that does not stand still: faults that are mended,
-// wishes that overtake each other, another document.
+// A <ray-caster> in a changing page: faults that are fixed,
+// requests that overtake each other, another document.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -18,7 +18,7 @@ after(() => browser.close());
 const stateIs = (page, state) =>
   until(page, (wanted) => document.querySelector('ray-caster').state === wanted, state);
 
-// What has changed in the element has been taken.
+// Waits until changes of the element have taken effect.
 const settled = (page) => page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
 
 // The colour in the middle of the canvas.
@@ -59,7 +59,7 @@ for (const [name, bad, good] of [
   ['options', 'fov=wide', 'fov=75'],
   ['view', '1,2,0.5,0,0,attic', '3.5,3.5,0.5,0'],
 ]) {
-  test(`a first load with a faulty ${name} shows its picture, and the mended one takes effect`, async (t) => {
+  test(`a first load with a faulty ${name} shows its picture, and the corrected one takes effect`, async (t) => {
     const { page } = await openGuest(t, browser, {
       body: kRoom.replace('<ray-caster', `<ray-caster ${name}="${bad}"`),
       ...failing,
@@ -89,7 +89,7 @@ for (const [what, attributes] of [
   ['that is not there', 'scene="nowhere"'],
   ['with an address that is none', 'scene="http://["'],
 ]) {
-  test(`an error about a scene ${what} is told once, whatever the page then writes about it`, async (t) => {
+  test(`an error about a scene ${what} is reported once, whatever the page then writes about it`, async (t) => {
     const { page, server } = await openGuest(t, browser, { body: '', ...failing });
     await page.evaluate((markup) => {
       document.addEventListener(
@@ -115,7 +115,7 @@ for (const [what, attributes] of [
     await wait(200);
     assert.equal((await errorsOf(page)).length, 1);
     assert.ok(server.asked.filter((path) => path === 'scenes/nowhere.json').length <= 1);
-    // And yet it is only a wish away.
+    // But it can be requested again.
     await page.evaluate(() =>
       Object.assign(document.querySelector('ray-caster'), { scene: 'room', size: 'auto' }),
     );
@@ -127,7 +127,7 @@ for (const [what, attributes] of [
   });
 }
 
-test('what failed, was left and is wanted again fails again; the scene that plays stays', async (t) => {
+test('a failed scene that is requested again fails again; the current scene stays', async (t) => {
   const { page } = await openGuest(t, browser, failing);
   await ready(page);
   for (let round = 1; round <= 2; ++round) {
@@ -144,7 +144,7 @@ test('what failed, was left and is wanted again fails again; the scene that play
   }
 });
 
-test('a scene that is overtaken by another wish never shows', async (t) => {
+test('a scene that another request overtakes is never shown', async (t) => {
   const { page } = await openGuest(t, browser, failing);
   await ready(page);
   const slowly = (milliseconds) => async (route) => {
@@ -182,7 +182,7 @@ test('a scene that is overtaken by another wish never shows', async (t) => {
   assert.deepEqual(await middle(page), kBlue);
 });
 
-test('who works with keys keeps the focus: on the message, and from its button on the cover', async (t) => {
+test('keyboard focus moves to the error message, and from its button to the cover', async (t) => {
   let isThere = true;
   const { page } = await openGuest(t, browser, {
     ...failing,
@@ -207,7 +207,7 @@ test('who works with keys keeps the focus: on the message, and from its button o
   await stateIs(page, 'paused');
   assert.equal(await inFocus(page), 'cover');
 
-  // Where the focus is elsewhere, it stays there.
+  // A focus elsewhere stays there.
   await page.evaluate(() => {
     document.querySelector('main').insertAdjacentHTML('beforeend', '<input>');
     document.querySelector('input').focus();
@@ -245,14 +245,14 @@ test('a tour that was recorded in another scene is left out', async (t) => {
   );
   assert.equal(attribute, 'tour');
   assert.deepEqual(await middle(page), kGreen);
-  assert.match(message, /mine\.txt was recorded in the scene other, and this one is room\./);
+  assert.match(message, /mine\.txt was recorded in the scene other, not in room\./);
   await page.evaluate(() => document.querySelector('ray-caster').removeAttribute('scene'));
   await page.waitForFunction(
     () => document.querySelector('ray-caster').world?.title === 'The other room',
   );
 });
 
-test('a scene out of the page itself is as one inside the element: its pictures are the shipped ones', async (t) => {
+test('a scene elsewhere in the page works like one inside the element: with the shipped pictures', async (t) => {
   const { page } = await openGuest(t, browser, { body: '<ray-caster></ray-caster>', ...failing });
   const show = async (scheme, scene) => {
     await page.evaluate(
@@ -287,7 +287,7 @@ test('a scene out of the page itself is as one inside the element: its pictures 
   }
 });
 
-test('pause() takes back a press whose keys are still on their way', async (t) => {
+test('pause() cancels a press while steering.js is still loading', async (t) => {
   const { page } = await openGuest(t, browser);
   await ready(page);
   let arrive;
@@ -317,7 +317,7 @@ test('pause() takes back a press whose keys are still on their way', async (t) =
   await stateIs(page, 'playing');
 });
 
-test('a second press while the keys are still on their way changes nothing', async (t) => {
+test('a second press while steering.js is still loading changes nothing', async (t) => {
   const { page } = await openGuest(t, browser);
   await ready(page);
   await page.route('**/ray-caster-steering.js', async (route) => {
@@ -330,7 +330,7 @@ test('a second press while the keys are still on their way changes nothing', asy
   assert.equal(await page.evaluate(() => document.querySelector('ray-caster').state), 'playing');
 });
 
-test('Play in the bar, by a finger, brings the thumbs', async (t) => {
+test('Play in the bar, by a finger, shows the touch controls', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: kRoom.replace('scene', 'controls scene'),
     viewport: { width: 390, height: 844 },
@@ -375,7 +375,7 @@ test('in the document of a frame that it was moved to, the mouse turns the view'
   await until(page, () => window.moved.shadowRoot.pointerLockElement === null);
 });
 
-test('a shape that was taken off while the element was out of the page is gone', async (t) => {
+test('a size that was removed while the element was out of the page has no effect', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: '<ray-caster scene="room" size="640x200" style="width: 320px"></ray-caster>',
   });
@@ -394,7 +394,7 @@ test('a shape that was taken off while the element was out of the page is gone',
   assert.equal(await height(), 200);
 });
 
-test('progress goes forward, in its share and in its bytes, and is told once', async (t) => {
+test('progress only grows, in share and bytes, and is reported once', async (t) => {
   const { page } = await openGuest(t, browser, {
     prepare: (opened) =>
       opened.addInitScript(() => {
@@ -419,7 +419,7 @@ test('progress goes forward, in its share and in its bytes, and is told once', a
   }
 });
 
-test('a bar that cannot come is told of once, whatever the page writes about it; another try asks again', async (t) => {
+test('a bar that fails to load is reported once, whatever the page writes about it; another try requests it again', async (t) => {
   let isThere = false;
   const { page, server } = await openGuest(t, browser, {
     body: kRoom.replace('scene', 'controls scene'),
@@ -451,7 +451,7 @@ test('a bar that cannot come is told of once, whatever the page writes about it;
   await page.locator('ray-caster').getByRole('button', { name: 'Play', exact: true }).waitFor();
 });
 
-test('a bar that comes after all takes the error with it', async (t) => {
+test('a bar that loads after all clears the error', async (t) => {
   let isThere = false;
   const { page } = await openGuest(t, browser, {
     body: kRoom.replace('scene', 'controls scene'),
@@ -471,7 +471,7 @@ test('a bar that comes after all takes the error with it', async (t) => {
   await stateIs(page, 'paused');
 });
 
-test('what methods and keys have set stays, whatever else changes in the element', async (t) => {
+test('settings by methods and keys stay, whatever else changes in the element', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: '<ray-caster scene="room" options="fov=90" overlay="minimap" view="4,4,0.6,0"><p>A room</p></ray-caster>',
     ...failing,
@@ -511,7 +511,7 @@ test('what methods and keys have set stays, whatever else changes in the element
     ['75', 'on', 2],
     'a new attribute counts, with those beside it',
   );
-  // One that is refused in part leaves nothing behind once it is taken back
+  // Partly refused options leave nothing behind once removed
   for (const text of ['fov=90 nosuch=1', 'fov=75']) {
     await page.evaluate((wanted) => {
       document.querySelector('ray-caster').options = wanted;
@@ -529,7 +529,7 @@ test('what methods and keys have set stays, whatever else changes in the element
   assert.equal((await options())[2], 4);
 });
 
-test('asked before it is in the page, it loads wherever it is put', async (t) => {
+test('play() before it is in the page loads it once it is added', async (t) => {
   const { page } = await openGuest(t, browser, {
     body: '<p style="height: 4000px">Read on.</p><div id="place"></div>',
   });
@@ -549,7 +549,7 @@ test('asked before it is in the page, it loads wherever it is put', async (t) =>
   assert.deepEqual(states, ['paused', 'playing']);
 });
 
-test('a scene that plays on after another one has failed is still there for a further element', async (t) => {
+test('a scene that goes on after another one failed can still be shared with another element', async (t) => {
   const { page } = await openGuest(t, browser, {
     ...failing,
     server: { files: { 'scenes/broken.json': '{"title": 3}' } },

@@ -19,7 +19,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-// Twice the same place, a twentieth of a second apart.
+// Waits until the place is the same twice, a twentieth of a second apart.
 function atRest(page) {
   return page.waitForFunction(
     () => {
@@ -70,7 +70,7 @@ test('V flies, and Page Up rises', async (t) => {
   await page.keyboard.up('PageUp');
 });
 
-test('keys of the game scroll nothing', async (t) => {
+test("the game's keys do not scroll", async (t) => {
   const { page } = await openScene(t, browser);
   await page.evaluate(() => {
     document.documentElement.style.overflow = document.body.style.overflow = 'auto';
@@ -87,7 +87,7 @@ test('keys of the game scroll nothing', async (t) => {
   await page.waitForFunction(() => scrollY > 0);
 });
 
-test('a text box in the page keeps its letters, and the player stays', async (t) => {
+test('a text box in the page gets its letters, and the player stays', async (t) => {
   const { page } = await openScene(t, browser);
   await page.evaluate(() => {
     const box = document.createElement('input');
@@ -134,7 +134,7 @@ test('Tab moves on from the canvas to the buttons, with a ring around them', asy
   assert.equal(await focused(page), 'picture');
 });
 
-test("the browser's own combinations stay its own", async (t) => {
+test("the browser's own shortcuts still work", async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   await page.evaluate(() => {
@@ -179,7 +179,7 @@ test("the browser's own combinations stay its own", async (t) => {
   assert.equal(taken.ArrowUp, true);
 });
 
-test('Escape leaves the canvas, and play stands still', async (t) => {
+test('Escape leaves the canvas and pauses play', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   await page.keyboard.press('Escape');
@@ -194,7 +194,7 @@ test('Escape leaves the canvas, and play stands still', async (t) => {
   await inState(page, 'playing');
 });
 
-test('a key held while the focus goes is not held when it comes back', async (t) => {
+test('a key held while the focus leaves is not held when it returns', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   const { heading } = await player(page);
@@ -211,7 +211,7 @@ test('a key held while the focus goes is not held when it comes back', async (t)
   assert.equal((await player(page)).heading, rested.heading);
 });
 
-test('P stands still and goes on', async (t) => {
+test('P pauses and goes on', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   await page.keyboard.press('p');
@@ -259,7 +259,7 @@ test('I shows the frame rate', async (t) => {
   assert.equal(await page.isVisible('#rate'), true);
 });
 
-test('F fills the screen and leaves it', async (t) => {
+test('F enters and leaves full screen', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   await page.keyboard.press('f');
@@ -271,7 +271,7 @@ test('F fills the screen and leaves it', async (t) => {
   await page.waitForFunction(() => document.fullscreenElement === null);
 });
 
-test('a click takes the pointer, the mouse looks around, Escape gives it back', async (t) => {
+test('a click locks the pointer, the mouse looks around, Escape releases it', async (t) => {
   const { page } = await openScene(t, browser);
   await page.mouse.click(320, 100);
   await inState(page, 'playing');
@@ -289,11 +289,11 @@ test('a click takes the pointer, the mouse looks around, Escape gives it back', 
   await page.waitForFunction(() => document.pointerLockElement === null);
 });
 
-test('a slow or hidden tab neither jumps nor sticks', async (t) => {
+test('a slow or hidden tab causes neither jumps nor stuck keys', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
 
-  // Asked within the page, so that no time passes between the questions
+  // Evaluated within the page, so that no time passes in between
   await page.evaluate(() => {
     window.stepsDuring = async (act) => {
       const before = window.slicecast.player.steps;
@@ -311,7 +311,7 @@ test('a slow or hidden tab neither jumps nor sticks', async (t) => {
     };
   });
 
-  // One frame that takes a second and a half: time is lost, not caught up with.
+  // One frame that takes a second and a half: lost time is not made up.
   const slow = await page.evaluate(() =>
     window.stepsDuring(() => {
       const end = performance.now() + 1500;

@@ -23,7 +23,7 @@ async function openLab(t, options = kWindow) {
   return opened;
 }
 
-test('every row of the Lab sets the option that it names, and shows what keys have set', async (t) => {
+test('every row of the Lab sets its option, and reflects changes by keys', async (t) => {
   const { page } = await openLab(t);
   for (const name of ['minimap', 'playerPanel', 'inspector', 'grid', 'slow']) {
     const before = await option(page, name);
@@ -42,7 +42,7 @@ test('every row of the Lab sets the option that it names, and shows what keys ha
   await page.waitForFunction(() => document.getElementById('lab-minimap').checked);
 });
 
-test('an old way stands left of the divider, which mouse and keys move', async (t) => {
+test('an old way is drawn left of the divider, which mouse and keys move', async (t) => {
   const { page } = await openLab(t);
   const exact = await pictureHash(page);
   assert.ok(!(await page.locator('#divider').isVisible()));
@@ -66,7 +66,7 @@ test('an old way stands left of the divider, which mouse and keys move', async (
   assert.ok(!(await page.locator('#divider').isVisible()));
 });
 
-test('photo mode clears the picture, and saves it in the size that was asked for', async (t) => {
+test('photo mode hides the controls, and saves the picture in the chosen size', async (t) => {
   const { page } = await openLab(t);
   await page.click('#lab-minimap');
   await page.click('[data-lab="photo"]');
@@ -83,7 +83,7 @@ test('photo mode clears the picture, and saves it in the size that was asked for
   assert.ok(await page.locator('#bar').isVisible());
 });
 
-test('the benchmark tells its figures, and leaves the view as it was', async (t) => {
+test('the benchmark shows its figures, and restores the view', async (t) => {
   const { page } = await openLab(t);
   const view = () => page.evaluate(() => window.slicecast.currentView);
   const before = await view();
@@ -104,7 +104,7 @@ test('the benchmark tells its figures, and leaves the view as it was', async (t)
   assert.ok(await page.locator('[data-benchmark="copy"]').isEnabled());
 });
 
-test('the Lab works by keys, stays while one plays, and axe finds nothing in it', async (t) => {
+test('the Lab works by keys, stays open during play, and axe finds no violations in it', async (t) => {
   const { page } = await openLab(t);
   await page.addScriptTag({ path: axe });
   const { violations } = await page.evaluate(() => window.axe.run());

@@ -1,4 +1,4 @@
-// The first ten seconds of the play page, and what it says while somebody walks for the first time.
+// The opening of the play page, and the hints of the first walk.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -49,7 +49,7 @@ test('the page opens on a flight behind its title; Play begins at the start of t
   assert.ok(!(await isShown(page, '#opening h2')));
 });
 
-test('who prefers reduced motion sees a still picture behind the title', async (t) => {
+test('with reduced motion a still picture is behind the title', async (t) => {
   const { page } = await openScene(t, browser, { ...withFlight, ...still });
   assert.ok(await isShown(page, '#opening h2'));
   const before = await view(page);
@@ -58,13 +58,13 @@ test('who prefers reduced motion sees a still picture behind the title', async (
   assert.equal(await page.evaluate(() => window.slicecast.state), 'paused');
 });
 
-test('an address that names a scene shows that one, with its own title', async (t) => {
+test('an address that names a scene shows it, with its title', async (t) => {
   const { page } = await openScene(t, browser, { ...withFlight, query: '?scene=room' });
   assert.ok(!(await isShown(page, '#opening h2')));
   assert.ok(await isShown(page, '#pause-title'));
 });
 
-test('hints come when they are needed, go when they were followed, and stay away', async (t) => {
+test('hints appear when needed, disappear when followed, and do not return', async (t) => {
   const { page, context, server } = await openScene(t, browser, { query: '?scene=room' });
   await play(page);
   await page.waitForFunction(() =>
@@ -89,7 +89,7 @@ test('hints come when they are needed, go when they were followed, and stay away
   assert.ok(!/walk/.test(await again.locator('#hint').textContent()));
 });
 
-test('keys whose effect cannot be seen say what they did', async (t) => {
+test('keys with effects that are hard to see show a message', async (t) => {
   const { page } = await openScene(t, browser, { query: '?scene=room' });
   await play(page);
   const says = (text) =>

@@ -72,7 +72,7 @@ test("F1 to F4 are the game's, not the browser's", async (t) => {
   assert.equal(await page.evaluate(() => document.activeElement.id), 'picture');
 });
 
-test('T tells the console what the inspected slice meets', async (t) => {
+test('T prints the hits of the inspected slice to the console', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   const told = page.waitForEvent('console', (message) => message.text().startsWith('slice '));
@@ -89,7 +89,7 @@ test('T tells the console what the inspected slice meets', async (t) => {
   assert.deepEqual(hits[0].tile, [6, 3]);
 });
 
-test('the number row goes to the maps, L round the times of day', async (t) => {
+test('the number row goes to maps, L cycles through the times of day', async (t) => {
   const scene = roomScene();
   scene.maps.push({ ...scene.maps[0], name: 'second room' });
   const { page } = await openScene(t, browser, {

@@ -1,6 +1,6 @@
-// How many pixels the picture has while it moves: fewer where the machine cannot keep up, all of
-// them again where it stands still. The classic method is slow, and the browser is told to run as if
-// on a processor of a sixth of this one's speed: some machines are fast enough for all pixels.
+// How many pixels the picture has while it moves: fewer if the machine cannot keep up, all of
+// them again at rest. The classic method is slow, and the browser's processor is throttled to a
+// sixth of its speed, because some machines are fast enough for all pixels.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -37,7 +37,7 @@ async function drawSlowly(page, options = 'method=classic') {
   }, options);
 }
 
-test('a picture that comes too slowly has fewer pixels while it moves, and all when it rests', async (t) => {
+test('a slow picture has fewer pixels while it moves, and all at rest', async (t) => {
   const { page } = await openScene(t, browser, { viewport: kViewport });
   assert.deepEqual(await sizes(page), ['800x600']);
   await drawSlowly(page);
@@ -62,7 +62,7 @@ test('a picture that comes too slowly has fewer pixels while it moves, and all w
   );
 });
 
-test('while columns are counted the size stays, and one that was given stays always', async (t) => {
+test('the size stays while columns are counted, and a fixed size always', async (t) => {
   const { page } = await openScene(t, browser, { viewport: kViewport });
   await drawSlowly(page, 'method=classic inspector=on');
   await play(page);
@@ -109,7 +109,7 @@ test('elements of a page share one budget', async (t) => {
   assert.deepEqual(await sizes(page), still);
 });
 
-test('a page that moves a paused view by itself is kept up with, too', async (t) => {
+test('a paused view that the page moves keeps the frame rate too', async (t) => {
   const { page } = await openScene(t, browser, { viewport: kViewport });
   await drawSlowly(page);
   await page.evaluate(() => {

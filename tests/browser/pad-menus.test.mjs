@@ -1,4 +1,4 @@
-// A gamepad goes through the page's menus.
+// A gamepad in the page's menus.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -25,7 +25,7 @@ async function tap(page, button) {
 const focused = (page) =>
   page.evaluate(() => document.activeElement.id || document.activeElement.className);
 
-test('the cross goes from control to control, the lower button presses, the right one closes', async (t) => {
+test('the D-pad moves between controls, the lower button presses, the right one closes', async (t) => {
   const { page } = await openScene(t, browser, { prepare: withPad, query: '?scene=room' });
   await page.evaluate(() => window.pad());
   await frames(page, 3);

@@ -1,5 +1,5 @@
-// Gamepads, and the cursor that steers by its place in the picture. There is no gamepad here: the
-// page is given one by its own interface.
+// Gamepads, and steering by the mouse position. The gamepad is a fake one, provided
+// through the browser's own interface.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -30,7 +30,7 @@ async function stands(page) {
   return ['x', 'y', 'z', 'heading', 'look'].every((key) => before[key] === now[key]);
 }
 
-test('a gamepad begins the game, walks, turns, jumps and flies', async (t) => {
+test('a gamepad starts the game, walks, turns, jumps and flies', async (t) => {
   const { page } = await openScene(t, browser, { prepare: withPad });
   await setPad(page);
   await frames(page, 5);
@@ -39,7 +39,7 @@ test('a gamepad begins the game, walks, turns, jumps and flies', async (t) => {
   await inState(page, 'playing');
   assert.equal(await page.evaluate(() => document.activeElement.id), 'picture');
 
-  // The button that begins is the one that jumps.
+  // The button that starts the game also jumps.
   await setPad(page, [0.1, -0.1, 0.1, 0]);
   await frames(page, 10);
   await untilPlayer(page, (now) => now.onGround);
@@ -67,20 +67,20 @@ test('a gamepad begins the game, walks, turns, jumps and flies', async (t) => {
   await inState(page, 'paused');
 });
 
-test('a gamepad of another kind is left alone', async (t) => {
+test('a gamepad without the standard mapping is ignored', async (t) => {
   const { page } = await openScene(t, browser, { prepare: withPad });
   await play(page);
   await setPad(page, [1, 1, 1, 1], [0], '');
   assert.ok(await stands(page));
 });
 
-test("N steers by the cursor's place, with rest in the middle", async (t) => {
+test('N steers by the mouse position, with a dead zone in the middle', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   await page.mouse.move(320, 180);
   await page.keyboard.press('n');
   await page.waitForFunction(() => document.body.classList.contains('steering'));
-  assert.equal(await page.textContent('#mode'), "The mouse's place steers; Escape ends it");
+  assert.equal(await page.textContent('#mode'), 'The mouse position steers; Escape ends it');
 
   // 640 x 360: the dead zone reaches from 256 to 384 and from 144 to 216
   await page.mouse.move(380, 148);
@@ -98,7 +98,7 @@ test("N steers by the cursor's place, with rest in the middle", async (t) => {
   assert.ok(await stands(page));
 });
 
-test('where the browser refuses to hold the pointer, a click steers by its place', async (t) => {
+test('if the browser refuses the pointer lock, a click steers by the mouse position', async (t) => {
   // A sandbox without allow-pointer-lock
   const files = {
     'frame.html':

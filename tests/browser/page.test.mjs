@@ -1,4 +1,4 @@
-// The page itself: loading, the picture in it, and hosts of every kind.
+// The page itself: loading, its picture, and different hosts.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -13,8 +13,8 @@ before(async () => {
 after(() => browser.close());
 
 test('the loading bar shows real progress and goes', async (t) => {
-  // The program's pieces and the pictures come one after the other, each once the bar has told of
-  // the one before: however slow the machine, none is missed.
+  // The program's pieces and the pictures arrive one after another, each once the bar has shown
+  // the one before. So none is missed, however slow the machine.
   let opened = null;
   let picturesSent = 0;
   const tells = (condition, argument) =>
@@ -44,7 +44,7 @@ test('the loading bar shows real progress and goes', async (t) => {
       opened = newPage;
       await newPage.addInitScript(() => {
         window.seen = [];
-        // Each change, however short it stands there.
+        // Each change, however short.
         new MutationObserver(() => {
           const bar = document.getElementById('loading-bar');
           if (bar === null || !bar.checkVisibility()) return;
@@ -83,7 +83,7 @@ test('the loading bar shows real progress and goes', async (t) => {
   assert.ok(seen.some(({ step }) => step === 'Opening room.json'));
 });
 
-test('every wall of the room has its colour, floor and sky too', async (t) => {
+test('every wall of the room has its colour, and so have floor and sky', async (t) => {
   const { page } = await openScene(t, browser);
   assert.deepEqual(await pixel(page, 0.5, 0.05), kSky);
   assert.deepEqual(await pixel(page, 0.5, 0.95), kGrey);
@@ -105,12 +105,12 @@ test('every wall of the room has its colour, floor and sky too', async (t) => {
   }
 });
 
-test('the canvas holds the very picture that the engine draws without a page', async (t) => {
+test('the canvas has the same picture as the engine draws without a page', async (t) => {
   const { page } = await openScene(t, browser);
   assert.equal(await pictureHash(page), await hashHeadless('room.json', roomFiles(), 640, 360));
 });
 
-test('what is on the screen is the canvas, pixel by pixel', async (t) => {
+test('the screen shows the canvas pixel by pixel', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   await page.waitForFunction(
@@ -129,7 +129,7 @@ test('what is on the screen is the canvas, pixel by pixel', async (t) => {
   assert.equal(different, 0);
 });
 
-test('the title, the description and the icon are its own', async (t) => {
+test('the page has its own title, description and icon', async (t) => {
   const { page, server } = await openScene(t, browser);
   assert.equal(await page.title(), 'The coloured room · Slicecast');
   assert.equal(await page.textContent('#bar-title'), 'The coloured room');
@@ -142,7 +142,7 @@ test('the title, the description and the icon are its own', async (t) => {
   assert.equal(icon.headers()['content-type'], 'image/svg+xml');
 });
 
-test('a strict content security policy lets it play', async (t) => {
+test('it plays under a strict content security policy', async (t) => {
   const policy =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self'; connect-src 'self'";
   const { page, complaints } = await openScene(t, browser, {
@@ -157,7 +157,7 @@ test('a strict content security policy lets it play', async (t) => {
   assert.deepEqual(complaints, []);
 });
 
-test('it works from a subfolder and asks for nothing outside of it', async (t) => {
+test('it works from a subfolder and fetches nothing outside of it', async (t) => {
   const { page } = await openScene(t, browser, { server: { prefix: '/some/deep/folder/' } });
   assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
   await page.click('#open-scenes');
@@ -166,7 +166,7 @@ test('it works from a subfolder and asks for nothing outside of it', async (t) =
   assert.match(page.url(), /\/some\/deep\/folder\/\?scene=other$/);
 });
 
-test('a phone shows all of it, without overflow', async (t) => {
+test('a phone shows everything without overflow', async (t) => {
   const { page } = await openScene(t, browser, {
     viewport: { width: 390, height: 844 },
     context: { isMobile: true, hasTouch: true, deviceScaleFactor: 2 },

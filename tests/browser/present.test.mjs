@@ -1,12 +1,12 @@
-// Putting a picture on the canvas costs what one putImageData of a view on the engine's memory
-// costs, and nothing on top.
+// Putting a picture on the canvas takes no longer than one putImageData of a view of the engine's
+// memory.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, openScene } from './browser.mjs';
 
 const kFrames = 60;
-const kSlack = 1.3; // of the medians; a copy of the picture on the way would double them
+const kSlack = 1.3; // ratio of the medians; an extra copy of the picture would double them
 
 let browser;
 before(async () => {
@@ -14,8 +14,8 @@ before(async () => {
 });
 after(() => browser.close());
 
-// Notes, for each picture, what is handed to the canvas, and the time from when it was drawn (the
-// program's last look at the clock) to when it is there.
+// Records, for each picture, what is passed to the canvas, and the time from when it was drawn (the
+// program's last reading of the clock) to when it is on the canvas.
 function watch() {
   window.shown = [];
   let drawn = 0;
@@ -34,8 +34,8 @@ function watch() {
       return original.apply(this, parameters);
     };
   }
-  // A picture's worth of bytes of the memory put on a canvas of the same size: the least that
-  // presenting can be.
+  // The bytes of a picture put on a canvas of the same size: the minimum cost of
+  // presenting.
   window.putAgain = ({ image, place }, context) => {
     const view = new ImageData(
       new Uint8ClampedArray(image.data.buffer, image.data.byteOffset, image.data.length),
@@ -48,7 +48,7 @@ function watch() {
   };
 }
 
-test('a picture is put on the canvas straight out of the memory, in the time that this takes', async (t) => {
+test('a picture is put on the canvas directly from memory, without extra time', async (t) => {
   const { page } = await openScene(t, browser, {
     viewport: { width: 1280, height: 720 },
     prepare: (newPage) => newPage.addInitScript(watch),

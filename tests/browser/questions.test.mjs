@@ -1,4 +1,4 @@
-// What figures ask of <ray-caster>: many columns at once, free rays, pixels, points, and cells that
+// Questions to <ray-caster>: many columns at once, free rays, pixels, points, and cells that
 // are read and changed.
 
 import assert from 'node:assert/strict';
@@ -24,7 +24,7 @@ async function openRoom(t, markup = kRoom) {
   return page;
 }
 
-test('pick() tells what lies under the pointer, and project() finds it again', async (t) => {
+test('pick() finds what is under the pointer, and project() maps it back', async (t) => {
   const page = await openRoom(t);
   const told = await page.evaluate(() => {
     const a = document.getElementById('a');
@@ -72,7 +72,7 @@ test('pick() tells what lies under the pointer, and project() finds it again', a
   assert.match(told.elsewhere, /^RangeError: project: Unknown map 'cellar'\. Expected room\.$/);
 });
 
-test('every pixel of the canvas is of what pick() tells', async (t) => {
+test('every pixel of the canvas agrees with pick()', async (t) => {
   const page = await openRoom(t);
   const told = await page.evaluate(async () => {
     const a = document.getElementById('a');
@@ -118,7 +118,7 @@ test('every pixel of the canvas is of what pick() tells', async (t) => {
   assert.match(told.refused, /^RangeError: pixels: found width 4097, expected a whole number/);
 });
 
-test('hits() and trace() take many columns at once, cast() a ray of its own', async (t) => {
+test('hits() and trace() take many columns at once, cast() a free ray', async (t) => {
   const page = await openRoom(t);
   const told = await page.evaluate(() => {
     const a = document.getElementById('a');
@@ -161,7 +161,7 @@ test('hits() and trace() take many columns at once, cast() a ray of its own', as
   assert.match(told.none, /^RangeError: hits: found column all, expected a whole number, a list/);
 });
 
-test('setCell() changes the living world of one element, and reset() puts it back', async (t) => {
+test('setCell() changes the world of one element, and reset() undoes it', async (t) => {
   const page = await openRoom(
     t,
     '<ray-caster id="a" scene="room" size="160x100"></ray-caster><ray-caster id="b" scene="room" size="160x100"></ray-caster>',
@@ -192,7 +192,7 @@ test('setCell() changes the living world of one element, and reset() puts it bac
   assert.deepEqual(await elementPixel(page, 'a', 0.5, 0.1), kGreen);
   assert.deepEqual(await elementPixel(page, 'b', 0.5, 0.1), kSky);
 
-  // It is solid, and nobody flies.
+  // It is solid, and the player does not fly.
   const stopped = await page.evaluate(() => {
     const a = document.getElementById('a');
     a.step(240, { forward: 1 });
@@ -220,7 +220,7 @@ test('an eye inside of a new block stays where it is, and flies out', async (t) 
   assert.equal(told.out.z, told.before.z);
 });
 
-test('drawnColumns shows what is there when so many slices are drawn', async (t) => {
+test('drawnColumns shows the picture with only so many slices drawn', async (t) => {
   const page = await openRoom(
     t,
     '<ray-caster id="a" scene="room" size="160x100" options="drawnColumns=40"></ray-caster>',

@@ -1,8 +1,8 @@
-// A room whose picture is known without looking: every wall has a colour of its own, and light
+// A room whose picture is known in advance: every wall has its own colour, and light
 // plays no part.
 //
-//     7 x 7 tiles, the outer ring is walls of height 1; north red, east green, south blue, west yellow, grey floor, blue-grey sky. The player stands in the
-//     middle and looks east.
+//     7 x 7 tiles; the outer ring is walls of height 1: north red, east green, south blue, west
+//     yellow; grey floor, blue-grey sky. The player stands in the middle and looks east.
 
 import { png } from './png.mjs';
 
@@ -58,7 +58,7 @@ export function roomPictures(prefix = '') {
   );
 }
 
-// What a server hands out, so that the room stands among the page's scenes, first in the list.
+// Files for a server that make the room the first scene of the page's list.
 export function roomFiles(options = {}) {
   return {
     'scenes/index.json': JSON.stringify([

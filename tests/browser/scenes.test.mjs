@@ -96,7 +96,7 @@ test('the menu shows a view of every scene, opens one, and Back leads back', asy
   assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
 });
 
-test('the list of scenes names every scene by its own title, and each opens without a fault', async (t) => {
+test("the list of scenes has every scene's title, and each opens without faults", async (t) => {
   const folder = new URL('../../build/web/scenes/', import.meta.url);
   const read = async (name) => JSON.parse(await readFile(new URL(name, folder), 'utf8'));
   const list = await read('index.json');
@@ -130,7 +130,7 @@ test('the list of scenes names every scene by its own title, and each opens with
   }
 });
 
-test('the menu asks for no picture that the list does not name', async (t) => {
+test('the menu fetches only pictures that the list names', async (t) => {
   const list = [
     { file: 'room.json', title: 'First', about: 'A room.', poster: 'posters/room.png' },
     { file: 'other.json', title: 'Other', about: 'A room without a picture.' },
@@ -147,7 +147,7 @@ test('the menu asks for no picture that the list does not name', async (t) => {
     server.asked.filter((name) => name.includes('posters/')),
     ['scenes/posters/room.png'],
   );
-  // Its place is held all the same.
+  // Its space is reserved anyway.
   const heights = await page.$$eval('#scene-list img', (all) => all.map((one) => one.clientHeight));
   assert.ok(heights[1] > 50 && Math.abs(heights[1] - heights[0]) <= 1, `${heights}`);
 });
@@ -199,7 +199,7 @@ test('a scene dropped with its pictures opens', async (t) => {
   assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
 });
 
-test('a scene that is dropped while the engine is still to come opens first', async (t) => {
+test('a scene that is dropped while the engine loads opens first', async (t) => {
   let arrive;
   const { page } = await openPage(t, browser, {
     query: '?scene=other&options=fov=90',
@@ -226,7 +226,7 @@ test('a scene that is dropped while the engine is still to come opens first', as
   );
 });
 
-test('a picture that cannot be read: the sheet says why, and another try asks for it again', async (t) => {
+test('a picture that cannot be read: the sheet says why, and trying again fetches it again', async (t) => {
   let picture = null;
   const { page } = await openPage(t, browser, {
     expectErrors: true,
@@ -240,7 +240,7 @@ test('a picture that cannot be read: the sheet says why, and another try asks fo
   assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
 });
 
-test('where a server sends a scene on, its pictures lie beside the place where it is', async (t) => {
+test("after a redirect, pictures are relative to the scene's final address", async (t) => {
   const files = {
     'far/off/room.json': JSON.stringify(roomScene()),
     ...roomPictures('far/off/pictures/'),
@@ -253,7 +253,7 @@ test('where a server sends a scene on, its pictures lie beside the place where i
   assert.deepEqual(await pixel(page, 0.5, 0.5), kOrange);
 });
 
-test('a server that no longer sends a scene on: another try looks for its pictures where it is now', async (t) => {
+test('a redirect that is gone: trying again looks for the pictures at the current address', async (t) => {
   const redirects = { 'scenes/moved.json': '/far/off/room.json' };
   const files = {
     'far/off/room.json': JSON.stringify(roomScene()),
@@ -314,7 +314,7 @@ test('files without a scene among them are refused, and the picture is kept', as
   assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
 });
 
-test('all faults of a scene are shown, with place, found and expected; mended, it opens', async (t) => {
+test('all faults of a scene are shown, with place, found and expected; corrected, it opens', async (t) => {
   const scene = roomScene({ title: 'Mended' });
   const good = JSON.stringify(scene, null, 1);
   const bad = good
@@ -352,7 +352,7 @@ test('all faults of a scene are shown, with place, found and expected; mended, i
   assert.equal(await page.title(), 'Mended · Slicecast');
 });
 
-test('a picture that is not there is a fault with the place that names it', async (t) => {
+test('a missing picture is a fault at the place that names it', async (t) => {
   const { page } = await openPage(t, browser, {
     query: '?scene=room',
     expectErrors: true,
@@ -364,7 +364,7 @@ test('a picture that is not there is a fault with the place that names it', asyn
   assert.deepEqual(rows.map(({ inside }) => inside).sort(), ['/textures/blue', '/textures/red']);
 });
 
-test('a scene that is not there says so, and others can be chosen', async (t) => {
+test('a missing scene is reported, and others can be chosen', async (t) => {
   const { page } = await openPage(t, browser, { query: '?scene=nowhere', expectErrors: true });
   await inState(page, 'trouble');
   assert.match(
@@ -377,7 +377,7 @@ test('a scene that is not there says so, and others can be chosen', async (t) =>
   assert.deepEqual(await pixel(page, 0.5, 0.5), kBlue);
 });
 
-test('a scene saved under tools/play is loaded anew, and the eye stays where it is', async (t) => {
+test('a scene saved under tools/play is reloaded, and the eye stays where it is', async (t) => {
   const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-live-'));
   await mkdir(path.join(folder, 'pictures'));
   const save = (scene) =>
@@ -427,11 +427,11 @@ test('a scene saved under tools/play is loaded anew, and the eye stays where it 
     );
   });
 
-  // Broken, then mended
+  // Broken, then corrected
   await save('{"title": "Third",}');
   await inState(page, 'trouble');
   assert.equal((await faultRows(page)).length, 1);
-  assert.match(await page.textContent('#trouble-text'), /as soon as the file is saved/);
+  assert.match(await page.textContent('#trouble-text'), /Fix these faults and save the file/);
   await save(roomScene({ title: 'Fourth' }));
   await page.waitForFunction(() => document.title.startsWith('Fourth'));
   await inState(page, 'playing');

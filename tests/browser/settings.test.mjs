@@ -78,7 +78,7 @@ test("the picture has the window's own pixels, or a share of them", async (t) =>
   assert.equal(await shownSize(page), '1367x767');
   assert.equal(await filtering(), 'auto');
   assert.equal(await page.textContent('#size-now'), '1025 × 575 (75 %)');
-  // Even pixels, and the window is covered: the odd row or column hangs over its edge.
+  // Pixels are even and cover the window; an odd row or column extends beyond its edge.
   await page.selectOption('#set-size', '50%');
   await untilSize(page, '684x384');
   assert.equal(await shownSize(page), '1368x768');
@@ -133,7 +133,7 @@ for (const ratio of [1, 1.25])
     assert.equal(different, 0);
   });
 
-test('other shapes stand in the middle, between margins', async (t) => {
+test('other shapes are centred between margins', async (t) => {
   const { page } = await openScene(t, browser, { viewport: { width: 1000, height: 800 } });
   await openSettings(page);
   await page.selectOption('#set-size', '960x540');
@@ -171,7 +171,7 @@ test('settings are remembered after a reload', async (t) => {
   assert.equal(await pictureHash(page), before);
 });
 
-test('time of day and mirrors are set there, and show what keys have changed', async (t) => {
+test('time of day and mirrors can be set there, and reflect changes by keys', async (t) => {
   const { page } = await openScene(t, browser);
   const option = (name) => page.evaluate((wanted) => window.slicecast.get(wanted), name);
   const before = await pictureHash(page);
@@ -194,7 +194,7 @@ test('time of day and mirrors are set there, and show what keys have changed', a
   assert.deepEqual([await option('lightPreset'), await option('mirrors')], ['map', '1']);
 });
 
-test('sliders go as far as the engine has it', async (t) => {
+test("sliders have the engine's ranges", async (t) => {
   const { page } = await openScene(t, browser);
   const options = await page.evaluate(() => window.slicecast.optionList);
   const sliders = await page.$$eval('input[type="range"][name]', (all) =>
@@ -229,7 +229,7 @@ test('the field of view changes the picture at once', async (t) => {
   assert.notEqual(await pictureHash(page), before);
 });
 
-test('sensitivity and the way the mouse looks are those chosen', async (t) => {
+test('the mouse follows the chosen sensitivity and direction', async (t) => {
   const { page } = await openScene(t, browser);
   const turnBy = async (pixels) => {
     await page.mouse.move(300, 100);
@@ -278,7 +278,7 @@ test('without a storage the page works on', async (t) => {
   await untilSize(page, '320x180');
 });
 
-test('a storage with nonsense in it is not believed', async (t) => {
+test('nonsense in the storage is ignored', async (t) => {
   for (const nonsense of [
     '{"fov": 4000, "size": "9x9", "light": "maybe", "mouse": null, "other": 1}',
     'no JSON',
@@ -294,7 +294,7 @@ test('a storage with nonsense in it is not believed', async (t) => {
   }
 });
 
-test('back to standard: also what the address had put in front of the own settings', async (t) => {
+test("back to standard also removes the address's options", async (t) => {
   const { page } = await openScene(t, browser, {
     query: '?scene=room&options=fov=60',
     prepare: (newPage) =>

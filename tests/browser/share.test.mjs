@@ -31,7 +31,7 @@ async function openShare(page) {
   await page.waitForSelector('#share[open]');
 }
 
-test('an address with view, options and overlay plays exactly that', async (t) => {
+test('an address with view, options and overlay shows exactly that', async (t) => {
   const { page } = await openScene(t, browser, {
     query:
       '?scene=other&view=2.5,4.25,0.75,200,0.125,room&options=fov=90+light=off&overlay=minimap+grid',
@@ -55,7 +55,7 @@ test('an address with view, options and overlay plays exactly that', async (t) =
   assert.equal(await page.isChecked('#set-light'), false);
 });
 
-test("what the address does not name is at its standard, and the visitor's own settings come back", async (t) => {
+test("options that the address does not name are standard, and the visitor's settings return later", async (t) => {
   const stored = JSON.stringify({ fov: 80, fog: false });
   const { page } = await openScene(t, browser, {
     query: '?scene=room&options=light=off',
@@ -78,7 +78,7 @@ test("what the address does not name is at its standard, and the visitor's own s
   );
 });
 
-test('a slip in the address is warned of, and the rest is shown', async (t) => {
+test('a mistake in the address gives a warning, and the rest is shown', async (t) => {
   const cases = [
     ['view=1,2', /view/],
     ['options=fov=500', /Option 'fov' takes a number from 10 to 150, not '500'/],
@@ -96,10 +96,11 @@ test('a slip in the address is warned of, and the rest is shown', async (t) => {
   }
 });
 
-test('what the address says that cannot be stands over the picture, until it is closed', async (t) => {
+test('mistakes in the address are listed over the picture until closed', async (t) => {
   const { page, server } = await openScene(t, browser, { query: '?scene=room' });
-  const lines = () => page.$$eval('#slips li', (all) => all.map(({ innerText }) => innerText));
-  assert.equal(await page.isVisible('#slips'), false);
+  const lines = () =>
+    page.$$eval('#address-problems li', (all) => all.map(({ innerText }) => innerText));
+  assert.equal(await page.isVisible('#address-problems'), false);
   for (const [query, ...expected] of [
     ['options=nonsense:1,fog:off', /^options Unknown option 'nonsense'\. All options$/],
     ['options='],
@@ -124,26 +125,26 @@ test('what the address says that cannot be stands over the picture, until it is 
         `${said}`,
       ),
     );
-    assert.equal(await page.isVisible('#slips'), expected.length > 0, query);
+    assert.equal(await page.isVisible('#address-problems'), expected.length > 0, query);
     if (query.includes('fog:off')) assert.equal(await option(page, 'fog'), 'off');
   }
-  await page.click('#slips button');
-  assert.equal(await page.isVisible('#slips'), false);
+  await page.click('#address-problems button');
+  assert.equal(await page.isVisible('#address-problems'), false);
 
-  // Who goes elsewhere, or plays, has read it.
+  // Opening another scene, or playing, closes the list.
   await page.goto(`${server.address}?scene=room&view=abc`);
-  await page.waitForSelector('#slips', { state: 'visible' });
+  await page.waitForSelector('#address-problems', { state: 'visible' });
   await page.click('#open-scenes');
   await page.click('#scene-list a:has-text("The other room")');
   await page.waitForFunction(() => document.title.startsWith('The other room'));
-  assert.equal(await page.isVisible('#slips'), false);
+  assert.equal(await page.isVisible('#address-problems'), false);
   await page.goBack();
-  await page.waitForSelector('#slips', { state: 'visible' });
+  await page.waitForSelector('#address-problems', { state: 'visible' });
   await play(page);
-  assert.equal(await page.isVisible('#slips'), false);
+  assert.equal(await page.isVisible('#address-problems'), false);
 });
 
-test('a scene or a tour that is nearly one of the list: the page asks whether that was meant', async (t) => {
+test('a misspelt scene or tour: the page suggests the right one', async (t) => {
   const { page, server } = await openPage(t, browser, {
     query: '?scene=othr&options=fov=80',
     expectErrors: true,
@@ -207,7 +208,7 @@ test('a view from the air stays in the air, one from the ground on the ground', 
   assert.equal((await player(page)).flying, false);
 });
 
-test('the tag and the frame say the same, whatever is in a title', async (t) => {
+test('tag and frame work with any title', async (t) => {
   const title = 'Rooms "A" & <B>';
   const { page, server } = await openScene(t, browser, {
     query: '?scene=room&options=fov=75',
@@ -243,7 +244,7 @@ test('the tag and the frame say the same, whatever is in a title', async (t) => 
   assert.equal(parsed.frame.title, title);
 });
 
-test('copying says so, by keys alone', async (t) => {
+test('copying by keys alone is confirmed', async (t) => {
   const { page, context, server } = await openScene(t, browser);
   await context.grantPermissions(['clipboard-read', 'clipboard-write'], {
     origin: new URL(server.address).origin,
@@ -276,7 +277,7 @@ test('copying says so, by keys alone', async (t) => {
   assert.match(await page.innerText('#keys'), /Z\s+share this view/);
 });
 
-test('where the clipboard is refused, the text is selected', async (t) => {
+test('if the clipboard is refused, the text is selected', async (t) => {
   const { page } = await openScene(t, browser, {
     prepare: (newPage) =>
       newPage.addInitScript(() =>
@@ -294,7 +295,7 @@ test('where the clipboard is refused, the text is selected', async (t) => {
   );
 });
 
-test('the view is saved as a picture of the size that was chosen', async (t) => {
+test('the view is saved as a picture of the chosen size', async (t) => {
   const { page } = await openScene(t, browser);
   await openShare(page);
   for (const [value, name, size] of [
@@ -314,7 +315,7 @@ test('the view is saved as a picture of the size that was chosen', async (t) => 
   }
 });
 
-test('a scene of the visitor’s own files has no address, but can be pictured', async (t) => {
+test('a scene of the visitor’s own files has no address, but its picture can be saved', async (t) => {
   const { page } = await openScene(t, browser);
   const pictures = Object.entries(roomPictures()).map(([name, buffer]) => ({
     name,
@@ -352,7 +353,7 @@ test('axe finds nothing wrong with the dialog', async (t) => {
   );
 });
 
-test('what is shared is the scene that is seen, also where another could not be opened', async (t) => {
+test('the visible scene is shared, even if another could not be opened', async (t) => {
   const { page } = await openScene(t, browser, { expectErrors: true });
   await page.evaluate(() => {
     history.pushState(null, '', '?scene=gone');

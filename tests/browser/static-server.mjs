@@ -1,4 +1,4 @@
-// A plain static server: what any host does, and nothing that helps. It can lie for a test: other
+// A plain static server, like that of any host. Tests can change it: other
 // files, other headers, a subfolder.
 //
 //     const server = await serve({files: {'scenes/room.json': '...'}, prefix: '/some/where/'});

@@ -1,5 +1,5 @@
-// What a page puts on a <ray-caster>'s picture, and how much of it may be touched: hotspots, views
-// that move together, interaction, and pages that want no byte before a click.
+// Hotspots, views
+// that move together, interaction, and pages that load nothing before a click.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -44,7 +44,7 @@ const spots = (page) =>
     );
   });
 
-test('hotspots stand on their places, follow the view, hide where they are covered, and are pressed', async (t) => {
+test('hotspots stand on their places, follow the view, hide when covered, and can be pressed', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -82,17 +82,17 @@ test('hotspots stand on their places, follow the view, hide where they are cover
     [],
   );
   assert.deepEqual(await page.evaluate(() => document.getElementById('a').warnings), [
-    { attribute: 'data-at', message: "A place is x,y,z or x,y,z,map, not 'here'." },
+    { attribute: 'data-at', message: "Found 'here', expected x,y,z or x,y,z,map." },
   ]);
 
-  // Round the block it is the other way round.
+  // From behind the block it is the other way round.
   await page.evaluate(() => document.getElementById('a').look('7,2.2,0.5,100'));
   await frames(page);
   const turned = await spots(page);
   assert.deepEqual([turned.ahead, turned.left], [null, null]);
   assert.ok(turned.covered !== null);
 
-  // They are pressed; beside them the picture is.
+  // They can be pressed, and so can the picture beside them.
   await page.evaluate(() => {
     document.getElementById('a').look('2.5,3.5,0.5,0');
     document.getElementById('ahead').addEventListener('click', () => {
@@ -124,7 +124,7 @@ test('hotspots stand on their places, follow the view, hide where they are cover
   );
 });
 
-test('two views move together, whoever of them is moved', async (t) => {
+test('two views move together, whichever is moved', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -162,7 +162,7 @@ test('two views move together, whoever of them is moved', async (t) => {
   });
   assert.deepEqual(found, [
     3.5,
-    [{ attribute: 'syncwith', message: "No other <ray-caster> is found by '#nobody'." }],
+    [{ attribute: 'syncwith', message: "'#nobody' finds no other <ray-caster>." }],
   ]);
   // No longer.
   await page.evaluate(() => {
@@ -175,7 +175,7 @@ test('two views move together, whoever of them is moved', async (t) => {
   assert.equal(await page.evaluate(() => document.getElementById('first').currentView.heading), 90);
 });
 
-test('who follows shows the view in the same frame, and draws it once', async (t) => {
+test('the follower shows the view in the same frame, and draws it once', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -222,7 +222,7 @@ test('who follows shows the view in the same frame, and draws it once', async (t
   }
 });
 
-test('interaction="none" shows no sign, takes no press, no key and no touch', async (t) => {
+test('interaction="none" shows no play sign and ignores presses, keys and touch', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -253,7 +253,7 @@ test('interaction="none" shows no sign, takes no press, no key and no touch', as
     'auto',
     'a finger scrolls the page',
   );
-  // The bar's buttons act for the world: it goes on, and the player stays.
+  // The bar's buttons act on the world: it runs, and the player stays.
   await page.locator('#bar').getByRole('button', { name: 'Play' }).click();
   await inElementState(page, 'bar', 'playing');
   await page.keyboard.down('ArrowLeft');
@@ -273,7 +273,7 @@ test('interaction="none" shows no sign, takes no press, no key and no touch', as
   await inElementState(page, 'a', 'paused');
 });
 
-test('interaction="look" looks around and goes nowhere', async (t) => {
+test('interaction="look" looks around, but does not walk', async (t) => {
   const { page } = await openElements(
     t,
     browser,
@@ -293,7 +293,7 @@ test('interaction="look" looks around and goes nowhere', async (t) => {
   assert.equal(await page.evaluate(() => document.getElementById('a').get('minimap')), 'on');
 });
 
-test('loading="click" asks for nothing before a click', async (t) => {
+test('loading="click" fetches nothing before a click', async (t) => {
   const { page, server } = await openElements(
     t,
     browser,

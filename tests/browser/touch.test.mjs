@@ -30,7 +30,7 @@ async function openTouched(t) {
   };
 }
 
-// The player no longer moves; the state.
+// Waits until the player no longer moves; returns the state.
 async function atRest(page) {
   for (;;) {
     const { steps } = await player(page);
@@ -40,7 +40,7 @@ async function atRest(page) {
   }
 }
 
-test('the left thumb walks and strafes, the right one looks, both at once', async (t) => {
+test('the left thumb walks and strafes, the right one looks, also both at once', async (t) => {
   const { page, touch } = await openTouched(t);
   const begin = await player(page);
   await touch('touchStart', { id: 1, x: 90, y: 600 });
@@ -64,7 +64,7 @@ test('the left thumb walks and strafes, the right one looks, both at once', asyn
   await atRest(page);
 });
 
-test('a thumb in the middle rests, half way walks slowly, far out runs', async (t) => {
+test('the stick rests in the middle, walks slowly half way, and runs far out', async (t) => {
   const { page, touch } = await openTouched(t);
   const begin = await player(page);
   await touch('touchStart', { id: 1, x: 100, y: 600 });
@@ -171,7 +171,7 @@ test('the page scrolls under a finger until the game is played', async (t) => {
   assert.equal(await page.evaluate(() => scrollY), scrolled);
 });
 
-test('the sheet of keys tells what fingers do, and the keys on demand', async (t) => {
+test('the sheet of keys shows the touch controls, and the keys on demand', async (t) => {
   const { page } = await openScene(t, browser, phone);
   assert.equal(await page.innerText('#open-keys'), 'Touch');
   await page.tap('#open-keys');
@@ -199,7 +199,7 @@ test('the sheet of keys tells what fingers do, and the keys on demand', async (t
   assert.ok(await page.isVisible('[data-keys="change"]'));
 });
 
-test('with a mouse the sheet of keys tells of no fingers', async (t) => {
+test('with a mouse the sheet of keys shows no touch controls', async (t) => {
   const { page } = await openScene(t, browser);
   assert.equal(await page.innerText('#open-keys'), 'Keys');
   await page.click('#open-keys');
@@ -209,7 +209,7 @@ test('with a mouse the sheet of keys tells of no fingers', async (t) => {
   assert.equal(await page.innerText('#keys-title'), 'Keys');
 });
 
-test('with a mouse there are no thumbs', async (t) => {
+test('with a mouse there are no touch controls', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   assert.equal(await page.isVisible('.touch'), false);

@@ -20,7 +20,7 @@ const shown = (page) =>
     document.getElementById('mode').hidden ? '' : document.getElementById('mode').textContent,
   );
 
-test('a tour of the address opens its scene and plays, until somebody moves', async (t) => {
+test('a tour in the address opens its scene and plays, until somebody moves', async (t) => {
   const { page } = await openScene(t, browser, {
     query: '?tour=mine',
     server: { files: { 'tours/mine.txt': tour } },
@@ -42,7 +42,7 @@ test('a tour of the address opens its scene and plays, until somebody moves', as
   );
 });
 
-test('the menu leads to the tours of scenes that have one', async (t) => {
+test('the menu links to the tours of scenes', async (t) => {
   const scenes = [
     { file: 'room.json', title: 'The coloured room', about: 'Four walls.' },
     { file: 'other.json', title: 'The other room', about: 'Four walls too.', tour: true },
@@ -59,7 +59,7 @@ test('the menu leads to the tours of scenes that have one', async (t) => {
   assert.match(await shown(page), /recorded tour/);
 });
 
-test('the tours that are shipped play in the page, to the same place as anywhere', async (t) => {
+test('shipped tours play in the page and end at the same place as elsewhere', async (t) => {
   const { page } = await openScene(t, browser, {
     query: '?tour=library',
     server: { files: { 'scenes/index.json': '[]' } },
@@ -71,7 +71,7 @@ test('the tours that are shipped play in the page, to the same place as anywhere
   assert.equal(isSame, true);
 });
 
-test('a faulty tour is refused with its faults, one that is not there with its address', async (t) => {
+test('a faulty tour is refused with its faults, a missing one with its address', async (t) => {
   const files = { 'tours/mine.txt': 'slicecast recording 1\nscene other\n12 forwards 1\n' };
   const faulty = await openPage(t, browser, { query: '?tour=mine', server: { files } });
   await inState(faulty.page, 'trouble');
@@ -85,7 +85,7 @@ test('a faulty tour is refused with its faults, one that is not there with its a
   assert.match(await strange.page.textContent('#trouble-text'), /x/);
 });
 
-test('F9 begins the scene anew and records it, F9 saves what was played', async (t) => {
+test('F9 restarts the scene and records it; F9 again saves the recording', async (t) => {
   const { page } = await openScene(t, browser, { context: { acceptDownloads: true } });
   await play(page);
   await page.keyboard.down('w');
@@ -110,7 +110,7 @@ test('F9 begins the scene anew and records it, F9 saves what was played', async 
     /^slicecast recording 1\nscene room\n(set \w+ \w+\n)+(\d+\n)?\d+ strafe 256\n(\d+\n)?end \d+ [0-9a-f]{16}\n$/,
   );
   assert.equal(await shown(page), '');
-  // Dropped on the page it plays again, in the scene in which it was made.
+  // Dropped on the page it is replayed in its scene.
   await page.setInputFiles('#files', {
     name: 'mine.txt',
     mimeType: 'text/plain',
@@ -123,7 +123,7 @@ test('F9 begins the scene anew and records it, F9 saves what was played', async 
   assert.ok(after.y > 4 && after.x < 3.6, `${after.x}, ${after.y}`);
 });
 
-test('a tour that is long on its way is overtaken by a scene that is chosen meanwhile', async (t) => {
+test('a slow tour is overtaken by a scene chosen meanwhile', async (t) => {
   let arrive;
   const { page } = await openPage(t, browser, {
     query: '?tour=mine',
@@ -152,7 +152,7 @@ test('a tour that is long on its way is overtaken by a scene that is chosen mean
 });
 
 for (const query of ['?scene=gone', '?tour=gone']) {
-  test(`what is on its way does not open over what is wrong with ${query}`, async (t) => {
+  test(`a slow load does not open over an error for ${query}`, async (t) => {
     let arrive;
     const { page } = await openPage(t, browser, {
       query: '?scene=other',

@@ -1,5 +1,5 @@
-// Every cause in the table of web/element/faults.js, provoked for real: the element shows it and
-// sends it with its code.
+// Every error code in web/element/faults.js, provoked for real: the element shows the error and
+// sends the event with its code.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -22,7 +22,7 @@ after(async () => {
   await other.close();
 });
 
-// What the event `error` brought and what the element shows of it; both tell the same.
+// The detail of the event `error` and what the element shows; both must agree.
 async function troubleOf(page, selector = 'ray-caster') {
   const told = await until(
     page,
@@ -212,7 +212,7 @@ test('a bad scene: all of its faults, each with its place', async (t) => {
   }
 });
 
-test('pictures that are not there, JSON that is none, and rows with faults: scene', async (t) => {
+test('missing pictures, invalid JSON, and rows with faults: scene', async (t) => {
   const { page } = await openTroubled(t, {
     body: `<ray-caster id="one" loading="eager" scene="room"></ray-caster>
       <ray-caster id="two" loading="eager"><script type="application/json">{ "title": </script></ray-caster>
@@ -258,7 +258,7 @@ test('no memory for the engine: engine', async (t) => {
   const { page } = await openTroubled(t, {
     prepare: async (opened) => {
       await opened.addInitScript(listen);
-      // Memory that cannot be had.
+      // More memory than there is.
       await opened.addInitScript(() => {
         const instantiate = WebAssembly.instantiate.bind(WebAssembly);
         WebAssembly.instantiate = () => {
@@ -275,7 +275,7 @@ test('no memory for the engine: engine', async (t) => {
   const { code, message } = await troubleOf(page);
   assert.equal(code, 'engine');
   assert.match(message, /memory/i);
-  // Another try may go well.
+  // Trying again may succeed.
   await page.getByRole('button', { name: 'Try again' }).click();
   await until(page, () => document.querySelector('ray-caster').state === 'paused');
 });
@@ -312,7 +312,7 @@ test('methods before there is a scene: not-ready', async (t) => {
   provoked.add('not-ready');
 });
 
-test('set() with what the engine does not take: an Error with the code option, and the scene goes on', async (t) => {
+test('set() with a bad value: an Error with the code option, and the scene goes on', async (t) => {
   const { page } = await openTroubled(t, {});
   await ready(page);
   assert.deepEqual(
@@ -331,7 +331,7 @@ test('set() with what the engine does not take: an Error with the code option, a
   provoked.add('option');
 });
 
-test('what was wrong can be mended: another try, another address', async (t) => {
+test('recovery from errors: trying again, another address', async (t) => {
   let isThere = false;
   const { page } = await openTroubled(t, {
     server: {
@@ -375,7 +375,7 @@ test('what was wrong can be mended: another try, another address', async (t) => 
   }
 });
 
-test('what one steers by is not there: who wants to play is told, who passes is not', async (t) => {
+test('steering.js fails to load: reported when somebody wants to play, not to passers-by', async (t) => {
   let isThere = false;
   const { page } = await openTroubled(t, {
     server: {
@@ -416,7 +416,7 @@ for (const [what, code, expected, server] of [
     { types: { 'ray-caster-rows.js': 'text/plain' } },
   ],
 ]) {
-  test(`what reads rows is ${what}: ${code}`, async (t) => {
+  test(`the script for rows is ${what}: ${code}`, async (t) => {
     const { page } = await openTroubled(t, {
       body: '<ray-caster><script type="text/plain" data-rows>#>#</script></ray-caster>',
       server,
@@ -433,8 +433,8 @@ async function launchWith(t, flags) {
   return special;
 }
 
-// Without a compiler there is none, as in the strict modes of browsers.
-test('no WebAssembly: no-webassembly, and what the page wrote for that case', async (t) => {
+// As in browsers' strict modes.
+test("no WebAssembly: no-webassembly, and the page's fallback", async (t) => {
   const body =
     '<ray-caster scene="room" style="width: 400px"><p id="text">A room with four walls</p></ray-caster>';
   const { page } = await openTroubled(t, { body }, await launchWith(t, '--jitless'));
@@ -443,7 +443,7 @@ test('no WebAssembly: no-webassembly, and what the page wrote for that case', as
   assert.equal(await page.isVisible('#text'), true);
 });
 
-test('no SIMD: the other build, without a word', async (t) => {
+test('no SIMD: the other build, without a message', async (t) => {
   const { page, server } = await openTroubled(
     t,
     {},
@@ -456,6 +456,6 @@ test('no SIMD: the other build, without a word', async (t) => {
   ]);
 });
 
-test('every code of the table has been provoked', () => {
+test('every code has been provoked', () => {
   assert.deepEqual([...provoked].sort(), Object.keys(errorCodes).sort());
 });

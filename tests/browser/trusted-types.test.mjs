@@ -1,5 +1,5 @@
-// The pages under the strictest rule for scripts: no text becomes HTML or a script, and no policy may
-// let it through.
+// The pages under the strictest rule for scripts: no text becomes HTML or a script, and no policy
+// may let it through.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -13,7 +13,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-// What the pages complain about on the console, as a browser does of each refusal, fails the test.
+// Errors on the console, such as a browser's for each refusal, fail the test.
 function openStrict(t, query) {
   return openPage(t, browser, {
     query,
@@ -21,7 +21,7 @@ function openStrict(t, query) {
   });
 }
 
-test('the rule holds in these pages', async (t) => {
+test('the policy is active in these pages', async (t) => {
   const { page, complaints } = await openPage(t, browser, {
     query: 'element.html',
     expectErrors: true,
@@ -64,7 +64,7 @@ test('a frame', async (t) => {
   await page.waitForFunction(() => document.body.dataset.state === 'playing');
 });
 
-test('the play page, its hints and all that its bar opens', async (t) => {
+test('the play page, its hints and everything that its bar opens', async (t) => {
   const { page } = await openStrict(t, '?scene=room');
   await page.waitForFunction(() => document.body.dataset.state === 'paused');
   for (const name of ['scenes', 'keys', 'settings', 'share']) {

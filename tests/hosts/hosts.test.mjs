@@ -1,4 +1,4 @@
-// The package as others use it: the packed file is installed, and drawn with in a plain page, in
+// The package in other projects: the packed file is installed and used in a plain page, in
 // apps and sites that Vite, webpack, Rollup, esbuild, Astro and VitePress build, in one that React
 // renders on the server, and in a program under Node. Needs build/slicecast-VERSION.tgz
 // (tools/package), and nothing from the network.
@@ -123,8 +123,8 @@ async function assertFolderDraws(folder, look) {
   }
 }
 
-// The tools of the hosts run as commands, as their users run them. The folder of shared files
-// reaches them by a variable.
+// The hosts' tools run as commands, as users run them. The folder of shared files
+// is passed in a variable.
 const toolOptions = {
   cwd: hosts,
   env: {
@@ -144,7 +144,7 @@ function runTool(file, words) {
   });
 }
 
-// A tool that serves: its address, once it tells it, and a way to end it.
+// Starts a server: returns its address, once printed, and a function that stops it.
 function startTool(file, words) {
   const child = spawn(process.execPath, [path.join(hosts, 'node_modules', file), ...words], {
     ...toolOptions,
@@ -192,7 +192,7 @@ test('an app that Vite builds', async () => {
   await assertFolderDraws(outDir);
 });
 
-test('an app that Vite serves while it is written', async () => {
+test("an app on Vite's development server", async () => {
   const server = startTool('vite/bin/vite.js', ['vite', '--host', 'localhost', '--port', '5190']);
   try {
     await assertDraws(await server.address);
@@ -201,7 +201,7 @@ test('an app that Vite serves while it is written', async () => {
   }
 });
 
-// From here on the scene is imported, and the apps hold nothing but what is installed.
+// From here on the scene is imported, and the apps have only installed files.
 
 test('an app that Vite builds, with an imported scene', async () => {
   const outDir = path.join(built, 'vite-app');
@@ -209,7 +209,7 @@ test('an app that Vite builds, with an imported scene', async () => {
   await assertFolderDraws(outDir);
 });
 
-test('an app that Vite serves with no settings, with an imported scene', async () => {
+test("an app on Vite's development server without settings, with an imported scene", async () => {
   await rm(path.join(hosts, 'node_modules/.vite'), { recursive: true, force: true });
   const server = startTool('vite/bin/vite.js', ['app', '--host', 'localhost', '--port', '5191']);
   try {
@@ -219,7 +219,7 @@ test('an app that Vite serves with no settings, with an imported scene', async (
   }
 });
 
-// The page of the app beside a script that was built of it.
+// Puts the app's page beside its built script.
 async function writePage(folder, script, tag = '<script type="module"') {
   const page = await readFile(path.join(hosts, 'app/index.html'), 'utf8');
   await writeFile(
@@ -266,7 +266,7 @@ for (const [format, tag] of [
   });
 }
 
-// What every build by Rollup has a plugin for.
+// The plugin that every Rollup build needs.
 const nodeResolution = {
   name: 'packages',
   resolveId: (name) =>
@@ -295,7 +295,7 @@ for (const [format, tag] of [
   });
 }
 
-test('without the plugin, what esbuild builds says what to do', async () => {
+test('without the plugin, the app that esbuild builds says what to do', async () => {
   const folder = path.join(built, 'esbuild-alone');
   await build({
     entryPoints: [path.join(hosts, 'app/main.js')],
@@ -326,7 +326,7 @@ test('a site that Astro builds', async () => {
   await assertFolderDraws(path.join(built, 'astro'));
 });
 
-test('a site that Astro serves while it is written', async () => {
+test("a site on Astro's development server", async () => {
   const words = ['dev', ...astroSettings, '--port', '5192'];
   const server = startTool('astro/astro.js', words);
   try {
@@ -361,13 +361,13 @@ test('an app that React renders on the server and in the browser', async () => {
   );
 });
 
-// What follows no files: the engine lies beside the script, or, where the script does not know its
-// address, where the page says that all of it lies.
+// Bundlers that follow no files: the engine is beside the script or, if the script does not know
+// its address, in the folder that the page names.
 for (const [format, tag, engine] of [
   ['esm', '<script type="module"', 'engine'],
   ['iife', '<script defer', 'slicecast/engine'],
 ]) {
-  test(`an app that esbuild makes one script of: ${format}`, async () => {
+  test(`an app that esbuild bundles into one script: ${format}`, async () => {
     const folder = path.join(built, `esbuild-${format}`);
     await cp(path.join(shared, 'slicecast'), path.join(folder, 'slicecast'), { recursive: true });
     await cp(path.join(installed, 'engine'), path.join(folder, engine), { recursive: true });
@@ -409,7 +409,7 @@ test('a program under Node', async () => {
   assert.deepEqual({ width, height, hash: hashOf(data) }, { ...kSize, hash: expected });
 });
 
-test('the script is found by each of its names, and nothing is packed that nobody reads', async () => {
+test('the script is found by each of its names, and no unneeded file is packed', async () => {
   const { resolve } = createRequire(import.meta.url);
   const { main } = JSON.parse(await readFile(resolve('slicecast/package.json'), 'utf8'));
   const script = path.join(installed, 'ray-caster.js');
@@ -429,7 +429,7 @@ test('publint finds nothing', async () => {
   ]);
 });
 
-// It takes a page for a module, which nobody imports.
+// It mistakes a page, which nobody imports, for a module.
 test(
   'the types are right',
   { skip: Number(process.versions.node.split('.')[0]) < 20 && 'its tool needs Node 20' },

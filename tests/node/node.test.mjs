@@ -1,4 +1,4 @@
-// Scenes under Node, as the package offers them.
+// The package's interface for Node.
 
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -18,7 +18,7 @@ const castle = `${root}/assets/scenes/castle.json`;
 const kSize = { width: 120, height: 75 };
 const run = promisify(execFile);
 
-// Answers with these: path -> text, or the path to go on to.
+// Serves these: path -> text, or the path to redirect to.
 async function serve(t, answers) {
   const server = createServer(({ url }, response) => {
     const { text, location } = answers[url] ?? {};
@@ -128,7 +128,7 @@ test('a scene in its own address names its files beside the shipped scenes', asy
   scene.free();
 });
 
-test('a scene that was sent on names its files from where it came', async (t) => {
+test("after a redirect, a scene's files are relative to its final address", async (t) => {
   const address = await serve(t, {
     '/short': { location: '/long/scenes/room.json' },
     '/long/scenes/room.json': { text: roomScene() },
@@ -246,7 +246,7 @@ test('the old ways of drawing, by name, beside the exact picture', async () => {
   const both = scene.pixels(size);
   assert.ok(isSame(both, old, [0, 44]) && !isSame(both, old, [52, 96]));
   assert.ok(isSame(both, exact, [52, 96]) && !isSame(both, exact, [0, 44]));
-  // A trace tells of the method that draws the column.
+  // A trace describes the method that draws the column.
   assert.notDeepEqual(scene.trace(20, size).ray, exactTrace.ray);
   scene.set('compare', 0);
   assert.deepEqual(scene.trace(20, size).ray, exactTrace.ray);
@@ -254,7 +254,7 @@ test('the old ways of drawing, by name, beside the exact picture', async () => {
   scene.free();
 });
 
-test('whatever is asked of a scene that was freed says so', async () => {
+test('every call on a freed scene says so', async () => {
   const scene = await load('first-walk');
   scene.free();
   scene.free();
@@ -297,7 +297,7 @@ test('warnings have places', async () => {
   scene.free();
 });
 
-test('all faults are listed, with their places, and the engine is given back', async (t) => {
+test('all faults are listed with their places, and the engine is freed', async (t) => {
   const stop = t.mock.method(Engine.prototype, 'stop');
   const error = await load({ title: 7, maps: 'none' }).catch((thrown) => thrown);
   assert.ok(error instanceof SceneError);
@@ -308,7 +308,7 @@ test('all faults are listed, with their places, and the engine is given back', a
     assert.ok(error.message.includes(`${place}: found ${found}, expected ${expected}`));
 });
 
-test('what cannot be read is told', async () => {
+test('files that cannot be read are reported', async () => {
   await assert.rejects(load('nowhere/scene.json'), {
     name: 'SceneError',
     code: 'fetch',

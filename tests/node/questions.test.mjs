@@ -53,7 +53,7 @@ test('lists that are read late are of the moment that was asked about', async ()
   scene.free();
 });
 
-test('all columns of the harbour take a moment', async (t) => {
+test('all columns of the harbour are quick', async (t) => {
   const scene = await load('harbour-town');
   const size = { width: 320, height: 200 };
   for (const ask of ['hits', 'trace']) {
@@ -75,7 +75,7 @@ test('all columns of the harbour take a moment', async (t) => {
   scene.free();
 });
 
-test('columns that cannot be are refused', async () => {
+test('invalid columns are refused', async () => {
   const scene = await load('first-walk');
   for (const columns of [
     {},
@@ -111,7 +111,7 @@ test('a free ray walks tiles and hits blocks', async () => {
     });
     assert.equal(told.end.why, 'edge');
 
-    // With a height it is what a column of a level picture tells of its middle row.
+    // With a height it agrees with the middle row of a column of a level picture.
     const low = scene.cast({ map, x, y, z: 0.5, heading });
     assert.equal(low.z, 0.5);
     for (const { bottom, top } of low.hits) assert.ok(bottom <= 0.5 && top > 0.5);
@@ -141,7 +141,7 @@ test('a free ray walks tiles and hits blocks', async () => {
   scene.free();
 });
 
-test('every pixel that is picked is projected onto itself', async () => {
+test('every picked pixel is projected onto itself', async () => {
   const scene = await load('harbour-town');
   scene.set('light', false);
   scene.set('fog', false);
@@ -152,7 +152,7 @@ test('every pixel that is picked is projected onto itself', async () => {
       const pick = scene.pick(column, row, kSize);
       kinds.add(pick.what);
       assert.deepEqual([pick.column, pick.row], [column, row]);
-      // The run of the trace that holds the row is what is picked, if nothing lies over it.
+      // The pick is the trace's run of that row, unless a layer covers it.
       const runs = scene
         .trace(column, kSize)
         .runs.filter(({ first, last }) => first <= row && row <= last);
@@ -214,7 +214,7 @@ test('the cells of every shipped scene are those of its text', async () => {
   }
 });
 
-test('a cell that is set is as if the scene had it', async () => {
+test('a set cell looks as if the scene had it', async () => {
   const scene = await load(JSON.parse(castleText));
   const start = scene.currentView;
   const before = scene.pixels(kSize);
@@ -260,7 +260,7 @@ test('a cell that is set is as if the scene had it', async () => {
   for (const one of [scene, written]) one.free();
 });
 
-test('what another engine has taken over does not change', async () => {
+test('an engine that adopted the scene does not change', async () => {
   const create = async () => Engine.create({ files: await readEngine('auto'), canvas: {} });
   const one = await create();
   assert.deepEqual(await one.loadScene(openScene('first-walk')), []);
@@ -282,7 +282,7 @@ test('what another engine has taken over does not change', async () => {
   for (const engine of [one, early, late]) engine.stop();
 });
 
-test('the first columns alone are drawn, to and fro', async () => {
+test('drawnColumns draws only the first columns, forwards and back', async () => {
   const scene = await load('first-walk');
   const whole = scene.pixels(kSize);
   const columnsOf = ({ data }) =>

@@ -1,7 +1,8 @@
-// What a strict compiler says of a few lines that use the built declarations.
+// The errors of a strict compiler in a few lines that use the built declarations.
 //
-//     complaints(`import type { View } from './shapes.js'; const view: View = {...};`)      // [] if all is well
-//     complaints(`<ray-caster keys="some" />`, 'react')                                     // JSX of that library
+//     complaints(`import type { View } from './shapes.js'; const view: View = {...};`)
+//                                                            // [] without errors
+//     complaints(`<ray-caster keys="some" />`, 'react')      // JSX of that library
 
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -14,7 +15,7 @@ const kJsx = {
   preact: { jsx: ts.JsxEmit.ReactJSX, jsxImportSource: 'preact' },
   solid: { jsx: ts.JsxEmit.Preserve, jsxImportSource: 'solid-js' },
 };
-// The page's folder has no packages of its own.
+// The page's folder has no packages.
 const kPaths = {
   react: [`${kPackages}@types/react/index.d.ts`],
   'react/*': [`${kPackages}@types/react/*.d.ts`],
@@ -35,7 +36,7 @@ const kOptions = {
   types: [],
 };
 
-// The lines stand, as it were, in a file of the page's folder.
+// Compiles the lines as a file in the page's folder.
 export function complaints(lines, library = null) {
   const file = path.join(kPage, library === null ? 'test-lines.ts' : 'test-lines.tsx');
   const options =

@@ -66,7 +66,7 @@ test('a program under Node compiles', () => {
   );
 });
 
-// Line by line: what each refuses.
+// Each line must be refused.
 const kRefused = `
   <ray-caster scenes="castle" />,
   <ray-caster keys="some" />,
@@ -116,7 +116,7 @@ for (const [what, line] of [
   });
 }
 
-test('hits and traces of real scenes are as they are declared', async () => {
+test('hits and traces of real scenes match their declarations', async () => {
   const lines = [
     "import type { Blueprint, Cast, FrameTrace, Hits, Pick, SliceTrace } from './shapes.js';",
   ];
@@ -143,7 +143,7 @@ test('hits and traces of real scenes are as they are declared', async () => {
   assert.deepEqual(complaints(lines.join('\n')), []);
 });
 
-test('the manifest is one', async () => {
+test('the manifest is valid', async () => {
   const schema = JSON.parse(
     await readFile(
       createRequire(import.meta.url).resolve('custom-elements-manifest/schema.json'),

@@ -1,4 +1,4 @@
-// What tools/bench makes of its measurements: the tables, the file of past ratios, and when --check
+// How tools/bench reports: the tables, the file of past ratios, and when --check
 // calls something a loss. Nothing is measured here.
 
 import assert from 'node:assert/strict';
@@ -68,7 +68,7 @@ test('the tables of two builds fit a terminal of 120 columns and mark what misse
   assert.equal(rowOf('garden, 10,000').match(/13\.25!/g).length, 2);
 });
 
-test('what was recorded is read as it was, a line for each view', () => {
+test('records are read as they were written, one line per view', () => {
   const text = ratiosText([record, { ...record, date: '2026-11-24' }]);
   assert.deepEqual(readRatios(text, kFile), [record, { ...record, date: '2026-11-24' }]);
   assert.equal(text.match(/^ {8}"castle, start": \{.*\},?$/gm).length, 2);
@@ -113,7 +113,7 @@ for (const [what, text, message] of [
   });
 }
 
-test('the figures of the builds come together by view', () => {
+test('the figures of the builds are merged by view', () => {
   assert.deepEqual(figuresOf([run('native'), run('wasm')])['castle, start'], {
     native: 2.5,
     'native 4K': 11.5,
@@ -129,18 +129,18 @@ test('the record is the newest of this processor, else the newest of any', () =>
   assert.equal(recordFor([record, newer, other], 'a third one'), other);
 });
 
-test('a loss of 10 % is none yet, one of more is', () => {
+test('a loss of more than 10 % counts, one of 10 % does not', () => {
   const at = (wasm) => compare(record, { 'castle, start': { ...then, wasm } }).losses;
   assert.deepEqual(at(3.3), []);
   assert.deepEqual(at(3.31), [{ title: 'castle, start', figure: 'wasm', then: 3, now: 3.31 }]);
 });
 
-test('a view that is not in the record is told of and no loss', () => {
+test('a view without a record is reported, but is not a loss', () => {
   const found = compare(record, { ...same, 'a new view': then });
   assert.deepEqual(found, { losses: [], unknown: ['a new view'] });
 });
 
-// Gives these measurements one after another, and notes what was asked for.
+// Returns these measurements one after another, and notes the requests.
 function measurements(...results) {
   const asked = [];
   const measure = (builds, isAgain) => {
@@ -150,17 +150,17 @@ function measurements(...results) {
   return { asked, measure };
 }
 
-test('where nothing seems lost, everything is measured once', () => {
+test('without a suspected loss everything is measured once', () => {
   const { asked, measure } = measurements(same);
   const result = check(record, measure);
   assert.deepEqual(asked, [[null, false]]);
   assert.match(
     reportOf(result, record, 'AMD EPYC'),
-    /^None of 2 views has lost more than 10 % since 2026-11-23 \(Walls stand closer\)\.$/,
+    /^None of 2 views is more than 10 % slower since 2026-11-23 \(Walls stand closer\)\.$/,
   );
 });
 
-test('what seems lost is measured again, its build alone, and named if it is lost still', () => {
+test('the build of a suspected loss is measured again, and the view named if it is still slower', () => {
   const { asked, measure } = measurements(slower, slower);
   const result = check(record, measure);
   assert.deepEqual(asked, [
@@ -174,12 +174,12 @@ test('what seems lost is measured again, its build alone, and named if it is los
   );
 });
 
-test('noise is no loss: neither what was slow only once, nor what is slow only the second time', () => {
+test('noise is not a loss: slow only the first time, or only the second time', () => {
   for (const again of [same, { ...same, 'castle, start': { ...then, wasm: 4 } }])
     assert.deepEqual(check(record, measurements(slower, again).measure).losses, []);
 });
 
-test('the report warns where the record is of another processor', () => {
+test('the report warns about a record of another processor', () => {
   const result = check(record, measurements(same).measure);
   assert.match(
     reportOf(result, record, 'Z80'),
@@ -190,7 +190,7 @@ test('the report warns where the record is of another processor', () => {
 for (const [words, message] of [
   [['--chekc'], /unknown option "--chekc"/],
   [['--rounds', '0'], /--rounds needs a number from 1 to 999999/],
-  [['--check', '--record'], /--check and --record do not go together/],
+  [['--check', '--record'], /--check and --record cannot be combined/],
   [['--check', '--view', 'castle, start'], /--check measures all views/],
   [['--record', '--native'], /--record measures every build/],
 ]) {

@@ -1,4 +1,4 @@
-// What tools/play and tools/setup refuse, and how they say it. Nothing here gets as far as
+// What tools/play and tools/setup refuse, with which message. No test here gets as far as
 // building.
 
 import assert from 'node:assert/strict';
@@ -19,11 +19,11 @@ for (const [args, message] of [
   [['no-such-scene.json'], /there is no scene "no-such-scene\.json"/],
   [['/'], /"\/" is not a file/],
   [[path.join(tools, 'play')], /must end in \.json/],
-  [['a.json', 'b.json'], /one scene at a time/],
-  [['--port'], /--port wants a number/],
+  [['a.json', 'b.json'], /only one scene can be opened/],
+  [['--port'], /--port needs a number/],
   [['--port', '0'], /from 1 to 65535, not "0"/],
   [['--port=70000'], /from 1 to 65535, not "70000"/],
-  [['--host'], /--host wants a name/],
+  [['--host'], /--host needs a name/],
   [['--prot', '80'], /unknown option "--prot"/],
 ]) {
   test(`tools/play ${args.map((arg) => arg.replace(tools, '')).join(' ')} is refused at once`, () => {
@@ -34,14 +34,14 @@ for (const [args, message] of [
   });
 }
 
-test('--help tells the words and options', () => {
+test('--help lists arguments and options', () => {
   assert.match(run('play', ['--help']).stdout, /SCENE\.json.*--port/s);
   assert.match(run('setup', ['--help']).stdout, /native.*browser/s);
   assert.match(run('test', ['--help']).stdout, /native.*all/s);
 });
 
-test('where it cannot install, tools/setup stops with the whole list of what is missing', (t) => {
-  // A system with a shell and nothing else.
+test('if it cannot install, tools/setup stops with a list of everything missing', (t) => {
+  // A system with only a shell.
   const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-bare-'));
   t.after(() => rmSync(folder, { recursive: true }));
   for (const name of [

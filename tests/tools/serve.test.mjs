@@ -1,4 +1,4 @@
-// The server behind tools/play: what it hands out, what it keeps to itself, and when it tells the
+// The server behind tools/play: what it serves, what it refuses, and when it tells the
 // page that a scene was saved.
 
 import assert from 'node:assert/strict';
@@ -48,7 +48,7 @@ after(async () => {
   await rm(root, { recursive: true });
 });
 
-// A request whose path goes out exactly as written.
+// Sends a request whose path is exactly as written.
 function get(rawPath, options = {}) {
   return new Promise((resolve, reject) => {
     const { hostname, port } = new URL(origin);
@@ -132,7 +132,7 @@ test('only hosts of this machine are served, and those that are named', async ()
   assert.equal(status, 200);
 });
 
-test('it hands out, and takes nothing', async () => {
+test('only GET and HEAD are allowed', async () => {
   for (const rawPath of ['/', '/-/scene/brick.png', '/-/events']) {
     for (const method of ['POST', 'PUT', 'DELETE', 'OPTIONS']) {
       const { status, headers } = await get(rawPath, { method });
@@ -188,7 +188,7 @@ async function countEvents(act, milliseconds = 600) {
   return text.match(/^event: scene$/gm)?.length ?? 0;
 }
 
-test('a saved scene is told once, however the editor saves it', async () => {
+test('a saved scene is reported once, however the editor saves it', async () => {
   const scene = path.join(root, 'mine/scenes/my scene.json');
   const text = '{ "wall": "brick.png", "roof": "../textures/named.png", "more": 1 }';
   assert.equal(await countEvents(() => writeFile(scene, text)), 1, 'written in place');

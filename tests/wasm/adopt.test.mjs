@@ -1,4 +1,4 @@
-// A scene that one engine plays is another's from its start, as if that one had loaded it.
+// An engine adopts the scene of another one as if it had loaded it.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -16,7 +16,7 @@ async function createEngine(flavour) {
   return Engine.create({ files: await readEngine(flavour), canvas: {} });
 }
 
-// What one sees of a walk, and the state at its end.
+// The pictures of a walk, and the state at its end.
 function walk(engine) {
   const seen = [0, 60, 120, 120].map((steps) => {
     engine.step({ forward: 1, turn: 0.3, use: steps === 60 }, steps);
@@ -58,14 +58,14 @@ for (const flavour of flavours) {
       assert.equal(adopter.takeRecording(), '');
       assert.deepEqual(walk(adopter), walk(fresh));
       assert.deepEqual(player.state, before);
-      // And so on.
+      // And they stay equal.
       const third = await createEngine(flavour);
       assert.equal(third.adopt(adopter), true);
       assert.equal(third.state.fingerprint, (await reloaded(flavour, name)).state.fingerprint);
     });
   }
 
-  test(`${flavour}: where memory has grown, and where there is nothing to adopt`, async () => {
+  test(`${flavour}: with grown memory, and with nothing to adopt`, async () => {
     const player = await createEngine(flavour);
     assert.equal((await createEngine(flavour)).adopt(player), false);
     await player.loadScene(openScene('first-steps'));
@@ -77,7 +77,7 @@ for (const flavour of flavours) {
       assert.ok(adopter.memoryBytes >= player.memoryBytes);
       assert.deepEqual(walk(adopter), walk(await reloaded(flavour, 'first-steps')));
     }
-    // What was needed once for a large picture is no part of the scene.
+    // Memory for a large picture is not part of the scene.
     player.drawPixels(4096, 4096);
     assert.ok(player.memoryBytes > 64e6);
     const adopter = await createEngine(flavour);

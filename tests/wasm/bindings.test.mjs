@@ -15,7 +15,7 @@ const declared = [...header.matchAll(/^[a-zA-Z].*[ *](slicecast_\w+)\(/gm)]
 for (const flavour of flavours) {
   test(`the ${flavour} module exports what the header declares, and nothing else`, async () => {
     const module = await loadModule(flavour);
-    // Names without the underscore are the program's own, for its listeners in the page.
+    // Names without slicecast_ are for the program's listeners in the page.
     const exported = Object.keys(module)
       .filter((name) => /slicecast_/.test(name))
       .map((name) => name.replace(/^_/, ''))

@@ -1,5 +1,5 @@
-// What is wrong with a scene or an option is said in the same words as by the native programs, and
-// what was running goes on.
+// Faults of scenes and options have the same texts as in the native programs, and
+// the running game goes on.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -69,7 +69,7 @@ test('bytes that are no image are a fault', async () => {
   assert.match(faults[0].message, /PNG/);
 });
 
-test('a game goes on while the next scene is at fault', async () => {
+test('a game goes on while the next scene has faults', async () => {
   const session = new Session(await loadModule('simd'));
   session.load(shippedScenes[0]);
   session.step([1, 0, 0, 0, 0, 0, 0, 0], 30);
@@ -86,7 +86,7 @@ test('a game goes on while the next scene is at fault', async () => {
   assert.equal(session.world().title, 'A room');
 });
 
-test('an option that is wrong changes nothing and says what is expected', async () => {
+test('a wrong option changes nothing and says what is expected', async () => {
   const session = new Session(await loadModule('simd'));
   session.load(shippedScenes[0]);
   assert.equal(session.setOption('fov', '75'), '');
@@ -104,7 +104,7 @@ test('an option that is wrong changes nothing and says what is expected', async 
   assert.equal(session.option('colour'), '');
 });
 
-test('options act, are listed, wait for a game and outlive it', async () => {
+test('options work, are listed, and can be set before a game and outlive it', async () => {
   const session = new Session(await loadModule('simd'));
   assert.equal(session.setOption('textures', 'off'), '');
   assert.match(session.setOption('textures', 'maybe'), /'on' or 'off'/);

@@ -90,7 +90,7 @@ export class Session {
     return this.json(this.module._slicecast_state(this.address));
   }
 
-  // What is asked for, in the order of slicecast_step.
+  // The input in the order of slicecast_step.
   step(input, count = 1) {
     for (let i = 0; i < count; ++i) this.module._slicecast_step(this.address, ...input);
   }
@@ -137,7 +137,7 @@ export class Session {
     return this.questions.hits(width, height, column);
   }
 
-  // Of the whole picture where the column is -1.
+  // Column -1 means the whole picture.
   trace(width, height, column) {
     return column === -1
       ? this.questions.traceFrame(width, height)

@@ -1,4 +1,4 @@
-// Memory grows when a picture needs it, is given back when a session ends, and belongs to one
+// Memory grows when a picture needs it, is freed when a session ends, and belongs to one
 // module alone.
 
 import assert from 'node:assert/strict';
@@ -26,7 +26,7 @@ test('growing memory leaves the session and its pictures as they were', async ()
 });
 
 // As an element does it: one module, one scene, one picture at a time.
-test('a module holds little more memory than its scene and picture take', async (t) => {
+test('a module holds little more memory than its scene and picture need', async (t) => {
   const kMiB = 2 ** 20;
   const held = async (load) => {
     const session = new Session(await loadModule('simd'));
@@ -44,7 +44,7 @@ test('a module holds little more memory than its scene and picture take', async 
   assert.ok(castle < 16);
 });
 
-test('sessions that end give their memory back', async () => {
+test('ended sessions free their memory', async () => {
   const module = await loadModule('simd');
   const round = () => {
     const session = new Session(module);
@@ -62,7 +62,7 @@ test('sessions that end give their memory back', async () => {
 test('scene after scene in one session does not add up', async () => {
   const session = new Session(await loadModule('simd'));
   const round = () => assert.deepEqual(session.load(shippedScenes[0]), []);
-  // The allocator's gaps settle.
+  // Until the allocator's gaps no longer change.
   for (let i = 0; i < 30; ++i) round();
   const bytes = session.module.HEAPU8.length;
   for (let i = 0; i < 30; ++i) round();

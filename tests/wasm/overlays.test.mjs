@@ -1,4 +1,4 @@
-// What inspectors ask of the engine: the hits of a column, the overlays by their options, the maps
+// Questions of inspectors: the hits of a column, the overlays by their options, the maps
 // of a scene.
 
 import assert from 'node:assert/strict';
@@ -48,7 +48,7 @@ for (const flavour of flavours) {
 }
 
 for (const flavour of flavours) {
-  test(`so are those of portals, mirrors and objects (${flavour})`, async () => {
+  test(`so are the hits of portals, mirrors and objects (${flavour})`, async () => {
     const path = join(root, 'tests/scene/everything.json');
     const session = await open(flavour, path);
     const { maps } = session.world();
@@ -111,7 +111,7 @@ test('every overlay is switched on by its option, and is the same in both flavou
   }
 });
 
-test('times of day change the picture and go again', async () => {
+test('times of day change the picture and can be undone', async () => {
   const session = await open('simd');
   const seen = new Set();
   for (const preset of ['map', 'day', 'dusk', 'night', 'fog']) {

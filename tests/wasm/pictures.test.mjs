@@ -1,4 +1,4 @@
-// Pixels that one engine has decoded are another's, as if that one had decoded the file.
+// An engine can use pixels that another one has decoded.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -11,7 +11,7 @@ import { png } from '../browser/png.mjs';
 
 const kSize = [160, 100];
 
-// What a page's cache does: the same bytes and the same pixels for everybody.
+// Acts like a page's cache: the same bytes and the same pixels for all.
 function openShared() {
   const files = new Map();
   const known = new Map();
@@ -55,7 +55,7 @@ function seen(engine) {
 }
 
 for (const flavour of flavours) {
-  test(`${flavour}: a scene out of pixels that others have decoded is the same, byte by byte`, async () => {
+  test(`${flavour}: a scene from pixels that others decoded is the same, byte by byte`, async () => {
     const shared = openShared();
     await played(flavour, shared.open('castle'));
     const ofCastle = new Set(shared.known.values());
@@ -66,7 +66,7 @@ for (const flavour of flavours) {
       const alone = await played(flavour, openScene(name));
       assert.deepEqual(seen(engine), seen(alone.engine), name);
     }
-    // Nobody has decoded them anew.
+    // Nothing was decoded again.
     assert.ok([...ofCastle].every((pixels) => [...shared.known.values()].includes(pixels)));
   });
 
@@ -85,7 +85,7 @@ for (const flavour of flavours) {
     assert.notDeepEqual(seen(ofPixels.engine), seen(ofFile.engine));
   });
 
-  test(`${flavour}: what is wrong with a picture is told as ever, and nothing of it is kept`, async () => {
+  test(`${flavour}: faults of pictures are reported as usual, and no pixels are kept`, async () => {
     const damaged = textureBytes.slice();
     damaged.fill(7, 60);
     for (const bytes of [damaged, new Uint8Array([1]), new Uint8Array()]) {
@@ -106,7 +106,7 @@ for (const flavour of flavours) {
       assert.deepEqual((await played(flavour, openRoom(wrong, pictures))).faults, expected);
       assert.equal(known.size, count);
     }
-    // Pixels for what has no place for them go nowhere.
+    // Pixels for an unknown file are ignored.
     const given = { get: () => new Uint8Array(64).fill(9), keep: () => {} };
     const noPicture = (await played(flavour, openRoom(new Uint8Array([1])))).faults;
     assert.deepEqual(

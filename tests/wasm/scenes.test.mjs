@@ -87,9 +87,9 @@ for (const scene of shippedScenes) {
   }
 }
 
-test('a picture between two steps lies between them', async () => {
+test('a picture between two steps is in between', async () => {
   const session = new Session(await loadModule('simd'));
-  // Without objects: these are drawn where the step has put them.
+  // Without objects, which are drawn at their place of the last step.
   session.load(shippedScenes.find((path) => path.endsWith('first-steps.json')));
   const before = session.draw(64, 40);
   session.step([0, 0, 0, 0, 0, 20, 0, 0]);

@@ -69,7 +69,7 @@ for (const tour of shippedTours) {
   }
 }
 
-test('what is recorded can be read and played again', async () => {
+test('a recording can be read and replayed', async () => {
   const session = new Session(await loadModule('simd'));
   assert.equal(session.replay(), false);
   assert.equal(session.replayState(), null);

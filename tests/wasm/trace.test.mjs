@@ -10,7 +10,7 @@ import { flavours, loadModule, roomScene, Session, shippedScenes, textureBytes }
 const kWidth = 96;
 const kHeight = 60;
 
-test('in a room the numbers are those of a ruler', async () => {
+test('in a room the numbers are as measured on paper', async () => {
   const session = new Session(await loadModule('simd'));
   assert.deepEqual(
     session.loadText(roomScene(), 'room.json', () => textureBytes),

@@ -3,7 +3,15 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { cpSync, existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -61,14 +69,14 @@ test('links lead to files and to places in them', () => {
   }
 });
 
-test('ids are of one element each', () => {
+test('ids are unique', () => {
   for (const page of pages) {
     const ids = attributesOf(read(site, page), 'id');
     assert.deepEqual(ids.sort(), [...new Set(ids)].sort(), page);
   }
 });
 
-// As code hosts spell the ids of headings.
+// The ids of headings as code hosts spell them.
 const slugsOf = (markdown) =>
   [...markdown.matchAll(/^#+ (.*)$/gm)].map(([, title]) =>
     title
@@ -86,7 +94,7 @@ test('links in the Markdown lead somewhere in the repository, too', () => {
       if (isElsewhere(address)) continue;
       const [name, place] = address.split('#');
       count += 1;
-      // What the page is made of stands in its folder only when it is built.
+      // Files that the build makes are not in the repository.
       if (file.startsWith('web/docs/') && name.startsWith('../')) continue;
       const target = path.join(root, name === '' ? file : path.join(path.dirname(file), name));
       assert.ok(existsSync(target), `${file}: ${address}`);
@@ -97,7 +105,7 @@ test('links in the Markdown lead somewhere in the repository, too', () => {
   assert.ok(count > 40);
 });
 
-test('lines of Markdown fit a screen, tables and the first lines of blocks apart', () => {
+test('lines of Markdown have at most 100 characters, except tables and first lines of blocks', () => {
   const files = ['README.md', 'CONTRIBUTING.md'];
   files.push(...filesIn(sources, '.md').map((name) => `web/docs/${name}`));
   for (const file of files) {
@@ -155,7 +163,7 @@ test('the reference has every key of the schema, with what it takes and an examp
   }
 });
 
-test('every picture has its scene, and words for those who do not see it', () => {
+test('every picture has its scene, and a text alternative', () => {
   const html = read(site, 'docs/scenes.html');
   const names = [...html.matchAll(/<img src="scenes\/([\w-]+)\.png" alt="([^"]+)"/g)];
   assert.ok(names.length >= 20);
@@ -165,7 +173,7 @@ test('every picture has its scene, and words for those who do not see it', () =>
   }
 });
 
-test('a snippet that does not load ends the build', async (t) => {
+test('a snippet that does not load stops the build', async (t) => {
   const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-docs-'));
   t.after(() => rmSync(folder, { recursive: true }));
   cpSync(site, folder, { recursive: true });
@@ -179,6 +187,30 @@ test('a snippet that does not load ends the build', async (t) => {
   assert.throws(() => draw('broken', '"blueprints": {'), /picture broken/);
   const pictures = new Pictures(folder);
   assert.throws(() => pictures.add({ picture: 'silent' }, '', String), /silent has no alt/);
+});
+
+// Blocks without main() are the bodies of functions that have a game and an image.
+test('the C++ snippets compile', (t) => {
+  const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-docs-'));
+  t.after(() => rmSync(folder, { recursive: true }));
+  const snippets = ['README.md', 'web/docs/library.md'].flatMap((name) =>
+    [...read(root, name).matchAll(/^```cpp\n([\s\S]*?)^```/gm)].map(([, code]) => code),
+  );
+  assert.ok(snippets.length >= 5);
+  const compiler = process.env.CXX ?? 'c++';
+  const options = ['-std=c++20', '-fsyntax-only', '-I', path.join(root, 'src/include')];
+  const bodies = snippets.filter((code) => !code.includes('int main('));
+  const functions = bodies.map(
+    (code, index) =>
+      `void f${index}([[maybe_unused]] slicecast::Game& game,` +
+      ` [[maybe_unused]] slicecast::Image& image) {\n${code}}\n`,
+  );
+  const together = `#include <slicecast/slicecast.h>\n#include <utility>\n${functions.join('')}`;
+  for (const code of [...snippets.filter((one) => !bodies.includes(one)), together]) {
+    const file = path.join(folder, 'snippet.cpp');
+    writeFileSync(file, code);
+    execFileSync(compiler, [...options, file], { stdio: 'pipe' });
+  }
 });
 
 test('building it again gives the same bytes', (t) => {

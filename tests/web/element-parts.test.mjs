@@ -1,4 +1,4 @@
-// The parts of <ray-caster> that need no browser: rows of characters, what is seen in words, faults
+// The parts of <ray-caster> that need no browser: rows of characters, the view in words, faults
 // with codes, and what elements share.
 
 import assert from 'node:assert/strict';
@@ -25,7 +25,7 @@ const kEverything = `
   %%%+%BSRWPMH
 `;
 
-// A game of those rows, as the element would load it.
+// Plays these rows as the element would.
 async function play(text, options) {
   const session = new Session(await loadModule('simd'));
   const scene = sceneOfRows(text, options);
@@ -44,7 +44,7 @@ function faultsOf(text) {
   return null;
 }
 
-// What describeView asks of an engine.
+// The parts of an engine that describeView uses.
 function engineOf(session) {
   return {
     questions: session.questions,
@@ -54,7 +54,7 @@ function engineOf(session) {
   };
 }
 
-test('every character of the legend is a scene that the engine takes without a warning', async () => {
+test('the engine accepts every character of the legend without a warning', async () => {
   const { session, faults } = await play(kEverything, { title: 'All of it' });
   assert.deepEqual(faults, []);
   assert.deepEqual(session.warnings, []);
@@ -98,7 +98,7 @@ test('heights: a letter is one block, its other one two, a digit so many tenths'
   );
 });
 
-test('only what stands in the rows is fetched', () => {
+test('only pictures that the rows use are fetched', () => {
   const { textures, sprites } = sceneOfRows('#>#');
   assert.deepEqual(Object.keys(textures).sort(), [
     'flagstones',
@@ -108,12 +108,12 @@ test('only what stands in the rows is fetched', () => {
   assert.deepEqual(sprites, {});
 });
 
-test('a door turns its leaves to where one comes from', () => {
+test('a door faces the side that one comes from', () => {
   const { maps } = sceneOfRows('.>.\n#+#\n...\n.#.\n.+.\n.#.');
   assert.deepEqual(maps[0].levels[0].map((row) => row[1]).join(''), '.+.#‖#');
 });
 
-test('rows of several levels stand on each other, in text as in lists', async () => {
+test('levels of rows are stacked, in text and in lists', async () => {
   const text = `
     #####
     #>.s#
@@ -143,7 +143,7 @@ test('rows of several levels stand on each other, in text as in lists', async ()
   assert.deepEqual(sceneOfRows('.#\n---\n >').start, { x: 1.5, y: 0.5, z: 1, heading: 0 });
 });
 
-test('a legend of one’s own: colours, shipped textures, pictures, heights, floors, blueprints', () => {
+test('your own legend: colours, shipped textures, pictures, heights, floors, blueprints', () => {
   const scene = sceneOfRows(
     `
     #####
@@ -182,7 +182,7 @@ test('a legend of one’s own: colours, shipped textures, pictures, heights, flo
   assert.deepEqual(sceneOfRows('>x', { legend: { x: glass } }).blueprints, { 'block x': glass });
 });
 
-test('with colours no file is needed, but for doors and objects', async () => {
+test('with colours, only doors and objects need files', async () => {
   const session = new Session(await loadModule('simd'));
   const text = kEverything.replace(/[+tT*i]/g, '.');
   const scene = sceneOfRows(`${text}\n--- colours`);
@@ -195,7 +195,7 @@ test('with colours no file is needed, but for doors and objects', async () => {
   );
 });
 
-test('in the water of rows one wades', async () => {
+test('the water of rows can be waded in', async () => {
   const { session } = await play('>~~~~~', {});
   session.step([1, 0, 0, 0, 0, 0, 0, 0], 60);
   assert.ok(session.state().feet < -0.1, `feet at ${session.state().feet}`);
@@ -204,7 +204,7 @@ test('in the water of rows one wades', async () => {
   assert.equal(sceneOfRows('>~', { legend: { '~': 'sand floor' } }).maps[0].floor.water, undefined);
 });
 
-// As the shipped scenes do: tests/scenes/horizon_test.cpp.
+// The same as for shipped scenes in tests/scenes/horizon_test.cpp.
 test('the ground of rows meets the sky without an edge and without a band of haze', async () => {
   const width = 480;
   const height = 300;
@@ -226,7 +226,7 @@ test('the ground of rows meets the sky without an edge and without a band of haz
   }
 });
 
-test('rows say what their legend gets wrong', () => {
+test('faults of a legend are reported', () => {
   const faults = (text, options) => {
     try {
       sceneOfRows(text, options);
@@ -254,7 +254,7 @@ test('rows say what their legend gets wrong', () => {
   assert.match(faults('>x', { legend: { x: 7 } })[0], /found the meaning of "x", 7/);
 });
 
-test('rows with faults: all of them, each with its row and column', () => {
+test('all faults of rows are listed with row and column', () => {
   const { code, faults } = faultsOf('\n  ##?#\n  #>.Z\n  #^\t#\n');
   assert.equal(code, 'scene');
   assert.deepEqual(
@@ -275,7 +275,7 @@ test('rows without a start, and no rows at all', () => {
   assert.equal(faultsOf(' \n\n').faults[0].found, 'no rows');
 });
 
-test('what is seen, in words', async () => {
+test('the view in words', async () => {
   const { session } = await play('#######\n#>...b#\n#######', { title: 'A corridor' });
   assert.equal(
     describeView(engineOf(session), 320, 200),
@@ -288,7 +288,7 @@ test('what is seen, in words', async () => {
   );
 });
 
-test('in words: objects, what hides behind a step, nothing, and portals', async () => {
+test('the view in words: objects, things behind a step, nothing, and portals', async () => {
   const { session } = await play('>.2.t...B', {});
   assert.match(
     describeView(engineOf(session), 320, 200),
@@ -306,7 +306,7 @@ test('in words: objects, what hides behind a step, nothing, and portals', async 
   assert.equal(describeView(engineOf(new Session(await loadModule('simd'))), 320, 200), '');
 });
 
-test('where there is no document the element can be imported, and does nothing', async () => {
+test('without a document the element can be imported, and does nothing', async () => {
   assert.equal(globalThis.document, undefined);
   const { RayCaster, apiVersion, errorCodes: exported } = await import('../../web/ray-caster.js');
   assert.equal(typeof RayCaster, 'function');
@@ -338,7 +338,7 @@ test('every code says what it means and what to do', () => {
   }
 });
 
-test('whatever is thrown has a code', (t) => {
+test('every error gets a code', (t) => {
   t.mock.method(console, 'error', () => {});
   const cases = [
     [new TypeError('x is not a function'), 'engine', /x is not a function/],
@@ -355,7 +355,7 @@ test('whatever is thrown has a code', (t) => {
       /Access-Control-Allow-Origin/,
     ],
     [Object.assign(new Error('strange'), { code: 'toString' }), 'engine', /strange/],
-    [sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }]), 'scene', /Mend/],
+    [sceneFault('a.json', [{ file: 'a.json', line: 3, column: 4 }]), 'scene', /Fix each place/],
   ];
   for (const [thrown, code, message] of cases) {
     const told = explain(thrown);
@@ -389,7 +389,7 @@ before(async () => {
 
 after(() => server.close());
 
-test('a file is asked for once while anybody holds the cache, and anew afterwards', async () => {
+test('a file is fetched once while anybody holds the cache, and again afterwards', async () => {
   const release = holdCache();
   const heard = [];
   const [one, other] = await Promise.all([
@@ -409,7 +409,7 @@ test('a file is asked for once while anybody holds the cache, and anew afterward
   another();
 });
 
-test('without a holder nothing is kept; a failure is forgotten', async () => {
+test('without a holder nothing is cached, and failures never are', async () => {
   asked.length = 0;
   await fetchOnce(`${address}/slow`);
   await fetchOnce(`${address}/slow`);
@@ -432,7 +432,7 @@ test('a fetch that fails says why', async () => {
   });
 });
 
-test('a view is read again as it was written, also in a map with commas in its name', () => {
+test("a view is read as it was written, even with commas in the map's name", () => {
   for (const map of ['room', 'Hall, upper floor', 'a,b,c']) {
     const view = { x: 1, y: 2.5, z: 0.6, heading: 90, look: -0.25, map };
     assert.deepEqual(parseView(formatView(view)), view);

@@ -1,4 +1,4 @@
-// The slow flight behind the opening: smooth, closed, at an even pace, and never a jump.
+// The flight of the opening is smooth and closed, at an even pace, without jumps.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -36,7 +36,7 @@ for (const { file, flight } of flown) {
   });
 }
 
-test('a flight goes through its points, and turns the short way', () => {
+test('a flight passes through its points, and turns the short way', () => {
   const points = [
     [0, 0, 1, 350, 0],
     [10, 0, 1, 10, 0],

@@ -1,5 +1,5 @@
-// Who may import whom in web: node and element stand on engine, play on both, nobody on play, and
-// what Node imports knows of no document.
+// Which folder of web may import which: node and element import engine, play imports both, and
+// modules that Node imports need no document.
 
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
@@ -37,7 +37,7 @@ for (const [folder, allowed] of Object.entries(kMayImport)) {
   });
 }
 
-test('what Node imports knows of no document', () => {
+test('modules that Node imports need no document', () => {
   const known = new Set(['node/index.js']);
   for (const file of known) for (const to of importsOf(file)) known.add(to);
   assert.ok(known.has('engine/engine-module.js'), 'the imports are followed');

@@ -1,5 +1,5 @@
-// Where the element looks for the shipped scenes and the engine: web/engine/home.js in pages of every
-// kind.
+// Where the element looks for the shipped scenes and the engine: web/engine/home.js in pages of
+// every kind.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -42,11 +42,11 @@ for (const [what, script, page, expected] of [
     'capacitor://localhost/assets/',
   ],
 ]) {
-  test(`home where ${what}`, () =>
+  test(`the folder of shipped files: ${what}`, () =>
     assert.equal(reachable(() => new URL('./', script), './', page, page).href, expected));
 }
 
-test('an engine in an address of its own is taken as it is', () => {
+test('an engine with its own address is used as it is', () => {
   assert.equal(
     reachable(() => new URL('data:application/wasm;base64,AGFzbQ=='), 'engine/x.wasm', kPage, kPage)
       .protocol,
@@ -69,7 +69,7 @@ async function homeIn(page, content) {
   }
 }
 
-test('home is where the page says', async () => {
+test('the page can name the folder of shipped files', async () => {
   assert.equal(await homeIn(kPage, '/art/'), 'https://example.org/art/');
   assert.equal(await homeIn(kPage, 'art'), 'https://example.org/app/art/');
   assert.equal(await homeIn(kPage, 'https://cdn.example/art'), 'https://cdn.example/art/');

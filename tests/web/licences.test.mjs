@@ -1,4 +1,4 @@
-// The licences of the libraries that are in the engine: they ask to be passed on with it.
+// The licences of the libraries in the engine, which must accompany it.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -21,7 +21,7 @@ test("the page holds its own licence and those of the engine's libraries", () =>
     assert.match(readFileSync(join(page, name), 'utf8'), expected, name);
 });
 
-test('the package does, too', () => {
+test('so does the package', () => {
   const told = execFileSync(
     'npm',
     ['pack', '--dry-run', '--json', '--ignore-scripts', '--offline'],

@@ -1,5 +1,5 @@
-// What a stranger's files and rows can cost: downloads stop at the engine's limits while they come,
-// and rows take a time that grows as they do.
+// What a stranger's files and rows can cost: downloads stop at the engine's limits,
+// and rows take linear time.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -14,7 +14,7 @@ import { root } from '../wasm/load.mjs';
 
 const kPiece = new Uint8Array(1 << 20);
 
-// Sends pieces for ever, or says at once how much will come; `sent` counts what has gone out.
+// Sends pieces for ever, or announces a length; `sent` counts the bytes sent.
 async function serveWithoutEnd(t, { length = null, first = null } = {}) {
   const server = createServer(async (request, response) => {
     let isOpen = true;
@@ -54,14 +54,14 @@ test('the limits are those of the engine', () => {
   assert.equal(kMostFileBytes, constant('session/recording_text.h', 'kMaxRecordingBytes'));
 });
 
-test('a download stops where it has more than is read', async (t) => {
+test('a download stops at the limit', async (t) => {
   const host = await serveWithoutEnd(t);
   const heard = [];
   await assert.rejects(
     fetchBytes(host.address, (loaded) => heard.push(loaded), 4 << 20),
     ({ code, message }) => {
       assert.equal(code, 'fetch');
-      assert.match(message, /^it has [4-9]\d{6} bytes or more, at most 4194304 are read$/);
+      assert.match(message, /^it has [4-9]\d{6} bytes or more, the limit is 4194304$/);
       return true;
     },
   );
@@ -69,19 +69,19 @@ test('a download stops where it has more than is read', async (t) => {
   await host.closed;
 });
 
-test('a download that says that it has more is not begun', async (t) => {
+test('a download that announces too many bytes is not started', async (t) => {
   const host = await serveWithoutEnd(t, { length: 2 ** 40 });
   await assert.rejects(fetchBytes(host.address), {
-    message: `it has ${2 ** 40} bytes or more, at most ${kMostFileBytes} are read`,
+    message: `it has ${2 ** 40} bytes or more, the limit is ${kMostFileBytes}`,
   });
   await host.closed;
 });
 
-test('under Node, too: texts, pictures, and files', { timeout: 60000 }, async (t) => {
+test('the same limits under Node: texts, pictures, and files', { timeout: 60000 }, async (t) => {
   const endless = await serveWithoutEnd(t);
   await assert.rejects(
     load(endless.address),
-    new RegExp(`scene\\.json: it has \\d+ bytes or more, at most ${kMostSceneBytes} are read`),
+    new RegExp(`scene\\.json: it has \\d+ bytes or more, the limit is ${kMostSceneBytes}`),
   );
   await endless.closed;
 
@@ -94,18 +94,18 @@ test('under Node, too: texts, pictures, and files', { timeout: 60000 }, async (t
   const pictures = await serveWithoutEnd(t, { first: JSON.stringify(scene) });
   await assert.rejects(
     load(pictures.address),
-    new RegExp(`it has \\d+ bytes or more, at most ${kMostFileBytes} are read`),
+    new RegExp(`it has \\d+ bytes or more, the limit is ${kMostFileBytes}`),
   );
   await pictures.closed;
 
   if (process.platform === 'linux')
     await assert.rejects(
       load(new URL('file:///dev/zero')),
-      new RegExp(`it has \\d+ bytes or more, at most ${kMostSceneBytes} are read`),
+      new RegExp(`it has \\d+ bytes or more, the limit is ${kMostSceneBytes}`),
     );
 });
 
-// Texts that each take long where something is done once for each pair of characters.
+// Texts that would take long if anything were done for each pair of characters.
 const kSlow = {
   'one long row and many short ones': (n) => `>${'#'.repeat(n)}${'\n.'.repeat(n / 2)}`,
   'many levels': (n) => `>${'\n.'.repeat(n / 4)}${'\n---\n#'.repeat(n / 8)}`,
@@ -134,7 +134,7 @@ const secondsFor = (act) => {
 };
 
 for (const [what, textOf] of Object.entries(kSlow)) {
-  test(`rows do not keep a page waiting: ${what}`, () => {
+  test(`rows take linear time: ${what}`, () => {
     for (const n of [26_000, 1_000_000]) {
       const { seconds, fault } = secondsFor(() => sceneOfRows(textOf(n)));
       assert.ok(seconds < 10, `${n} characters take ${seconds.toFixed(1)} s`);
@@ -144,7 +144,7 @@ for (const [what, textOf] of Object.entries(kSlow)) {
   });
 }
 
-test('rows that cover too many tiles say how many, and the limit', () => {
+test('the error for too many tiles names their number and the limit', () => {
   const expected =
     /^rows: found 13001 x 6501 tiles, expected at most 1048576 on all levels together$/;
   const text = kSlow['one long row and many short ones'](13_000);

@@ -1,4 +1,4 @@
-// The controller of the picture's scale, on screens and machines that are only numbers here.
+// The controller of the picture's scale, with simulated screens and machines.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -37,7 +37,7 @@ const lateShare = (frames, screen = k60) =>
   frames.filter(({ interval }) => interval > 1.5 * screen).length / frames.length;
 const perPixel = (full) => (scale) => full * scale ** 2;
 
-test('a machine that is quick enough keeps all pixels', () => {
+test('a quick machine keeps all pixels', () => {
   const frames = run(new Pace(), 30, { milliseconds: perPixel(12) });
   assert.deepEqual(changes(frames), []);
   assert.equal(frames.at(-1).scale, 1);
@@ -53,12 +53,12 @@ for (const full of [20, 30, 60, 120])
     assert.ok(share > 0.55 && share < 0.95, `drawing takes ${share} of the interval`);
   });
 
-test('a machine that is far too slow goes down to the least scale, and no further', () => {
+test('a much too slow machine gets the smallest scale', () => {
   const frames = run(new Pace(), 40, { milliseconds: perPixel(900) });
   assert.equal(frames.at(-1).scale, kLeastScale);
 });
 
-test('each change is a small one', () => {
+test('each change is small', () => {
   const frames = run(new Pace(), 10, { milliseconds: perPixel(120) });
   for (const { scale, time } of changes(frames)) {
     const before = frames.findLast((one) => one.time < time).scale;
@@ -66,7 +66,7 @@ test('each change is a small one', () => {
   }
 });
 
-test('once it has settled it does not hunt', () => {
+test('once settled, the scale does not oscillate', () => {
   for (let full = 14; full < 100; full += 1.7) {
     for (const seed of [1, 77, 4242]) {
       const frames = run(new Pace(), 120, { milliseconds: perPixel(full), seed });
@@ -76,7 +76,7 @@ test('once it has settled it does not hunt', () => {
   }
 });
 
-test('it comes back when there is room again', () => {
+test('the picture grows again when there is time', () => {
   const pace = new Pace();
   const frames = run(pace, 40, {
     milliseconds: (scale, time) => (time < 10000 ? 40 : 10) * scale ** 2,
@@ -89,24 +89,24 @@ test('it comes back when there is room again', () => {
 });
 
 for (const hertz of [75, 120, 144, 240])
-  test(`a screen of ${hertz} Hz is kept up with`, () => {
+  test(`it keeps up with a screen of ${hertz} Hz`, () => {
     const screen = 1000 / hertz;
     const pace = new Pace();
-    // A quick beginning tells what the screen can do.
+    // A quick start shows the screen's rate.
     run(pace, 2, { screen, milliseconds: perPixel(0.5 * screen) });
     const frames = run(pace, 20, { screen, milliseconds: perPixel(2 * screen), begin: 2000 });
     assert.ok(lateShare(after(frames, 3), screen) < 0.02);
     assert.ok(frames.at(-1).scale > 0.5);
   });
 
-test('where something else keeps the page busy, the picture gets its pixels back', () => {
+test('if something else keeps the page busy, the picture gets its pixels back', () => {
   const frames = run(new Pace(), 60, { milliseconds: perPixel(4), beside: () => 20 });
   assert.equal(frames.at(-1).scale, 1);
   const fewer = frames.filter(({ scale }) => scale < 1).length / frames.length;
   assert.ok(fewer < 0.25, `${fewer} of the frames had fewer pixels`);
 });
 
-test('where showing the picture is what takes long, it has fewer pixels', () => {
+test('if showing the picture takes long, it gets fewer pixels', () => {
   const pace = new Pace();
   const frames = run(pace, 30, {
     milliseconds: perPixel(4),
@@ -116,7 +116,7 @@ test('where showing the picture is what takes long, it has fewer pixels', () => 
   assert.ok(lateShare(after(frames, 20)) < 0.1);
 });
 
-test('a rest is no late frame', () => {
+test('a rest does not count as a late frame', () => {
   const pace = new Pace();
   run(pace, 2, { milliseconds: perPixel(5) });
   for (let i = 1; i < 20; ++i) {
@@ -144,7 +144,7 @@ test('the size auto follows the box and the scale, and is never more than 4096 a
   assert.equal(sizeOf('auto', 200, 100, 0.25), '200x100');
 });
 
-test('pixels are even where a whole number of them fits, and filtered elsewhere', () => {
+test('pixels are shown at whole scales if these fit, and filtered otherwise', () => {
   const shown = (...wanted) => layOut(...wanted);
   assert.equal(shown('auto', 1367, 767).isEven, true);
   assert.deepEqual(shown('50%', 1367, 767), {

@@ -1,4 +1,4 @@
-// What a page loads until an element in it shows its first picture: the program and the element's
+// What a page loads before the first picture of an element: the program and the element's
 // script, as a server sends them.
 
 import assert from 'node:assert/strict';

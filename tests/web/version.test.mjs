@@ -1,4 +1,4 @@
-// One version: CMakeLists.txt has it, and all that is built tells the same.
+// The version is defined in CMakeLists.txt, and everything that is built has the same.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -11,7 +11,7 @@ import { loadModule, root } from '../wasm/load.mjs';
 const read = (name) => readFileSync(join(root, name), 'utf8');
 const version = /project\(Slicecast VERSION (\d+\.\d+\.\d+) /.exec(read('CMakeLists.txt'))[1];
 
-test('the package has the version of the project, which stands in no other source', () => {
+test('the package has the version of the project, which no other source repeats', () => {
   assert.equal(JSON.parse(read('build/web/package.json')).version, version);
   for (const name of ['web', 'tools', 'tests', 'tests/hosts'])
     assert.equal(JSON.parse(read(`${name}/package.json`)).version, undefined, name);

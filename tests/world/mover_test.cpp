@@ -252,7 +252,7 @@ TEST(Movers, AreRefusedIfTheyCannotMove) {
     never.maps[0].setCell(2, 3, 0, addMoving(never, {}, 0.5_u, hidden));
     EXPECT_EQ(faultOf(never.copy()),
               "the moving block \"moving 0\" whose top never gets above its bottom at 2 3 0: a "
-              "motion that shows the block at some time");
+              "motion during which the block is visible");
 }
 
 TEST(Movers, AreLimitedByTheirBlueprints) {

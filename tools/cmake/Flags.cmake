@@ -1,5 +1,5 @@
-# Compiler flags of every target: the target `slicecast_flags`. Who builds the library alone brings
-# flags and a build type of their own; only what the pictures depend on is added.
+# Compiler flags of every target: the target `slicecast_flags`. If only the library is built, flags
+# and build type are the user's; only flags that affect the pictures are added.
 set(optimise -O2)
 set(warnings -Wall -Wextra -Wpedantic -Wshadow -Werror)
 if(SLICECAST_LIBRARY_ONLY)
@@ -68,14 +68,14 @@ if(EMSCRIPTEN)
   endif()
 endif()
 
-# What the product's own sources keep to besides: no number loses bits silently. Tests compare and
-# index all day long and are spared it.
+# Additional warnings for the product's sources: no number loses bits silently. Not for tests, which
+# compare and index a lot.
 add_library(slicecast_strict INTERFACE)
 if(NOT SLICECAST_LIBRARY_ONLY)
   target_compile_options(slicecast_strict INTERFACE -Wconversion -Wno-sign-conversion)
 endif()
 
-# For parts that run once: the page loads sooner when they are small.
+# For parts that run once: smaller code lets the page load sooner.
 add_library(slicecast_small INTERFACE)
 if(EMSCRIPTEN)
   target_compile_options(slicecast_small INTERFACE -Oz)

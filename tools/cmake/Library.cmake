@@ -14,7 +14,7 @@ target_include_directories(slicecast_library BEFORE
 target_link_libraries(slicecast_library PRIVATE $<BUILD_INTERFACE:slicecast_flags> $<BUILD_INTERFACE:slicecast_strict>)
 set_target_properties(slicecast_library PROPERTIES OUTPUT_NAME slicecast EXPORT_NAME slicecast)
 
-# find_package(slicecast). A guest leaves its host's installation alone.
+# For find_package(slicecast). Inside another project nothing is installed by default.
 option(SLICECAST_INSTALL "Install the library" ${PROJECT_IS_TOP_LEVEL})
 if(NOT SLICECAST_INSTALL)
   return()
@@ -31,7 +31,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT slicecast
   DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/slicecast)
 install(EXPORT slicecast COMPONENT slicecast
   NAMESPACE slicecast:: FILE slicecastConfig.cmake DESTINATION ${package})
-# Before 1.0 every second number may change what is declared.
+# Before 1.0 a new minor version may change declarations.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/slicecastConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/slicecastConfigVersion.cmake COMPONENT slicecast

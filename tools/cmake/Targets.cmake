@@ -33,8 +33,8 @@ function(slicecastProgram name)
   endif()
 endfunction()
 
-# GoogleTest's header, compiled once for all tests of a build: to read it takes half of the time that
-# a test takes to compile.
+# GoogleTest's header, precompiled for all tests of a build: parsing it takes half of a test's
+# compile time.
 function(slicecastTestHeader)
   find_package(GTest REQUIRED)
   set(nothing ${PROJECT_BINARY_DIR}/test_header.cpp)
@@ -48,8 +48,8 @@ function(slicecastTestHeader)
   endif()
 endfunction()
 
-# slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. A long one
-# in several shards keeps several cores busy.
+# slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. Shards let
+# a long one run on several cores.
 function(slicecastTest name)
   cmake_parse_arguments(test "" "SHARDS" "SOURCES;WITH" ${ARGN})
   find_package(GTest REQUIRED)
@@ -78,6 +78,6 @@ function(slicecastTest name)
   endforeach()
 endfunction()
 
-# The stack of a WebAssembly program in bytes: Emscripten's own default has changed from 5 MB to 64
-# KB over the years. This is the older of its two names, which all versions know.
+# The stack of a WebAssembly program in bytes, because Emscripten's default changed from 5 MB to 64
+# KB. This is the older name of the setting, which all versions accept.
 set(slicecastStack -sTOTAL_STACK=1048576)

@@ -1,9 +1,9 @@
-# What comes from elsewhere, each as one target: slicecast_stb, slicecast_rapidjson,
-# slicecast_cli11, slicecast_sdl2. None is copied into the project.
+# Third-party libraries, one target each: slicecast_stb, slicecast_rapidjson, slicecast_cli11,
+# slicecast_sdl2. None is copied into the project.
 
-# systemHeaders(TARGET FOLDER HEADER): a header-only library that the system keeps in FOLDER of its
-# include path. Emscripten does not search the system's include path and must never see the whole of
-# it: it gets a folder with a link to this one library.
+# systemHeaders(TARGET FOLDER HEADER): a header-only library in FOLDER of the system's include path.
+# Emscripten must not use the system's include path, so it gets a folder with a link to this one
+# library.
 function(systemHeaders target folder header)
   find_path(SLICECAST_INCLUDE_${folder} ${folder}/${header} NO_CMAKE_FIND_ROOT_PATH
     PATHS /usr/include /usr/local/include /opt/homebrew/include /opt/local/include)
@@ -26,8 +26,8 @@ if(NOT EMSCRIPTEN AND NOT SLICECAST_LIBRARY_ONLY)
   systemHeaders(slicecast_cli11 CLI CLI.hpp)
 endif()
 
-# SDL2: of the system; with Debian's Emscripten the one that tools/setup has built; with a current
-# SDK its own port.
+# SDL2: the system's; with Debian's Emscripten the one that tools/setup builds; with a current SDK
+# Emscripten's own port.
 set(SLICECAST_SDL2_WASM "$ENV{SLICECAST_SDL2_WASM}" CACHE PATH "SDL2 built for WebAssembly; empty for Emscripten's port")
 if(NOT SLICECAST_HASHES_ONLY AND NOT SLICECAST_LIBRARY_ONLY)
   add_library(slicecast_sdl2 INTERFACE)

@@ -1,4 +1,4 @@
-# Finds the Emscripten on PATH and hands over to its own toolchain file.
+# Finds the Emscripten on PATH and includes its toolchain file.
 find_program(SLICECAST_EMCC emcc REQUIRED)
 get_filename_component(SLICECAST_EMSCRIPTEN_ROOT "${SLICECAST_EMCC}" REALPATH)
 get_filename_component(SLICECAST_EMSCRIPTEN_ROOT "${SLICECAST_EMSCRIPTEN_ROOT}" DIRECTORY)

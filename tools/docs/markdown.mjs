@@ -1,10 +1,10 @@
-// Markdown as the documentation writes it: CommonMark with tables and HTML, and these.
+// The documentation's Markdown: CommonMark with tables and HTML, and these additions.
 //
-// - Headings have an id, spelled as code hosts spell it, so that links work there and here.
-// - A link to another page names its source, `scenes.md#gates`; in the built page it ends in .html.
-// - A fence ```json picture=NAME alt="..."``` is laid over a scene, which is drawn beside it: see
+// - Headings get ids as on code hosts, so that links work in both places.
+// - A link to another page names its source, `scenes.md#gates`; the built page has .html instead.
+// - A fence ```json picture=NAME alt="..."``` is drawn as a scene, beside the code: see
 //   pictures.mjs.
-// - The comment <!-- scene-reference --> on a line of its own is the table of every key of scenes.
+// - The comment <!-- scene-reference --> on a line of its own becomes the table of all scene keys.
 
 import anchor from 'markdown-it-anchor';
 import { createRequire } from 'node:module';
@@ -30,7 +30,7 @@ export function markdown(pictures) {
 
   rules.fence = (tokens, index) => {
     const { content, info } = tokens[index];
-    // A block without a language is a drawing, which nobody copies.
+    // A block without a language is a drawing and gets no copy button.
     const kind = info === '' ? 'snippet drawing' : 'snippet';
     const snippet = `<div class="${kind}"><pre tabindex="0"><code>${escapeHtml(content)}</code></pre></div>\n`;
     const settings = settingsOf(info);
@@ -76,7 +76,7 @@ function slugOf(title) {
     .replaceAll(/\s/g, '-');
 }
 
-// The settings after a fence's language: `name=word`, `name="some words"` or a name alone.
+// Reads the settings after a fence's language: `name=word`, `name="some words"` or a name alone.
 function settingsOf(info) {
   return Object.fromEntries(
     [...info.matchAll(/([\w-]+)(?:=(?:"([^"]*)"|(\S+)))?/g)]

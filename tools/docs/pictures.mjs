@@ -1,17 +1,17 @@
-// The pictures of the documentation. A fence ```json picture=glass alt="A pane"``` holds a part of a
-// scene. Laid over web/docs/scenes/glass.json, where that is, and over base.json there, it is a
-// whole scene. The engine draws it from its start when the pages are built, and the reader can open
-// it. So no snippet is shown that does not load.
+// The pictures of the documentation. A fence ```json picture=glass alt="A pane"``` holds a part of
+// a scene. Merged over web/docs/scenes/base.json and, if it exists, glass.json there, it is a whole
+// scene. The engine draws it from its start when the pages are built, and readers can open it. So
+// every snippet is known to load.
 //
-// A snippet with braces around it is a whole scene of its own.
+// A snippet in braces is a whole scene by itself.
 //
 //     picture=NAME      docs/scenes/NAME.json and NAME.png in the built page
-//     alt="..."         what the picture shows, for those who do not see it
+//     alt="..."         what the picture shows, for readers who cannot see it
 //     in=map            the snippet belongs into the scene's first map
-//     view=x,y,...      from where it is seen, as in the element's attribute; kView without it, for a
-//                       whole scene its start
-//     seconds=2.5       the time in the world at which the picture is drawn
-//     live              an element that can be played, not a picture
+//     view=x,y,...      the view, as in the element's attribute; the default is kView, or the start
+//                       of a whole scene
+//     seconds=2.5       the time in the world at which to draw the picture
+//     live              a playable element instead of a picture
 
 import { encode } from 'fast-png';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -30,9 +30,9 @@ export class Pictures {
     this.#folder = folder;
   }
 
-  // Takes a snippet up, and gives the HTML that shows its picture.
+  // Registers a snippet, and returns the HTML of its picture.
   add(
-    { picture: name, alt, in: place, view: given, seconds = 0, live = false },
+    { picture: name, alt, in: place, view: ownView, seconds = 0, live = false },
     snippet,
     escapeHtml,
   ) {
@@ -43,7 +43,7 @@ export class Pictures {
     const under = isWhole ? [] : [partOf('base'), partOf(name)];
     const layers = [...under, place === 'map' ? { maps: [part] } : part];
     const scene = layers.reduce((lower, upper) => laidOver(lower, upper));
-    const view = given ?? (isWhole ? null : kView);
+    const view = ownView ?? (isWhole ? null : kView);
     this.#all.set(name, { scene: movedDown(scene), view, seconds: Number(seconds) });
     const from = view === null ? '' : ` view="${view}"`;
     const fromHere = view === null ? '' : `&amp;view=${view}`;
@@ -80,7 +80,7 @@ function partOf(name) {
   return existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {};
 }
 
-// A snippet shows keys without the braces around them.
+// Snippets omit the outer braces.
 function parsePart(snippet, name) {
   try {
     const text = snippet.trim();
@@ -90,8 +90,8 @@ function parsePart(snippet, name) {
   }
 }
 
-// Objects are laid over one another key by key, maps one by one; everything else is
-// replaced, a sky too: it is of one kind or the other.
+// Merges objects key by key, and maps one by one. Everything else is replaced; so is a sky, because
+// it has one form or another.
 function laidOver(under, over, key) {
   const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
   if (key === 'maps' && Array.isArray(under) && Array.isArray(over))
@@ -113,7 +113,7 @@ function laidOver(under, over, key) {
   );
 }
 
-// Snippets name pictures as a scene in assets/scenes does; theirs lies one folder further down.
+// Snippets name pictures as scenes in assets/scenes do, but are one folder further down.
 function movedDown(scene) {
   return JSON.parse(JSON.stringify(scene).replaceAll('"../', '"../../'));
 }

@@ -1,5 +1,5 @@
-// The reference of scenes, made from their JSON Schema: a table for each kind of object, a row for
-// each of its keys. The examples are values that the shipped scenes have.
+// Makes the reference of scenes from their JSON Schema: a table for each kind of object, with a row
+// for each key. The examples come from the shipped scenes.
 
 import { readFileSync, readdirSync } from 'node:fs';
 
@@ -9,7 +9,7 @@ import { objectKinds } from './schema-kinds.mjs';
 const kSchema = 'assets/scene.schema.json';
 const kScenes = 'assets/scenes';
 const kAlsoExamples = 'tests/scene/everything.json'; // has every key
-// Where the guide explains a kind, with a picture.
+// The guide's sections that explain a kind.
 const kGuide = {
   scene: 'scenes.md#a-first-scene',
   texture: 'scenes.md#textures-that-move',
@@ -44,9 +44,9 @@ export function sceneReference() {
 }
 
 function section({ id, title, description, keys }, kinds, examples) {
-  // Every object may have a comment; one row is enough.
-  const told = keys.filter(({ name }) => name !== 'comment' || id === 'scene');
-  const rows = told.map((key) => row(id, key, kinds, examples.get(`${id}.${key.name}`)));
+  // Every object may have a comment; one row for all is enough.
+  const listed = keys.filter(({ name }) => name !== 'comment' || id === 'scene');
+  const rows = listed.map((key) => row(id, key, kinds, examples.get(`${id}.${key.name}`)));
   const guide = kGuide[id]?.replace('.md', '.html');
   const heads = ['Key', 'Takes', 'Default', 'Example', 'What it does'];
   return `<h2 id="${id}">${text(title)}</h2>
@@ -76,7 +76,7 @@ function row(id, { name, node, required, description, standard }, kinds, example
   return `<tr id="${id}-${name.replace('$', '')}"><th scope="row">${code(name)}</th>${cells.map(([label, html]) => `<td data-label="${label}">${html}</td>`).join('')}</tr>`;
 }
 
-// ---- What a key takes, in words
+// ---- Types in words
 
 function takes(node, kinds) {
   const kind = kinds.find(({ nodes }) => nodes.includes(node));
@@ -133,7 +133,7 @@ function code(plain) {
   return `<code>${text(plain)}</code>`;
 }
 
-// Quoted words in a description are keys and values.
+// Marks up quoted words of a description as code: they are keys and values.
 function marked(plain) {
   return text(plain).replaceAll(/"([^"]+)"/g, (_, word) => code(word));
 }

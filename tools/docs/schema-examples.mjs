@@ -1,11 +1,11 @@
-// A value for each key of the scenes' JSON Schema, from scenes that use it.
+// Finds an example value for each key of the scenes' JSON Schema, from scenes that use it.
 //
 //     keyExamples(schema, scenes, others)       // Map: 'gate.seconds' -> '1.2'
 //
-// `others` serve for keys that no scene has. A value that is not the key's default, and short, is the
-// better example.
+// `others` provides keys that no scene has. Short values that differ from the default are
+// preferred.
 
-const kLongest = 44; // characters; of what is longer the shortest is cut
+const kLongest = 44; // characters; if all values are longer, the shortest is cut
 
 export function keyExamples(schema, scenes, others) {
   let found; // 'kind.key' -> [{text, isDefault}]
@@ -17,8 +17,8 @@ export function keyExamples(schema, scenes, others) {
     return follow(schema.definitions[name], name);
   };
 
-  function visit(given, givenId, value) {
-    const [raw, id] = follow(given, givenId);
+  function visit(node, nodeId, value) {
+    const [raw, id] = follow(node, nodeId);
     if (Array.isArray(value)) {
       const list = [raw, ...(raw.anyOf ?? [])].find(({ items }) => items);
       if (list) for (const each of value) visit(list.items, id, each);
@@ -61,8 +61,8 @@ function withoutComments(value) {
 }
 
 function best(all) {
-  const told = all.filter(({ isDefault }) => !isDefault);
-  const texts = (told.length > 0 ? told : all).map(({ text }) => text);
+  const unusual = all.filter(({ isDefault }) => !isDefault);
+  const texts = (unusual.length > 0 ? unusual : all).map(({ text }) => text);
   const short = texts.find((text) => text.length <= kLongest && text.length > 2);
   const shortest =
     short ?? texts.reduce((left, right) => (right.length < left.length ? right : left));

@@ -1,11 +1,11 @@
-// The scenes' JSON Schema as kinds of objects with keys, in the order in which a scene leads to
-// them.
+// Lists the kinds of objects in the scenes' JSON Schema with their keys, in the order in which a
+// scene refers to them.
 //
 //     objectKinds(schema)       // [{id, title, description, nodes, keys}]
 //     keys                      // [{name, node, required, description, standard}]
 //
-// A node is the schema's own with its references followed: {type, enum, minimum, ..., items, values,
-// variants, said}. Equal places of the schema are one node.
+// A node is a part of the schema with references resolved: {type, enum, minimum, ..., items,
+// values, variants, said}. The same part of the schema is always the same node.
 
 const kSaid = {
   colour: 'a colour, <code>#rrggbb</code>',
@@ -15,7 +15,7 @@ const kSaid = {
   legend: 'a name for each character',
   groundName: '<code>floor</code> or the name of a blueprint',
 };
-// Where the schema has a title that says too little without its place.
+// Better titles than the schema's, which need their context.
 const kTitles = {
   scene: 'Scene',
   texture: 'Sheet of frames',
@@ -51,7 +51,7 @@ export function objectKinds(schema) {
     return node;
   }
 
-  // Variants of one thing, as a sky of two colours and a panorama, are one kind.
+  // Variants of one thing, such as a sky of two colours and a panorama, are one kind.
   function addKeys(node, raw, id) {
     let kind = kinds.find((each) => each.id === id);
     if (kind === undefined) {
@@ -93,7 +93,7 @@ function titleOf(schema, id) {
   return describedAt(schema, id).title;
 }
 
-// An object that is typed within another one is described by its key there.
+// An object defined inside another one is described by its key there.
 function describedAt(schema, id) {
   for (const { properties } of [schema, ...Object.values(schema.definitions)]) {
     const found = properties?.[id];

@@ -1,6 +1,5 @@
-// How Eleventy builds the documentation: Markdown without a template language in it, one layout
-// (page.njk), addresses that end in .html, and links that are relative, so that the folder works
-// wherever it is put.
+// Eleventy's configuration for the documentation: Markdown without a template language, one layout
+// (page.njk), addresses that end in .html, and relative links, so that the folder works anywhere.
 
 import { readFileSync } from 'node:fs';
 
@@ -9,7 +8,7 @@ import { Pictures } from './pictures.mjs';
 
 const kVersion = /project\(Slicecast VERSION ([0-9.]+)/;
 
-// `folder` is the built page whose engine draws the pictures.
+// `folder` is the built page; its engine draws the pictures.
 export function configure(config, folder) {
   const pictures = new Pictures(folder);
 
@@ -40,7 +39,7 @@ export function configure(config, folder) {
     return [...groups].map(([title, members]) => ({ title, pages: members }));
   });
 
-  // The second-order headings of a page: [{id, title}].
+  // The h2 headings of a page: [{id, title}].
   config.addFilter('sections', (html) =>
     [...html.matchAll(/<h2 id="([^"]+)"[^>]*>([\s\S]*?)<\/h2>/g)].map(([, id, title]) => ({
       id,

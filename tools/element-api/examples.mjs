@@ -1,5 +1,4 @@
-// The snippets of the documentation. Those under `live` stand in the page twice: to be read, and at
-// work.
+// The snippets of the element's page. Those in `live` appear twice: as text, and running.
 
 export const opening = `<ray-caster scene="castle" tour="tours/castle.txt" controls
             label="A castle on a rock above the water, at sunset">
@@ -164,7 +163,7 @@ export const objectScene = `<ray-caster id="plan" view="0.7,0.7,3.6,40,-0.45" la
 export const live = [
   {
     title: 'A scene typed into the page',
-    text: 'Rows of characters, seen from above, north at the top; the arrow is where one starts. What the characters stand for is told below.',
+    text: 'Rows of characters, seen from above, north at the top; the arrow is the start. The characters are explained below.',
     code: `<ray-caster view="1.6,7.6,0.7,338" label="A walled garden with a pond">
   <script type="text/plain" data-rows>
     HHHHHHHHHHHHHHHH
@@ -181,7 +180,7 @@ export const live = [
   },
   {
     title: 'The fish eye, an old way of drawing',
-    text: 'Every switch of the engine is an option, the mistakes that lessons show among them.',
+    text: 'Every setting of the engine is an option, even the flaws of old ways of drawing that the lessons show.',
     code: `<ray-caster scene="harbour-town"
             options="fov=110 method=classic classic.projection=equalAngles"
             label="A harbour town, bent as by a fish eye">
@@ -189,7 +188,7 @@ export const live = [
   },
   {
     title: 'What one slice meets',
-    text: 'Overlays are drawn from what the renderer itself has done.',
+    text: 'Overlays show the data of the renderer itself.',
     code: `<ray-caster scene="first-steps" size="960x600"
             overlay="minimap minimapRays inspector"
             label="A yard, its map with rays, and one slice from the side">
@@ -197,7 +196,7 @@ export const live = [
   },
   {
     title: 'Labels in the world',
-    text: 'What has data-at stands on that place: it follows the view and hides where it is covered. One looks around here, and goes nowhere.',
+    text: 'Children with data-at follow their place in the world and hide when it is covered. Here visitors can look around, but not walk.',
     code: `<ray-caster interaction="look" keys="move" label="Two towers in a yard">
   <pre>
 #############
@@ -217,7 +216,7 @@ export const live = [
   },
   {
     title: 'Two views that move together',
-    text: 'The same place, drawn exactly and in an old way: turn one, and the other turns.',
+    text: 'The same place, drawn exactly and in an old way. Turn one, and the other turns too.',
     code: `<ray-caster id="exact" scene="first-steps" size="480x300" controls="play reset"
             label="A yard"></ray-caster>
 <ray-caster syncwith="#exact" scene="first-steps" size="480x300"
@@ -226,7 +225,7 @@ export const live = [
   },
   {
     title: 'Asked by a script',
-    text: 'A page may ask what is seen: here, what the middle slice meets, and how far away.',
+    text: 'A page can ask what the picture shows: here, what the middle slice meets, and how far away.',
     code: `<ray-caster id="garden" scene="garden" controls label="A garden">
 </ray-caster>
 <pre id="met" tabindex="0"></pre>

@@ -1,10 +1,10 @@
-// The element in JSX: a module of declarations for each library whose JSX knows elements by a table
-// of its own. Importing one is importing the element.
+// The element in JSX: a module of type declarations for each library whose JSX has its own table of
+// elements. Importing one imports the element.
 //
 //     const files = jsxDeclarations(table);      // {'jsx/react.d.ts': text, ...}
 
-// All of these set an attribute that the element knows as a property, and hear its events by `on`
-// and the event's name as it is: onready.
+// All of these libraries set properties of the element and listen to events as `on` and the event's
+// name: onready.
 const kLibraries = {
   react: { attributes: 'HTMLAttributes', reference: 'RefAttributes' },
   preact: { attributes: 'JSX.HTMLAttributes', reference: null },

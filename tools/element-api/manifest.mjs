@@ -1,4 +1,4 @@
-// The table as a custom elements manifest, from which editors complete the tag:
+// Turns the table into a custom elements manifest, which editors use to complete the tag:
 // custom-elements.json, schema 1.0.
 //
 //     const manifest = customElementsManifest(table);

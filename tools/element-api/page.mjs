@@ -1,6 +1,8 @@
-// The table as a page to read: page.html, its gaps filled.
+// Turns the table into a page: fills the gaps of page.html.
 //
-//     const html = documentation({errorCodes, version, options, scenes});      // options as the engine lists them, the shipped scenes as their index does
+//     const html = documentation({errorCodes, version, options, scenes});
+//
+// `options` is the engine's list; `scenes` is the index of the shipped scenes.
 
 import { readFileSync } from 'node:fs';
 
@@ -9,7 +11,8 @@ import { table } from './table.mjs';
 
 const template = readFileSync(new URL('page.html', import.meta.url), 'utf8');
 
-const known = new Set([...table.types, ...table.node.types].map(({ name }) => name)); // shapes that a type may name
+// The names of shapes that types may mention.
+const known = new Set([...table.types, ...table.node.types].map(({ name }) => name));
 
 export function documentation({ errorCodes, version, options, scenes }) {
   const gaps = {
@@ -196,7 +199,7 @@ function method({ name, parameters, returns, needsScene, description }) {
         `${row.name}${row.default === undefined ? (row.optional ? '?' : '') : ` = ${JSON.stringify(row.default)}`}`,
     )
     .join(', ');
-  const told = parameters.filter((row) => row.description);
+  const described = parameters.filter((row) => row.description);
   return [
     {
       id: name,
@@ -204,9 +207,9 @@ function method({ name, parameters, returns, needsScene, description }) {
     },
     typeText(returns.type) + (returns.description ? `<br>${text(returns.description)}` : ''),
     text(description) +
-      (told.length === 0
+      (described.length === 0
         ? ''
-        : `<dl>${told.map((row) => `<dt>${code(row.name)} ${typeText(row.type)}</dt><dd>${text(row.description)}</dd>`).join('')}</dl>`),
+        : `<dl>${described.map((row) => `<dt>${code(row.name)} ${typeText(row.type)}</dt><dd>${text(row.description)}</dd>`).join('')}</dl>`),
   ];
 }
 

@@ -1,4 +1,4 @@
-// The table of the element's interface, read.
+// Reads the table of the element's interface.
 
 import { readFileSync } from 'node:fs';
 

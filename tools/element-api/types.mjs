@@ -1,7 +1,8 @@
-// The table as declarations of TypeScript: shapes that know neither page nor Node, the element's
-// module, and that for Node.
+// Turns the table into TypeScript declarations: shapes for pages and Node alike, the element's
+// module, and the module for Node.
 //
-//     const files = declarations(table);      // {'shapes.d.ts': text, 'ray-caster.d.ts': text, 'node/index.d.ts': text}
+//     const files = declarations(table);
+//     // {'shapes.d.ts': text, 'ray-caster.d.ts': text, 'node/index.d.ts': text}
 
 export function declarations(table) {
   const shapes = [
@@ -13,7 +14,7 @@ export function declarations(table) {
     },
   ];
   return {
-    'shapes.d.ts': `// What <ray-caster> and slicecast/node hand out and take.\n\n${shapes.map(shape).join('\n')}`,
+    'shapes.d.ts': `// The objects that <ray-caster> and slicecast/node take and return.\n\n${shapes.map(shape).join('\n')}`,
     'ray-caster.d.ts': element(
       table,
       shapes.map(({ name }) => name),
@@ -151,7 +152,7 @@ function parameters(all) {
     .join(', ');
 }
 
-// Only what the text uses, so that a strict compiler finds nothing idle.
+// Imports only what the text uses, because strict compilers reject unused imports.
 function importOf(names, from, text) {
   const used = names.filter((name) => new RegExp(`\\b${name}\\b`).test(text));
   return `import type { ${used.join(', ')} } from '${from}';\n`;

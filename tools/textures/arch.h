@@ -1,4 +1,4 @@
-// The round arch of dressed stone in which doors hang and through which one walks.
+// The round arch of dressed stone for doors and passages.
 #pragma once
 
 #include "surface.h"

@@ -1,4 +1,4 @@
-// What is done to pictures with holes after they are painted, and frames put into a row.
+// Finishes pictures with holes after painting, and joins frames side by side.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,17 @@
 
 namespace slicecast::textures {
 
-// Do the borders of a picture meet their own copies, or nothing?
+// Whether the borders of a picture meet copies of itself, or nothing.
 enum class Border { Repeats, Ends };
 
-// Holes get the colour of what is next to them, so that nothing foreign shows where a picture is
+// Gives holes the colour of their neighbours, so that no wrong colour shows where a picture is
 // blended or enlarged.
 Picture holesFilled(Picture picture, Border border);
 
 // Edges blended over about a texel. The lowest row stands on the ground and stays whole.
 Picture edgesSoftened(const Picture& picture);
 
-// A block texture of which nothing is seen, for faces that a block goes without: the top of a
-// fence.
+// A fully transparent block texture, for missing faces such as the top of a fence.
 Picture paintNothing();
 
 // Frames of equal size side by side.

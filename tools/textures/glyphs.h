@@ -11,7 +11,7 @@ inline constexpr int kGlyphHeight = 7;
 
 using GlyphRows = std::array<std::string_view, kGlyphHeight>;  // '#' where the letter is
 
-// Nothing but gaps for what is no letter that is used.
+// Blank for characters that are not used.
 const GlyphRows& glyphOf(char letter);
 
 }  // namespace slicecast::textures

@@ -1,4 +1,4 @@
-// What one walks on out of doors, and the banks at its sides.
+// Grounds to walk on outdoors, and banks beside them.
 #pragma once
 
 #include "surface.h"

@@ -1,5 +1,5 @@
 // slicecast-textures: draws all textures, skies, sheets and sprites of the project into the folder
-// of assets, always the same to the byte.
+// of assets. Every run gives the same bytes.
 
 #include <CLI/CLI.hpp>
 
@@ -36,7 +36,7 @@ std::string checkName(const std::string& name) {
             return {};
         }
     }
-    return "no texture is called " + name + "; --list shows all";
+    return "unknown texture " + name + "; --list shows all";
 }
 
 bool write(const std::string& path, const slicecast::textures::Picture& picture) {
@@ -68,8 +68,7 @@ int main(int argc, char** argv) {
     app.add_option("--only", only, "draw only these names, separated by commas")
         ->delimiter(',')
         ->check(checkName);
-    app.add_option("--sheet", sheet,
-                   "also write a contact sheet to this PNG file, to judge them by");
+    app.add_option("--sheet", sheet, "also write a contact sheet of all pictures to this PNG file");
     app.add_flag("--list", list, "list every name with its use, and draw nothing");
     slicecast::outliveClosedPipes();
     try {
@@ -85,7 +84,7 @@ int main(int argc, char** argv) {
         return slicecast::finishOutput(kProgram, 0);
     }
     if (folder.empty() && sheet.empty()) {
-        std::fprintf(stderr, "%s: say where to draw: a FOLDER, or --sheet FILE\n", kProgram);
+        std::fprintf(stderr, "%s: expected a FOLDER or --sheet FILE\n", kProgram);
         return 1;
     }
 

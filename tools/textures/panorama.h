@@ -1,5 +1,4 @@
-// What the skies share: a panorama in units in which shapes look right, and the hills along its
-// foot.
+// Shared by the skies: a panorama in units of equal length, and the hills along its foot.
 #pragma once
 
 #include <cstdint>

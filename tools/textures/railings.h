@@ -1,4 +1,4 @@
-// What keeps one out but lets one look: bars, grates, fences, nets.
+// Barriers that one can see through: bars, grates, fences, nets.
 #pragma once
 
 #include "picture.h"

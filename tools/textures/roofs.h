@@ -1,4 +1,4 @@
-// What covers houses. Dark, so that roofs stand apart from walls; each course shades the one below.
+// Roofs of houses. Dark, so that they stand out from walls; each course shades the one below.
 #pragma once
 
 #include "surface.h"

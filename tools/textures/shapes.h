@@ -25,7 +25,7 @@ struct Place {
     double y;
 };
 
-// How sprites are lit where their painters ask for nothing else.
+// The standard light of sprites.
 inline constexpr Lighting kSpriteLight = {.gain = 0.35,
                                           .lightest = 1.1,
                                           .darkest = 1.5,
@@ -36,7 +36,7 @@ inline constexpr Lighting kSpriteLight = {.gain = 0.35,
 // The picture of a sprite: lit, with blended edges.
 Picture spriteOf(const Surface& surface, const Lighting& lighting = kSpriteLight);
 
-// Gives the grain of wood to all that is painted with one ramp.
+// Adds wood grain to everything painted with that ramp.
 void addGrain(Surface& surface, const Ramp* ramp, double strength, std::uint32_t seed);
 
 // An ellipse.

@@ -1,5 +1,4 @@
-// What tells a traveller where a way leads: boards with a word, and carved jambs that mark a way
-// out of the ordinary.
+// Signs: boards with a word, and carved jambs that mark special passages.
 #pragma once
 
 #include "surface.h"

@@ -1,14 +1,13 @@
-// Somebody who knows the way: plays a session as a person would, by turning, walking and jumping,
-// and records it. Everything goes through the session's input, so a tour can only go where a player
-// can.
+// A scripted player: turns, walks and jumps like a person, and records the session. Everything goes
+// through the session's input, so a tour can only go where a player can.
 //
 //     Guide guide(world, "castle");
 //     guide.walk({{44.5, 20}, {43, 18.9}});
 //     guide.mark("in-the-gate");
 //     Recording tour = guide.finish();
 //
-// Lengths are units, angles degrees, looks screen heights, times steps of 1/120 s. Who gets stuck
-// says so once, and does nothing any more.
+// Lengths are in units, angles in degrees, looks in screen heights, times in steps of 1/120 s. A
+// guide that gets stuck reports that once in trouble(), and ignores all further calls.
 #pragma once
 
 #include "session/recording.h"
@@ -31,9 +30,9 @@ public:
     // In straight lines from one spot to the next.
     void walk(const std::vector<Spot>& spots);
     void run(const std::vector<Spot>& spots);
-    // The same with the head down.
+    // The same, crouching.
     void creep(const std::vector<Spot>& spots);
-    // Ahead to a spot in or behind a portal, until through it; wherever it leads.
+    // Walks towards a spot in or behind a portal until it has passed the portal.
     void goThrough(Spot spot);
     void stepAside(double axis, int steps);
     void jump();
@@ -45,7 +44,7 @@ public:
     void wait(int steps);
     // Opens or closes the gates nearby.
     void use();
-    // Onto a lift when it is down, and with it until it is up, facing where there is a view.
+    // Waits for the lift, steps onto it, and rides up, facing that way.
     void rideUp(Spot spot, double headingDegrees);
     void setFlying(bool flying) { session_.setFlying(flying); }
     void flyTo(Spot spot, double eyeHeight);

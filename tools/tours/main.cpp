@@ -1,4 +1,4 @@
-// slicecast-tours: walks the tours through the shipped scenes and writes them down.
+// slicecast-tours: plays the tours through the shipped scenes and writes the recordings.
 //
 //     slicecast-tours assets
 

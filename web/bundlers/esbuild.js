@@ -1,8 +1,9 @@
-// For esbuild: copies the engine, and the pictures of the scenes that are imported, beside what it
-// builds, in every format.
+// An esbuild plugin: copies the engine and the pictures of imported scenes into the output folder,
+// for every output format.
 //
 //     import slicecast from 'slicecast/esbuild';
-//     await build({ entryPoints: ['main.js'], bundle: true, outdir: 'dist', plugins: [slicecast()] });
+//     await build({ entryPoints: ['main.js'], bundle: true, outdir: 'dist',
+//                   plugins: [slicecast()] });
 
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -11,7 +12,7 @@ import { isOurs, replaceNames } from './named-files.js';
 
 const kFile = '?slicecast-file';
 
-// Only an ES module knows its address by itself. A classic script knows it while it is run first.
+// Only ES modules have import.meta.url. A classic script can read its address while it first runs.
 const kHere = 'const slicecastHere =';
 const kHereInModules = `${kHere} import.meta.url;`;
 const kHereInScripts = `${kHere} globalThis.document?.currentScript?.src ?? globalThis.document?.baseURI ?? 'file:///';`;

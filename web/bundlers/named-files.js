@@ -1,5 +1,6 @@
-// The files that a module of this package names by `new URL('...', import.meta.url)`: the engine,
-// and the pictures of scenes. What esbuild and Rollup do not follow, plugins follow with this.
+// Finds the files that a module of this package names by `new URL('...', import.meta.url)`: the
+// engine, and the pictures of scenes. esbuild and Rollup do not follow these themselves, so the
+// plugins use this.
 //
 //     if (isOurs(file)) code = replaceNames(code, (path) => `another expression for ${path}`);
 
@@ -11,7 +12,7 @@ const kPackage = realpathSync(fileURLToPath(new URL('../', import.meta.url)));
 const kNamed =
   /\bnew URL\(\s*(["'`])(\.{1,2}\/[^"'`$]+\.(?:wasm|png|txt|json))\1,\s*import\.meta\.url\s*,?\s*\)/g;
 
-// Bundlers may add a question mark and more to a file's name.
+// Bundlers may add a query to a file's name.
 export function isOurs(file) {
   const [bare] = file.split('?');
   if (!path.isAbsolute(bare) || !bare.endsWith('.js')) return false;

@@ -1,5 +1,4 @@
-// For Rollup: copies the engine, and the pictures of the scenes that are imported, beside what it
-// builds.
+// A Rollup plugin: copies the engine and the pictures of imported scenes into the output folder.
 //
 //     import slicecast from 'slicecast/rollup';
 //     export default { plugins: [nodeResolve(), slicecast()] };
@@ -23,7 +22,7 @@ export default function slicecast() {
         references.set(named, this.emitFile({ type: 'asset', name, source }));
       }
       if (references.size === 0) return null;
-      // A classic script knows its address while it is run first, so that is when they are asked.
+      // A classic script can read its address only while it first runs.
       const nameOf = (named) => `slicecastFile${[...references.keys()].indexOf(named)}`;
       const lines = Array.from(
         references,

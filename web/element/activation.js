@@ -1,10 +1,11 @@
-// Who steers a <ray-caster>: nobody, until a click, a tap or Enter on its cover gives the picture
-// the keys; Escape, another focus or the leave button takes them back. Tab is never kept, and what
-// the picture does not use goes on to the page.
+// Whether somebody steers a <ray-caster>. A click, a tap or Enter on its cover gives the picture
+// the keys; Escape, moving the focus elsewhere or the leave button takes them back. Tab and keys
+// that the picture does not use are left to the page.
 //
-//     const activation = new Activation(tree, {canBegin() {...}, changed(isHeld) {...}, engine() {...}});
-//     activation.begin();          // as a click on the cover does, which has the focus
-//     activation.end();            // the cover gets the focus if the picture had it, and with {focus: true} in any case
+//     const activation = new Activation(tree, {canBegin() {}, changed(isHeld) {}, engine() {}});
+//     activation.begin();          // like a click on the cover, which has the focus
+//     activation.end();            // the cover gets the focus if the picture had it;
+//                                  // with {focus: true} always
 //     activation.setKeys('move');
 
 import { Gamepads } from './gamepads.js';
@@ -14,7 +15,7 @@ import { touchLayer } from './touch.js';
 const kMovingGroups = ['move', 'gates']; // of the engine's actions (src/app/actions.h)
 const kMovingActions = /^map\d$/;
 
-// The stick by which one looks around, and nothing else.
+// Keeps only the stick that looks around.
 const onlyLooking = (pad) => ({
   ...pad,
   leftX: 0,
@@ -28,13 +29,13 @@ export class Activation {
   keys = 'all';
   interaction = 'walk';
   isHeld = false;
-  #byTouch = false; // the last one began by a finger: then there are thumbs, also when the window gets the focus back
-  #wish = null; // of who has pressed the cover while the scene is still to come; the cover shows that it knows
+  #byTouch = false; // a finger began: show thumbs, also when the window gets the focus back
+  #pending = null; // {touch, mouse} of a press on the cover before the scene had loaded
   #pointerHeld = new AbortController();
   #thumbs = null;
   #layer = null;
   #gamepads = null;
-  #moving = new Set(); // codes of keys that are not taken: those by which one would move
+  #moving = new Set(); // codes of keys that move and are left to the page (interaction="look")
 
   constructor(tree, actions) {
     this.tree = tree;
@@ -45,7 +46,7 @@ export class Activation {
     box.addEventListener('focusout', ({ relatedTarget }) => {
       if (this.isHeld && !box.contains(relatedTarget)) this.#hold(false);
     });
-    // From the cover (begin), or with the window, which has got the focus back.
+    // The focus comes from the cover (begin), or returns with the window.
     stage.addEventListener('focusin', () => {
       if (this.isHeld || !actions.canBegin()) return;
       this.#showThumbs(this.#byTouch);
@@ -54,20 +55,20 @@ export class Activation {
   }
 
   begin({ touch = false, mouse = false } = {}) {
-    this.#wish = this.actions.canBegin() ? null : { touch, mouse };
-    this.tree.box.classList.toggle('waiting', this.#wish !== null);
-    if (this.#wish !== null) return;
+    this.#pending = this.actions.canBegin() ? null : { touch, mouse };
+    this.tree.box.classList.toggle('waiting', this.#pending !== null);
+    if (this.#pending !== null) return;
     this.#byTouch = touch;
-    // The focus goes straight from the cover to the picture, which then is held.
+    // Moving the focus from the cover to the picture starts steering.
     this.takeCanvas();
     this.#target.focus({ preventScroll: true });
     if (mouse) this.#target.dispatchEvent(new MouseEvent('click'));
   }
 
-  // The scene is there: who pressed the cover before, and is still there, begins now.
+  // The scene has loaded: begins if somebody pressed the cover and it still has the focus.
   resume() {
-    if (this.#wish !== null && this.tree.root.activeElement === this.tree.cover)
-      this.begin(this.#wish);
+    if (this.#pending !== null && this.tree.root.activeElement === this.tree.cover)
+      this.begin(this.#pending);
     this.#forget();
   }
 
@@ -84,19 +85,19 @@ export class Activation {
     (this.isHeld ? this.#target : this.tree.cover).focus(options);
   }
 
-  // A picture without keys leaves them to the page: it never has the focus itself.
+  // With keys="none" the canvas never gets the focus, so all keys go to the page.
   get #target() {
     return this.keys === 'none' ? this.tree.stage : this.tree.canvas;
   }
 
-  // The picture can be tabbed to only while it is played; before, there is its cover.
+  // Tab reaches the picture only while somebody steers; otherwise it reaches the cover.
   takeCanvas() {
     const { stage, canvas } = this.tree;
     const target = this.#target;
     const other = target === stage ? canvas : stage;
     if (target !== null) target.tabIndex = this.isHeld ? 0 : -1;
-    // The focus goes on before its place is none any more; else it is lost, and with it the
-    // picture.
+    // Moves the focus before its element loses the tabindex: otherwise the focus is lost, which
+    // ends steering.
     if (this.isHeld && this.tree.root.activeElement === other)
       target.focus({ preventScroll: true });
     other?.removeAttribute('tabindex');
@@ -113,7 +114,7 @@ export class Activation {
     if (interaction === this.interaction) return;
     this.interaction = interaction;
     this.tree.box.classList.toggle('looks', interaction === 'look');
-    // Whoever walks now must not go on.
+    // Somebody who walks now must stop.
     this.end();
   }
 
@@ -121,7 +122,7 @@ export class Activation {
     return this.interaction === 'look';
   }
 
-  // The codes of the keys by which one goes somewhere, or changes something there.
+  // The codes of keys that move the player or act on gates.
   #movingKeys() {
     const rows = this.actions
       .engine()
@@ -134,7 +135,7 @@ export class Activation {
   }
 
   #forget() {
-    this.#wish = null;
+    this.#pending = null;
     this.tree.box.classList.remove('waiting');
   }
 
@@ -165,14 +166,14 @@ export class Activation {
   #filter(event) {
     if (!this.isHeld) return;
     if (event.code === 'Escape') {
-      // What the picture stands in, a dialog perhaps, is left by the next one.
+      // A dialog around the picture must not close too; the next Escape closes it.
       event.stopPropagation();
       event.preventDefault();
       this.end({ focus: true });
     }
   }
 
-  // Whether the engine hears of a key; the page has the others.
+  // Whether the engine gets a key; others are left to the page.
   takesKey(code) {
     if (this.#moving.has(code)) return false;
     const scope = this.actions.engine()?.keyScope(code);
@@ -206,7 +207,7 @@ export class Activation {
     leave.before(this.#layer);
   }
 
-  // While the pointer is the picture's, its wheel scrolls nothing.
+  // While the picture holds the pointer, the wheel does not scroll.
   set holdsPointer(holds) {
     this.#pointerHeld.abort();
     this.#pointerHeld = new AbortController();
@@ -217,7 +218,7 @@ export class Activation {
       });
   }
 
-  // What the engine says of flying.
+  // Told by the engine.
   set flying(flying) {
     if (this.#thumbs !== null) this.#thumbs.flying = flying;
   }

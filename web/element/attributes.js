@@ -1,7 +1,9 @@
-// The attributes of <ray-caster>: how each is read, and the properties that reflect them.
+// Reads the attributes of <ray-caster>, and defines the properties that reflect them.
 //
-//     const wanted = readAttributes(element, (attribute, message) => {...});      // hears what cannot be read, which counts as not written
+//     const wanted = readAttributes(element, (attribute, message) => {...});
 //     reflectAttributes(RayCaster.prototype);
+//
+// The function is told about bad values; they are ignored.
 
 import { parseOptions, parseOverlay, parseView, wordsOf } from '../engine/address.js';
 import { nearestName, unknown } from '../engine/nearest-name.js';
@@ -11,10 +13,10 @@ export const kButtons = ['play', 'reset', 'overlay', 'save', 'share', 'fullscree
 
 const kLeastPercent = 10; // of the box, as a size
 
-const kAllControls = ['true', 'all', 'controls']; // as some write an attribute without a value
+const kAllControls = ['true', 'all', 'controls']; // some write them for an attribute without a value
 const kNoControls = ['false', 'none'];
 
-// Name -> what the property says without the attribute.
+// Name -> the property's value without the attribute.
 const kStandard = {
   scene: '',
   view: '',
@@ -36,7 +38,7 @@ const kStandard = {
 
 export const kAttributes = Object.keys(kStandard);
 
-// Of words that are one of a few: the first is the standard.
+// Attributes with a fixed set of values, the standard one first.
 const kChoices = {
   loading: ['lazy', 'eager', 'click'],
   interaction: ['walk', 'look', 'none'],
@@ -60,8 +62,8 @@ export function readAttributes(element, warn) {
   return wanted;
 }
 
-// Each attribute as a property of the same name, but for the scene, which may be an object. One that was set before the element was defined is
-// taken over by takeEarlyProperties.
+// Defines a property for each attribute except `scene`, whose property also takes objects.
+// takeEarlyProperties() takes over properties that were set before the element was defined.
 export function reflectAttributes(prototype) {
   for (const name of kAttributes.filter((one) => one !== 'scene')) {
     const standard = kStandard[name];
@@ -108,7 +110,7 @@ function readSize(text, warn) {
   if (sides.length === 2 && sides.every(isSide)) return sides.map(Number).join('x');
   warn(
     'size',
-    `The size is auto, WIDTHxHEIGHT in pixels of at most ${kLargestSide}, or ${kLeastPercent}% to 100% of the box, not '${text}'.`,
+    `Found '${text}', expected auto, WIDTHxHEIGHT of at most ${kLargestSide} pixels each, or ${kLeastPercent}% to 100%.`,
   );
   return standard;
 }
@@ -121,7 +123,7 @@ function readChoice(name, text, warn) {
   return choices[0];
 }
 
-// null without the attribute, all of them where it is there and names none.
+// Returns null without the attribute, and all controls if it names none.
 function readControls(text, warn) {
   if (text === null || kNoControls.includes(text.trim())) return null;
   const named = wordsOf(text).filter((word) => !kAllControls.includes(word));
@@ -131,7 +133,7 @@ function readControls(text, warn) {
   return known.length === 0 ? kButtons : known;
 }
 
-// An attribute that is none, but is nearly one.
+// Warns of unknown attributes that are similar to a known one.
 function warnOfMisspelt(element, warn) {
   for (const name of element.getAttributeNames()) {
     if (kAttributes.includes(name) || name in element || /[^a-z]/.test(name)) continue;

@@ -1,4 +1,4 @@
-// What the buttons of the bar do; all of it a page can do too.
+// What the buttons of the bar do. A page can do all of it too.
 //
 //     const controls = new Controls(bar, barActions(element, show));
 
@@ -27,7 +27,7 @@ export function toggleFullScreen(host, show) {
     host.requestFullscreen?.().catch(() => show.showStatus('This page does not allow full screen'));
 }
 
-// Those of the attribute, or the map.
+// Switches on the overlays of the attribute, or the minimap.
 function toggleOverlays(host, show) {
   const isAny = kOverlays.some((name) => host.get(name) === 'on');
   const names = isAny ? kOverlays : show.overlays.length > 0 ? show.overlays : kUsualOverlay;
@@ -53,7 +53,8 @@ async function save(host, show) {
 // is a file of its own.
 async function share(host, show) {
   const tag = host.cloneNode(true);
-  for (const name of ['id', 'tour']) tag.removeAttribute(name); // it would stand there twice; a tour has views of its own
+  // A second element with the id would clash, and a tour would override the view.
+  for (const name of ['id', 'tour']) tag.removeAttribute(name);
   const { view, options, overlay } = sharedParameters({
     reference: '',
     view: host.currentView,
@@ -77,12 +78,12 @@ async function share(host, show) {
     await navigator.clipboard.writeText(`${script}${tag.outerHTML}`);
     show.showStatus('Copied: the tag with this view');
   } catch {
-    show.showStatus('This browser keeps the clipboard to itself');
+    show.showStatus('This browser did not allow copying');
   }
 }
 
-// The address of the element's script; null where it is part of another one, or knows only where it
-// was on the machine that has built it.
+// The address of the element's script; null if it is bundled into another script, or if its address
+// is that on the build machine.
 function ownScript() {
   const here = import.meta.url;
   if (!/\/ray-caster-steering\.js(\?|$)/.test(here)) return null;

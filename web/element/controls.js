@@ -1,8 +1,10 @@
-// The bar below the picture: real buttons, with names and states.
+// The bar of buttons below the picture.
 //
-//     const controls = new Controls(bar, {play() {...}, reset() {...}, overlay() {...}, save() {...}, share() {...}, fullscreen() {...}});
+//     const controls = new Controls(bar, actions);
 //     controls.show(['play', 'reset']);                             // or null for none
 //     controls.state({isReady, isPlaying, hasOverlay, isFullscreen});
+//
+// `actions` maps each button's name to a function.
 
 import { icon } from './icons.js';
 import { node } from './nodes.js';
@@ -15,7 +17,7 @@ const kNames = {
   share: 'Copy the tag',
   fullscreen: 'Full screen',
 };
-const kAfterSpace = 'overlay'; // from here on, buttons stand at the right
+const kAfterSpace = 'overlay'; // this button and those after it stand on the right
 
 export class Controls {
   #buttons = new Map();
@@ -24,7 +26,7 @@ export class Controls {
   constructor(bar, actions) {
     this.bar = bar;
     this.actions = actions;
-    // A press gives no button the focus: it stays in the picture, and with it the keys.
+    // Pressing a button leaves the focus, and with it the keys, in the picture.
     bar.addEventListener('mousedown', (event) => event.preventDefault());
   }
 

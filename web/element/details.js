@@ -1,11 +1,11 @@
-// Small things that go out of a <ray-caster>: details of events, errors, promises.
+// Helpers for what a <ray-caster> hands to pages: details of events, errors, promises.
 
-// What the event error carries, as something to throw.
+// Turns the detail of the event `error` into an Error.
 export function asError(detail) {
   return Object.assign(new Error(detail.message), detail);
 }
 
-// Asked for only when somebody reads it: pictures come often.
+// Reads the engine's state only on demand, because the event comes with every picture.
 export function frameDetail(engine) {
   return {
     get steps() {
@@ -17,6 +17,6 @@ export function frameDetail(engine) {
 export function withResolvers() {
   const made = {};
   made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
-  made.promise.catch(() => {}); // whoever waits hears of it
+  made.promise.catch(() => {}); // without this, a promise that nobody awaits logs an error
   return made;
 }

@@ -1,5 +1,4 @@
-// What a <ray-caster> shows around its picture: names, the poster, progress, the line of status,
-// what is wrong.
+// What a <ray-caster> shows around its picture: names, the poster, progress, status line, errors.
 //
 //     const face = new Face(tree, internals);
 //     face.attributes({poster, label}, hasPicture);
@@ -39,7 +38,7 @@ export class Face {
     this.#tree.poster.hidden = true;
   }
 
-  // Of the scene; the label goes first.
+  // The scene's title, used if there is no label.
   set title(title) {
     this.#title = title;
     this.#name();
@@ -59,7 +58,7 @@ export class Face {
     progress.setAttribute('aria-valuenow', String(Math.round(share * 100)));
   }
 
-  // For a moment, or until another one.
+  // Shows a text for a moment, or with `stays` until the next one.
   status(text, { stays = false } = {}) {
     clearTimeout(this.#statusTimer);
     this.#tree.status.textContent = text;

@@ -1,85 +1,84 @@
-// What can keep a <ray-caster> from showing its scene: the stable codes, and what to do about each.
+// Why a <ray-caster> cannot show its scene: the stable error codes, and what to do about each.
 //
-//     const {code, title, message, faults} = explain(error);      // of anything that was thrown
+//     const {code, title, message, faults} = explain(error);      // anything that was thrown
 //     throw faultOf('not-ready', 'hits() was called before the scene was there.');
 //
 // A code never changes its meaning; titles and messages may.
 
 import { Trouble, asTrouble, placeOf } from '../engine/trouble.js';
 
-// `means` says what has happened, `remedy` what to do about it.
+// `means` says what happened, `remedy` what to do about it.
 export const errorCodes = /* @__PURE__ */ Object.freeze({
   fetch: {
     title: 'A file could not be fetched',
     means:
-      'The server of the engine or the scene does not answer, or it answers with an error such as 404.',
+      'The server of the engine or the scene does not answer, or answers with an error such as 404.',
     remedy: 'Check the address, and that the file is on that server.',
   },
   cors: {
     title: 'Another host does not share its file',
     means:
-      'A file lies on another origin, whose server does not let this page read it. A sandboxed iframe counts as another origin everywhere.',
+      'A file is on another origin, and its server does not let this page read it. A sandboxed iframe is another origin for every server.',
     remedy:
-      "Let its server send the header Access-Control-Allow-Origin, or put the file on this page's own host.",
+      "Let that server send the header Access-Control-Allow-Origin, or put the file on this page's host.",
   },
   mime: {
-    title: 'A server sends something else',
+    title: 'A server sent the wrong kind of file',
     means:
-      'An address is answered by a web page, or a script comes with a type that browsers refuse.',
+      'The server answers with a web page, or sends a script with a type that browsers refuse.',
     remedy:
-      'Check the address; if it is right, let the server send .js as text/javascript and .wasm and .json as they are.',
+      'Check the address. If it is right, let the server send .js as text/javascript, and .wasm and .json unchanged.',
   },
   csp: {
-    title: "This page's rules forbid it",
-    means:
-      "The page's Content-Security-Policy keeps the engine from being fetched or from running.",
+    title: "This page's security policy blocks it",
+    means: "The page's Content-Security-Policy blocks fetching or running the engine.",
     remedy:
-      "Allow it: script-src 'self' 'wasm-unsafe-eval', and in connect-src the hosts of the engine and the scene.",
+      "Allow script-src 'self' 'wasm-unsafe-eval', and the hosts of the engine and the scene in connect-src.",
   },
   'no-webassembly': {
     title: 'This browser has no WebAssembly',
     means:
-      'The browser cannot run WebAssembly, or it is switched off, as in some strict security modes.',
+      'The browser does not support WebAssembly, or has it switched off, as in some strict security modes.',
     remedy: 'Use a current browser, or allow WebAssembly for this site.',
   },
   engine: {
     title: 'The engine has stopped',
-    means: 'The engine does not start, has run out of memory, or has met an error of its own.',
-    remedy: 'Load the page again; if it comes back, close other tabs or show fewer scenes at once.',
+    means: 'The engine did not start, ran out of memory, or failed with an internal error.',
+    remedy: 'Reload the page. If it fails again, close other tabs or show fewer scenes at once.',
   },
   scene: {
     title: 'The scene has faults',
-    means: 'The scene was read but cannot be shown; each of its faults is listed with its place.',
-    remedy: 'Mend each place that is listed.',
+    means: 'The scene was read but has faults; each is listed with its place.',
+    remedy: 'Fix each place listed.',
   },
   address: {
     title: 'An address or a view cannot be read',
-    means: 'An address of a scene or a view is not written as it must be, or there is no scene.',
-    remedy: 'Write it as the message says.',
+    means: 'The address of a scene or a view is malformed, or no scene was given.',
+    remedy: 'Correct it as the message says.',
   },
   tour: {
     title: 'The tour cannot be played',
     means: 'The recording cannot be fetched or read, or it belongs to another scene.',
-    remedy: 'Check the address in tour, and record it anew if the scene has changed.',
+    remedy: 'Check the address in tour. If the scene has changed, record the tour again.',
   },
   option: {
-    title: 'There is no such option or value',
-    means: 'The engine knows no option of that name, or does not take that value.',
-    remedy: 'optionList names all options and their values.',
+    title: 'Unknown option or value',
+    means: 'The engine has no option of that name, or does not accept that value.',
+    remedy: 'optionList lists all options and their values.',
   },
   'not-ready': {
-    title: 'There is no scene yet',
-    means: 'A method was called that needs a scene, before the event ready.',
+    title: 'No scene has loaded yet',
+    means: 'A method that needs a scene was called before the event ready.',
     remedy: 'Call it after await element.whenReady().',
   },
 });
 
-// An error with one of the codes, titled by the table.
+// An error with one of the codes, with that code's title.
 export function faultOf(code, message, faults = []) {
   return new Trouble(errorCodes[code].title, message, faults, code);
 }
 
-// What `ask` gives; an error of it without a code is one with this code.
+// Returns ask(). Gives this code to an error that it throws without one.
 export function orFault(code, ask) {
   try {
     return ask();
@@ -88,8 +87,7 @@ export function orFault(code, ask) {
   }
 }
 
-// What a page shows and the event `error` carries. Each fault has, besides what the engine says of
-// it, `place`: "castle.json:12:5".
+// What a page shows and the event `error` carries. Adds `place` to each fault: "castle.json:12:5".
 export function explain(error) {
   const { code, title, message, faults } = asTrouble(codedError(error));
   return {
@@ -104,7 +102,7 @@ function codedError(error) {
   if (error instanceof Trouble) return error;
   const isOutOfMemory = error instanceof RangeError && /memory|allocat/i.test(error.message);
   if (isOutOfMemory) return faultOf('engine', `There is not enough memory: ${error.message}`);
-  // Of a script with a copy of Trouble of its own, too.
+  // A script with its own copy of Trouble may have thrown it.
   if (error instanceof Error && Object.hasOwn(errorCodes, error.code)) {
     return new Trouble(
       error.title ?? errorCodes[error.code].title,

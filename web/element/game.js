@@ -1,10 +1,12 @@
-// The engine behind one <ray-caster>: fetches it, loads scenes into it, and holds its options as
-// the attributes want them.
+// The engine behind one <ray-caster>: fetches it, loads scenes into it, and keeps its options as
+// the attributes say.
 //
-//     const game = new Game({showCanvas(canvas) {...}, hear(event, value) {...}, takesKey(code) {...}});
-//     if (await game.load({key, kind, source, tour, onProgress})) game.engine.begin();      // the key stands for all that is asked
+//     const game = new Game({showCanvas(canvas) {}, hear(event, value) {}, takesKey(code) {}});
+//     if (await game.load({key, kind, source, tour, onProgress})) game.engine.begin();
 //     game.setOptions([['fov', '75']]);
 //     game.stop();
+//
+// `key` identifies the request: build, scene and tour.
 
 import { Engine } from '../engine/engine.js';
 import { faultOf, orFault } from './faults.js';
@@ -13,31 +15,32 @@ import { namedScene, readTour } from './source.js';
 import { withReason } from '../engine/source-parts.js';
 import { sceneFault } from '../engine/trouble.js';
 
-const kEngineShare = 0.5; // of the progress, as long as the engine is not there
+const kEngineShare = 0.5; // of the progress, if the engine must be fetched
 
 export class Game {
   engine = null; // once a scene is loaded
-  source = null; // of the scene that plays
+  source = null; // of the current scene
   #kind = null;
-  #key = null; // of what plays
+  #key = null; // of the current scene
   #turn = 0;
   #tour = null;
-  #before = new Map(); // option -> what it was before an attribute set it
+  #before = new Map(); // option -> its value before an attribute set it
 
   constructor(actions) {
     this.actions = actions;
   }
 
-  // True if the scene can be played now, false if another one was asked for meanwhile. Until then
-  // the scene before stays, with its picture. Throws a Trouble. `source` may be null with a tour,
-  // which names its scene; with a source, what is wrong with the tour is told to `warn`.
+  // Returns true if the scene can be played now, false if another one was requested meanwhile.
+  // Until then the previous scene stays, with its picture. Throws a Trouble. `source` may be null
+  // with a tour, which names its scene; with a source, faults of the tour are only reported to
+  // `warn`.
   async load({ key, kind, source, tour, keepEye, warn, onProgress }) {
     const turn = ++this.#turn;
     const isStale = () => turn !== this.#turn;
     const begin = this.engine === null ? kEngineShare : 0;
     let engineBytes = 0;
     onProgress(0, 0);
-    // Another element may play the same already.
+    // Another element may already play the same scene.
     const findTwin = () => [...players].find(([, played]) => played === key)?.[0];
     const begun =
       source === null || findTwin() !== undefined ? source : beginReading(source, isStale);
@@ -70,7 +73,7 @@ export class Game {
         warn('tour', error.message);
         recording = null;
       }
-      wasPlayer = players.delete(engine); // while another scene comes into its memory
+      wasPlayer = players.delete(engine); // while another scene loads into its memory
       const faults = isAdopted
         ? []
         : await engine.loadScene(found, {
@@ -96,7 +99,7 @@ export class Game {
       nowPlays(engine, key);
     } catch (error) {
       if (isNew) engine.stop();
-      else if (wasPlayer && !isStale()) nowPlays(engine, this.#key); // it plays on
+      else if (wasPlayer && !isStale()) nowPlays(engine, this.#key); // the old scene goes on
       throw error;
     }
     if (recording !== null) engine.replay();
@@ -126,14 +129,14 @@ export class Game {
     this.actions.showCanvas(engine.canvas);
   }
 
-  // Draws from now on. Who prefers reduced motion does not bob on water.
+  // Starts drawing. With reduced motion the eye does not bob on water.
   begin() {
     this.engine.begin();
     if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.engine.setOption('bob', 'off');
   }
 
-  // Sets these options and puts those back that were set before and are no longer named. What the
-  // engine refuses is told to `warn`.
+  // Sets these options, and restores those that were set before and are no longer named. Refused
+  // options are reported to `warn`.
   setOptions(pairs, warn) {
     const wanted = new Map(pairs);
     for (const [name, value] of this.#before) {
@@ -156,7 +159,7 @@ export class Game {
     orFault('option', () => this.engine.setOption(name, value));
   }
 
-  // To the start; a tour begins again too.
+  // Returns to the start; a tour begins again.
   reset() {
     this.engine.reset();
     if (this.#tour === null) return;
@@ -180,8 +183,8 @@ export class Game {
   }
 }
 
-// The text comes beside the engine, and so do the pictures that it seems to name; what is wrong
-// with it is told when it is read.
+// Fetches the scene's text, and all pictures that it seems to name, while the engine loads. Errors
+// are reported later, when the text is read.
 function beginReading(source, isStale) {
   const text = source.readText();
   text
@@ -196,24 +199,23 @@ function beginReading(source, isStale) {
   return { ...source, readText: () => text };
 }
 
-// Where the tour leads through: `found`, or the shipped scene that it names.
+// The tour's scene: `found`, or the shipped scene that the tour names.
 function sceneOfTour(engine, recording, found) {
   const scene = sceneName(checkTour(engine, recording));
   if (found === null) return namedScene(scene);
   if (found.address !== null && sceneName(found.name) !== scene)
     throw faultOf(
       'tour',
-      `${recording.name} was recorded in the scene ${scene}, and this one is ${sceneName(found.name)}.`,
+      `${recording.name} was recorded in the scene ${scene}, not in ${sceneName(found.name)}.`,
     );
   return found;
 }
 
 const sceneName = (file) => file.replace(/\.json$/i, '');
 
-// The name of its scene.
+// Returns the name of the tour's scene.
 function checkTour(engine, { name, bytes }) {
   const { scene, faults } = engine.readRecording(bytes, name);
-  if (faults.length > 0)
-    throw faultOf('tour', `${name} is no recording that can be played.`, faults);
+  if (faults.length > 0) throw faultOf('tour', `${name} is not a valid recording.`, faults);
   return scene;
 }

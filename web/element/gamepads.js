@@ -1,10 +1,11 @@
-// Hands gamepads to the engine. A browser says that there is one once a button of it was pressed,
-// and tells its state only when asked: each frame while one is connected. SDL could ask too, but a
-// page uses nothing of it but surfaces.
+// Reads gamepads for the engine. A browser reports a gamepad once a button was pressed; its state
+// must be polled, here once per frame while one is connected.
 //
 //     const gamepads = new Gamepads({change(pad), press()});
 //     gamepads.stop();
-//     pad: {leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons}, as slicecast_gamepad takes it; press: a button went down (may be left out)
+//
+// `pad` is {leftX, leftY, rightX, rightY, leftTrigger, rightTrigger, buttons}, as slicecast_gamepad
+// takes it. press() is called when a button goes down, and may be missing.
 
 const kNone = {
   leftX: 0,
@@ -15,7 +16,7 @@ const kNone = {
   rightTrigger: 0,
   buttons: 0,
 };
-const kTriggers = 6; // the first of the two among the buttons, which are axes here
+const kTriggers = 6; // buttons 6 and 7 are the triggers, which are axes here
 
 export class Gamepads {
   #before = kNone;
@@ -30,7 +31,7 @@ export class Gamepads {
     if (connected().length > 0) this.#begin();
   }
 
-  // Asks no more; what was held is let go of.
+  // Stops polling and releases what was held.
   stop() {
     this.#ended.abort();
     if (this.#before !== kNone) this.actions.change(kNone);
@@ -62,8 +63,8 @@ function connected() {
   );
 }
 
-// Several gamepads play as one: of each axis what is furthest out, of the buttons what is down on
-// any.
+// Merges several gamepads into one: each axis is the one furthest out, and a button is down if it
+// is down on any.
 export function stateOf(pads) {
   const furthest = (values) =>
     values.reduce((most, value) => (Math.abs(value) > Math.abs(most) ? value : most), 0);

@@ -1,18 +1,20 @@
-// Children of a <ray-caster> that stand on places of its world: they follow the view and hide where
+// Children of a <ray-caster> attached to places of its world. They follow the view, and hide when
 // something covers their place.
 //
-//     <a data-at="4.5,2,0.6" href="#gate">The gate</a>         x,y,z, and the map's name where it is not the start's
+//     <a data-at="4.5,2,0.6" href="#gate">The gate</a>
 //
-//     const hotspots = new Hotspots(host, tree, () => show.ready === null ? null : show.engine, warn);
-//     hotspots.place();       // another picture has been drawn
+// The attribute is x,y,z and, if it is not the start's, the name of the map.
+//
+//     const hotspots = new Hotspots(host, tree, getEngine, warn);    // getEngine() may return null
+//     hotspots.place();       // after each picture
 //     hotspots.stop();
 //
-// The children stay where they are in the page; slots in the shadow tree show them elsewhere.
+// The children stay in the page's tree; slots in the shadow tree place them over the picture.
 
 import { readPlace } from './place.js';
 import { node } from './nodes.js';
 
-const kNearest = 10000; // of z-index: what is nearer lies above
+const kNearest = 10000; // the largest z-index: nearer hotspots lie on top
 
 export class Hotspots {
   #host;

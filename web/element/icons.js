@@ -1,4 +1,4 @@
-// The icons of what can be pressed.
+// The icons of buttons.
 //
 //     node('button', {type: 'button'}, icon('reset'))
 

@@ -1,13 +1,15 @@
-// The keys, as a sheet over the picture: H opens it while somebody plays; H, Escape and its button
+// A sheet over the picture that lists the keys. H opens it during play; H, Escape and its button
 // close it.
 //
-//     const sheet = new KeySheet(section, {behind: [stage], closed() {...}});      // what lies behind cannot be reached while it is open
+//     const sheet = new KeySheet(section, {behind: [stage], closed() {...}});
 //     sheet.open(engine.keys);
+//
+// The elements of `behind` are inert while the sheet is open.
 
 import { node } from './nodes.js';
 
 export class KeySheet {
-  #codes = ['Escape']; // that close it
+  #codes = ['Escape']; // keys that close it
 
   constructor(section, { behind, closed }) {
     this.section = section;
@@ -21,7 +23,7 @@ export class KeySheet {
     });
   }
 
-  // As the engine lists them. Those of a whole page are not the element's.
+  // `keys` is the engine's list. Leaves out keys that only a whole page handles.
   open(keys) {
     const help = keys.flatMap(({ actions }) => actions).find(({ name }) => name === 'help');
     this.#codes = ['Escape', ...help.keys.map(({ code }) => code)];

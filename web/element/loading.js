@@ -1,13 +1,16 @@
-// From the attributes of a <ray-caster> to a scene that can be played: reads them when they change,
-// loads what they name, and applies the rest to what is there. Until the next scene has come, the
-// one before stays, standing still.
+// Turns the attributes of a <ray-caster> into a scene that can be played: reads them when they
+// change, loads what they name, and applies the rest to the current scene. Until the next scene has
+// loaded, the previous one stays, paused.
 //
-//     const loading = new Loading(element, game, {show(wanted), changed(), warn(warning), progress(share, bytes), loaded(), done(isNew), failed(error)});
-//     loading.update();       // soon
+//     const loading = new Loading(element, game, actions);
+//     loading.update();       // reads the attributes soon, once for all changes of this moment
 //     loading.near();         // the element is near the window
-//     loading.now();          // it is asked for: waits no longer
-//     loading.again(null);    // what has failed is tried once more; with {keepEye} what plays is loaded anew, too
+//     loading.now();          // the scene is needed: stop waiting
+//     loading.again(null);    // try or load again; {keepEye: true} keeps the view
 //     loading.stop();
+//
+// `actions` are {show(wanted), changed(), warn(warning), progress(share, bytes), loaded(),
+// done(isNew), failed(error)}.
 
 import { unknown } from '../engine/nearest-name.js';
 import { readAttributes } from './attributes.js';
@@ -15,26 +18,28 @@ import { hasParsed, whenParsed } from './parsing.js';
 import { findScene, noScene, tourAddress } from './source.js';
 import { Warnings } from './warnings.js';
 
-const kFirstPictureMilliseconds = 400; // a hidden page draws none: then the scene counts as ready without
+const kFirstPictureMilliseconds = 400; // at most; hidden pages draw no picture to wait for
 
 export class Loading {
-  wanted = null; // what the attributes say, once they have been read
+  wanted = null; // the attributes' values, once read
   isLoading = false;
   #host;
   #game;
   #actions;
   #life = new AbortController();
   #loads = 0;
-  #asked = null; // the key of what is loaded or being loaded, and of what is loaded
-  #loaded = null;
-  #failed = null; // the key of what could not be loaded
-  #isReady = false; // what is loaded has been told of
-  #options = null; // of the attributes, as they were taken, overlays too: what methods and keys have changed since stays
-  #view = null; // the attribute's that was taken
+  #asked = null; // the key of the last request
+  #loaded = null; // the key of what is loaded
+  #failed = null; // the key of what failed to load
+  #isReady = false; // done() has been called for what is loaded
+  // The attributes' options and view as last applied. They are applied again only when they change,
+  // so that changes by methods and keys last.
+  #options = null;
+  #view = null;
   #isNear = false;
   #isAsked = false;
   #isUpdating = false;
-  #again = null; // how, if even the same is to be loaded
+  #again = null; // {keepEye} if the same key is to be loaded again
   #pictureCame = () => {};
 
   constructor(host, game, actions) {
@@ -44,12 +49,11 @@ export class Loading {
     this.warnings = new Warnings(actions.warn);
   }
 
-  // Nothing is under way, and nothing will be unless something changes.
+  // Nothing is loading or about to.
   get isSettled() {
     return !this.#isUpdating && !this.isLoading;
   }
 
-  // Soon, once for all that changes now.
   update() {
     if (this.#isUpdating) return;
     this.#isUpdating = true;
@@ -77,7 +81,7 @@ export class Loading {
     this.update();
   }
 
-  // Not a byte may be fetched before.
+  // With loading="click" nothing may be fetched before a click.
   get waitsForClick() {
     return !this.#isAsked && this.wanted?.loading !== 'lazy' && this.wanted?.loading !== 'eager';
   }
@@ -91,18 +95,18 @@ export class Loading {
     this.#life.abort();
   }
 
-  // What was loaded is lost: it is loaded again.
+  // What was loaded is lost and must be loaded again.
   forget() {
     ++this.#loads;
     this.#asked = this.#loaded = null;
   }
 
-  // Some picture is on the canvas.
+  // A picture has been drawn.
   pictureCame() {
     this.#pictureCame();
   }
 
-  // The view of the attribute, again.
+  // Applies the view of the attribute again.
   applyView() {
     this.#view = null;
     if (this.wanted !== null) this.#apply();
@@ -143,10 +147,10 @@ export class Loading {
   async #load(key, request) {
     const load = ++this.#loads;
     const isStale = () => load !== this.#loads || this.#life.signal.aborted;
-    let told = '';
+    let reported = '';
     const onProgress = (share, bytes) => {
-      if (isStale() || `${share} ${bytes}` === told) return;
-      told = `${share} ${bytes}`;
+      if (isStale() || `${share} ${bytes}` === reported) return;
+      reported = `${share} ${bytes}`;
       this.#actions.progress(share, bytes);
     };
     this.#asked = key;
@@ -180,7 +184,7 @@ export class Loading {
     }
   }
 
-  // Options, overlays and the view, as they are wanted now.
+  // Applies options, overlays and the view.
   #apply() {
     const { view } = this.wanted;
     const options = [...this.wanted.options, ...this.wanted.overlay.map((name) => [name, 'on'])];
@@ -191,7 +195,7 @@ export class Loading {
     if (text === this.#view) return;
     this.#view = text;
     const warn = this.warnings.renew('view');
-    // A tour begins where it was recorded.
+    // A tour starts where it was recorded.
     if (view === null || this.#game.hasTour || this.#game.engine.look(view)) return;
     const maps = this.#game.engine.world.maps.map(({ name }) => name);
     warn(
@@ -202,19 +206,19 @@ export class Loading {
     );
   }
 
-  // All is as the attributes say.
+  // Everything is as the attributes say.
   #settle() {
     this.#apply();
     this.#failed = null;
-    this.#game.begin(); // it has, unless the first try had a fault
+    this.#game.begin(); // needed if the first try failed
     const isNew = !this.#isReady;
     this.#isReady = true;
     this.#actions.done(isNew);
   }
 }
 
-// Whether what the scene would be found in has been read: the element's children, or all of the
-// page where it is another element's.
+// Whether the part of the page that holds the scene has been parsed: the element's children, or the
+// whole page if `scene` refers to another element.
 function isSceneParsed(host) {
   const { scene, ownerDocument } = host;
   if (scene === '') return hasParsed(host);

@@ -1,13 +1,12 @@
-// Says what is wrong, in the element: the error's title and text, the scene's faults with their
-// places, and a button to try again.
+// Shows an error in the element: its title and text, the scene's faults with their places, and a
+// button to try again.
 //
 //     showMessage(section, detail, retry);      // a detail of faults.js's explain
 //     hideMessage(section);
 
 import { node } from './nodes.js';
 
-// With these nothing can ever be shown here: what the page wrote for that case, stands in for the
-// picture.
+// Errors that trying again cannot fix: the element's children are shown instead of a picture.
 const kHopeless = ['no-webassembly', 'csp'];
 
 export function showMessage(section, { code, title, message, faults }, retry) {
@@ -25,7 +24,7 @@ export function showMessage(section, { code, title, message, faults }, retry) {
     ?.assign?.(...inside.filter((one) => one instanceof Element || one instanceof Text));
   section.classList.toggle('hopeless', kHopeless.includes(code));
   section.setAttribute('role', 'alert');
-  // A long list is scrolled with the keys, so it must be reachable by them.
+  // Focusable, so that keys can scroll a long list.
   section.tabIndex = faults.length > 0 ? 0 : -1;
   section.hidden = false;
 }

@@ -1,5 +1,5 @@
-// How large a picture may be so that pictures come as often as the screen shows them: a controller
-// that hears of every frame and chooses a scale. It knows nothing of a page.
+// Chooses how large a picture may be to reach the screen's frame rate: a controller that is told
+// about every frame and chooses a scale. It knows nothing of a page.
 //
 //     const pace = new Pace();
 //     pace.frame(time, busy);      // when the frame began, and how long all pictures in it took
@@ -7,47 +7,47 @@
 //
 // All times in milliseconds, on one clock.
 //
-// - Frames are judged in windows of half a second. Where they come later than the screen's
-//   interval, or are about to, pixels go: as many as drawing took too long, or a few where drawing
-//   is not what took the time. Where a larger picture would leave room to spare for a whole second,
-//   it grows.
-// - The scale goes from rung to rung of a ladder, each a few percent, so that nobody sees a leap.
-// - A larger picture that had to be given up again at once is tried later and later: no hunting.
-// - Where fewer pixels have not helped, something else keeps the page busy. Then the picture gets
-//   its pixels back, and late frames are put up with for a while.
+// - Frames are judged in windows of half a second. If frames are late, or nearly, the picture
+//   shrinks: in proportion to the excess if drawing takes the time, otherwise by a little. If a
+//   larger picture would have had time to spare for a whole second, it grows.
+// - The scale moves along a ladder of rungs a few percent apart, so that nobody sees a jump.
+// - If a larger picture had to shrink again soon, the next try comes later and later, so that the
+//   size does not oscillate.
+// - If fewer pixels did not help, something else keeps the page busy. Then the picture gets its
+//   pixels back, and late frames are accepted for a while.
 
 export const kLeastScale = 0.25;
 
-const kRung = 0.94; // from one scale to the next smaller one
+const kRung = 0.94; // ratio of one scale to the next larger one
 const kRungs = Math.ceil(Math.log(kLeastScale) / Math.log(kRung));
-const kRungTime = 45; // milliseconds at least, on the way to another scale
+const kRungTime = 45; // milliseconds at least between two rungs
 
 const kWindow = 500; // milliseconds
-const kFirstWindow = 200; // the first one, since a slow start is long
-const kFewestFrames = 3; // in a window
-const kGap = 1000; // from one frame to the next: the page has rested, if drawing did not take it
+const kFirstWindow = 200; // shorter, to react quickly to a slow start
+const kFewestFrames = 3; // per window
+const kGap = 1000; // a longer time between frames, unless spent drawing, is a rest
 
-const kLongestInterval = 1000 / 60; // a screen that shows fewer pictures is taken for a slow page
+const kLongestInterval = 1000 / 60; // a slower screen counts as a slow page
 const kShortestInterval = 1000 / 240;
-const kRemembered = 8; // windows, from which the screen's interval is known
+const kRemembered = 8; // windows used to estimate the screen's interval
 
-const kLate = 1.2; // intervals of the screen, from frame to frame
-const kMostLate = 0.3; // of the frames of a window, that may be late: others use the machine, too
-const kTight = 0.92; // of the interval: drawing that takes as much is about to be late
-const kFull = 0.8; // of the interval, that drawing may take
-const kSpare = 0.72; // the same, with a larger picture, before it is tried
-const kLateShrink = 0.88; // of the pixels, where drawing is not what takes the time
-const kDrawingMatters = 0.5; // of the interval
-const kMostRungsUp = 3; // at a time
-const kWindowsUp = 2; // with room to spare, before the picture grows
+const kLate = 1.2; // screen intervals; a longer time between frames is late
+const kMostLate = 0.3; // share of a window's frames that may be late: other programs run too
+const kTight = 0.92; // of the interval: drawing that takes this long is nearly late
+const kFull = 0.8; // of the interval: what drawing may take after shrinking
+const kSpare = 0.72; // of the interval: what drawing may take, by estimate, after growing
+const kLateShrink = 0.88; // of the pixels, if drawing does not take the time
+const kDrawingMatters = 0.5; // of the interval: drawing that takes longer is to blame
+const kMostRungsUp = 3; // per step
+const kWindowsUp = 2; // windows with time to spare before the picture grows
 
-const kGivenUpSoon = 5000; // after growing
+const kGivenUpSoon = 5000; // shrinking this soon after growing delays the next try
 const kShortestWait = 4000;
 const kLongestWait = 64000;
-const kTrials = 3; // windows with fewer pixels, after which they must have helped
+const kTrials = 3; // windows with fewer pixels before their effect is judged
 const kRungsPerTrial = 2;
-const kHelped = 0.93; // of the time between two frames
-const kPatience = 20000; // with late frames for which drawing is not to blame
+const kHelped = 0.93; // fewer pixels helped if the frame time fell below this share
+const kPatience = 20000; // how long late frames are accepted if drawing is not to blame
 
 const scaleOf = (rung) => Math.max(kLeastScale, kRung ** rung);
 const pixelsOf = (rung) => scaleOf(rung) ** 2;
@@ -60,17 +60,17 @@ export class Pace {
   #target = 0;
   #rungTime = -Infinity; // of the last change
   #last = null; // when the last frame began
-  #lastBusy = 0; // in it
+  #lastBusy = 0; // drawing time of the last frame
   #intervals = []; // of this window
-  #busy = []; // the same
-  #skip = 0; // frames that are not counted: the picture has just changed its size
+  #busy = []; // drawing times of this window
+  #skip = 0; // frames not to count, just after a change of size
   #windowLength = kFirstWindow;
-  #shortest = []; // of the last windows
-  #spare = 0; // windows in a row
+  #shortest = []; // short intervals of the last windows
+  #spare = 0; // consecutive windows with time to spare
   #grew = -Infinity;
   #wait = kShortestWait;
   #mayGrow = -Infinity;
-  #trial = null; // {rung, interval, windows}: before pixels went although drawing was quick
+  #trial = null; // {rung, interval, windows}: the state before shrinking although drawing was quick
   #patientUntil = -Infinity;
   #patience = kPatience;
 
@@ -78,7 +78,7 @@ export class Pace {
     return scaleOf(this.#rung);
   }
 
-  // Another picture, or several: what was learned of the last ones is worth less.
+  // The set of pictures changed: forgets what was learned.
   renew() {
     this.#clear();
     this.#windowLength = kFirstWindow;
@@ -88,7 +88,7 @@ export class Pace {
     this.#trial = null;
   }
 
-  // Nothing moves; the next frame has none before it.
+  // Nothing moves; the next frame starts a new sequence.
   rest() {
     this.#clear();
     this.#last = null;
@@ -146,8 +146,8 @@ export class Pace {
     else this.#grow(time, busy, screen);
   }
 
-  // Of the last windows the second shortest, so that one odd window says nothing. In a window the
-  // fifth part of the frames that came soonest.
+  // The second shortest of the last windows, so that one odd window does not matter. Per window,
+  // the interval that a fifth of the frames stay below.
   #screenInterval() {
     this.#shortest.push(quantile(this.#intervals, 0.2));
     if (this.#shortest.length > kRemembered) this.#shortest.shift();
@@ -173,7 +173,7 @@ export class Pace {
     }
   }
 
-  // Fewer pixels may help although drawing is quick: they have to be shown, too.
+  // Fewer pixels may help although drawing is quick, because showing them takes time too.
   #try(time, interval) {
     this.#trial ??= { rung: this.#rung, interval, windows: 0 };
     const { rung, interval: before, windows } = this.#trial;
@@ -183,7 +183,7 @@ export class Pace {
       return;
     }
     this.#trial = null;
-    if (interval < kHelped * before) return; // on, with the next window
+    if (interval < kHelped * before) return; // it helped; the next window continues
     this.#patientUntil = time + this.#patience;
     this.#patience *= 2;
     this.#go(rung);

@@ -1,24 +1,23 @@
-// What all elements of a page share: the engine is fetched and compiled once, each file that scenes
-// name is fetched once, its picture is decoded once, and a scene that one of them plays is loaded
-// once.
+// Shared by all elements of a page: the engine is fetched and compiled once, each file is fetched
+// once, each picture is decoded once, and the same scene is loaded once.
 //
-//     const release = holdCache();                                    // while an element is in the page
-//     const files = await sharedEngineFiles('auto', onBytes);         // for Engine.create({files, canvas})
-//     const bytes = await fetchOnce(address, onBytes);                // the same bytes for everybody: not to be written to
-//     const pixels = pictures.get(bytes);                             // of a file's picture, if another engine has decoded it
-//     pictures.keep(bytes, pixels);                                   // copies them, if anybody may want them
-//     nowPlays(engine, key);                                          // a further engine of that key can adopt its scene
+//     const release = holdCache();                            // while an element is in the page
+//     const files = await sharedEngineFiles('auto', onBytes); // for Engine.create({files, canvas})
+//     const bytes = await fetchOnce(address, onBytes);        // shared: do not write to them
+//     const pixels = pictures.get(bytes);                     // if another engine has decoded them
+//     pictures.keep(bytes, pixels);                           // copies them if they may be needed
+//     nowPlays(engine, key);                                  // other engines can adopt its scene
 //     release();
-//     forgetFiles();                                                  // before another try
+//     forgetFiles();                                          // before trying again
 //
-// What has failed is forgotten, so that another try asks again. Files are kept while anybody holds
-// the cache, pixels only until all of these play; the compiled engine stays with the page.
+// Failures are not cached. Files are kept while anybody holds the cache, pixels only until all
+// holders play; the compiled engine stays until the page is closed.
 
 import { browserHasWebAssembly, chooseBuild } from '../engine/builds.js';
 import { fetchEngine } from '../engine/engine-files.js';
 import { askAnew, fetchBytes } from '../engine/fetch-bytes.js';
 
-const kMostPixels = 16 << 20; // bytes: more than all shipped pictures have
+const kMostPixels = 16 << 20; // bytes; more than all shipped pictures together
 
 const engines = new Map();
 const files = new Map();
@@ -26,8 +25,7 @@ const pixelsOf = new Map(); // a file's bytes -> its picture's pixels
 let pixelBytes = 0;
 let holders = 0;
 
-// The engines that play, with all that was asked of each: build, scene and tour. Who stops one
-// takes it out.
+// The playing engines with their keys: build, scene and tour. Whoever stops an engine removes it.
 export const players = new Map();
 
 export function nowPlays(engine, key) {
@@ -35,8 +33,7 @@ export function nowPlays(engine, key) {
   dropPixels();
 }
 
-// What engines have decoded, for other elements whose scenes are still to come. An element alone
-// keeps nothing.
+// Decoded pictures for elements whose scenes have not loaded yet. A single element keeps none.
 export const pictures = {
   get: (bytes) => pixelsOf.get(bytes),
   keep(bytes, pixels) {
@@ -52,13 +49,13 @@ function dropPixels() {
   pixelBytes = 0;
 }
 
-// What fetchEngine gives, once per page and build.
+// fetchEngine(), once per page and build.
 export function sharedEngineFiles(kind = 'auto', onBytes = () => {}) {
   const build = browserHasWebAssembly() ? chooseBuild(kind) : kind;
   return share(engines, build, (report) => fetchEngine({ kind: build, onBytes: report }), onBytes);
 }
 
-// The bytes behind an address. Throws what fetchBytes throws.
+// fetchBytes(), once per address.
 export function fetchOnce(address, onBytes = () => {}, most) {
   const { href } = new URL(address);
   const bytes = share(files, href, (report) => fetchBytes(href, report, most), onBytes);
@@ -67,15 +64,14 @@ export function fetchOnce(address, onBytes = () => {}, most) {
   return bytes;
 }
 
-// Whoever tries again after a fault wants the files as they are now, and no scene that was made of
-// them before.
+// Trying again after an error needs the files as they are now, and no scene made of older ones.
 export function forgetFiles() {
   askAnew();
   files.clear();
   players.clear();
 }
 
-// Keeps what is fetched until the function that it gives is called.
+// Keeps fetched files until the returned function is called.
 export function holdCache() {
   holders += 1;
   let isHeld = true;
@@ -88,7 +84,7 @@ export function holdCache() {
   };
 }
 
-// One load for all who ask; who comes late hears at once how far it has come.
+// One load for all callers; a late caller gets the current progress at once.
 function share(entries, key, load, onBytes) {
   const entry = entries.get(key) ?? begin(entries, key, load);
   if (entry.progress !== null) onBytes(...entry.progress);
@@ -103,7 +99,7 @@ function begin(entries, key, load) {
     entry.progress = progress;
     for (const tell of entry.listeners) tell(...progress);
   });
-  // A listener belongs to an element, which must not live as long as the page.
+  // Listeners would keep removed elements in memory.
   const forgetListeners = () => {
     entry.listeners = null;
   };

@@ -1,11 +1,11 @@
-// Whether the browser has read all of an element's children: where the element is defined early, it
-// comes to life before they are there.
+// Whether the browser has parsed all of an element's children. If the element is defined early, it
+// connects before they exist.
 //
 //     if (!hasParsed(element)) whenParsed(element, again, {signal});
 
 export function hasParsed(element) {
   if (element.ownerDocument.readyState !== 'loading') return true;
-  // What comes after it shows that its end tag has been read.
+  // A node after it shows that its end tag has been parsed.
   for (let node = element; node !== null; node = node.parentNode ?? node.host ?? null) {
     if (node.nextSibling !== null && node.nextSibling !== undefined) return true;
   }

@@ -1,11 +1,9 @@
-// Two views that move together: whoever of the two moves, the other one follows.
+// Two elements that share a view: when either moves, the other one follows.
 //
-//     const partner = new Partner(show, otherShow);       // the first one looks from where the other one does, from now on
+//     const partner = new Partner(show, otherShow);       // the first takes the view of the other
 //     partner.stop();
-//
-// A show has a host, an engine that is null before there is a scene, and events at the host.
 
-const kFollowingMilliseconds = 150; // so long after it has been led, what moves in a view leads nobody
+const kFollowingMilliseconds = 150; // how long a view that has just followed does not lead
 
 export class Partner {
   #ended = new AbortController();
@@ -37,8 +35,8 @@ export class Partner {
     this.#led.set(follower, now);
     if (!follower.engine.look(view)) return;
     follower.engine.flying = leader.engine.state.flying;
-    // In the same frame, and after the leader has asked for its next one: so the leader goes first
-    // there, and nothing is drawn twice.
+    // Draws in the same frame, but after the leader has requested its next one. So the leader comes
+    // first in that frame too, and nothing is drawn twice.
     queueMicrotask(
       () => follower.ready !== null && follower.engine.drawNow(document.timeline.currentTime),
     );

@@ -1,4 +1,4 @@
-// The class of <ray-caster>: what a page can ask of it. What it does is in show.js.
+// The class of <ray-caster>, its public interface. show.js does the work.
 
 import { readView } from '../engine/address.js';
 import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
@@ -6,19 +6,19 @@ import { faultOf, orFault } from './faults.js';
 import { Show } from './show.js';
 import { checkSize, snapshotOf } from './snapshot.js';
 
-// Where there is no document the class is there to be imported, and no more.
+// Without a document the class can be imported, but not used.
 const Base = globalThis.HTMLElement ?? class {};
 
 export class RayCaster extends Base {
   static observedAttributes = kAttributes;
 
   #show;
-  #scene = null; // one that was given as an object
+  #scene = null; // a scene set as an object
   #source = null;
 
   constructor() {
     super();
-    // By hand: what stands inside may be shown in several places (hotspots.js), or not at all.
+    // Manual: children are shown in several places (hotspots.js), or not at all.
     this.attachShadow({ mode: 'open', slotAssignment: 'manual' });
     this.#show = new Show(this, this.attachInternals());
   }
@@ -34,7 +34,7 @@ export class RayCaster extends Base {
     this.#show.disconnect();
   }
 
-  // moveBefore() keeps it as it is.
+  // Its presence lets moveBefore() move the element without a restart.
   connectedMoveCallback() {}
 
   adoptedCallback() {
@@ -293,12 +293,12 @@ export class RayCaster extends Base {
 
   #engine(method) {
     if (this.#ready === null)
-      throw faultOf('not-ready', `${method}() was called before there was a scene`);
+      throw faultOf('not-ready', `${method}() was called before the scene had loaded`);
     return this.#ready;
   }
 }
 
-// Lists and ranges are looked at where they are read.
+// questions.js checks lists and ranges.
 function checkColumns(method, columns) {
   if (!Number.isInteger(columns) && (typeof columns !== 'object' || columns === null))
     throw new RangeError(

@@ -1,8 +1,8 @@
-// Hands something to the browser as a file to keep.
+// Saves a blob as a file, like a download.
 //
 //     saveFile('castle.png', blob);
 
-const kKeepMilliseconds = 10000; // until the browser has surely begun to read it
+const kKeepMilliseconds = 10000; // by then the browser has surely begun to read the blob
 
 export function saveFile(name, blob) {
   const link = document.createElement('a');

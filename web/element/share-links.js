@@ -1,13 +1,14 @@
-// What there is to share of a view: its address in this page, the tag and the frame that put it
-// into another page.
+// Writes a view as a link to this page, and as a tag or frame for another page.
 //
 //     const shared = sharedParameters({reference: 'castle.json', view, options: engine.options});
-//     linkTo(shared, base);    tagFor(shared, {base, scene, label});    frameFor(shared, {base, label});
+//     linkTo(shared, base);
+//     tagFor(shared, {base, scene, label});
+//     frameFor(shared, {base, label});
 
 import { formatOptions, formatView, kOverlays, writeQuery } from '../engine/address.js';
 
-// {scene, view, options, overlay} as the address spells them, null for what is as usual. Without a
-// `view` it is the scene's start.
+// {scene, view, options, overlay} as an address spells them, null for standard values. Without a
+// `view`, the scene's start.
 export function sharedParameters({ reference, view = null, options }) {
   const changed = options.filter(({ value, standard }) => value !== standard);
   const overlays = changed.filter(({ name }) => kOverlays.includes(name)).map(({ name }) => name);
@@ -22,12 +23,12 @@ export function sharedParameters({ reference, view = null, options }) {
   };
 }
 
-// `base` is the folder that the page lies in.
+// `base` is the page's folder.
 export function linkTo(shared, base) {
   return new URL(writeQuery(shared), base).href;
 }
 
-// `scene` is the address of the scene file: another page has other folders.
+// `scene` is the full address of the scene file, because another page is in another folder.
 export function tagFor({ view, options, overlay }, { base, scene, label }) {
   const tag = openingTag('ray-caster', { scene, view, options, overlay, label, controls: '' });
   return `${openingTag('script', { type: 'module', src: new URL('ray-caster.js', base).href })}</script>\n${tag}</ray-caster>`;

@@ -1,23 +1,23 @@
-// The pictures of a page share one budget: what all of them take in a frame decides the scale of
-// those whose size follows their boxes. A picture that stands still has all the pixels of its box,
-// and the size stays as it is while somebody counts the columns.
+// All pictures of a page share one time budget: the drawing time of all of them in a frame sets the
+// scale of those with size="auto". A picture at rest has all pixels of its box. The size does not
+// change while an overlay counts columns.
 //
 //     const pace = joinPace({ setScale(scale) {...}, isCounted: () => false });
-//     pace.plays(true);                    its world goes on; or false
-//     pace.drew(time, milliseconds);       a frame that began then, and how long it took
+//     pace.plays(true);                    whether its world runs
+//     pace.drew(time, milliseconds);       when a frame began, and how long drawing took
 //     pace.leave();
 
 import { Pace } from './pace.js';
 
-const kRest = 300; // milliseconds without a frame, after which a picture stands still
-const kFlow = 100; // from frame to frame of a picture that moves, beside the time of drawing it
-const kFlowing = 3; // such frames in a row
+const kRest = 300; // milliseconds without a frame after which a picture is at rest
+const kFlow = 100; // milliseconds at most between frames of a moving picture, without drawing
+const kFlowing = 3; // so many such frames in a row: the picture moves
 
 const pace = new Pace();
 const members = new Set();
-let time = null; // of the frame that is being drawn
-let busy = 0; // in it, milliseconds
-let rest = 0; // a timer, while something moves that does not play
+let time = null; // of the current frame
+let busy = 0; // milliseconds of drawing in it
+let rest = 0; // a timer, while a paused picture moves
 
 export function joinPace({ setScale, isCounted }) {
   const member = { setScale, isCounted, scale: 1, plays: false, last: -Infinity, frames: 0 };
@@ -46,10 +46,10 @@ export function joinPace({ setScale, isCounted }) {
 
 const moves = ({ plays, frames }) => plays || frames >= kFlowing;
 
-// It may come to rest without anybody saying so.
+// Whether a timer must find out that the picture has come to rest.
 const needsRest = (member) => !member.plays && (moves(member) || member.scale !== 1);
 
-// The pictures of the frame before this one are all drawn.
+// All pictures of the previous frame have been drawn.
 function endFrame(begin) {
   if (time !== null && [...members].some(moves)) {
     pace.frame(time, busy);

@@ -1,7 +1,7 @@
-// What a <ray-caster> does behind its attributes and methods: it comes to life in the page, loads
-// what the attributes say, and runs the engine while the world is asked to play (autoplay, play())
-// or held (steering.js), and can be seen. The pieces: tree.js and face.js (what is seen), game.js
-// (the engine), loading.js (from the attributes to the engine).
+// The implementation of <ray-caster>: connects to the page, loads what the attributes name, and
+// runs the engine while it is visible and either playing (autoplay, play()) or steered
+// (steering.js). Its pieces: tree.js and face.js (what is visible), game.js (the engine),
+// loading.js (from attributes to engine).
 //
 //     const show = new Show(element, internals);       // with a shadow root
 //     show.connect();   show.update();   show.disconnect();
@@ -14,7 +14,7 @@ import { asError, frameDetail, withResolvers } from './details.js';
 import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
-import { bringMore, bringSteering } from './late.js';
+import { bringMore, bringSteering } from './later-parts.js';
 import { Loading } from './loading.js';
 import { forgetFiles, holdCache } from './page-cache.js';
 import { Styles } from './styles.js';
@@ -22,42 +22,42 @@ import { buildTree } from './tree.js';
 import { ViewStatus } from './view-status.js';
 import { watchVisibility } from './visibility.js';
 
-const kDeadMilliseconds = 500; // without a picture after a failure of some engine, it was this one's
+const kDeadMilliseconds = 500; // no picture for so long after some engine crashed: it was this one
 const kModes = ['recording', 'replay', 'cursor', 'fly'];
 const kDegreesPerPixel = 0.15; // of the mouse
 const shows = new WeakMap(); // element -> its show
-const kFramesToPace = 4; // drawn one after the other
-// Options that count columns of the picture: meanwhile its size stays.
+const kFramesToPace = 4; // frames before the automatic size starts
+// Options that count columns of the picture: the size must not change meanwhile.
 const kCounting = ['grid', 'inspector', 'slow'];
-const kNear = ['pointerenter', 'pointerdown', 'focusin']; // who does this may soon steer
+const kNear = ['pointerenter', 'pointerdown', 'focusin']; // somebody may soon steer
 
 export class Show {
   state = 'idle';
   error = null; // ErrorDetail
-  ready = null; // ReadyDetail of the scene that plays
+  ready = null; // ReadyDetail of the current scene
   #host;
   #hotspots = null;
   #partner = null;
   #partnersShow = null;
-  #wasNear = false; // somebody came who may steer
+  #wasNear = false; // one of kNear has happened
   #tree;
   #face;
   #game;
   #styles;
-  #steering = null; // once it was wanted
+  #steering = null; // once loaded
   #viewStatus;
   #life = null; // while the element is in the document: an AbortController
   #stage = null;
-  #pace = null; // once it moves
+  #pace = null; // after kFramesToPace frames
   #frames = 0; // drawn before that
   #mouse = { speed: 1, invert: false };
   #waiting = null; // of whenReady(): {promise, resolve, reject}
-  #loading = null; // the same
-  #noSteering = null; // why there is no bar, although one is wanted; asked for again by who tries again
+  #loading = null; // while connected
+  #noSteering = null; // why the bar could not load
   #isSeen = false;
   #isAskedToPlay = false;
   #isTouched = false;
-  #wish = null; // of who has pressed, and plays once what one steers by has come: {touch, mouse}
+  #pending = null; // {touch, mouse} of a press that waits for steering.js to load
   #stands = true;
   #pictures = 0;
 
@@ -115,7 +115,7 @@ export class Show {
   // ---- Life
 
   connect() {
-    if (this.#life !== null) return; // it was only moved
+    if (this.#life !== null) return; // only moved
     this.#life = new AbortController();
     const { signal } = this.#life;
     const until = (act) => signal.addEventListener('abort', act);
@@ -151,13 +151,13 @@ export class Show {
       ({ error }) => isEngineFailure(error) && this.#findDead(error),
       { signal },
     );
-    // Asked before it was in the page
+    // play() or whenReady() was called before it was in the page.
     if (this.#isAskedToPlay || this.#waiting !== null) this.#loading.now();
     if (this.#host.autoplay) this.autoplay();
     this.update();
   }
 
-  // Moving it within the document takes it out and puts it in again at once.
+  // Moving the element disconnects and connects it at once.
   disconnect() {
     this.#letGo();
     queueMicrotask(() => !this.#host.isConnected && this.end());
@@ -201,7 +201,7 @@ export class Show {
     this.#loading?.update();
   }
 
-  // The scene is in the engine; its first picture is to come.
+  // The scene is in the engine, but has no picture yet.
   #loaded() {
     this.ready = null;
     if (this.#stage.width === undefined) this.#stage.layOut();
@@ -209,7 +209,7 @@ export class Show {
     this.#setMouse();
   }
 
-  // All is as the attributes say.
+  // Everything is as the attributes say.
   #done(isNew) {
     if (isNew) {
       const { title, maps } = this.engine.world;
@@ -240,8 +240,8 @@ export class Show {
     this.#styles.size = wanted.size;
     if (this.#stage.size !== wanted.size) this.#stage.setSize(wanted.size);
     this.#face.attributes(wanted, this.ready !== null);
-    // Without a sign to press, and the picture as one that is looked at; a first click loads all the
-    // same where one is asked for.
+    // interaction="none" hides the play button; but with loading="click" the first click still
+    // loads.
     const isShut = wanted.interaction === 'none' && !this.#loading.waitsForClick;
     this.#tree.box.classList.toggle('shut', isShut);
     this.#steering?.attributes(wanted);
@@ -255,7 +255,7 @@ export class Show {
     this.#steered().catch(() => {});
   }
 
-  // ---- What stands on the picture, and who looks from the same place
+  // ---- Hotspots and shared views
 
   #bringMore({ syncwith }) {
     const hasSpots = this.#host.querySelector(':scope > [data-at]') !== null;
@@ -288,20 +288,19 @@ export class Show {
     try {
       found = this.#host.getRootNode().querySelector(selector);
     } catch {
-      // It is no selector, and finds nothing.
+      // Not a valid selector.
     }
     const other = found === this.#host ? undefined : shows.get(found);
     if (other === undefined && page.readyState === 'loading')
       page.addEventListener('DOMContentLoaded', () => this.update(), { once: true });
-    else if (other === undefined)
-      warn('syncwith', `No other <ray-caster> is found by '${selector}'.`);
+    else if (other === undefined) warn('syncwith', `'${selector}' finds no other <ray-caster>.`);
     if (other === this.#partnersShow) return;
     this.#partner?.stop();
     this.#partner = other === undefined ? null : new Partner(this, other);
     this.#partnersShow = other ?? null;
   }
 
-  // From now on the picture is as large as the page's budget allows.
+  // Starts the automatic size.
   #keepPace() {
     const life = this.#life;
     const isCounted = () =>
@@ -318,7 +317,7 @@ export class Show {
     );
   }
 
-  // ---- What is wrong
+  // ---- Errors
 
   #fail(error) {
     if (isEngineFailure(error)) this.#drop();
@@ -328,8 +327,8 @@ export class Show {
     this.error = explain(error);
     this.#waiting?.reject(asError(this.error));
     this.#waiting = null;
-    // What is wrong already is not told again: the page may write about it into the element, which
-    // then looks whether it is still wrong.
+    // Does not report the same error again: a page may react by writing into the element, which
+    // then tries again.
     if (JSON.stringify(this.error) === JSON.stringify(before)) return;
     this.#letGo();
     this.#steering?.stop();
@@ -344,7 +343,7 @@ export class Show {
     this.#again(null);
   }
 
-  // The scene as it is now, fetched anew.
+  // Fetches the scene again.
   reload({ keepEye = false } = {}) {
     if (this.#loading !== null) this.#again({ keepEye });
   }
@@ -369,7 +368,7 @@ export class Show {
     this.tell('warning', { attribute, message });
   }
 
-  // Some engine of the page has failed while it drew; the browser does not say whose.
+  // Some engine of the page crashed while drawing; the browser does not say which.
   #findDead(error) {
     const { engine } = this;
     const before = this.#pictures;
@@ -394,7 +393,8 @@ export class Show {
   }
 
   autoplay() {
-    if (this.#life === null || matchMedia('(prefers-reduced-motion: reduce)').matches) return; // connect() comes back to it
+    // Before connect(): it calls this again.
+    if (this.#life === null || matchMedia('(prefers-reduced-motion: reduce)').matches) return;
     this.#isAskedToPlay = true;
     this.run();
   }
@@ -405,36 +405,37 @@ export class Show {
     this.run();
   }
 
-  // Nobody steers, nor is about to.
+  // Ends steering, and forgets a press that waits.
   #letGo() {
-    this.#wish = null;
+    this.#pending = null;
     this.#tree.box.classList.remove('waiting');
     this.#steering?.end();
   }
 
-  // As a click on the picture; with `mouse` it takes the mouse along, as the next click would.
+  // Acts like a click on the picture; with `mouse` it also captures the mouse, as a second click
+  // would.
   hold({ mouse = false, touch = this.#isTouched } = {}) {
     const { root, box, cover } = this.#tree;
     if (this.#loading?.wanted?.interaction === 'none') {
       this.play();
       return;
     }
-    // Safari gives pressed buttons no focus; it is what remembers the wish while anything is still
-    // to come.
+    // Safari does not focus pressed buttons, but the focus tells whether the press still counts
+    // once everything has loaded.
     if (root.activeElement !== cover) cover.focus({ preventScroll: true });
     this.#loading?.now();
-    const wish = { touch, mouse: mouse || this.#wish?.mouse === true };
+    const press = { touch, mouse: mouse || this.#pending?.mouse === true };
     if (this.#steering !== null) {
-      this.#steering.begin(wish);
+      this.#steering.begin(press);
       return;
     }
-    this.#wish = wish;
+    this.#pending = press;
     box.classList.add('waiting');
     this.#steered().then(
       (steering) => {
-        if (this.#wish !== wish) return; // taken back, or another one
+        if (this.#pending !== press) return; // cancelled, or a later press
         this.#letGo();
-        if (root.activeElement === cover) steering.begin(wish);
+        if (root.activeElement === cover) steering.begin(press);
       },
       (error) => {
         this.#letGo();
@@ -443,7 +444,7 @@ export class Show {
     );
   }
 
-  // The last press was a finger's: then there are thumbs.
+  // Notes whether the last press was by a finger, to show thumbs.
   #listenToPresses({ box, cover }) {
     box.addEventListener(
       'pointerdown',
@@ -462,7 +463,7 @@ export class Show {
     cover.addEventListener('click', () => this.hold());
   }
 
-  // What one steers by, fetched when somebody comes near or wants the bar.
+  // Loads steering.js when somebody may soon steer, or the bar is wanted.
   async #steered() {
     if (this.#steering !== null) return this.#steering;
     const { Steering } = await bringSteering();
@@ -482,7 +483,7 @@ export class Show {
     this.run();
   }
 
-  // The state, and the engine, as they must be now.
+  // Updates the state, and pauses or resumes the engine.
   run() {
     const isReady = this.ready !== null;
     const state =
@@ -521,7 +522,7 @@ export class Show {
     this.#face.status(text, how);
   }
 
-  // Where the scene begins for this element.
+  // Back to the start, or to the view of the attribute.
   reset() {
     this.#game.reset();
     this.#loading.applyView();
@@ -560,7 +561,7 @@ export class Show {
     return this.#waiting.promise;
   }
 
-  // ---- What the engine tells
+  // ---- Events of the engine
 
   #showCanvas(canvas) {
     canvas.setAttribute('part', 'picture');
@@ -568,7 +569,7 @@ export class Show {
     this.#tree.canvas?.remove();
     this.#tree.canvas = canvas;
     this.#tree.frame.append(canvas);
-    // Only who steers it can tab to it; before, there is its cover.
+    // Tab reaches it only during steering; otherwise the cover.
     canvas.tabIndex = -1;
     canvas.setAttribute('role', 'img');
     this.#steering?.takeCanvas();
@@ -594,7 +595,7 @@ export class Show {
         this.tell('portal', value);
         break;
       case 'pause':
-        if (value !== this.#stands) this.pause(); // by its key
+        if (value !== this.#stands) this.pause(); // the pause key
         break;
       case 'overlay':
         this.showState();
@@ -608,7 +609,7 @@ export class Show {
     }
   }
 
-  // False if the page has kept it from going on, where it can.
+  // Returns false if the page cancelled the event.
   tell(name, detail, cancelable = false) {
     return this.#host.dispatchEvent(new CustomEvent(name, { detail, cancelable }));
   }

@@ -27,7 +27,7 @@ export async function snapshotOf(engine, { width, height, type, ...others }) {
     throw new Error(`snapshot: this browser cannot make a picture of ${width} x ${height} pixels.`);
   if (blob.type !== type)
     throw new Error(
-      `snapshot: found type ${type}, expected a type of image that this browser writes, as image/png.`,
+      `snapshot: found type ${type}, expected an image type that this browser writes, such as image/png.`,
     );
   return blob;
 }

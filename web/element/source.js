@@ -1,29 +1,30 @@
-// Which scene a <ray-caster> shows: an address, or what its children hold. A source is as
-// source-parts.js describes it; its files are fetched once per page.
+// Finds the scene of a <ray-caster>: an address, an object, or its children. source-parts.js
+// describes sources; their files are fetched once per page.
 //
-//     const scene = findScene(element);             // {key, source()}, null without one; throws a Trouble
-//     const source = namedScene('castle');          // one of those that lie beside the script
+//     const scene = findScene(element);             // {key, source()} or null; throws a Trouble
+//     const source = namedScene('castle');          // a shipped scene
 //     source.failures                               // file -> why it could not be read
 
 import { finalAddress } from '../engine/fetch-bytes.js';
 import { kHome, reachable } from '../engine/home.js';
 import { kMostSceneBytes } from '../engine/limits.js';
-import { bringRows } from './late.js';
+import { bringRows } from './later-parts.js';
 import { fetchOnce, pictures } from './page-cache.js';
 import { readSceneObject } from '../engine/scene-object.js';
 import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
 import { Trouble, coded } from '../engine/trouble.js';
 
-const kScenes = new URL('scenes/', kHome); // what an inline scene names is looked for there
+const kScenes = new URL('scenes/', kHome); // inline scenes name files relative to this folder
 
 const kInline = 'script[type="application/json"]';
 const kRows = 'script[type="text/plain"][data-rows], pre[slot="rows"], pre[data-rows]';
-const kPre = 'pre'; // where nothing else is a scene
+const kPre = 'pre'; // if nothing else is a scene
 const kName = /^[\w-]+$/;
-const kImported = Symbol.for('slicecast.scenes'); // name -> {scene, tour} of the modules slicecast/scenes/NAME
+// name -> {scene, tour} of imported modules slicecast/scenes/NAME
+const kImported = Symbol.for('slicecast.scenes');
 const kShipped = /^(scenes|textures|see-through|sheets|sprites|tours)\//;
 
-const keys = new WeakMap(); // of sources that pages have made
+const keys = new WeakMap(); // source made by a page -> its key
 let keyCount = 0;
 
 export function findScene(element) {
@@ -32,8 +33,8 @@ export function findScene(element) {
     if (!keys.has(source)) keys.set(source, `source ${++keyCount}`);
     return { key: keys.get(source), source: () => sceneOfPage(source) };
   }
-  const given = typeof scene === 'object' ? scene : importedBy(scene)?.scene;
-  if (given !== undefined) return ofObject(element, given);
+  const object = typeof scene === 'object' ? scene : importedBy(scene)?.scene;
+  if (object !== undefined) return ofObject(element, object);
   if (scene.startsWith('#')) return ofElement(element, referredTo(element, scene));
   if (scene !== '') {
     const address = addressOf(scene, (name) => new URL(`${name}.json`, kScenes), element, 'scene');
@@ -47,18 +48,18 @@ export function findScene(element) {
   return isRows(text) ? ofRows(element, text) : null;
 }
 
-// What is missing, where findScene gives null.
+// The error for an element without a scene.
 export function noScene(element) {
   const text = bareText(element).trim();
   return new Trouble(
     'There is no scene',
-    `Found ${text === '' ? 'nothing' : `"${text.slice(0, 40)}"`}, expected scene="castle" or another address, a scene as JSON in <script type="application/json">, or two rows of characters or more, as text or in <pre>`,
+    `Found ${text === '' ? 'nothing' : `"${text.slice(0, 40)}"`}, expected scene="castle" or another address, a scene as JSON in <script type="application/json">, or at least two rows of characters, as text or in <pre>`,
     [],
     'address',
   );
 }
 
-// `#yard`: another element's scene, or a script or rows that stand elsewhere in the page.
+// Resolves `#yard`: another element's scene, or a script or rows elsewhere in the page.
 function referredTo(element, reference) {
   const seen = new Set([element]);
   let found = element;
@@ -122,7 +123,7 @@ function ofRows(element, text, how = '') {
   };
 }
 
-// Text between the tags, beside elements.
+// The element's own text, without that of child elements.
 function bareText(element) {
   return [...element.childNodes]
     .filter(({ nodeType }) => nodeType === Node.TEXT_NODE)
@@ -134,21 +135,21 @@ function isRows(text) {
   return text.split('\n').filter((line) => line.trim() !== '').length > 1;
 }
 
-// Where the files lie that a scene names which has no address of its own: where the attribute says,
-// else where `otherwise(file)` says.
+// Resolves files of a scene without an address: relative to the attribute `base`, else to
+// `otherwise(file)`.
 function filesFor(element, otherwise) {
   const { base, ownerDocument } = element;
   const folder = base === '' ? null : addressOf(base, null, element, 'base');
   return (file) => new URL(file, folder ?? otherwise(file, ownerDocument.baseURI));
 }
 
-// The author's own pictures lie beside the page.
+// The author's own pictures are relative to the page.
 function rowsFiles(element) {
   const ofOwn = filesFor(element, (_, page) => page);
   return (file) => (isShippedFile(file) ? new URL(file, kScenes) : ofOwn(file));
 }
 
-// One of the shipped scenes, as recordings name them.
+// A shipped scene by its name, as recordings use it.
 export function namedScene(name) {
   const bare = name.replace(/\.json$/i, '');
   const scene = importedBy(bare)?.scene;
@@ -157,7 +158,7 @@ export function namedScene(name) {
     : ofObject({ base: '' }, scene).source();
 }
 
-// What the page's scripts have imported of a scene.
+// A scene that the page's scripts imported.
 function importedBy(name) {
   return globalThis[kImported]?.get(name);
 }
@@ -169,7 +170,7 @@ export function tourAddress(element) {
   return addressOf(element.tour, named, element, 'tour');
 }
 
-// {name, bytes} of a recording. Throws a Trouble.
+// Returns {name, bytes} of a recording. Throws a Trouble.
 export async function readTour(address) {
   const bytes = await fetchFile(address).catch((error) => {
     throw new Trouble(
@@ -224,7 +225,7 @@ function sceneOf(name, read, addressOfFile) {
   };
 }
 
-// What the property `source` holds.
+// Wraps the property `source`.
 function sceneOfPage(source) {
   return {
     name: source.name ?? 'scene',
@@ -241,8 +242,8 @@ function filesBeside(address) {
   return filesBy((file, onBytes) => fetchFile(new URL(file, finalAddress(address)), onBytes));
 }
 
-// A page in place of a shipped file: the folders of the package are not where the element looks for
-// them.
+// If the server sends a web page instead of a shipped file, the package's folders are missing where
+// the element looks for them.
 function fetchFile(address, onBytes, most) {
   return fetchOnce(address, onBytes, most).catch((error) => {
     const isShipped =

@@ -1,17 +1,17 @@
-// Lays the picture out in its box: how many pixels it has, and how large each of them is shown. A
-// pixel of the picture is a whole number of the screen's own pixels wherever that leaves the box
-// well filled, so edges stay even; any other scale is filtered.
+// Lays the picture out in its box: how many pixels it has, and how large they are shown. Each pixel
+// covers a whole number of screen pixels if that fills the box well, so that edges stay even; other
+// scales are filtered.
 
-export const kLargestSide = 4096; // pixels, as the engine's
+export const kLargestSide = 4096; // pixels, as in the engine
 
-const kLeastLongSide = 320; // pixels, of a picture that is made smaller to be quicker
-const kLeastFill = 0.8; // of the box's width or height, below which uneven pixels are better than wide margins
+const kLeastLongSide = 320; // pixels; the automatic size goes no lower
+const kLeastFill = 0.8; // of the box; below that, uneven pixels are better than wide margins
 const kAlmost = 1e-6;
 
-// `size` is 'auto', 'WIDTHxHEIGHT', or a share of the box's own pixels, '50%'; the box is in pixels
-// of the screen. With auto the picture has `scale` times the pixels of the box. Gives the picture's
-// size and its size on the screen, in pixels each, and whether every one of its pixels covers the
-// same whole number of the screen's.
+// `size` is 'auto', 'WIDTHxHEIGHT', or a share of the box such as '50%'; the box is in screen
+// pixels. With auto the picture's sides are `scale` times the box's. Returns the picture's size,
+// its size on the screen, and whether each of its pixels covers the same whole number of screen
+// pixels.
 export function layOut(size, boxWidth, boxHeight, scale = 1) {
   const width = Math.max(1, Math.round(boxWidth));
   const height = Math.max(1, Math.round(boxHeight));
@@ -34,7 +34,7 @@ export function layOut(size, boxWidth, boxHeight, scale = 1) {
   };
 }
 
-// A picture of a size of its own: it keeps its shape.
+// A picture of a fixed size keeps its shape.
 function fit(width, height, boxWidth, boxHeight) {
   const fits = Math.min(boxWidth / width, boxHeight / height);
   const whole = Math.floor(fits);
@@ -51,10 +51,10 @@ function shown(width, height, scale) {
   };
 }
 
-// Keeps `frame`, which holds the canvas, laid out in `stage`, and says so whenever the picture's
-// size changes. stop() ends that.
+// Keeps `frame`, which holds the canvas, laid out in `stage`, and reports each change of the
+// picture's size, until stop().
 export class Stage {
-  #box = null; // as observed: a stage in the flow of a page may end between two pixels
+  #box = null; // the observed size, which need not be whole pixels
   #observer = new ResizeObserver((entries) => {
     this.#box = entries.at(-1).contentRect;
     this.layOut();
@@ -66,9 +66,9 @@ export class Stage {
     this.frame = frame;
     this.onPictureSize = onPictureSize;
     this.size = 'auto';
-    this.scale = 1; // of the picture's sides to the box's, with the size auto
+    this.scale = 1; // for the size auto
     this.#observer.observe(stage);
-    // Moving to another screen changes how large its pixels are, and nothing else.
+    // Moving to another screen may change only devicePixelRatio.
     window.addEventListener('resize', this.#onWindow);
   }
 
@@ -94,7 +94,7 @@ export class Stage {
     const wanted = layOut(this.size, boxWidth, boxHeight, this.scale);
     this.frame.style.width = `${wanted.shownWidth / ratio}px`;
     this.frame.style.height = `${wanted.shownHeight / ratio}px`;
-    // In the middle, but never between two pixels of the screen.
+    // Centred on whole screen pixels.
     this.frame.style.left = `${Math.floor((boxWidth - wanted.shownWidth) / 2) / ratio}px`;
     this.frame.style.top = `${Math.floor((boxHeight - wanted.shownHeight) / 2) / ratio}px`;
     this.frame.classList.toggle('filtered', !wanted.isEven);

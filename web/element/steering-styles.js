@@ -1,9 +1,9 @@
-// How the things look by which one steers a <ray-caster>: the sheet beside that of styles.js.
+// The style sheet of bar, keys and thumbs, added to that of styles.js.
 
 export const kSheet = `
 .box.engaged:focus-within::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
 
-/* ---- The bar. It leaves while somebody plays and does not point at it. */
+/* ---- The bar. Hidden during play unless the pointer is on it. */
 
 .controls { position: absolute; inset: auto 0 0; display: flex; padding: 0 4px; background: var(--veil); transition: opacity var(--quick); }
 .controls button { display: grid; place-items: center; flex: 0 1 44px; min-width: 0; height: 44px; padding: 0; color: var(--soft); background: none; }
@@ -14,7 +14,7 @@ export const kSheet = `
 .box[data-state="playing"]:not(:hover) .controls:not(:focus-within) { opacity: 0; transition: opacity calc(2 * var(--quick)) 600ms; }
 .box[data-state="error"] .controls { display: none; }
 
-/* What there is no room for, goes: what is seldom used first, and the bar itself where it would hide the picture. */
+/* In small boxes rarely used buttons go first; in tiny ones the whole bar goes. */
 @container (max-width: 280px) { .controls :is([data-name="save"], [data-name="share"]) { display: none; } }
 @container (max-width: 190px) { .controls [data-name="overlay"] { display: none; } }
 @container (max-width: 140px) { .controls [data-name="reset"] { display: none; } }
@@ -34,7 +34,7 @@ export const kSheet = `
 .keys kbd { display: inline-block; min-width: 24px; margin: 0 4px 2px 0; padding: 0 6px 2px; font: inherit; font-size: 12px; text-align: center; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
 @container (max-width: 420px) { .keys .again { top: 6px; right: 12px; } }
 
-/* ---- Touch: only while it is played by a finger */
+/* ---- Touch: only during play by a finger */
 
 .leave { position: absolute; right: 0; top: 0; display: grid; place-items: center; width: 44px; height: 44px; padding: 0; background: var(--veil); }
 .touch { position: absolute; inset: 0; touch-action: none; user-select: none; -webkit-user-select: none; -webkit-touch-callout: none; }

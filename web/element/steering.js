@@ -1,9 +1,9 @@
-// Everything by which somebody steers a <ray-caster>: its bar, keys, thumbs, gamepads. It comes
-// after the first picture, when somebody comes near or the bar is wanted (show.js).
+// Everything to steer a <ray-caster> with: bar, keys, thumbs, gamepads. Loaded after the first
+// picture, when somebody may soon steer or the bar is wanted (show.js).
 //
 //     const steering = new Steering(host, show, tree, styles);
 //     steering.attributes({controls, keys});      steering.state(state);
-//     steering.begin();                           // as a click on the cover does
+//     steering.begin();                           // like a click on the cover
 
 import { Activation } from './activation.js';
 import { barActions, toggleFullScreen } from './bar-actions.js';
@@ -16,7 +16,7 @@ import { kSheet } from './steering-styles.js';
 const kHints = {
   held: 'Escape leaves',
   keys: 'Escape leaves, H shows the keys',
-  cursor: 'The mouse’s place steers; Escape ends it',
+  cursor: 'The mouse position steers; Escape ends it',
 };
 
 export class Steering {
@@ -113,7 +113,7 @@ export class Steering {
     this.#activation.takeCanvas();
   }
 
-  // What the engine tells.
+  // Events of the engine.
   hear(event, value) {
     switch (event) {
       case 'fly':
@@ -136,9 +136,9 @@ export class Steering {
     }
   }
 
-  // The page may do it in its own way.
-  #ask(wish) {
-    return this.#show.tell('request', { wish }, true);
+  // Returns false if the page handles the request itself.
+  #ask(request) {
+    return this.#show.tell('request', { wish: request }, true);
   }
 
   #held(isHeld) {

@@ -1,14 +1,14 @@
-// How a <ray-caster> looks: sheets for all of a document, adopted, so that no page has to allow
+// The style of <ray-caster>: adopted style sheets, one set per document, because pages may forbid
 // inline styles.
 //
 //     const styles = new Styles(shadowRoot);
-//     styles.size = '640x400';         // of the picture, if it has one of its own: it gives the shape
-//     styles.add(sheet);               // the text of another one
-//     styles.adopt();                  // in another document
+//     styles.size = '640x400';         // a fixed size sets the aspect ratio
+//     styles.add(sheet);               // adds the text of a style sheet
+//     styles.adopt();                  // after a move to another document
 //
-// Things that can be pressed are blocks: square, lit from above, on a darker edge. A page colours
-// them with --ray-caster-accent, --ray-caster-ink (behind the picture and on the accent),
-// --ray-caster-panel and --ray-caster-text.
+// Buttons look like blocks: square, lit from above, on a darker edge. A page sets their colours by
+// --ray-caster-accent, --ray-caster-ink (behind the picture and on the accent), --ray-caster-panel
+// and --ray-caster-text.
 
 const kSheet = `
 :host {
@@ -21,7 +21,7 @@ const kSheet = `
   --veil: color-mix(in srgb, var(--panel) 84%, transparent);
   --light: inset 0 1px 0 rgb(255 255 255 / 0.16), inset 0 -3px 0 rgb(0 0 0 / 0.36);
   --quick: 160ms;
-  /* A shadow at the lower edge of what can be scrolled further: at its end, what comes with the text covers it. */
+  /* A shadow at the lower edge of scrollable sheets; at the end, a gradient that scrolls with the text covers it. */
   --more: linear-gradient(transparent, var(--panel) 50%) 0 100% / 100% 40px no-repeat local, linear-gradient(transparent, rgb(0 0 0 / 0.5)) 0 100% / 100% 14px no-repeat;
   display: block;
   aspect-ratio: 16 / 10;
@@ -65,7 +65,7 @@ p, h2, ul { margin: 0; padding: 0; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 .icon { display: block; width: 16px; height: 16px; fill: currentcolor; shape-rendering: crispedges; }
 
-/* Where the keys go: a ring inside the edge, light on dark, so that it shows on any picture */
+/* The focus ring, inside the edge, light on dark, so that it shows on any picture */
 .box::after { content: ""; position: absolute; inset: 0; pointer-events: none; }
 .cover:focus-visible { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
 .box:has(.cover:focus-visible)::after { box-shadow: inset 0 0 0 2px var(--accent), inset 0 0 0 4px var(--veil); }
@@ -74,7 +74,7 @@ button { margin: 0; border: 0; border-radius: 0; font: inherit; color: inherit; 
 button:focus, .message:focus { outline: none; }
 button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 
-/* ---- The cover: one button as large as the picture. A finger on it scrolls the page, its tap begins. */
+/* ---- The cover: a button as large as the picture. Dragging on it scrolls the page, a tap plays. */
 
 .cover { display: grid; place-items: center; width: 100%; padding: 0; background: none; touch-action: manipulation; outline: none !important; }
 .glyph {
@@ -103,22 +103,22 @@ button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent);
   .hint { display: none; }
 }
 
-/* A picture that is only looked at: what is pressed on it is the page's */
+/* interaction="none": presses go to the page */
 .shut .cover { display: none; }
 .shut :is(.stage, .poster) { pointer-events: none; }
 
-/* ---- What stands on places of the world. Pressed is what stands there, not the layer. */
+/* ---- Hotspots. They can be pressed; their layer cannot. */
 
 .hotspots { position: absolute; overflow: hidden; pointer-events: none; }
 .hotspot { position: absolute; width: max-content; translate: -50% -50%; pointer-events: auto; transition: opacity var(--quick), visibility var(--quick); }
 .hotspot.covered { opacity: 0; visibility: hidden; }
 
-/* ---- What goes on */
+/* ---- Progress and status */
 
 .progress { position: absolute; inset: auto 0 0; height: 3px; background: var(--veil); }
 .progress::before { content: ""; position: absolute; inset: 0; background: var(--accent); transform-origin: left; transform: scaleX(var(--share, 0)); transition: transform var(--quick); }
 
-/* ---- Sheets over the picture: what is wrong, and, in steering-styles.js, the keys */
+/* ---- Sheets over the picture: errors and, in steering-styles.js, the keys */
 
 .sheet { position: absolute; inset: 0; display: flex; flex-direction: column; gap: 12px; padding: 20px; overflow: auto; background: var(--more), color-mix(in srgb, var(--panel) 94%, transparent); }
 .sheet h2 { font-size: 17px; line-height: 1.3; font-weight: 700; text-wrap: balance; }
@@ -131,7 +131,7 @@ button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent);
 .message .place { font-weight: 600; font-variant-numeric: tabular-nums; }
 .message .inside { color: var(--soft); font-size: 13px; }
 .message .found { color: #f0a183; }
-/* Where there never will be a picture, the poster stays */
+/* If there can be no picture, the poster stays */
 .poster:not([hidden]) ~ .message.hopeless { inset: auto 0 0; max-height: 75%; }
 @container (max-width: 420px) { .sheet { padding: 12px; gap: 8px; } }
 @container (max-width: 240px) or (max-height: 150px) {

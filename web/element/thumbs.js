@@ -1,22 +1,24 @@
-// Thumbs on the picture. On its left half a stick appears under the thumb and walks; beyond its rim
-// it runs. Dragging on the right half looks around, and two taps there jump. Buttons jump, crouch
-// and fly; while flying the first two rise and sink. Where there are gates, another opens and
-// closes them.
+// Steering by thumbs. In the left half of the picture a stick appears under the thumb and walks;
+// far beyond its rim it runs. Dragging in the right half looks around; two taps there jump. Buttons
+// jump, crouch and fly; while flying, the first two rise and sink. If the world has gates, another
+// button opens and closes them.
 //
-//     const thumbs = new Thumbs(root, {hold({forward, strafe, fly, jump, fast, use}), drag(right, down), fly()});
+//     const thumbs = new Thumbs(root, {hold(held), drag(right, down), fly()});
 //     thumbs.flying = true;
 //     thumbs.hasGates = false;
+//
+// `held` is {forward, strafe, fly, jump, fast, use}.
 
 const kRadius = 56; // CSS pixels from the middle of the stick to its rim
 const kDeadZone = 0.15; // of the radius: a thumb that rests in the middle does nothing
-const kRunning = 1.5; // radii from which on the stick runs
-const kTapMilliseconds = 250; // a longer touch is no tap
-const kTapPixels = 12; // nor one that moves more
-const kBetweenTaps = 350; // milliseconds
-const kJumpMilliseconds = 120; // that two taps hold the button, and a touch the one for gates: a step must see it
+const kRunning = 1.5; // radii from the middle at which running starts
+const kTapMilliseconds = 250; // a longer touch is not a tap
+const kTapPixels = 12; // nor is one that moves further
+const kBetweenTaps = 350; // milliseconds at most
+const kJumpMilliseconds = 120; // how long a tap holds jump or use: long enough for a step to see it
 
-// Where a thumb is, seen from the stick's middle, as axes to the right and down of -1 to 1, and
-// whether it runs.
+// Turns the thumb's offset from the stick's middle into axes right and down, -1 to 1, and whether
+// it runs.
 export function stickAt(x, y) {
   const distance = Math.hypot(x, y) / kRadius;
   if (distance <= kDeadZone) return { right: 0, down: 0, runs: false };
@@ -29,7 +31,7 @@ export class Thumbs {
   #flying = false;
   #jumpTimer = 0;
   #useTimer = 0;
-  #touches = []; // what follows them
+  #touches = []; // of followTouch()
 
   constructor(root, actions) {
     this.actions = actions;
@@ -47,7 +49,7 @@ export class Thumbs {
       event.preventDefault();
       actions.fly();
     });
-    // The canvas keeps the focus, and with it the game its keys; nothing is zoomed or marked.
+    // Prevents loss of focus, zooming and text selection.
     for (const type of ['mousedown', 'touchstart', 'contextmenu'])
       root.addEventListener(type, (event) => event.preventDefault(), { passive: false });
   }
@@ -64,8 +66,8 @@ export class Thumbs {
     this.find('use').hidden = !hasGates;
   }
 
-  // Lets go of everything, of fingers that are still down too: what is taken away under one never
-  // hears that it was lifted.
+  // Releases everything, even under fingers that are still down: a removed element never gets their
+  // pointerup.
   release() {
     for (const touch of this.#touches) touch.drop();
     clearTimeout(this.#jumpTimer);
@@ -177,7 +179,7 @@ export class Thumbs {
   }
 }
 
-// Follows one touch at a time on an element, also beyond its edges. `end` gets no event where the
+// Follows one touch at a time on an element, also beyond its edges. `end` gets no event if the
 // touch is dropped.
 function followTouch(element, { begin, move, end }) {
   let pointer = null;

@@ -1,4 +1,4 @@
-// Thumbs on the picture of a <ray-caster> (thumbs.js).
+// Builds the elements of the touch controls (thumbs.js).
 //
 //     const layer = touchLayer();
 //     const thumbs = new Thumbs(layer, actions);

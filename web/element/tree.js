@@ -1,10 +1,10 @@
-// What a <ray-caster> is made of inside: its shadow tree, built once, with names for its pieces.
+// The shadow tree of a <ray-caster>, built once, with names for its pieces.
 //
 //     const tree = buildTree(shadowRoot);
 //     tree.cover.hidden = true;
 //
-// From back to front: the picture, the poster, the cover (one button over the whole picture, which
-// begins play), progress and messages. steering.js adds thumbs, bar and keys.
+// From back to front: picture, poster, cover (a button over the whole picture that starts play),
+// progress and messages. steering.js adds thumbs, bar and keys.
 
 import { drawing, kPlay, node } from './nodes.js';
 
@@ -47,7 +47,7 @@ export function buildTree(root) {
     seen,
     message,
   );
-  // It gives the element a width where its place leaves that to what it holds.
+  // Gives the element a width where its container takes the width from the content.
   const shape = drawing('');
   shape.setAttribute('class', 'shape');
   root.append(box, shape);

@@ -1,5 +1,5 @@
-// Keeps the text of what is seen, for who hears the page: anew when the player has come to rest. It
-// is spoken while the focus is in the element, and can always be read.
+// Describes the view for screen readers, each time the player has come to rest. The text is
+// announced while the focus is in the element, and can be read at any time.
 //
 //     const text = new ViewStatus(tree, () => engine);
 //     text.moved();      text.stop();

@@ -1,7 +1,9 @@
-// What is seen, in words, for those who hear the page: the place, the heading, and what stands
-// ahead, to the left and to the right.
+// Describes the view in words for screen readers: the place, the heading, and what stands ahead, to
+// the left and to the right.
 //
-//     status.textContent = describeView(engine, canvas.width, canvas.height);     // when the player has come to rest: it walks three slices
+//     status.textContent = describeView(engine, canvas.width, canvas.height);
+//
+// It walks three slices, so call it only when the player has come to rest.
 
 const kDirections = [
   'east',
@@ -18,10 +20,10 @@ const kWays = [
   ['To the left', 1 / 6],
   ['To the right', 5 / 6],
 ];
-const kThingsNamed = 3; // of one slice, the nearest first
-const kLeastShare = 1 / 50; // of the picture's height; what fills less is not worth a word
+const kThingsNamed = 3; // per slice, the nearest first
+const kLeastShare = 1 / 50; // of the picture's height; smaller things are not named
 
-// '' without a game.
+// Returns '' without a game.
 export function describeView(engine, width, height) {
   const columns = kWays.map(([, share]) => Math.floor(width * share));
   const slices = engine.questions.hits(width, height, columns);
@@ -61,7 +63,7 @@ function describeSlice({ hits, objects, portals }, height) {
     })),
   ].filter(({ rows }) => rows >= least);
   const nearest = things.sort((one, other) => one.depth - other.depth);
-  // Of many blocks of one kind in a row the nearest stands for all.
+  // Of several blocks of one kind only the nearest is named.
   const named = nearest
     .filter(({ name }, index) => nearest.findIndex((other) => other.name === name) === index)
     .slice(0, kThingsNamed);

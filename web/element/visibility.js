@@ -2,9 +2,10 @@
 //
 //     const stop = watchVisibility(element, {near() {...}, seen(isSeen) {...}});
 //
-// near: it is in the window or will soon be; told once. seen: some of it is in the window.
+// near() is called once, when the element is in the window or close to it; seen() whenever it
+// enters or leaves the window.
 
-const kMargin = '50% 25%'; // of the window, around it
+const kMargin = '50% 25%'; // of the window's size, around the window
 
 const watched = new Map(); // element -> actions
 let nearObserver = null;

@@ -1,13 +1,15 @@
-// What a <ray-caster> warns of: what its attributes say that cannot be. The rest is drawn.
+// The warnings of a <ray-caster>: bad values of attributes, which it ignores.
 //
-//     const warnings = new Warnings(({attribute, message}) => {...});      // hears of each once, as long as it stands
-//     const warn = warnings.renew('options');       // what was said of these before is over
+//     const warnings = new Warnings(({attribute, message}) => {...});
+//     const warn = warnings.renew('options');       // forgets earlier warnings of this subject
 //     warn('options', "Unknown option 'fvo'. Did you mean 'fov'?");
 //     warnings.list
+//
+// A warning that was there before renew() and comes again is not reported again.
 
 export class Warnings {
   #tell;
-  #standing = new Map(); // what they are about -> [{attribute, message}]
+  #standing = new Map(); // subject -> [{attribute, message}]
 
   constructor(tell) {
     this.#tell = tell;

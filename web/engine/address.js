@@ -1,8 +1,12 @@
-// How a view and options are written in attributes and addresses, and read again.
+// Reads and writes views and options as attributes and addresses spell them.
 //
-//     view      x,y,z,heading[,look[,map]]     units, degrees (0 = east, 90 = south), screen heights; a map by its name (commas too), without one that of the start
-//     options   name=value name=value ...      those of the engine; names and values hold neither blanks nor commas
-//     overlay   minimap grid ...               what is drawn over the picture: options that are switched on
+//     view      x,y,z,heading[,look[,map]]
+//               units; degrees (0 = east, 90 = south); look in screen heights; a map's name, which
+//               may hold commas. Without a name: the map of the start.
+//     options   name=value name=value ...
+//               the engine's options; names and values hold neither blanks nor commas
+//     overlay   minimap grid ...
+//               options to switch on that draw over the picture
 
 import { unknown } from './nearest-name.js';
 import { Trouble } from './trouble.js';
@@ -18,14 +22,14 @@ export const kOverlays = [
   'slow',
 ];
 
-// A switch as people write it; a name alone switches on.
+// Other spellings of on and off; a name alone switches on.
 const kSwitches = { '': 'on', true: 'on', false: 'off' };
 
-// The numbers of a view, and how far each may be from 0: coordinates as in src/base/coordinate.h,
-// the look as in src/render/options.h.
+// The numbers of a view and the largest absolute value of each: coordinates as in
+// src/base/coordinate.h, the look as in src/render/options.h.
 const kViewLimits = { x: 32767, y: 32767, z: 32767, heading: Infinity, look: 4 };
 
-// {x, y, z, heading, look, map}; map is null where none is named. Throws a Trouble.
+// Returns {x, y, z, heading, look, map}; map is null if none is named. Throws a Trouble.
 export function parseView(text, standardLook = 0) {
   const parts = text.split(',');
   const numbers = parts.slice(0, 5).map((part) => (part.trim() === '' ? NaN : Number(part)));
@@ -41,8 +45,8 @@ export function parseView(text, standardLook = 0) {
   return { x, y, z, heading, look, map: parts.slice(5).join(',').trim() || null };
 }
 
-// What look() takes: a view as text, or an object with any of its fields. null and undefined are
-// what stays as it is. Throws a Trouble.
+// Reads what look() takes: a view as text, or an object with any of its fields. Fields that are
+// null or undefined stay as they are. Throws a Trouble.
 export function readView(view) {
   if (typeof view === 'string') return parseView(view, null);
   if (typeof view !== 'object' || view === null)
@@ -72,7 +76,7 @@ function misread(message) {
   return new Trouble('The view cannot be read', message, [], 'address');
 }
 
-// Of an engine's state; read again it is the same eye.
+// Writes an engine's state; reading the text again gives exactly the same eye.
 export function formatView({ x, y, z, heading, look, map = null }) {
   const numbers = [
     ...[x, y, z].map(shortest),
@@ -81,7 +85,8 @@ export function formatView({ x, y, z, heading, look, map = null }) {
   return [...numbers, ...(map === null ? [] : [map])].join(',');
 }
 
-// Coordinates are whole numbers of 1/65536 unit: the fewest decimals that tell one from the next.
+// Coordinates are multiples of 1/65536 unit. Writes the fewest decimals that tell this one from the
+// next.
 function shortest(coordinate) {
   const raw = (number) => Math.floor(65536 * number + 0.5);
   for (let decimals = 0; ; ++decimals) {
@@ -90,8 +95,8 @@ function shortest(coordinate) {
   }
 }
 
-// [[name, value]]: commas may stand between options, and a name alone switches on. What the engine
-// does not know, it refuses itself.
+// Returns [[name, value]]. Commas may separate options, and a name alone switches on. The engine
+// itself refuses unknown names.
 export function parseOptions(text) {
   return wordsOf(text.replace(/\s*[=:]\s*/g, '=')).map((part) => {
     const [, name, value] = /^([^=]+)=?(.*)$/.exec(part) ?? [null, part, ''];
@@ -103,7 +108,7 @@ export function formatOptions(options) {
   return options.map(([name, value]) => `${name}=${value}`).join(' ');
 }
 
-// [name]. What is unknown is told to `warn`, and left out.
+// Returns [name]. Unknown names are left out and reported to `warn`.
 export function parseOverlay(text, warn = refuse) {
   return wordsOf(text).filter((name) => {
     const isKnown = kOverlays.includes(name);
@@ -112,7 +117,7 @@ export function parseOverlay(text, warn = refuse) {
   });
 }
 
-// Blanks, commas or semicolons stand between words.
+// Words are separated by blanks, commas or semicolons.
 export function wordsOf(text) {
   return text.split(/[\s,;]+/).filter((word) => word !== '');
 }
@@ -121,8 +126,8 @@ function refuse(message) {
   throw new Trouble('The address cannot be read', message, [], 'address');
 }
 
-// "?scene=castle&view=4.5,2,0.5,90": the characters that views and options are made of stay as they
-// are, which a query may hold. A value of null is left out.
+// "?scene=castle&view=4.5,2,0.5,90": characters of views and options that a query may hold are not
+// escaped. Leaves out values of null.
 export function writeQuery(parameters) {
   const write = (text) =>
     encodeURIComponent(text).replace(/%(?:2C|3A|3D|2F|20)/g, (code) =>

@@ -1,29 +1,29 @@
-// Which addresses of scenes, tours and posters a link or a frame's address may name: those of the
-// page's own origin, and those that the page's owner allows besides, by what they begin with. Whoever
-// writes such a link is not the owner. What the attributes of an element name is its author's own
-// affair.
+// Which scenes, tours and posters a link or a frame's address may name: those of the page's own
+// origin, and those that start with a prefix that the page's owner allows. The author of a link is
+// not the page's owner. Attributes of an element are not checked: its author chose them.
 //
-//     <meta name="slicecast-scenes" content="https://worlds.example/ https://cdn.example/maps/">      or * for all
+//     <meta name="slicecast-scenes" content="https://worlds.example/ https://cdn.example/maps/">
+//                                                     or * to allow everything
 //
-//     allowed(new URL(scene, document.baseURI))       the same address; throws a Trouble
+//     allowed(new URL(scene, document.baseURI))       returns the address, or throws a Trouble
 
 import { Trouble } from './trouble.js';
 
 export function allowed(address) {
-  const told = document.querySelector('meta[name=slicecast-scenes]')?.content ?? '';
+  const prefixes = document.querySelector('meta[name=slicecast-scenes]')?.content ?? '';
   const isOwn =
     address.origin === location.origin && /^(https?|file|blob):$/.test(address.protocol);
-  const beginnings = told.split(/\s+/).filter(Boolean);
+  const beginnings = prefixes.split(/\s+/).filter(Boolean);
   if (isOwn || beginnings.some((one) => one === '*' || begins(address, one))) return address;
   throw new Trouble(
-    'This page shows nothing from elsewhere',
-    `Found ${address.href.slice(0, 200)}, expected an address that begins with ${[`${location.origin}/`, ...beginnings].join(' or ')}. The page's owner can allow more, by a meta tag with the name slicecast-scenes.`,
+    'This page does not allow that address',
+    `Found ${address.href.slice(0, 200)}, expected an address that begins with ${[`${location.origin}/`, ...beginnings].join(' or ')}. The page's owner can allow more with a meta tag named slicecast-scenes.`,
     [],
     'address',
   );
 }
 
-// Whole parts of the address: https://a.example is not the beginning of https://a.example.org.
+// Compares whole parts: https://a.example does not match https://a.example.org.
 function begins(address, beginning) {
   try {
     const { href } = new URL(beginning);

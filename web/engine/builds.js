@@ -1,4 +1,4 @@
-// Which of the engine's two builds runs here: the one with SIMD where it can.
+// Chooses between the engine's two builds: the one with SIMD wherever the browser supports it.
 //
 //     chooseBuild('auto')      // 'simd' or 'scalar'
 
@@ -16,7 +16,7 @@ function browserHasSimd() {
   return WebAssembly.validate(kSimdModule);
 }
 
-// The build that `kind` stands for: 'simd', 'scalar', or 'auto' for the one that suits the browser.
+// `kind` is 'simd', 'scalar', or 'auto' for the one that suits the browser.
 export function chooseBuild(kind) {
   return kind === 'auto' ? (browserHasSimd() ? 'simd' : 'scalar') : kind;
 }

@@ -1,20 +1,23 @@
-// A canvas as the engine's screen, keys and mouse. Everything is heard on the way in, before the
-// page's own listeners; the engine decides which keys are taken from the page.
+// A canvas as the engine's screen, keyboard and mouse. Listeners use the capture phase, so they run
+// before the page's own; the engine decides which keys it takes from the page.
 //
-//     const screen = openCanvas(canvas, exports, {writeCode, takesKey});      // exports of src/app/page_shell.cpp; writeCode(text) names the next key
-//     screen.show(buffer, at, width, height);                     // pixels in the engine's memory
+//     const screen = openCanvas(canvas, exports, {writeCode, takesKey});
+//     screen.show(buffer, at, width, height);         // pixels in the engine's memory
 //     screen.close();
+//
+// `exports` are those of src/app/page_shell.cpp; writeCode(text) names the next key.
 
-const kLockRestMilliseconds = 2000; // after the pointer was let go, in which a browser may refuse it without meaning anything
+// After the pointer lock ends, browsers refuse a new one for a while; such a refusal means nothing.
+const kLockRestMilliseconds = 2000;
 
 export function openCanvas(canvas, exports, { writeCode, takesKey }) {
-  const page = canvas.ownerDocument; // which may be another one than the script's
+  const page = canvas.ownerDocument; // may differ from the script's document
   const context = canvas.getContext('2d', { alpha: false });
   const listeners = new AbortController();
   const until = { signal: listeners.signal };
   const on = (target, type, hear) =>
     target.addEventListener(type, hear, { ...until, capture: true });
-  let image = null; // a view on the engine's own memory; growing memory moves it
+  let image = null; // a view of the engine's memory; invalid once that memory grows
 
   const key = (event, isDown) => {
     if (!takesKey(event.code)) return;
@@ -31,7 +34,7 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   on(canvas, 'blur', () => exports.slicecastBlurred());
   on(page, 'visibilitychange', () => exports.slicecastHidden(page.hidden ? 1 : 0));
 
-  // -1 to 1 from edge to edge, where that is wanted.
+  // The cursor's place, -1 to 1 from edge to edge, if the engine wants it.
   on(canvas, 'mousemove', ({ clientX, clientY, movementX, movementY }) => {
     if (!exports.slicecastPointerMoved(movementX, movementY)) return;
     const { left, top, width, height } = canvas.getBoundingClientRect();
@@ -43,9 +46,8 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   });
   on(canvas, 'mouseleave', () => exports.slicecastCursorLeft());
 
-  // A press of the mouse gives the focus without scrolling, and so does a tap; a finger that moves
-  // on scrolls the page. A click asks for the pointer; where that is refused, the cursor's place
-  // steers.
+  // Pressing the mouse or tapping focuses the canvas without scrolling; a dragging finger scrolls
+  // the page. A click asks for the pointer lock; if that is refused, the cursor's place steers.
   let asks = false;
   let held = false;
   let lockEnd = -Infinity;

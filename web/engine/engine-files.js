@@ -1,5 +1,5 @@
-// Fetches the engine: the build with SIMD where the browser has it, else the one without. What is
-// compiled here serves any number of engines.
+// Fetches and compiles the engine, with SIMD where the browser supports it. One compiled program
+// serves any number of engines.
 //
 //     const files = await fetchEngine({kind: 'auto', onBytes(loaded, total) {...}});
 //     const engine = await Engine.create({files, canvas});
@@ -10,7 +10,7 @@ import { fetchResponse, listenForViolations, readBody } from './fetch-bytes.js';
 import { kHome, reachable } from './home.js';
 import { Trouble, coded } from './trouble.js';
 
-// The addresses stand here as literals: that is how bundlers find the files.
+// Literal addresses, so that bundlers find the files.
 const kBuilds = {
   simd: () => new URL('./slicecast-simd.wasm', import.meta.url),
   scalar: () => new URL('./slicecast-scalar.wasm', import.meta.url),
@@ -37,12 +37,12 @@ async function compileProgram(address, onBytes) {
   });
   const violations = listenForViolations();
   try {
-    // Compiled while it comes, if the server names its type; browsers then also keep the machine
-    // code for the next visit. The copy tells how far it is.
+    // Compiles while downloading if the server sends the right type; browsers then also cache the
+    // machine code. The copy is read to report progress.
     const isNamed = /^application\/wasm$/i.test(response.headers.get('Content-Type') ?? '');
     const copy = isNamed ? response.clone() : response;
     const streamed = isNamed ? WebAssembly.compileStreaming(response) : null;
-    streamed?.catch(() => {}); // it may fail before it is waited for
+    streamed?.catch(() => {}); // it may fail before anything awaits it
     const bytes = await readBody(copy, onBytes);
     checkBeginning(bytes);
     return await (streamed ?? WebAssembly.compile(bytes));
@@ -55,7 +55,7 @@ async function compileProgram(address, onBytes) {
   }
 }
 
-// A server that answers every address with a page of its own is a common way to fail.
+// Servers that answer every address with a web page are a common mistake.
 function checkBeginning(bytes) {
   if (
     bytes.length >= 8 &&
@@ -75,7 +75,7 @@ function refusal(address, error, { refused }) {
     /content security policy|unsafe-eval/i.test(error.message);
   return isPolicy
     ? new Trouble(
-        'The page does not let the engine run',
+        'The page blocks the engine',
         'Its Content-Security-Policy does not allow WebAssembly.',
         [],
         'csp',
@@ -91,7 +91,7 @@ function refusal(address, error, { refused }) {
 function cannotLoad(address, error) {
   return new Trouble(
     'The engine could not be loaded',
-    `${address}: ${error.message}. Bundlers have to copy it: see "With a bundler" in slicecast's README.`,
+    `${address}: ${error.message}. Bundlers must copy it: see "With a bundler" in slicecast's README.`,
     [],
     error.code,
   );

@@ -1,13 +1,14 @@
-// The engine's WebAssembly with what it asks of a page: src/wasm/bindings.h for JavaScript. Under
-// Node it asks for nothing but the time.
+// Instantiates the engine's WebAssembly with the functions that it imports: src/wasm/bindings.h for
+// JavaScript. Under Node it calls only the clock.
 //
-//     const module = await createModule(program, {canvas, openCanvas, onSlicecast(event, value) {...}});      // of a compiled program: as many as are wanted; openCanvas is engine-canvas.js's
+//     const module = await createModule(program, {canvas, openCanvas, onSlicecast(event) {}})
 //     module._slicecast_NAME(...);      module.HEAPU8;      module.UTF8ToString(at);
 //
-// Keys for which `takesKey(code)` is false stay the page's.
+// `program` is compiled and may be instantiated any number of times; openCanvas is that of
+// engine-canvas.js. Keys for which `takesKey(code)` is false are left to the page.
 
 const kSystem = 'wasi_snapshot_preview1';
-const kNotHere = 52; // what it answers where there is no such thing
+const kNotHere = 52; // WASI's ENOSYS
 const kPageBytes = 65536;
 
 export async function createModule(
@@ -16,7 +17,7 @@ export async function createModule(
 ) {
   const decoder = new TextDecoder();
   const module = {
-    // Anew whenever memory has grown.
+    // A new view whenever memory has grown.
     get HEAPU8() {
       if (bytes.buffer !== exports.memory.buffer) bytes = new Uint8Array(exports.memory.buffer);
       return bytes;
@@ -28,7 +29,7 @@ export async function createModule(
   };
   let bytes = new Uint8Array();
   let screen = null;
-  let asked = 0; // the browser's number of the frame that was asked for last
+  let asked = 0; // the request id of the last requested frame
 
   const drawFrame = (time) => {
     const begin = performance.now();
@@ -76,20 +77,19 @@ export async function createModule(
   };
   const system = {
     proc_exit(status) {
-      throw new WebAssembly.RuntimeError(`the engine has ended itself (${status})`);
+      throw new WebAssembly.RuntimeError(`the engine exited (${status})`);
     },
   };
 
-  // The engine takes no more memory than it needs at the moment; a fifth more keeps it from asking
-  // often.
+  // The engine grows its memory by just what it needs; growing it a fifth further makes that rare.
   const growFurther = () => {
     try {
       exports.memory.grow(Math.floor(exports.memory.buffer.byteLength / kPageBytes / 5));
     } catch {
-      // There is no more than that.
+      // No more memory: the engine has what it needs for now.
     }
   };
-  // What else a library asks of the system, it is not given: files, an environment, a clock.
+  // Other system calls of the C library fail: there are no files, environment or clock.
   for (const { module: from, name } of WebAssembly.Module.imports(program))
     if (from === kSystem) system[name] ??= () => kNotHere;
   const { exports } = await WebAssembly.instantiate(program, {
@@ -99,7 +99,7 @@ export async function createModule(
   });
   exports._initialize();
   for (const [name, value] of Object.entries(exports)) module[`_${name}`] = value;
-  // In place of the frame that was asked for.
+  // Draws now instead of in the requested frame.
   module.frameNow = (time) => {
     cancelAnimationFrame(asked);
     drawFrame(time);

@@ -1,14 +1,14 @@
-// One running engine: the WebAssembly module of slicecast (src/wasm/bindings.h), with names and
-// types of JavaScript.
+// One running engine: the WebAssembly module of src/wasm/bindings.h with JavaScript's names and
+// types.
 //
 //     const engine = await Engine.create({files, canvas, onEvent(event, value) {...}});
-//     const {faults} = await engine.loadScene(source);        // a source, as in source-parts.js
-//     engine.begin();                                         // once: it draws, and listens to the canvas
+//     const faults = await engine.loadScene(source);    // a source, as in source-parts.js
+//     engine.begin();                                   // draws, and listens to the canvas
 //     engine.setOption('fov', 75);
-//     engine.stop();                                          // at the end: nothing of it is left
+//     engine.stop();                                    // frees everything
 //
-// Without a canvas it draws only when asked to (drawOnce). Any number of engines live side by side;
-// they share the compiled program.
+// Without a canvas it draws only on request (drawOnce). Any number of engines run side by side and
+// share the compiled program.
 
 import { createModule } from './engine-module.js';
 import { withBytes, withStrings } from './module-memory.js';
@@ -17,18 +17,18 @@ import { Questions } from './questions.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
-const kMostSteps = 120 * 3600; // in one call: an hour of the world's time
-const kAdoptedSlack = 16 << 20; // bytes that playing takes beside the scene: the picture, and what is noted of the view
+const kMostSteps = 120 * 3600; // per call: an hour of the world's time
+const kAdoptedSlack = 16 << 20; // bytes that playing may add to the scene: picture and view tables
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
 export class Engine {
-  #running; // the module; null at the end
+  #running; // the module; null once stopped
   #session;
   #begun = false;
   #loads = 0;
   #mapNames = [];
-  #startMap = 0; // its number
-  #sceneEnd = 0; // of the memory, once the scene was there
+  #startMap = 0; // index of the start's map
+  #sceneEnd = 0; // end of used memory right after the scene had loaded
 
   static async create({ files, canvas = null, onEvent = () => {}, takesKey }) {
     let engine;
@@ -44,7 +44,7 @@ export class Engine {
     }
   }
 
-  warnings = []; // of the scene that plays, in the form of faults
+  warnings = []; // of the current scene, in the form of faults
 
   constructor(module, canvas) {
     this.#running = module;
@@ -58,11 +58,11 @@ export class Engine {
     return this.#running;
   }
 
-  // The list of the scene's faults; empty if it plays now. A scene with faults leaves the game that
-  // was running alone. Gives null if another scene was asked for meanwhile, or `isWanted` says so.
-  // With `keepEye` the player goes on from where they are, if the new scene has such a place.
-  // `onProgress` hears the share that has come, 0 to 1, and the number of bytes. `warnings` then
-  // tells what in the scene is probably not meant so.
+  // Returns the scene's faults; an empty list means that it plays now. A scene with faults leaves
+  // the running game alone. Returns null if another scene was requested meanwhile or `isWanted`
+  // returns false. With `keepEye` the player stays where they are, if the new scene has that place.
+  // `onProgress` gets the loaded share, 0 to 1, and the number of bytes. Afterwards `warnings`
+  // lists probable mistakes in the scene.
   async loadScene(source, { onProgress, keepEye = false, isWanted = () => true } = {}) {
     const load = ++this.#loads;
     const isLatest = () => load === this.#loads && isWanted();
@@ -86,10 +86,9 @@ export class Engine {
     return faults;
   }
 
-  // Has the scene of another engine of the same build, from its start, in a fraction of the time
-  // that loading takes: the other's memory is all that there is of it. Only before begin(), and
-  // nothing of another load may be under way. False if the other has none, or has taken much more
-  // memory since.
+  // Takes over the scene of another engine of the same build, from its start, by copying its
+  // memory: a fraction of the time of loading. Call it before begin() and while nothing loads.
+  // Returns false if the other engine has no scene or has used much more memory since it loaded.
   adopt(other) {
     if ((other?.#running ?? null) === null) return false;
     const end = other.#running._slicecast_memoryEnd();
@@ -107,7 +106,7 @@ export class Engine {
     return this.#module._slicecast_adopt() === 1;
   }
 
-  // Begins to draw into the canvas and to listen to it. The second call does nothing.
+  // Starts drawing into the canvas and listening to it. Later calls do nothing.
   begin() {
     if (this.#begun) return;
     this.#begun = true;
@@ -118,7 +117,7 @@ export class Engine {
     return this.#begun;
   }
 
-  // One picture of a scene from its start, drawn aside: ImageData, or null if the scene has faults.
+  // Draws a scene from its start without showing it: ImageData, or null if the scene has faults.
   async drawAside(source, width, height) {
     const module = this.#module;
     const session = module._slicecast_create();
@@ -134,26 +133,26 @@ export class Engine {
     }
   }
 
-  // The view as it would be drawn now, in any size: ImageData, or null without a game.
+  // Draws the current view in any size: ImageData, or null without a game.
   drawOnce(width, height, fraction = 1) {
     return imageOf(this.drawPixels(width, height, fraction), width, height);
   }
 
-  // The same as bytes, for where there is no ImageData.
+  // The same as bytes, for environments without ImageData.
   drawPixels(width, height, fraction = 1) {
     return drawPixels(this.#module, this.#session, width, height, fraction);
   }
 
-  // How long it takes to draw the view once in that size, milliseconds; null without a game.
+  // Draws the view once in that size; returns the milliseconds, or null without a game.
   timeDrawing(width, height) {
     const begin = performance.now();
     const isDrawn = this.#module._slicecast_draw(this.#session, width, height, 1) === 1;
     return isDrawn ? performance.now() - begin : null;
   }
 
-  // Steps of exactly 1/120 s each, also while it stands still; the last one's view is drawn. The
-  // input is held during all of them: {forward, strafe, turn, look, fly} from -1 to 1, {jump, fast,
-  // slow, use, open, close} true or false. What was replayed is over.
+  // Advances the world by steps of exactly 1/120 s, also while paused; draws the last one's view.
+  // The input is held during all steps: {forward, strafe, turn, look, fly} from -1 to 1, {jump,
+  // fast, slow, use, open, close} true or false. Ends a replay.
   step(input = {}, count = 1) {
     const [axes, buttons] = readInput(input);
     if (!Number.isInteger(count) || count < 0 || count > kMostSteps)
@@ -164,8 +163,8 @@ export class Engine {
       this.#module._slicecast_step(this.#session, ...axes, 0, 0, buttons);
   }
 
-  // Options are those of `--set`; true and false are "on" and "off". Throws if the engine refuses
-  // the value.
+  // Takes the options of `--set`; true and false mean "on" and "off". Throws if the engine refuses
+  // the name or value.
   setOption(name, value) {
     const text = value === true ? 'on' : value === false ? 'off' : String(value);
     const refusal = withStrings(this.#module, [name, text], (nameAt, valueAt) =>
@@ -180,7 +179,7 @@ export class Engine {
     );
   }
 
-  // The same; throws where there is no such option.
+  // The same, but throws for an unknown option.
   knownOption(name) {
     const value = this.option(name);
     if (value !== '') return value;
@@ -193,8 +192,8 @@ export class Engine {
     );
   }
 
-  // All options, in the order in which to list them: [{name, kind, least, greatest, choices: [...],
-  // standard, description, value}] (src/wasm/bindings.h).
+  // All options in the order to list them: [{name, kind, least, greatest, choices: [...], standard,
+  // description, value}] (src/wasm/bindings.h).
   get options() {
     return this.#json(this.#module._slicecast_options(this.#session)).map((option) => ({
       ...option,
@@ -202,13 +201,13 @@ export class Engine {
     }));
   }
 
-  // Named settings of the classic method, as a person would ask for them: [{name, description,
-  // options: {name: value}}]; its other options are as they are by default.
+  // Presets of the classic method: [{name, description, options: {name: value}}]. Options that a
+  // preset does not name have their standard values.
   get oldWays() {
     return this.#json(this.#module._slicecast_oldWays(this.#session));
   }
 
-  // What of the world the present method leaves out of the picture: sentences.
+  // Sentences: what the current method leaves out of the picture.
   get leftOut() {
     return this.#json(this.#module._slicecast_leftOut(this.#session));
   }
@@ -223,8 +222,8 @@ export class Engine {
     return this.#json(this.#module._slicecast_state(this.#session));
   }
 
-  // {map (its name), x, y, z, heading, look} of the eye after the last step, cheap enough for every
-  // frame; or null.
+  // The eye after the last step: {map (its name), x, y, z, heading, look}, or null. Cheap enough to
+  // read every frame.
   get view() {
     const at = this.#module._slicecast_view(this.#session);
     if (at === 0) return null;
@@ -232,9 +231,9 @@ export class Engine {
     return { map: this.#mapNames[map], x, y, z, heading, look };
   }
 
-  // Where a place {x, y, z, map} stands in the picture that was drawn last, taken as large as
-  // {width, height}: {x, y, depth, isSeen}, null where it is not before the eye or in another map.
-  // The map is named; null is that of the start.
+  // Where a place {x, y, z, map} appears in the last picture, scaled to {width, height}: {x, y,
+  // depth, isSeen}; null if it is behind the eye or in another map. `map` is a name; null means the
+  // map of the start.
   spot({ x, y, z, map }, { width, height }) {
     const index = map === null ? this.#startMap : this.#mapNames.indexOf(map);
     const at = this.#module._slicecast_spot(this.#session, index, x, y, z, width, height);
@@ -243,42 +242,42 @@ export class Engine {
     return { x: column, y: row, depth, isSeen: seen === 1 };
   }
 
-  // Puts the eye elsewhere, walking or flying as it was where there is room for that; what the view
-  // leaves out stays. False if such an eye cannot see.
+  // Moves the eye; fields that the view leaves out stay, and so does walking or flying. Returns
+  // false if there is no room for the eye.
   look(view) {
     const state = this.state;
     if (state === null) return false;
-    const given = Object.fromEntries(
+    const changes = Object.fromEntries(
       Object.entries(view).filter(([, value]) => (value ?? null) !== null),
     );
-    if (given.map !== undefined) given.map = this.#mapNames.indexOf(given.map);
-    return this.restore({ ...state, ...given });
+    if (changes.map !== undefined) changes.map = this.#mapNames.indexOf(changes.map);
+    return this.restore({ ...state, ...changes });
   }
 
-  // Draws what has changed in the frame that began at that time, not in the next one.
+  // Draws changes already in the frame that began at that time, not in the next one.
   drawNow(time) {
     this.#module.frameNow(time);
   }
 
-  // Fly mode, or walk mode.
+  // True for fly mode, false for walk mode.
   set flying(flying) {
     this.#module._slicecast_setFlying(this.#session, flying ? 1 : 0);
   }
 
-  // Records the game that has just been loaded, under the name of its scene's file.
+  // Records the game that was just loaded. `sceneName` is the name of the scene's file.
   record(sceneName) {
     withStrings(this.#module, [sceneName], (nameAt) =>
       this.#module._slicecast_record(this.#session, nameAt),
     );
   }
 
-  // Ends the recording: its text, or '' if there was none.
+  // Ends the recording and returns its text, or '' if there was none.
   takeRecording() {
     return this.#module.UTF8ToString(this.#module._slicecast_takeRecording(this.#session));
   }
 
-  // Checks a recording's bytes: {scene, steps, marks: [{name, step}], faults}. One without faults
-  // is kept for replay().
+  // Checks a recording: {scene, steps, marks: [{name, step}], faults}. Keeps it for replay() if it
+  // has no faults.
   readRecording(bytes, name) {
     return withBytes(this.#module, bytes, (at) =>
       withStrings(this.#module, [name], (nameAt) =>
@@ -287,19 +286,19 @@ export class Engine {
     );
   }
 
-  // Plays the recording that was read in the game that has just been loaded; whoever moves takes
-  // over. False if there is none.
+  // Replays the recording in the game that was just loaded; any movement of the player takes over.
+  // Returns false without a recording.
   replay() {
     return this.#module._slicecast_replay(this.#session) === 1;
   }
 
-  // {steps, stepsDone, isSame}, or null while no recording is played.
+  // {steps, stepsDone, isSame}, or null if nothing is replayed.
   get replayState() {
     return this.#json(this.#module._slicecast_replayState(this.#session));
   }
 
-  // Puts the eye back where a state says, walking or flying as it was. False if it may not be
-  // there.
+  // Moves the eye to where a state says, walking or flying as there. Returns false if there is no
+  // room for it.
   restore({ map, x, y, z, heading, look, flying }) {
     if (this.#module._slicecast_setEye(this.#session, map, x, y, z, heading, look) === 0)
       return false;
@@ -311,7 +310,7 @@ export class Engine {
     return this.questions.hits(width, height, column);
   }
 
-  // Rays, pixels, points and cells.
+  // Questions about rays, pixels, points and cells.
   get questions() {
     return new Questions(this.#module, this.#session, this.#mapNames);
   }
@@ -350,7 +349,7 @@ export class Engine {
     );
   }
 
-  // What thumbs hold on the screen, until they hold something else.
+  // What thumbs hold on the touch screen, until the next call.
   setThumbs({ forward = 0, strafe = 0, fly = 0, jump = false, fast = false, use = false }) {
     this.#module._slicecast_thumbs(
       forward,
@@ -360,20 +359,19 @@ export class Engine {
     );
   }
 
-  // A finger has dragged the picture, in CSS pixels.
+  // A finger dragged the picture by so many CSS pixels.
   drag(right, down) {
     this.#module._slicecast_drag(right, down);
   }
 
-  // What the keys do, a line for each row of a help text, with the names of their actions:
+  // The keys, one entry per line of the help, with the names of their actions:
   // [{keys: ['W', 'S'], does: 'walk ahead and back', group: 'move', scope: 'move', actions: [{name:
   // 'forward', does: 'walk ahead', press: 'hold', keys: [{code: 'KeyW', label: 'W'}]}]}]
   get keys() {
     return this.#json(this.#module._slicecast_keys());
   }
 
-  // From now on the key (a KeyboardEvent.code) does that action and nothing else. Throws what is
-  // wrong.
+  // Binds the key (a KeyboardEvent.code) to that action alone. Throws if either is unknown.
   bindKey(code, action) {
     const refusal = withStrings(this.#module, [code, action], (codeAt, actionAt) =>
       this.#module.UTF8ToString(this.#module._slicecast_bindKey(codeAt, actionAt)),
@@ -381,12 +379,12 @@ export class Engine {
     if (refusal) throw new Error(refusal);
   }
 
-  // The key does nothing.
+  // Makes the key do nothing.
   unbindKey(code) {
     this.bindKey(code, '');
   }
 
-  // Every key does what it does in the beginning.
+  // Restores all standard keys.
   standardKeys() {
     this.#module._slicecast_standardKeys();
   }
@@ -399,13 +397,12 @@ export class Engine {
     );
   }
 
-  // What it holds of the browser's memory.
+  // The size of its WebAssembly memory.
   get memoryBytes() {
     return this.#module.HEAPU8.length;
   }
 
-  // Ends everything: no listener and no frame remains, and the memory can be freed. Whoever asks it
-  // for anything then gets an Error.
+  // Removes all listeners and frames, so that the memory can be freed. Later calls throw.
   stop() {
     ++this.#loads;
     this.#running?._slicecast_stop();
@@ -417,7 +414,7 @@ export class Engine {
   }
 }
 
-// A scene is loaded in three steps. The text: {files, faults}, or null if nobody wants it any more.
+// Loading step 1 of 3, the text: {files, faults}, or null if it is no longer wanted.
 async function readNames(module, session, source, isWanted = () => true) {
   const text = await source.readText();
   if (!isWanted()) return null;
@@ -430,8 +427,7 @@ async function readNames(module, session, source, isWanted = () => true) {
   );
 }
 
-// The files that it names: each is handed over when it comes, and its picture decoded while the
-// others are on their way.
+// Step 2, the files that the text names: each is decoded as it arrives, while the others load.
 async function supplyFiles(
   module,
   session,
@@ -468,7 +464,7 @@ async function supplyFiles(
   }
 }
 
-// What another engine has decoded is handed over. A file that is no picture has no pixels.
+// Takes over pixels that another engine has decoded. A file that is not a picture has none.
 function supplyFile(module, session, name, bytes, pictures) {
   const known = pictures?.get(bytes);
   const place = withBytes(module, bytes, (at) =>
@@ -482,8 +478,8 @@ function supplyFile(module, session, name, bytes, pictures) {
   else module.HEAPU8.set(known, at);
 }
 
-// The world: {faults, warnings}. A file that could not be read becomes one, with the place that
-// names it.
+// Step 3, the world: {faults, warnings}. A file that could not be read becomes a fault at the place
+// that names it.
 function start(module, session) {
   return JSON.parse(module.UTF8ToString(module._slicecast_start(session)));
 }
@@ -498,7 +494,7 @@ function imageOf(pixels, width, height) {
   return pixels === null ? null : new ImageData(pixels, width, height);
 }
 
-// The five axes, and the sum of the buttons.
+// Returns the five axes and the buttons as one bit mask.
 function readInput(input) {
   for (const name of Object.keys(input ?? { [input]: 0 })) {
     if (!kAxes.includes(name) && !(name in kButtons))

@@ -1,44 +1,42 @@
-// Fetches bytes, and finds out why there are none. A browser tells a page only that a fetch failed;
-// the cause takes a second question.
+// Fetches bytes, and finds out why a fetch failed: a browser does not tell a page the cause, so
+// this asks the server a second time.
 //
-//     const bytes = await fetchBytes(address, (loaded, total) => {...}, kMostSceneBytes);      // of more than that it throws
+//     const bytes = await fetchBytes(address, (loaded, total) => {...}, kMostSceneBytes);
 //
-// It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch',
-// 'cors', 'mime' or 'csp'.
+// It throws an Error that says what happened, with one of the codes of element/faults.js: 'fetch'
+// (also for more bytes than the limit), 'cors', 'mime' or 'csp'.
 
 import { kMostFileBytes, tooLong } from './limits.js';
 import { coded } from './trouble.js';
 
-const kViolationMilliseconds = 50; // the news of a violation comes after the failure
-const kOnePiece = 131072; // bytes that are read without telling how far they are
-const kProbeMilliseconds = 4000; // a server that has not answered the probe by then counts as one that does not answer
+const kViolationMilliseconds = 50; // the event of a CSP violation comes after the failure
+const kOnePiece = 131072; // bytes; files up to this size are read without reporting progress
+const kProbeMilliseconds = 4000; // how long the second request waits for an answer
 
 let cache = 'default';
-const redirects = new Map(); // address -> where its server has sent us on, the last time
+const redirects = new Map(); // address -> its last redirect
 
-// Where the bytes of an address have really come from, where a server has sent us on: what they
-// name lies beside that.
+// Where the bytes of an address really came from, after redirects: relative names resolve there.
 export function finalAddress(address) {
   return redirects.get(new URL(address).href) ?? address;
 }
 
-// From now on every server is asked whether what the browser has kept is still so: somebody tries
-// again.
+// From now on, cached files are checked with their server: somebody tries again.
 export function askAnew() {
   cache = 'no-cache';
 }
 
-// `total` is never below `loaded`; a compressed answer's length is not known beforehand.
+// `total` is never below `loaded`: the length of a compressed answer is not known beforehand.
 export async function fetchBytes(address, onBytes = () => {}, most = kMostFileBytes) {
   const bytes = await readBody(await fetchResponse(address), onBytes, most);
   if (!isPage(bytes)) return bytes;
   throw coded(
     'mime',
-    'the server answers with a web page, as it may do for an address that it does not know',
+    'the server answers with a web page, as some servers do for unknown addresses',
   );
 }
 
-// The answer, its body still to be read.
+// Returns the response with its body unread.
 export async function fetchResponse(address) {
   const violations = listenForViolations();
   let response;
@@ -60,7 +58,7 @@ export async function readBody(response, onBytes, most = kMostFileBytes) {
   const total = response.headers.has('Content-Encoding')
     ? 0
     : Number(response.headers.get('Content-Length') ?? 0);
-  // Another host may keep to itself that what it sends is compressed.
+  // Another origin may hide the header that says that its answer is compressed.
   const isShort = total > 0 && total <= kOnePiece && response.type === 'basic';
   if (response.body === null || isShort) return readPiece(response, total, onBytes);
 
@@ -90,7 +88,7 @@ export async function readBody(response, onBytes, most = kMostFileBytes) {
   return bytes;
 }
 
-// Each piece takes its time: what is short comes in one.
+// Reading in pieces is slower, so short files are read at once.
 async function readPiece(response, total, onBytes) {
   const bytes = await response.arrayBuffer().catch(() => {
     throw coded('fetch', `the server stopped answering before all ${total} bytes were there`);
@@ -99,8 +97,8 @@ async function readPiece(response, total, onBytes) {
   return new Uint8Array(bytes);
 }
 
-// Why a module script at this address was refused, as an Error with a code; `reason` is the
-// browser's own.
+// Finds out why a module script was refused: an Error with a code. `reason` is the browser's
+// message.
 export async function whyNoScript(address, reason) {
   let response;
   try {
@@ -113,11 +111,11 @@ export async function whyNoScript(address, reason) {
   if (/^(text|application)\/(x-)?(java|ecma)script$/i.test(type)) return coded('engine', reason);
   return coded(
     'mime',
-    `the server sends it as ${type === '' ? 'no type at all' : type}, a script must come as text/javascript`,
+    `the server sends it as ${type === '' ? 'no type at all' : type}, but a script must be text/javascript`,
   );
 }
 
-// Hears what the page's Content-Security-Policy refuses meanwhile.
+// Collects what the page's Content-Security-Policy refuses until stop().
 export function listenForViolations() {
   const refused = [];
   const hear = ({ effectiveDirective, blockedURI, disposition }) => {
@@ -131,13 +129,14 @@ export function listenForViolations() {
   };
 }
 
-// A fetch failed without an answer. With no-cors a server answers whatever its headers say, only
-// what it says stays hidden.
+// A fetch failed without an answer. A request with no-cors succeeds whatever headers the server
+// sends, though the page cannot read the answer; so it tells a CORS error from a dead server.
 async function causeOf(address, { refused }) {
   await new Promise((resolve) => setTimeout(resolve, kViolationMilliseconds));
-  // What else the policy refuses meanwhile, trackers for instance, has nothing to do with it.
+  // Ignores other addresses that the policy refuses meanwhile, for instance of trackers. For data:
+  // and blob: addresses the browser reports only the protocol.
   const { href, origin, protocol } = new URL(address);
-  const names = [href.replace(/#.*/s, ''), origin, protocol.slice(0, -1)]; // the last one of data: and blob: addresses
+  const names = [href.replace(/#.*/s, ''), origin, protocol.slice(0, -1)];
   const isRefused = refused.some(
     (one) => one.directive === 'connect-src' && names.includes(one.address),
   );

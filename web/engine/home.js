@@ -1,28 +1,27 @@
-// The folder of the shipped scenes, their pictures and tours: that of the element's script, or the
-// one that the page names.
+// The folder of the shipped scenes, pictures and tours: that of the element's script, or the one
+// that the page names because a bundler has moved the script.
 //
-//     <meta name="slicecast-home" content="/art/">                     for scripts that a bundler has put elsewhere
+//     <meta name="slicecast-home" content="/art/">
 //
 //     const address = new URL('scenes/castle.json', kHome);
 //     const engine = reachable(() => new URL('./...', import.meta.url), 'engine/...', kHome);
 
 const kPage = globalThis.document?.baseURI ?? 'file:///';
 
-// A bundler takes `new URL('...', import.meta.url)` for a file to be bundled; this is a folder to
-// be asked while the page runs.
+// Kept apart: bundlers take `new URL('...', import.meta.url)` for a file to bundle, but this is a
+// folder to fetch from at run time.
 const here = import.meta.url;
 
 export function isReachable(address, page = kPage) {
   return address.protocol !== 'file:' || page.startsWith('file:');
 }
 
-// While one develops, Vite puts packages together in a folder of its own, and leaves their other
-// files behind.
+// Vite's development server bundles packages into a folder of its own but leaves their other files
+// behind.
 const kMoved = /(?<=\/node_modules\/)\.vite\/(deps\/)?/;
 
-// What `find` gives if this page can reach it, else what lies at that path of the folder. What a
-// bundler has put together may have no address of its own, or the one that it had on the machine
-// where it was built.
+// Returns find() if this page can reach that address, else that path in the folder. A bundled
+// script may have no address, or the one that it had on the build machine.
 export function reachable(find, path, folder, page = kPage) {
   try {
     const address = find();
@@ -33,8 +32,8 @@ export function reachable(find, path, folder, page = kPage) {
   return new URL(path, folder);
 }
 
-const told = globalThis.document?.querySelector('meta[name=slicecast-home]')?.content;
+const named = globalThis.document?.querySelector('meta[name=slicecast-home]')?.content;
 
-export const kHome = told
-  ? new URL(told.replace(/\/?$/, '/'), kPage)
+export const kHome = named
+  ? new URL(named.replace(/\/?$/, '/'), kPage)
   : reachable(() => new URL('../', here), './', kPage);

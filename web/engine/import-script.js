@@ -1,13 +1,14 @@
-// Imports a script that may not be there, and finds out why it is not.
+// Imports a script, and finds out why if that fails. Throws a Trouble with the given title.
 //
-//     const module = await importScript(() => import('../ray-caster-rows.js'), 'The rows could not be read');      // throws a Trouble of that title
+//     const module = await importScript(
+//       () => import('../ray-caster-rows.js'), 'The rows could not be read');
 
 import { whyNoScript } from './fetch-bytes.js';
 import { Trouble, coded } from './trouble.js';
 
 let retries = 0;
 
-// The address stands in the import itself, as a literal: that is how bundlers find the file.
+// Callers write the address as a literal in the import, so that bundlers find the file.
 export async function importScript(load, title) {
   try {
     return await load();
@@ -18,7 +19,7 @@ export async function importScript(load, title) {
     if (address === undefined) throw because('its script', coded('fetch', error.message));
     const cause = await whyNoScript(address, error.message);
     if (cause.code !== 'engine') throw because(address, cause);
-    // A browser remembers which module it could not get; another address makes it ask again.
+    // Browsers remember that a module failed; another address makes them fetch it again.
     return import(/* @vite-ignore */ `${address}?again=${++retries}`).catch(() =>
       Promise.reject(because(address, cause)),
     );

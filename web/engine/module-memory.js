@@ -1,4 +1,4 @@
-// Hands bytes and texts to the engine's functions, in memory of the module that is freed afterwards.
+// Passes bytes and texts to the engine's functions in memory that is freed afterwards.
 
 import { Trouble } from './trouble.js';
 
@@ -13,7 +13,7 @@ export function withBytes(module, bytes, use) {
   }
 }
 
-// A zero character would end a string there, and the rest be lost.
+// Replaces zero characters, which would end the string early.
 export function withStrings(module, strings, use) {
   const places = strings.map((string) => {
     const bytes = new TextEncoder().encode(`${String(string).replaceAll('\0', '\uFFFD')}\0`);

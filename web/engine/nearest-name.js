@@ -1,9 +1,11 @@
-// Messages about a word that is not among the known ones:
+// Messages about unknown words:
 //
-//     unknown('option', 'fvo', ['fov', 'fog']);          // "Unknown option 'fvo'. Did you mean 'fov'?"
-//     unknown('control', 'stop', ['play', 'reset']);      // "Unknown control 'stop'. Expected play or reset."
+//     unknown('option', 'fvo', ['fov', 'fog'])
+//       // "Unknown option 'fvo'. Did you mean 'fov'?"
+//     unknown('control', 'stop', ['play', 'reset'])
+//       // "Unknown control 'stop'. Expected play or reset."
 
-const kFewNames = 8; // so many are listed where none is near
+const kFewNames = 8; // if no name is near, up to so many are listed
 
 export function unknown(what, word, names) {
   const near = nearestName(word, names);
@@ -14,8 +16,8 @@ export function unknown(what, word, names) {
   return `Unknown ${what} '${word}'.${near === null ? all : ` Did you mean '${near}'?`}`;
 }
 
-// The one that was probably meant: at most a third of its letters are wrong, missing or swapped with
-// their neighbour. null where there is none.
+// The name that was probably meant: at most a third of its letters are wrong, missing or swapped
+// with their neighbour. null if there is none.
 export function nearestName(word, names) {
   let least = Math.max(1, Math.floor(word.length / 3)) + 1;
   let nearest = null;
@@ -28,7 +30,8 @@ export function nearestName(word, names) {
   return nearest;
 }
 
-// Letters to change, add, leave out or swap with their neighbour: as in src/base/nearest_name.cpp.
+// How many letters to change, add, remove or swap with their neighbour, as in
+// src/base/nearest_name.cpp.
 function changesBetween(one, other) {
   let twoBefore = [];
   let before = [];

@@ -1,10 +1,10 @@
-// What figures ask of a running engine: rays, pixels, points and cells, as plain data. Answers are
-// of the moment after the last step.
+// Answers questions of figures about a running engine: rays, pixels, points and cells, as plain
+// data. Answers describe the moment after the last step.
 //
 //     const questions = new Questions(module, session, mapNames);       // engine.questions
 //     questions.hits(320, 200, { first: 0, last: 319 });
 //
-// What cannot be asked throws a RangeError that says what was found and what is expected.
+// Bad arguments throw a RangeError that says what was found and what is expected.
 
 import { withBytes } from './module-memory.js';
 import { unknown } from './nearest-name.js';
@@ -25,8 +25,8 @@ export class Questions {
     this.#mapNames = mapNames;
   }
 
-  // Of one column, or null where there is no such column; of a list of columns, or of all from
-  // `first` to `last`, a list of the same.
+  // For one column: its hits, or null if there is no such column. For a list of columns, or
+  // {first, last}: a list of the same.
   hits(width, height, columns) {
     return this.#ofColumns('hits', readHits, width, height, columns);
   }
@@ -35,7 +35,7 @@ export class Questions {
     return this.#ofColumns('trace', readTrace, width, height, columns);
   }
 
-  // Of the picture as a whole.
+  // The trace of the whole picture.
   traceFrame(width, height) {
     return this.#json('traceFrame', width, height);
   }
@@ -43,7 +43,7 @@ export class Questions {
   cast(from) {
     if (typeof from !== 'object' || from === null)
       throw misread('cast', from, 'an object with x, y, heading and, if wanted, map and z');
-    // A view is such a place too; where it looks up and down does not matter.
+    // A view is accepted too; its look is ignored.
     const { map, x, y, z = null, heading, look: _, ...others } = from;
     for (const name of Object.keys(others))
       throw new RangeError(`cast: ${unknown('field', name, ['map', 'x', 'y', 'z', 'heading'])}`);
@@ -68,7 +68,7 @@ export class Questions {
     );
   }
 
-  // null outside of the picture.
+  // Returns null outside the picture.
   pick(width, height, column, row) {
     for (const [name, value] of Object.entries({ column, row })) {
       if (typeof value !== 'number') throw misread('pick', `${name} ${value}`, 'a number');
@@ -98,7 +98,7 @@ export class Questions {
     return { x: left, y: top, depth };
   }
 
-  // Of all levels, or the rows of one.
+  // The cells of all levels, or the rows of one.
   cells(map, level) {
     const levels = this.#json('cells', this.#mapIndex('cells', map));
     if (level === undefined) return levels;
@@ -124,7 +124,7 @@ export class Questions {
     if (refusal !== '') throw new RangeError(`setCell: ${refusal}.`);
   }
 
-  // The eye's map where none is named.
+  // The eye's map if none is named.
   #mapIndex(method, name) {
     if (name === undefined || name === null) return this.#numbers(this.#call('view'))[0];
     const index = this.#mapNames.indexOf(name);
@@ -141,12 +141,12 @@ export class Questions {
     for (let i = 0; i < valid.length; i += kColumnsAtOnce) {
       const part = Int32Array.from(valid.slice(i, i + kColumnsAtOnce));
       withBytes(this.#module, new Uint8Array(part.buffer), (at) => {
-        const told = this.#packed(readColumns, method, read, width, height, at, part.length);
-        answers.push(...(told ?? []));
+        const columnsRead = this.#packed(readColumns, method, read, width, height, at, part.length);
+        answers.push(...(columnsRead ?? []));
       });
     }
-    let given = 0;
-    const all = asked.map((column) => (exists(column) ? (answers[given++] ?? null) : null));
+    let next = 0;
+    const all = asked.map((column) => (exists(column) ? (answers[next++] ?? null) : null));
     return typeof columns === 'object' && columns !== null ? all : all[0];
   }
 
@@ -154,7 +154,7 @@ export class Questions {
     return this.#module[`_slicecast_${name}`](this.#session, ...words);
   }
 
-  // Places in the module's memory are valid until it grows.
+  // The view is valid until the module's memory grows.
   #numbers(at) {
     return new Float64Array(this.#module.HEAPU8.buffer, at);
   }

@@ -1,11 +1,11 @@
-// Reads what the engine has packed (src/session/json_text.h): numbers one after another, in the
-// order in which the headers of src/session list the members of each object.
+// Reads the engine's packed answers (src/session/json_text.h): a flat list of numbers, in the order
+// in which the headers of src/session list each object's members.
 //
 //     const answer = readPacked(numbers, texts, readCast);    // numbers: a Float64Array
 //     const slices = readColumns(numbers, texts, readHits);
 //
-// All columns of a picture may have a hundred thousand things to tell, of which a figure wants a
-// few: the lists of each column are made when they are first read.
+// All columns of a picture may hold a hundred thousand entries, of which a figure reads a few. So
+// each column's lists are built when they are first read.
 
 let numbers;
 let texts;
@@ -17,7 +17,7 @@ export function readPacked(packed, itsTexts, read) {
 }
 
 export function readColumns(packed, itsTexts, read) {
-  const own = packed.slice(0, 2 + packed[1]); // the engine's memory is written anew
+  const own = packed.slice(0, 2 + packed[1]); // a copy: the engine reuses its memory
   return readFrom(own, itsTexts, 0, () => list(read), own[0] > 1);
 }
 
@@ -31,8 +31,8 @@ function readFrom(packed, itsTexts, first, read, lazily = false) {
   return answer;
 }
 
-// Each kind of number has a function of its own: an engine of JavaScript keeps whole numbers and
-// lists of real ones in less memory when it never meets anything else there.
+// Each kind of number has its own function: JavaScript engines store integers and lists of reals in
+// less memory as long as nothing else appears in the same place.
 
 // Never null.
 function whole() {
@@ -70,27 +70,27 @@ function list(read) {
   return values;
 }
 
-// Gives `told` lists of its own, each a pair of a name and what reads one element.
-function lists(told, readers) {
+// Adds lists to `answer`; `readers` maps each list's name to the reader of one element.
+function lists(answer, readers) {
   for (const [name, read] of Object.entries(readers)) {
     if (isLazy) {
-      listLater(told, name, read);
+      listLater(answer, name, read);
     } else {
-      told[name] = list(read);
+      answer[name] = list(read);
     }
   }
 }
 
-function listLater(told, name, read) {
+function listLater(answer, name, read) {
   const [packed, itsTexts, first] = [numbers, texts, next];
   next += 2 + packed[first + 1];
   const set = (value) => {
     const kept = { value, writable: true, enumerable: true, configurable: true };
-    Object.defineProperty(told, name, kept);
+    Object.defineProperty(answer, name, kept);
     return value;
   };
   const get = () => set(readFrom(packed, itsTexts, first, () => list(read)));
-  Object.defineProperty(told, name, { get, set, enumerable: true, configurable: true });
+  Object.defineProperty(answer, name, { get, set, enumerable: true, configurable: true });
 }
 
 function orNull(read) {
@@ -173,13 +173,13 @@ const kHitLists = {
   portals: portal,
   mirrors: mirror,
 };
-const slice = (told, itsLists) => {
-  told.column = whole();
-  told.horizonRow = number();
-  told.projectionDistance = number();
-  told.ray = realPair();
-  lists(told, itsLists);
-  return told;
+const slice = (answer, itsLists) => {
+  answer.column = whole();
+  answer.horizonRow = number();
+  answer.projectionDistance = number();
+  answer.ray = realPair();
+  lists(answer, itsLists);
+  return answer;
 };
 
 export const readHits = () => slice(view(), kHitLists);
@@ -223,9 +223,9 @@ const run = () => ({
 const kTraceLists = { ...kHitLists, walk: walked, runs: run };
 
 export const readTrace = () => {
-  const told = slice(view(), kTraceLists);
-  told.reflection = orNull(() => slice({}, kTraceLists));
-  return told;
+  const answer = slice(view(), kTraceLists);
+  answer.reflection = orNull(() => slice({}, kTraceLists));
+  return answer;
 };
 
 // ---- src/session/cast_json.h

@@ -1,16 +1,17 @@
-// Plain rows of characters, taken apart: rows.js says how they are written.
+// Splits plain rows of characters into levels and legend; rows.js describes how they are written.
 //
-//     const { levels, size, legend, colours, strays } = readRows(text);      // or lists of rows, or of levels of rows
+//     const { levels, size, legend, colours, strays } = readRows(text);
 //     const tiles = padded(levels);
 //
-// `levels` are rows as texts, of any length; `size` is what the longest need: {width, depth}. Padded
-// they are rows of single characters, all of one length, as many on each level. `legend` is what its
-// lines say, `strays` are those that say nothing.
+// readRows also takes a list of rows, or a list of levels of rows. `levels` are rows as texts of
+// any length; `size` is {width, depth} of the largest. padded() makes rows of single characters,
+// all of one length, as many on each level. `legend` holds the legend's lines; `strays` are lines
+// that mean nothing.
 //
-// Whoever writes rows may be a stranger: all of this takes a time that grows as the text does, but
-// for padding, which must be asked for.
+// Rows may come from strangers: readRows takes time linear in the text. Only padded() can take
+// more.
 
-// Of lines without blanks at their ends; none of them is tried in more ways the longer a line is.
+// For trimmed lines. Neither pattern backtracks more the longer a line is.
 const kSeparator = /^-{3,}\s*(\w*)$/;
 const kLegendLine = /^(\S+?)\s*=\s*(\S.*)$/s;
 
@@ -38,16 +39,16 @@ function readText(text) {
   const strays = [];
   const levels = [];
   for (const { word, lines } of parts) {
-    const told = lines.filter((line) => line !== '');
+    const filled = lines.filter((line) => line !== '');
     if (word === 'legend') {
-      for (const line of told) {
+      for (const line of filled) {
         const [, character, meaning] = kLegendLine.exec(line.trim()) ?? [];
         if (character === undefined) strays.push(line.trim());
         else legend[character] = meaning;
       }
     } else if (word === 'colours' || word === 'colors') {
-      // What follows it is the first level, where nothing has come yet.
-      if (told.length > 0) levels.push(lines);
+      // Rows that follow it are a level.
+      if (filled.length > 0) levels.push(lines);
     } else if (word === '' || word === 'level') {
       levels.push(lines);
     } else {
@@ -56,18 +57,18 @@ function readText(text) {
     }
   }
   const first = levels.findIndex((lines) => lines.some((line) => line !== ''));
-  const told = linesOf(levels.slice(first));
+  const rows = linesOf(levels.slice(first));
   return {
-    levels: told,
-    size: sizeOf(told),
+    levels: rows,
+    size: sizeOf(rows),
     legend,
     colours: parts.some(({ word }) => /^colou?rs$/.test(word)),
     strays,
   };
 }
 
-// Without the indentation that all of them share, and without empty rows at the end; before the
-// first row too, on the first level.
+// Removes the indentation that all rows share, empty rows at the end of each level, and those
+// before the first row of the first level.
 function linesOf(levels) {
   const lists = levels.map((level) => (Array.isArray(level) ? level : level.split('\n')));
   const isTold = (line) => line.trim() !== '';
@@ -83,7 +84,7 @@ function linesOf(levels) {
   });
 }
 
-// As many characters as a text has at most: a few take two places in it.
+// Counts code units, so an upper bound: a few characters take two.
 function sizeOf(levels) {
   const greatest = (numbers) => numbers.reduce((most, one) => Math.max(most, one), 0);
   return {

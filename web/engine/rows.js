@@ -1,46 +1,50 @@
-// A scene out of plain rows of characters, as one types them into a page: the north edge first, one
-// character for each tile.
+// Makes a scene from plain rows of characters as one types them into a page: the north edge first,
+// one character per tile.
 //
 //     const scene = sceneOfRows('#####\n#>..#\n#####', {title: 'A room'});
-//     const scene = sceneOfRows([['#####', '#>.x#'], ['##', '...x']], {legend: {x: '#c03020'}, colours: true});      // two levels
-//     new URL(file, isShippedFile(file) ? scenes : mine)        // where a file lies that the scene names
+//     const scene = sceneOfRows([['#####', '#>.x#'], ['##', '...x']],          // two levels
+//       {legend: {x: '#c03020'}, colours: true});
+//     new URL(file, isShippedFile(file) ? scenes : mine)          // resolves a file that it names
 //
 // It throws a Trouble that lists every fault: rows:3:5 is the fifth character of the third row.
 //
-//     | characters      | what stands there                                                                          |
-//     | --------------- | ------------------------------------------------------------------------------------------ |
-//     | . , ~           | floor: paving, cobbles, water that one wades in                                            |
-//     | blank           | floor: grass, also where a row is short and outside of the rows                            |
-//     | # b s r w p m h | a wall one block high: stone, brick, sandstone, rubble, wood, plaster, marble, hedge       |
-//     | % B S R W P M H | the same two blocks high                                                                   |
-//     | o O             | a brick wall with windows, one and two blocks high                                         |
-//     | 1 2 3 ... 9     | a step of so many tenths of a block; up to five tenths are climbed at once                 |
-//     | =               | a bridge: a slab, its top one block high                                                   |
-//     | +               | a door that opens for who comes near                                                       |
-//     | t T * i         | a birch, an oak, a bush in flower, a street lamp                                           |
-//     | > v < ^         | the start, looking east, south, west or north; exactly one                                 |
+//     | characters      | meaning                                                              |
+//     | --------------- | -------------------------------------------------------------------- |
+//     | . , ~           | floor: paving, cobbles, water to wade in                             |
+//     | blank           | floor: grass; also fills short rows and the land around the rows     |
+//     | # b s r w p m h | a wall one block high: stone, brick, sandstone, rubble, wood,        |
+//     |                 | plaster, marble, hedge                                               |
+//     | % B S R W P M H | the same, two blocks high                                            |
+//     | o O             | a brick wall with windows, one and two blocks high                   |
+//     | 1 2 3 ... 9     | a step, so many tenths of a block high; one climbs up to five tenths |
+//     | =               | a bridge: a slab whose top is one block high                         |
+//     | +               | a door that opens when someone comes near                            |
+//     | t T * i         | a birch, an oak, a bush in flower, a street lamp                     |
+//     | > v < ^         | the start, looking east, south, west or north; exactly one           |
 //
-// Objects and the start stand on the floor of a tile beside them. Indentation that all rows share
-// is left out, and so are empty rows before and after.
+// Objects and the start stand on the floor of a neighbouring tile. Indentation that all rows share
+// is removed, and so are empty rows before and after.
 //
 // A line of dashes begins the next level, one block higher, where floors and blanks are air. After
-// `--- legend` each line gives a character a meaning of one's own, `--- colours` takes plain colours
-// in place of textures:
+// `--- legend` each line gives a character another meaning; `--- colours` uses plain colours
+// instead of textures:
 //
-//     #####          --- legend
-//     #>.x#          x = #c03020              a wall of that colour; a texture that is shipped, `x = brick-mossy`; or one's own, `x = pictures/wall.png`
-//     #####          y = sandstone 0.5        half as high
-//     ---            g = sand floor           a floor
-//     ####           # = brick                what # stands for, with another texture; `blank` and `sky` may stand here too
+//     #####       --- legend
+//     #>.x#       x = #c03020              a wall of that colour
+//     #####       q = brick-mossy          a wall with that shipped texture
+//     ---         z = pictures/wall.png    a wall with your own picture
+//     ####        y = sandstone 0.5        half as high
+//                 g = sand floor           a floor
+//                 # = brick                # with another texture; also `blank` and `sky`
 
 import { padded, readRows } from './rows-text.js';
 import { sceneFault } from './trouble.js';
 
-const kWater = 'water'; // the texture in which one wades
+const kWater = 'water'; // the texture to wade in
 const kFloors = { ' ': 'grass-meadow', '.': 'flagstones', ',': 'cobbles', '~': kWater };
-const kFloorLetter = '▪'; // a floor's legend keeps the full stop for the floor's own texture
+const kFloorLetter = '▪'; // replaces the full stop, which a floor's legend reserves for its texture
 
-// Of one block; the same twice as high has the other character.
+// Walls of one block; `high` is the character of the same wall twice as high.
 const kWalls = {
   '#': { name: 'stone wall', high: '%', sides: 'stone-blocks-worn', top: 'flagstones' },
   b: { name: 'brick wall', high: 'B', sides: 'brick-weathered', top: 'flagstones' },
@@ -64,8 +68,8 @@ const kObjects = {
 const kHeadings = { '>': 0, v: 90, '<': 180, '^': 270 };
 const kSteps = '123456789';
 const kBridge = '=';
-const kDoor = '+'; // in the levels: one that is seen from north and south
-const kDoorAcross = '‖'; // in the levels only: one that is seen from east and west
+const kDoor = '+'; // in the levels: a door that faces north and south
+const kDoorAcross = '‖'; // in the levels only: a door that faces east and west
 
 const kLegend = new Set([
   ...Object.keys(kFloors),
@@ -83,7 +87,7 @@ const kElsewhere = {
   nothing: '../see-through/nothing.png',
 };
 
-// In place of textures; doors and objects are pictures all the same.
+// Used instead of textures; doors and objects keep their pictures.
 const kColours = {
   'grass-meadow': '#6f9a4c',
   flagstones: '#b3aa97',
@@ -108,22 +112,22 @@ const kColour = /^#([0-9a-f]{3}){1,2}$/i;
 const kUnfit = /^[\p{C}\p{M}\p{Z}‖▪]$/u; // the engine shows no such letters; two are our own
 const kMeaning =
   'a texture, a colour as #c03020 or a .png file; behind it "floor" or a height up to 1';
-const kMostTiles = 2 ** 20; // of all levels together, as 1024 x 1024 of one: far more than people type
-const kMostFaults = 1000; // more help nobody
+const kMostTiles = 2 ** 20; // on all levels together: far more than people type
+const kMostFaults = 1000; // a longer list helps nobody
 const kOfMap = ['sky', 'light', 'fog', 'haze'];
 
-// An object as a scene file holds it; `name` stands in messages. What `legend` says of a character
-// may be a text as in the rows, or a blueprint; `textures` are as in a scene file; sky, light, fog
-// and haze as in a map.
+// Returns an object as in a scene file; `name` appears in messages. An entry of `legend` is a text
+// as in the rows, or a blueprint; `textures` are as in a scene file; sky, light, fog and haze as in
+// a map.
 export function sceneOfRows(
   rows,
   { title = 'A map', name = 'rows', legend, textures, ...rest } = {},
 ) {
-  const { levels: texts, size, strays, ...told } = readRows(rows);
+  const { levels: texts, size, strays, ...inText } = readRows(rows);
   checkSize(name, texts.length, size);
   const levels = padded(texts);
-  const hasColours = told.colours || rest.colours === true;
-  const own = readLegend({ ...told.legend, ...legend });
+  const hasColours = inText.colours || rest.colours === true;
+  const own = readLegend({ ...inText.legend, ...legend });
   const tiles = levels.flatMap((level, z) =>
     level.flatMap((row, y) => row.map((character, x) => ({ character, x, y, z }))),
   );
@@ -194,7 +198,7 @@ export function sceneOfRows(
   };
 }
 
-// Rows may be short, but every tile is made: a few long ones and many short ones make many.
+// Short rows are filled up, so one long row among many short ones makes many tiles.
 function checkSize(name, levels, { width, depth }) {
   if (width * depth * levels <= kMostTiles) return;
   const found = `${width} x ${depth} tiles${levels > 1 ? ` on ${levels} levels` : ''}`;
@@ -204,15 +208,15 @@ function checkSize(name, levels, { width, depth }) {
 
 const kOfKeys = ['rows', 'title', 'legend', 'textures', 'colours', ...kOfMap];
 
-// What a scene of rows as an object is: {rows, legend, ...}.
+// Makes a scene from an object {rows, legend, ...}.
 export function sceneOfObject({ rows, ...others }, name) {
   return sceneOfRows(rows, { name, ...others });
 }
 
 // ---- The legend
 
-// {floors: character -> texture, blocks: character -> {texture, height} or {blueprint}, sky, faults,
-// named: all characters}
+// Returns {floors: character -> texture, blocks: character -> {texture, height} or {blueprint},
+// sky, faults, named: all characters}.
 function readLegend(legend) {
   const own = {
     floors: { ...kFloors },
@@ -278,8 +282,8 @@ function tileFaults(tiles, own, fault) {
   ];
 }
 
-// As the engine tells faults. Line and column are those of the rows as they are shown, without what
-// is left out; 0 where there is no place.
+// A fault in the engine's form. Line and column count the rows without what was removed; 0 if the
+// fault has no place.
 function faultAt(name, tile, found, expected) {
   const [line, column] = tile === null ? [0, 0] : [tile.y + 1, tile.x + 1];
   const message = `${tile === null ? name : `${name}:${line}:${column}`}: found ${found}, expected ${expected}`;
@@ -315,7 +319,7 @@ function levelsOf(levels, own) {
   const depth = levels[0].length;
   const raised = levels.map((rows) => rows.some((row) => row.some((one) => one in kLowOfHigh)));
   if (raised.at(-1)) letters.push(Array.from({ length: depth }, () => levels[0][0].map(() => '.')));
-  // A high wall goes on above, where nothing else stands.
+  // High walls continue on the level above if that cell is empty.
   levels.forEach((rows, z) =>
     rows.forEach((row, y) =>
       row.forEach((character, x) => {
@@ -370,7 +374,7 @@ function doorOf(leaves) {
   return { gate: { approach: 1.6, hold: 1.5 }, faces: { all: 'nothing', ...leaves } };
 }
 
-// The sides are lit from the south-west, so that corners show.
+// Lights the sides from the south-west, so that corners show.
 function faces(sides, top) {
   return {
     all: sides,
@@ -383,7 +387,7 @@ function faces(sides, top) {
 
 // ---- Floor, sky and textures
 
-// Under what stands on a tile the floor goes on from beside it.
+// Below blocks and objects the floor is that of the tile to the west or east.
 function floorOf(rows, own) {
   const isFloor = (character) => character in own.floors;
   const tiles = rows.map((row) =>

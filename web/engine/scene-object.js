@@ -1,17 +1,18 @@
-// A scene as an object: its text, and where the pictures lie that it names by a URL. So scripts name
-// pictures that a bundler puts elsewhere.
+// Turns a scene object into text. Pictures in it may be URL objects, so that scripts can name files
+// that a bundler moves.
 //
-//     const { text, addresses, addressOf } = readSceneObject({ textures: { brick: new URL('brick.png', import.meta.url) }, ... });
-//     addresses                          // all of them, as a text
+//     const { text, addresses, addressOf } = readSceneObject({
+//       textures: { brick: new URL('brick.png', import.meta.url) }, ... });
+//     addresses                          // all URLs, as one text
 //     addressOf('brick.png')             // that URL
-//     addressOf('../textures/oak.png')   // null: a text names a file beside the scene
+//     addressOf('../textures/oak.png')   // null: the scene names this file by a text
 
 import { isFile, nameOf } from './source-parts.js';
 import { Trouble } from './trouble.js';
 
 export function readSceneObject(scene) {
   const addresses = new Map(); // name in the text -> URL
-  // Two pictures may have one name in two folders.
+  // Pictures from two folders may have the same name.
   const nameFor = (address) => {
     const name = isFile(address) ? nameOf(address) : 'picture.png'; // data: and blob: have none
     for (let count = 1; ; ++count) {
@@ -22,7 +23,7 @@ export function readSceneObject(scene) {
     }
   };
   try {
-    // A URL becomes a text before it is passed on: the object still has it.
+    // JSON.stringify passes URLs as text; `this` still holds the URL object.
     const text = JSON.stringify(
       scene,
       function (key, value) {
@@ -38,7 +39,7 @@ export function readSceneObject(scene) {
   } catch (error) {
     throw new Trouble(
       'The scene cannot be read',
-      `scene: found what JSON cannot hold: ${error.message}`,
+      `scene: not possible as JSON: ${error.message}`,
       [],
       'scene',
     );

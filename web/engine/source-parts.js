@@ -1,16 +1,16 @@
-// What all sources of scenes have in common: a name for messages, and the reasons why files that a
-// scene names could not be read. Each source has
+// The common parts of scene sources. A source is an object with
 //
-//     name               as it stands in messages
+//     name               for messages
 //     readText()         the scene's bytes; throws a Trouble
-//     readFile(name)     the bytes of a file that the scene names, or null: `failures` then has the reason
-//     pictures           perhaps: get(bytes) gives the pixels of a file that another engine has decoded,
-//                        keep(bytes, pixels) hears of those that this one has
+//     readFile(name)     the bytes of a file that the scene names, or null; `failures` then has why
+//     pictures           optional: get(bytes) returns the pixels of a file that another engine has
+//                        decoded, keep(bytes, pixels) is told of those that this one has decoded
 //
-//     const source = { name: nameOf(address), readText, ...filesBy((file, onBytes) => fetchBytes(new URL(file, address), onBytes)) };
+//     const read = (file, onBytes) => fetchBytes(new URL(file, address), onBytes);
+//     const source = { name: nameOf(address), readText, ...filesBy(read) };
 //     faults.map((fault) => withReason(fault, source.failures));
 
-// Others (data:, blob:) have neither a name nor anything beside them.
+// Other addresses (data:, blob:) have no file name, and no files beside them.
 export function isFile(address) {
   return /^(https?|file):$/.test(address.protocol);
 }
@@ -25,14 +25,13 @@ export function nameOf(address) {
   }
 }
 
-// Whether a file that a scene of rows names lies beside the shipped scenes; the others are the
-// author's own.
+// Whether a file that a scene of rows names is one of the shipped ones; others are the author's.
 export function isShippedFile(file) {
   return /^\.\.\/(textures|see-through|sheets|sprites)\//.test(file);
 }
 
-// readFile gives null for a file that cannot be read, which is tried once: the engine says which
-// place of the scene names it, `failures` why.
+// readFile returns null for a file that cannot be read, and does not try it again. The engine
+// reports the place in the scene that names it; `failures` has the reason.
 export function filesBy(read) {
   const failures = new Map();
   return {
@@ -49,7 +48,7 @@ export function filesBy(read) {
   };
 }
 
-// The engine knows of a file only that it did not come.
+// Adds the reason to the engine's fault, which says only that the file could not be read.
 export function withReason(fault, failures) {
   const reason = [...failures].find(([file]) => fault.found.startsWith(`"${file}", `))?.[1];
   if (reason === undefined) return fault;

@@ -36,8 +36,7 @@ const filled = slider(
 
 follow(caster, draw);
 
-// Front to back. See-through runs are laid over when all is filled, and the lesson's scene has
-// none.
+// Front to back. The lesson's scene has no see-through runs.
 function opaqueRuns({ runs }) {
   return runs.filter(({ layer }) => !layer);
 }
@@ -117,7 +116,7 @@ function strip(slice, shown) {
   return parts.join('');
 }
 
-// Labels beside their rows, pushed apart where they would touch.
+// Labels beside their rows, pushed apart so that they do not touch.
 function spread(labels, tall, height) {
   let lowest = tall / 2;
   for (const label of labels) {
@@ -133,7 +132,8 @@ function spread(labels, tall, height) {
 
 // ---- From the side
 
-const kSide = { left: 56, top: 16, floor: 340, bottom: 380, wide: 1080, narrow: 560, phone: 640 }; // widths of the drawing, and of a place that is narrow
+// `wide` and `narrow` are widths of the drawing; it is narrow in boxes of less than `phone`.
+const kSide = { left: 56, top: 16, floor: 340, bottom: 380, wide: 1080, narrow: 560, phone: 640 };
 
 function side(slice, shown, width) {
   const { left, top, floor, bottom } = kSide;
@@ -151,7 +151,7 @@ function side(slice, shown, width) {
   const y = (z) => floor - unitZ * z;
   const slope = (row) => (horizonRow - row) / projectionDistance;
 
-  // Where the ray through the upper or lower edge of a row comes to what the run shows.
+  // Where the ray through the upper or lower edge of a row meets the run's surface.
   const reach = (run, row) => {
     const s = slope(row);
     const hit = run.hit === null ? null : hits[run.hit];

@@ -1,17 +1,17 @@
-// What the lessons share: numbers as people write them, and figures that follow a picture.
+// Shared by the lessons: readable numbers, and figures that follow a picture.
 //
-//     follow(caster, () => drawPlan(caster.hits(column)));      now if there is a picture, and with every new one
+//     follow(caster, () => drawPlan(caster.hits(column)));      draws for every picture
 
 import { escape, putMarkup } from './markup.js';
 
 export const find = (id) => document.getElementById(id);
 
-// With a real minus, and no digits after the point but those that are asked for.
+// Writes a number with a typographic minus and so many digits after the point.
 export function fixed(number, digits = 2) {
   return number.toFixed(digits).replace('-', '−');
 }
 
-// A coordinate of a drawing: short, and never in the notation of huge numbers.
+// Writes a coordinate of a drawing: short, and never in exponential notation.
 export function at(number) {
   return String(Number(Math.max(-1e4, Math.min(1e4, number)).toFixed(3)));
 }
@@ -32,8 +32,7 @@ export function dot(x, y, radius, attributes = '') {
   return `<circle cx="${at(x)}" cy="${at(y)}" r="${at(radius)}" ${attributes}/>`;
 }
 
-// The marker over a picture of that size: the slice that the figure is about; and what else is
-// marked.
+// Marks the slice of a figure over a picture of that size, and whatever `more` adds.
 export function markColumn(svg, { width, height }, column, more = '') {
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
   svg.setAttribute('preserveAspectRatio', 'none');
@@ -42,7 +41,7 @@ export function markColumn(svg, { width, height }, column, more = '') {
   putMarkup(svg, mark + more);
 }
 
-// A slider and what is written beside its name.
+// A slider whose value is written beside its name.
 export function slider(id, write, onChange) {
   const input = find(id);
   const output = document.querySelector(`output[for="${id}"]`);
@@ -59,7 +58,7 @@ export function slider(id, write, onChange) {
     get value() {
       return Number(input.value);
     },
-    // Without telling anybody.
+    // Does not call onChange.
     set value(value) {
       if (Number(input.value) !== value) input.value = String(value);
       show();
@@ -68,8 +67,8 @@ export function slider(id, write, onChange) {
       input.max = String(greatest);
       show();
     },
-    // Over a picture of that many columns; the slider stays where it is when the picture gets
-    // another size.
+    // Sets the number of columns. The slider keeps its relative place when the picture changes
+    // size.
     spread(columns) {
       const share = Number(input.value) / Number(input.max);
       if (columns - 1 === Number(input.max)) return;
@@ -80,14 +79,13 @@ export function slider(id, write, onChange) {
   };
 }
 
-// Draws when the scene is there and after every new picture. What it draws belongs to pictures that
-// exist, so nothing is drawn before the first.
+// Calls draw() once the scene is ready and after every new picture.
 export function follow(caster, draw) {
   caster.addEventListener('framechange', () => draw());
   caster.whenReady().then(draw, () => {}); // the element itself says what is wrong
 }
 
-// The name that the words of the lessons have for a direction.
+// The name of a direction in the lessons' text.
 export function compass(heading) {
   const names = [
     'east',

@@ -1,9 +1,10 @@
-// Figures and rows of tables as markup, made into elements without the browser's reader of HTML,
-// which a page's rules may forbid (require-trusted-types-for 'script').
+// Turns markup of figures and table rows into elements without the browser's HTML parser, which a
+// page's policy may forbid (require-trusted-types-for 'script').
 //
-//     putMarkup(svg, '<path d="M0 0h9" class="axis"/><text x="4" y="9">4 &lt; 9</text>');       in place of what was there
+//     putMarkup(svg, '<path d="M0 0h9" class="axis"/><text x="4" y="9">4 &lt; 9</text>');
 //
-// It knows elements, attributes in double quotation marks, text, and what escape() writes.
+// It replaces the element's content. It understands elements, attributes in double quotation marks,
+// text, and what escape() writes.
 
 const kParts = /<\/[\w-]+>|<([\w-]+)((?:\s+[\w-]+="[^"]*")*)\s*(\/?)>|([^<]+)/g;
 const kAttribute = /([\w-]+)="([^"]*)"/g;

@@ -1,5 +1,5 @@
-// The first lesson: one ray's walk as a plan, as two rulers and as a table, all from what the
-// engine says about one slice.
+// The first lesson: one ray's walk as a plan, as two rulers and as a table, all from the engine's
+// trace of one slice.
 
 import { compass, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
 import { putMarkup } from './markup.js';
@@ -142,7 +142,7 @@ function table(slice, tiles) {
   return body.join('');
 }
 
-// How far a thousand additions of the gap between two borders of constant x lead astray, in units.
+// The error, in units, after adding the gap between two borders of constant x a thousand times.
 function drift({ eye, ray }) {
   const gap = 1 / Math.abs(ray[0]);
   const first =

@@ -1,7 +1,7 @@
 // A plan: the tiles of a map from above, an eye, and a ray with the tiles that its walk has
-// entered.
+// entered. One unit of the drawing is a tile.
 //
-//     putMarkup(svg, plan({rows, kinds: {'#': 'wall'}, slice: caster.trace(column), shown: 5}));       one unit of the drawing is a tile
+//     putMarkup(svg, plan({rows, kinds: {'#': 'wall'}, slice: caster.trace(column), shown: 5}));
 
 import { at, box, dot, line, text } from './lesson.js';
 
@@ -31,8 +31,7 @@ export function crossingInto({ eye, ray, walk }, index) {
   };
 }
 
-// `kinds` names the class of each character of the rows that is a block; `shown` of the slice's
-// tiles are lit.
+// `kinds` maps characters of blocks to CSS classes; the first `shown` tiles of the slice are lit.
 export function plan({ rows, kinds, slice, shown = slice.walk.length }) {
   const { eye, ray, walk } = slice;
   const width = rows[0].length;
@@ -54,7 +53,7 @@ export function plan({ rows, kinds, slice, shown = slice.walk.length }) {
   for (let x = 0; x <= width; ++x) parts.push(line(x, 0, x, depth, 'class="grid"'));
   for (let y = 0; y <= depth; ++y) parts.push(line(0, y, width, y, 'class="grid"'));
 
-  // What the picture's edges see, and the ray as far as the walk is shown.
+  // The field of view, and the ray as far as the walk is shown.
   const forward = [
     Math.cos((eye.heading * Math.PI) / 180),
     Math.sin((eye.heading * Math.PI) / 180),

@@ -1,5 +1,5 @@
-// The second lesson: a wall's height from its depth, distance and depth side by side, the fish eye
-// beside flat glass, and one row of the floor.
+// The second lesson: a wall's height from its depth, distance and depth side by side, fish-eye
+// distortion beside flat glass, and one row of the floor.
 
 import { box, dot, find, fixed, follow, line, markColumn, slider, text } from './lesson.js';
 import { putMarkup } from './markup.js';
@@ -12,7 +12,7 @@ const flat = find('flat');
 const old = find('old');
 const floor = find('floor');
 
-// The first block of a slice, and what it takes to project it.
+// The first block of a slice, with the values that its projection needs.
 function firstHit(caster, column) {
   const slice = caster.trace(column);
   return { slice, hit: slice.hits[0] };
@@ -26,7 +26,7 @@ const depth = slider(
   (value) => near.look({ y: kWallEdge + value, heading: kFacing }),
 );
 
-const kSide = { eyeX: 44, glassX: 104, unit: 54, floorY: 262, height: 150, right: 528 }; // of the drawing
+const kSide = { eyeX: 44, glassX: 104, unit: 54, floorY: 262, height: 150, right: 528 };
 
 function drawNear() {
   const { width, height } = near.picture;

@@ -1,4 +1,4 @@
-// The engine's files, read from beside this folder and compiled once: what Engine.create takes.
+// Reads the engine's files from the package and compiles them once, for Engine.create.
 //
 //     const engine = await Engine.create({ files: await readEngine('auto') });
 
@@ -10,7 +10,7 @@ const kKinds = ['auto', 'simd', 'scalar'];
 
 const read = new Map();
 
-// What could not be read is forgotten, so that another try reads again.
+// Failures are not cached, so that another try reads again.
 export async function readEngine(kind) {
   if (!kKinds.includes(kind))
     throw new TypeError(`engine: found ${String(kind)}, expected ${kKinds.join(', ')}`);

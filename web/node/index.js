@@ -1,11 +1,13 @@
-// Scenes without a page: the engine under Node, drawing when asked to.
+// Scenes without a page: the engine under Node, which draws on request.
 //
 //     import { load } from 'slicecast/node';
-//     const scene = await load('scenes/castle.json');           // a path, an address, the name of a shipped scene, or an object
+//     const scene = await load('scenes/castle.json');
 //     scene.set('fov', 75);
-//     scene.step(240, { forward: 1 });                          // two seconds ahead
+//     scene.step(240, { forward: 1 });                          // walk ahead for two seconds
 //     await writeFile('castle.png', await scene.png({ width: 1280, height: 720 }));
 //     scene.free();
+//
+// load() takes a path, an address, the name of a shipped scene, or a scene object.
 
 import { readView } from '../engine/address.js';
 import { Engine } from '../engine/engine.js';
@@ -15,10 +17,10 @@ import { readEngine } from './engine-files.js';
 import { openScene } from './scene-files.js';
 
 const kSize = { width: 640, height: 400 };
-const kLargestSide = 8192; // pixels, as the engine's
+const kLargestSide = 8192; // pixels, as in the engine
 
-// What keeps a scene from being loaded: `code` and `faults` as in the element's event `error`, all
-// of them in the message too.
+// Thrown if a scene cannot be loaded: `code` and `faults` as in the element's event `error`. The
+// message lists all faults too.
 export class SceneError extends Error {
   name = 'SceneError';
 
@@ -36,8 +38,8 @@ export class SceneError extends Error {
   }
 }
 
-// `engine` is 'auto', 'simd' or 'scalar'; `base` the folder, or a file in it, from which an object
-// names its files, that of the shipped scenes if it is left out.
+// `engine` is 'auto', 'simd' or 'scalar'. A scene object names its files relative to the folder
+// `base` (or the folder of the file `base`); without it, relative to the shipped scenes.
 export async function load(scene, options = {}) {
   const { engine: kind = 'auto', base } = readOptions(options);
   let engine = null;
@@ -54,7 +56,7 @@ export async function load(scene, options = {}) {
     );
   } catch (error) {
     engine?.stop();
-    // What was not given as it must be is the caller's own error.
+    // A wrong argument stays a TypeError.
     throw error instanceof SceneError || error instanceof TypeError
       ? error
       : new SceneError(error.code ?? 'engine', error.message, (error.faults ?? []).map(withPlace));
@@ -62,7 +64,7 @@ export async function load(scene, options = {}) {
 }
 
 class Scene {
-  #engine; // null once it is freed
+  #engine; // null once freed
 
   constructor(engine) {
     this.#engine = engine;
@@ -165,7 +167,7 @@ class Scene {
     return { width, height, data: engine.drawPixels(width, height) };
   }
 
-  // Of the view at the moment of the call.
+  // Draws the view at the moment of the call.
   async png(size = kSize) {
     const pixels = this.pixels(size);
     const { encode } = await import('fast-png');

@@ -1,10 +1,12 @@
-// Where a scene and its pictures come from under Node, in the form that Engine.loadScene takes.
+// Sources of scenes under Node, for Engine.loadScene.
 //
-//     const source = openScene('worlds/castle.json');                     // or 'https://...', a URL, 'castle' (a shipped scene)
-//     const source = openScene({ title: 'A garden', ... }, 'worlds');     // with the folder, or a file in it, from which it names its pictures
-//     const source = openScene(castle);                                   // the object that slicecast/scenes/castle exports
-//     const source = openScene({ rows: '####\n#>.#\n####' });            // plain rows of characters
-//     source.failures                                                     // file -> why it could not be read
+//     openScene('worlds/castle.json')     // or 'https://...', a URL, 'castle' (a shipped scene)
+//     openScene({ title: 'A garden', ... }, 'worlds')  // an object, and the folder of its pictures
+//     openScene(castle)                                  // the export of slicecast/scenes/castle
+//     openScene({ rows: '####\n#>.#\n####' })            // plain rows of characters
+//     source.failures                                    // file -> why it could not be read
+//
+// Instead of the folder, a file in it will do.
 
 import { createReadStream, statSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
@@ -16,13 +18,13 @@ import { sceneOfObject } from '../engine/rows.js';
 import { readSceneObject } from '../engine/scene-object.js';
 import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
 
-// A program bundled as a script of the old kind has no address: then nothing is found here, and
-// whoever asks is told so.
+// Bundled as a classic script, this has no address. Then shipped files are not found, and reading
+// them fails.
 export const kPackage = new URL('../', import.meta.url ?? 'file:///');
 
 const kShipped = new URL('scenes/', kPackage);
-const kPiece = 1 << 20; // bytes that are read of a file at once
-const kMostReads = 32; // at a time, of all scenes together: a process may have only so many files open
+const kPiece = 1 << 20; // bytes per read
+const kMostReads = 32; // files open at a time, because a process may open only so many
 
 export function openScene(scene, base) {
   const folder = folderOf(base === undefined ? kShipped : base);
@@ -30,7 +32,7 @@ export function openScene(scene, base) {
     const isRows = 'rows' in scene;
     const { text, addressOf: pictureOf } = readSceneObject(scene);
     const whole = isRows ? JSON.stringify(sceneOfObject(JSON.parse(text), 'rows'), null, 2) : text;
-    // The pictures that rows name by themselves are shipped; those that the author names are not.
+    // The pictures of standard characters are shipped; those that the author names are not.
     const own = isRows ? folderOf(base === undefined ? '.' : base) : folder;
     return {
       name: isRows ? 'rows' : 'scene',
@@ -56,8 +58,8 @@ export function openScene(scene, base) {
   };
 }
 
-// {bytes, from}: whence they came in the end, which is elsewhere where a server sends one on.
-// Throws an Error with the code 'fetch'.
+// Returns {bytes, from}; `from` is the final address after redirects. Throws an Error with the code
+// 'fetch'.
 export async function readAt(address, most = kMostFileBytes) {
   try {
     return await inTurn(() =>
@@ -69,7 +71,7 @@ export async function readAt(address, most = kMostFileBytes) {
         : fetchAt(address, most),
     );
   } catch (error) {
-    // Of a file's error the first part says what it is, the rest repeats the path.
+    // The first part of a file error is the reason; the rest repeats the path.
     const [reason] = (error.cause?.message || error.cause?.code || error.message).split(
       /, \w+(?: '|$)/,
     );
@@ -88,7 +90,7 @@ async function fetchAt(address, most) {
   return { bytes: await collect(answer.body ?? [], most), from: new URL(answer.url) };
 }
 
-// What is not read to its end is closed.
+// Closes the file or answer even if it is not read to its end.
 async function collect(pieces, most) {
   const all = [];
   let length = 0;
@@ -111,13 +113,13 @@ async function inTurn(read) {
   try {
     return await read();
   } finally {
-    // Whoever waits takes the place over.
+    // Passes the slot to the next one who waits.
     if (waiting.length > 0) waiting.shift()();
     else --reads;
   }
 }
 
-// A path, or what begins like an address.
+// Reads a path, or an address if it begins like one.
 function addressOf(what, reference) {
   if (reference instanceof URL) return reference;
   if (typeof reference === 'string' && reference !== '') {
@@ -125,7 +127,7 @@ function addressOf(what, reference) {
     try {
       return new URL(reference);
     } catch {
-      // It only begins like one.
+      // Not an address after all.
     }
   }
   throw misread(what, reference);
@@ -141,7 +143,7 @@ function folderOf(base) {
   return folder;
 }
 
-// What cannot be looked at is none: reading from it then tells why.
+// Returns false if the path cannot be examined: reading from it then gives the reason.
 function isFolder(address) {
   try {
     return statSync(address).isDirectory();

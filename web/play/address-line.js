@@ -1,30 +1,31 @@
-// The page's address and the element: what the one names, the other shows.
+// Shows in the element what the page's address names.
 //
-//     const address = new AddressLine(caster, options, slips);
-//     address.open(scenes);             shows what the address names; scenes is a promise of scene-list.js's list; throws a Trouble
-//     address.go('castle.json');        another scene of the list, in the address too
-//     address.own(caster => ...);       a scene or a recording of the visitor's, which has no address
-//     address.reference                 what names the scene that is shown, null for one of the visitor's
+//     const address = new AddressLine(caster, options, problems);
+//     await address.open(scenes);       shows the scene of the address; throws a Trouble; `scenes`
+//                                       is a promise of the list of scene-list.js
+//     address.go('castle.json');        another scene of the list; changes the address
+//     address.own(caster => ...);       the visitor's own scene or recording, which has no address
+//     address.reference                 the name of the current scene; null for the visitor's own
 
 import { allowed } from '../engine/allowed.js';
 import { Trouble } from '../engine/trouble.js';
 import { referenceOf, sceneAddress, tourAddress } from './scene-list.js';
 
-const kNamed = ['scene', 'tour', 'view']; // nothing is no name
+const kNamed = ['scene', 'tour', 'view']; // ignored when empty
 const kTourName = /^[\w-]+$/;
 
 export class AddressLine {
   #caster;
   #options;
-  #slips;
+  #problems;
   #files = []; // of the list
   #opens = 0;
-  #shown = null; // what the address named, the last time
+  #shown = null; // the query that was shown last
 
-  constructor(caster, options, slips) {
+  constructor(caster, options, problems) {
     this.#caster = caster;
     this.#options = options;
-    this.#slips = slips;
+    this.#problems = problems;
   }
 
   get parameters() {
@@ -33,7 +34,7 @@ export class AddressLine {
     return parameters;
   }
 
-  // Nothing in particular is asked for.
+  // Whether the address names nothing in particular.
   get isPlain() {
     const asked = ['scene', 'tour', 'view', 'options', 'overlay'];
     return asked.every((name) => !this.parameters.has(name));
@@ -60,7 +61,7 @@ export class AddressLine {
 
   async open(scenes) {
     const open = ++this.#opens;
-    this.#slips.begin(new URLSearchParams(location.search));
+    this.#problems.begin(new URLSearchParams(location.search));
     this.#options.take(this.parameters);
     const isNamed = this.parameters.has('scene') || this.parameters.has('tour');
     if (isNamed) this.#show();
@@ -70,7 +71,7 @@ export class AddressLine {
     if (this.#named === null)
       throw new Trouble(
         'There is no scene to open',
-        'The address names none, and the list of scenes could not be loaded.',
+        'The address names no scene, and the list of scenes could not be loaded.',
       );
     this.#show();
   }
@@ -78,12 +79,12 @@ export class AddressLine {
   go(file) {
     ++this.#opens;
     history.pushState(null, '', this.of(file));
-    this.#slips.begin(this.parameters);
+    this.#problems.begin(this.parameters);
     this.#options.take(this.parameters);
     this.#show();
   }
 
-  // The page's address with that scene.
+  // The query that opens that scene.
   of(file) {
     const wanted = new URLSearchParams({ scene: file.replace(/\.json$/, '') });
     const engine = this.parameters.get('engine');
@@ -93,7 +94,7 @@ export class AddressLine {
 
   own(show) {
     ++this.#opens;
-    this.#slips.begin(new URLSearchParams());
+    this.#problems.begin(new URLSearchParams());
     this.#shown = null;
     show(this.#caster);
     this.#begin();
@@ -108,7 +109,7 @@ export class AddressLine {
     this.#set('scene', scene === null ? null : sceneIn(scene));
     this.#set('tour', tour === null ? null : tourIn(tour));
     this.#set('view', parameters.get('view'));
-    // The same once more begins once more.
+    // The same address again: start the scene again.
     if (location.search === this.#shown) this.#caster.reload();
     this.#shown = location.search;
     this.#begin();
@@ -119,7 +120,7 @@ export class AddressLine {
     else this.#caster.setAttribute(name, value);
   }
 
-  // At rest. Before the first one there was nothing to be loaded.
+  // Starts paused. The element is hidden until the first scene.
   #begin() {
     this.#caster.pause();
     this.#caster.loading = 'eager';
@@ -127,12 +128,12 @@ export class AddressLine {
   }
 }
 
-// What is no address the element says itself.
+// A malformed address is passed on: the element reports it.
 function sceneIn(reference) {
   try {
     return sceneAddress(reference).href;
   } catch (error) {
-    if (error instanceof Trouble) throw error; // not allowed here
+    if (error instanceof Trouble) throw error; // not allowed on this page
     return reference;
   }
 }

@@ -1,6 +1,6 @@
 // The dialog of the benchmark.
 //
-//     const dialog = new BenchmarkDialog(element, caster, () => flight);     of the list of scenes
+//     const dialog = new BenchmarkDialog(element, caster, () => flight);
 //     dialog.open();
 
 import { asText, drawGraph, measure, rowsOf } from './benchmark.js';
@@ -15,7 +15,7 @@ export class BenchmarkDialog {
   #figures = null;
   #isRunning = false;
 
-  // `flight()` is that of the scene; without one it is a turn on the spot.
+  // `flight()` returns the scene's flight, or undefined: then the eye turns on the spot.
   constructor(dialog, caster, flight) {
     this.#dialog = dialog;
     this.#caster = caster;

@@ -1,20 +1,20 @@
-// How fast this machine draws: a fixed flight through the scene at a fixed size, each picture drawn
-// once, with a graph of the times and a table to copy. Nothing else runs meanwhile. The limit takes
-// its turn between the pictures, as in tools/bench.
+// Measures how fast this machine draws: a fixed flight through the scene at a fixed size, each
+// picture drawn once, with a graph of the times and a table to copy. Nothing else runs meanwhile.
+// The limit is measured between the pictures, as in tools/bench.
 //
 //     const figures = await measure(caster, { views, width, height, onProgress, isWanted });
 //     figures: {times, median, slow, slowest, nanosecondsPerPixel, timesTheLimit, size, pictures},
-//     milliseconds; timesTheLimit is null where the limit cannot be measured
+//     times in milliseconds; timesTheLimit is null if the limit cannot be measured
 //     drawGraph(canvas, figures.times);
 //     asText(figures, title)
 
 import { loadLimit } from './limit.js';
 
-const kWarmUp = 12; // pictures that are drawn and not counted
-const kLimitEvery = 8; // pictures
-const kBatch = 16; // milliseconds between two breaths of the page
+const kWarmUp = 12; // pictures drawn first and not counted
+const kLimitEvery = 8; // the limit is measured once every so many pictures
+const kBatch = 16; // milliseconds of drawing before the page may react
 
-// Null where `isWanted()` has become false meanwhile.
+// Returns null if `isWanted()` becomes false meanwhile.
 export async function measure(caster, { views, width, height, onProgress, isWanted }) {
   const before = caster.currentView;
   const limit = await loadLimit(width, height);
@@ -81,14 +81,14 @@ export function rowsOf({
   ];
 }
 
-// To be pasted: one line a figure.
+// Text to paste: one figure per line.
 export function asText(figures, title) {
   const rows = [['Scene', title], ...rowsOf(figures), ['Browser', navigator.userAgent]];
   return rows.map(([name, value]) => `${name}\t${value}`).join('\n');
 }
 
-// A bar for each picture, as high as it took; the line marks 1/60 s, or half of it. A few that took
-// far longer than the others end at the top.
+// Draws one bar per picture, as high as its time. The dashed line marks 1/60 s, or 1/120 s if all
+// are quicker. Outliers are cut off at the top.
 export function drawGraph(canvas, times, count) {
   const ratio = window.devicePixelRatio || 1;
   const width = Math.round(canvas.clientWidth * ratio);

@@ -1,15 +1,15 @@
-// The page's dialogs, each opened by its button `open-NAME`, by keys, and closed by its own button,
-// Escape, or a press on what lies behind it. Then the picture has the focus again, so that Enter
-// plays; who played plays on.
+// The page's dialogs. A button `open-NAME` or a key opens one; its close button, Escape or a press
+// beside it closes it. Afterwards the game goes on if it ran before; otherwise the picture has the
+// focus, so that Enter plays.
 //
 //     const dialogs = new Dialogs(caster);
-//     dialogs.before('settings', act);       act() comes first
-//     dialogs.opens('share', act);           act() opens it itself
+//     dialogs.before('settings', act);       calls act() before opening
+//     dialogs.opens('share', act);           calls act() to open it
 //     dialogs.open('share');
 
 import { showFingers, showKeys } from './key-help.js';
 
-export const kPageKeys = [{ keys: ['Z'], does: 'share this view' }]; // beside the engine's
+export const kPageKeys = [{ keys: ['Z'], does: 'share this view' }]; // listed after the engine's
 
 const kNames = ['scenes', 'keys', 'settings', 'share', 'benchmark'];
 

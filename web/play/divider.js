@@ -1,8 +1,8 @@
-// The divider between the old way and the exact one: a handle over the picture that mouse, finger
-// and arrow keys move. The engine draws the line itself.
+// The divider between an old way of drawing and the exact one: a handle over the picture, moved by
+// mouse, finger and arrow keys. The engine draws the line.
 //
 //     const divider = new Divider(handle, caster, (share) => ...);
-//     divider.show(0.5);      the share of the picture to its left; 0 hides it
+//     divider.show(0.5);      the share of the picture on its left; 0 hides it
 
 const kStep = 0.01;
 const kLongStep = 0.1;
@@ -57,7 +57,7 @@ export class Divider {
     this.#handle.setAttribute('aria-valuetext', `${Math.round(100 * share)} % the old way`);
   }
 
-  // Where the picture is shown: it may be smaller than its place.
+  // The picture's box, which may be smaller than the element.
   #box() {
     const picture = this.#caster.shadowRoot.querySelector('[part~="picture"]') ?? this.#caster;
     return picture.getBoundingClientRect();

@@ -1,9 +1,9 @@
-// Scenes and recordings of the visitor's own, as they were dropped or chosen.
+// Plays scenes and recordings that the visitor dropped or chose.
 //
 //     await playDropped(caster, address, entries);       // [{path, file}]; throws a Trouble
 //
-// A scene takes its pictures from among the files, else from the page's own. A recording is played
-// in the scene that it names: the one that is open, if it has that name, else the page's.
+// A scene's pictures are looked up among the files first, then among the page's own. A recording is
+// replayed in the scene that it names: the open one if it has that name, else the page's.
 
 import { Trouble } from '../engine/trouble.js';
 import { fetchBytes } from '../engine/fetch-bytes.js';
@@ -17,7 +17,7 @@ export async function playDropped(caster, address, entries) {
     const found = entries.length === 0 ? 'nothing' : entries.map(({ path }) => path).join(', ');
     throw new Trouble(
       'There is no scene among these files',
-      `Found ${found}; expected a .json file, and beside it the .png files that it names, or a recording, .txt.`,
+      `Found ${found}; expected a .json file with the .png files that it names, or a .txt recording.`,
     );
   }
   const tour = recording === undefined ? null : URL.createObjectURL(recording.file);
@@ -33,12 +33,12 @@ export async function playDropped(caster, address, entries) {
   });
 }
 
-// As a recording names it.
+// The scene that a recording names.
 function sceneIn(text) {
   return /^scene (.+)$/m.exec(text)?.[1].trim() ?? '';
 }
 
-// A source as the element's property takes it.
+// A source for the element's property of that name.
 function sourceOf(scene, entries) {
   const folder = scene.path.split('/').slice(0, -1);
   return {
@@ -70,7 +70,7 @@ async function bytesOf(file, most) {
   return new Uint8Array(await file.arrayBuffer());
 }
 
-// What a drop holds, folders included: [{path, file}].
+// All files of a drop, those in folders included: [{path, file}].
 export async function droppedEntries(dataTransfer) {
   const entries = [...dataTransfer.items]
     .map((item) => item.webkitGetAsEntry?.())
@@ -90,7 +90,7 @@ async function filesOf(entry) {
   }
   const reader = entry.createReader();
   const found = [];
-  // A reader hands out a folder in portions, and an empty one at the end.
+  // A reader returns a folder in portions; an empty one marks the end.
   for (;;) {
     const portion = await new Promise((resolve, reject) => reader.readEntries(resolve, reject));
     if (portion.length === 0) break;

@@ -1,7 +1,9 @@
-// Scenes from the visitor's own disk: dropped anywhere on the page, or chosen with the dialog of
-// the browser.
+// Takes files from the visitor's disk: dropped anywhere on the page, or chosen in the browser's
+// dialog.
 //
-//     listenForFiles({input, onEntries})        onEntries gets a promise of what dropped-scene.js calls entries
+//     listenForFiles({input, onEntries})
+//
+// onEntries gets a promise of the entries that dropped-scene.js describes.
 
 import { chosenEntries, droppedEntries } from './dropped-scene.js';
 
@@ -25,6 +27,6 @@ export function listenForFiles({ input, onEntries }) {
   input.addEventListener('change', () => {
     if (input.files.length === 0) return;
     onEntries(Promise.resolve(chosenEntries(input.files)));
-    input.value = ''; // the same file can be chosen again
+    input.value = ''; // so that the same file can be chosen again
   });
 }

@@ -1,15 +1,15 @@
-// A slow flight through a scene: a closed, smooth way through points that a scene's line in
-// scenes/index.json lists, {"seconds": 80, "points": [[x, y, z, heading, look], ...]}: units,
-// degrees, screen heights.
+// A slow flight through a scene: a closed, smooth path through the points of the scene's entry in
+// scenes/index.json, {"seconds": 80, "points": [[x, y, z, heading, look], ...]}: units, degrees,
+// screen heights.
 //
 //     const flight = new Flight(scene.flight);
-//     caster.look(flight.at(12.5));      // the view after so many seconds; it begins anew at the end
+//     caster.look(flight.at(12.5));      // the view after so many seconds; repeats at the end
 
 export class Flight {
   #seconds;
   #points;
-  #ends = []; // of each stretch, as a share of the whole way
-  #turned; // how far the way has turned when it closes, degrees: a multiple of 360
+  #ends = []; // where each stretch ends, as a share of the path's length
+  #turned; // degrees that the heading turns on one round: a multiple of 360
 
   constructor({ seconds, points }) {
     this.#seconds = seconds;
@@ -25,7 +25,7 @@ export class Flight {
     this.#ends = this.#ends.map((end) => end / length);
   }
 
-  // Stretches take as long as they are long, so that the pace is even.
+  // A stretch takes time in proportion to its length, so the pace is even.
   at(seconds) {
     const share = (((seconds / this.#seconds) % 1) + 1) % 1;
     const index = this.#ends.findIndex((end) => share < end);
@@ -46,12 +46,12 @@ export class Flight {
   }
 }
 
-// From -180 to 180 degrees.
+// Returns -180 to 180 degrees.
 function shortTurn(from, to) {
   return ((((to - from) % 360) + 540) % 360) - 180;
 }
 
-// Headings that never turn the long way round.
+// Adjusts headings so that none turns the long way round.
 function withShortTurns(points) {
   let heading = points[0][3];
   return points.map(([x, y, z, next, look]) => {
@@ -60,7 +60,7 @@ function withShortTurns(points) {
   });
 }
 
-// A turn takes its time too: 30 degrees as long as a unit of the way.
+// Turning 30 degrees counts as much as moving one unit.
 function distance(a, b) {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2], (a[3] - b[3]) / 30);
 }

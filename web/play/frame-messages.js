@@ -1,16 +1,18 @@
-// What the page around a frame can ask of the <ray-caster> in it, and hears from it, by postMessage:
+// Lets the page around a frame control the <ray-caster> in it by postMessage:
 //
-//     {slicecast: 1, id: 7, call: 'look', arguments: ['4,5,0.6,90']}        a method, with its arguments
-//     {slicecast: 1, id: 8, get: 'currentView'}                             an attribute or a property
-//     {slicecast: 1, id: 9, set: 'options', value: 'fov=75'}                an attribute
+//     {slicecast: 1, id: 7, call: 'look', arguments: ['4,5,0.6,90']}     a method and its arguments
+//     {slicecast: 1, id: 8, get: 'currentView'}                           an attribute or property
+//     {slicecast: 1, id: 9, set: 'options', value: 'fov=75'}              an attribute
+//
+// The frame answers
 //
 //     {slicecast: 1, id: 7, result}   or   {slicecast: 1, id: 7, error: {code, message}}
-//     {slicecast: 1, event: 'viewchange', detail}                           each event of the element
+//     {slicecast: 1, event: 'viewchange', detail}                         for each event
 //
-//     listenToHost(caster, 'https://host.example', {scene: (text) => address});      // `others` read what is set where not every value may be
+//     listenToHost(caster, 'https://host.example', {scene: (text) => address});
 //
-// Only the page right around the frame is heard, and only if it is of that origin; nobody else is
-// told anything.
+// The last argument checks or converts the values of single attributes. Messages are accepted from,
+// and sent to, only the frame's direct parent, and only if it has that origin.
 
 const kMethods = [
   'play',
@@ -50,14 +52,14 @@ const kAttributes = [
 ];
 const kEvents = ['ready', 'progress', 'error', 'warning', 'viewchange', 'portal', 'statechange'];
 
-export function listenToHost(caster, origin, others) {
+export function listenToHost(caster, origin, converters) {
   if (window.parent === window || !isOrigin(origin)) return;
   const tell = (message) => window.parent.postMessage({ slicecast: 1, ...message }, origin);
   window.addEventListener('message', async ({ source, origin: from, data }) => {
     if (source !== window.parent || from !== origin || data?.slicecast !== 1) return;
     const { id = null } = data;
     try {
-      tell({ id, result: await answer(caster, data, others) });
+      tell({ id, result: await answer(caster, data, converters) });
     } catch (error) {
       tell({ id, error: { code: error.code ?? 'message', message: error.message } });
     }
@@ -66,7 +68,7 @@ export function listenToHost(caster, origin, others) {
     caster.addEventListener(event, ({ detail }) => tell({ event, detail }));
 }
 
-// As https://host.example: whoever is told must be known.
+// Whether the text is a full origin such as https://host.example; "*" is refused.
 function isOrigin(text) {
   try {
     return new URL(text).origin === text;
@@ -75,8 +77,8 @@ function isOrigin(text) {
   }
 }
 
-function answer(caster, { call, get, set, value, arguments: given = [] }, others) {
-  if (kMethods.includes(call)) return caster[call](...given);
+function answer(caster, { call, get, set, value, arguments: inputs = [] }, converters) {
+  if (kMethods.includes(call)) return caster[call](...inputs);
   if ([...kProperties, ...kAttributes].includes(get)) return caster[get];
   if (!kAttributes.includes(set))
     throw new Error(
@@ -84,6 +86,6 @@ function answer(caster, { call, get, set, value, arguments: given = [] }, others
     );
   if (value !== null && !['string', 'boolean'].includes(typeof value))
     throw new Error(`Expected a text, true, false or null for ${set}.`);
-  caster[set] = typeof value === 'string' && set in others ? others[set](value) : value;
+  caster[set] = typeof value === 'string' && set in converters ? converters[set](value) : value;
   return null;
 }

@@ -1,16 +1,16 @@
-// Hints for a first walk: each comes when it is needed, goes when it was followed, and never comes
-// again. A gate within reach always shows how to open it.
+// Hints for a first walk: each appears when needed, disappears once followed, and never returns. A
+// gate within reach always shows how to open it.
 //
 //     const hints = new Hints(caster, line);       the line is an element with role="status"
 //
-// `now` is what the walk has come to: {seconds, moved, turned, stuck, player}, of which moved is in
-// units, turned in degrees, and stuck in seconds of walking without getting on.
+// `now` sums up the walk so far: {seconds, moved, turned, stuck, player}. `moved` is in units,
+// `turned` in degrees; `stuck` is how many seconds the player has pushed without moving.
 
 import { isTouch } from './key-help.js';
 import { codesOf, labelOf } from './key-list.js';
 
 const kStorageKey = 'slicecast.hints';
-const kInterval = 250; // milliseconds between two looks
+const kInterval = 250; // milliseconds between two checks
 const kStuckSpeed = 0.2; // units per second
 const kWalkActions = ['forward', 'back', 'strafeLeft', 'strafeRight'];
 
@@ -19,19 +19,19 @@ const kHints = [
     name: 'walk',
     keys: '{forward}{strafeLeft}{back}{strafeRight} walk',
     touch: 'Your left thumb walks',
-    isNeeded: ({ seconds }) => seconds > 1.5, // until it was followed: nothing blinks on the way
+    isNeeded: ({ seconds }) => seconds > 1.5, // stays until followed, so that it does not blink
     isFollowed: ({ moved }) => moved > 1,
   },
   {
     name: 'look',
-    keys: 'Click the picture: the mouse looks around. {turnLeft}{turnRight} turn, too',
+    keys: 'Click the picture to look around with the mouse. {turnLeft}{turnRight} also turn',
     touch: 'Your right thumb looks around',
     isNeeded: ({ seconds, moved, turned }) => seconds > 5 && moved > 1 && turned < 20,
     isFollowed: ({ turned }) => turned > 45,
   },
   {
     name: 'jump',
-    keys: '{jump} jumps onto what is in the way',
+    keys: '{jump} jumps onto obstacles',
     touch: 'The button with the arrow up jumps',
     isNeeded: ({ stuck }) => stuck > 1,
     isFollowed: ({ player }) => !player.onGround && !player.flying,
@@ -98,7 +98,7 @@ export class Hints {
     const last = this.#last;
     if (last === null || last.map !== player.map) return;
     const step = Math.hypot(player.x - last.x, player.y - last.y);
-    if (step < 5) this.#now.moved += step; // farther is a portal, or another view
+    if (step < 5) this.#now.moved += step; // a larger step is a portal or a new view
     this.#now.turned += Math.abs(((player.heading - last.heading + 540) % 360) - 180);
     const pushes = codesOf(this.#caster, kWalkActions).some((code) => this.#held.has(code));
     const isStuck = pushes && player.speed < kStuckSpeed && !player.flying;
@@ -116,11 +116,11 @@ export class Hints {
     try {
       localStorage.setItem(kStorageKey, JSON.stringify([...this.#known]));
     } catch {
-      // Private windows forget; the hints come again another time.
+      // Private windows store nothing; the hints appear again next time.
     }
   }
 
-  // Every other part of the text is the name of a key. What is shown stays while it fades.
+  // Every other part of the text is an action's name. An empty text fades the old one out.
   #show(text) {
     const parts = text
       .split(/\{(\w+)\}/)

@@ -1,5 +1,5 @@
-// Keys as somebody likes them: the sheet of keys, opened to be changed. What was changed is kept in
-// the browser's storage, and holds for every scene.
+// Lets the visitor change keys in the sheet of keys. Changes are kept in the browser's storage and
+// hold for every scene.
 //
 //     const editor = new KeyEditor(dialog, caster, showKeys);      showKeys() shows the plain sheet
 
@@ -14,14 +14,14 @@ const kGroups = {
   program: 'Program',
 };
 
-const kNotForOthers = ['Escape', 'Tab', 'F5', 'F11', 'F12']; // the browser's, and the way out
+const kReserved = ['Escape', 'Tab', 'F5', 'F11', 'F12']; // used by the browser or to leave
 
 export class KeyEditor {
   #dialog;
   #caster;
   #showKeys;
   #changed = readStorage();
-  #waiting = null; // {action, button}: the next key is for it
+  #waiting = null; // {name, does}: the action that the next key is for
 
   constructor(dialog, caster, showKeys) {
     this.#dialog = dialog;
@@ -42,13 +42,13 @@ export class KeyEditor {
     return this.#dialog.querySelector(`[data-keys="${name}"]`);
   }
 
-  // An engine of its own begins with the standard keys.
+  // Each new engine starts with the standard keys.
   #apply() {
     for (const [code, action] of Object.entries(this.#changed)) {
       try {
         this.#caster.bindKey(code, action);
       } catch {
-        delete this.#changed[code]; // of another version
+        delete this.#changed[code]; // from another version
       }
     }
   }
@@ -95,9 +95,9 @@ export class KeyEditor {
         type: 'button',
         className: 'key',
         textContent: label,
-        title: `Take ${label} away`,
+        title: `Remove ${label}`,
       });
-      button.setAttribute('aria-label', `${label}: take it away from "${does}"`);
+      button.setAttribute('aria-label', `${label}: remove from "${does}"`);
       button.addEventListener('click', () => this.#bind(code, ''));
       return button;
     });
@@ -106,11 +106,11 @@ export class KeyEditor {
       className: 'quiet add',
       textContent: '+',
     });
-    add.setAttribute('aria-label', `Another key: ${does}`);
+    add.setAttribute('aria-label', `Add a key: ${does}`);
     add.dataset.action = name;
     add.addEventListener('click', () => {
       this.#waiting = { name, does };
-      this.#status(`Press a key: ${does}. Escape ends it.`);
+      this.#status(`Press a key: ${does}. Escape cancels.`);
     });
     row.append(text, ...buttons, add);
     return row;
@@ -123,7 +123,7 @@ export class KeyEditor {
     const { name, does } = this.#waiting;
     this.#waiting = null;
     if (event.code === 'Escape') this.#status('');
-    else if (kNotForOthers.includes(event.code)) this.#status(`${event.key} is the browser's.`);
+    else if (kReserved.includes(event.code)) this.#status(`${event.key} is reserved.`);
     else this.#bind(event.code, name, does);
   }
 
@@ -146,14 +146,14 @@ export class KeyEditor {
     this.#caster.standardKeys();
     if (this.#isOn) this.#show();
     else this.#showKeys();
-    this.#status('All keys are as in the beginning.');
+    this.#status('All keys are back to standard.');
   }
 
   #keep() {
     try {
       localStorage.setItem(kStorageKey, JSON.stringify(this.#changed));
     } catch {
-      // Private windows forget.
+      // Private windows store nothing.
     }
   }
 

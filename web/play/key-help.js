@@ -1,24 +1,23 @@
-// The sheet of keys: what fingers do where there is a touch screen and no mouse, and the tables of
-// keys, from the engine's own list of them.
+// The sheet of keys: what fingers do on a touch screen, and tables of the engine's keys.
 
 import { icon } from '../element/icons.js';
 
-// The device is steered by fingers, as far as it tells.
+// Whether the device seems to have a touch screen and no mouse.
 export const isTouch = () => matchMedia('(hover: none) and (pointer: coarse)').matches;
 
-// What web/element/thumbs.js makes of them: [what one does, what it is for, icon of its button].
+// As in web/element/thumbs.js: [gesture or button, effect, icon of the button].
 const kFingers = [
-  ['Left thumb', 'walks from wherever you put it; far out it runs'],
-  ['Right thumb', 'looks around as it is dragged'],
-  ['Two taps on the right', 'jump, too'],
+  ['Left thumb', 'walks from wherever you put it; farther out it runs'],
+  ['Right thumb', 'drags to look around'],
+  ['Two taps on the right', 'also jump'],
   ['Jump', 'jumps; rises when flying', 'jump'],
   ['Crouch', 'crouches; sinks when flying', 'crouch'],
   ['Fly', 'flies, or walks again', 'fly'],
   ['Gate', 'opens or closes the gates nearby; only where there are gates', 'use'],
-  ['Cross', 'leaves the picture and brings the menu back', 'leave'],
+  ['Cross', 'leaves the picture and shows the menu', 'leave'],
 ];
 
-// Where fingers steer, the keys are folded away below them.
+// On touch screens the keys are folded away below.
 export function showFingers(list, keyPart) {
   list.replaceChildren(
     ...kFingers.map(([finger, does, drawn]) => {
@@ -35,7 +34,7 @@ export function showFingers(list, keyPart) {
   keyPart.open = !isTouch();
 }
 
-// Two tables, side by side where there is room.
+// Fills two tables, side by side where there is room.
 export function showKeys(box, template, keys) {
   const shown = keys.filter((line) => line.keys.length > 0);
   const half = Math.ceil(shown.length / 2);

@@ -1,4 +1,4 @@
-// The engine's keys as the page asks for them: by the names of actions (src/app/actions.h).
+// Finds the engine's keys by the names of actions (src/app/actions.h).
 
 const actionsOf = (caster) => caster.keyList.flatMap(({ actions }) => actions);
 
@@ -9,7 +9,7 @@ export function codesOf(caster, names) {
     .flatMap(({ keys }) => keys.map(({ code }) => code));
 }
 
-// The label of each action's first key, "?" where it has none.
+// The label of the action's first key, "?" if it has none.
 export function labelOf(caster, name) {
   const action = actionsOf(caster).find((known) => known.name === name);
   return action?.keys[0]?.label ?? '?';

@@ -1,13 +1,15 @@
-// Rows of the Lab: a label and what sets an option of the engine. What each can be follows from the
-// engine's own table of options.
+// Rows of the Lab: a label and a control for one option of the engine.
 //
-//     const row = optionRow(spec, { read, write });     read(name) -> text, write(name, text)
-//     row.element, row.show(options)                    as the engine has it now, by name
+//     const row = optionRow(spec, { read, write, columns });
+//     row.element, row.show(options)          shows the engine's values; options: name -> option
+//
+// read(name, value) returns the slider's number, write(name, text) sets the option, columns() is
+// the picture's width.
 
-const kColumns = ['inspectorColumn', 'drawnColumns']; // ranges that end with the picture
+const kColumns = ['inspectorColumn', 'drawnColumns']; // their range ends at the picture's width
 
-// {option, label, least, greatest, step, shown(value)}; a switch, a choice or a slider, as the
-// option's kind wants it.
+// `spec` is {option, label}, with `choices` for a list, or with {least, greatest, step,
+// shown(value)} for a slider; otherwise the control is a switch.
 export function optionRow(spec, actions) {
   const element = document.createElement('p');
   element.className = 'lab-row';

@@ -1,14 +1,14 @@
-// The Lab: a sheet beside the picture with all that helps to see how it is made: overlays, drawing
-// column by column, light, the old ways against the exact one, photo mode and the benchmark. It
-// stays open while somebody plays.
+// The Lab: a sheet beside the picture with everything that shows how it is drawn: overlays, drawing
+// column by column, light, old ways of drawing beside the exact one, photo mode and the benchmark.
+// It stays open while somebody plays.
 //
-//     const lab = new Lab(sheet, caster, { settings, divider, photo, benchmark });
+//     const lab = new Lab(sheet, caster, { settings, photo, benchmark });
 //     lab.toggle();
 
 import { Divider } from './divider.js';
 import { optionRow } from './lab-rows.js';
 
-const kRefresh = 300; // milliseconds between two looks at what keys have changed
+const kRefresh = 300; // milliseconds between two checks for changes by keys
 
 const fixed = (digits) => (value) => value.toFixed(digits);
 const ofAll = (value, greatest) => (value >= greatest ? 'all' : String(value));
@@ -26,15 +26,15 @@ const kGroups = [
     title: 'Show',
     rows: [
       { option: 'minimap', label: 'Map from above' },
-      { option: 'minimapRays', label: 'Its rays' },
-      { option: 'minimapTurns', label: 'It turns with you' },
+      { option: 'minimapRays', label: 'Rays on the map' },
+      { option: 'minimapTurns', label: 'Map turns with you' },
       { option: 'playerPanel', label: 'Where you are' },
-      { option: 'processPanel', label: 'What drawing takes' },
-      { option: 'grid', label: 'Grid of pixels' },
+      { option: 'processPanel', label: 'Cost of drawing' },
+      { option: 'grid', label: 'Pixel grid' },
     ],
   },
   {
-    title: 'One slice under glass',
+    title: 'One slice in detail',
     rows: [
       { option: 'inspector', label: 'Slice from the side' },
       {
@@ -95,7 +95,7 @@ const kGroups = [
 ];
 
 const kRows = kGroups.flatMap(({ rows }) => rows);
-const kWhole = ['drawnColumns']; // at their end they are -1: nothing is left out
+const kWhole = ['drawnColumns']; // set to -1, for all, at the end of their range
 
 export class Lab {
   #sheet;
@@ -167,7 +167,7 @@ export class Lab {
     this.#caster.focus({ preventScroll: true });
   }
 
-  // Settings are kept, other options are the moment's.
+  // Settings are stored; other options last until the page is closed.
   write(name, value) {
     const isWhole = kWhole.includes(name) && Number(value) >= this.#caster.picture.width;
     const text = isWhole ? '-1' : String(value);
@@ -208,7 +208,7 @@ export class Lab {
   #choose(name) {
     const way = this.#ways.find((known) => known.name === name);
     this.#sheet.querySelector('[data-lab="way-about"]').textContent =
-      way?.description ?? 'Choose an old way: a divider shows it beside the exact picture.';
+      way?.description ?? 'Choose an old way of drawing to see it beside the exact picture.';
     for (const { name: option, standard } of this.#caster.optionList)
       if (option.startsWith('classic.')) this.#caster.set(option, standard);
     for (const [option, value] of Object.entries(way?.options ?? {}))

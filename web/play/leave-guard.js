@@ -1,5 +1,5 @@
-// Ctrl walks slowly, and Ctrl with W closes the tab: while Ctrl is held in the picture the browser
-// asks first. Ctrl and R is meant.
+// Ctrl walks slowly and W walks ahead, but Ctrl+W closes the tab: so while Ctrl is held during
+// play, the browser asks before it leaves. Ctrl+R is not asked about.
 
 export function guardLeaving(caster) {
   let asks = false;

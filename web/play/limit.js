@@ -1,10 +1,10 @@
-// The limit that tools/bench measures by, in the page: how long a frame as full as the engine's takes
-// with no world behind it.
+// The limit of tools/bench, in the page: how long it takes to fill a frame with as many texels as
+// the engine does, but without a world.
 //
-//     const limit = await loadLimit(1280, 720);      null without WebAssembly SIMD, or without the file
-//     limit.time();                                  milliseconds a frame
+//     const limit = await loadLimit(1280, 720);      null without WebAssembly SIMD or the file
+//     limit.time();                                  milliseconds per frame
 
-const kFrames = 4; // timed as one: clocks of browsers are coarse
+const kFrames = 4; // timed together, because browsers' clocks are coarse
 
 export async function loadLimit(width, height) {
   try {
@@ -18,7 +18,7 @@ export async function loadLimit(width, height) {
     exports._initialize();
     exports.setSize(width, height);
     return {
-      // The first frame brings all into the caches, as the picture before did for the engine.
+      // The first frame fills the caches, as the previous picture does for the engine.
       time() {
         exports.drawFrames(1);
         const begin = performance.now();

@@ -1,13 +1,13 @@
-// Loads the scene of the address anew whenever tools/play says that it was saved. Who plays stays
-// where they are; what is wrong is shown until the file is saved without it.
+// Reloads the scene of the address whenever tools/play reports that it was saved. The player stays
+// where they are; faults are shown until the file is saved without them.
 
-export function listenForSaves(caster, address, face) {
+export function listenForSaves(caster, address, status) {
   const saves = new EventSource(new URL('-/events', document.baseURI));
   let playsOn = false;
   saves.addEventListener('scene', async () => {
     if (address.reference === null) return;
     playsOn ||= caster.entered;
-    face.isQuiet = true;
+    status.isQuiet = true;
     caster.reload({ keepEye: true });
     await caster.whenReady().catch(() => {});
     if (caster.state === 'error' || !playsOn) return;

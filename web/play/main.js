@@ -1,36 +1,36 @@
-// The play page: <ray-caster> in the whole window, and around it menu, settings and sharing. What
-// plays is the element's affair; the page sets its attributes and hears its events.
+// The play page: <ray-caster> in the whole window, with menu, settings and sharing around it. The
+// page only sets the element's attributes and listens to its events.
 //
-//     address-line.js    what the page's address names, as attributes of the element
-//     slips.js           what the address says that cannot be
-//     face.js            what the page shows of the element: title, progress, trouble, modes
-//     dialogs.js         scenes, keys, settings, share; page-keys.js opens them too
-//     settings.js        what somebody likes; view-options.js hands the options on
-//     around.js          opening, hints, Lab, photo mode, benchmark, keys that can be changed
+//     address-line.js      turns the page's address into attributes of the element
+//     address-problems.js  lists mistakes in the address
+//     page-status.js       shows title, progress, errors and modes
+//     dialogs.js           scenes, keys, settings, share; page-keys.js opens them too
+//     settings.js          the visitor's settings; view-options.js passes them to the engine
+//     page-parts.js        opening, hints, Lab, photo mode, benchmark, key editor
 //
 // Parameters of the address: scene=NAME or a path, view=, options= and overlay= as
-// engine/address.js spells them, tour=NAME (a recording of the folder tours, which names its
-// scene), live=1 (tools/play says when the scene was saved), engine=simd or scalar.
+// engine/address.js spells them, tour=NAME (a recording in the folder tours, which names its
+// scene), live=1 (reload when tools/play reports a save), engine=simd or scalar.
 
 import '../ray-caster.js';
 import { Gamepads } from '../element/gamepads.js';
 import { AddressLine } from './address-line.js';
-import { putAround } from './around.js';
+import { AddressProblems } from './address-problems.js';
 import { Dialogs } from './dialogs.js';
 import { playDropped } from './dropped-scene.js';
-import { Face } from './face.js';
 import { listenForFiles } from './file-drop.js';
 import { guardLeaving } from './leave-guard.js';
 import { listenForSaves } from './live-scene.js';
 import { padMenu } from './pad-menu.js';
 import { listenForPageKeys } from './page-keys.js';
+import { addPageParts } from './page-parts.js';
+import { PageStatus } from './page-status.js';
 import { toggleRecording } from './recording.js';
 import { listScenes } from './scene-list.js';
 import { SceneMenu } from './scene-menu.js';
 import { Settings } from './settings.js';
 import { ShareDialog } from './share.js';
 import { showSize } from './size-now.js';
-import { Slips } from './slips.js';
 import { ViewOptions } from './view-options.js';
 
 const find = (id) => document.getElementById(id);
@@ -41,11 +41,12 @@ function start() {
     apply(name, value),
   );
   const options = new ViewOptions(caster, settings);
-  const address = new AddressLine(caster, options, new Slips(find('slips'), caster));
+  const problems = new AddressProblems(find('address-problems'), caster);
+  const address = new AddressLine(caster, options, problems);
   const dialogs = new Dialogs(caster);
-  const face = new Face(caster, address, dialogs);
+  const status = new PageStatus(caster, address, dialogs);
 
-  // A setting is an option of the engine, unless it is one of these.
+  // All settings but these are options of the engine.
   function apply(name, value) {
     if (name === 'size') caster.size = value;
     else if (name === 'rate') find('rate').hidden = !value;
@@ -67,7 +68,7 @@ function start() {
     toggleRecording: () => toggleRecording(caster, address),
   });
 
-  const { opening } = putAround(caster, { settings, address, dialogs, face });
+  const { opening } = addPageParts(caster, { settings, address, dialogs, status });
   find('play').addEventListener('click', ({ pointerType }) =>
     caster.enter({ touch: pointerType === 'touch' }),
   );
@@ -78,14 +79,14 @@ function start() {
     onEntries: async (entries) => {
       dialogs.close();
       opening.end();
-      await playDropped(caster, address, await entries).catch((error) => face.fail(error));
+      await playDropped(caster, address, await entries).catch((error) => status.fail(error));
     },
   });
   playByClick(caster);
   guardLeaving(caster);
   listenForFullScreen();
-  // A press on a gamepad begins the game, as a click would.
-  new Gamepads(padMenu(caster, dialogs, () => face.state === 'paused'));
+  // A gamepad's button starts the game, as a click would.
+  new Gamepads(padMenu(caster, dialogs, () => status.state === 'paused'));
 
   const scenes = listScenes();
   scenes.then(
@@ -102,24 +103,23 @@ function start() {
       },
     });
     dialogs.opens('scenes', () => menu.open(address.reference));
-    face.scenes = list;
+    status.scenes = list;
     if (address.isPlain) opening.begin(list[0]?.flight);
   }
   const open = () =>
-    address.open(scenes).catch((error) => face.fail(error, () => location.reload()));
+    address.open(scenes).catch((error) => status.fail(error, () => location.reload()));
   window.addEventListener('popstate', () => {
     opening.end();
     open();
   });
   open();
-  if (address.isLive) listenForSaves(caster, address, face);
+  if (address.isLive) listenForSaves(caster, address, status);
 
   // For the browser's console, and for tests.
   window.slicecast = caster;
 }
 
-// A click on the picture plays, and takes the mouse along. A finger's tap does what the element
-// does with it.
+// A click on the picture plays and captures the mouse. The element handles taps.
 function playByClick(caster) {
   let begins = false;
   caster.addEventListener(

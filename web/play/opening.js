@@ -1,13 +1,13 @@
-// The first ten seconds: where the page's address names nothing, the first scene of the list is
-// seen from a slow flight behind the page's own title, until somebody plays or goes elsewhere. Who
-// prefers reduced motion sees a still picture.
+// The opening: if the page's address names nothing, a slow flight through the first scene of the
+// list runs behind the page's title until somebody plays or chooses a scene. Visitors who prefer
+// reduced motion see a still picture.
 //
 //     const opening = new Opening(caster);
-//     opening.begin(scene.flight);       of the list; before the scene is there
+//     opening.begin(scene.flight);       the list's flight; before the scene has loaded
 
 import { Flight } from './flight.js';
 
-const kLongestFrame = 100; // milliseconds of the flight, however late a picture comes
+const kLongestFrame = 100; // milliseconds; a late picture advances the flight by no more
 
 export class Opening {
   #caster;
@@ -30,7 +30,7 @@ export class Opening {
     if (this.#caster.world !== null) this.#ready();
   }
 
-  // Another scene was chosen, or something is wrong.
+  // Another scene was chosen, or an error occurred.
   end() {
     cancelAnimationFrame(this.#frame);
     this.#flight = null;
@@ -44,7 +44,7 @@ export class Opening {
     this.#caster.play();
     let seconds = 0;
     let last = performance.now();
-    // Time stands while the picture does: for a benchmark, or behind something else.
+    // The flight waits while the picture is paused: for a benchmark, or while it is covered.
     const fly = (time) => {
       if (this.#flight === null) return;
       if (this.#caster.state === 'playing') {
@@ -57,7 +57,7 @@ export class Opening {
     fly(last);
   }
 
-  // Who plays begins where the scene begins.
+  // The game begins at the scene's start.
   #land() {
     const flew = this.#flight !== null && this.#hasBegun;
     this.end();

@@ -1,6 +1,5 @@
-// A gamepad in the page's menus, while nobody plays: its cross goes from one control to the next
-// and sets sliders and lists, the lower button presses, the right one closes, Start opens the
-// scenes. While somebody plays, Start pauses.
+// Gamepads in the page's menus: the D-pad moves between controls and sets sliders and lists, the
+// lower button presses, the right one closes, Start opens the scenes. During play, Start pauses.
 //
 //     new Gamepads(padMenu(caster, dialogs, () => isAtRest));
 
@@ -9,7 +8,7 @@ const kBack = 1;
 const kStart = 9;
 const kSteps = { 12: -1, 13: 1, 14: -1, 15: 1 }; // up, down, left, right
 const kSideways = [14, 15];
-const kPressesAcross = 30; // of a slider, about
+const kPressesAcross = 30; // about so many presses move a slider from end to end
 
 const kControls = 'a[href], button:not(:disabled), input:not(:disabled), select:not(:disabled)';
 
@@ -47,7 +46,7 @@ function step(button) {
   controls[next]?.scrollIntoView({ block: 'nearest' });
 }
 
-// Play comes first where nothing is open.
+// The controls in order; without a dialog, Play comes first.
 function reachable() {
   const open = document.querySelector('dialog[open]');
   const places = open !== null ? [open] : ['#pause', '#bar', '#lab'].map(find);
@@ -58,7 +57,7 @@ function reachable() {
 
 const find = (selector) => document.querySelector(selector);
 
-// Sets a slider or a list; false for what is neither.
+// Sets a slider or a list; returns false for other controls.
 function turn(control, by) {
   if (control.type === 'range') {
     const { min, max, step: width } = control;

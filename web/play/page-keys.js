@@ -1,10 +1,9 @@
-// The keys that are the page's: those that the element leaves to it or asks it about while somebody
-// plays, and a few that act while nothing has the focus.
+// The page's keys: those that the element leaves to the page during play, and a few that work while
+// nothing has the focus.
 
-const kShareCode = 'KeyZ'; // the engine knows none for it
+const kShareCode = 'KeyZ'; // sharing is not an action of the engine
 
-// By the names of their actions, so that a key bound anew does the same. While somebody plays, too:
-// the element leaves them to the page.
+// Looked up by the names of actions, so that changed keys work too. These also work during play.
 const kAlways = {
   share: ({ dialogs }) => dialogs.open('share'),
   hits: ({ caster }) => tellHits(caster),
@@ -27,13 +26,13 @@ export function listenForPageKeys(caster, actions) {
     const isNowhere = target === document.body;
     if (!isNowhere && target !== caster) return;
     const name = actionOf(caster, code);
-    const isCovers = name === 'enter' && !isNowhere; // the picture's own affair
-    const act = kAlways[name] ?? (caster.entered || isCovers ? undefined : kAtRest[name]);
+    const isElements = name === 'enter' && !isNowhere; // the element handles it itself
+    const act = kAlways[name] ?? (caster.entered || isElements ? undefined : kAtRest[name]);
     if (act === undefined || caster.world === null) return;
     event.preventDefault();
     act(all);
   });
-  // H and F of who plays.
+  // H and F during play.
   caster.addEventListener('request', (event) => {
     event.preventDefault();
     if (event.detail.wish === 'help') actions.dialogs.open('keys');
@@ -52,7 +51,7 @@ function goOn({ caster }) {
   if (caster.state !== 'error') caster.enter();
 }
 
-// What the inspected slice meets, on the console.
+// Prints the hits of the inspected slice to the console.
 function tellHits(caster) {
   const { width } = caster.picture;
   const chosen = Number(caster.get('inspectorColumn'));

@@ -1,7 +1,7 @@
-// Photo mode: the page's own things are gone, the world stands still, and a line at the foot of the
-// picture has the field of view, the time of day, and the size in which to save it.
+// Photo mode: hides the page's controls, pauses the world, and shows a bar below the picture with
+// field of view, time of day, and the size to save.
 //
-//     const photo = new Photo(bar, caster, { read, write, dialogs, nameOf });
+//     const photo = new Photo(bar, caster, { write, nameOf });
 //     photo.begin();
 
 import { saveFile } from '../element/save-file.js';
@@ -21,7 +21,7 @@ export class Photo {
   #bar;
   #caster;
   #actions;
-  #before = new Map(); // overlays that were on
+  #before = new Map(); // overlays to switch on again
 
   constructor(bar, caster, actions) {
     this.#bar = bar;
@@ -42,7 +42,7 @@ export class Photo {
       event.stopPropagation();
       this.end();
     });
-    // Whoever walks on is no longer photographing.
+    // Playing ends photo mode.
     caster.addEventListener('enterchange', () => caster.entered && this.end());
   }
 

@@ -1,4 +1,4 @@
-// F9: begins the scene anew and records it, or hands out what was recorded.
+// F9: restarts the scene and records it, or saves the recording.
 
 import { saveFile } from '../element/save-file.js';
 
@@ -9,7 +9,7 @@ export async function toggleRecording(caster, address) {
     saveFile(`${name}-recording.txt`, new Blob([text], { type: 'text/plain' }));
     return;
   }
-  if (caster.source === null) caster.scene = caster.address; // a tour may have named it
+  if (caster.source === null) caster.scene = caster.address; // it may come from a tour
   caster.tour = null;
   caster.view = null;
   caster.reload();

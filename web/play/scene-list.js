@@ -6,10 +6,10 @@ import { Trouble } from '../engine/trouble.js';
 
 const kScenes = new URL('scenes/', document.baseURI);
 
-// [{file, title, about, tour, group, flight, poster}], the opening scene first; `tour` is true where
-// a recorded tour has the scene's name, `group` names those that stand apart, one after the other,
-// under a title of their own; `flight` is that of the opening (flight.js); `poster` is the path of
-// its picture for the menu, which tools/page draws and writes into the list.
+// Returns [{file, title, about, tour, group, flight, poster}], the opening scene first. `tour` is
+// true if there is a tour of the scene's name. Consecutive scenes with the same `group` stand under
+// that title. `flight` is for the opening (flight.js). `poster` is the path of the menu's picture,
+// which tools/page draws and adds to the list.
 export async function listScenes() {
   const address = new URL('index.json', kScenes);
   const bytes = await fetchBytes(address).catch((error) => {
@@ -23,14 +23,14 @@ export async function listScenes() {
   return JSON.parse(new TextDecoder().decode(bytes));
 }
 
-// A name among the page's scenes ("castle" or "castle.json"), or, with a slash in it, an address
-// relative to the page, as far as the page's owner allows it. Throws a Trouble.
+// Resolves the name of one of the page's scenes ("castle" or "castle.json") or, with a slash in it,
+// an address relative to the page that the page's owner allows. Throws a Trouble.
 export function sceneAddress(reference) {
   const file = /\.json$/i.test(reference) ? reference : `${reference}.json`;
   return allowed(new URL(file, file.includes('/') ? document.baseURI : kScenes));
 }
 
-// The other way round: what names that address.
+// The reverse: the name for an address.
 export function referenceOf(address) {
   const folders = [kScenes.href, new URL('.', document.baseURI).href];
   const folder = folders.find((one) => address.startsWith(one)) ?? '';
@@ -41,7 +41,7 @@ export function tourAddress(name) {
   return new URL(`tours/${name}.txt`, document.baseURI);
 }
 
-// The picture of a scene for the menu, by the path that the list has for it.
+// `path` is the list's `poster`.
 export function posterAddress(path) {
   return new URL(path, kScenes);
 }

@@ -1,20 +1,20 @@
-// The menu of scenes: a card for each, with its view from the start and the way to its tour where it
-// has one.
+// The menu of scenes: a card for each, with its first view and, if there is one, a link to its
+// tour.
 //
 //     const menu = new SceneMenu(dialog, scenes, {missing, addressOf, onChoose});
-//     menu.open('castle.json');      the scene that is shown
+//     menu.open('castle.json');      the current scene
 
 import { posterAddress } from './scene-list.js';
 
 export class SceneMenu {
-  // `scenes` as in the list that comes with the page; `missing` is a Trouble where there is none;
-  // `addressOf(file)` is the page's address with that scene; `onChoose(file)` opens it here.
+  // `scenes` is the list of scene-list.js; `missing` is the Trouble if it could not be loaded, else
+  // null; `addressOf(file)` is the page's address of a scene; `onChoose(file)` opens it in place.
   constructor(dialog, scenes, { missing, addressOf, onChoose }) {
     this.dialog = dialog;
     this.cards = scenes.map((scene) => ({ scene, ...card(scene, addressOf(scene.file)) }));
     for (const { link, scene } of this.cards) {
       link.addEventListener('click', (event) => {
-        // A new tab or window is the browser's affair.
+        // The browser opens new tabs and windows.
         if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
         event.preventDefault();
         dialog.close();
@@ -39,7 +39,7 @@ export class SceneMenu {
   }
 }
 
-// Stands before the first of the scenes that the list sets apart.
+// The title before the first scene of a group.
 function groupTitle({ group }) {
   const item = document.createElement('li');
   item.className = 'group';
@@ -52,7 +52,7 @@ function card(scene, address) {
   const link = document.createElement('a');
   link.className = 'scene';
   link.href = address;
-  // Its place is held until it is there.
+  // The size reserves the space until the picture has loaded.
   const view = document.createElement('img');
   Object.assign(view, { alt: '', width: 480, height: 270, loading: 'lazy' });
   if (scene.poster !== undefined) {

@@ -1,11 +1,11 @@
-// What somebody likes: kept in the browser's storage where it lets us, and shown in the settings
-// dialog.
+// The visitor's settings: shown in the settings dialog and kept in the browser's storage if
+// allowed.
 //
-//     const settings = new Settings(form, (name, value) => ...);       // called for each setting that changes
-//     settings.ranges(caster.optionList)       as soon as there is an engine: how far its sliders go
+//     const settings = new Settings(form, (name, value) => ...);    // called for each change
+//     settings.ranges(caster.optionList)    sets the sliders' ranges, once there is an engine
 //     settings.value('fov')
-//     settings.take('fov', '90');     as the engine writes it; what is no setting is left alone
-//     settings.lend('fov', '90')      the same, but holds until it is changed or taken back, and is not kept
+//     settings.take('fov', '90');     a value as the engine writes it; ignores names of no setting
+//     settings.lend('fov', '90')      the same, but not stored: until changed or taken back
 
 import { fitSliders } from './slider.js';
 
@@ -16,12 +16,12 @@ const kStandard = {
   fov: 60, // degrees
   light: true,
   fog: true,
-  lightPreset: 'map', // the time of day, or each map's own
-  mirrors: 1, // times the strength of all mirrors
+  lightPreset: 'map', // a time of day; 'map': each map's own
+  mirrors: 1, // factor for the strength of all mirrors
   detail: true,
-  rate: false, // the frame rate is shown
-  mouse: 1, // times the usual sensitivity
-  invert: false, // moving the mouse forward looks down
+  rate: false, // whether to show the frame rate
+  mouse: 1, // factor for the mouse's sensitivity
+  invert: false, // whether moving the mouse forward looks down
 };
 
 const kOfPage = ['size', 'rate', 'mouse', 'invert']; // the others are options of the engine
@@ -46,7 +46,7 @@ export class Settings {
     });
   }
 
-  // What was kept and is beyond them, another version wrote, or nobody.
+  // Resets stored values outside the ranges, for instance from another version.
   ranges(options) {
     fitSliders(this.form, options);
     for (const { name, kind, least, greatest } of options) {
@@ -86,7 +86,7 @@ export class Settings {
     this.onChange(name, value);
   }
 
-  // All options, as they are without anybody's likings.
+  // Lends the standard value of every setting.
   lendStandard() {
     for (const name of Object.keys(kStandard)) this.lend(name, written(kStandard[name]));
   }
@@ -119,7 +119,7 @@ export class Settings {
       this.form.querySelector(`output[for="${field.id}"]`).textContent = kShown[name](value);
   }
 
-  // Only what the dialog itself could have set is taken from the storage.
+  // Accepts only values that the dialog itself could have set.
   #readStorage() {
     let stored;
     try {
@@ -144,14 +144,14 @@ export class Settings {
     try {
       localStorage.setItem(kStorageKey, JSON.stringify(this.#values));
     } catch {
-      // Private windows and full disks forget; the page works on.
+      // Private windows and full disks store nothing; the page works without.
     }
   }
 }
 
 const written = (value) => (typeof value === 'boolean' ? (value ? 'on' : 'off') : String(value));
 
-// Of an option as the engine writes it; null where it is no setting, or cannot be one.
+// Reads an option's value as the engine writes it; null if it is not a setting or not valid.
 function valueOf(name, text) {
   if (!Object.hasOwn(kStandard, name) || kOfPage.includes(name)) return null;
   if (typeof kStandard[name] === 'boolean') return text === 'on';

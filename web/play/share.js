@@ -1,7 +1,7 @@
-// The share dialog: the view's link, tag and frame, each to be copied, and the view as a picture.
+// The share dialog: the view as a link, tag or frame to copy, and as a picture to save.
 //
 //     const share = new ShareDialog(dialog);
-//     share.open(caster, address);        address.reference is null where the scene has no address
+//     share.open(caster, address);        address.reference is null if the scene has no address
 
 import { sceneAddress } from './scene-list.js';
 import { frameFor, linkTo, sharedParameters, tagFor } from '../element/share-links.js';
@@ -58,7 +58,7 @@ export class ShareDialog {
     preview.getContext('2d').drawImage(await createImageBitmap(blob), 0, 0);
   }
 
-  // Where a browser refuses the clipboard, the text is selected: then one key copies it.
+  // If the browser refuses the clipboard, selects the text, so that the visitor can copy it.
   async #copy(button) {
     const field = this.find(button.dataset.copy);
     try {
@@ -69,12 +69,12 @@ export class ShareDialog {
       field.select();
       this.#say(
         null,
-        'Your browser keeps the clipboard to itself. The text is selected: copy it with Ctrl or ⌘ and C.',
+        'Your browser did not allow copying. The text is selected: copy it with Ctrl+C or ⌘C.',
       );
     }
   }
 
-  // One button at a time says "Copied"; the status line says it too, for those who hear the page.
+  // One button at a time says "Copied"; the status line repeats it for screen readers.
   #say(copied, text) {
     for (const button of this.dialog.querySelectorAll('[data-copy]')) {
       button.textContent = button === copied ? 'Copied' : 'Copy';

@@ -1,4 +1,4 @@
-// What size the picture has: now, and, where that is another one, when it was last in motion.
+// Shows the picture's size now and, if it differs, the size that it last had in motion.
 //
 //     showSize(caster, output);
 
@@ -20,7 +20,7 @@ export function showSize(caster, output) {
   });
 }
 
-// Of one that has its box's shape also the share of the screen's pixels across.
+// Adds the share of the screen's pixels across if the picture has the shape of its box.
 function textOf(caster, { width, height }) {
   const box = caster.clientWidth * (window.devicePixelRatio || 1);
   const boxHeight = caster.clientHeight * (window.devicePixelRatio || 1);

@@ -1,10 +1,10 @@
-// Sliders of the engine's numbers: how far each goes, its own table of options says.
+// Sets the ranges of sliders from the engine's table of options.
 //
-//     fitSliders(form, caster.optionList);       those of the form that have an option's name
+//     fitSliders(form, caster.optionList);       for all sliders named after an option
 
-const kPlaces = 40; // about so many at least that a slider can stand at
+const kPlaces = 40; // a slider has at least about so many positions
 
-// In whole steps of a decimal place, which people can read.
+// A power of ten, so that values are easy to read.
 export function stepOf({ kind, least, greatest }) {
   const decimals = Math.ceil(-Math.log10((greatest - least) / kPlaces));
   return kind === 'wholeNumber' ? 1 : Number(`1e${-decimals}`);

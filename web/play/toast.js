@@ -1,4 +1,4 @@
-// One line at the foot of the picture that says what has just been done, for two seconds.
+// One line below the picture that tells for two seconds what a key has just done.
 //
 //     const toast = new Toast(line);      an element with role="status"
 //     toast.show('Time of day: dusk');

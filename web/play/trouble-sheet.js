@@ -1,6 +1,6 @@
-// The sheet that says what keeps a scene from being shown.
+// The sheet that shows an error.
 //
-//     sheet.show({title, message, faults}, {again, scenes, back});      as the element's event `error` tells it
+//     sheet.show({title, message, faults}, {again, scenes, back});      the event `error`'s detail
 //     sheet.near(meant);
 
 const kActions = ['again', 'scenes', 'back'];
@@ -14,7 +14,7 @@ export class TroubleSheet {
       this.find(name).addEventListener('click', () => this.actions[name]());
   }
 
-  // `actions` are functions, or null where there is no way: {again, scenes, back}.
+  // `actions` are {again, scenes, back}: functions, or null to hide a button.
   show(trouble, actions) {
     this.actions = actions;
     this.find('title').textContent = trouble.title;
@@ -27,7 +27,7 @@ export class TroubleSheet {
     this.root.hidden = false;
   }
 
-  // What was probably meant (nearOf), or null.
+  // Suggests the scene that was probably meant (nearOf); null for none.
   near(meant) {
     const line = this.find('near');
     line.hidden = meant === null;
@@ -44,8 +44,7 @@ export class TroubleSheet {
   }
 }
 
-// The same place as the scene itself would name it: a JSON pointer, and within a grid of characters
-// the tile.
+// The place inside the scene: a JSON pointer and, in a grid of characters, the tile.
 function insideOf({ pointer, row, character }) {
   const tile = [row >= 0 ? `row ${row}` : '', character >= 0 ? `character ${character}` : '']
     .filter((part) => part !== '')

@@ -1,25 +1,25 @@
-// The engine's options, as attributes of the element: those of the settings, or, where the page's
-// address gives a view, options or overlays, those of the address. Such an address shows what
-// somebody else saw: options that it does not name are at their standard, whatever the visitor's
-// own settings are, and those come back with the next address that gives nothing.
+// Passes the engine's options to the element: those of the settings or, if the page's address has a
+// view, options or overlays, those of the address. Such an address shows what somebody else saw, so
+// options that it does not name get their standard values instead of the visitor's settings. The
+// settings return with the next address that has none of these.
 //
 //     const options = new ViewOptions(caster, settings);
 //     options.take(parameters);         of the address
 //     options.set('fov', 90);           a setting
-//     options.takeFromKeys();           what keys have changed since, the settings show as it is
+//     options.takeFromKeys();           updates the settings with changes by keys
 
 import { formatOptions, parseOptions } from '../engine/address.js';
 
-const kGiving = ['view', 'options', 'overlay'];
-const kFall = 1 / 65536; // units that a step without ground goes down, at least
+const kOverriding = ['view', 'options', 'overlay'];
+const kFall = 1 / 65536; // units; without ground, a step falls by at least this
 
 export class ViewOptions {
   #caster;
   #settings;
   #wanted = new Map();
-  #isGiven = false;
-  #unread = ''; // of the address; what is wrong with it the element says
-  #view = null; // of the address, until it was looked from
+  #isOverridden = false;
+  #unread = ''; // options of the address that cannot be parsed; the element reports them
+  #view = null; // of the address, until the scene is ready
 
   constructor(caster, settings) {
     this.#caster = caster;
@@ -28,21 +28,21 @@ export class ViewOptions {
   }
 
   take(parameters) {
-    const isGiven = kGiving.some((name) => parameters.has(name));
+    const overrides = kOverriding.some((name) => parameters.has(name));
     this.#view = parameters.get('view');
     this.#unread = '';
-    if (isGiven || this.#isGiven) {
+    if (overrides || this.#isOverridden) {
       const { optionList } = this.#caster;
       this.#wanted = new Map(optionList.map(({ name, standard }) => [name, standard]));
     }
-    if (isGiven) this.#give(parameters.get('options') ?? '');
-    else if (this.#isGiven) this.#settings.takeBack();
-    this.#isGiven = isGiven;
+    if (overrides) this.#override(parameters.get('options') ?? '');
+    else if (this.#isOverridden) this.#settings.takeBack();
+    this.#isOverridden = overrides;
     this.#caster.overlay = parameters.get('overlay');
     this.#write();
   }
 
-  #give(text) {
+  #override(text) {
     this.#settings.lendStandard();
     try {
       for (const [name, value] of parseOptions(text)) {
@@ -67,7 +67,7 @@ export class ViewOptions {
     this.#caster.options = `${formatOptions([...this.#wanted])} ${this.#unread}`.trim();
   }
 
-  // Who looked from the air goes on flying there: whether there is ground is known after a step.
+  // A view from the air starts flying: one step shows whether there is ground below.
   #lookFrom() {
     const text = this.#view;
     this.#view = null;

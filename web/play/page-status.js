@@ -1,29 +1,29 @@
-// What the page shows of the element: its state, the caption, progress, what is wrong, and what
-// goes on. `body[data-state]` is loading, paused, playing (somebody steers) or trouble.
+// Shows the element's state around the picture: caption, progress, errors, and modes such as
+// recording. `body[data-state]` is loading, paused, playing (somebody steers) or trouble.
 //
-//     const face = new Face(caster, address, dialogs);
-//     face.scenes = list;
-//     face.fail(error, again);        of the page's own; again() is another try, if there is one
-//     face.isQuiet = true;     the next load shows nothing of itself
+//     const status = new PageStatus(caster, address, dialogs);
+//     status.scenes = list;
+//     status.fail(error, again);        an error of the page itself; again() may be null
+//     status.isQuiet = true;            the next load shows no progress
 
 import { asTrouble } from '../engine/trouble.js';
-import { nearOf } from './slips.js';
+import { nearOf } from './address-problems.js';
+import { nameFrom, titleFrom } from './scene-origin.js';
 import { TroubleSheet } from './trouble-sheet.js';
-import { nameFrom, titleFrom } from './whose.js';
 
-const kEngineShare = 0.5; // of the loading bar, until there was a picture
+const kEngineShare = 0.5; // of the loading bar, for the first scene
 
-const kMended = 'It opens by itself as soon as the file is saved without them.';
+const kFixAndSave = 'Fix these faults and save the file: the scene then opens by itself.';
 
 const kModes = {
   recording: 'Recording; F9 saves it',
   replay: 'A recorded tour; move to take over',
-  cursor: "The mouse's place steers; Escape ends it",
+  cursor: 'The mouse position steers; Escape ends it',
 };
 
 const find = (id) => document.getElementById(id);
 
-export class Face {
+export class PageStatus {
   isQuiet = false;
   #scenes = [];
   #caster;
@@ -31,7 +31,7 @@ export class Face {
   #dialogs;
   #trouble = new TroubleSheet(find('trouble'));
   #modes = new Set();
-  #attributes = {}; // that showed the last scene without trouble
+  #attributes = []; // those of the last scene that loaded
   #played = false;
 
   constructor(caster, address, dialogs) {
@@ -55,7 +55,7 @@ export class Face {
     return document.body.dataset.state;
   }
 
-  // The list may come after the scene, or after what is wrong with it.
+  // The list may arrive after the scene or its error.
   get scenes() {
     return this.#scenes;
   }
@@ -67,7 +67,7 @@ export class Face {
     find('trouble-scenes').hidden = scenes.length === 0;
   }
 
-  // What the address probably meant.
+  // The scene that the address probably means.
   get #near() {
     return ['fetch', 'mime', 'tour'].includes(this.#caster.error?.code)
       ? nearOf(this.#address.parameters, this.#scenes)
@@ -80,7 +80,7 @@ export class Face {
     find('pause-about').textContent = known?.about ?? '';
   }
 
-  // What the page itself could not do.
+  // Shows an error of the page itself.
   fail(error, again = null) {
     const { title, message } = asTrouble(error);
     this.#fail({ title, message, faults: [] }, again);
@@ -88,7 +88,7 @@ export class Face {
 
   #show() {
     const { state, entered } = this.#caster;
-    if (state === 'error' || (state === 'loading' && this.isQuiet)) return; // the event tells it
+    if (state === 'error' || (state === 'loading' && this.isQuiet)) return; // #fail shows errors
     this.#trouble.hide();
     const shown = { idle: 'loading', playing: entered ? 'playing' : 'paused' }[state] ?? state;
     if (shown === 'playing') this.#played = true;
@@ -127,7 +127,7 @@ export class Face {
     this.isQuiet = false;
     const isLive = this.#address.isLive && code === 'scene';
     document.body.dataset.state = 'trouble';
-    const text = isLive ? kMended : message;
+    const text = isLive ? kFixAndSave : message;
     this.#trouble.show(
       { title, message: text, faults },
       {
@@ -140,7 +140,7 @@ export class Face {
     find('trouble-scenes').hidden = this.#scenes.length === 0;
   }
 
-  // What was shown before is still there.
+  // Returns to the previous scene, which is still loaded.
   #back() {
     for (const [name, value] of this.#attributes) {
       this.#caster.removeAttribute(name);
@@ -149,7 +149,7 @@ export class Face {
     if (this.#caster.state !== 'error') this.#show();
   }
 
-  // One line for what goes on, the weightiest first.
+  // One line shows the current mode; of several, the first of kModes.
   #mode(mode, isOn) {
     if (isOn) this.#modes.add(mode);
     else this.#modes.delete(mode);

@@ -1,16 +1,17 @@
-// Says what a key has done where one cannot see it: changed light, fly mode, a gate out of reach.
+// Shows a line of text when a key has an effect that is hard to see: changed light, fly mode, no
+// gate within reach.
 //
 //     listenForEffects(caster, toast);
 
 import { codesOf, labelOf } from './key-list.js';
 
-const kSettle = 80; // milliseconds, until the step has come in which a key acts
+const kSettle = 80; // milliseconds; by then the world has taken the step in which the key acts
 
 const times = (text) => `${Number(text).toFixed(1)} ×`;
 const units = (text) => Number(text).toFixed(1);
-const kTimesOfDay = { map: 'as the scene has it' };
+const kTimesOfDay = { map: "the scene's own" };
 
-// Options that keys change without anything new to be seen: what to call each, and its value.
+// Options that keys change with little visible effect, and the text to show.
 const kEffects = [
   { option: 'lightPreset', says: (value) => `Time of day: ${kTimesOfDay[value] ?? value}` },
   { option: 'intensity', says: (value) => `Light: intensity ${units(value)}` },
@@ -28,7 +29,7 @@ const kGateActions = ['use', 'open', 'close'];
 
 export function listenForEffects(caster, toast) {
   const values = () => kEffects.map(({ option }) => caster.get(option));
-  // Before the engine hears of it.
+  // In the capture phase: before the engine acts on the key.
   const listen = ({ code, repeat, ctrlKey, metaKey, altKey }) => {
     if (!caster.entered || ctrlKey || metaKey || altKey) return;
     const before = values();

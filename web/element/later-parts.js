@@ -1,5 +1,5 @@
-// The parts of <ray-caster> that come later than its script, each once for the page; what could not
-// come is asked for again. They throw a Trouble where they cannot come.
+// Loads the parts of <ray-caster> that are not in its first script, each once per page; a part that
+// failed is requested again next time. They throw a Trouble.
 
 import { importScript } from '../engine/import-script.js';
 

@@ -1,12 +1,12 @@
-// What the page has around the game: the opening, hints and echoes, the Lab with photo mode and
-// benchmark, keys that can be changed.
+// Adds the page's optional parts: the opening, hints, messages about keys, the Lab with photo mode
+// and benchmark, and the key editor.
 //
-//     const { opening } = putAround(caster, { settings, address, dialogs, face });
+//     const { opening } = addPageParts(caster, { settings, address, dialogs, status });
 
 import { BenchmarkDialog } from './benchmark-dialog.js';
-import { listenForEffects } from './echo.js';
 import { Hints } from './hints.js';
 import { KeyEditor } from './key-editor.js';
+import { listenForEffects } from './key-effects.js';
 import { Lab } from './lab.js';
 import { Opening } from './opening.js';
 import { Photo } from './photo.js';
@@ -14,12 +14,12 @@ import { Toast } from './toast.js';
 
 const find = (id) => document.getElementById(id);
 
-export function putAround(caster, { settings, address, dialogs, face }) {
+export function addPageParts(caster, { settings, address, dialogs, status }) {
   listenForEffects(caster, new Toast(find('toast')));
   new Hints(caster, find('hint'));
   new KeyEditor(find('keys'), caster, () => dialogs.showKeys());
 
-  const flight = () => face.scenes.find(({ file }) => file === address.reference)?.flight;
+  const flight = () => status.scenes.find(({ file }) => file === address.reference)?.flight;
   const benchmark = new BenchmarkDialog(find('benchmark'), caster, flight);
   dialogs.opens('benchmark', () => benchmark.open());
   const photo = new Photo(find('photo'), caster, {

@@ -1,21 +1,22 @@
-// What the page's address says that cannot be: each slip as a line over the picture, which goes on
-// with the rest. The lines stay until somebody closes them, plays, or goes elsewhere.
+// Lists mistakes in the page's address, one line each over the picture; the rest of the address is
+// used. The lines stay until somebody closes them, plays, or opens another address.
 //
-//     const slips = new Slips(box, caster);
-//     slips.begin(parameters);          of another address; what was wrong with the one before is over
-//     nearOf(parameters, scenes)        the scene or tour that was probably meant: {name, message, query}, or null
+//     const problems = new AddressProblems(box, caster);
+//     problems.begin(parameters);       of a new address; clears the list
+//     nearOf(parameters, scenes)        the scene or tour that was probably meant:
+//                                       {name, message, query}, or null
 
 import { nearestName, unknown } from '../engine/nearest-name.js';
 
-const kOfElement = ['view', 'options', 'overlay', 'engine']; // of these the element warns
+const kOfElement = ['view', 'options', 'overlay', 'engine']; // the element warns about these
 const kKnown = ['scene', 'tour', ...kOfElement, 'live'];
 
 const nameOf = (file) => file.replace(/\.json$/i, '');
 
-export class Slips {
+export class AddressProblems {
   #box;
   #list;
-  #said = new Set(); // attributes that the address has
+  #named = new Set(); // attributes that the address sets
 
   constructor(box, caster) {
     this.#box = box;
@@ -23,16 +24,16 @@ export class Slips {
     box.querySelector('button').addEventListener('click', () => this.#clear());
     caster.addEventListener('enterchange', () => caster.entered && this.#clear());
     caster.addEventListener('warning', ({ detail: { attribute, message } }) => {
-      if (this.#said.has(attribute)) this.#add(attribute, message);
+      if (this.#named.has(attribute)) this.#add(attribute, message);
     });
   }
 
   begin(parameters) {
     this.#clear();
-    this.#said = new Set(kOfElement.filter((name) => parameters.has(name)));
+    this.#named = new Set(kOfElement.filter((name) => parameters.has(name)));
     for (const [name, value] of parameters) {
       if (!kKnown.includes(name)) {
-        // Others may be anybody's.
+        // Other parameters may belong to somebody else.
         if (nearestName(name, kKnown) !== null) this.#add(name, unknown('name', name, kKnown));
       } else if (value === '' && ['scene', 'tour', 'view'].includes(name)) {
         this.#add(name, `Found nothing, expected ${name}=${this.#example(name)}.`);
@@ -68,8 +69,8 @@ export class Slips {
   }
 }
 
-// Null where the list has that name, or nothing near it. `query` leads there with all else that the
-// address has.
+// Returns null if the list has that name, or none like it. `query` opens the likely one and keeps
+// the rest of the address.
 export function nearOf(parameters, scenes) {
   const kind = parameters.get('tour') ? 'tour' : 'scene';
   const word = nameOf(parameters.get(kind) ?? '');
