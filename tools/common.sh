@@ -25,7 +25,7 @@ newestLine() { tail -c 1000 "$1" | tr '\r' '\n' | tr -cd '[:print:]\n' | awk 'NF
 
 # progress TITLE COMMAND...: runs the command with its output in a log. On a terminal the newest
 # line of the log stands beside the title; elsewhere a line appears every 15 seconds. A failure
-# shows the whole log.
+# shows the whole log, a success the compiler's warnings.
 progress() {
   local title="$1" log begin pid status=0 newest lastSaid=0
   shift
@@ -56,6 +56,7 @@ progress() {
     say "$title: failed after $((SECONDS - begin)) s. Its output:"
     cat "$log" >&2
   else
+    grep -A 3 -E ': warning: ' "$log" >&2 || true
     say "$title: done in $((SECONDS - begin)) s"
   fi
   rm -f "$log"
@@ -69,11 +70,12 @@ oneAtATime() {
 }
 
 # buildPreset PRESET TARGET...: configures the preset where needed and builds the targets ("all" for
-# every one).
+# every one). Warnings are errors where SLICECAST_WERROR=ON is in the environment, as in .ci/run.
 buildPreset() {
   local preset="$1" folder="$repo/build/$1" stamp="$repo/build/$1/.slicecast-configured" wanted options=()
   shift
-  wanted="$(cksum <"$repo/CMakePresets.json")"
+  wanted="$(cksum <"$repo/CMakePresets.json") ${SLICECAST_WERROR:-OFF}"
+  options+=(-DSLICECAST_WERROR="${SLICECAST_WERROR:-OFF}")
   if [[ "$preset" == wasm-* ]]; then
     wanted+=" $(command -v emcc) ${SLICECAST_SDL2_WASM:-}"
     options+=(-DSLICECAST_SDL2_WASM="${SLICECAST_SDL2_WASM:-}")

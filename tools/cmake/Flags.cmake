@@ -1,7 +1,11 @@
 # Compiler flags of every target: the target `slicecast_flags`. Who builds the library alone brings
 # flags and a build type of their own; only what the pictures depend on is added.
 set(optimise -O2)
-set(warnings -Wall -Wextra -Wpedantic -Wshadow -Werror)
+option(SLICECAST_WERROR "Warnings are errors" OFF)
+set(warnings -Wall -Wextra -Wpedantic -Wshadow)
+if(SLICECAST_WERROR)
+  list(APPEND warnings -Werror)
+endif()
 if(SLICECAST_LIBRARY_ONLY)
   set(optimise "")
   set(warnings "")
