@@ -65,10 +65,13 @@ if(EMSCRIPTEN)
   # What a page loads is kept small: optimised as a whole when it is linked, and with a small
   # allocator. One thread needs no guards about its statics.
   target_compile_options(slicecast_flags INTERFACE -flto -fno-exceptions -fno-rtti -fno-threadsafe-statics)
-  target_link_options(slicecast_flags INTERFACE ${SLICECAST_OPTIMISE} -flto -sMALLOC=emmalloc)
+  target_link_options(slicecast_flags INTERFACE ${SLICECAST_OPTIMISE} -flto -fno-exceptions -sMALLOC=emmalloc)
   if(SLICECAST_WASM_SIMD)
     # Browsers that have SIMD have the other two as well.
     target_compile_options(slicecast_flags INTERFACE -msimd128 -mnontrapping-fptoint -msign-ext)
+  else()
+    # Older browsers have none of what compilers have come to take for granted.
+    target_compile_options(slicecast_flags INTERFACE -mcpu=mvp)
   endif()
 endif()
 

@@ -2,8 +2,8 @@
 # slicecast_cli11, slicecast_sdl2. None is copied into the project.
 
 # systemHeaders(TARGET FOLDER HEADER): a header-only library that the system keeps in FOLDER of its
-# include path. Emscripten does not search the system's include path and must never see the whole of
-# it: it gets a folder with a link to this one library.
+# include path. A compiler for another system than this one does not search that path and must never
+# see the whole of it: it gets a folder with a link to this one library.
 function(systemHeaders target folder header)
   find_path(SLICECAST_INCLUDE_${folder} ${folder}/${header} NO_CMAKE_FIND_ROOT_PATH
     PATHS /usr/include /usr/local/include /opt/homebrew/include /opt/local/include)
@@ -12,7 +12,7 @@ function(systemHeaders target folder header)
     message(FATAL_ERROR "${folder}/${header} was not found; tools/setup installs it, or set SLICECAST_INCLUDE_${folder} to the folder that holds ${folder}.")
   endif()
   set(include ${SLICECAST_INCLUDE_${folder}})
-  if(EMSCRIPTEN)
+  if(CMAKE_CROSSCOMPILING)
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/system-headers/${folder})
     file(CREATE_LINK ${include}/${folder} ${PROJECT_BINARY_DIR}/system-headers/${folder}/${folder} SYMBOLIC)
     set(include ${PROJECT_BINARY_DIR}/system-headers/${folder})
@@ -26,9 +26,10 @@ if(NOT EMSCRIPTEN AND NOT SLICECAST_LIBRARY_ONLY)
   systemHeaders(slicecast_cli11 CLI CLI.hpp)
 endif()
 
-# SDL2: of the system; with Debian's Emscripten the one that tools/setup has built; with a current
-# SDK its own port.
-set(SLICECAST_SDL2_WASM "$ENV{SLICECAST_SDL2_WASM}" CACHE PATH "SDL2 built for WebAssembly; empty for Emscripten's port")
+# SDL2: of the system; for a page that of Emscripten, which a current SDK fetches by itself
+# (-sUSE_SDL=2). Debian's cannot: there the few files that a page uses are built from the source that
+# tools/setup has fetched. SDL brings a configuration for Emscripten, so there is nothing to ask.
+set(SLICECAST_SDL2_WASM "$ENV{SLICECAST_SDL2_WASM}" CACHE PATH "The source of SDL2; empty for Emscripten's port")
 if(NOT SLICECAST_HASHES_ONLY AND NOT SLICECAST_LIBRARY_ONLY)
   add_library(slicecast_sdl2 INTERFACE)
   if(NOT EMSCRIPTEN)
@@ -36,8 +37,8 @@ if(NOT SLICECAST_HASHES_ONLY AND NOT SLICECAST_LIBRARY_ONLY)
     find_package(SDL2 REQUIRED)
     target_link_libraries(slicecast_sdl2 INTERFACE SDL2::SDL2)
   elseif(SLICECAST_SDL2_WASM)
-    target_include_directories(slicecast_sdl2 SYSTEM INTERFACE ${SLICECAST_SDL2_WASM}/include)
-    target_link_libraries(slicecast_sdl2 INTERFACE ${SLICECAST_SDL2_WASM}/lib/libSDL2.a)
+    include(SdlSurfaces)
+    target_link_libraries(slicecast_sdl2 INTERFACE slicecast_sdl2_surfaces)
   elseif(SLICECAST_EMSCRIPTEN_OF_DEBIAN)
     message(FATAL_ERROR "Debian's Emscripten has no SDL2: run `source tools/setup page` first.")
   else()

@@ -6,8 +6,6 @@
 //
 // Keys for which `takesKey(code)` is false stay the page's.
 
-const kSystem = 'wasi_snapshot_preview1';
-const kNotHere = 52; // what it answers where there is no such thing
 const kPageBytes = 65536;
 
 // In the order of News in src/app/shell.h.
@@ -105,12 +103,10 @@ export async function createModule(
       // There is no more than that.
     }
   };
-  // What else a library asks of the system, it is not given: files, an environment, a clock.
-  for (const { module: from, name } of WebAssembly.Module.imports(program))
-    if (from === kSystem) system[name] ??= () => kNotHere;
+  // src/wasm/imports.txt lists what a program may ask for.
   const { exports } = await WebAssembly.instantiate(program, {
     page,
-    [kSystem]: system,
+    wasi_snapshot_preview1: system,
     env: { emscripten_notify_memory_growth: growFurther },
   });
   exports._initialize();
