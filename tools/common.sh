@@ -28,7 +28,7 @@ newestLine() {
 
 # progress TITLE COMMAND...: runs the command with its output in a log. On a terminal it shows the
 # log's newest line beside the title; elsewhere it prints a line every 15 seconds. After a failure
-# it prints the whole log.
+# it prints the whole log, else the compiler's warnings.
 progress() {
   local title="$1" log begin pid status=0 newest lastSaid=0
   shift
@@ -65,6 +65,7 @@ progress() {
     say "$title: failed after $((SECONDS - begin)) s. Its output:"
     cat "$log" >&2
   else
+    grep -A 3 -E ': warning: ' "$log" >&2 || true
     say "$title: done in $((SECONDS - begin)) s"
   fi
   rm -f "$log"
@@ -76,11 +77,13 @@ oneAtATime() {
   if command -v flock >/dev/null; then flock "$@"; else "${@:2}"; fi
 }
 
-# configurePreset PRESET: configures the preset if needed.
+# configurePreset PRESET: configures the preset if needed. Warnings are errors if the environment has
+# SLICECAST_WERROR=ON, as in .ci/run.
 configurePreset() {
   local preset="$1" folder="$repo/build/$1" wanted options=()
   local stamp="$folder/.slicecast-configured"
-  wanted="$(cksum <"$repo/CMakePresets.json")"
+  wanted="$(cksum <"$repo/CMakePresets.json") ${SLICECAST_WERROR:-OFF}"
+  options+=(-DSLICECAST_WERROR="${SLICECAST_WERROR:-OFF}")
   if [[ "$preset" == wasm-* ]]; then
     wanted+=" $(command -v emcc) ${SLICECAST_SDL2_WASM:-}"
     options+=(-DSLICECAST_SDL2_WASM="${SLICECAST_SDL2_WASM:-}")

@@ -35,12 +35,6 @@ void slicecastTellRates(double framesPerSecond, double drawMilliseconds,
 SLICECAST_PAGE("tellSize") void slicecastTellSize(int width, int height);
 SLICECAST_PAGE("tellHits") void slicecastTellHits(int width, int height, int column);
 
-// SDL links against these to wait, but never calls them: a page cannot wait.
-void emscripten_sleep(unsigned) {}
-int emscripten_has_asyncify(void) {
-    return 0;
-}
-
 }  // extern "C"
 
 namespace slicecast {
@@ -103,6 +97,9 @@ extern "C" {
 int __wrap_SDL_SetError(const char*, ...) {
     return -1;
 }
+
+// SDL would wait where another thread holds a lock. There is none, and a page cannot wait.
+void __wrap_SDL_Delay(Uint32) {}
 
 EMSCRIPTEN_KEEPALIVE void slicecastFrame(double timeMilliseconds) {
     shell().frame = 0;

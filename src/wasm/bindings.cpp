@@ -227,7 +227,8 @@ EMSCRIPTEN_KEEPALIVE int32_t slicecast_adopt(void) {
     if (pageProgram().game() == nullptr) return 0;
     auto restarted = std::make_unique<Session>(pageProgram().game()->takeWorld());
     renewPageProgram();
-    *slicecast_programSession() = {.ofProgram = true};
+    *slicecast_programSession() = {};
+    slicecast_programSession()->ofProgram = true;
     pageProgram().play(std::move(restarted));
     return 1;
 }

@@ -1,7 +1,11 @@
 # Compiler flags of every target: the target `slicecast_flags`. If only the library is built, flags
 # and build type are the user's; only flags that affect the pictures are added.
 set(optimise -O2)
-set(warnings -Wall -Wextra -Wpedantic -Wshadow -Werror)
+option(SLICECAST_WERROR "Warnings are errors" OFF)
+set(warnings -Wall -Wextra -Wpedantic -Wshadow)
+if(SLICECAST_WERROR)
+  list(APPEND warnings -Werror)
+endif()
 if(SLICECAST_LIBRARY_ONLY)
   set(optimise "")
   set(warnings "")
@@ -61,10 +65,13 @@ if(EMSCRIPTEN)
   # What a page loads is kept small: optimised as a whole when it is linked, and with a small
   # allocator. One thread needs no guards about its statics.
   target_compile_options(slicecast_flags INTERFACE -flto -fno-exceptions -fno-rtti -fno-threadsafe-statics)
-  target_link_options(slicecast_flags INTERFACE ${SLICECAST_OPTIMISE} -flto -sMALLOC=emmalloc)
+  target_link_options(slicecast_flags INTERFACE ${SLICECAST_OPTIMISE} -flto -fno-exceptions -sMALLOC=emmalloc)
   if(SLICECAST_WASM_SIMD)
     # Browsers that have SIMD have the other two as well.
     target_compile_options(slicecast_flags INTERFACE -msimd128 -mnontrapping-fptoint -msign-ext)
+  else()
+    # Older browsers have none of what compilers have come to take for granted.
+    target_compile_options(slicecast_flags INTERFACE -mcpu=mvp)
   endif()
 endif()
 

@@ -2,8 +2,7 @@
 # slicecast_sdl2. None is copied into the project.
 
 # systemHeaders(TARGET FOLDER HEADER): a header-only library in FOLDER of the system's include path.
-# Emscripten must not use the system's include path, so it gets a folder with a link to this one
-# library.
+# A cross compiler must not use that path, so it gets a folder with a link to this one library.
 function(systemHeaders target folder header)
   find_path(SLICECAST_INCLUDE_${folder} ${folder}/${header} NO_CMAKE_FIND_ROOT_PATH
     PATHS /usr/include /usr/local/include /opt/homebrew/include /opt/local/include)
@@ -12,7 +11,7 @@ function(systemHeaders target folder header)
     message(FATAL_ERROR "${folder}/${header} was not found; tools/setup installs it, or set SLICECAST_INCLUDE_${folder} to the folder that holds ${folder}.")
   endif()
   set(include ${SLICECAST_INCLUDE_${folder}})
-  if(EMSCRIPTEN)
+  if(CMAKE_CROSSCOMPILING)
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/system-headers/${folder})
     file(CREATE_LINK ${include}/${folder} ${PROJECT_BINARY_DIR}/system-headers/${folder}/${folder} SYMBOLIC)
     set(include ${PROJECT_BINARY_DIR}/system-headers/${folder})
@@ -26,9 +25,10 @@ if(NOT EMSCRIPTEN AND NOT SLICECAST_LIBRARY_ONLY)
   systemHeaders(slicecast_cli11 CLI CLI.hpp)
 endif()
 
-# SDL2: the system's; with Debian's Emscripten the one that tools/setup builds; with a current SDK
-# Emscripten's own port.
-set(SLICECAST_SDL2_WASM "$ENV{SLICECAST_SDL2_WASM}" CACHE PATH "SDL2 built for WebAssembly; empty for Emscripten's port")
+# SDL2: the system's. For a page, Emscripten's own port, which a current SDK fetches (-sUSE_SDL=2).
+# Debian's Emscripten cannot fetch it: there the few files that a page uses are compiled from the
+# source that tools/setup has fetched. SDL comes with a configuration for Emscripten.
+set(SLICECAST_SDL2_WASM "$ENV{SLICECAST_SDL2_WASM}" CACHE PATH "The source of SDL2; empty for Emscripten's port")
 if(NOT SLICECAST_HASHES_ONLY AND NOT SLICECAST_LIBRARY_ONLY)
   add_library(slicecast_sdl2 INTERFACE)
   if(NOT EMSCRIPTEN)
@@ -36,8 +36,8 @@ if(NOT SLICECAST_HASHES_ONLY AND NOT SLICECAST_LIBRARY_ONLY)
     find_package(SDL2 REQUIRED)
     target_link_libraries(slicecast_sdl2 INTERFACE SDL2::SDL2)
   elseif(SLICECAST_SDL2_WASM)
-    target_include_directories(slicecast_sdl2 SYSTEM INTERFACE ${SLICECAST_SDL2_WASM}/include)
-    target_link_libraries(slicecast_sdl2 INTERFACE ${SLICECAST_SDL2_WASM}/lib/libSDL2.a)
+    include(SdlSurfaces)
+    target_link_libraries(slicecast_sdl2 INTERFACE slicecast_sdl2_surfaces)
   elseif(SLICECAST_EMSCRIPTEN_OF_DEBIAN)
     message(FATAL_ERROR "Debian's Emscripten has no SDL2: run `source tools/setup page` first.")
   else()

@@ -7,8 +7,6 @@
 // `program` is compiled and may be instantiated any number of times; openCanvas is that of
 // engine-canvas.js. Keys for which `takesKey(code)` is false are left to the page.
 
-const kSystem = 'wasi_snapshot_preview1';
-const kNotHere = 52; // WASI's ENOSYS
 const kPageBytes = 65536;
 
 export async function createModule(
@@ -89,12 +87,10 @@ export async function createModule(
       // No more memory: the engine has what it needs for now.
     }
   };
-  // Other system calls of the C library fail: there are no files, environment or clock.
-  for (const { module: from, name } of WebAssembly.Module.imports(program))
-    if (from === kSystem) system[name] ??= () => kNotHere;
+  // src/wasm/imports.txt lists what a program may ask for.
   const { exports } = await WebAssembly.instantiate(program, {
     page,
-    [kSystem]: system,
+    wasi_snapshot_preview1: system,
     env: { emscripten_notify_memory_growth: growFurther },
   });
   exports._initialize();
