@@ -36,9 +36,9 @@
 namespace slicecast {
 
 inline constexpr int kRecordingVersion = 1;
-inline constexpr std::size_t kMaxRecordingBytes = 64u
-                                                  << 20;  // ten hours with a mouse that never rests
-inline constexpr std::size_t kMaxRecordedName = 60;       // characters of a scene's or mark's name
+// Ten hours with a mouse that never rests.
+inline constexpr std::size_t kMaxRecordingBytes = 64u << 20;
+inline constexpr std::size_t kMaxRecordedName = 60;  // characters of a scene's or mark's name
 
 std::string writeRecording(const Recording& recording);
 

@@ -8,23 +8,12 @@
 #pragma once
 
 #include "base/coordinate.h"
+#include "world/box.h"
 #include "world/world.h"
 
 #include <optional>
 
 namespace slicecast {
-
-// The space of a body, without its surface: west < x < east, north < y < south, bottom < z < top.
-struct Box {
-    Coordinate west;
-    Coordinate east;
-    Coordinate north;
-    Coordinate south;
-    Coordinate bottom;
-    Coordinate top;
-
-    friend constexpr bool operator==(const Box&, const Box&) = default;
-};
 
 // A displacement.
 struct Offset {

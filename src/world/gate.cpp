@@ -26,14 +26,22 @@ std::int64_t gap(Coordinate low, Coordinate high, Coordinate fromLow, Coordinate
     return std::max({below, above, std::int64_t{0}});
 }
 
+bool areWithin(const Box& a, const Box& b, Coordinate distance) {
+    const std::int64_t x = gap(a.west, a.east, b.west, b.east);
+    const std::int64_t y = gap(a.north, a.south, b.north, b.south);
+    const std::int64_t z = gap(a.bottom, a.top, b.bottom, b.top);
+    return x * x + y * y + z * z <= std::int64_t{distance.raw} * distance.raw;
+}
+
+// Most bodies are far from most gates: the bounds tell them apart.
 bool isWithin(const Gate& gate, const Box& box, Coordinate distance) {
-    const std::int64_t reach = std::int64_t{distance.raw} * distance.raw;
-    return std::any_of(gate.boxes.begin(), gate.boxes.end(), [&](const GateBox& block) {
-        const std::int64_t x = gap(box.west, box.east, tileEdge(block.x), tileEdge(block.x + 1));
-        const std::int64_t y = gap(box.north, box.south, tileEdge(block.y), tileEdge(block.y + 1));
-        const std::int64_t z = gap(box.bottom, box.top, block.bottom, block.top);
-        return x * x + y * y + z * z <= reach;
-    });
+    return areWithin(box, gate.bounds, distance) &&
+           std::any_of(gate.boxes.begin(), gate.boxes.end(), [&](const GateBox& block) {
+               return areWithin(box,
+                                {tileEdge(block.x), tileEdge(block.x + 1), tileEdge(block.y),
+                                 tileEdge(block.y + 1), block.bottom, block.top},
+                                distance);
+           });
 }
 
 bool hears(const Gate& gate, const GateKind& kind, const GateAsk& ask) {

@@ -9,8 +9,10 @@
 
 #include "base/coordinate.h"
 #include "world/blueprint.h"
+#include "world/box.h"
 #include "world/placing_fault.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,6 +22,9 @@ namespace slicecast {
 struct Body;
 struct World;
 
+// Cells of all gates of a world: a step may compare each of them with each body, 17 million pairs
+// in 20 ms or so.
+inline constexpr std::size_t kMaxGateCells = 4096;
 inline constexpr double kLongestGate = 60.0;   // seconds; for opening and for holding
 inline constexpr double kFarthestGate = 64.0;  // units; for reach and approach
 
@@ -58,6 +63,7 @@ struct Gate {
     int kind = 0;
     std::vector<BlueprintId> parts;
     std::vector<GateBox> boxes;
+    Box bounds;  // around all boxes
     std::vector<GateFace> faces;
     int progress = 0;  // steps, 0 is closed
     bool wantsOpen = false;

@@ -12,6 +12,21 @@
 namespace slicecast {
 namespace {
 
+Box boundsOf(const std::vector<GateBox>& boxes) {
+    const auto boxOf = [](const GateBox& box) -> Box {
+        return {tileEdge(box.x),     tileEdge(box.x + 1), tileEdge(box.y),
+                tileEdge(box.y + 1), box.bottom,          box.top};
+    };
+    Box bounds = boxOf(boxes.front());
+    for (const GateBox& block : boxes) {
+        const Box box = boxOf(block);
+        bounds = {std::min(bounds.west, box.west),     std::max(bounds.east, box.east),
+                  std::min(bounds.north, box.north),   std::max(bounds.south, box.south),
+                  std::min(bounds.bottom, box.bottom), std::max(bounds.top, box.top)};
+    }
+    return bounds;
+}
+
 Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     Gate gate;
@@ -35,6 +50,7 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
         gate.boxes.push_back(
             {at.x, at.y, tileEdge(at.level) + part.bottom, tileEdge(at.level) + part.top});
     }
+    gate.bounds = boundsOf(gate.boxes);
     return gate;
 }
 
@@ -62,12 +78,12 @@ std::vector<PlacingFault> makeGates(World& world) {
                     [](BlueprintId kind) { return kind == kEmptyCell; }))
         return {};
     std::vector<PlacingFault> faults;
-    std::size_t cells = kMaxMovingCells;
+    std::size_t cells = kMaxGateCells;
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         std::vector<std::vector<CellPlace>> groups;
         if (!groupCells(world.maps[map], kinds, cells, groups)) {
             faults.push_back({static_cast<int>(map), 0, 0, 0,
-                              words("more than ", kMaxMovingCells, " cells of gates"),
+                              words("more than ", kMaxGateCells, " cells of gates"),
                               "fewer or smaller ones"});
             break;
         }

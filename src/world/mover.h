@@ -27,7 +27,7 @@ namespace slicecast {
 struct Body;
 struct World;
 
-// All cells of gates and movers, with the cells that movers reach.
+// All cells of movers, with the cells that they reach.
 inline constexpr std::size_t kMaxMovingCells = 1'000'000;
 
 struct Shaft {

@@ -218,6 +218,20 @@ TEST(Gates, OfTouchingCellsAreOneAndOthersStayShut) {
     EXPECT_FALSE(world.blueprints[id].passable);
 }
 
+TEST(Gates, AreLimitedByTheirCells) {
+    World world = emptyWorld(65, 64, 1);
+    const BlueprintId id = addGate(world, {});
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) world.maps[0].setCell(x, y, 0, id);
+    }
+    World more = world.copy();
+    EXPECT_TRUE(makeGates(world).empty());
+    more.maps[0].setCell(64, 0, 0, id);
+    const std::vector<PlacingFault> faults = makeGates(more);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].found, "more than 4096 cells of gates");
+}
+
 TEST(Gates, ShowTheFrameOfTheirProgress) {
     World world = emptyWorld(3, 3, 1);
     Image sheet(4 * 8, 8);
