@@ -4,8 +4,6 @@
 #include "world/world.h"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace slicecast {
 namespace {
@@ -55,65 +53,6 @@ void place(World& world, const Mover& mover, Coordinate offset) {
     for (const Shaft& shaft : mover.shafts)
         placeShaft(world, map, shaft, extentOf(shaft, edges, offset), offset);
 }
-
-// Finds the bodies that each mover may touch, once a step: bodies keep their tiles while movers
-// lift them. So a step takes a time that grows with bodies plus movers, not with their product.
-class Encounters {
-public:
-    Encounters(const World& world, std::span<Body> bodies) : bodies_(bodies) {
-        if (bodies.empty() || world.movers.empty()) return;
-        std::vector<int> moverOf(world.blueprints.size(), -1);
-        for (std::size_t mover = 0; mover < world.movers.size(); ++mover) {
-            for (const Shaft& shaft : world.movers[mover].shafts)
-                moverOf[shaft.firstPart] = static_cast<int>(mover);
-        }
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const int body = static_cast<int>(i);
-            if (bodies[i].straddles) {
-                straddling_.push_back(body);
-            } else {
-                addColumns(world, moverOf, body);
-            }
-        }
-        std::sort(pairs_.begin(), pairs_.end());
-        pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-    }
-
-    // Calls action(body) for each body that the mover may touch. Call it with rising movers: it
-    // goes on where the one before has ended.
-    template <typename Action>
-    void each(int mover, Action action) {
-        while (next_ < pairs_.size() && pairs_[next_].first < mover) ++next_;
-        for (std::size_t i = next_; i < pairs_.size() && pairs_[i].first == mover; ++i)
-            action(bodies_[static_cast<std::size_t>(pairs_[i].second)]);
-        for (const int body : straddling_) action(bodies_[static_cast<std::size_t>(body)]);
-    }
-
-private:
-    // All levels of the tiles that a body stands on.
-    void addColumns(const World& world, const std::vector<int>& moverOf, int index) {
-        const Body& body = bodies_[static_cast<std::size_t>(index)];
-        const Map& map = world.maps[static_cast<std::size_t>(body.map)];
-        const Box& box = body.box;
-        const int west = std::max(0, box.west.tile());
-        const int east = std::min(map.width - 1, Coordinate{box.east.raw - 1}.tile());
-        const int north = std::max(0, box.north.tile());
-        const int south = std::min(map.depth - 1, Coordinate{box.south.raw - 1}.tile());
-        for (int y = north; y <= south; ++y) {
-            for (int x = west; x <= east; ++x) {
-                for (int level = 0; level < map.levels; ++level) {
-                    const int mover = moverOf[map.cells[map.cellIndex(x, y, level)]];
-                    if (mover >= 0) pairs_.emplace_back(mover, index);
-                }
-            }
-        }
-    }
-
-    std::span<Body> bodies_;
-    std::vector<std::pair<int, int>> pairs_;  // mover, body
-    std::vector<int> straddling_;             // bodies in portals: any mover may touch them
-    std::size_t next_ = 0;
-};
 
 // One mover with its next offset.
 struct Move {
@@ -169,8 +108,7 @@ Coordinate liftOf(const World& world, const Body& body) {
     return body.push < Coordinate{0} ? sweepZ(world, travellerOf(body), body.push) : body.push;
 }
 
-void stepMover(World& world, int index, Encounters& encounters) {
-    Mover& mover = world.movers[static_cast<std::size_t>(index)];
+void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
     mover.previousOffset = mover.offset;
     const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
     const int clock = (mover.clock + 1) % motion.periodSteps;
@@ -180,24 +118,22 @@ void stepMover(World& world, int index, Encounters& encounters) {
         return;
     }
     // Try: move it with all bodies on it
-    encounters.each(index, [&](Body& body) { Move{world, mover, offset}.meet(body); });
+    for (Body& body : bodies) Move{world, mover, offset}.meet(body);
     place(world, mover, offset);
-    bool isInTheWay = false;
-    encounters.each(index, [&](const Body& body) {
-        isInTheWay =
-            isInTheWay || (body.isMet && !isFree(world, travellerOf(body, liftOf(world, body))));
+    const bool isInTheWay = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+        return body.isMet && !isFree(world, travellerOf(body, liftOf(world, body)));
     });
     if (isInTheWay) {
         place(world, mover, mover.offset);
         return;
     }
-    encounters.each(index, [&](Body& body) {
-        if (!body.isMet || body.push == Coordinate{0}) return;
+    for (Body& body : bodies) {
+        if (!body.isMet || body.push == Coordinate{0}) continue;
         const Traveller lifted = travellerOf(body, liftOf(world, body));
         body.lift = body.lift + (lifted.box.bottom - body.box.bottom);
         body.box = lifted.box;
         body.eye = lifted.eye;
-    });
+    }
     mover.clock = clock;
     mover.offset = offset;
 }
@@ -205,9 +141,7 @@ void stepMover(World& world, int index, Encounters& encounters) {
 }  // namespace
 
 void stepMovers(World& world, std::span<Body> bodies) {
-    Encounters encounters(world, bodies);
-    for (std::size_t i = 0; i < world.movers.size(); ++i)
-        stepMover(world, static_cast<int>(i), encounters);
+    for (Mover& mover : world.movers) stepMover(world, mover, bodies);
 }
 
 void resetMovers(World& world) {
