@@ -1,5 +1,5 @@
-// Ends the build of a WebAssembly program that asks for more than its list allows: what a page does not
-// have, it must not ask for.
+// Fails the build if a WebAssembly program imports a function that its list does not name, because
+// the page would not have it.
 //
 //     node tools/check-imports.mjs FILE.wasm LIST
 //

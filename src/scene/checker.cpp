@@ -108,6 +108,7 @@ std::vector<Fault> Checker::inOrder(std::vector<Placed> list) {
         return a.offset != b.offset ? a.offset < b.offset : a.number < b.number;
     });
     std::vector<Fault> faults;
+    faults.reserve(list.size());
     for (Placed& entry : list) faults.push_back(std::move(entry.fault));
     return faults;
 }

@@ -34,6 +34,8 @@ public:
     TreeBuilder(std::string_view text, const rapidjson::MemoryStream& stream, JsonTree& tree)
         : text_(text), stream_(stream), tree_(tree) {}
 
+    // RapidJSON calls these by name.
+    // NOLINTBEGIN(readability-identifier-naming)
     bool Null() { return addScalar(JsonValue::Kind::null); }
     bool Bool(bool value) {
         if (!addScalar(JsonValue::Kind::boolean)) return false;
@@ -74,6 +76,7 @@ public:
     bool StartArray() { return open(JsonValue::Kind::array); }
     bool EndObject(rapidjson::SizeType) { return close(); }
     bool EndArray(rapidjson::SizeType) { return close(); }
+    // NOLINTEND(readability-identifier-naming)
 
     // The first byte of the token that comes next, or is being read.
     std::size_t tokenStart() const {

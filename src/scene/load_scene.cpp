@@ -29,7 +29,7 @@ public:
         const bool fits = image.width == image.height * texture.frames;
         const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(image.height));
         if (!fits || !isPowerOfTwo || image.height < kMinTextureSize) {
-            constexpr const char* sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
+            const char* const sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
             add(reference, {"which is ", image.width, "x", image.height, " pixels"},
                 texture.frames == 1 ? words("a square texture of ", sizes)
                                     : words("a sheet of ", texture.frames,

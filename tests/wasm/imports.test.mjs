@@ -1,5 +1,5 @@
-// The engine asks a page for what the page has. The build holds it to src/wasm/imports.txt; here the
-// list is that of the shipped programs, and the check does catch what is not on it.
+// The engine may only import the functions that src/wasm/imports.txt names. Here: the shipped
+// programs import exactly those, and the build's check fails for any other.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -23,7 +23,7 @@ for (const flavour of flavours) {
       ({ module, name }) => `${module} ${name}`,
     );
     for (const line of asked) assert.ok(listed.includes(line), line);
-    // A newer Emscripten may do without some of the system, but the page's are all the program's own.
+    // A newer Emscripten may need fewer system functions; those of the page are all needed.
     for (const line of listed.filter((each) => each.startsWith('page ')))
       assert.ok(asked.includes(line), `nothing asks for ${line}`);
   });
