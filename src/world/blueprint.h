@@ -58,6 +58,8 @@ struct CellBlueprint {
     int motion = -1;  // index into World::motions; -1 for still blocks
     int gate = -1;    // index into World::gateKinds; -1 for other blocks
 
+    // Neither moves nor opens.
+    bool isStill() const { return motion < 0 && gate < 0; }
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
 };
 
