@@ -54,9 +54,10 @@ struct CellBlueprint {
                              // wrap around
     BlueprintId origin = kEmptyCell;  // the blueprint that this one was made from, if it moves,
                                       // opens or has portals; else empty
-    int mover = -1;   // index into World::movers, of which this block is a part; -1 for none
-    int motion = -1;  // index into World::motions; -1 for still blocks
-    int gate = -1;    // index into World::gateKinds; -1 for other blocks
+    int mover = -1;      // index into World::movers, of which this block is a part; -1 for none
+    int motion = -1;     // index into World::motions; -1 for still blocks
+    int gate = -1;       // index into World::gateKinds; -1 for other blocks
+    int gateIndex = -1;  // index into World::gates, of which this block is a part; -1 for none
 
     // Neither moves nor opens.
     bool isStill() const { return motion < 0 && gate < 0; }

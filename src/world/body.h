@@ -22,7 +22,7 @@ struct Body {
 
     // Used only during a step.
     bool straddles = false;  // reaches into a portal
-    bool isMet = false;      // may meet the present mover or gate
+    bool isMet = false;      // the present mover or gate must not get into it
     Coordinate push = {};    // how far the present mover lifts it; negative is down
 };
 

@@ -71,13 +71,15 @@ void updateApproach(Gate& gate, const GateKind& kind, std::span<const Body> bodi
 
 // True if closing the fully open gate would enclose a body that is free now.
 bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
-    for (Body& body : bodies) {
-        body.isMet = (body.straddles || (body.map == gate.map && isWithin(gate, body.box, {}))) &&
-                     isFree(world, travellerOf(body));
-    }
+    const auto eachBody = [&](auto action) {
+        eachEncounter(world.encounters, gate.firstEncounter,
+                      [&](int body) { action(bodies[static_cast<std::size_t>(body)]); });
+    };
+    eachBody([&](Body& body) { body.isMet = isFree(world, travellerOf(body)); });
     for (const BlueprintId part : gate.parts) world.blueprints[part].passable = false;
-    const bool isEntered = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
-        return body.isMet && !isFree(world, travellerOf(body));
+    bool isEntered = false;
+    eachBody([&](const Body& body) {
+        isEntered = isEntered || (body.isMet && !isFree(world, travellerOf(body)));
     });
     for (const BlueprintId part : gate.parts) world.blueprints[part].passable = true;
     return isEntered;

@@ -67,8 +67,9 @@ struct Gate {
     std::vector<GateFace> faces;
     int progress = 0;  // steps, 0 is closed
     bool wantsOpen = false;
-    bool isNear = false;  // a body is within `approach`
-    int awaySteps = 0;    // steps since the last body left
+    bool isNear = false;      // a body is within `approach`
+    int awaySteps = 0;        // steps since the last body left
+    int firstEncounter = -1;  // see findEncounters
 };
 
 // What a player asks of the gates within reach of the eye. A gate with somebody inside closes when
@@ -95,7 +96,7 @@ void makeGateFrames(World& world);
 enum class GateOffer : std::uint8_t { none, open, close };
 GateOffer gateOffer(const World& world, const GateAsk& ask);
 
-// One step of all gates. Does not move the bodies.
+// One step of all gates. Does not move the bodies. Call findEncounters before.
 void stepGates(World& world, std::span<Body> bodies, const GateAsk& ask);
 
 // Restores the initial states.

@@ -43,9 +43,10 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
             known = partOf.end() - 1;
             gate.parts.push_back(known->second);
             CellBlueprint part = instanceOf(world, id);
+            part.gateIndex = static_cast<int>(world.gates.size());
             world.blueprints.push_back(std::move(part));
         }
-        map.setCell(at.x, at.y, at.level, known->second);
+        map.setChangingCell(at.x, at.y, at.level, known->second);
         const CellBlueprint& part = world.blueprints[known->second];
         gate.boxes.push_back(
             {at.x, at.y, tileEdge(at.level) + part.bottom, tileEdge(at.level) + part.top});

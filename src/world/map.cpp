@@ -13,6 +13,12 @@ void Map::setCell(int x, int y, int level, BlueprintId blueprint) {
     openLand.clear();
 }
 
+void Map::setChangingCell(int x, int y, int level, BlueprintId blueprint) {
+    setCell(x, y, level, blueprint);
+    if (changing.empty()) changing.resize(occupied.size());
+    changing[tileIndex(x, y)] |= 1u << level;
+}
+
 // One more than the least neighbour: first from the north and west, then from the south and east.
 void Map::findOpenLand() {
     constexpr int kMost = 255;

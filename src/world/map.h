@@ -85,6 +85,8 @@ struct Map {
     std::vector<LegendEntry> legend;      // as in the scene, with the blueprints of its text
     std::vector<Object> objects;          // at equal depth the order decides
     std::vector<std::uint32_t> occupied;  // [y * width + x]: bit n is set if level n has a block
+    std::vector<std::uint32_t> changing;  // [y * width + x]: bit n is set if level n may hold a
+                                          // part of a mover or a gate; empty if the map has neither
     std::vector<PortalId> tilePortals;    // [y * width + x], kNoPortal for none; may be empty
     std::vector<std::uint8_t> openLand;   // [y * width + x]: see findOpenLand; may be empty
     Floor floor;
@@ -120,6 +122,8 @@ struct Map {
         return tilePortals.empty() || !contains(x, y) ? kNoPortal : tilePortals[tileIndex(x, y)];
     }
     void setCell(int x, int y, int level, BlueprintId blueprint);
+    // The same for a part of a mover or a gate.
+    void setChangingCell(int x, int y, int level, BlueprintId blueprint);
 
     // Finds for each tile how much open land surrounds it: all tiles of the grid less than this
     // many tiles away, in x and in y, never hold a block, and have the floor's own texture, no

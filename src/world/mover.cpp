@@ -60,18 +60,16 @@ struct Move {
     const Mover& mover;
     Coordinate offset;
 
-    // Sets the body's push, and isMet if the mover may touch it.
+    // Sets the body's push, and isMet if the mover must not get into it.
     void meet(Body& body) const;
 };
 
 void Move::meet(Body& body) const {
-    body.isMet = body.straddles;
     body.push = {};
     // Water pushes and carries only floating bodies.
-    if (world.blueprints[mover.shafts.front().firstPart].isWater && !body.floats) {
-        body.isMet = false;
-        return;
-    }
+    const bool isWater = world.blueprints[mover.shafts.front().firstPart].isWater;
+    body.isMet = (body.floats || !isWater) && isFree(world, travellerOf(body));
+    if (!body.isMet) return;
     const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
     const Box& box = body.box;
     if (body.map == mover.map) {
@@ -85,7 +83,6 @@ void Move::meet(Body& body) const {
                 for (const Shaft& shaft : mover.shafts) {
                     if (map.cells[map.cellIndex(x, y, shaft.firstLevel)] != shaft.firstPart)
                         continue;
-                    body.isMet = true;
                     if (edges == MovingEdges::bottom) continue;
                     const Extent before = extentOf(shaft, edges, mover.offset);
                     const Extent after = extentOf(shaft, edges, offset);
@@ -100,7 +97,6 @@ void Move::meet(Body& body) const {
             }
         }
     }
-    body.isMet = body.isMet && isFree(world, travellerOf(body));
 }
 
 // How far a met body gets up, after the mover has moved.
@@ -118,22 +114,28 @@ void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
         return;
     }
     // Try: move it with all bodies on it
-    for (Body& body : bodies) Move{world, mover, offset}.meet(body);
+    const auto eachBody = [&](auto action) {
+        eachEncounter(world.encounters, mover.firstEncounter,
+                      [&](int body) { action(bodies[static_cast<std::size_t>(body)]); });
+    };
+    eachBody([&](Body& body) { Move{world, mover, offset}.meet(body); });
     place(world, mover, offset);
-    const bool isInTheWay = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
-        return body.isMet && !isFree(world, travellerOf(body, liftOf(world, body)));
+    bool isInTheWay = false;
+    eachBody([&](const Body& body) {
+        isInTheWay =
+            isInTheWay || (body.isMet && !isFree(world, travellerOf(body, liftOf(world, body))));
     });
     if (isInTheWay) {
         place(world, mover, mover.offset);
         return;
     }
-    for (Body& body : bodies) {
-        if (!body.isMet || body.push == Coordinate{0}) continue;
+    eachBody([&](Body& body) {
+        if (!body.isMet || body.push == Coordinate{0}) return;
         const Traveller lifted = travellerOf(body, liftOf(world, body));
         body.lift = body.lift + (lifted.box.bottom - body.box.bottom);
         body.box = lifted.box;
         body.eye = lifted.eye;
-    }
+    });
     mover.clock = clock;
     mover.offset = offset;
 }

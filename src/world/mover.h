@@ -51,13 +51,14 @@ struct Mover {
     int clock = 0;  // steps that it has moved, modulo the period
     Coordinate offset;
     Coordinate previousOffset;  // before the last step
+    int firstEncounter = -1;    // see findEncounters
 };
 
 // Finds the movers of a world whose cells are complete, and puts them in their initial places.
 // Returns faults; with any the world is unusable.
 std::vector<PlacingFault> makeMovers(World& world);
 
-// One step of all movers. Moves the bodies along.
+// One step of all movers. Moves the bodies along. Call findEncounters before.
 void stepMovers(World& world, std::span<Body> bodies);
 
 // Restores the initial places.

@@ -125,8 +125,8 @@ bool Maker::takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& s
                                       : "empty cells wherever it moves");
             return false;
         }
-        map.setCell(at.x, at.y, level,
-                    static_cast<BlueprintId>(shaft.firstPart + (level - shaft.firstLevel)));
+        map.setChangingCell(at.x, at.y, level,
+                            static_cast<BlueprintId>(shaft.firstPart + (level - shaft.firstLevel)));
     }
     shaft.tiles.push_back(map.tileIndex(at.x, at.y));
     return true;

@@ -3,6 +3,7 @@
 
 #include "base/coordinate.h"
 #include "world/blueprint.h"
+#include "world/encounters.h"
 #include "world/gate.h"
 #include "world/map.h"
 #include "world/motion.h"
@@ -48,7 +49,8 @@ struct World {
     std::vector<Motion> motions;
     std::vector<Mover> movers;  // see makeMovers
     std::vector<GateKind> gateKinds;
-    std::vector<Gate> gates;  // see makeGates
+    std::vector<Gate> gates;            // see makeGates
+    std::vector<Encounter> encounters;  // of the present step, see findEncounters
     Start start;
     double seconds = 0.0;  // since the world began; drives animated textures
 

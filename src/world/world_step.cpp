@@ -1,6 +1,7 @@
 #include "world/world_step.h"
 
 #include "base/hash.h"
+#include "world/encounters.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ void stepWorld(World& world, std::span<Body> bodies, const GateAsk& ask) {
         body.lift = {};
         body.straddles = !world.portals.empty() && reachesIntoPortal(world, body);
     }
+    findEncounters(world, bodies);
     stepMovers(world, bodies);
     stepGates(world, bodies, ask);
 }
