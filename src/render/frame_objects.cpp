@@ -9,6 +9,8 @@ namespace slicecast {
 
 namespace {
 
+using Seen = FrameObjectRoom::Seen;
+
 // The column, as a real number, of a point `aside` units right of the eye at a depth.
 double columnOf(const Projection& projection, double aside, double depth) {
     return aside * projection.distance / depth + projection.width / 2.0;
@@ -18,7 +20,7 @@ double columnOf(const Projection& projection, double aside, double depth) {
 
 void FrameObjects::beginFrame(const World& world, const ObjectCells& cells, const Viewpoint& from,
                               const Projection& projection, const Detail& detail,
-                              const Lighting& lighting) {
+                              const Lighting& lighting, FrameObjectRoom& room) {
     world_ = &world;
     map_ = &cells.map();
     cells_ = &cells;
@@ -28,7 +30,7 @@ void FrameObjects::beginFrame(const World& world, const ObjectCells& cells, cons
     detail_ = detail;
     forward_ = turned(projection.forward, from.turn);
     right_ = turned(projection.right, from.turn);
-    objects_.clear();
+    room_ = &room;
     groups_.resize(static_cast<std::size_t>((projection.width + kGroup - 1) / kGroup));
     known_.assign(groups_.size(), 0);
     asked_ = 0;
@@ -48,12 +50,12 @@ void FrameObjects::findAll() {
 // the map's order.
 void FrameObjects::find(int first, int last) {
     findSeen(first * kGroup, (last + 1) * kGroup);
-    mergeSort(seen_, room_, [](const Seen& a, const Seen& b) {
+    mergeSort(room_->seen, room_->sorting, [](const Seen& a, const Seen& b) {
         return a.depth < b.depth || (a.depth == b.depth && a.index < b.index);
     });
     for (int group = first; group <= last; ++group)
         if (!isKnown(group)) groups_[static_cast<std::size_t>(group)].clear();
-    for (const Seen& seen : seen_) add(seen, first, last);
+    for (const Seen& seen : room_->seen) add(seen, first, last);
     for (int group = first; group <= last; ++group) known_[static_cast<std::size_t>(group)] = 1;
 }
 
@@ -64,11 +66,12 @@ void FrameObjects::findSeen(int first, int end) {
     const auto aside = [&](int column) {
         return (column - projection_->width / 2.0) / projection_->distance;
     };
-    near_.clear();
+    std::vector<int>& near = room_->near;
+    near.clear();
     cells_->find({from_.x, from_.y, forward_, right_, aside(first - kMore), aside(end + kMore)},
-                 near_);
-    seen_.clear();
-    for (const int i : near_) {
+                 near);
+    room_->seen.clear();
+    for (const int i : near) {
         const Object& object = map_->objects[static_cast<std::size_t>(i)];
         const double dx = static_cast<double>(object.x.raw - from_.x) / 65536.0;
         const double dy = static_cast<double>(object.y.raw - from_.y) / 65536.0;
@@ -80,7 +83,7 @@ void FrameObjects::findSeen(int first, int end) {
         if (columnOf(*projection_, left, depth) > end + 1.0 ||
             columnOf(*projection_, left + width, depth) < first - 1.0)
             continue;
-        seen_.push_back({depth, left, i});
+        room_->seen.push_back({depth, left, i});
     }
 }
 
@@ -112,9 +115,10 @@ void FrameObjects::add(const Seen& seen, int firstGroup, int lastGroup) {
     const int last = groupOf(columnOf(*projection_, seen.left + shown.width, seen.depth) + 1.0);
     for (int group = std::max(first, firstGroup); group <= std::min(last, lastGroup); ++group) {
         if (!isKnown(group))
-            groups_[static_cast<std::size_t>(group)].push_back(static_cast<int>(objects_.size()));
+            groups_[static_cast<std::size_t>(group)].push_back(
+                static_cast<int>(room_->objects.size()));
     }
-    objects_.push_back(shown);
+    room_->objects.push_back(shown);
 }
 
 }  // namespace slicecast

@@ -31,12 +31,28 @@ struct FrameObject {
     int index = 0;  // index into the map's objects
 };
 
+// Memory for the objects of all views of a frame: behind portals there may be hundreds of views.
+struct FrameObjectRoom {
+    // An object that may cover some of the columns.
+    struct Seen {
+        double depth;
+        double left;
+        int index;
+    };
+
+    std::vector<FrameObject> objects;
+    std::vector<int> near;  // of the search under way, as the rest
+    std::vector<Seen> seen;
+    std::vector<Seen> sorting;
+};
+
 class FrameObjects {
 public:
     // Takes the objects of the viewpoint's map, whose cells are given, in that map's light. All but
     // `from` must outlive the frame.
     void beginFrame(const World& world, const ObjectCells& cells, const Viewpoint& from,
-                    const Projection& projection, const Detail& detail, const Lighting& lighting);
+                    const Projection& projection, const Detail& detail, const Lighting& lighting,
+                    FrameObjectRoom& room);
 
     // The objects that may cover a column, nearest first; at equal depth in the map's order.
     const std::vector<int>& inColumn(int column) {
@@ -46,7 +62,10 @@ public:
     }
     // Finds those of all columns at once: faster if most of them will ask.
     void findAll();
-    const FrameObject& operator[](int i) const { return objects_[static_cast<std::size_t>(i)]; }
+    // Valid until a group of any view is searched.
+    const FrameObject& operator[](int i) const {
+        return room_->objects[static_cast<std::size_t>(i)];
+    }
 
     bool none() const { return map_->objects.empty(); }
 
@@ -61,19 +80,12 @@ public:
 private:
     static constexpr int kGroup = 16;  // columns that share a list
 
-    // An object that may cover some of the columns.
-    struct Seen {
-        double depth;
-        double left;
-        int index;
-    };
-
     // Not inlined: a copy at each call would only enlarge the page's program.
     __attribute__((noinline)) void ask(int group);
     __attribute__((noinline)) void find(int first, int last);
     bool isKnown(int group) const { return known_[static_cast<std::size_t>(group)] != 0; }
     void findSeen(int first, int end);
-    void add(const Seen& seen, int firstGroup, int lastGroup);
+    void add(const FrameObjectRoom::Seen& seen, int firstGroup, int lastGroup);
 
     const World* world_ = nullptr;
     const Map* map_ = nullptr;
@@ -84,13 +96,10 @@ private:
     Detail detail_;
     GroundDirection forward_;
     GroundDirection right_;
-    std::vector<int> near_;  // scratch memory of find()
-    std::vector<Seen> seen_;
-    std::vector<Seen> room_;  // scratch memory of sorting
-    std::vector<FrameObject> objects_;
-    std::vector<std::vector<int>> groups_;
-    std::vector<std::uint8_t> known_;  // 1 for each group whose list is known
-    int asked_ = 0;                    // groups that have asked, one after another
+    FrameObjectRoom* room_ = nullptr;
+    std::vector<std::vector<int>> groups_;  // indices into the room's objects
+    std::vector<std::uint8_t> known_;       // 1 for each group whose list is known
+    int asked_ = 0;                         // groups that have asked, one after another
 };
 
 }  // namespace slicecast

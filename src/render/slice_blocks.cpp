@@ -60,6 +60,7 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
         Block block = blockAt(walk_.tileX, walk_.tileY, level);
         if ((clipped_ && !cutToClip(block)) || block.bottom > 0) continue;
         block.cut |= std::exchange(inside, false);
+        if (isBeyondLayers(block)) continue;
         const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
@@ -115,6 +116,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
         Block block = blockAt(walk_.tileX, walk_.tileY, std::countr_zero(rest));
         if (clipped_ && !cutToClip(block)) continue;
         block.cut |= std::exchange(inside, false);
+        if (isBeyondLayers(block)) continue;
         const bool isPlain =
             !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
         if (block.bottom > 0) {

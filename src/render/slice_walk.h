@@ -132,6 +132,11 @@ private:
         return vista_->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
     }
     bool countLayer();  // false if the column has kMaxLayers already
+    // True if the block could only add layers, and the column has kMaxLayers.
+    bool isBeyondLayers(const Block& block) const {
+        return found_->layers == kMaxLayers && block.blueprint->seeThrough &&
+               !block.blueprint->hasPortals;
+    }
 
     // ---- slice_cover.cpp
     void takeFloor(Border upTo);

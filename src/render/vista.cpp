@@ -39,7 +39,7 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
 }
 
 void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
-                  const Vista* sameMap) {
+                  const Vista* sameMap, FrameObjectRoom& room) {
     viewpoint = from;
     map = &frame.world->maps[static_cast<std::size_t>(from.map)];
     projection = &rays.projection;
@@ -52,7 +52,7 @@ void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
         std::max(projection->firstFallingRow, projection->firstRowBelowRow(farRow, true));
     if (sameMap == nullptr) ownCells.fill(*map);
     cells = sameMap == nullptr ? &ownCells : sameMap->cells;
-    objects.beginFrame(*frame.world, *cells, from, *projection, frame.detail, lighting);
+    objects.beginFrame(*frame.world, *cells, from, *projection, frame.detail, lighting, room);
     highest = std::max({static_cast<double>(map->levels),
                         map->ceiling.tiles.empty() ? 0.0 : map->ceiling.height.value(),
                         cells->highest()});
@@ -80,6 +80,7 @@ void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions&
     fillInverseOffsets(*projection_, inverseOffsets_);
     mirroredInverseOffsets_.assign(inverseOffsets_.rbegin(), inverseOffsets_.rend());
     used_ = 0;
+    objectRoom_.objects.clear();
     findWater();
 }
 
@@ -119,7 +120,7 @@ Vista& Vistas::find(const Viewpoint& from) {
     vista.begin(frame_, from,
                 from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
                                 : FrameRays{*projection_, inverseOffsets_.data()},
-                sameMap);
+                sameMap, objectRoom_);
     // The eye's own vista comes first, and all columns ask for its objects
     if (used_ == 1) vista.objects.findAll();
     return vista;

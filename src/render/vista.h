@@ -55,7 +55,8 @@ struct FrameView {
 class Vista {
 public:
     // All but `from` must outlive the frame. `sameMap` is another vista of the map, or null.
-    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays, const Vista* sameMap);
+    void begin(const FrameView& frame, const Viewpoint& from, FrameRays rays, const Vista* sameMap,
+               FrameObjectRoom& room);
 
     GroundDirection ray(int column) const {
         return turned(projection->ray(column), viewpoint.turn);
@@ -108,6 +109,7 @@ private:
     std::vector<std::uint8_t> waterFogs_;  // by row: the fog where its rays leave the eye's water
     std::vector<std::unique_ptr<Vista>> vistas_;
     std::size_t used_ = 0;
+    FrameObjectRoom objectRoom_;
 };
 
 }  // namespace slicecast

@@ -316,6 +316,16 @@ private:
             checker_.add(at, {"more than ", kMaxPortals, " portals"}, "fewer in all maps together");
             return std::nullopt;
         }
+        if (std::none_of(ways_.rbegin(), ways_.rend(),
+                         [&](const Portal& way) { return leadOnTogether(way, portal); })) {
+            if (ways_.size() == kMaxPortalWays) {
+                checker_.add(at, {"more than ", kMaxPortalWays, " different ways through portals"},
+                             "fewer; portals side by side that lead to places side by side are "
+                             "one way");
+                return std::nullopt;
+            }
+            ways_.push_back(portal);
+        }
         world_.portals.push_back(portal);
         return static_cast<PortalId>(world_.portals.size() - 1);
     }
@@ -384,7 +394,8 @@ private:
     Reading& reading_;
     Checker& checker_;
     World& world_;
-    std::size_t firstOwn_;  // blueprints from here on belong to one cell each
+    std::vector<Portal> ways_;  // one portal of each, see kMaxPortalWays
+    std::size_t firstOwn_;      // blueprints from here on belong to one cell each
 };
 
 }  // namespace

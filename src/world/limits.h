@@ -1,6 +1,7 @@
 // Limits of all worlds. Each bounds memory or keeps a number within its type.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace slicecast {
@@ -24,7 +25,10 @@ inline constexpr int kMaxSpriteSide = 1024;  // texels
 // Of all maps: a frame looks at each object of a map, once for each vista of that map.
 inline constexpr int kMaxObjects = 65'536;
 inline constexpr int kMaxMovingObjects = 4'096;  // a step looks at the surroundings of each
-inline constexpr int kMaxPortals = 65'535;     // a PortalId has 16 bits, the last value means none
+inline constexpr int kMaxPortals = 65'535;  // a PortalId has 16 bits, the last value means none
+// Places that portals lead to, each seen from a point of its own; portals that lead on alike, as
+// the parts of a wide one, count as one. A frame looks for the objects of each place that it sees.
+inline constexpr std::size_t kMaxPortalWays = 256;
 inline constexpr int kDefaultPortalLimit = 8;  // portals that one ray passes
 inline constexpr int kMaxPortalLimit = 32;
 inline constexpr int kMaxFrames = 64;           // of an animated texture

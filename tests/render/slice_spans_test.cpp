@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace slicecast::known {
 namespace {
 
@@ -402,6 +404,33 @@ TEST(SliceSpans, ASecondSliceStartsEmpty) {
     const std::string first = SpanText(world).of(stage.find(100));
     stage.find(0);
     EXPECT_EQ(SpanText(world).of(stage.find(100)), first);
+}
+
+// At least two layers for each pane. Red panes beyond the column's last layer are as if they were
+// not there.
+TEST(SliceSpans, LayersBeyondTheMostAreLeftOut) {
+    constexpr int kPanes = static_cast<int>(kMaxLayers) / 2;
+    const auto hallOf = [](int clear, int red) {
+        World world = emptyWorld(500, 5, 1, plain("floor", {60, 60, 60, 255}));
+        for (const auto& [panes, colour, from] : {std::tuple{clear, Colour{60, 60, 60, 1}, 4},
+                                                  {red, Colour{255, 0, 0, 200}, 4 + clear}}) {
+            const BlueprintId pane = addNamed(world, "pane", 0.0, 1.0, colour);
+            world.blueprints[pane].join = false;
+            for (int i = 0; i < panes; ++i) setRow(world, from + i, pane);
+        }
+        markSeeThrough(world);
+        return world;
+    };
+    const auto layersOf = [](const World& world) {
+        SliceStage stage(world, eyeInHall(), 200, 200);
+        return stage.find(100).upright.layers;
+    };
+    const auto pictureOf = [](const World& world) { return draw(world, eyeInHall(), 200, 40); };
+    EXPECT_LT(layersOf(hallOf(20, 50)), kMaxLayers);
+    EXPECT_EQ(layersOf(hallOf(kPanes, 0)), kMaxLayers);
+    EXPECT_EQ(layersOf(hallOf(kPanes, 50)), kMaxLayers);
+    EXPECT_NE(pictureOf(hallOf(20, 50)).pixels, pictureOf(hallOf(20, 0)).pixels);
+    EXPECT_EQ(pictureOf(hallOf(kPanes, 50)).pixels, pictureOf(hallOf(kPanes, 0)).pixels);
 }
 
 }  // namespace

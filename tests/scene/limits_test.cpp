@@ -293,6 +293,29 @@ TEST(Limits, PlacedObjectsOfAllMapsTogether) {
     EXPECT_EQ(crowd.faults[0].expected, "at most 4096 in a scene");
 }
 
+// A row of portal tiles. The first ones lead straight south and are one way; each of the others is
+// a way of its own.
+std::string sceneOfPortals(int parallel, int others) {
+    const std::string row = '"' + std::string(1000, '.') + '"';
+    std::string text = R"({"title": "t", "textures": {"a": "a.png"}, "blueprints": {},
+        "maps": [{"name": "m", "floor": "a", "levels": [[)" +
+                       row + ", " + row + ", " + row + R"(]], "portals": [)";
+    for (int i = 0; i < parallel + others; ++i) {
+        const int to = i < parallel ? i : 2 * i - parallel + 1;
+        text += std::string(i == 0 ? "" : ", ") + R"({"x": )" + std::to_string(i) +
+                R"(, "y": 0, "to": {"x": )" + std::to_string(to) + R"(, "y": 2}})";
+    }
+    return text + R"(]}], "start": {"x": 999.5, "y": 1.5}})";
+}
+
+TEST(Limits, WaysThroughPortals) {
+    EXPECT_EQ(inWords(faultsOf(sceneOfPortals(40, 255))), "");
+    const std::vector<Fault> faults = faultsOf(sceneOfPortals(40, 256));
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].pointer, "/maps/0/portals/295");
+    EXPECT_EQ(faults[0].found, "more than 256 different ways through portals");
+}
+
 TEST(Limits, ImagesOfAllMapsTogether) {
     // 32 maps that show one panorama of 2 million pixels have all that there may be; the texture is
     // too much.

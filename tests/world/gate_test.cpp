@@ -219,17 +219,17 @@ TEST(Gates, OfTouchingCellsAreOneAndOthersStayShut) {
 }
 
 TEST(Gates, AreLimitedByTheirCells) {
-    World world = emptyWorld(65, 64, 1);
+    World world = emptyWorld(33, 32, 1);
     const BlueprintId id = addGate(world, {});
-    for (int y = 0; y < 64; ++y) {
-        for (int x = 0; x < 64; ++x) world.maps[0].setCell(x, y, 0, id);
+    for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 32; ++x) world.maps[0].setCell(x, y, 0, id);
     }
     World more = world.copy();
     EXPECT_TRUE(makeGates(world).empty());
-    more.maps[0].setCell(64, 0, 0, id);
+    more.maps[0].setCell(32, 0, 0, id);
     const std::vector<PlacingFault> faults = makeGates(more);
     ASSERT_EQ(faults.size(), 1u);
-    EXPECT_EQ(faults[0].found, "more than 4096 cells of gates");
+    EXPECT_EQ(faults[0].found, "more than 1024 cells of gates");
 }
 
 TEST(Gates, ShowTheFrameOfTheirProgress) {

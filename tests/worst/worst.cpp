@@ -1,8 +1,8 @@
 // Looks for legal scenes whose frames or steps cost too much: random ones, then changes of the
 // worst so far. A frame may take kMostTimes that of the castle in processor time, a step as much as
 // the castle's frame times kMostStepTimes, and drawing and stepping kMostMemory of memory beyond
-// what the session holds after loading. Prints the worst of each; a scene over a limit is written
-// to a file.
+// what the session holds after loading. Prints the worst of each. A scene far over a limit is
+// written to a file, and the search fails.
 //
 //     slicecast-worst SCENES ASSETS     how many scenes; a folder with scenes/castle.json
 #include "base/random.h"
@@ -27,6 +27,8 @@ using namespace slicecast;
 namespace {
 
 constexpr double kMostTimes = 50.0;
+// Times vary on a busy machine: a scene fails only if it exceeds a limit by this factor.
+constexpr double kSlack = 1.5;
 constexpr double kMostStepTimes = 5.0;
 constexpr std::int64_t kMostMemory = 64 << 20;  // bytes
 constexpr int kWidth = 640;
@@ -366,7 +368,7 @@ int main(int argc, char** argv) {
         next.shares = {next.cost.frameSeconds / (unit * kMostTimes),
                        next.cost.stepSeconds / (unit * kMostStepTimes),
                        static_cast<double>(next.cost.bytes) / kMostMemory};
-        if (next.shares.worst() > 1.0) {
+        if (next.shares.worst() > kSlack) {
             const std::string file = "worst-" + std::to_string(over++) + ".json";
             std::ofstream(file) << text;
             std::printf("%s: frame %.1f castles, step %.2f, %lld KB\n", file.c_str(),
