@@ -3,6 +3,7 @@
 #include "library/map_infos.h"
 #include "session/pick.h"
 #include "session/session.h"
+#include "session/trace_json.h"
 
 #include <limits>
 #include <utility>
@@ -44,11 +45,6 @@ ColumnHit toColumnHit(const Hit& hit, const World& world) {
                         .rows = {}};
     for (const FilledRows& rows : hit.filled) column.rows.push_back({rows.first, rows.last});
     return column;
-}
-
-const std::string& textureName(const World& world, const FilledRows& rows) {
-    return rows.what == What::object ? world.sprites[rows.texture].name
-                                     : world.textures[rows.texture].name;
 }
 
 void setBlock(Pick& pick, const Hit& hit, Face face, const World& world) {

@@ -9,11 +9,9 @@
 namespace slicecast {
 namespace {
 
-constexpr Pixel kOpaque = 0xff000000u;
-
 // blended() for four pixels at a time.
 [[maybe_unused]] inline U32x4 blendedFour(U32x4 under, U32x4 over) {
-    const U32x4 two = allLanes(kTwoChannels);
+    const U32x4 two = allLanes(kRedAndBlue);
     const U32x4 alphas = over >> 24;
     const U16x8 alpha = (U16x8)(alphas | alphas << 16);
     const U16x8 rest = (U16x8)two - alpha;
@@ -32,7 +30,7 @@ constexpr Pixel kOpaque = 0xff000000u;
 }
 
 // `next` is the step of `over` from pixel to pixel: 1, or 0 for four equal pixels.
-void blendRow(Pixel* row, int count, const Pixel* over, int next) {
+void blendPixels(Pixel* row, int count, const Pixel* over, int next) {
     int x = 0;
     if constexpr (kHasVectors) {
         for (; x + 4 <= count; x += 4) {
@@ -50,11 +48,11 @@ void blendRow(Pixel* row, int count, const Pixel* over, int next) {
 void blendRow(Pixel* row, int count, Colour colour) {
     const Pixel over = toPixel(colour);
     const Pixel four[] = {over, over, over, over};
-    blendRow(row, count, four, 0);
+    blendPixels(row, count, four, 0);
 }
 
 void blendRow(Pixel* row, int count, const Pixel* over) {
-    blendRow(row, count, over, 1);
+    blendPixels(row, count, over, 1);
 }
 
 void blendPixel(const Picture& picture, int x, int y, Colour colour) {

@@ -2,6 +2,7 @@
 // picture.
 #pragma once
 
+#include "base/pixels.h"
 #include "slicecast/colour.h"
 #include "slicecast/picture.h"
 
@@ -17,19 +18,17 @@ struct PixelRect {
     int height = 0;
 };
 
-inline constexpr Pixel kTwoChannels = 0x00ff00ff;  // a pixel's red and blue
-
 // Blends `over` on an opaque pixel: (over * a + under * (255 - a) + 127) / 255 per channel. Works
 // on two channels at a time: with n = over * a + under * (255 - a) + 128 that is (n + n / 256) /
 // 256, and no n exceeds 16 bits. Always inlined, even where code is optimised for size, because a
 // call would dominate the cost of a pixel.
 __attribute__((always_inline)) constexpr Pixel blended(Pixel under, Pixel over) {
     const Pixel a = over >> 24;
-    const Pixel even = (over & kTwoChannels) * a + (under & kTwoChannels) * (255 - a) + 0x00800080;
+    const Pixel even = (over & kRedAndBlue) * a + (under & kRedAndBlue) * (255 - a) + 0x00800080;
     const Pixel odd =
-        (over >> 8 & kTwoChannels) * a + (under >> 8 & kTwoChannels) * (255 - a) + 0x00800080;
-    return ((even + (even >> 8 & kTwoChannels)) >> 8 & kTwoChannels) |
-           ((odd + (odd >> 8 & kTwoChannels)) & 0x0000ff00) | 0xff000000;
+        (over >> 8 & kRedAndBlue) * a + (under >> 8 & kRedAndBlue) * (255 - a) + 0x00800080;
+    return ((even + (even >> 8 & kRedAndBlue)) >> 8 & kRedAndBlue) |
+           ((odd + (odd >> 8 & kRedAndBlue)) & 0x0000ff00) | kOpaque;
 }
 constexpr Pixel blended(Pixel under, Colour over) {
     return blended(under, toPixel(over));

@@ -16,7 +16,6 @@ enum Mark : unsigned { none, stepEdge, shadow, overhang, blockEdge, ripple, port
 constexpr unsigned kStripe = 8;    // added to a mark on a stripe of a moving block
 constexpr int kMarkShift = 24;     // bits below a pixel's mark
 constexpr Pixel kSeen = 1u << 28;  // set for pixels inside the grid
-constexpr Pixel kOpaque = 0xff000000;
 constexpr int kMostAcross = 40;
 constexpr std::size_t kLookNumbers = 5;
 constexpr auto kMarkColours = [] {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Colour kStill = {242, 232, 206, 235};
 constexpr Colour kMoving = {255, 92, 196, 255};
-constexpr Colour kRim = {20, 20, 20, 150};
+constexpr Colour kDotRim = {20, 20, 20, 150};
 constexpr double kFaint = 0.35;        // part of the alpha, for objects below the level
 constexpr double kRadius = 0.3;        // of an object's width
 constexpr double kLeastRadius = 0.14;  // of a tile
@@ -42,7 +42,7 @@ void drawObject(const MinimapView& view, const Object& object, Colour colour, do
     const Point at = view.place(object.x.value(), object.y.value());
     const double radius = radiusOf(object, view);
     if (!isInside(view, at, radius + 1.0)) return;
-    drawDot(picture, view.area, at, radius + 1.0, faded(kRim, strength));
+    drawDot(picture, view.area, at, radius + 1.0, faded(kDotRim, strength));
     drawDot(picture, view.area, at, radius, faded(colour, strength));
 }
 

@@ -18,7 +18,7 @@ constexpr Colour kDeepGround = {34, 38, 46, 255};
 constexpr double kLeastShade = 0.25;
 constexpr double kDeepestShade = 5.0;  // units below the level at which the ground is darkest
 // For all water: the colour seen under water may be grey or dark.
-constexpr Colour kWater = {24, 108, 156, 255};
+constexpr Colour kMinimapWater = {24, 108, 156, 255};
 constexpr double kWaterShade = 0.75;  // part of water's colour, over the ground's
 constexpr double kPortalTint = 0.5;   // part of the portal colour on a portal tile
 
@@ -41,7 +41,7 @@ int levelBelow(const Map& map, int x, int y, int level) {
 // level.
 Colour colourOf(const CellBlueprint* block, double drop, bool isWater) {
     const Colour ground = minimapGround(drop);
-    if (isWater) return mixed(ground, kWater, kWaterShade);
+    if (isWater) return mixed(ground, kMinimapWater, kWaterShade);
     if (block == nullptr) return ground;
     if (block->gate >= 0) return block->passable ? ground : kMinimapGate;
     const Colour colour =

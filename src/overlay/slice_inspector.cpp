@@ -7,8 +7,8 @@
 namespace slicecast {
 namespace {
 
-constexpr Colour kLine = {255, 255, 255, 220};
-constexpr Colour kBesideLine = {0, 0, 0, 150};
+constexpr Colour kSliceLine = {255, 255, 255, 220};
+constexpr Colour kBesideSliceLine = {0, 0, 0, 150};
 
 constexpr auto kKinds = std::to_array<SliceKind>({
     {FilledRows::What::side, "side", {255, 196, 92, 255}},
@@ -44,9 +44,9 @@ void drawSliceLine(const SliceTrace& trace, const Picture& picture) {
     const auto stripeAt = [&](int from, int width) {
         return left ? trace.column - from - width : trace.column + 1 + from;
     };
-    blendRect(picture, {trace.column - 1, 0, 1, picture.height}, kBesideLine);
-    blendRect(picture, {trace.column + 1, 0, 1, picture.height}, kBesideLine);
-    blendRect(picture, {trace.column, 0, 1, picture.height}, kLine);
+    blendRect(picture, {trace.column - 1, 0, 1, picture.height}, kBesideSliceLine);
+    blendRect(picture, {trace.column + 1, 0, 1, picture.height}, kBesideSliceLine);
+    blendRect(picture, {trace.column, 0, 1, picture.height}, kSliceLine);
     const auto mark = [&](int first, int last, Colour colour) {
         blendRect(picture, {stripeAt(0, stripe), first, stripe, last - first},
                   withAlpha(colour, 235));

@@ -1,13 +1,12 @@
 #include "render/column_fill.h"
 
 #include "base/bits.h"
+#include "base/pixels.h"
 #include "render/vectors.h"
 
 namespace slicecast {
 namespace {
 
-constexpr std::uint32_t kEvenBytes = 0x00ff00ff;
-constexpr std::uint32_t kOpaque = 0xff000000;
 constexpr std::uint32_t kFullLight = 256;  // leaves a colour unchanged
 
 // A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with
@@ -16,9 +15,9 @@ constexpr std::uint32_t kFullLight = 256;  // leaves a colour unchanged
 
 inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     const std::uint32_t factor = factorTwice & 0xffff;
-    const std::uint32_t even = (((texel & kEvenBytes) * factor + 0x00800080) >> 8) & kEvenBytes;
-    const std::uint32_t odd = ((texel >> 8) & kEvenBytes) * factor + 0x00800080;
-    return even | (odd & ~kEvenBytes) | kOpaque;
+    const std::uint32_t even = (((texel & kRedAndBlue) * factor + 0x00800080) >> 8) & kRedAndBlue;
+    const std::uint32_t odd = ((texel >> 8) & kRedAndBlue) * factor + 0x00800080;
+    return even | (odd & ~kRedAndBlue) | kOpaque;
 }
 
 // Shifts by a variable count. Clang 14 hoists the broadcast of the count out of loops, then fails
@@ -46,7 +45,7 @@ struct Halves {
 
 [[maybe_unused]] inline Halves shadedHalves(U32x4 texels, U32x4 factorsTwice) {
     const U16x8 half = (U16x8)allLanes(0x00800080);
-    return {((U16x8)(texels & kEvenBytes) * (U16x8)factorsTwice + half) >> 8,
+    return {((U16x8)(texels & kRedAndBlue) * (U16x8)factorsTwice + half) >> 8,
             (((U16x8)texels >> 8) * (U16x8)factorsTwice + half) >> 8};
 }
 
@@ -57,7 +56,7 @@ struct Halves {
 
 // x / 255 for each half, 0 <= x <= 255 * 255 + 127.
 inline std::uint32_t dividedBy255(std::uint32_t halves) {
-    return ((halves + 0x00010001 + ((halves >> 8) & kEvenBytes)) >> 8) & kEvenBytes;
+    return ((halves + 0x00010001 + ((halves >> 8) & kRedAndBlue)) >> 8) & kRedAndBlue;
 }
 
 [[maybe_unused]] inline U16x8 dividedBy255(U16x8 x) {
@@ -68,17 +67,17 @@ inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint
     const std::uint32_t fog = fogTwice & 0xffff;
     const std::uint32_t rest = 255 - fog;
     const std::uint32_t even =
-        dividedBy255((lit & kEvenBytes) * rest + (haze & kEvenBytes) * fog + 0x007f007f);
-    const std::uint32_t odd = dividedBy255(((lit >> 8) & kEvenBytes) * rest +
-                                           ((haze >> 8) & kEvenBytes) * fog + 0x007f007f);
+        dividedBy255((lit & kRedAndBlue) * rest + (haze & kRedAndBlue) * fog + 0x007f007f);
+    const std::uint32_t odd = dividedBy255(((lit >> 8) & kRedAndBlue) * rest +
+                                           ((haze >> 8) & kRedAndBlue) * fog + 0x007f007f);
     return even | odd << 8 | kOpaque;
 }
 
 [[maybe_unused]] inline U32x4 fogged(Halves lit, U32x4 fogsTwice, std::uint32_t haze) {
     const U16x8 fog = (U16x8)fogsTwice;
     const U16x8 rest = (U16x8)allLanes(0x00ff00ff) - fog;
-    const U16x8 hazeEven = (U16x8)allLanes(haze & kEvenBytes);
-    const U16x8 hazeOdd = (U16x8)allLanes((haze >> 8) & kEvenBytes);
+    const U16x8 hazeEven = (U16x8)allLanes(haze & kRedAndBlue);
+    const U16x8 hazeOdd = (U16x8)allLanes((haze >> 8) & kRedAndBlue);
     const U16x8 half = (U16x8)allLanes(0x007f007f);
     const U16x8 even = dividedBy255(lit.even * rest + (hazeEven * fog + half));
     const U16x8 odd = dividedBy255(lit.odd * rest + (hazeOdd * fog + half));
@@ -131,9 +130,9 @@ struct RowShade {
 inline std::uint32_t laidOver(std::uint32_t there, std::uint32_t colour, std::uint32_t alpha) {
     const std::uint32_t rest = 255 - alpha;
     const std::uint32_t even =
-        dividedBy255((colour & kEvenBytes) * alpha + (there & kEvenBytes) * rest + 0x007f007f);
-    const std::uint32_t odd = dividedBy255(((colour >> 8) & kEvenBytes) * alpha +
-                                           ((there >> 8) & kEvenBytes) * rest + 0x007f007f);
+        dividedBy255((colour & kRedAndBlue) * alpha + (there & kRedAndBlue) * rest + 0x007f007f);
+    const std::uint32_t odd = dividedBy255(((colour >> 8) & kRedAndBlue) * alpha +
+                                           ((there >> 8) & kRedAndBlue) * rest + 0x007f007f);
     return even | odd << 8 | kOpaque;
 }
 
@@ -152,8 +151,8 @@ struct Over {
         const U16x8 alpha = (U16x8)(alphas | alphas << 16);
         const U16x8 rest = (U16x8)allLanes(0x00ff00ff) - alpha;
         const U16x8 half = (U16x8)allLanes(0x007f007f);
-        const U16x8 even = dividedBy255((U16x8)(colours & kEvenBytes) * alpha +
-                                        ((U16x8)(old & kEvenBytes) * rest + half));
+        const U16x8 even = dividedBy255((U16x8)(colours & kRedAndBlue) * alpha +
+                                        ((U16x8)(old & kRedAndBlue) * rest + half));
         const U16x8 odd =
             dividedBy255(((U16x8)colours >> 8) * alpha + (((U16x8)old >> 8) * rest + half));
         return (U32x4)even | (U32x4)(odd << 8) | kOpaque;

@@ -16,6 +16,7 @@ namespace slicecast {
 // Texture positions are in 1/2^48 of a tile: a step rounded to that is off by less than 1e-10 of a
 // tile after 8192 rows.
 inline constexpr int kTexturePositionBits = 48;
+inline constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;  // a tile
 
 // Whether texels replace the pixels, or are blended over them by their alpha:
 //     channel = (texel * alpha + there * (255 - alpha) + 127) / 255

@@ -29,6 +29,9 @@ namespace slicecast {
 // Finite, so that a height of 0 stays at the horizon (infinity times 0 would be NaN).
 inline constexpr double kHugeRows = 1e200;
 
+// How far along a ray something is that it does not meet.
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+
 // A tile border and how a ray crosses it. `along` is in multiples of the ray's direction (see
 // Projection::ray): the quotient distance / speed. Rows and points are computed from these two,
 // because the quotient is rounded.
@@ -190,7 +193,7 @@ private:
 
         Axis(Coordinate eye, double direction) : speed(direction < 0.0 ? -direction : direction) {
             if (direction == 0.0) {
-                distance = along = std::numeric_limits<double>::infinity();
+                distance = along = kNever;
                 speed = 1.0;
             } else {
                 distance = direction > 0.0 ? 1.0 - eye.fraction() : eye.fraction();

@@ -12,8 +12,6 @@ namespace {
 // this part of a tile.
 constexpr double kSnap = 1.0 / 17179869184.0;
 
-// The length of a tile as a texture position.
-constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
 constexpr double kOne = static_cast<double>(kWholeTexture);
 
 // The first position in a column of texels and its step per row; positions stay in [lowest, end).

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "render/column_fill.h"
+#include "render/grid_walk.h"
 #include "render/slice_spans.h"
 #include "render/vectors.h"
 #include "render/vista.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 namespace slicecast {
 
@@ -67,7 +67,6 @@ inline PlanePoints::PlanePoints(const Vista& vista, GroundDirection ray, const P
     box_.end = F64x2{static_cast<double>(std::max(tiles.fromX, tiles.toX) + 1 - eyeX),
                      static_cast<double>(std::max(tiles.fromY, tiles.toY) + 1 - eyeY)};
     if (!tiles.endless) return;
-    constexpr double kNever = std::numeric_limits<double>::infinity();
     if (ray.x > 0.0) box_.end[0] = kNever;
     if (ray.x < 0.0) box_.first[0] = -kNever;
     if (ray.y > 0.0) box_.end[1] = kNever;

@@ -4,15 +4,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 #include <utility>
 
 namespace slicecast {
-namespace {
-
-constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
-
-}  // namespace
 
 SliceWalk::Block SliceWalk::blockAt(int x, int y, int level) const {
     const BlueprintId id = map_->cells[map_->cellIndex(x, y, level)];

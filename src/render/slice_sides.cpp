@@ -8,7 +8,6 @@
 namespace slicecast {
 namespace {
 
-constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;
 constexpr std::int64_t kPositionsPerRaw = std::int64_t{1} << (kTexturePositionBits - 16);
 
 }  // namespace

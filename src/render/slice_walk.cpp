@@ -3,12 +3,9 @@
 #include "render/open_slopes.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace slicecast {
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // A walk that stops at a border must be past it by more than the rounding error.
 constexpr double kBeyond = 1.0 + 1.0 / 1099511627776.0;

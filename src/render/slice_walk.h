@@ -29,8 +29,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace slicecast {
+
+// A height that no block reaches, 1/65536 units above the eye.
+inline constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 
 class SliceWalk {
 public:

@@ -3,15 +3,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 #include <span>
 
 namespace slicecast {
-namespace {
-
-constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
-
-}  // namespace
 
 // Finds the blocks of the current tile, from below; false if the columns cannot meet one of them
 // together. A mirror cuts off everything below it; no ray enters a block from below, because a

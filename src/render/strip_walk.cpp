@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <tuple>
 #include <utility>
 
 namespace slicecast {
-namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 template <std::size_t... index>
 StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report,

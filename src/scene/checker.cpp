@@ -59,7 +59,7 @@ bool Checker::onlyCounts() {
 void Checker::addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row,
                     int character, const Words& found, const Words& expected) {
     if (&list == &faults_ ? onlyCounts() : list.size() >= kMaxFaults) return;
-    const Place place = source_.place(offset);
+    const TextPosition place = source_.place(offset);
     Placed& added = list.emplace_back();
     added.offset = offset;
     added.number = faults_.size() + warnings_.size();
@@ -83,7 +83,7 @@ void Checker::addAtKey(JsonValue member, const Words& found, const Words& expect
 
 void Checker::addSecondKey(JsonValue again, JsonValue first) {
     if (onlyCounts()) return;
-    const Place place = source_.place(first.keyOffset());
+    const TextPosition place = source_.place(first.keyOffset());
     addAtKey(again, {"the key ", quoted(again.key()), " a second time"},
              {"each key once; the first is at line ", place.line, ", column ", place.column});
 }

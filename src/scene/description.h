@@ -16,7 +16,7 @@ namespace slicecast {
 struct ImageReference {
     std::string file;
     std::string pointer;
-    Place place;
+    TextPosition place;
 };
 
 struct PanoramaReference {

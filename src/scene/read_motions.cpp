@@ -17,7 +17,7 @@ constexpr NumberRange kPeriod = {kShortestPeriod, kLongestPeriod, false,
 constexpr NumberRange kOpening = {kStepSeconds, kLongestGate, false,
                                   "a number from 1/120 to 60, in seconds"};
 constexpr NumberRange kHold = {0.0, kLongestGate, false, "a number from 0 to 60, in seconds"};
-constexpr NumberRange kReach = {0.0, kFarthestGate, false, "a number from 0 to 64, in units"};
+constexpr NumberRange kGateReach = {0.0, kFarthestGate, false, "a number from 0 to 64, in units"};
 static_assert(kGreatestOffset == 32.0 && kShortestPeriod == 0.1 && kLongestPeriod == 3600.0 &&
                   kLongestGate == 60.0 && kFarthestGate == 64.0 && kStepsPerSecond == 120 &&
                   kFastestMotion == 4.0,
@@ -98,10 +98,10 @@ int readGate(Reading& reading, JsonValue value) {
                        "a gate: an object, which may be {}");
     if (fields) {
         kind.steps = std::max(1, stepsOf(fields->number("seconds", kOpening, 0.8)));
-        kind.reach = toCoordinate(fields->number("reach", kReach, 2.0));
+        kind.reach = toCoordinate(fields->number("reach", kGateReach, 2.0));
         kind.keyed = fields->flag("keyed", true);
         kind.opensOnApproach = static_cast<bool>(fields->find("approach"));
-        kind.approach = toCoordinate(fields->number("approach", kReach, 0.0));
+        kind.approach = toCoordinate(fields->number("approach", kGateReach, 0.0));
         kind.holdSteps = stepsOf(fields->number("hold", kHold, 1.0));
         kind.startsOpen = fields->flag("open", false);
         if (!kind.keyed && !kind.opensOnApproach)

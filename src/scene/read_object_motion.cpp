@@ -7,12 +7,9 @@ namespace {
 
 constexpr NumberRange kSpeed = {0.0, kMaxObjectSpeed, true,
                                 "a number above 0 and at most 16, in units per second"};
-constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false,
-                                  "a number from -360 to 360, in degrees; 0 is east, 90 south"};
-constexpr NumberRange kReach = {0.0, kMaxObjectReach, true,
-                                "a number above 0 and at most 1000, in units"};
-static_assert(kMaxObjectSpeed == 16.0 && kMaxStartHeading == 360.0 && kMaxObjectReach == 1000.0,
-              "as the words say");
+constexpr NumberRange kObjectReach = {0.0, kMaxObjectReach, true,
+                                      "a number above 0 and at most 1000, in units"};
+static_assert(kMaxObjectSpeed == 16.0 && kMaxObjectReach == 1000.0, "as the words say");
 
 using Kind = ObjectMotion::Kind;
 constexpr Named<Kind> kKinds[] = {
@@ -30,11 +27,11 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value) {
     read.motion.kind = fields->choice("kind", kKinds, Kind::wander);
     fields->require("speed", kSpeed.words);
     read.motion.speed = fields->number("speed", kSpeed, 1.0);
-    read.motion.headingDegrees = fields->number("heading", kHeading, 0.0);
+    read.motion.headingDegrees = fields->number("heading", kHeadingRange, 0.0);
     read.hasHeading = static_cast<bool>(fields->find("heading"));
     // Only "wander" works without "reach".
-    if (read.motion.kind != Kind::wander) fields->require("reach", kReach.words);
-    read.motion.reach = toCoordinate(fields->number("reach", kReach, 0.0));
+    if (read.motion.kind != Kind::wander) fields->require("reach", kObjectReach.words);
+    read.motion.reach = toCoordinate(fields->number("reach", kObjectReach, 0.0));
     return read;
 }
 

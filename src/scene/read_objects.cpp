@@ -5,13 +5,8 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kAcross = {0.0, 4096.0, false, "a number from 0 to 4096, on the map"};
 constexpr NumberRange kFeet = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
-constexpr NumberRange kSize = {0.0, kMaxObjectSize, true,
-                               "a number above 0 and at most 64, in units"};
-static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 &&
-                  kMaxObjectSize == 64.0,
-              "as the words say");
+static_assert(kMaxHeight == 1000.0, "as the words say");
 
 // Adds the motion of the next object of the map being read. Its number among all moving objects
 // seeds its random numbers.
@@ -41,13 +36,13 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     Object object;
     if (const auto sprite = fields->require("sprite", "the name of a sprite"))
         object.sprite = checker.name(*sprite, reading.sprites, "sprite").value_or(0);
-    for (const char* key : {"x", "y"}) fields->require(key, kAcross.words);
-    fields->require("height", kSize.words);
-    object.x = toCoordinate(fields->number("x", kAcross, 0.0));
-    object.y = toCoordinate(fields->number("y", kAcross, 0.0));
+    for (const char* key : {"x", "y"}) fields->require(key, kOnMapRange.words);
+    fields->require("height", kObjectSizeRange.words);
+    object.x = toCoordinate(fields->number("x", kOnMapRange, 0.0));
+    object.y = toCoordinate(fields->number("y", kOnMapRange, 0.0));
     object.z = toCoordinate(fields->number("z", kFeet, 0.0));
-    object.height = toCoordinate(fields->number("height", kSize, 1.0));
-    object.width = toCoordinate(fields->number("width", kSize, 0.0));
+    object.height = toCoordinate(fields->number("height", kObjectSizeRange, 1.0));
+    object.width = toCoordinate(fields->number("width", kObjectSizeRange, 0.0));
     object.light = fields->number("light", kUnitRange, 1.0);
     object.glow = fields->flag("glow", false);
     object.floats = fields->flag("float", false);

@@ -67,10 +67,6 @@ GridTile neighbour(GridTile tile, Face side) {
             tile.y + kSouth[static_cast<std::size_t>(side)]};
 }
 
-bool isStill(const CellBlueprint& block) {
-    return block.motion < 0 && block.gate < 0;
-}
-
 class PortalPlacer {
 public:
     explicit PortalPlacer(Reading& reading)
@@ -287,7 +283,7 @@ private:
         for (int level = 0; level < map.levels; ++level) {
             const BlueprintId id = map.cell(tile.x, tile.y, level);
             const CellBlueprint& block = world_.blueprints[id];
-            if (id == kEmptyCell || !isStill(block) || block.isWater) continue;
+            if (id == kEmptyCell || !block.isStill() || block.isWater) continue;
             const Stretch solid = {tileEdge(level) + block.bottom, tileEdge(level) + block.top};
             if (low < solid.low) free.push_back({low, solid.low});
             low = solid.high;
@@ -354,7 +350,7 @@ private:
         Map& map = world_.maps[static_cast<std::size_t>(portal.fromMap)];
         const GridTile tile = {portal.fromX, portal.fromY};
         BlueprintId id = map.cell(tile.x, tile.y, level);
-        if (!isStill(world_.blueprints[id])) {
+        if (!world_.blueprints[id].isStill()) {
             checker_.add(at,
                          {"a portal on the block ", quoted(world_.blueprints[id].name),
                           ", which moves or opens"},

@@ -7,13 +7,10 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kSize = {0.0, kMaxObjectSize, true,
-                               "a number above 0 and at most 64, in units"};
 constexpr NumberRange kAbove = {0.0, kMaxHeight, false, "a number from 0 to 1000, in units"};
 constexpr NumberRange kClear = {0.0, 4096.0, false, "a number from 0 to 4096, in units"};
 constexpr NumberRange kSeed = {0.0, 9007199254740992.0, false, "a whole number from 0 to 2^53"};
-static_assert(kMaxHeight == 1000.0 && kMaxObjectSize == 64.0 && kMaxMapWidth == 4096 &&
-                  kMaxMapDepth == 4096,
+static_assert(kMaxHeight == 1000.0 && kMaxMapWidth == 4096 && kMaxMapDepth == 4096,
               "as the words say");
 
 constexpr Coordinate kDefaultClear = toCoordinate(1.0);
@@ -95,12 +92,12 @@ void readSown(Reading& reading, JsonValue value) {
         if (number != std::floor(number)) checker.refuse(*seed, kSeed.words);
         sowing.seed = static_cast<std::uint64_t>(number);
     }
-    if (const auto height = fields->require("height", kSize.words))
-        sowing.height = readRange(checker, *height, kSize).value_or(CoordinateRange{});
+    if (const auto height = fields->require("height", kObjectSizeRange.words))
+        sowing.height = readRange(checker, *height, kObjectSizeRange).value_or(CoordinateRange{});
     if (const auto above = fields->find("above"))
         sowing.above = readRange(checker, *above, kAbove).value_or(CoordinateRange{});
     readGround(reading, *fields, sowing);
-    sowing.object.width = toCoordinate(fields->number("width", kSize, 0.0));
+    sowing.object.width = toCoordinate(fields->number("width", kObjectSizeRange, 0.0));
     sowing.clear = toCoordinate(fields->number("clear", kClear, kDefaultClear.value()));
     sowing.object.light = fields->number("light", kUnitRange, 1.0);
     sowing.object.glow = fields->flag("glow", false);

@@ -8,16 +8,11 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kAcross = {0.0, 4096.0, false, "a number from 0 to 4096, on the map"};
 constexpr NumberRange kHeight = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
-constexpr NumberRange kHeading = {-kMaxStartHeading, kMaxStartHeading, false,
-                                  "a number from -360 to 360, in degrees; 0 is east, 90 south"};
 constexpr NumberRange kLook = {-kLookLimit, kLookLimit, false,
                                "a number from -1.5 to 1.5, in screen heights"};
 
-static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxHeight == 1000.0 &&
-                  kMaxStartHeading == 360.0 && kLookLimit == 1.5,
-              "as the words say");
+static_assert(kMaxHeight == 1000.0 && kLookLimit == 1.5, "as the words say");
 
 // Names what the body overlaps.
 std::string obstacle(const World& world, const Map& map, const Box& body) {
@@ -98,11 +93,11 @@ void readStart(Reading& reading, JsonValue value) {
     if (const auto member = fields->find("map")) {
         start.map = checker.name(*member, reading.maps, "map").value_or(0);
     }
-    for (const char* key : {"x", "y"}) fields->require(key, kAcross.words);
-    start.x = toCoordinate(fields->number("x", kAcross, 0.0));
-    start.y = toCoordinate(fields->number("y", kAcross, 0.0));
+    for (const char* key : {"x", "y"}) fields->require(key, kOnMapRange.words);
+    start.x = toCoordinate(fields->number("x", kOnMapRange, 0.0));
+    start.y = toCoordinate(fields->number("y", kOnMapRange, 0.0));
     start.z = toCoordinate(fields->number("z", kHeight, 0.0));
-    start.headingDegrees = fields->number("heading", kHeading, 0.0);
+    start.headingDegrees = fields->number("heading", kHeadingRange, 0.0);
     start.look = fields->number("look", kLook, 0.0);
 
     const auto map = static_cast<std::size_t>(start.map);

@@ -5,6 +5,7 @@
 #include "scene/checker.h"
 #include "scene/description.h"
 #include "scene/legend.h"
+#include "scene/limits.h"
 #include "scene/names.h"
 #include "world/object_sowing.h"
 
@@ -14,6 +15,18 @@
 #include <vector>
 
 namespace slicecast {
+
+// Ranges that several readers share.
+inline constexpr NumberRange kOnMapRange = {0.0, 4096.0, false,
+                                            "a number from 0 to 4096, on the map"};
+inline constexpr NumberRange kObjectSizeRange = {0.0, kMaxObjectSize, true,
+                                                 "a number above 0 and at most 64, in units"};
+inline constexpr NumberRange kHeadingRange = {
+    -kMaxStartHeading, kMaxStartHeading, false,
+    "a number from -360 to 360, in degrees; 0 is east, 90 south"};
+static_assert(kMaxMapWidth == 4096 && kMaxMapDepth == 4096 && kMaxObjectSize == 64.0 &&
+                  kMaxStartHeading == 360.0,
+              "as the words say");
 
 // Something to sow over a map, and where the file states it.
 struct SowingOrder {

@@ -94,7 +94,7 @@ SourceText::Mark SourceText::next(Mark mark) const {
     return mark;
 }
 
-Place SourceText::place(std::size_t offset) const {
+TextPosition SourceText::place(std::size_t offset) const {
     const auto behind =
         std::upper_bound(marks_.begin(), marks_.end(), offset,
                          [](std::size_t value, const Mark& mark) { return value < mark.offset; });

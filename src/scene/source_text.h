@@ -14,8 +14,8 @@
 
 namespace slicecast {
 
-// A place as an editor shows it.
-struct Place {
+// A place in the text as an editor shows it.
+struct TextPosition {
     int line = 1;
     int column = 1;
 };
@@ -34,7 +34,7 @@ public:
     std::optional<std::size_t> invalidByte() const { return invalidByte_; }
 
     // Where a byte stands. Bytes behind an invalid one count as a character each.
-    Place place(std::size_t offset) const;
+    TextPosition place(std::size_t offset) const;
 
     // The offset of character `index` (from 0) of the JSON string whose opening quote stands at
     // `quote`; an escape sequence is one character.
@@ -43,7 +43,7 @@ public:
 private:
     struct Mark {
         std::size_t offset;
-        Place place;
+        TextPosition place;
     };
 
     // The mark moved on over the character at its offset.

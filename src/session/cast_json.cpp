@@ -13,7 +13,7 @@ constexpr Named<End> kEnds[] = {
     {End::block, "block"}, {End::edge, "edge"}, {End::portal, "portal"}, {End::floor, "floor"}};
 
 template <typename Json>
-void writeTile(Json& json, const World& world, const CastTile& tile) {
+void writeCastTile(Json& json, const World& world, const CastTile& tile) {
     json.beginObject().key("map").text(mapName(world, tile.map));
     json.key("portals").number(tile.portals);
     json.key("tile").pair(tile.x, tile.y);
@@ -29,7 +29,7 @@ void writeTile(Json& json, const World& world, const CastTile& tile) {
 }
 
 template <typename Json>
-void writeHit(Json& json, const World& world, const CastHit& hit) {
+void writeCastHit(Json& json, const World& world, const CastHit& hit) {
     json.beginObject().key("map").text(mapName(world, hit.map)).key("portals").number(hit.portals);
     json.key("tile").pair(hit.tileX, hit.tileY);
     json.key("level").number(hit.level);
@@ -46,15 +46,15 @@ void writeHit(Json& json, const World& world, const CastHit& hit) {
 }
 
 template <typename Json>
-void writePortal(Json& json, const World& world, const CastPortal& passed) {
+void writeCastPortal(Json& json, const World& world, const CastPortal& passed) {
     json.beginObject();
     writePortalEnds(json, world, passed.portal, passed.portals);
     json.key("distance").number(passed.distance).endObject();
 }
 
 template <typename Json, typename Item>
-void writeAll(Json& json, const World& world, const char* key, const std::vector<Item>& items,
-              void (*writeOne)(Json&, const World&, const Item&)) {
+void writeList(Json& json, const World& world, const char* key, const std::vector<Item>& items,
+               void (*writeOne)(Json&, const World&, const Item&)) {
     json.key(key).beginList(items.size());
     for (const Item& item : items) writeOne(json, world, item);
     json.endList();
@@ -74,9 +74,9 @@ void writeCast(Json& json, const World& world, const CastFrom& from) {
     }
     json.key("heading").number(from.headingDegrees);
     json.key("ray").pair(ray.direction.x, ray.direction.y);
-    writeAll(json, world, "tiles", ray.tiles, writeTile<Json>);
-    writeAll(json, world, "hits", ray.hits, writeHit<Json>);
-    writeAll(json, world, "portals", ray.portals, writePortal<Json>);
+    writeList(json, world, "tiles", ray.tiles, writeCastTile<Json>);
+    writeList(json, world, "hits", ray.hits, writeCastHit<Json>);
+    writeList(json, world, "portals", ray.portals, writeCastPortal<Json>);
     json.key("end").beginObject().key("why").text(nameOf(kEnds, ray.end));
     json.key("map").text(mapName(world, ray.map));
     json.key("point").pair(ray.x, ray.y);

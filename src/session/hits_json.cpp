@@ -97,7 +97,7 @@ void writeFilled(Json& json, const World& world, const std::vector<FilledRows>& 
 }
 
 template <typename Json>
-void writeTile(Json& json, const World& world, const WalkedTile& tile) {
+void writeWalkedTile(Json& json, const World& world, const WalkedTile& tile) {
     json.beginTuple()
         .number(tile.x)
         .number(tile.y)
@@ -182,8 +182,8 @@ void writeMirror(Json& json, const World& world, const MirroredRows& mirror) {
 }
 
 template <typename Json, typename Item>
-void writeAll(Json& json, const World& world, const char* key, const std::vector<Item>& items,
-              void (*writeOne)(Json&, const World&, const Item&)) {
+void writeLines(Json& json, const World& world, const char* key, const std::vector<Item>& items,
+                void (*writeOne)(Json&, const World&, const Item&)) {
     json.line(1).key(key).beginList(items.size());
     for (const Item& item : items) writeOne(json.line(2), world, item);
     if (!items.empty()) json.line(1);
@@ -199,12 +199,12 @@ void writeHits(Json& json, const Session& session, const SliceTrace& trace) {
     json.line(1).key("horizonRow").number(trace.horizonRow);
     json.line(1).key("projectionDistance").number(trace.projectionDistance);
     json.line(1).key("ray").pair(trace.rayX, trace.rayY);
-    writeAll(json, world, "tiles", trace.tiles, writeTile<Json>);
-    writeAll(json, world, "hits", trace.hits, writeHit<Json>);
+    writeLines(json, world, "tiles", trace.tiles, writeWalkedTile<Json>);
+    writeLines(json, world, "hits", trace.hits, writeHit<Json>);
     writeFilled(json.line(1).key("planes"), world, trace.planes, true);
-    writeAll(json, world, "objects", trace.objects, writeObject<Json>);
-    writeAll(json, world, "portals", trace.portals, writePortal<Json>);
-    writeAll(json, world, "mirrors", trace.mirrors, writeMirror<Json>);
+    writeLines(json, world, "objects", trace.objects, writeObject<Json>);
+    writeLines(json, world, "portals", trace.portals, writePortal<Json>);
+    writeLines(json, world, "mirrors", trace.mirrors, writeMirror<Json>);
 }
 
 template void writeView(JsonText&, const Session&, const std::string&, int, int);

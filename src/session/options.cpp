@@ -22,12 +22,13 @@ namespace {
 static_assert(kGreatestMirrors <= kMaxMirrors, "the renderer must be able to draw every value");
 
 // The member that stores an option.
-using Place = std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*,
-                           int SessionOptions::*, double SessionOptions::*,
-                           std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*,
-                           LightPreset SessionOptions::*, std::optional<Colour> SessionOptions::*,
-                           bool ClassicOptions::*, int ClassicOptions::*, double ClassicOptions::*,
-                           ClassicProjection ClassicOptions::*, ClassicRoofs ClassicOptions::*>;
+using OptionMember =
+    std::variant<bool RenderOptions::*, double RenderOptions::*, bool SessionOptions::*,
+                 int SessionOptions::*, double SessionOptions::*,
+                 std::optional<double> SessionOptions::*, DrawMethod SessionOptions::*,
+                 LightPreset SessionOptions::*, std::optional<Colour> SessionOptions::*,
+                 bool ClassicOptions::*, int ClassicOptions::*, double ClassicOptions::*,
+                 ClassicProjection ClassicOptions::*, ClassicRoofs ClassicOptions::*>;
 
 // The words of the choices.
 constexpr Named<LightPreset> kPresets[] = {{LightPreset::map, "map"},
@@ -59,7 +60,7 @@ constexpr auto& choicesOf(ClassicRoofs) {
 
 struct Entry {
     OptionInfo info;
-    Place place;
+    OptionMember place;
 };
 
 constexpr const char* kView = "view";

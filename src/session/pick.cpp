@@ -66,7 +66,7 @@ double heightOf(const World& world, const SliceTrace& trace, const FilledRows& r
 namespace {
 
 template <typename Json>
-void writeTile(Json& json, const SliceTrace& trace, const SeenThing& picked) {
+void writeSeenTile(Json& json, const SliceTrace& trace, const SeenThing& picked) {
     const FilledRows& rows = *picked.rows;
     if (rows.hit >= 0) {
         const Hit& hit = trace.hits[static_cast<std::size_t>(rows.hit)];
@@ -87,7 +87,7 @@ void writeSeen(Json& json, const World& world, const SliceTrace& trace, int colu
     json.beginObject().key("column").number(column).key("row").number(trace.watchedRow);
     json.key("what").text(nameOf(picked.isHole ? What::haze : rows.what));
     json.key("map").text(mapName(world, rows.map)).key("portals").number(rows.portals);
-    writeTile(json, trace, picked);
+    writeSeenTile(json, trace, picked);
     if (rows.hit >= 0) {
         const Hit& hit = trace.hits[static_cast<std::size_t>(rows.hit)];
         json.key("level").number(hit.level);

@@ -438,7 +438,7 @@ private:
             ++omitted_;
             return;
         }
-        const Place place = source_.place(wrong.offset);
+        const TextPosition place = source_.place(wrong.offset);
         Fault fault;
         fault.file = fileName_;
         fault.line = place.line;

@@ -35,7 +35,8 @@ void writeIndex(Json& json, const char* key, int index) {
 }
 
 template <typename Json>
-void writeTile(Json& json, const World& world, const WalkedTile& tile, double projectionDistance) {
+void writeTracedTile(Json& json, const World& world, const WalkedTile& tile,
+                     double projectionDistance) {
     json.beginObject()
         .key("map")
         .text(mapName(world, tile.map))
@@ -136,7 +137,7 @@ void writeSlice(Json& json, const Session& session, const SliceTrace& trace) {
     writeHits(json, session, trace);
     json.line(1).key("walk").beginList(trace.tiles.size());
     for (const WalkedTile& tile : trace.tiles)
-        writeTile(json.line(2), session.world(), tile, trace.projectionDistance);
+        writeTracedTile(json.line(2), session.world(), tile, trace.projectionDistance);
     json.endList().line(1).key("runs").beginList(trace.filled.size());
     for (const FilledRows& rows : trace.filled) writeRun(json.line(2), session.world(), rows);
     json.endList();

@@ -59,6 +59,8 @@ struct CellBlueprint {
     int gate = -1;       // index into World::gateKinds; -1 for other blocks
     int gateIndex = -1;  // index into World::gates, of which this block is a part; -1 for none
 
+    // Neither moves nor opens.
+    bool isStill() const { return motion < 0 && gate < 0; }
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
 };
 

@@ -7,10 +7,6 @@
 namespace slicecast {
 namespace {
 
-bool isStill(const CellBlueprint& block) {
-    return block.motion < 0 && block.gate < 0;
-}
-
 // True if a block in that tile or beside it moves or opens.
 bool somethingMoves(const World& world, const Map& map, GridTile tile) {
     for (int y = tile.y - 1; y <= tile.y + 1; ++y) {
@@ -18,7 +14,7 @@ bool somethingMoves(const World& world, const Map& map, GridTile tile) {
             if (!map.contains(x, y)) continue;
             for (int level = 0; level < map.levels; ++level) {
                 // Moving blocks that are elsewhere at present count too
-                if (!isStill(world.blueprints[map.cells[map.cellIndex(x, y, level)]])) return true;
+                if (!world.blueprints[map.cells[map.cellIndex(x, y, level)]].isStill()) return true;
             }
         }
     }

@@ -14,13 +14,13 @@ using F32x4 = float __attribute__((vector_size(16)));
 
 constexpr int kSizeBits = 6;
 constexpr std::uint32_t kSize = 1u << kSizeBits;
-constexpr int kStripColumns = 16;
+constexpr int kLimitColumns = 16;
 constexpr std::uint32_t kEven = 0x00ff00ff;
 constexpr std::uint32_t kOdd = 0xff00ff00;
 
 // A float of at least 2^23 and below 2^24 has no bits after the point: adding this leaves a number,
 // rounded, in the low bits.
-constexpr float kMagic = 12582912.0f;
+constexpr float kFloatMagic = 12582912.0f;
 
 inline std::uint32_t shadedOne(std::uint32_t texel, std::uint32_t factor) {
     const std::uint32_t even = ((texel & kEven) * factor + 0x00800080) >> 8;
@@ -77,7 +77,7 @@ __attribute__((noinline)) void drawPlane(Pixel* column, int first, int last, con
     if constexpr (kHasVectors) {
         const F32x4 east4 = {east, east, east, east};
         const F32x4 south4 = {southPerInverse, southPerInverse, southPerInverse, southPerInverse};
-        const F32x4 magic = {kMagic, kMagic, kMagic, kMagic};
+        const F32x4 magic = {kFloatMagic, kFloatMagic, kFloatMagic, kFloatMagic};
         for (; row + 4 <= last; row += 4) {
             const auto inverse = loadVector<F32x4>(inverseOffsets + row);
             const U32x4 u = (U32x4)(inverse * east4 + magic) & kEastMask;
@@ -89,8 +89,9 @@ __attribute__((noinline)) void drawPlane(Pixel* column, int first, int last, con
         }
     }
     for (; row < last; ++row) {
-        const std::uint32_t u = bitsOf(inverseOffsets[row] * east + kMagic) & kEastMask;
-        const std::uint32_t v = bitsOf(inverseOffsets[row] * southPerInverse + kMagic) & kSouthMask;
+        const std::uint32_t u = bitsOf(inverseOffsets[row] * east + kFloatMagic) & kEastMask;
+        const std::uint32_t v =
+            bitsOf(inverseOffsets[row] * southPerInverse + kFloatMagic) & kSouthMask;
         column[row] = shadedOne(texels[u | v], factors[row] & 0xffff);
     }
 }
@@ -117,7 +118,7 @@ __attribute__((noinline)) void transpose(const Pixel* strip, int stride, int hei
     int y = 0;
     if constexpr (kHasVectors) {
         for (; y + 4 <= height; y += 4) {
-            for (int c = 0; c < kStripColumns; c += 4) {
+            for (int c = 0; c < kLimitColumns; c += 4) {
                 const Pixel* from = strip + c * stride + y;
                 const auto c0 = loadVector<U32x4>(from);
                 const auto c1 = loadVector<U32x4>(from + stride);
@@ -136,7 +137,7 @@ __attribute__((noinline)) void transpose(const Pixel* strip, int stride, int hei
         }
     }
     for (; y < height; ++y) {
-        for (int c = 0; c < kStripColumns; ++c)
+        for (int c = 0; c < kLimitColumns; ++c)
             out[static_cast<std::ptrdiff_t>(y) * pitch + c] = strip[c * stride + y];
     }
 }
@@ -150,10 +151,10 @@ std::vector<Pixel> anyTexture(Random& random) {
 }  // namespace
 
 LimitKernel::LimitKernel(int width, int height)
-    : width_(width / kStripColumns * kStripColumns),
+    : width_(width / kLimitColumns * kLimitColumns),
       height_(height),
       stride_(16 * (((height + 15) / 16) | 1)),
-      strip_(static_cast<std::size_t>(stride_) * kStripColumns) {
+      strip_(static_cast<std::size_t>(stride_) * kLimitColumns) {
     Random random(1);
     wall_ = anyTexture(random);
     floor_ = anyTexture(random);
@@ -187,8 +188,8 @@ LimitKernel::LimitKernel(int width, int height)
 }
 
 void LimitKernel::draw(Pixel* frame) {
-    for (int x = 0; x < width_; x += kStripColumns) {
-        for (int c = 0; c < kStripColumns; ++c) {
+    for (int x = 0; x < width_; x += kLimitColumns) {
+        for (int c = 0; c < kLimitColumns; ++c) {
             const Column& column = columns_[static_cast<std::size_t>(x + c)];
             Pixel* out = strip_.data() + c * stride_;
             drawPlane(out, 0, column.wallFirst, ceiling_.data(), inverseOffsets_.data(),

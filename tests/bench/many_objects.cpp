@@ -3,6 +3,7 @@
 #include "base/angle.h"
 #include "base/random.h"
 #include "render/options.h"
+#include "world/line_of_sight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +15,8 @@ namespace {
 
 constexpr int kSamples = 9;  // points of an object that are looked for, each way
 
-struct Point {
-    double x, y, z;
-};
-
-// True if a block is between two points of a map.
-bool isBlocked(const World& world, const Map& map, const Point& from, const Point& to) {
+// True if a block is between two places of a map.
+bool isBlocked(const World& world, const Map& map, const Place& from, const Place& to) {
     const double wayX = to.x - from.x;
     const double wayY = to.y - from.y;
     int x = static_cast<int>(std::floor(from.x));
@@ -57,7 +54,7 @@ bool isBlocked(const World& world, const Map& map, const Point& from, const Poin
 bool isInSight(const World& world, const Map& map, const Eye& eye, const Object& object) {
     const SineCosine heading = sineCosineDegrees(eye.headingDegrees);
     const double widest = tanDegrees(RenderOptions{}.fovDegrees / 2.0);
-    const Point from = {eye.x.value(), eye.y.value(), eye.z.value()};
+    const Place from = {eye.x.value(), eye.y.value(), eye.z.value()};
     for (int i = 0; i < kSamples; ++i) {
         const double aside = object.width.value() * (static_cast<double>(i) / (kSamples - 1) - 0.5);
         const double x = object.x.value() - heading.sine * aside;

@@ -15,11 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kScene = SLICECAST_SOURCE_FOLDER "/tests/scene/everything.json";
 const std::string kPngBeginning = "\x89PNG";
 
 Finished renderTo(const fs::path& out) {
-    return runProgram(SLICECAST_RENDER, {kScene, "--size", "16x9", "--out", out.string()});
+    return runProgram(SLICECAST_RENDER, {kEveryFeature, "--size", "16x9", "--out", out.string()});
 }
 
 bool isPng(const std::string& bytes) {
@@ -113,10 +112,10 @@ struct Printing {
 
 // What each program prints where all is well: little, and more than a buffer holds.
 const std::vector<Printing> kPrintings = {
-    {SLICECAST_RENDER, {kScene, "--size", "64x48", "--hits", "3"}},
-    {SLICECAST_RENDER, {kScene, "--size", "64x48", "--trace", "all"}},
+    {SLICECAST_RENDER, {kEveryFeature, "--size", "64x48", "--hits", "3"}},
+    {SLICECAST_RENDER, {kEveryFeature, "--size", "64x48", "--trace", "all"}},
     {SLICECAST_RENDER, {"--help"}},
-    {SLICECAST_CHECK, {kScene}},
+    {SLICECAST_CHECK, {kEveryFeature}},
     {SLICECAST_CHECK, {"--help"}},
     {SLICECAST_TEXTURES, {"--list"}},
     {SLICECAST_TEXTURES, {"--help"}},

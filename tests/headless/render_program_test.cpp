@@ -14,8 +14,6 @@
 namespace slicecast {
 namespace {
 
-const std::string kScene = SLICECAST_SOURCE_FOLDER "/tests/scene/everything.json";
-
 Finished render(const std::vector<std::string>& arguments) {
     return runProgram(SLICECAST_RENDER, arguments);
 }
@@ -73,11 +71,11 @@ std::string corridor(const TestFolder& folder) {
 TEST(RenderProgram, DrawsTheStartAsThePlayerSeesIt) {
     const TestFolder folder;
     const Finished finished =
-        render({kScene, "--size", "97x61", "--out", (folder / "start.png").string()});
+        render({kEveryFeature, "--size", "97x61", "--out", (folder / "start.png").string()});
     EXPECT_EQ(finished.status, 0) << finished.err;
     EXPECT_EQ(finished.out + finished.err, "");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"start.png"});
-    LoadedScene scene = readSceneFile(kScene);
+    LoadedScene scene = readSceneFile(kEveryFeature);
     Session session(std::move(*scene.world));
     const Image picture = readPicture(folder / "start.png");
     EXPECT_EQ(picture.width, 97);
@@ -103,11 +101,11 @@ TEST(RenderProgram, DrawsTheWorldAtATime) {
 TEST(RenderProgram, DrawsAnyEyeMapAndOptions) {
     const TestFolder folder;
     const Finished finished =
-        render({kScene, "--map", "yard", "--eye", "-1.25,0.5,0.75,12.5,0.25", "--size", "64x48",
-                "--fov", "75", "--set", "light=off", "--set", "detail=off", "--out",
+        render({kEveryFeature, "--map", "yard", "--eye", "-1.25,0.5,0.75,12.5,0.25", "--size",
+                "64x48", "--fov", "75", "--set", "light=off", "--set", "detail=off", "--out",
                 (folder / "yard.png").string()});
     EXPECT_EQ(finished.status, 0) << finished.err;
-    LoadedScene scene = readSceneFile(kScene);
+    LoadedScene scene = readSceneFile(kEveryFeature);
     Session session(std::move(*scene.world));
     ASSERT_EQ(session.world().maps[1].name, "yard");
     ASSERT_TRUE(session.setEye(
@@ -222,40 +220,43 @@ TEST(RenderProgram, ReportsFaultsOfTheCommandLine) {
     const std::string out = (folder / "picture.png").string();
     const std::vector<WrongUse> uses = {
         {{}, "SCENE is required"},
-        {{kScene}, "expected --out PICTURE.png, --hits COLUMN or --trace COLUMN"},
-        {{kScene, "--out", out, "--size", "64"}, "found \"64\", expected WxH in pixels"},
-        {{kScene, "--out", out, "--size", "0x5"}, "found \"0x5\""},
-        {{kScene, "--out", out, "--size", "8193x5"}, "8192x8192"},
-        {{kScene, "--out", out, "--size", "64x48 "}, "found \"64x48 \""},
-        {{kScene, "--out", out, "--fov", "200"},
+        {{kEveryFeature}, "expected --out PICTURE.png, --hits COLUMN or --trace COLUMN"},
+        {{kEveryFeature, "--out", out, "--size", "64"}, "found \"64\", expected WxH in pixels"},
+        {{kEveryFeature, "--out", out, "--size", "0x5"}, "found \"0x5\""},
+        {{kEveryFeature, "--out", out, "--size", "8193x5"}, "8192x8192"},
+        {{kEveryFeature, "--out", out, "--size", "64x48 "}, "found \"64x48 \""},
+        {{kEveryFeature, "--out", out, "--fov", "200"},
          "Option 'fov' takes a number from 10 to 150, not '200'."},
-        {{kScene, "--out", out, "--set", "lights=on"},
+        {{kEveryFeature, "--out", out, "--set", "lights=on"},
          "Unknown option 'lights'. Did you mean 'light'?"},
-        {{kScene, "--out", out, "--set", "light"}, "found \"light\", expected OPTION=VALUE"},
-        {{kScene, "--out", out, "--map", "cellar"},
+        {{kEveryFeature, "--out", out, "--set", "light"}, "found \"light\", expected OPTION=VALUE"},
+        {{kEveryFeature, "--out", out, "--map", "cellar"},
          "found \"cellar\", expected a map of this scene: \"hall\", \"yard\", \"works\", "
          "\"plain\", \"gallery\""},
-        {{kScene, "--out", out, "--map", "yard"}, "add --eye"},
-        {{kScene, "--out", out, "--eye", "1,1,0.5,0"}, "expected five numbers X,Y,Z,HEADING,LOOK"},
-        {{kScene, "--out", out, "--eye", "1,1,0.5,0,0,0"}, "expected five numbers"},
-        {{kScene, "--out", out, "--eye", "1,north,0.5,0,0"},
+        {{kEveryFeature, "--out", out, "--map", "yard"}, "add --eye"},
+        {{kEveryFeature, "--out", out, "--eye", "1,1,0.5,0"},
+         "expected five numbers X,Y,Z,HEADING,LOOK"},
+        {{kEveryFeature, "--out", out, "--eye", "1,1,0.5,0,0,0"}, "expected five numbers"},
+        {{kEveryFeature, "--out", out, "--eye", "1,north,0.5,0,0"},
          "Y: found \"north\", expected a number"},
-        {{kScene, "--out", out, "--eye", "1,nan,0.5,0,0"}, "Y: found \"nan\""},
-        {{kScene, "--out", out, "--eye", "1,1,0,0,0"}, "an eye at or below the floor sees nothing"},
-        {{kScene, "--out", out, "--eye", "1,1,-2,0,0"}, "found -2"},
-        {{kScene, "--out", out, "--eye", "1,1,0.5,0,4.5"},
+        {{kEveryFeature, "--out", out, "--eye", "1,nan,0.5,0,0"}, "Y: found \"nan\""},
+        {{kEveryFeature, "--out", out, "--eye", "1,1,0,0,0"},
+         "an eye at or below the floor sees nothing"},
+        {{kEveryFeature, "--out", out, "--eye", "1,1,-2,0,0"}, "found -2"},
+        {{kEveryFeature, "--out", out, "--eye", "1,1,0.5,0,4.5"},
          "LOOK: found \"4.5\", expected a number from -4 to 4"},
-        {{kScene, "--out", out, "--time", "-1"}, "found \"-1\", expected seconds, from 0 to 3600"},
-        {{kScene, "--out", out, "--time", "3601"}, "found \"3601\""},
-        {{kScene, "--out", out, "--time", "soon"}, "found \"soon\""},
-        {{kScene, "--hits", "64", "--size", "64x48"},
+        {{kEveryFeature, "--out", out, "--time", "-1"},
+         "found \"-1\", expected seconds, from 0 to 3600"},
+        {{kEveryFeature, "--out", out, "--time", "3601"}, "found \"3601\""},
+        {{kEveryFeature, "--out", out, "--time", "soon"}, "found \"soon\""},
+        {{kEveryFeature, "--hits", "64", "--size", "64x48"},
          "found \"64\", expected a column of the picture, 0 to 63"},
-        {{kScene, "--hits", "-1"}, "0 to 1279"},
-        {{kScene, "--hits", "middle"}, "found \"middle\""},
-        {{kScene, "--trace", "64", "--size", "64x48"},
+        {{kEveryFeature, "--hits", "-1"}, "0 to 1279"},
+        {{kEveryFeature, "--hits", "middle"}, "found \"middle\""},
+        {{kEveryFeature, "--trace", "64", "--size", "64x48"},
          "--trace: found \"64\", expected a column of the picture, 0 to 63"},
-        {{kScene, "--trace", "1", "--hits", "1"}, "--hits"},
-        {{kScene, "--out", out, "--quick"}, "--quick"},
+        {{kEveryFeature, "--trace", "1", "--hits", "1"}, "--hits"},
+        {{kEveryFeature, "--out", out, "--quick"}, "--quick"},
     };
     for (const WrongUse& use : uses) {
         const Finished finished = render(use.arguments);
@@ -270,9 +271,10 @@ TEST(RenderProgram, ReportsFaultsOfTheCommandLine) {
 TEST(RenderProgram, LeavesNoFilesIfItCannotWrite) {
     const TestFolder folder;
     std::filesystem::create_directory(folder / "taken.png");
-    EXPECT_EQ(render({kScene, "--out", (folder / "taken.png").string()}).status, 1);
-    EXPECT_EQ(render({kScene, "--out", (folder / "no such folder/picture.png").string()}).status,
-              1);
+    EXPECT_EQ(render({kEveryFeature, "--out", (folder / "taken.png").string()}).status, 1);
+    EXPECT_EQ(
+        render({kEveryFeature, "--out", (folder / "no such folder/picture.png").string()}).status,
+        1);
     EXPECT_EQ(folder.names(), std::vector<std::string>{"taken.png"});
 }
 
@@ -365,7 +367,7 @@ TEST(RenderProgram, RefusesARecordingThatDoesNotFit) {
         {{scene, "--replay", walk, "--eye", "1.5,2.5,0.5,0,0"},
          2,
          "cannot be used with --eye or --map"},
-        {{kScene, "--replay", walk},
+        {{kEveryFeature, "--replay", walk},
          2,
          "found a recording of the scene \"corridor\", expected one of \"everything\""},
         {{scene, "--replay", (folder / ".").string()},

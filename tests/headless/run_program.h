@@ -7,6 +7,9 @@
 
 namespace slicecast {
 
+// A scene that has everything.
+inline const std::string kEveryFeature = SLICECAST_SOURCE_FOLDER "/tests/scene/everything.json";
+
 struct Finished {
     int status = -1;  // exit status; -1 if it was ended by a signal
     std::string out;

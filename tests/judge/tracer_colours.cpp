@@ -36,10 +36,6 @@ Image nextLevel(const Image& image) {
     return next;
 }
 
-double clampTo(double value, double low, double high) {
-    return value < low ? low : value > high ? high : value;
-}
-
 }  // namespace
 
 Tracer::Tracer(const World& world, const View& view) : world_(world), view_(view) {
@@ -117,7 +113,7 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
         return Colour{channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), a.a};
     };
     const auto weightOf = [](double share) {
-        return static_cast<int>(std::floor(255.0 * clampTo(share, 0.0, 1.0) + 0.5));
+        return static_cast<int>(std::floor(255.0 * std::clamp(share, 0.0, 1.0) + 0.5));
     };
     const auto inWater = [&] {
         return weightOf(std::min(depth, sight.leaves) / water_->waterSight);
@@ -139,7 +135,8 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
     const bool unlit = sight.glow || !map.light.on || !view_.light;
     const double falloff = map.light.intensity * map.light.multiplier / depth;
     const double bright =
-        (unlit ? 1.0 : clampTo(falloff, map.light.darkest, map.light.brightest)) * sight.faceLight;
+        (unlit ? 1.0 : std::clamp(falloff, map.light.darkest, map.light.brightest)) *
+        sight.faceLight;
     const int q = std::min(256, static_cast<int>(std::floor(256.0 * bright + 0.5)));
     const int fog = water_ != nullptr ? inWater()
                     : map.fog.on && view_.fog

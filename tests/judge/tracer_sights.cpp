@@ -7,14 +7,6 @@
 #include <cmath>
 
 namespace slicecast::judge {
-namespace {
-
-double clampTo(double value, double low, double high) {
-    return value < low ? low : value > high ? high : value;
-}
-
-}  // namespace
-
 void Tracer::Walk::push(Sight sight) {
     sight.map = place_.map;
     sight.turn = place_.turn;
@@ -38,10 +30,10 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
     if (look.texture == kNoTexture) return note(Note::noFace);  // water may lack faces
     const Point point = Place::turned(
         Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
-    const double x = clampTo(point.x + (place_.x - mapTile_.x), 0.0, 1.0);
-    const double y = clampTo(point.y + (place_.y - mapTile_.y), 0.0, 1.0);
-    const double z = clampTo(eyeZ_ + meeting.at(up_) + (place_.levels - level),
-                             block.bottom.value(), block.top.value());
+    const double x = std::clamp(point.x + (place_.x - mapTile_.x), 0.0, 1.0);
+    const double y = std::clamp(point.y + (place_.y - mapTile_.y), 0.0, 1.0);
+    const double z = std::clamp(eyeZ_ + meeting.at(up_) + (place_.levels - level),
+                                block.bottom.value(), block.top.value());
     Sight sight;
     sight.face = which;
     sight.fromInside = fromInside;
@@ -111,8 +103,8 @@ void Tracer::Walk::pushPlane(Sight::Kind kind, TextureId texture, double light, 
     sight.glow = glow;
     sight.along = meeting.along();
     sight.depth = sight.along * tracer_.distance_;
-    sight.u = clampTo(point.x + (place_.x - tile.x), 0.0, 1.0);
-    const double y = clampTo(point.y + (place_.y - tile.y), 0.0, 1.0);
+    sight.u = std::clamp(point.x + (place_.x - tile.x), 0.0, 1.0);
+    const double y = std::clamp(point.y + (place_.y - tile.y), 0.0, 1.0);
     sight.v = kind == Sight::Kind::ceiling ? -y : y;
     if (kind == Sight::Kind::floor)
         sight.mirror = std::min(
@@ -210,7 +202,7 @@ void Tracer::Walk::addObjects() {
             sight.along = along;
             sight.depth = t;
             sight.u = across;
-            sight.v = clampTo(1.0 - height / object.height.value(), 0.0, 1.0);
+            sight.v = std::clamp(1.0 - height / object.height.value(), 0.0, 1.0);
             met.push_back(sight);
         }
         std::stable_sort(met.begin(), met.end(),

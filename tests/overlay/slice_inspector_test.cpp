@@ -16,8 +16,8 @@ namespace {
 
 using What = FilledRows::What;
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 400;
+constexpr int kInspectedWidth = 640;
+constexpr int kInspectedHeight = 400;
 constexpr double kHorizon = 200.0;
 constexpr double kDistance = 300.0;  // pixels
 
@@ -48,7 +48,7 @@ SliceTrace stairs() {
     trace.hits = {wall(2.0, 0.75, rowOf(2.0, 0.75), rowOf(2.0, 0.0)),
                   wall(4.0, 2.0, rowOf(4.0, 2.0), rowOf(2.0, 0.75)),
                   wall(8.0, 4.5, rowOf(8.0, 4.5), rowOf(4.0, 2.0))};
-    trace.planes = {{What::floor, Face::top, rowOf(2.0, 0.0), kHeight},
+    trace.planes = {{What::floor, Face::top, rowOf(2.0, 0.0), kInspectedHeight},
                     {What::sky, Face::top, 0, rowOf(8.0, 4.5)}};
     return trace;
 }
@@ -66,10 +66,10 @@ int apart(Colour a, Colour b) {
 }
 
 TEST(SliceInspector, TheLineIsInItsColumnAndShowsWhatFillsEachRow) {
-    Canvas canvas(kWidth, kHeight);
+    Canvas canvas(kInspectedWidth, kInspectedHeight);
     const SliceTrace trace = stairs();
     drawSliceLine(trace, canvas.picture);
-    for (int y = 0; y < kHeight; ++y) {
+    for (int y = 0; y < kInspectedHeight; ++y) {
         ASSERT_LT(apart(toColour(canvas.at(200, y)), {255, 255, 255, 255}), 130) << y;
         ASSERT_FALSE(canvas.touched(198, y));
         ASSERT_FALSE(canvas.touched(204, y));
@@ -78,23 +78,23 @@ TEST(SliceInspector, TheLineIsInItsColumnAndShowsWhatFillsEachRow) {
     const int floor = trace.planes[0].first;
     for (const int y : {60, 150, 210, floor - 2})
         EXPECT_LT(apart(toColour(canvas.at(202, y)), kindColour(What::side)), 40) << y;
-    for (const int y : {floor + 2, kHeight - 1})
+    for (const int y : {floor + 2, kInspectedHeight - 1})
         EXPECT_LT(apart(toColour(canvas.at(202, y)), kindColour(What::floor)), 40) << y;
     EXPECT_LT(toColour(canvas.at(202, floor)).r, 60);
 }
 
 TEST(SliceInspector, TheStripeIsOnTheLeftOfTheLastColumns) {
-    Canvas canvas(kWidth, kHeight);
+    Canvas canvas(kInspectedWidth, kInspectedHeight);
     SliceTrace trace = stairs();
-    trace.column = kWidth - 1;
+    trace.column = kInspectedWidth - 1;
     drawSliceLine(trace, canvas.picture);
     EXPECT_TRUE(canvas.borderUntouched());
-    EXPECT_LT(apart(toColour(canvas.at(kWidth - 2, 100)), kindColour(What::side)), 160);
+    EXPECT_LT(apart(toColour(canvas.at(kInspectedWidth - 2, 100)), kindColour(What::side)), 160);
 }
 
 // The columns of the side view in which a strong upright line of a colour stands.
 std::vector<int> uprights(const Canvas& canvas, Colour colour) {
-    const PixelRect panel = layoutOverlays(kWidth, kHeight).sideView;
+    const PixelRect panel = layoutOverlays(kInspectedWidth, kInspectedHeight).sideView;
     std::vector<int> found;
     for (int x = panel.x; x < panel.x + panel.width; ++x) {
         int longest = 0;
@@ -109,7 +109,7 @@ std::vector<int> uprights(const Canvas& canvas, Colour colour) {
 }
 
 TEST(SliceInspector, TheSideViewShowsFacesAtTheirDepths) {
-    Canvas canvas(kWidth, kHeight);
+    Canvas canvas(kInspectedWidth, kInspectedHeight);
     drawSideView(stairs(), oneMap(), kEye, canvas.picture);
     const std::vector<int> walls = uprights(canvas, kindColour(What::side));
     ASSERT_EQ(walls.size(), 3u);
@@ -117,14 +117,14 @@ TEST(SliceInspector, TheSideViewShowsFacesAtTheirDepths) {
 }
 
 TEST(SliceInspector, TheSideViewStaysInItsPanel) {
-    Canvas canvas(kWidth, kHeight);
+    Canvas canvas(kInspectedWidth, kInspectedHeight);
     SliceTrace trace = stairs();
     trace.hits[2].backDepth = 1e300;
     trace.planes.push_back({What::sky, Face::top, -4000, 0});
     drawSideView(trace, oneMap(), kEye, canvas.picture);
-    const PixelRect panel = layoutOverlays(kWidth, kHeight).sideView;
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
+    const PixelRect panel = layoutOverlays(kInspectedWidth, kInspectedHeight).sideView;
+    for (int y = 0; y < kInspectedHeight; ++y) {
+        for (int x = 0; x < kInspectedWidth; ++x) {
             const bool inside = x >= panel.x && y >= panel.y && x < panel.x + panel.width &&
                                 y < panel.y + panel.height;
             ASSERT_TRUE(inside || !canvas.touched(x, y)) << x << ", " << y;
@@ -134,7 +134,7 @@ TEST(SliceInspector, TheSideViewStaysInItsPanel) {
 
 TEST(SliceInspector, HiddenBlocksAreDimmer) {
     const auto greyAt = [](bool seen) {
-        Canvas canvas(kWidth, kHeight);
+        Canvas canvas(kInspectedWidth, kInspectedHeight);
         SliceTrace trace = stairs();
         trace.hits.insert(trace.hits.begin(), wall(5.5, 1.0, 0, seen ? 1 : 0));
         trace.hits[0].backDepth = 6.5;
@@ -142,7 +142,7 @@ TEST(SliceInspector, HiddenBlocksAreDimmer) {
         const std::vector<int> walls = uprights(canvas, kindColour(What::side));
         // Depth 6.3, height 0.2: from the walls at 4 and 8
         const int x = walls[1] + (walls.back() - walls[1]) * 23 / 40;
-        const PixelRect panel = layoutOverlays(kWidth, kHeight).sideView;
+        const PixelRect panel = layoutOverlays(kInspectedWidth, kInspectedHeight).sideView;
         const Colour colour = toColour(canvas.at(x, panel.y + panel.height - 20));
         return colour.r + colour.g + colour.b;
     };
@@ -179,9 +179,9 @@ World twoMaps() {
 }
 
 TEST(SliceInspector, DepthsAndHeightsContinueBehindAPortal) {
-    Canvas straight(kWidth, kHeight);
+    Canvas straight(kInspectedWidth, kInspectedHeight);
     drawSideView(stairs(), oneMap(), kEye, straight.picture);
-    Canvas canvas(kWidth, kHeight);
+    Canvas canvas(kInspectedWidth, kInspectedHeight);
     drawSideView(behindPortal(), twoMaps(), kEye, canvas.picture);
     const std::vector<int> portals = uprights(canvas, kPortalColour);
     const std::vector<int> walls = uprights(canvas, kindColour(What::side));
@@ -193,7 +193,7 @@ TEST(SliceInspector, DepthsAndHeightsContinueBehindAPortal) {
                             [&](int x) { return std::abs(x - expected) <= 2; }));
     EXPECT_TRUE(uprights(straight, kPortalColour).empty());
     // The rest is as it would be without it, below the name of the map.
-    const PixelRect panel = layoutOverlays(kWidth, kHeight).sideView;
+    const PixelRect panel = layoutOverlays(kInspectedWidth, kInspectedHeight).sideView;
     for (int y = panel.y + 40; y < panel.y + panel.height; ++y) {
         for (int x = panel.x; x < panel.x + panel.width; ++x) {
             ASSERT_TRUE(canvas.at(x, y) == straight.at(x, y) || std::abs(x - expected) <= 2)
@@ -226,7 +226,7 @@ TEST(SliceInspector, RowsAreBehindThePortalsThatTheyPassed) {
 }
 
 TEST(SliceInspector, ObjectsAreBarsAndMirrorsDashes) {
-    Canvas canvas(kWidth, kHeight);
+    Canvas canvas(kInspectedWidth, kInspectedHeight);
     World world = oneMap();
     world.maps[0].objects.resize(1);
     world.maps[0].objects[0].height = toCoordinate(1.5);
@@ -240,18 +240,18 @@ TEST(SliceInspector, ObjectsAreBarsAndMirrorsDashes) {
         << "at 1, where the walls are at 2 and 4";
 
     const auto touchedWith = [&](bool mirrored) {
-        Canvas with(kWidth, kHeight);
+        Canvas with(kInspectedWidth, kInspectedHeight);
         SliceTrace other = stairs();
         if (mirrored)
             other.mirrors = {{.map = 0,
                               .strength = 128,
                               .height = {},
                               .first = other.planes[0].first,
-                              .last = kHeight}};
+                              .last = kInspectedHeight}};
         drawSideView(other, oneMap(), kEye, with.picture);
         int count = 0;
-        for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < kWidth; ++x)
+        for (int y = 0; y < kInspectedHeight; ++y) {
+            for (int x = 0; x < kInspectedWidth; ++x)
                 count += apart(toColour(with.at(x, y)), kMirrorColour) < 30;
         }
         return count;
@@ -260,7 +260,7 @@ TEST(SliceInspector, ObjectsAreBarsAndMirrorsDashes) {
 }
 
 TEST(SliceInspector, ASecondStripeMarksPortalsAndMirrors) {
-    Canvas canvas(kWidth, kHeight);
+    Canvas canvas(kInspectedWidth, kInspectedHeight);
     SliceTrace trace = behindPortal();
     trace.portals[0].first = 20;
     trace.portals[0].last = 40;
@@ -276,7 +276,7 @@ TEST(SliceInspector, DrawsNothingWithoutRoomOrMap) {
     Canvas small(100, 70);
     drawSideView(stairs(), oneMap(), kEye, small.picture);
     EXPECT_EQ(small.touchedPixels(), 0);
-    Canvas canvas(kWidth, kHeight);
+    Canvas canvas(kInspectedWidth, kInspectedHeight);
     Eye elsewhere = kEye;
     elsewhere.map = 1;
     drawSideView(stairs(), oneMap(), elsewhere, canvas.picture);

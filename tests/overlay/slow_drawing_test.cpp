@@ -9,22 +9,22 @@
 namespace slicecast {
 namespace {
 
-constexpr int kWidth = 10;
-constexpr int kHeight = 4;
+constexpr int kSlowWidth = 10;
+constexpr int kSlowHeight = 4;
 
 // Shows a picture of one grey; gives the grey of each column after it: 0 where nothing has been
 // drawn yet.
 std::vector<int> shown(SlowDrawing& slow, std::uint8_t grey, int slices) {
-    Canvas canvas(kWidth, kHeight);
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x)
+    Canvas canvas(kSlowWidth, kSlowHeight);
+    for (int y = 0; y < kSlowHeight; ++y) {
+        for (int x = 0; x < kSlowWidth; ++x)
             canvas.picture.row(y)[x] = toPixel({grey, grey, grey, 255});
     }
     slow.show(canvas.picture, slices);
     EXPECT_TRUE(canvas.borderUntouched());
     std::vector<int> columns;
-    for (int x = 0; x < kWidth; ++x) {
-        const Colour colour = toColour(canvas.at(x, kHeight - 1));
+    for (int x = 0; x < kSlowWidth; ++x) {
+        const Colour colour = toColour(canvas.at(x, kSlowHeight - 1));
         columns.push_back(x == slow.next() ? -1 : colour == kNotYetDrawn ? 0 : colour.r);
     }
     return columns;
@@ -46,15 +46,15 @@ TEST(SlowDrawing, BuildsThePictureUpSliceBySliceAgainAndAgain) {
 
 // The picture that has so many columns of one grey drawn; -1 where the line is.
 std::vector<int> drawnColumns(int count) {
-    Canvas canvas(kWidth, kHeight);
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) canvas.picture.row(y)[x] = toPixel({90, 90, 90, 255});
+    Canvas canvas(kSlowWidth, kSlowHeight);
+    for (int y = 0; y < kSlowHeight; ++y) {
+        for (int x = 0; x < kSlowWidth; ++x) canvas.picture.row(y)[x] = toPixel({90, 90, 90, 255});
     }
     drawColumns(canvas.picture, count);
     EXPECT_TRUE(canvas.borderUntouched());
     std::vector<int> columns;
-    for (int x = 0; x < kWidth; ++x) {
-        const Colour colour = toColour(canvas.at(x, kHeight - 1));
+    for (int x = 0; x < kSlowWidth; ++x) {
+        const Colour colour = toColour(canvas.at(x, kSlowHeight - 1));
         columns.push_back(colour == kNotYetDrawn ? 0 : colour.r == colour.g ? colour.r : -1);
     }
     return columns;

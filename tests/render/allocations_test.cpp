@@ -14,8 +14,8 @@
 namespace slicecast {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 180;
+constexpr int kCountedWidth = 320;
+constexpr int kCountedHeight = 180;
 constexpr int kSide = 24;  // tiles
 
 Image pattern(int width, int height, int holes) {
@@ -138,8 +138,8 @@ std::vector<Eye> way(int pictures) {
 TEST(RendererAllocations, NoneOnARepeatedWay) {
     World world = mixedWorld();
     Renderer renderer;
-    Image image(kWidth, kHeight);
-    const Picture picture = {image.pixels.data(), kWidth, kHeight, kWidth};
+    Image image(kCountedWidth, kCountedHeight);
+    const Picture picture = {image.pixels.data(), kCountedWidth, kCountedHeight, kCountedWidth};
     std::vector<Eye> eyes = way(60);
     FrameReport most;
     const auto go = [&] {
@@ -155,7 +155,7 @@ TEST(RendererAllocations, NoneOnARepeatedWay) {
     };
     go();
     EXPECT_EQ(most.deepestPortal, world.portalLimit);
-    EXPECT_GT(most.mirroredRows, kWidth * 10);
+    EXPECT_GT(most.mirroredRows, kCountedWidth * 10);
     EXPECT_GT(most.layers, 1000);
     EXPECT_GT(most.objectSlices, 500);
     const long before = allocations;

@@ -8,8 +8,8 @@
 namespace slicecast::known {
 namespace {
 
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
+constexpr int kTraceWidth = 64;
+constexpr int kTraceHeight = 48;
 
 using What = FilledRows::What;
 
@@ -36,7 +36,7 @@ struct RowSeen {
 };
 
 std::vector<RowSeen> rowsOf(const SliceTrace& trace) {
-    std::vector<RowSeen> rows(kHeight);
+    std::vector<RowSeen> rows(kTraceHeight);
     for (const FilledRows& run : trace.filled) {
         for (int row = run.first; row < run.last && !run.layer; ++row) {
             RowSeen& seen = rows[static_cast<std::size_t>(row)];
@@ -59,9 +59,11 @@ TEST(ClassicTrace, EqualsTheRenderersWithoutSeeThroughBlocks) {
         const Eye eye = anyEye(random, world);
         const RenderOptions options = {.detail = false};
         Renderer renderer;
-        for (int column = 3; column < kWidth; column += 12) {
-            const SliceTrace exact = renderer.trace(world, eye, options, {kWidth, kHeight, column});
-            const SliceTrace old = traceClassic(world, eye, options, {}, {kWidth, kHeight, column});
+        for (int column = 3; column < kTraceWidth; column += 12) {
+            const SliceTrace exact =
+                renderer.trace(world, eye, options, {kTraceWidth, kTraceHeight, column});
+            const SliceTrace old =
+                traceClassic(world, eye, options, {}, {kTraceWidth, kTraceHeight, column});
             EXPECT_EQ(old.column, column);
             EXPECT_DOUBLE_EQ(old.horizonRow, exact.horizonRow);
             EXPECT_DOUBLE_EQ(old.projectionDistance, exact.projectionDistance);
@@ -124,7 +126,8 @@ TEST(ClassicTrace, EachRowHasOneRunWhateverTheWay) {
                                         .portalsOverdrawn = random.oneIn(3),
                                         .pixelSize = random.oneIn(3) ? 5 : 1};
         const Eye eye = anyEye(random, world);
-        const SliceTrace trace = traceClassic(world, eye, {}, classic, {kWidth, kHeight, 30});
+        const SliceTrace trace =
+            traceClassic(world, eye, {}, classic, {kTraceWidth, kTraceHeight, 30});
         for (const RowSeen& row : rowsOf(trace)) ASSERT_EQ(row.runs, 1) << i;
         int hitRows = 0;
         int filledRows = 0;
@@ -145,11 +148,12 @@ TEST(ClassicTrace, EachRowHasOneRunWhateverTheWay) {
 TEST(ClassicTrace, IsEmptyWithoutAColumn) {
     const World world = mixedWorld(2);
     const Eye eye = eyeAt(5.2, 4.2, 0.5, 0.0);
-    EXPECT_FALSE(traceClassic(world, eye, {}, {}, {kWidth, kHeight, 0}).filled.empty());
-    EXPECT_TRUE(traceClassic(world, eye, {}, {}, {kWidth, kHeight, -1}).filled.empty());
-    EXPECT_TRUE(traceClassic(world, eye, {}, {}, {kWidth, kHeight, kWidth}).filled.empty());
+    EXPECT_FALSE(traceClassic(world, eye, {}, {}, {kTraceWidth, kTraceHeight, 0}).filled.empty());
+    EXPECT_TRUE(traceClassic(world, eye, {}, {}, {kTraceWidth, kTraceHeight, -1}).filled.empty());
     EXPECT_TRUE(
-        traceClassic(world, eye, {}, {.pixelSize = 0}, {kWidth, kHeight, 1}).filled.empty());
+        traceClassic(world, eye, {}, {}, {kTraceWidth, kTraceHeight, kTraceWidth}).filled.empty());
+    EXPECT_TRUE(traceClassic(world, eye, {}, {.pixelSize = 0}, {kTraceWidth, kTraceHeight, 1})
+                    .filled.empty());
 }
 
 }  // namespace

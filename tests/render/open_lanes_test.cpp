@@ -13,7 +13,7 @@
 namespace slicecast {
 namespace {
 
-constexpr int kHeight = 60;
+constexpr int kLaneHeight = 60;
 constexpr unsigned kAll = 0xffff;
 
 using Rows = std::tuple<int, int, int>;  // lane, first, last
@@ -22,10 +22,10 @@ class OpenLanesTest : public testing::Test {
 protected:
     void begin(unsigned bits = kAll) {
         for (int lane = 0; lane < kLanes; ++lane) {
-            const std::vector<OpenRows::Run> whole = {{0, kHeight}};
+            const std::vector<OpenRows::Run> whole = {{0, kLaneHeight}};
             const std::vector<OpenRows::Run> none;
             known_[static_cast<std::size_t>(lane)].openOnly(bits >> lane & 1 ? whole : none,
-                                                            kHeight);
+                                                            kLaneHeight);
             scratch_.rows[static_cast<std::size_t>(lane)] = known_[static_cast<std::size_t>(lane)];
         }
         lanes_.begin(bits);
@@ -89,7 +89,7 @@ TEST_F(OpenLanesTest, FromTheEndsAndInside) {
     take(0x0ff0, all(30), all(40));
     take(0x0ff0, all(5), all(25));
     take(kAll, all(0), all(45));
-    take(kAll, all(0), all(kHeight));
+    take(kAll, all(0), all(kLaneHeight));
     EXPECT_EQ(lanes_.live(), 0u);
 }
 
@@ -123,7 +123,7 @@ TEST_F(OpenLanesTest, AnyRows) {
             LaneValues first;
             LaneValues last;
             for (int lane = 0; lane < kLanes; ++lane) {
-                first.at[lane] = static_cast<std::int16_t>(random.between(-10, kHeight));
+                first.at[lane] = static_cast<std::int16_t>(random.between(-10, kLaneHeight));
                 last.at[lane] = static_cast<std::int16_t>(
                     first.at[lane] + random.between(-3, random.oneIn(3) ? 40 : 8));
             }

@@ -11,8 +11,8 @@
 namespace slicecast {
 namespace {
 
-constexpr std::uint32_t kEnd = ~std::uint32_t{0};  // of a tile
-constexpr double kTiny = 1.0 / 1099511627776.0;    // far less than a fraction keeps
+constexpr std::uint32_t kTileEnd = ~std::uint32_t{0};    // of a tile
+constexpr double kTinyFraction = 1.0 / 1099511627776.0;  // far less than a fraction keeps
 
 // The viewpoint is (2.5, 2.5), the plane half a unit below it. With a ray of (128, 64) a row of
 // 1 / |horizon - (row + 0.5)| = i sees the point (2.5 + 64 i, 2.5 + 32 i).
@@ -67,27 +67,28 @@ TEST_F(PointsOfPlanes, ClampedToTheTiles) {
     const PlanePoints two = points({4, 2, 5, 9});
     EXPECT_EQ(two.at(atEast(1.5)).east, 0u);
     EXPECT_TRUE(two.isInside(atEast(1.5)));
-    EXPECT_EQ(two.at(atEast(1.5 - kTiny)).east, 0u);
-    EXPECT_FALSE(two.isInside(atEast(1.5 - kTiny)));
+    EXPECT_EQ(two.at(atEast(1.5 - kTinyFraction)).east, 0u);
+    EXPECT_FALSE(two.isInside(atEast(1.5 - kTinyFraction)));
     EXPECT_EQ(two.at(atEast(1.0)).east, 0u) << "however far away";
     EXPECT_EQ(two.at(atEast(2.5)).east, 0u) << "the border of the two";
     EXPECT_TRUE(two.isInside(atEast(2.5)));
-    EXPECT_EQ(two.at(atEast(3.5 - 1.0 / 4294967296.0)).east, kEnd);
+    EXPECT_EQ(two.at(atEast(3.5 - 1.0 / 4294967296.0)).east, kTileEnd);
     EXPECT_TRUE(two.isInside(atEast(3.5 - 1.0 / 4294967296.0)));
-    EXPECT_EQ(two.at(atEast(3.5 - kTiny)).east, kEnd) << "it would round up to the next tile";
-    EXPECT_FALSE(two.isInside(atEast(3.5 - kTiny)));
-    EXPECT_EQ(two.at(atEast(3.5)).east, kEnd);
+    EXPECT_EQ(two.at(atEast(3.5 - kTinyFraction)).east, kTileEnd)
+        << "it would round up to the next tile";
+    EXPECT_FALSE(two.isInside(atEast(3.5 - kTinyFraction)));
+    EXPECT_EQ(two.at(atEast(3.5)).east, kTileEnd);
     EXPECT_FALSE(two.isInside(atEast(3.5)));
-    EXPECT_EQ(two.at(atEast(7.0)).east, kEnd);
+    EXPECT_EQ(two.at(atEast(7.0)).east, kTileEnd);
 }
 
 // South of the viewpoint by half as much: tile 3 is 0.5 to 1.5 south, 1 to 3 east.
 TEST_F(PointsOfPlanes, ClampedBetweenNorthAndSouth) {
     const PlanePoints one = points({2, 3, 12, 3});
-    EXPECT_EQ(one.at(atEast(1.0 - kTiny)).south, 0u);
-    EXPECT_FALSE(one.isInside(atEast(1.0 - kTiny)));
+    EXPECT_EQ(one.at(atEast(1.0 - kTinyFraction)).south, 0u);
+    EXPECT_FALSE(one.isInside(atEast(1.0 - kTinyFraction)));
     EXPECT_TRUE(one.isInside(atEast(1.0)));
-    EXPECT_EQ(one.at(atEast(3.0)).south, kEnd);
+    EXPECT_EQ(one.at(atEast(3.0)).south, kTileEnd);
     EXPECT_FALSE(one.isInside(atEast(3.0)));
 }
 
@@ -99,7 +100,7 @@ TEST_F(PointsOfPlanes, WestwardAndNorthward) {
     EXPECT_TRUE(tiles.isInside(2.0 / 64)) << "(0.5, 1.5)";
     EXPECT_TRUE(tiles.isInside(2.5 / 64)) << "(0, 1.25) belongs to tile 0";
     EXPECT_FALSE(tiles.isInside(0.5 / 64)) << "(2, 2.25) does not belong to tile 1";
-    EXPECT_EQ(tiles.at(0.5 / 64).east, kEnd);
+    EXPECT_EQ(tiles.at(0.5 / 64).east, kTileEnd);
     EXPECT_EQ(tiles.at(3.0 / 64).east, 0u);
 }
 
@@ -109,7 +110,7 @@ TEST_F(PointsOfPlanes, EndlessTilesEndOnTheNearSideOnly) {
     EXPECT_TRUE(east.isInside(atEast(1000.75)));
     EXPECT_EQ(east.at(atEast(1000.75)).east, 0x40000000u);
     const PlanePoints west = points({1, 2, 1, 2, true}, {-128.0, 0.0});
-    EXPECT_EQ(west.at(0.25 / 64).east, kEnd);
+    EXPECT_EQ(west.at(0.25 / 64).east, kTileEnd);
     EXPECT_EQ(west.at(1000.25 / 64).east, 0x40000000u);
     EXPECT_EQ(west.at(1000.25 / 64).south, 0x80000000u);
     EXPECT_TRUE(west.isInside(1000.25 / 64));
@@ -123,7 +124,8 @@ TEST_F(PointsOfPlanes, BordersBehindTurnedPortals) {
         std::uint32_t east;   // of a point on a border of constant x
         std::uint32_t south;  // of a point on a border of constant y
     };
-    for (const Case& c : {Case{0, 0, 0}, Case{1, kEnd, 0}, Case{2, kEnd, kEnd}, Case{3, 0, kEnd}}) {
+    for (const Case& c :
+         {Case{0, 0, 0}, Case{1, kTileEnd, 0}, Case{2, kTileEnd, kTileEnd}, Case{3, 0, kTileEnd}}) {
         const PlanePoints all = pointsTurned(c.turn, {0, 0, 20, 20});
         // (4, 3.25), and (3.5, 3).
         const double onX = atEast(1.5);
@@ -133,9 +135,9 @@ TEST_F(PointsOfPlanes, BordersBehindTurnedPortals) {
         EXPECT_EQ(all.at(onY).south, c.south) << c.turn;
         EXPECT_EQ(all.at(onY).east, 0x80000000u) << c.turn;
         const double rows[] = {atEast(1.3), onX, atEast(1.1), onY, atEast(1.2)};
-        EXPECT_EQ(all.anyOnBorder(rows, 0, 3), c.east == kEnd) << c.turn;
-        EXPECT_EQ(all.anyOnBorder(rows, 2, 5), c.south == kEnd) << c.turn;
-        EXPECT_EQ(all.anyOnBorder(rows, 1, 2), c.east == kEnd) << c.turn;
+        EXPECT_EQ(all.anyOnBorder(rows, 0, 3), c.east == kTileEnd) << c.turn;
+        EXPECT_EQ(all.anyOnBorder(rows, 2, 5), c.south == kTileEnd) << c.turn;
+        EXPECT_EQ(all.anyOnBorder(rows, 1, 2), c.east == kTileEnd) << c.turn;
         EXPECT_FALSE(all.anyOnBorder(rows, 2, 3)) << c.turn;
         EXPECT_FALSE(all.anyOnBorder(rows, 3, 3)) << c.turn;
     }
@@ -144,9 +146,9 @@ TEST_F(PointsOfPlanes, BordersBehindTurnedPortals) {
 // Where the tiles begin a point is held, whichever tile a border within them would go to.
 TEST_F(PointsOfPlanes, ClampedAtTheNearEdgeBehindTurnedPortals) {
     const PlanePoints two = pointsTurned(1, {4, 2, 5, 9});
-    EXPECT_EQ(two.at(atEast(1.5 - kTiny)).east, 0u);
-    EXPECT_EQ(two.at(atEast(1.5 + kTiny)).east, 0u);
-    EXPECT_EQ(two.at(atEast(2.5)).east, kEnd) << "the border of the two";
+    EXPECT_EQ(two.at(atEast(1.5 - kTinyFraction)).east, 0u);
+    EXPECT_EQ(two.at(atEast(1.5 + kTinyFraction)).east, 0u);
+    EXPECT_EQ(two.at(atEast(2.5)).east, kTileEnd) << "the border of the two";
 }
 
 // A fraction worked out without any trick, of a position held inside [first, end).

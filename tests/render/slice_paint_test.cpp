@@ -18,7 +18,7 @@ namespace {
 
 using What = FilledRows::What;
 
-constexpr int kHeight = 200;
+constexpr int kSliceHeight = 200;
 constexpr Pixel kBefore = 0x12345678;
 constexpr Colour kHaze = {10, 200, 90, 255};
 
@@ -46,7 +46,7 @@ World paintedWorld(bool seeThroughFloor = false) {
 class SlicePaint : public testing::Test {
 protected:
     explicit SlicePaint(World world = paintedWorld())
-        : world_(std::move(world)), stage_(world_, eyeAt(2.5, 2.5, 0.5, 0.0), 200, kHeight) {
+        : world_(std::move(world)), stage_(world_, eyeAt(2.5, 2.5, 0.5, 0.0), 200, kSliceHeight) {
         slice_.column = 100;
     }
 
@@ -131,7 +131,7 @@ Pixel at(const std::vector<Pixel>& pixels, int row) {
 }
 
 TEST_F(SlicePaint, NoSpansFillNothing) {
-    EXPECT_EQ(painted(), std::vector<Pixel>(kHeight, kBefore));
+    EXPECT_EQ(painted(), std::vector<Pixel>(kSliceHeight, kBefore));
     EXPECT_EQ(stage_.report().spansDrawn, 0);
 }
 
@@ -141,7 +141,7 @@ TEST_F(SlicePaint, SkyHazeAndASideFillTheirRowsAlone) {
     add(What::sky, 3, 70);
     add(What::haze, 130, 198);
     const std::vector<Pixel> pixels = painted();
-    for (int row = 0; row < kHeight; ++row) {
+    for (int row = 0; row < kSliceHeight; ++row) {
         const Pixel expected =
             row >= 3 && row < 70 ? toPixel(kMagenta)
             : row >= 80 && row < 120
@@ -193,7 +193,7 @@ TEST_F(SlicePaint, AFloorIsDrawnRowByRow) {
     floor.light = 0.75;
     addPlane(What::floor, 100, 200, floor, {2, 2, 12, 2, true});
     const std::vector<Pixel> pixels = painted();
-    for (int row = 0; row < kHeight; ++row)
+    for (int row = 0; row < kSliceHeight; ++row)
         ASSERT_EQ(at(pixels, row), row < 100 ? kBefore : planePixel(row, floor)) << row;
 }
 
@@ -314,7 +314,7 @@ TEST_F(SlicePaintSeeThrough, PlanesAsLayers) {
     slice_.upright.layers = 1;
     add(What::sky, 0, 160);
     const std::vector<Pixel> pixels = painted();
-    for (int row = 0; row < kHeight; ++row) {
+    for (int row = 0; row < kSliceHeight; ++row) {
         const Pixel there = row < 160 ? toPixel(kMagenta) : kBefore;
         ASSERT_EQ(at(pixels, row), row < 120 ? there : planePixel(row, kFloor, Lay::over, there))
             << row;

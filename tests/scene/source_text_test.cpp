@@ -8,7 +8,7 @@ namespace slicecast {
 namespace {
 
 std::string placeOf(const SourceText& source, std::size_t offset) {
-    const Place place = source.place(offset);
+    const TextPosition place = source.place(offset);
     return std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 

@@ -7,7 +7,7 @@
 namespace slicecast {
 namespace {
 
-LoadedScene load(const std::string& text) {
+LoadedScene loadSound(const std::string& text) {
     LoadedScene loaded = loadText(text);
     EXPECT_EQ(inWords(loaded.faults), "");
     EXPECT_TRUE(loaded.world.has_value());
@@ -16,7 +16,7 @@ LoadedScene load(const std::string& text) {
 }
 
 std::size_t warningsOf(const std::string& levels, const std::string& moreOfTheMap = "") {
-    return load(smallScene(levels, moreOfTheMap)).warnings.size();
+    return loadSound(smallScene(levels, moreOfTheMap)).warnings.size();
 }
 
 TEST(Warnings, HavePlacesAndFollowTheText) {
@@ -60,8 +60,8 @@ TEST(Warnings, CountAJumpAsAWayOut) {
         EXPECT_NE(at, std::string::npos) << text;
         return text.insert(at + faces.size(), "\"top\": " + top + ", ");
     };
-    EXPECT_EQ(load(pit("0.75")).warnings.size(), 0u);
-    EXPECT_EQ(load(pit("0.8")).warnings.size(), 1u);
+    EXPECT_EQ(loadSound(pit("0.75")).warnings.size(), 0u);
+    EXPECT_EQ(loadSound(pit("0.8")).warnings.size(), 1u);
 }
 
 TEST(Warnings, CountPortalsAsAWayOut) {
@@ -80,7 +80,7 @@ TEST(Warnings, TellOfMapsThatTrapThePlayer) {
         std::string text = smallScene(R"([["###", "#..", "###"]])");
         const std::string other =
             R"(, { "name": "second", "floor": "brick", "levels": )" + levels + " }";
-        return load(text.insert(text.find(" }],") + 2, other)).warnings;
+        return loadSound(text.insert(text.find(" }],") + 2, other)).warnings;
     };
     const std::vector<Fault> shut =
         second(R"([["####", "#..#", "##.#", "####"], ["####", "####", "##.#", "####"]])");
@@ -114,7 +114,7 @@ TEST(Warnings, AreNotGivenWhereTheWayOutMayOpen) {
     };
     put(R"("legend": {)", R"("legend": { "l": "lift",)");
     put(R"("#.#^#")", R"("l.#^#")");
-    EXPECT_EQ(load(withLift).warnings.size(), 1u) << "only the exit";
+    EXPECT_EQ(loadSound(withLift).warnings.size(), 1u) << "only the exit";
 }
 
 }  // namespace

@@ -18,9 +18,9 @@
 namespace slicecast {
 namespace {
 
-constexpr int kWidth = 683;
-constexpr int kHeight = 384;
-constexpr int kHorizon = kHeight / 2;
+constexpr int kHorizonWidth = 683;
+constexpr int kHorizonHeight = 384;
+constexpr int kHorizon = kHorizonHeight / 2;
 
 // Fog that ends nearer than this is a mist that a scene wants: what lies behind it is not to be
 // seen.
@@ -29,7 +29,7 @@ constexpr double kMistEnd = 100.0;
 // Bounds, in levels of a colour channel.
 constexpr int kLargestEdge = 4;      // between the floor's last row and the sky's first, any column
 constexpr double kLargestStep = 26;  // between the means of two rows of the floor, near the horizon
-constexpr int kMostPlainRows = kHeight * 8 / 100;  // of the floor, all haze
+constexpr int kMostPlainRows = kHorizonHeight * 8 / 100;  // of the floor, all haze
 
 struct Horizon {
     int edge = 0;
@@ -45,7 +45,7 @@ int difference(Pixel a, Pixel b) {
 
 double stepBetween(const Pixel* above, const Pixel* below) {
     double sums[3] = {};
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kHorizonWidth; ++x) {
         const Colour p = toColour(above[x]);
         const Colour q = toColour(below[x]);
         sums[0] += p.r - q.r;
@@ -53,27 +53,30 @@ double stepBetween(const Pixel* above, const Pixel* below) {
         sums[2] += p.b - q.b;
     }
     double largest = 0.0;
-    for (const double sum : sums) largest = std::max(largest, std::fabs(sum) / kWidth);
+    for (const double sum : sums) largest = std::max(largest, std::fabs(sum) / kHorizonWidth);
     return largest;
 }
 
 // Looks level, so the floor begins in the middle row of the picture.
 Horizon look(const World& world, const Eye& eye) {
-    std::vector<Pixel> pixels(static_cast<std::size_t>(kWidth) * kHeight);
+    std::vector<Pixel> pixels(static_cast<std::size_t>(kHorizonWidth) * kHorizonHeight);
     Renderer renderer;
-    EXPECT_TRUE(renderer.draw(world, eye, {}, {pixels.data(), kWidth, kHeight, kWidth}));
-    const auto row = [&](int y) { return pixels.data() + static_cast<std::ptrdiff_t>(y) * kWidth; };
+    EXPECT_TRUE(renderer.draw(world, eye, {},
+                              {pixels.data(), kHorizonWidth, kHorizonHeight, kHorizonWidth}));
+    const auto row = [&](int y) {
+        return pixels.data() + static_cast<std::ptrdiff_t>(y) * kHorizonWidth;
+    };
     const Pixel haze = toPixel(world.maps[static_cast<std::size_t>(eye.map)].haze);
     Horizon seen;
-    for (int x = 0; x < kWidth; ++x)
+    for (int x = 0; x < kHorizonWidth; ++x)
         seen.edge = std::max(seen.edge, difference(row(kHorizon - 1)[x], row(kHorizon)[x]));
-    for (int y = kHorizon; y < kHorizon + kHeight / 4; ++y)
+    for (int y = kHorizon; y < kHorizon + kHorizonHeight / 4; ++y)
         seen.step = std::max(seen.step, stepBetween(row(y), row(y + 1)));
     const auto isPlain = [&](int y) {
-        return std::all_of(row(y), row(y) + kWidth,
+        return std::all_of(row(y), row(y) + kHorizonWidth,
                            [&](Pixel pixel) { return difference(pixel, haze) <= 3; });
     };
-    for (int y = kHorizon; y < kHeight && isPlain(y); ++y) ++seen.plainRows;
+    for (int y = kHorizon; y < kHorizonHeight && isPlain(y); ++y) ++seen.plainRows;
     return seen;
 }
 

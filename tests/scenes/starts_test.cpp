@@ -16,8 +16,8 @@
 namespace slicecast {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 180;
+constexpr int kStartWidth = 320;
+constexpr int kStartHeight = 180;
 constexpr int kFirstWalk = 8 * kStepsPerSecond;
 
 TEST(Starts, ThePlayerStandsOnTheGround) {
@@ -71,9 +71,11 @@ TEST(Starts, InTheCastleStraightAheadLeadsThroughTheGate) {
 TEST(Starts, TheFirstViewIsNotMostlyOneColour) {
     for (const std::string& scene : shippedScenes()) {
         Session session(shippedWorld(scene));
-        std::vector<Pixel> pixels(static_cast<std::size_t>(kWidth) * kHeight);
-        ASSERT_TRUE(session.draw(
-            {.pixels = pixels.data(), .width = kWidth, .height = kHeight, .pitch = kWidth}));
+        std::vector<Pixel> pixels(static_cast<std::size_t>(kStartWidth) * kStartHeight);
+        ASSERT_TRUE(session.draw({.pixels = pixels.data(),
+                                  .width = kStartWidth,
+                                  .height = kStartHeight,
+                                  .pitch = kStartWidth}));
         std::map<Pixel, int> counts;
         for (const Pixel pixel : pixels) ++counts[pixel & 0xe0e0e0u];
         int most = 0;

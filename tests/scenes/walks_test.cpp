@@ -114,9 +114,9 @@ const std::vector<Walk> kWalks = {
 };
 // clang-format on
 
-constexpr double kNear = 0.12;                  // of a leg's end
-constexpr double kSlowWithin = 0.5;             // of it
-constexpr int kPatience = 2 * kStepsPerSecond;  // steps without getting nearer
+constexpr double kNear = 0.12;                      // of a leg's end
+constexpr double kSlowWithin = 0.5;                 // of it
+constexpr int kWalkPatience = 2 * kStepsPerSecond;  // steps without getting nearer
 
 double distanceTo(const Session& session, const Leg& leg) {
     const double x = leg.x - session.player().x.value();
@@ -140,7 +140,7 @@ bool walkTo(Session& session, const Leg& leg) {
         session.step({.forward = distanceTo(session, leg) < kSlowWithin ? 0.5 : 1.0});
         waited = distanceTo(session, leg) < nearest - 0.01 ? 0 : waited + 1;
         if (waited == 0) nearest = distanceTo(session, leg);
-        if (waited > kPatience) return false;
+        if (waited > kWalkPatience) return false;
     }
     const auto rests = [&] { return session.player().onGround || session.player().swimming; };
     for (int i = 0; i < kStepsPerSecond && (i < kStepsPerSecond / 6 || !rests()); ++i)

@@ -18,9 +18,9 @@
 namespace slicecast {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 180;
-constexpr int kPatience = 10 * kStepsPerSecond;
+constexpr int kWayWidth = 320;
+constexpr int kWayHeight = 180;
+constexpr int kWayPatience = 10 * kStepsPerSecond;
 
 // Units: blocks and degrees. Who stands at a place of one map and goes in a direction comes out in
 // another one, and goes on there in a direction.
@@ -65,9 +65,9 @@ const std::vector<Way> kWays = {
 using Pixels = std::vector<Pixel>;
 
 Pixels drawn(Session& session) {
-    Pixels pixels(static_cast<std::size_t>(kWidth) * kHeight);
+    Pixels pixels(static_cast<std::size_t>(kWayWidth) * kWayHeight);
     EXPECT_TRUE(session.draw(
-        {.pixels = pixels.data(), .width = kWidth, .height = kHeight, .pitch = kWidth}));
+        {.pixels = pixels.data(), .width = kWayWidth, .height = kWayHeight, .pitch = kWayWidth}));
     return pixels;
 }
 
@@ -121,7 +121,7 @@ TEST(WaysThrough, LeadWhereTheyShouldWithoutAJump) {
         const auto isThrough = [&] { return session.player().leaps != leaps; };
         double jump = 0.0;
         double speedBefore = 0.0;
-        while (!isThrough() && steps++ < kPatience) {
+        while (!isThrough() && steps++ < kWayPatience) {
             speedBefore = session.state().speed;
             walk();
             jump = difference(before, now);

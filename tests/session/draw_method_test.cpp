@@ -1,5 +1,6 @@
 // Which renderer makes a session's pictures.
 #include "base/image.h"
+#include "drawn.h"
 #include "render/classic/draw_classic.h"
 #include "session/session.h"
 #include "world_builder.h"
@@ -21,7 +22,7 @@ namespace {
 // A yard of chequered blocks with a pillar of two in it, which a piece of ceiling pierces; before
 // it a low block and a figure, behind it another; a portal with a beam before it; a floor that
 // mirrors. The eye stands on a step.
-World yard() {
+World chequeredYard() {
     WorldBuilder make;
     make.texture("squares", squaresImage());
     make.world.sprites.push_back(makeSprite("figure", squaresImage()));
@@ -53,36 +54,30 @@ World yard() {
     return std::move(make.world);
 }
 
-std::vector<Pixel> drawn(Session& session) {
-    Image image(96, 60);
-    EXPECT_TRUE(session.draw({image.pixels.data(), 96, 60, 96}));
-    return image.pixels;
-}
-
 TEST(DrawMethod, ClassicDrawsWithItsOptions) {
-    Session session(yard());
-    const std::vector<Pixel> exact = drawn(session);
+    Session session(chequeredYard());
+    const std::vector<Pixel> exact = drawn(session).pixels;
     EXPECT_EQ(session.setOption("classic.pixelSize", "6"), "");
     EXPECT_EQ(session.setOption("classic.projection", "equalAngles"), "");
-    EXPECT_EQ(drawn(session), exact) << "the fast renderer knows nothing of it";
+    EXPECT_EQ(drawn(session).pixels, exact) << "the fast renderer knows nothing of it";
 
     EXPECT_EQ(session.setOption("method", "classic"), "");
     Image expected(96, 60);
     ASSERT_TRUE(drawClassic(session.world(), session.eye(), session.options().render,
                             {.projection = ClassicProjection::equalAngles, .pixelSize = 6},
                             {expected.pixels.data(), 96, 60, 96}));
-    EXPECT_EQ(drawn(session), expected.pixels);
+    EXPECT_EQ(drawn(session).pixels, expected.pixels);
     EXPECT_NE(expected.pixels, exact);
 
     EXPECT_EQ(session.setOption("method", "exact"), "");
-    EXPECT_EQ(drawn(session), exact);
+    EXPECT_EQ(drawn(session).pixels, exact);
 }
 
 TEST(DrawMethod, EveryClassicOptionReachesThePicture) {
     for (const OptionInfo& option : knownOptions()) {
         const std::string_view name = option.name;
         if (name.substr(0, 8) != "classic.") continue;
-        Session session(yard());
+        Session session(chequeredYard());
         session.setOption("method", "classic");
         if (name == "classic.step" || name == "classic.reach")
             session.setOption("classic.march", "on");
@@ -93,25 +88,25 @@ TEST(DrawMethod, EveryClassicOptionReachesThePicture) {
                         .z = toCoordinate(0.6),
                         .headingDegrees = name == "classic.portalsOverdrawn" ? 0.0 : 10.0,
                         .look = name == "classic.noOwnCell" ? -0.8 : -0.1});
-        const std::vector<Pixel> before = drawn(session);
+        const std::vector<Pixel> before = drawn(session).pixels;
         std::string value = "3";
         if (option.kind == OptionKind::onOff) value = "on";
         if (name == "classic.projection") value = "equalAngles";
         if (name == "classic.roofs") value = "flat";
         if (name == "classic.step") value = "0.3";
         EXPECT_EQ(session.setOption(name, value), "");
-        EXPECT_NE(drawn(session), before) << name;
+        EXPECT_NE(drawn(session).pixels, before) << name;
     }
 }
 
 TEST(DrawMethod, OverlaysAndStateStayTheSame) {
-    Session session(yard());
+    Session session(chequeredYard());
     const std::uint64_t state = session.fingerprint();
     session.setOption("method", "classic");
     EXPECT_EQ(session.fingerprint(), state) << "how it is drawn does not bear on the game";
-    const std::vector<Pixel> bare = drawn(session);
+    const std::vector<Pixel> bare = drawn(session).pixels;
     session.setOption("minimap", "on");
-    EXPECT_NE(drawn(session), bare);
+    EXPECT_NE(drawn(session).pixels, bare);
     Image refused(4, 4);
     EXPECT_FALSE(session.draw({refused.pixels.data(), 0, 4, 4}));
 }
@@ -119,15 +114,15 @@ TEST(DrawMethod, OverlaysAndStateStayTheSame) {
 // The left of a comparison is the classic method's picture, the right the exact one's; between them
 // is a line.
 TEST(DrawMethod, ComparesBothMethods) {
-    Session session(yard());
+    Session session(chequeredYard());
     session.setOption("classic.projection", "equalAngles");
-    const std::vector<Pixel> exact = drawn(session);
+    const std::vector<Pixel> exact = drawn(session).pixels;
     session.setOption("method", "classic");
-    const std::vector<Pixel> classic = drawn(session);
+    const std::vector<Pixel> classic = drawn(session).pixels;
     for (const char* method : {"exact", "classic"}) {
         session.setOption("method", method);
         EXPECT_EQ(session.setOption("compare", "0.25"), "");
-        const std::vector<Pixel> both = drawn(session);
+        const std::vector<Pixel> both = drawn(session).pixels;
         for (int i = 0; i < 96 * 60; ++i) {
             const int x = i % 96;
             const auto at = static_cast<std::size_t>(i);
@@ -139,17 +134,17 @@ TEST(DrawMethod, ComparesBothMethods) {
         }
         EXPECT_NE(both[30 * 96 + 23], classic[30 * 96 + 23]) << "the line";
         session.setOption("compare", "1");
-        EXPECT_EQ(drawn(session), classic);
+        EXPECT_EQ(drawn(session).pixels, classic);
         session.setOption("compare", "0");
     }
-    EXPECT_EQ(drawn(session), classic);
+    EXPECT_EQ(drawn(session).pixels, classic);
     EXPECT_NE(session.setOption("compare", "1.1"), "");
 }
 
 // Only what it draws costs the time of the classic method.
 TEST(DrawMethod, AComparisonDrawsNoMoreThanItsColumns) {
-    const World world = yard();
-    const Session session{yard()};
+    const World world = chequeredYard();
+    const Session session{chequeredYard()};
     Image image(96, 60);
     const Picture picture = {image.pixels.data(), 96, 60, 96};
     const std::optional<FrameReport> all = drawClassic(world, session.eye(), {}, {}, picture);
@@ -162,8 +157,8 @@ TEST(DrawMethod, AComparisonDrawsNoMoreThanItsColumns) {
 
 // Nor does the exact one draw what the other draws over; what it draws is the same to the byte.
 TEST(DrawMethod, TheExactMethodDrawsFromAColumnOn) {
-    const World world = yard();
-    const Session session{yard()};
+    const World world = chequeredYard();
+    const Session session{chequeredYard()};
     Renderer renderer;
     Image whole(96, 60);
     ASSERT_TRUE(renderer.draw(world, session.eye(), {}, {whole.pixels.data(), 96, 60, 96}));
@@ -186,7 +181,7 @@ TEST(DrawMethod, TheExactMethodDrawsFromAColumnOn) {
 
 // Of each column, by the method that draws it.
 TEST(DrawMethod, TracesAreOfTheMethodThatDraws) {
-    Session session(yard());
+    Session session(chequeredYard());
     const SliceTrace exact = session.trace(96, 60, 10);
     session.setOption("classic.march", "on");
     session.setOption("classic.step", "0.3");

@@ -1,6 +1,7 @@
 // Cells of a running world that are changed: what is drawn, what is solid, and how it goes back.
 #include "session/edit_cells.h"
 
+#include "drawn.h"
 #include "session/cells_json.h"
 #include "session/recording_text.h"
 #include "session/session.h"
@@ -17,7 +18,7 @@ namespace {
 
 // A walled yard of 7 x 6 tiles and three levels, seen from (1.5, 2.5) to the east; a lift that
 // rises from level 0, a gate, a portal face.
-World yard() {
+World walledYard() {
     WorldBuilder make;
     make.texture("plain", {200, 200, 90, 255});
     make.texture("dark", {60, 60, 90, 255});
@@ -49,12 +50,6 @@ World yard() {
     return std::move(make.world);
 }
 
-std::vector<Pixel> drawn(Session& session) {
-    std::vector<Pixel> pixels(160 * 100);
-    EXPECT_TRUE(session.draw({pixels.data(), 160, 100, 160}));
-    return pixels;
-}
-
 std::vector<std::string> rows(const Session& session, int level) {
     std::vector<std::string> rows;
     for (int y = 0; y < 6; ++y) rows.push_back(cellRow(session.world(), 0, level, y));
@@ -62,7 +57,7 @@ std::vector<std::string> rows(const Session& session, int level) {
 }
 
 TEST(EditCells, RowsEqualTheScenes) {
-    Session session(yard());
+    Session session(walledYard());
     const std::vector<std::string> ground = {"#######", ".....g.", ".......",
                                              ".......", "...d.l.", "#######"};
     EXPECT_EQ(rows(session, 0), ground);
@@ -76,16 +71,16 @@ TEST(EditCells, RowsEqualTheScenes) {
 }
 
 TEST(EditCells, DrawsTheChangedWorld) {
-    World other = yard();
+    World other = walledYard();
     other.maps[0].setCell(4, 2, 0, 1);
     other.maps[0].setCell(3, 5, 0, kEmptyCell);
     Session written(std::move(other));
-    Session edited(yard());
-    const std::vector<Pixel> before = drawn(edited);
+    Session edited(walledYard());
+    const std::vector<Pixel> before = drawn(edited).pixels;
     EXPECT_EQ(edited.setCell({0, 0, 4, 2}, U'#'), "");
     EXPECT_EQ(edited.setCell({0, 0, 3, 5}, U' '), "");
-    EXPECT_EQ(drawn(edited), drawn(written));
-    EXPECT_NE(drawn(edited), before);
+    EXPECT_EQ(drawn(edited).pixels, drawn(written).pixels);
+    EXPECT_NE(drawn(edited).pixels, before);
     EXPECT_EQ(edited.trace(160, 100, 80).hits.size(), written.trace(160, 100, 80).hits.size());
     // Solid, too: both are stopped at the same place.
     for (int i = 0; i < 240; ++i) {
@@ -95,11 +90,11 @@ TEST(EditCells, DrawsTheChangedWorld) {
     EXPECT_EQ(edited.eye(), written.eye());
     EXPECT_LT(edited.eye().x.value(), 4.0);
     edited.reset();
-    EXPECT_EQ(drawn(edited), before);
+    EXPECT_EQ(drawn(edited).pixels, before);
 }
 
 TEST(EditCells, KeepsTheEyeInsideOfANewBlock) {
-    Session session(yard());
+    Session session(walledYard());
     for (int i = 0; i < 10; ++i) session.step({.forward = 1.0});
     const Eye eye = session.eye();
     EXPECT_FALSE(session.player().flying);
@@ -111,13 +106,13 @@ TEST(EditCells, KeepsTheEyeInsideOfANewBlock) {
     for (int i = 0; i < 120; ++i) session.step({.forward = 1.0});
     EXPECT_GT(session.eye().x.value(), 2.2) << "flies out";
     // A block elsewhere changes nothing of the player.
-    Session walker(yard());
+    Session walker(walledYard());
     EXPECT_EQ(walker.setCell({0, 0, 4, 3}, U'#'), "");
     EXPECT_FALSE(walker.player().flying);
 }
 
 TEST(EditCells, RefusesBlocksThatAreSetUpAtLoading) {
-    Session session(yard());
+    Session session(walledYard());
     const std::uint64_t before = session.fingerprint();
     const auto refusal = [&](CellAt at, char32_t character) {
         return session.setCell(at, character);
@@ -139,7 +134,7 @@ TEST(EditCells, RefusesBlocksThatAreSetUpAtLoading) {
 }
 
 TEST(EditCells, UndoRestoresTheScenesCells) {
-    Session session(yard());
+    Session session(walledYard());
     const std::vector<std::string> ground = rows(session, 0);
     const std::uint64_t before = session.fingerprint();
     EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'#'), "");
@@ -160,7 +155,7 @@ TEST(EditCells, UndoRestoresTheScenesCells) {
 }
 
 TEST(EditCells, AreRecorded) {
-    Session session(yard());
+    Session session(walledYard());
     Recorder recorder("yard");
     session.record(&recorder);
     for (int i = 0; i < 30; ++i) session.step({.forward = 1.0});
@@ -171,7 +166,7 @@ TEST(EditCells, AreRecorded) {
     EXPECT_NE(text.find("\ncell 0 0 3 2 223\n"), std::string::npos) << text;
     ReadRecording read = readRecording(text, "yard.txt");
     ASSERT_TRUE(read.recording.has_value()) << describe(read.faults.at(0));
-    Session again(yard());
+    Session again(walledYard());
     Replay replay(std::move(*read.recording));
     while (replay.step(again)) {
     }
@@ -181,7 +176,7 @@ TEST(EditCells, AreRecorded) {
 }
 
 TEST(EditCells, BlueprintsEqualTheLegend) {
-    const World world = yard();
+    const World world = walledYard();
     const std::string text = blueprintsJson(world, 0);
     EXPECT_EQ(text.find("[{\"character\":\"#\",\"name\":\"wall\",\"bottom\":0,\"top\":1,"
                         "\"seeThrough\":false,\"moves\":false,\"gate\":false,\"faces\":{\"north\":{"
@@ -195,7 +190,7 @@ TEST(EditCells, BlueprintsEqualTheLegend) {
 }
 
 TEST(EditCells, AMissingFaceHasNoTexture) {
-    World world = yard();
+    World world = walledYard();
     for (CellBlueprint& blueprint : world.blueprints) {
         if (blueprint.name == "wall") blueprint.faces[0].texture = kNoTexture;
     }

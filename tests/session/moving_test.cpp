@@ -4,6 +4,7 @@
 #include "session/session.h"
 
 #include "base/image.h"
+#include "drawn.h"
 #include "world_builder.h"
 
 #include <gtest/gtest.h>
@@ -48,22 +49,16 @@ World works() {
     return std::move(make.world);
 }
 
-std::vector<Pixel> drawn(Session& session, double fraction) {
-    Image image(96, 60);
-    EXPECT_TRUE(session.draw({image.pixels.data(), 96, 60, 96}, fraction));
-    return image.pixels;
-}
-
 // Who looks at the platform under their feet sees the same all the way, to the byte, whenever the
 // picture is drawn.
 TEST(SessionThatMoves, ShowsARiderThePlatformAtRest) {
     Session session(works());
-    const std::vector<Pixel> before = drawn(session, 1.0);
+    const std::vector<Pixel> before = drawn(session, 1.0).pixels;
     for (int step = 0; step < kPeriod; ++step) {
         session.step({});
         ASSERT_TRUE(session.player().onGround);
         for (const double fraction : {0.0, 0.3, 0.71, 1.0})
-            ASSERT_EQ(drawn(session, fraction), before) << step << " " << fraction;
+            ASSERT_EQ(drawn(session, fraction).pixels, before) << step << " " << fraction;
     }
 }
 

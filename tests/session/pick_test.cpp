@@ -18,8 +18,8 @@ namespace {
 
 using Json = rapidjson::Value;
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 72;
+constexpr int kPickWidth = 96;
+constexpr int kPickHeight = 72;
 
 World fencedHall() {
     World world = hall("fence", numbered(16, 200, 255, true), numbered(16, 250, 255, true));
@@ -45,21 +45,21 @@ protected:
     }
     const rapidjson::Document& pick(int column, int row) {
         JsonText text;
-        writePick(text, session, kWidth, kHeight, column, row);
+        writePick(text, session, kPickWidth, kPickHeight, column, row);
         json.Parse<rapidjson::kParseFullPrecisionFlag>(text.str().c_str());
         EXPECT_FALSE(json.HasParseError()) << text.str();
         return json;
     }
     std::vector<Pixel> picture() {
-        std::vector<Pixel> pixels(static_cast<std::size_t>(kWidth * kHeight));
-        EXPECT_TRUE(session.draw({pixels.data(), kWidth, kHeight, kWidth}));
+        std::vector<Pixel> pixels(static_cast<std::size_t>(kPickWidth * kPickHeight));
+        EXPECT_TRUE(session.draw({pixels.data(), kPickWidth, kPickHeight, kPickWidth}));
         return pixels;
     }
     void expectTexelsOfPictures();
     void expectPointsInTheirPixels();
     bool isDivider(int column) const {
         const double share = session.options().compare;
-        return share > 0.0 && std::abs(column + 0.5 - share * kWidth) < 4.0;
+        return share > 0.0 && std::abs(column + 0.5 - share * kPickWidth) < 4.0;
     }
     Colour texelOf(const Json& picked) const {
         const World& world = session.world();
@@ -93,8 +93,8 @@ void PickTest::expectTexelsOfPictures() {
     for (const double heading : {-12.0, 5.0, 40.0}) {
         look(heading);
         const std::vector<Pixel> pixels = picture();
-        for (int row = 0; row < kHeight; ++row) {
-            for (int column = 0; column < kWidth; ++column) {
+        for (int row = 0; row < kPickHeight; ++row) {
+            for (int column = 0; column < kPickWidth; ++column) {
                 const Json& picked = pick(column, row);
                 const std::string what = picked["what"].GetString();
                 ++seen[what];
@@ -107,9 +107,9 @@ void PickTest::expectTexelsOfPictures() {
                 behindPortals += picked["portals"].GetInt();
                 // Smaller images of holes and colours are neither one nor the other.
                 if (picked["alpha"].GetInt() < 255 || isDivider(column)) continue;
-                const Pixel pixel = pixels[static_cast<std::size_t>(row * kWidth + column)];
+                const Pixel pixel = pixels[static_cast<std::size_t>(row * kPickWidth + column)];
                 ASSERT_EQ(toColour(pixel), texelOf(picked)) << what << column << "," << row;
-                const SliceTrace trace = session.trace(kWidth, kHeight, column, row);
+                const SliceTrace trace = session.trace(kPickWidth, kPickHeight, column, row);
                 if (trace.seen.size() > 1 && picked["texture"] != "fence" &&
                     picked["texture"] != "lamp")
                     ++throughHoles;
@@ -161,8 +161,8 @@ TEST_F(PickTest, APointOfTheClassicMethodIsProjectedIntoThePixelThatShowsIt) {
 
 void PickTest::expectPointsInTheirPixels() {
     int points = 0;
-    for (int row = 0; row < kHeight; ++row) {
-        for (int column = 0; column < kWidth; ++column) {
+    for (int row = 0; row < kPickHeight; ++row) {
+        for (int column = 0; column < kPickWidth; ++column) {
             const Json& picked = pick(column, row);
             if (picked["point"].IsNull()) continue;
             const Json& point = picked["point"];
@@ -170,7 +170,7 @@ void PickTest::expectPointsInTheirPixels() {
             const auto back =
                 project(session, session.eye(),
                         {point[0].GetDouble(), point[1].GetDouble(), point[2].GetDouble()}, map,
-                        kWidth, kHeight);
+                        kPickWidth, kPickHeight);
             if (map == 1) {
                 EXPECT_FALSE(back.has_value()) << "in another map";
                 continue;
@@ -190,8 +190,8 @@ void PickTest::expectPointsInTheirPixels() {
 TEST_F(PickTest, FindsTileLevelFaceAndObject) {
     look(5.0);
     std::map<std::string, int> faces;
-    for (int row = 0; row < kHeight; ++row) {
-        for (int column = 0; column < kWidth; ++column) {
+    for (int row = 0; row < kPickHeight; ++row) {
+        for (int column = 0; column < kPickWidth; ++column) {
             const Json& picked = pick(column, row);
             if (picked["map"] != "hall") continue;
             const std::string what = picked["what"].GetString();
@@ -250,7 +250,7 @@ TEST_F(PickMirrorTest, FlippedReflectionsHaveNoRay) {
     EXPECT_EQ(session.setOption("method", "classic"), "");
     EXPECT_EQ(session.setOption("classic.flippedMirrors", "on"), "");
     int floors = 0;
-    for (int row = 0; row < kHeight; ++row) {
+    for (int row = 0; row < kPickHeight; ++row) {
         const Json& picked = pick(10, row);
         if (picked["what"] == "floor") ++floors;
         EXPECT_TRUE(picked["reflection"].IsNull());
@@ -262,8 +262,8 @@ void PickMirrorTest::expectReflections() {
     look(5.0);
     const std::vector<Pixel> pixels = picture();
     int reflected = 0;
-    for (int row = 0; row < kHeight; ++row) {
-        for (int column = 0; column < kWidth; ++column) {
+    for (int row = 0; row < kPickHeight; ++row) {
+        for (int column = 0; column < kPickWidth; ++column) {
             const Json& picked = pick(column, row);
             const Json& reflection = picked["reflection"];
             EXPECT_EQ(reflection.IsNull(), picked["what"] != "floor" || picked["map"] != "hall");
@@ -271,7 +271,7 @@ void PickMirrorTest::expectReflections() {
             if (reflection["alpha"].GetInt() < 255) continue;
             ++reflected;
             EXPECT_EQ(reflection["row"].GetInt(), row);
-            ASSERT_EQ(toColour(pixels[static_cast<std::size_t>(row * kWidth + column)]),
+            ASSERT_EQ(toColour(pixels[static_cast<std::size_t>(row * kPickWidth + column)]),
                       texelOf(reflection));
             // The ray goes on from height 0 with the slope turned round.
             const double depth = reflection["depth"].GetDouble();
@@ -287,19 +287,20 @@ void PickMirrorTest::expectReflections() {
 
 TEST_F(PickTest, PointsBehindTheEyeAreNotProjected) {
     look(0.0, 0.0);
-    EXPECT_FALSE(project(session, session.eye(), {2.2, 5.2, 0.6}, 0, kWidth, kHeight).has_value());
     EXPECT_FALSE(
-        project(session, session.eye(), {session.eye().x.value(), 9.0, 0.6}, 0, kWidth, kHeight));
+        project(session, session.eye(), {2.2, 5.2, 0.6}, 0, kPickWidth, kPickHeight).has_value());
+    EXPECT_FALSE(project(session, session.eye(), {session.eye().x.value(), 9.0, 0.6}, 0, kPickWidth,
+                         kPickHeight));
     const auto ahead = project(
         session, session.eye(),
         {session.eye().x.value() + 2.0, session.eye().y.value(), session.eye().z.value() + 1.0}, 0,
-        kWidth, kHeight);
+        kPickWidth, kPickHeight);
     ASSERT_TRUE(ahead.has_value());
-    EXPECT_DOUBLE_EQ(ahead->x, kWidth / 2.0);
+    EXPECT_DOUBLE_EQ(ahead->x, kPickWidth / 2.0);
     EXPECT_DOUBLE_EQ(ahead->depth, 2.0);
     // d = (W / 2) / tan(fov / 2), and a unit at depth 2 is d / 2 rows high.
-    const double distance = kWidth / 2.0 / std::tan(30.0 * M_PI / 180.0);
-    EXPECT_NEAR(ahead->y, kHeight / 2.0 - distance / 2.0, 1e-9);
+    const double distance = kPickWidth / 2.0 / std::tan(30.0 * M_PI / 180.0);
+    EXPECT_NEAR(ahead->y, kPickHeight / 2.0 - distance / 2.0, 1e-9);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "base/image.h"
 #include "base/random.h"
+#include "drawn.h"
 #include "overlay/minimap.h"
 #include "world_builder.h"
 
@@ -38,12 +39,6 @@ World yards() {
     make.world.maps[1].light.intensity = 0.75;
     make.start(2.5, 4.5);
     return std::move(make.world);
-}
-
-Image drawn(Session& session, double fraction = 1.0, int width = 96, int height = 60) {
-    Image image(width, height);
-    EXPECT_TRUE(session.draw({image.pixels.data(), width, height, width}, fraction));
-    return image;
 }
 
 TEST(Session, BeginsAtTheStart) {

@@ -21,8 +21,8 @@ namespace {
 
 using Json = rapidjson::Value;
 
-constexpr int kWidth = 120;
-constexpr int kHeight = 90;
+constexpr int kTraceWidth = 120;
+constexpr int kTraceHeight = 90;
 
 World glassHall() {
     World world = hall("glass", numbered(16, 200, 120), numbered(16, 250));
@@ -53,12 +53,12 @@ protected:
         return json;
     }
     rapidjson::Document trace(int column) {
-        return parsed(traceJson(session, "scene", kWidth, kHeight, column));
+        return parsed(traceJson(session, "scene", kTraceWidth, kTraceHeight, column));
     }
 
     std::vector<Pixel> picture() {
-        std::vector<Pixel> pixels(static_cast<std::size_t>(kWidth * kHeight));
-        EXPECT_TRUE(session.draw({pixels.data(), kWidth, kHeight, kWidth}));
+        std::vector<Pixel> pixels(static_cast<std::size_t>(kTraceWidth * kTraceHeight));
+        EXPECT_TRUE(session.draw({pixels.data(), kTraceWidth, kTraceHeight, kTraceWidth}));
         return pixels;
     }
 
@@ -91,7 +91,7 @@ protected:
 
 // Rows over which nothing is laid.
 std::vector<bool> bareRows(const Json& trace) {
-    std::vector<bool> bare(kHeight, true);
+    std::vector<bool> bare(kTraceHeight, true);
     for (const Json& run : trace["runs"].GetArray()) {
         if (!run["layer"].GetBool()) continue;
         for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row)
@@ -108,7 +108,7 @@ TEST_F(TraceJsonTest, TexelsEqualThePictures) {
         std::map<std::string, int> compared;
         int finest = 99;
         int coarsest = 0;
-        for (int column = 0; column < kWidth; ++column) {
+        for (int column = 0; column < kTraceWidth; ++column) {
             const rapidjson::Document json = trace(column);
             const std::vector<bool> bare = bareRows(json);
             for (const Json& run : json["runs"].GetArray()) {
@@ -123,7 +123,7 @@ TEST_F(TraceJsonTest, TexelsEqualThePictures) {
                         return (hazeChannel * fog + lit * (255 - fog) + 127) / 255;
                     };
                     const Colour is =
-                        toColour(pixels[static_cast<std::size_t>(row * kWidth + column)]);
+                        toColour(pixels[static_cast<std::size_t>(row * kTraceWidth + column)]);
                     ASSERT_EQ(shown(own.r, haze.r), is.r) << "column " << column << ", row " << row
                                                           << ", " << run["what"].GetString();
                     ASSERT_EQ(shown(own.g, haze.g), is.g) << "column " << column << ", row " << row
@@ -150,7 +150,7 @@ TEST_F(TraceJsonTest, TexelsEqualThePictures) {
 TEST_F(TraceJsonTest, LightFogAndDetailFollowTheDepth) {
     const Light& light = session.world().maps[0].light;
     int texels = 0;
-    for (int column = 0; column < kWidth; column += 7) {
+    for (int column = 0; column < kTraceWidth; column += 7) {
         const rapidjson::Document json = trace(column);
         const double d = json["projectionDistance"].GetDouble();
         for (const Json& run : json["runs"].GetArray()) {
@@ -176,10 +176,10 @@ TEST_F(TraceJsonTest, LightFogAndDetailFollowTheDepth) {
 
 TEST_F(TraceJsonTest, TheWalkFollowsItsNumbers) {
     const double eye[] = {toCoordinate(2.3).value(), toCoordinate(5.2).value()};
-    for (int column = 0; column < kWidth; column += 11) {
+    for (int column = 0; column < kTraceWidth; column += 11) {
         const rapidjson::Document json = trace(column);
         const double d = json["projectionDistance"].GetDouble();
-        EXPECT_NEAR(d, kWidth / 2.0 / tanDegrees(30.0), 1e-9);
+        EXPECT_NEAR(d, kTraceWidth / 2.0 / tanDegrees(30.0), 1e-9);
         const Json& walk = json["walk"];
         const Json& tiles = json["tiles"];
         ASSERT_EQ(walk.Size(), tiles.Size());
@@ -217,7 +217,7 @@ TEST_F(TraceJsonTest, DepthsAndRowsFollowTheDefinition) {
         const rapidjson::Document json = trace(column);
         EXPECT_EQ(json["eye"]["x"].GetDouble(), toCoordinate(2.3).value());
         EXPECT_EQ(json["column"].GetInt(), column);
-        EXPECT_EQ(json["horizonRow"].GetDouble(), kHeight / 2.0);
+        EXPECT_EQ(json["horizonRow"].GetDouble(), kTraceHeight / 2.0);
         for (const Json& run : json["runs"].GetArray()) {
             if (run["what"] != "side" || run["face"] != "west" || run["map"] != "hall" ||
                 json["hits"][run["hit"].GetUint()]["tile"][0].GetInt() != 12)
@@ -227,14 +227,14 @@ TEST_F(TraceJsonTest, DepthsAndRowsFollowTheDefinition) {
             EXPECT_EQ(run["texture"], "stone");
             EXPECT_NEAR(run["texels"][0]["depth"].GetDouble(), depth, 1e-9);
             const double sideways =
-                (column + 0.5 - kWidth / 2.0) / json["projectionDistance"].GetDouble();
+                (column + 0.5 - kTraceWidth / 2.0) / json["projectionDistance"].GetDouble();
             EXPECT_NEAR(hit["rawDepth"].GetDouble(), depth * std::sqrt(1.0 + sideways * sideways),
                         1e-9);
             const double rows = json["projectionDistance"].GetDouble() / depth;
             EXPECT_NEAR(hit["topFrontRow"].GetDouble(),
-                        kHeight / 2.0 - (1.0 - toCoordinate(0.6).value()) * rows, 1e-9);
+                        kTraceHeight / 2.0 - (1.0 - toCoordinate(0.6).value()) * rows, 1e-9);
             EXPECT_NEAR(hit["bottomFrontRow"].GetDouble(),
-                        kHeight / 2.0 + toCoordinate(0.6).value() * rows, 1e-9);
+                        kTraceHeight / 2.0 + toCoordinate(0.6).value() * rows, 1e-9);
             // Which texel, by the definition: along y on a western side, from the top of the level
             // downwards.
             const double y = hit["point"][1].GetDouble();
@@ -242,7 +242,7 @@ TEST_F(TraceJsonTest, DepthsAndRowsFollowTheDefinition) {
             EXPECT_EQ(run["texels"][0]["u"].GetInt(), static_cast<int>((y - std::floor(y)) * size));
             for (const Json& texel : run["texels"].GetArray()) {
                 const double height = toCoordinate(0.6).value() +
-                                      (kHeight / 2.0 - (texel["row"].GetInt() + 0.5)) / rows;
+                                      (kTraceHeight / 2.0 - (texel["row"].GetInt() + 0.5)) / rows;
                 EXPECT_EQ(texel["v"].GetInt(), static_cast<int>((1.0 - height) * size));
             }
             ++walls;
@@ -253,30 +253,30 @@ TEST_F(TraceJsonTest, DepthsAndRowsFollowTheDefinition) {
 
 TEST_F(TraceJsonTest, OpaqueRunsHoldEveryRowOnce) {
     bool throughPortal = false;
-    for (int column = 0; column < kWidth; ++column) {
+    for (int column = 0; column < kTraceWidth; ++column) {
         const rapidjson::Document json = trace(column);
-        std::vector<int> times(kHeight, 0);
+        std::vector<int> times(kTraceHeight, 0);
         for (const Json& run : json["runs"].GetArray()) {
             throughPortal |= run["portals"].GetInt() > 0;
             if (run["layer"].GetBool()) continue;
             for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row)
                 ++times.at(static_cast<std::size_t>(row));
         }
-        ASSERT_EQ(times, std::vector<int>(kHeight, 1)) << "column " << column;
+        ASSERT_EQ(times, std::vector<int>(kTraceHeight, 1)) << "column " << column;
     }
     ASSERT_TRUE(session.setEye({.map = 0,
                                 .x = toCoordinate(2.3),
                                 .y = toCoordinate(3.4),
                                 .z = toCoordinate(0.6),
                                 .headingDegrees = -20.0}));
-    for (int column = 0; column < kWidth; ++column)
+    for (int column = 0; column < kTraceWidth; ++column)
         throughPortal |= trace(column)["portals"].Size() > 0;
     EXPECT_TRUE(throughPortal);
 }
 
 TEST_F(TraceJsonTest, GlassAndObjectsAreLayers) {
     std::map<std::string, int> layers;
-    for (int column = 0; column < kWidth; ++column) {
+    for (int column = 0; column < kTraceWidth; ++column) {
         const rapidjson::Document json = trace(column);
         for (const Json& run : json["runs"].GetArray()) {
             if (!run["layer"].GetBool()) continue;
@@ -298,14 +298,14 @@ TEST_F(TraceJsonTest, AnObjectsTexelsEqualThePictures) {
     set("fog", "off");
     const std::vector<Pixel> pixels = picture();
     int compared = 0;
-    for (int column = 0; column < kWidth; ++column) {
+    for (int column = 0; column < kTraceWidth; ++column) {
         const rapidjson::Document json = trace(column);
         for (const Json& run : json["runs"].GetArray()) {
             if (run["what"] != "object") continue;
             for (const Json& texel : run["texels"].GetArray()) {
                 const Colour own = texelOf(run, texel);
                 const Colour is = toColour(
-                    pixels[texel["row"].GetUint() * kWidth + static_cast<unsigned>(column)]);
+                    pixels[texel["row"].GetUint() * kTraceWidth + static_cast<unsigned>(column)]);
                 EXPECT_EQ(own.r, is.r) << column;
                 EXPECT_EQ(own.g, is.g) << column;
                 ++compared;
@@ -328,9 +328,9 @@ TEST_F(TraceJsonTest, TheReflectionsTexelsEqualThePictures) {
                                 .look = -0.3}));
     const std::vector<Pixel> pixels = picture();
     std::map<std::string, int> compared;
-    for (int column = 0; column < kWidth; ++column) {
+    for (int column = 0; column < kTraceWidth; ++column) {
         const rapidjson::Document json = trace(column);
-        std::vector<int> mirrored(kHeight, 0);
+        std::vector<int> mirrored(kTraceHeight, 0);
         for (const Json& mirror : json["mirrors"].GetArray()) {
             EXPECT_EQ(mirror["strength"].GetInt(), 255);
             for (int row = mirror["first"].GetInt(); row <= mirror["last"].GetInt(); ++row)
@@ -340,7 +340,7 @@ TEST_F(TraceJsonTest, TheReflectionsTexelsEqualThePictures) {
         const Json& reflection = json["reflection"];
         const std::vector<bool> bare = bareRows(reflection);
         const std::vector<bool> bareBefore = bareRows(json);
-        std::vector<int> filled(kHeight, 0);
+        std::vector<int> filled(kTraceHeight, 0);
         for (const Json& run : reflection["runs"].GetArray()) {
             if (run["layer"].GetBool()) continue;
             for (int row = run["first"].GetInt(); row <= run["last"].GetInt(); ++row)
@@ -351,7 +351,8 @@ TEST_F(TraceJsonTest, TheReflectionsTexelsEqualThePictures) {
                     !bareBefore[static_cast<std::size_t>(row)])
                     continue;
                 const Colour own = texelOf(run, texel);
-                const Colour is = toColour(pixels[static_cast<std::size_t>(row * kWidth + column)]);
+                const Colour is =
+                    toColour(pixels[static_cast<std::size_t>(row * kTraceWidth + column)]);
                 ASSERT_EQ(own.r, is.r)
                     << "column " << column << ", row " << row << ", " << run["what"].GetString();
                 ASSERT_EQ(own.g, is.g)
@@ -368,7 +369,8 @@ TEST_F(TraceJsonTest, TheReflectionsTexelsEqualThePictures) {
 
 TEST_F(TraceJsonTest, IncludesTheHits) {
     const rapidjson::Document whole = trace(70);
-    const rapidjson::Document hits = parsed(hitsJson(session, "scene", kWidth, kHeight, 70));
+    const rapidjson::Document hits =
+        parsed(hitsJson(session, "scene", kTraceWidth, kTraceHeight, 70));
     ASSERT_GT(hits.MemberCount(), 10u);
     for (const auto& member : hits.GetObject()) {
         ASSERT_TRUE(whole.HasMember(member.name)) << member.name.GetString();
@@ -377,11 +379,12 @@ TEST_F(TraceJsonTest, IncludesTheHits) {
 }
 
 TEST_F(TraceJsonTest, APicturesTraceIsTheSumOfItsColumns) {
-    const rapidjson::Document frame = parsed(frameTraceJson(session, "scene", kWidth, kHeight));
+    const rapidjson::Document frame =
+        parsed(frameTraceJson(session, "scene", kTraceWidth, kTraceHeight));
     double layers = 0.0;
     double texels = 0.0;
     double textured = 0.0;
-    for (int column = 0; column < kWidth; ++column) {
+    for (int column = 0; column < kTraceWidth; ++column) {
         const auto at = static_cast<rapidjson::SizeType>(column);
         const rapidjson::Document json = trace(column);
         const Json& columns = frame["columns"];
@@ -415,7 +418,7 @@ TEST_F(TraceJsonTest, APicturesTraceIsTheSumOfItsColumns) {
                 << kind.name.GetString();
             sum += kind.value[at].GetInt();
         }
-        EXPECT_EQ(sum, kHeight);
+        EXPECT_EQ(sum, kTraceHeight);
     }
     for (const Json& texture : frame["textures"].GetArray()) {
         for (const Json& number : texture["texels"].GetArray()) texels += number.GetDouble();
@@ -423,9 +426,9 @@ TEST_F(TraceJsonTest, APicturesTraceIsTheSumOfItsColumns) {
     EXPECT_EQ(texels, textured);
     EXPECT_EQ(frame["textures"].Size(), 4u) << "stone, glass, ground and the lamp";
     // A trace tells of layers that nobody sees, too: holes, and what opaque texels hide.
-    EXPECT_LE(frame["totals"]["rowsFilled"].GetDouble(), kWidth * kHeight + layers);
-    EXPECT_GT(frame["totals"]["rowsFilled"].GetDouble(), kWidth * kHeight);
-    EXPECT_GT(frame["totals"]["tilesWalked"].GetInt(), kWidth);
+    EXPECT_LE(frame["totals"]["rowsFilled"].GetDouble(), kTraceWidth * kTraceHeight + layers);
+    EXPECT_GT(frame["totals"]["rowsFilled"].GetDouble(), kTraceWidth * kTraceHeight);
+    EXPECT_GT(frame["totals"]["tilesWalked"].GetInt(), kTraceWidth);
     EXPECT_TRUE(frame["times"].IsNull()) << "nobody measures";
 }
 
@@ -433,7 +436,8 @@ TEST_F(TraceJsonTest, TimesAreListedIfMeasured) {
     double now = 0.0;
     session.setClock([&now] { return now += 0.125; });
     for (int i = 0; i < 12; ++i) picture();
-    const rapidjson::Document frame = parsed(frameTraceJson(session, "scene", kWidth, kHeight));
+    const rapidjson::Document frame =
+        parsed(frameTraceJson(session, "scene", kTraceWidth, kTraceHeight));
     EXPECT_NEAR(frame["times"]["viewMilliseconds"].GetDouble(), 125.0, 1.0);
 }
 

@@ -9,7 +9,7 @@ namespace slicecast {
 namespace {
 
 using Wish = GateAsk::Wish;
-constexpr int kSteps = 96;
+constexpr int kGateSteps = 96;
 
 // A corridor along row 1 with a gate two high across its column 4.
 World corridor(const GateKind& kind = {}) {
@@ -40,7 +40,7 @@ TEST(Gates, OpenAndCloseByKey) {
     EXPECT_EQ(state(who.world), GateState::closed);
     ask(who, Wish::change);
     EXPECT_EQ(state(who.world), GateState::opening);
-    steps(who, kSteps - 2);
+    steps(who, kGateSteps - 2);
     EXPECT_EQ(state(who.world), GateState::opening);
     EXPECT_FALSE(who.world.blueprints[who.world.gates[0].parts[0]].passable);
     steps(who, 1);
@@ -51,7 +51,7 @@ TEST(Gates, OpenAndCloseByKey) {
     ask(who, Wish::change);
     EXPECT_EQ(state(who.world), GateState::closing);
     EXPECT_FALSE(who.world.blueprints[who.world.gates[0].parts[0]].passable);
-    steps(who, kSteps - 1);
+    steps(who, kGateSteps - 1);
     EXPECT_EQ(state(who.world), GateState::closed);
 }
 
@@ -212,7 +212,7 @@ TEST(Gates, OfTouchingCellsAreOneAndOthersStayShut) {
     EXPECT_EQ(world.maps[0].cell(1, 1, 0), world.maps[0].cell(2, 1, 0));
     EXPECT_NE(world.maps[0].cell(1, 1, 0), world.maps[0].cell(4, 1, 0));
     const GateAsk fromTheWest = {.wish = Wish::open, .map = 0, .x = 0.5_u, .y = 1.5_u, .z = 0.5_u};
-    for (int i = 0; i < kSteps; ++i) stepWorld(world, {}, fromTheWest);
+    for (int i = 0; i < kGateSteps; ++i) stepWorld(world, {}, fromTheWest);
     EXPECT_TRUE(world.blueprints[world.maps[0].cell(1, 1, 0)].passable);
     EXPECT_FALSE(world.blueprints[world.maps[0].cell(4, 1, 0)].passable);
     EXPECT_FALSE(world.blueprints[id].passable);
@@ -259,8 +259,8 @@ TEST(Gates, ShowTheFrameOfTheirProgress) {
     const CellBlueprint& block = world.blueprints[world.maps[0].cell(1, 1, 0)];
     EXPECT_TRUE(block.seeThrough) << "in its last frame";
     const GateAsk open = {.wish = Wish::open, .map = 0, .x = 0.5_u, .y = 1.5_u, .z = 0.5_u};
-    for (int progress = 0; progress <= kSteps; ++progress) {
-        const int frame = std::min(3, progress * 4 / kSteps);
+    for (int progress = 0; progress <= kGateSteps; ++progress) {
+        const int frame = std::min(3, progress * 4 / kGateSteps);
         for (const Face face : {Face::north, Face::south}) {
             const Texture& shown = world.textures[block.face(face).texture];
             ASSERT_EQ(toColour(shown.levels[0].texels[0]).r, 50 * frame) << progress;

@@ -11,12 +11,12 @@ namespace slicecast {
 namespace {
 
 #ifdef SLICECAST_SANITIZED
-constexpr int kWorlds = 200;
+constexpr int kMovingWorlds = 200;
 #else
-constexpr int kWorlds = 2000;
+constexpr int kMovingWorlds = 2000;
 #endif
-constexpr int kPlayersPerWorld = 2;
-constexpr int kStepsPerPlayer = 600;
+constexpr int kPlayersPerMovingWorld = 2;
+constexpr int kStepsAmongMovers = 600;
 
 Motion randomMotion(Random& random, Coordinate bottom, Coordinate top, int level, int levels) {
     Motion motion;
@@ -123,7 +123,7 @@ World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
     return world;
 }
 
-PlayerInput randomInput(Random& random) {
+PlayerInput randomMoverInput(Random& random) {
     PlayerInput input;
     input.forward = random.between(-1.0, 1.0);
     input.strafe = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
@@ -150,15 +150,15 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
     std::int64_t gatesMoved = 0;
     std::int64_t inOpenGate = 0;
     std::int64_t gatesHeld = 0;
-    for (int seed = 1; seed <= kWorlds; ++seed) {
+    for (int seed = 1; seed <= kMovingWorlds; ++seed) {
         World world = randomMovingWorld(static_cast<std::uint64_t>(seed));
         Random random(static_cast<std::uint64_t>(seed) << 20);
-        for (int i = 0; i < kPlayersPerWorld; ++i) {
+        for (int i = 0; i < kPlayersPerMovingWorld; ++i) {
             Player player;
             if (!placeRandomly(world, random, player) || isInside(world, player)) continue;
-            PlayerInput input = randomInput(random);
-            for (int step = 0; step < kStepsPerPlayer; ++step) {
-                if (random.oneIn(40)) input = randomInput(random);
+            PlayerInput input = randomMoverInput(random);
+            for (int step = 0; step < kStepsAmongMovers; ++step) {
+                if (random.oneIn(40)) input = randomMoverInput(random);
                 if (random.oneIn(200)) setFlying(world, player, !player.flying);
                 GateAsk ask = asks(player, GateAsk::Wish::nothing);
                 if (random.oneIn(20)) ask.wish = static_cast<GateAsk::Wish>(random.below(4));
@@ -198,7 +198,8 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
         }
     }
     // All of it came up.
-    EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer * 8 / 10);
+    EXPECT_GT(steps,
+              std::int64_t{kMovingWorlds} * kPlayersPerMovingWorld * kStepsAmongMovers * 8 / 10);
     for (const std::int64_t kind : {lifted, lowered, rodeThere, waits, gatesMoved, inOpenGate})
         EXPECT_GT(kind, steps / 400);
     EXPECT_GT(gatesHeld, steps / 4000);
@@ -211,16 +212,16 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
     std::int64_t waits = 0;
     std::int64_t leaps = 0;
     std::int64_t straddling = 0;
-    for (int seed = 1; seed <= kWorlds / 2; ++seed) {
+    for (int seed = 1; seed <= kMovingWorlds / 2; ++seed) {
         World world = randomMovingWorld(static_cast<std::uint64_t>(seed) + 500'000, true);
         Random random(static_cast<std::uint64_t>(seed) << 20);
-        for (int i = 0; i < kPlayersPerWorld; ++i) {
+        for (int i = 0; i < kPlayersPerMovingWorld; ++i) {
             Player player;
             if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player)))
                 continue;
-            PlayerInput input = randomInput(random);
-            for (int step = 0; step < kStepsPerPlayer; ++step) {
-                if (random.oneIn(40)) input = randomInput(random);
+            PlayerInput input = randomMoverInput(random);
+            for (int step = 0; step < kStepsAmongMovers; ++step) {
+                if (random.oneIn(40)) input = randomMoverInput(random);
                 if (random.oneIn(200)) setFlying(world, player, !player.flying);
                 GateAsk ask = asks(player, GateAsk::Wish::nothing);
                 if (random.oneIn(20)) ask.wish = static_cast<GateAsk::Wish>(random.below(4));
@@ -244,12 +245,12 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
             }
         }
     }
-    EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer / 5);
+    EXPECT_GT(steps, std::int64_t{kMovingWorlds} * kPlayersPerMovingWorld * kStepsAmongMovers / 5);
     EXPECT_GT(straddling, steps / 20);
     for (const std::int64_t kind : {lifted, waits, leaps}) EXPECT_GT(kind, steps / 1000);
 }
 
-std::uint64_t hashOfManySteps() {
+std::uint64_t hashAmongMovers() {
     std::uint64_t hash = 0;
     const auto add = [&hash](std::int64_t number) {
         hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x100000001b3u + (hash >> 29);
@@ -261,7 +262,7 @@ std::uint64_t hashOfManySteps() {
         if (!placeRandomly(world, random, player)) continue;
         PlayerInput input;
         for (int step = 0; step < 400; ++step) {
-            if (step % 15 == 0) input = randomInput(random);
+            if (step % 15 == 0) input = randomMoverInput(random);
             stepBoth(world, player, input,
                      asks(player, step % 50 == 0 ? GateAsk::Wish::change : GateAsk::Wish::nothing));
         }
@@ -276,8 +277,8 @@ std::uint64_t hashOfManySteps() {
 }
 
 TEST(RandomMovingWorlds, GoTheSameWayEverywhere) {
-    EXPECT_EQ(hashOfManySteps(), hashOfManySteps());
-    EXPECT_EQ(hashOfManySteps(), 0x3c39f6c72cf0c8abu);
+    EXPECT_EQ(hashAmongMovers(), hashAmongMovers());
+    EXPECT_EQ(hashAmongMovers(), 0x3c39f6c72cf0c8abu);
 }
 
 }  // namespace

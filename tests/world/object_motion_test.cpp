@@ -282,9 +282,9 @@ World crowd(std::uint64_t seed, int size) {
 }
 
 #ifdef SLICECAST_SANITIZED
-constexpr int kWorlds = 100;
+constexpr int kObjectWorlds = 100;
 #else
-constexpr int kWorlds = 1000;
+constexpr int kObjectWorlds = 1000;
 #endif
 
 TEST(RandomObjects, NoneIsEverInsideABlockAndAllRunsAreEqual) {
@@ -292,7 +292,7 @@ TEST(RandomObjects, NoneIsEverInsideABlockAndAllRunsAreEqual) {
     std::int64_t moved = 0;
     std::int64_t higher = 0;
     std::int64_t lower = 0;
-    for (int seed = 1; seed <= kWorlds; ++seed) {
+    for (int seed = 1; seed <= kObjectWorlds; ++seed) {
         World world = crowd(static_cast<std::uint64_t>(seed), 12);
         const std::vector<Object>& objects = world.maps[0].objects;
         std::vector<bool> wasFree;
@@ -319,10 +319,10 @@ TEST(RandomObjects, NoneIsEverInsideABlockAndAllRunsAreEqual) {
         for (int step = 0; step < 400; ++step) stepObjects(world);
         ASSERT_EQ(hashOf(world), once) << "seed " << seed;
     }
-    EXPECT_GT(free, std::int64_t{kWorlds} * 1000);
+    EXPECT_GT(free, std::int64_t{kObjectWorlds} * 1000);
     EXPECT_GT(moved, free / 2);
-    EXPECT_GT(higher, kWorlds);
-    EXPECT_GT(lower, kWorlds);
+    EXPECT_GT(higher, kObjectWorlds);
+    EXPECT_GT(lower, kObjectWorlds);
 }
 
 TEST(RandomObjects, GoTheSameWaysOnEveryMachine) {

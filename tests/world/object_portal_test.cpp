@@ -15,12 +15,6 @@
 namespace slicecast {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kSeeds = 60;
-#else
-constexpr int kSeeds = 600;
-#endif
-
 // Objects of one map, each with the number of its motion as its sprite, and one that stands still
 // between any two.
 void addCrowd(World& world, Random& random, int size, bool straight) {
@@ -137,7 +131,7 @@ void expectSameWays(World& plain, World& world, const Portal& toCopy, int tolera
 
 TEST(ObjectPortals, ToACopyChangeNoWay) {
     int leaps = 0;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         World plain = randomWorld(static_cast<std::uint64_t>(seed));
         addCrowd(plain, random, 10, false);
@@ -149,13 +143,13 @@ TEST(ObjectPortals, ToACopyChangeNoWay) {
         expectSameWays(plain, world, toCopy, 0, leaps, seed);
         if (HasFatalFailure()) return;
     }
-    EXPECT_GT(leaps, kSeeds * 5);
+    EXPECT_GT(leaps, kPortalSeeds * 5);
 }
 
 // On an empty ground: among blocks a turned way meets its axes in another order.
 TEST(ObjectPortals, TurnWaysWithThem) {
     int leaps = 0;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         World plain = emptyWorld(16, 12, 3);
         addCrowd(plain, random, 10, true);
@@ -172,13 +166,13 @@ TEST(ObjectPortals, TurnWaysWithThem) {
         expectSameWays(plain, world, toCopy, 200, leaps, seed);
         if (HasFatalFailure()) return;
     }
-    EXPECT_GT(leaps, kSeeds * 5);
+    EXPECT_GT(leaps, kPortalSeeds * 5);
 }
 
 TEST(ObjectPortals, NobodyIsEverInsideABlockOnEitherSideAndResetRestoresAll) {
     std::int64_t free = 0;
     std::int64_t leaps = 0;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 31);
         World world = randomWorld(static_cast<std::uint64_t>(seed));
         World other = randomWorld(static_cast<std::uint64_t>(seed) + 5000);
@@ -238,8 +232,8 @@ TEST(ObjectPortals, NobodyIsEverInsideABlockOnEitherSideAndResetRestoresAll) {
         EXPECT_EQ(world.maps[0].objects.size(), 24u);
         EXPECT_EQ(world.maps[1].objects.size(), 0u);
     }
-    EXPECT_GT(free, std::int64_t{kSeeds} * 400);
-    EXPECT_GT(leaps, kSeeds / 2);
+    EXPECT_GT(free, std::int64_t{kPortalSeeds} * 400);
+    EXPECT_GT(leaps, kPortalSeeds / 2);
 }
 
 }  // namespace

@@ -13,11 +13,11 @@ namespace slicecast {
 namespace {
 
 #ifdef SLICECAST_SANITIZED
-constexpr int kWorlds = 60;
+constexpr int kRiderWorlds = 60;
 #else
-constexpr int kWorlds = 600;
+constexpr int kRiderWorlds = 600;
 #endif
-constexpr int kSteps = 600;
+constexpr int kRiderSteps = 600;
 
 // Random blocks, platforms that go up and down among them, and a crowd.
 World livelyWorld(std::uint64_t seed) {
@@ -90,7 +90,7 @@ TEST(RandomRiders, AreNeverInsideABlockThatMoves) {
     std::int64_t free = 0;
     std::int64_t lifted = 0;
     int worlds = 0;
-    for (int seed = 1; seed <= kWorlds; ++seed) {
+    for (int seed = 1; seed <= kRiderWorlds; ++seed) {
         Crowd crowd = {.world = livelyWorld(static_cast<std::uint64_t>(seed))};
         if (!makeMovers(crowd.world).empty()) continue;
         ++worlds;
@@ -99,7 +99,7 @@ TEST(RandomRiders, AreNeverInsideABlockThatMoves) {
         for (const Object& object : crowd.world.maps[0].objects)
             wasFree.push_back(isFree(crowd.world, 0, objectBody(object)));
         const std::uint64_t atStart = crowd.fingerprint();
-        for (int step = 0; step < kSteps; ++step) {
+        for (int step = 0; step < kRiderSteps; ++step) {
             crowd.step();
             for (std::size_t i = 0; i < wasFree.size(); ++i) {
                 if (!wasFree[i]) continue;
@@ -113,11 +113,11 @@ TEST(RandomRiders, AreNeverInsideABlockThatMoves) {
         resetWorld(crowd.world);
         resetObjects(crowd.world);
         EXPECT_EQ(crowd.fingerprint(), atStart);
-        for (int step = 0; step < kSteps; ++step) crowd.step();
+        for (int step = 0; step < kRiderSteps; ++step) crowd.step();
         ASSERT_EQ(crowd.fingerprint(), once) << "seed " << seed;
     }
-    EXPECT_GT(worlds, kWorlds / 2);
-    EXPECT_GT(free, std::int64_t{worlds} * kSteps);
+    EXPECT_GT(worlds, kRiderWorlds / 2);
+    EXPECT_GT(free, std::int64_t{worlds} * kRiderSteps);
     EXPECT_GT(lifted, worlds * 100);
 }
 

@@ -11,14 +11,12 @@ namespace slicecast {
 namespace {
 
 #ifdef SLICECAST_SANITIZED
-constexpr int kWorlds = 500;
+constexpr int kPlayerWorlds = 500;
 #else
-constexpr int kWorlds = 5000;
+constexpr int kPlayerWorlds = 5000;
 #endif
-constexpr int kPlayersPerWorld = 4;
-constexpr int kStepsPerPlayer = 500;
-static_assert(kWorlds < 5000 ||
-              std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer >= 10'000'000);
+static_assert(kPlayerWorlds < 5000 ||
+              std::int64_t{kPlayerWorlds} * kPlayersPerWorld * kStepsPerPlayer >= 10'000'000);
 
 // Wishes that last for a while, as a player's do, now and then all at once.
 PlayerInput randomInput(Random& random) {
@@ -70,7 +68,7 @@ TEST(RandomPlayers, NobodyIsEverInsideABlock) {
     std::int64_t flown = 0;
     std::int64_t inAir = 0;
     std::int64_t stepsUp = 0;
-    for (int seed = 1; seed <= kWorlds; ++seed) {
+    for (int seed = 1; seed <= kPlayerWorlds; ++seed) {
         const World world = randomWorld(static_cast<std::uint64_t>(seed));
         Random random(static_cast<std::uint64_t>(seed) << 20);
         for (int i = 0; i < kPlayersPerWorld; ++i) {
@@ -102,7 +100,7 @@ TEST(RandomPlayers, NobodyIsEverInsideABlock) {
         }
     }
     // Most worlds have room for somebody, and all kinds of motion came up.
-    EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer * 9 / 10);
+    EXPECT_GT(steps, std::int64_t{kPlayerWorlds} * kPlayersPerWorld * kStepsPerPlayer * 9 / 10);
     for (const std::int64_t kind : {walked, crouched, flown, inAir}) EXPECT_GT(kind, steps / 50);
     EXPECT_GT(stepsUp, steps / 10'000);
 }
@@ -113,7 +111,7 @@ TEST(RandomPlayers, NobodyInWaterIsEverInsideABlockOrStuck) {
     std::int64_t dived = 0;
     int climbed = 0;
     int tried = 0;
-    for (int seed = 1; seed <= kWorlds / 4; ++seed) {
+    for (int seed = 1; seed <= kPlayerWorlds / 4; ++seed) {
         const World world = randomWaterWorld(static_cast<std::uint64_t>(seed));
         Random random(static_cast<std::uint64_t>(seed) << 20);
         Player player;
@@ -153,15 +151,15 @@ TEST(RandomPlayers, NobodyInWaterIsEverInsideABlockOrStuck) {
             ++tried;
         }
     }
-    EXPECT_GT(tried, kWorlds / 4);
-    for (const std::int64_t kind : {swum, waded, dived}) EXPECT_GT(kind, kWorlds * 10);
-    EXPECT_GT(climbed, kWorlds / 4);
+    EXPECT_GT(tried, kPlayerWorlds / 4);
+    for (const std::int64_t kind : {swum, waded, dived}) EXPECT_GT(kind, kPlayerWorlds * 10);
+    EXPECT_GT(climbed, kPlayerWorlds / 4);
 }
 
 // A body that is free finds a way to move, wherever it has got to and in either mode.
 TEST(RandomPlayers, NobodyIsEverStuck) {
     int tried = 0;
-    for (int seed = 1; seed <= kWorlds / 10; ++seed) {
+    for (int seed = 1; seed <= kPlayerWorlds / 10; ++seed) {
         const World world = randomWorld(static_cast<std::uint64_t>(seed) + 1'000'000);
         Random random(static_cast<std::uint64_t>(seed) << 20);
         Player player;
@@ -185,7 +183,7 @@ TEST(RandomPlayers, NobodyIsEverStuck) {
             ++tried;
         }
     }
-    EXPECT_GT(tried, kWorlds / 2);
+    EXPECT_GT(tried, kPlayerWorlds / 2);
 }
 
 std::uint64_t hashOfManySteps() {

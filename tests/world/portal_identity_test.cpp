@@ -11,18 +11,12 @@
 namespace slicecast {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kSeeds = 60;
-#else
-constexpr int kSeeds = 600;
-#endif
-
 // Headings on a grid on which quarter turns are exact.
 double gridDegrees(Random& random, double range) {
     return random.between(static_cast<int>(-range * 64), static_cast<int>(range * 64)) / 64.0;
 }
 
-PlayerInput randomInput(Random& random) {
+PlayerInput randomGridInput(Random& random) {
     PlayerInput input;
     input.forward = random.oneIn(4) ? random.between(-1.0, 1.0) : 1.0;
     input.strafe = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
@@ -82,9 +76,9 @@ bool walkBoth(const World& plain, const World& portals, const Portal& toCopy, co
               Random& random, int steps, Counts& counts) {
     Player without = start;
     Player with = start;
-    PlayerInput input = randomInput(random);
+    PlayerInput input = randomGridInput(random);
     for (int step = 0; step < steps; ++step) {
-        if (random.oneIn(25)) input = randomInput(random);
+        if (random.oneIn(25)) input = randomGridInput(random);
         if (random.oneIn(100)) {
             setFlying(plain, without, !without.flying);
             setFlying(portals, with, !with.flying);
@@ -129,7 +123,7 @@ int liftOf(const World& world, Random& random) {
 
 TEST(PortalIdentity, TilesToACopyChangeNoWay) {
     Counts counts;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 7919);
         const World plain = randomWorld(static_cast<std::uint64_t>(seed));
         Portal toCopy;
@@ -145,7 +139,7 @@ TEST(PortalIdentity, TilesToACopyChangeNoWay) {
 
 TEST(PortalIdentity, TurnedToo) {
     Counts counts;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 104729);
         const World plain = randomWorld(static_cast<std::uint64_t>(seed));
         Portal toCopy;
@@ -157,7 +151,7 @@ TEST(PortalIdentity, TurnedToo) {
         EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 600, counts))
             << "seed " << seed << ", turn " << toCopy.turn;
     }
-    for (const int turn : {1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 2) << turn;
+    for (const int turn : {1, 2, 3}) EXPECT_GT(counts.turned[turn], kPortalSeeds / 2) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 100);
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }
@@ -193,7 +187,7 @@ World withBarriers(const World& plain, int turn, int levels, const std::vector<B
 
 TEST(PortalIdentity, FacesInACorridorToACopyChangeNoWay) {
     Counts counts;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 15485863);
         World plain = emptyWorld(10, 3, 2);
         for (int x = 0; x < 10; ++x) {
@@ -208,14 +202,14 @@ TEST(PortalIdentity, FacesInACorridorToACopyChangeNoWay) {
         EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts))
             << "seed " << seed << ", turn " << toCopy.turn;
     }
-    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 8) << turn;
+    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kPortalSeeds / 8) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 500);
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }
 
 TEST(PortalIdentity, TopsAndBottomsInAShaftToACopyChangeNoWay) {
     Counts counts;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 32452843);
         World plain = emptyWorld(3, 3, 6);
         for (int tile = 0; tile < 9; ++tile) {
@@ -233,7 +227,7 @@ TEST(PortalIdentity, TopsAndBottomsInAShaftToACopyChangeNoWay) {
         EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts))
             << "seed " << seed << ", turn " << toCopy.turn;
     }
-    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 20) << turn;
+    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kPortalSeeds / 20) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 500);
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }
@@ -241,7 +235,7 @@ TEST(PortalIdentity, TopsAndBottomsInAShaftToACopyChangeNoWay) {
 // Portals side by side and one above the other that lead on side by side are one wide portal.
 TEST(PortalIdentity, WideGatesToACopyChangeNoWay) {
     Counts counts;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 49979687);
         World plain = emptyWorld(10, 4, 3);
         for (int x = 0; x < 10; ++x) {
@@ -259,14 +253,14 @@ TEST(PortalIdentity, WideGatesToACopyChangeNoWay) {
         EXPECT_TRUE(walkBoth(plain, world, toCopy, walker.player, random, 1200, counts))
             << "seed " << seed << ", turn " << toCopy.turn;
     }
-    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 8) << turn;
+    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kPortalSeeds / 8) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 500);
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }
 
 TEST(PortalIdentity, WideWellsToACopyChangeNoWay) {
     Counts counts;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPortalSeeds; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) * 67867967);
         World plain = emptyWorld(4, 4, 6);
         for (int y = 0; y < 4; ++y) {
@@ -288,7 +282,7 @@ TEST(PortalIdentity, WideWellsToACopyChangeNoWay) {
         EXPECT_TRUE(walkBoth(plain, world, toCopy, player, random, 1200, counts))
             << "seed " << seed << ", turn " << toCopy.turn;
     }
-    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kSeeds / 20) << turn;
+    for (const int turn : {0, 1, 2, 3}) EXPECT_GT(counts.turned[turn], kPortalSeeds / 20) << turn;
     EXPECT_GT(counts.straddling, counts.steps / 500);
     EXPECT_LT(counts.rejoined, counts.steps / 1000);
 }

@@ -13,12 +13,10 @@ namespace slicecast {
 namespace {
 
 #ifdef SLICECAST_SANITIZED
-constexpr int kWorlds = 60;
+constexpr int kPortalWorlds = 60;
 #else
-constexpr int kWorlds = 500;
+constexpr int kPortalWorlds = 500;
 #endif
-constexpr int kPlayersPerWorld = 4;
-constexpr int kStepsPerPlayer = 500;
 
 // Up to three maps; of many tiles and faces some lead to any place of any map.
 World randomPortalWorld(std::uint64_t seed) {
@@ -265,7 +263,7 @@ bool isInsideSomething(const World& world, const Player& player, Random& random)
     return isSolidIn(world, body.map, {body.eye.x.raw, body.eye.y.raw, body.eye.z.raw});
 }
 
-PlayerInput randomInput(Random& random) {
+PlayerInput randomPortalInput(Random& random) {
     PlayerInput input;
     input.forward = random.oneIn(3) ? random.between(-1.0, 1.0) : 1.0;
     input.strafe = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0);
@@ -297,7 +295,7 @@ TEST(RandomPortals, NobodyIsEverInsideABlockOnEitherSide) {
     std::int64_t steps = 0;
     std::int64_t leaps = 0;
     std::int64_t straddling[kFaces] = {};
-    for (int seed = 1; seed <= kWorlds; ++seed) {
+    for (int seed = 1; seed <= kPortalWorlds; ++seed) {
         const World world = randomPortalWorld(static_cast<std::uint64_t>(seed));
         Random random(static_cast<std::uint64_t>(seed) << 20);
         for (int i = 0; i < kPlayersPerWorld; ++i) {
@@ -305,9 +303,9 @@ TEST(RandomPortals, NobodyIsEverInsideABlockOnEitherSide) {
             if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player)))
                 continue;
             ASSERT_FALSE(isInsideSomething(world, player, random));
-            PlayerInput input = randomInput(random);
+            PlayerInput input = randomPortalInput(random);
             for (int step = 0; step < kStepsPerPlayer; ++step) {
-                if (random.oneIn(20)) input = randomInput(random);
+                if (random.oneIn(20)) input = randomPortalInput(random);
                 if (random.oneIn(60)) setFlying(world, player, !player.flying);
                 if (random.oneIn(200)) levelLook(world, player);
                 const Player before = player;
@@ -326,20 +324,20 @@ TEST(RandomPortals, NobodyIsEverInsideABlockOnEitherSide) {
             }
         }
     }
-    EXPECT_GT(steps, std::int64_t{kWorlds} * kPlayersPerWorld * kStepsPerPlayer / 2);
+    EXPECT_GT(steps, std::int64_t{kPortalWorlds} * kPlayersPerWorld * kStepsPerPlayer / 2);
     EXPECT_GT(leaps, steps / 1000);
     for (const std::int64_t side : straddling) EXPECT_GT(side, steps / 20'000);
 }
 
 TEST(RandomPortals, NobodyIsEverStuck) {
     int tried = 0;
-    for (int seed = 1; seed <= kWorlds / 5; ++seed) {
+    for (int seed = 1; seed <= kPortalWorlds / 5; ++seed) {
         const World world = randomPortalWorld(static_cast<std::uint64_t>(seed) + 1'000'000);
         Random random(static_cast<std::uint64_t>(seed) << 20);
         Player player;
         if (!placeRandomly(world, random, player) || !isFree(world, travellerOf(player))) continue;
         for (int leg = 0; leg < 20; ++leg) {
-            const PlayerInput input = randomInput(random);
+            const PlayerInput input = randomPortalInput(random);
             for (int step = 0; step < 40; ++step) stepPlayer(world, player, input);
             if (random.oneIn(3)) setFlying(world, player, !player.flying);
             bool moves = false;
@@ -354,10 +352,10 @@ TEST(RandomPortals, NobodyIsEverStuck) {
             ++tried;
         }
     }
-    EXPECT_GT(tried, kWorlds);
+    EXPECT_GT(tried, kPortalWorlds);
 }
 
-std::uint64_t hashOfManySteps() {
+std::uint64_t hashAmongPortals() {
     std::uint64_t hash = 0;
     const auto add = [&hash](std::uint64_t number) {
         hash = (hash ^ number) * 0x100000001b3u + (hash >> 29);
@@ -369,7 +367,7 @@ std::uint64_t hashOfManySteps() {
         if (!placeRandomly(world, random, player)) continue;
         PlayerInput input;
         for (int step = 0; step < 600; ++step) {
-            if (step % 15 == 0) input = randomInput(random);
+            if (step % 15 == 0) input = randomPortalInput(random);
             if (step % 75 == 0) setFlying(world, player, !player.flying);
             stepPlayer(world, player, input);
         }
@@ -387,8 +385,8 @@ std::uint64_t hashOfManySteps() {
 // The same from every compiler and at every level of optimisation. A change of the motion itself
 // changes this number.
 TEST(RandomPortals, TheSameInputsGiveTheSameStatesEverywhere) {
-    EXPECT_EQ(hashOfManySteps(), hashOfManySteps());
-    EXPECT_EQ(hashOfManySteps(), 0x74fd417e0a9e2f80u);
+    EXPECT_EQ(hashAmongPortals(), hashAmongPortals());
+    EXPECT_EQ(hashAmongPortals(), 0x74fd417e0a9e2f80u);
 }
 
 }  // namespace

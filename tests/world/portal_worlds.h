@@ -7,6 +7,13 @@
 
 namespace slicecast {
 
+// How many random worlds a test tries.
+#ifdef SLICECAST_SANITIZED
+inline constexpr int kPortalSeeds = 60;
+#else
+inline constexpr int kPortalSeeds = 600;
+#endif
+
 // A portal of a tile; the list of tile portals is made where there is none yet.
 void putTilePortal(World& world, const Portal& portal);
 

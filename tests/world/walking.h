@@ -14,6 +14,9 @@ inline constexpr Coordinate operator""_u(long double units) {
     return toCoordinate(static_cast<double>(units));
 }
 inline constexpr int kSecond = kStepsPerSecond;
+// For random players.
+inline constexpr int kPlayersPerWorld = 4;
+inline constexpr int kStepsPerPlayer = 500;
 inline constexpr Coordinate kTiny = {1};  // the smallest distance there is
 
 // One empty map.

@@ -12,11 +12,11 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 1800;
-constexpr double kMiddle = 63.5;
-constexpr double kSpring = 54.0;  // where the arch begins
-constexpr double kRadius = 37.0;
-constexpr double kRing = 12.0;
+constexpr std::uint32_t kArchSeed = 1800;
+constexpr double kArchMiddle = 63.5;
+constexpr double kArchSpring = 54.0;  // where the arch begins
+constexpr double kArchRadius = 37.0;
+constexpr double kArchRing = 12.0;
 
 // Joints of the arch's wedges: directions every 22.5 degrees, upwards half
 constexpr std::array<std::array<double, 2>, 9> kJoints = {{{-1.0, 0.0},
@@ -32,17 +32,17 @@ constexpr std::array<std::array<double, 2>, 9> kJoints = {{{-1.0, 0.0},
 }  // namespace
 
 double outsideArch(int x, int y) {
-    const double dx = x - kMiddle;
-    const double dy = y - kSpring;
-    return (dy < 0.0 ? std::sqrt(dx * dx + dy * dy) : std::abs(dx)) - kRadius;
+    const double dx = x - kArchMiddle;
+    const double dy = y - kArchSpring;
+    return (dy < 0.0 ? std::sqrt(dx * dx + dy * dy) : std::abs(dx)) - kArchRadius;
 }
 
 void drawArch(Surface& surface) {
     everyTexel([&](int x, int y) {
-        const double dx = x - kMiddle;
-        const double dy = y - kSpring;
+        const double dx = x - kArchMiddle;
+        const double dy = y - kArchSpring;
         const double outside = outsideArch(x, y);
-        if (outside <= 0.0 || outside > kRing) {
+        if (outside <= 0.0 || outside > kArchRing) {
             return;
         }
         double joint = 9.0;
@@ -58,18 +58,19 @@ void drawArch(Surface& surface) {
                 stone += side > 0.0 ? 1 : 0;
             }
         } else {
-            const int down = y - static_cast<int>(kSpring);
+            const int down = y - static_cast<int>(kArchSpring);
             const int local = down % 18;
             joint = std::min(local, 17 - local) + 0.5;
             stone = 20 + down / 18 + (dx > 0.0 ? 10 : 0);
         }
-        const double inside = std::min({joint, outside, kRing - outside});
-        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 10U) - 0.5;
+        const double inside = std::min({joint, outside, kArchRing - outside});
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kArchSeed + 10U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kStoneRamp;
         texel.height = std::clamp((inside - 0.4) * 0.9, 0.0, 2.2) + 1.5;
-        texel.tone =
-            inside < 0.8 ? 1.6 : 4.4 + 0.8 * (randomAt(stone, 1, kSeed + 11U) - 0.5) + 0.9 * blotch;
+        texel.tone = inside < 0.8
+                         ? 1.6
+                         : 4.4 + 0.8 * (randomAt(stone, 1, kArchSeed + 11U) - 0.5) + 0.9 * blotch;
     });
 }
 

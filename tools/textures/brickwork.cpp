@@ -11,7 +11,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 11;
+constexpr std::uint32_t kBrickworkSeed = 11;
 
 const Pieces& bricks() {
     static const Pieces pieces(
@@ -24,17 +24,17 @@ const Pieces& bricks() {
             }
             return coursed(courses);
         }(),
-        0.0, kSeed);
+        0.0, kBrickworkSeed);
     return pieces;
 }
 
 double brickVariation(int piece) {
-    const double spread = randomAt(piece, 1, kSeed) - 0.5;
+    const double spread = randomAt(piece, 1, kBrickworkSeed) - 0.5;
     return spread * 1.3;
 }
 
 bool isBurnt(int piece) {
-    return hashOf(piece, 2, kSeed) % 7U == 0U;
+    return hashOf(piece, 2, kBrickworkSeed) % 7U == 0U;
 }
 
 bool isBrick(const Surface& surface, int x, int y) {
@@ -57,19 +57,21 @@ Surface brickSurface() {
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const int piece = bricks().pieceAt(x, y);
-        const double ragged = 0.7 * (valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 3U) - 0.35);
+        const double ragged =
+            0.7 * (valueNoise(x / 4.0, y / 4.0, 32, 32, kBrickworkSeed + 3U) - 0.35);
         const double inside = bricks().edgeAt(x, y) - 0.6 - std::max(0.0, ragged);
         texel.height = std::clamp(inside, 0.0, 1.6);
         if (inside <= 0.0) {
             texel.ramp = &kStoneRamp;
-            texel.tone = 3.1 + 0.8 * (valueNoise(x / 8.0, y / 8.0, 16, 16, kSeed + 4U) - 0.5);
+            texel.tone =
+                3.1 + 0.8 * (valueNoise(x / 8.0, y / 8.0, 16, 16, kBrickworkSeed + 4U) - 0.5);
             return;
         }
-        const double blotch = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 5U) - 0.5;
+        const double blotch = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kBrickworkSeed + 5U) - 0.5;
         texel.ramp = isBurnt(piece) ? &kBurntRamp : &kClayRamp;
         texel.tone = (isBurnt(piece) ? 3.4 : 3.25) + brickVariation(piece) + 1.1 * blotch;
     });
-    drawPits(surface, 420, 0.9, kSeed + 6U);
+    drawPits(surface, 420, 0.9, kBrickworkSeed + 6U);
     return surface;
 }
 
@@ -82,12 +84,12 @@ Picture paintBrickWeathered() {
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const int piece = bricks().pieceAt(x, y);
-        const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kSeed + 20U);
+        const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kBrickworkSeed + 20U);
         const double inside = bricks().edgeAt(x, y);
         // Faces burst by frost
-        if (isBrick(surface, x, y) && hashOf(piece, 9, kSeed) % 4U == 0U && rough > 0.44 &&
+        if (isBrick(surface, x, y) && hashOf(piece, 9, kBrickworkSeed) % 4U == 0U && rough > 0.44 &&
             inside > 2.0) {
-            texel.height = 0.5 + 0.6 * valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 21U);
+            texel.height = 0.5 + 0.6 * valueNoise(x / 4.0, y / 4.0, 32, 32, kBrickworkSeed + 21U);
             texel.tone += 0.6;
             return;
         }
@@ -101,8 +103,8 @@ Picture paintBrickWeathered() {
         }
         // Lime bloom running down from the joints
         const double bloom =
-            valueNoise(x / 4.0, y / 32.0, 32, 4, kSeed + 22U) *
-            smoothStep(0.45, 0.75, valueNoise(x / 32.0, y / 32.0, 4, 4, kSeed + 23U));
+            valueNoise(x / 4.0, y / 32.0, 32, 4, kBrickworkSeed + 22U) *
+            smoothStep(0.45, 0.75, valueNoise(x / 32.0, y / 32.0, 4, 4, kBrickworkSeed + 23U));
         if (isBrick(surface, x, y) && bloom > 0.5) {
             texel.ramp = &kStoneRamp;
             texel.tone = 3.2 + 1.2 * (rough - 0.5);
@@ -119,12 +121,12 @@ Picture paintBrickMossy() {
         Texel& texel = surface.at(x, y);
         // Moss starts on the ledges between courses and hangs down over the bricks
         const int belowJoint = y % kBrickHeight;
-        const double patch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 30U);
-        const double tuft = valueNoise(x / 3.2, y / 6.4, 40, 20, kSeed + 31U);
+        const double patch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kBrickworkSeed + 30U);
+        const double tuft = valueNoise(x / 3.2, y / 6.4, 40, 20, kBrickworkSeed + 31U);
         const double hang = (patch - 0.42) * 38.0 * (0.35 + 0.9 * tuft);
         const bool onLedge = belowJoint >= kBrickHeight - 3 && patch > 0.42;
         if (belowJoint < hang || (onLedge && tuft > 0.3)) {
-            const double leaf = valueNoise(x / 2.0, y / 2.0, 64, 64, kSeed + 32U);
+            const double leaf = valueNoise(x / 2.0, y / 2.0, 64, 64, kBrickworkSeed + 32U);
             texel.ramp = &kMossRamp;
             texel.tone = 3.0 + 1.2 * (leaf - 0.5) + 0.8 * (patch - 0.5);
             texel.height = 1.6 + 1.6 * leaf;

@@ -11,7 +11,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 2200;
+constexpr std::uint32_t kCarvingSeed = 2200;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Picture paintFrieze() {
                                                                       {0.7071, -0.7071}}};
     Surface surface;
     everyTexel([&](int x, int y) {
-        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 30U) - 0.5;
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kCarvingSeed + 30U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kStoneRamp;
         texel.tone = 4.4 + 0.8 * blotch;

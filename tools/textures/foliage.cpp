@@ -14,25 +14,26 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 1600;
+constexpr std::uint32_t kFoliageSeed = 1600;
 
 }  // namespace
 
 // Long plates of bark between deep furrows, some moss on the side of the weather.
 Picture paintBark() {
-    static const Pieces plates(nearest(spreadPoints(28, 0.2, kSeed + 40U), 0.2), 4.0, kSeed + 41U);
+    static const Pieces plates(nearest(spreadPoints(28, 0.2, kFoliageSeed + 40U), 0.2), 4.0,
+                               kFoliageSeed + 41U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const int piece = plates.pieceAt(x, y);
         const double inside = plates.edgeAt(x, y) - 0.9;
-        const double fibre = valueNoise(x / 2.0, y / 16.0, 64, 8, kSeed + 42U) - 0.5;
-        const double scale = valueNoise(x / 8.0, y / 4.0, 16, 32, kSeed + 43U) - 0.5;
-        const double moss = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 44U);
+        const double fibre = valueNoise(x / 2.0, y / 16.0, 64, 8, kFoliageSeed + 42U) - 0.5;
+        const double scale = valueNoise(x / 8.0, y / 4.0, 16, 32, kFoliageSeed + 43U) - 0.5;
+        const double moss = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kFoliageSeed + 44U);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kTimberRamp;
         texel.height = inside <= 0.0 ? 0.0 : std::min(1.0 + 0.8 * inside, 4.5) + 1.6 * scale;
         texel.tone = inside <= 0.0 ? 0.3
-                                   : 2.3 + 0.8 * (randomAt(piece, 1, kSeed + 45U) - 0.5) +
+                                   : 2.3 + 0.8 * (randomAt(piece, 1, kFoliageSeed + 45U) - 0.5) +
                                          1.0 * fibre + 0.6 * scale;
         if (inside > 0.6 && moss > 0.68) {
             texel.ramp = &kMossRamp;
@@ -52,13 +53,13 @@ Picture paintHedge() {
     everyTexel(
         [&](int x, int y) { surface.at(x, y) = {.height = 0.0, .tone = 0.8, .ramp = &kMossRamp}; });
     // From the dark inside to the sunlit outside; leaves of one spray share their light
-    Random random(kSeed);
+    Random random(kFoliageSeed);
     constexpr int kLayers = 4;
     for (int layer = 0; layer < kLayers; ++layer) {
         for (int number = 0; number < 230; ++number) {
             const double x = random.between(0.0, kSide);
             const double y = random.between(0.0, kSide);
-            const double spray = valueNoise(x / 16.0, y / 16.0, 8, 8, kSeed + 1U);
+            const double spray = valueNoise(x / 16.0, y / 16.0, 8, 8, kFoliageSeed + 1U);
             const Direction direction = kHanging[static_cast<std::size_t>(random.below(7))];
             const double length = random.between(5.5, 8.5);
             if (layer == kLayers - 1 && spray < 0.4) {
@@ -85,13 +86,13 @@ Picture paintHedge() {
 // The outermost leaves of a hedge or a tree, with the sky between them.
 Picture paintLeaves() {
     Surface surface = Surface::empty();
-    Random random(kSeed + 60U);
+    Random random(kFoliageSeed + 60U);
     constexpr int kLayers = 3;
     for (int layer = 0; layer < kLayers; ++layer) {
         for (int number = 0; number < 170; ++number) {
             const double x = random.between(0.0, kSide);
             const double y = random.between(0.0, kSide);
-            const double spray = fractalNoise(x / 21.34, y / 21.34, 6, 6, 2, kSeed + 61U);
+            const double spray = fractalNoise(x / 21.34, y / 21.34, 6, 6, 2, kFoliageSeed + 61U);
             const Direction direction = kHanging[static_cast<std::size_t>(random.below(7))];
             const double length = random.between(7.0, 11.0);
             if (spray < 0.24 + 0.09 * layer) {
@@ -118,12 +119,12 @@ Picture paintLeaves() {
 
 Picture paintIvy() {
     Surface surface = ashlarSurface();
-    Random random(kSeed + 20U);
+    Random random(kFoliageSeed + 20U);
     for (int layer = 0; layer < 3; ++layer) {
         for (int number = 0; number < 210; ++number) {
             const double x = random.between(0.0, kSide);
             const double y = random.between(0.0, kSide);
-            const double cover = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 21U);
+            const double cover = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kFoliageSeed + 21U);
             const Direction direction = kHanging[static_cast<std::size_t>(random.below(7))];
             const double length = random.between(6.5, 10.0);
             if (cover < 0.40 + 0.05 * layer) {

@@ -12,12 +12,12 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 4200;
-constexpr int kWidth = 120;
-constexpr int kHeight = 132;
-constexpr double kMiddle = kWidth / 2.0;
-constexpr double kNozzle = kHeight - 12.0;
-constexpr double kPool = kHeight - 6.0;
+constexpr std::uint32_t kFountainSeed = 4200;
+constexpr int kFountainWidth = 120;
+constexpr int kFountainHeight = 132;
+constexpr double kFountainMiddle = kFountainWidth / 2.0;
+constexpr double kNozzle = kFountainHeight - 12.0;
+constexpr double kPool = kFountainHeight - 6.0;
 
 // A stream leaves the nozzle, rises and falls: its place at an age from 0 to 1.
 struct Stream {
@@ -27,7 +27,7 @@ struct Stream {
 
 Place placeOn(const Stream& stream, double age) {
     const double up = 4.0 * stream.height * age * (1.0 - age);
-    return {kMiddle + stream.reach * age, kNozzle - up + (kPool - kNozzle) * age};
+    return {kFountainMiddle + stream.reach * age, kNozzle - up + (kPool - kNozzle) * age};
 }
 
 }  // namespace
@@ -40,29 +40,31 @@ Picture paintFountain() {
     std::vector<Picture> frames;
     for (int frame = 0; frame < kFountainFrames; ++frame) {
         const double time = static_cast<double>(frame) / kFountainFrames;
-        Surface surface = Surface::empty(kWidth, kHeight);
+        Surface surface = Surface::empty(kFountainWidth, kFountainHeight);
         // Where it falls into the pool: foam and rings
-        drawBall(surface, {kMiddle, kPool + 1.0}, 57.0, 6.5,
+        drawBall(surface, {kFountainMiddle, kPool + 1.0}, 57.0, 6.5,
                  {.ramp = &kSeaRamp, .tone = 3.2, .bulge = 0.0, .alpha = 150});
         for (int ring = 0; ring < 3; ++ring) {
             const double spread = (ring + time) / 3.0;
-            everyTexelOn(surface, 0.0, kPool - 8.0, kWidth, kHeight, [&](int x, int y) {
-                const double dx = (x + 0.5 - kMiddle) / 55.0;
-                const double dy = (y + 0.5 - kPool - 1.0) / 6.0;
-                const double off = std::sqrt(dx * dx + dy * dy) - spread;
-                if (std::abs(off) < 0.05 && surface.at(x, y).alpha > 0) {
-                    surface.at(x, y).tone = 4.6;
-                    surface.at(x, y).alpha = 190;
-                }
-            });
+            everyTexelOn(surface, 0.0, kPool - 8.0, kFountainWidth, kFountainHeight,
+                         [&](int x, int y) {
+                             const double dx = (x + 0.5 - kFountainMiddle) / 55.0;
+                             const double dy = (y + 0.5 - kPool - 1.0) / 6.0;
+                             const double off = std::sqrt(dx * dx + dy * dy) - spread;
+                             if (std::abs(off) < 0.05 && surface.at(x, y).alpha > 0) {
+                                 surface.at(x, y).tone = 4.6;
+                                 surface.at(x, y).alpha = 190;
+                             }
+                         });
         }
         // A veil of fine drops inside the streams
-        everyTexelOn(surface, 0.0, 0.0, kWidth, kPool, [&](int x, int y) {
-            const double off = std::abs(x + 0.5 - kMiddle) / 44.0;
+        everyTexelOn(surface, 0.0, 0.0, kFountainWidth, kPool, [&](int x, int y) {
+            const double off = std::abs(x + 0.5 - kFountainMiddle) / 44.0;
             const double up = (kNozzle - y) / 104.0;
             if (off < 1.0 && up < 1.0 - off * off) {
                 const double fall =
-                    valueNoise(x / 2.0, (y - time * 64.0) / 8.0, 64, 8, kSeed) * (1.0 - 0.5 * off);
+                    valueNoise(x / 2.0, (y - time * 64.0) / 8.0, 64, 8, kFountainSeed) *
+                    (1.0 - 0.5 * off);
                 if (fall > 0.55) {
                     surface.at(x, y) = {
                         .height = 0.0,
@@ -99,7 +101,8 @@ Picture paintFountain() {
                 // Drops torn off to either side
                 const double aside =
                     5.0 * age *
-                    (randomAt(drop % 3, static_cast<int>(stream.reach), kSeed + 1U) - 0.5) * 2.0;
+                    (randomAt(drop % 3, static_cast<int>(stream.reach), kFountainSeed + 1U) - 0.5) *
+                    2.0;
                 const Place place = placeOn(stream, std::min(1.0, age + 0.02));
                 if (age > 0.4) {
                     drawBall(surface, {place.x + aside, place.y - 2.0}, 1.3, 1.5,
@@ -113,8 +116,8 @@ Picture paintFountain() {
         }
         for (const Stream& stream : kStreams) {
             const double splash =
-                wave(time + randomAt(static_cast<int>(stream.reach), 2, kSeed + 2U));
-            drawBall(surface, {kMiddle + stream.reach, kPool}, 5.5 + 0.8 * splash,
+                wave(time + randomAt(static_cast<int>(stream.reach), 2, kFountainSeed + 2U));
+            drawBall(surface, {kFountainMiddle + stream.reach, kPool}, 5.5 + 0.8 * splash,
                      2.6 + 0.5 * splash,
                      {.ramp = &kSeaRamp, .tone = 5.6, .height = 2.0, .bulge = 0.5, .alpha = 215});
         }

@@ -11,7 +11,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 2000;
+constexpr std::uint32_t kFurnishingsSeed = 2000;
 
 struct Binding {
     const Ramp* ramp;
@@ -113,7 +113,8 @@ Picture paintBookshelf() {
         [&](int x, int y) { surface.at(x, y) = {.height = -4.0, .tone = 0.7, .ramp = &kOakRamp}; });
     for (int shelf = 0; shelf < 3; ++shelf) {
         const int foot = 41 + 42 * shelf;
-        fillShelf(surface, 5, kSide - 5, foot, kSeed + 1U + static_cast<std::uint32_t>(shelf));
+        fillShelf(surface, 5, kSide - 5, foot,
+                  kFurnishingsSeed + 1U + static_cast<std::uint32_t>(shelf));
     }
     // Boards and posts
     everyTexel([&](int x, int y) {
@@ -123,11 +124,12 @@ Picture paintBookshelf() {
         Texel& texel = surface.at(x, y);
         if (post < 5) {
             texel = {.height = 3.0 * std::min(1.0, (5.0 - post) / 2.0),
-                     .tone = 3.0 + 0.8 * woodGrain(y, x, kSeed + 10U),
+                     .tone = 3.0 + 0.8 * woodGrain(y, x, kFurnishingsSeed + 10U),
                      .ramp = &kOakRamp};
         } else if (board < 4 || lastRows || y < 3) {
-            texel = {
-                .height = 2.0, .tone = 3.3 + 0.8 * woodGrain(x, y, kSeed + 11U), .ramp = &kOakRamp};
+            texel = {.height = 2.0,
+                     .tone = 3.3 + 0.8 * woodGrain(x, y, kFurnishingsSeed + 11U),
+                     .ramp = &kOakRamp};
         }
     });
     return lit(surface, {.gain = 0.3,
@@ -154,7 +156,7 @@ Picture paintBarrel() {
             texel = {.height = -4.0, .tone = 0.6, .ramp = &kOakRamp};
             if (fromBorder < 9) {
                 texel.height = 2.0 * std::min(1.0, (9.0 - fromBorder) / 2.0);
-                texel.tone = 2.4 + 0.8 * woodGrain(x, y, kSeed + 20U);
+                texel.tone = 2.4 + 0.8 * woodGrain(x, y, kFurnishingsSeed + 20U);
             }
         } else if (distance > 57.0) {
             texel = {
@@ -164,20 +166,21 @@ Picture paintBarrel() {
             const double turn = dx / (std::abs(dx) + std::abs(dy) + 0.001);
             const double place = (dy < 0.0 ? turn : 4.0 - turn) * 5.0;
             const double part = place - std::floor(place);
-            texel = {
-                .height = 3.4,
-                .tone = 3.7 +
-                        0.7 * (randomAt(static_cast<int>(std::floor(place)), 1, kSeed + 21U) - 0.5),
-                .ramp = &kTimberRamp};
+            texel = {.height = 3.4,
+                     .tone = 3.7 + 0.7 * (randomAt(static_cast<int>(std::floor(place)), 1,
+                                                   kFurnishingsSeed + 21U) -
+                                          0.5),
+                     .ramp = &kTimberRamp};
             texel.tone -= part < 0.12 ? 1.6 : 0.0;
         } else {
             constexpr int kBoard = 16;
             const int board = x / kBoard;
             const int inside = std::min(x % kBoard, kBoard - 1 - x % kBoard);
-            texel = {.height = std::min(1.0, 0.6 * inside),
-                     .tone = 2.9 + 0.7 * (randomAt(board, 2, kSeed + 22U) - 0.5) +
-                             woodGrain(y, x, kSeed + 23U + static_cast<std::uint32_t>(board)),
-                     .ramp = &kTimberRamp};
+            texel = {
+                .height = std::min(1.0, 0.6 * inside),
+                .tone = 2.9 + 0.7 * (randomAt(board, 2, kFurnishingsSeed + 22U) - 0.5) +
+                        woodGrain(y, x, kFurnishingsSeed + 23U + static_cast<std::uint32_t>(board)),
+                .ramp = &kTimberRamp};
             texel.tone = inside == 0 ? texel.tone - 1.3 : texel.tone;
         }
     });
@@ -188,7 +191,7 @@ Picture paintBarrel() {
         if (dx * dx + dy * dy < 49.0 * 49.0) {
             const int across = std::min(y - 56, 70 - y);
             surface.at(x, y) = {.height = 1.0 + 2.0 * std::min(1.0, (across + 1.0) / 2.5),
-                                .tone = 3.5 + 0.9 * woodGrain(x, y, kSeed + 24U),
+                                .tone = 3.5 + 0.9 * woodGrain(x, y, kFurnishingsSeed + 24U),
                                 .ramp = &kTimberRamp};
         }
     });

@@ -14,7 +14,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 3000;
+constexpr std::uint32_t kGatesSeed = 3000;
 
 constexpr Lighting kGateLight = {.gain = 0.55,
                                  .lightest = 1.1,
@@ -29,9 +29,9 @@ Texel leafTexel(int across, int down, int width, int height) {
     constexpr int kBoard = 14;
     const int board = across / kBoard;
     const int inside = std::min(across % kBoard, kBoard - 1 - across % kBoard);
-    const auto seed = kSeed + 20U + 10U * static_cast<std::uint32_t>(board);
+    const auto seed = kGatesSeed + 20U + 10U * static_cast<std::uint32_t>(board);
     Texel texel = {.height = std::min(1.2, 0.7 * inside),
-                   .tone = 2.9 + 0.7 * (randomAt(board, 2, kSeed + 12U) - 0.5) +
+                   .tone = 2.9 + 0.7 * (randomAt(board, 2, kGatesSeed + 12U) - 0.5) +
                            0.9 * woodGrain(down, across, seed) - (inside == 0 ? 1.3 : 0.0),
                    .ramp = &kTimberRamp};
     // A rail of iron around the leaf, and two straps from the hinge
@@ -86,12 +86,12 @@ Picture paintPortcullis() {
             }
             if (level < 5.0) {
                 surface.at(x, y) = {.height = std::min(2.0, 5.4 - level),
-                                    .tone = 2.4 + 0.8 * woodGrain(x, gateY, kSeed + 1U),
+                                    .tone = 2.4 + 0.8 * woodGrain(x, gateY, kGatesSeed + 1U),
                                     .ramp = &kOakRamp};
             }
             if (upright < 6.0) {
                 surface.at(x, y) = {.height = 2.0 + std::min(2.0, 6.4 - upright),
-                                    .tone = 2.9 + 0.8 * woodGrain(gateY, x, kSeed + 2U),
+                                    .tone = 2.9 + 0.8 * woodGrain(gateY, x, kGatesSeed + 2U),
                                     .ramp = &kOakRamp};
                 if (level < 5.0) {
                     // Iron plates where beams cross, with a bolt
@@ -162,8 +162,8 @@ Picture paintDoubleDoor() {
             const bool lintel = y < kLintel;
             const int inside = lintel ? std::min(y + 1, kLintel - 1 - y) : kPost - 1 - side;
             surface.at(x, y) = {.height = std::min(2.0, 0.8 + 0.7 * inside),
-                                .tone = 2.6 + 0.9 * (lintel ? woodGrain(x, y, kSeed + 30U)
-                                                            : woodGrain(y, x, kSeed + 31U)),
+                                .tone = 2.6 + 0.9 * (lintel ? woodGrain(x, y, kGatesSeed + 30U)
+                                                            : woodGrain(y, x, kGatesSeed + 31U)),
                                 .ramp = &kOakRamp};
         });
         for (const int x : {3, kSide - 4}) {

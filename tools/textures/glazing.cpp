@@ -15,7 +15,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 2600;
+constexpr std::uint32_t kGlazingSeed = 2600;
 
 constexpr Lighting kLeadLight = {.gain = 0.5, .lightest = 1.0, .darkest = 1.2, .shadowReach = 0};
 
@@ -43,14 +43,14 @@ enum Glass {
     kBlossom = 620
 };
 
-constexpr double kMiddle = 64.0;
+constexpr double kPaneMiddle = 64.0;
 
 // Distance inwards from the pointed arch of the opening; negative in the stone.
 double insidePointedArch(double x, double y) {
     constexpr double kHalf = 45.0;
     constexpr double kSpring = 62.0;
     constexpr double kSill = 118.0;
-    const double off = std::abs(x - kMiddle);
+    const double off = std::abs(x - kPaneMiddle);
     double inside = std::min(kHalf - off, kSill - y);
     if (y < kSpring) {
         // Each side is an arc around a point beyond the middle
@@ -83,9 +83,9 @@ int glassAt(int texelX, int texelY) {
     }
     if (inside < 7.0) {
         // A border of short pieces along the stone
-        return kBorder + static_cast<int>(y) / 14 + (x < kMiddle ? 40 : 0);
+        return kBorder + static_cast<int>(y) / 14 + (x < kPaneMiddle ? 40 : 0);
     }
-    const double dx = x - kMiddle;
+    const double dx = x - kPaneMiddle;
     const double dy = y - 52.0;
     const double distance = std::sqrt(dx * dx + dy * dy);
     if (distance < 8.5) {
@@ -114,7 +114,7 @@ int glassAt(int texelX, int texelY) {
 }
 
 Texel stainedTexel(int piece, double cloud) {
-    const double own = randomAt(piece, 1, kSeed + 10U) - 0.5;
+    const double own = randomAt(piece, 1, kGlazingSeed + 10U) - 0.5;
     const Ramp* ramp = &kSeaRamp;
     double tone = 3.3;
     int alpha = 190;
@@ -163,7 +163,7 @@ Picture paintGlassPane() {
             return;
         }
         const int pane = (x + 2) / 64 % 2 + 2 * ((y + 2) / 64 % 2);
-        surface.at(x, y) = clearGlass(localX, localY, randomAt(pane, 3, kSeed));
+        surface.at(x, y) = clearGlass(localX, localY, randomAt(pane, 3, kGlazingSeed));
         // Thicker, greener glass towards the leads
         if (localX == 4 || localY == 4 || localX == 63 || localY == 63) {
             surface.at(x, y).alpha = 120;
@@ -204,7 +204,7 @@ Picture paintStainedGlass() {
         for (int near = 1; near < 4; ++near) {
             lead = lead || glassAt(x + near % 2, y + near / 2) != piece;
         }
-        const double cloud = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 11U) - 0.5;
+        const double cloud = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kGlazingSeed + 11U) - 0.5;
         surface.at(x, y) = lead ? Texel{.height = -2.0, .tone = 0.8, .ramp = &kSlateRamp}
                                 : stainedTexel(piece, cloud);
     });
@@ -222,8 +222,9 @@ Picture paintShopWindow() {
     constexpr int kSill = 92;
     Surface surface;
     everyTexel([&](int x, int y) {
-        surface.at(x, y) = {
-            .height = 0.0, .tone = 2.4 + 0.8 * woodGrain(y, x, kSeed + 30U), .ramp = &kOakRamp};
+        surface.at(x, y) = {.height = 0.0,
+                            .tone = 2.4 + 0.8 * woodGrain(y, x, kGlazingSeed + 30U),
+                            .ramp = &kOakRamp};
     });
     // Glass from post to post, parted by thin bars
     everyTexelIn(10, 20, 118, kSill, [&](int x, int y) {
@@ -233,8 +234,8 @@ Picture paintShopWindow() {
             surface.at(x, y) = {
                 .height = 0.5, .tone = localX == 34 || localY == 34 ? 3.2 : 2.0, .ramp = &kOakRamp};
         } else {
-            surface.at(x, y) =
-                clearGlass(localX, localY, randomAt((x - 10) / 36, (y - 20) / 36, kSeed + 31U));
+            surface.at(x, y) = clearGlass(
+                localX, localY, randomAt((x - 10) / 36, (y - 20) / 36, kGlazingSeed + 31U));
             surface.at(x, y).height = -3.0;
         }
     });
@@ -274,7 +275,7 @@ Picture paintShopWindow() {
         if (off < 9 && y >= 14) {
             surface.at(x, y).height = 3.0 - (off > 6 ? 0.8 * (off - 6) : 0.0);
             surface.at(x, y).tone =
-                2.9 + 0.8 * woodGrain(y, x, kSeed + 32U) - (off == 3 ? 0.8 : 0.0);
+                2.9 + 0.8 * woodGrain(y, x, kGlazingSeed + 32U) - (off == 3 ? 0.8 : 0.0);
         }
     });
     drawSlab(surface, {.left = 0,

@@ -16,7 +16,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 3200;
+constexpr std::uint32_t kGlowSeed = 3200;
 
 struct Stroke {
     int fromX;
@@ -74,7 +74,7 @@ Picture paintRunePanel() {
         Surface surface;
         everyTexel([&](int x, int y) {
             const int inside = std::min({x, kSide - 1 - x, y, kSide - 1 - y});
-            const double cloud = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 1U) - 0.5;
+            const double cloud = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kGlowSeed + 1U) - 0.5;
             Texel& texel = surface.at(x, y);
             if (inside < 8) {
                 texel = {
@@ -83,7 +83,7 @@ Picture paintRunePanel() {
                     .ramp = &kBrassRamp};
                 return;
             }
-            texel = {.height = 0.6 * fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 2U),
+            texel = {.height = 0.6 * fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kGlowSeed + 2U),
                      .tone = 1.7 + 1.3 * cloud,
                      .ramp = &kSlateRamp};
             for (std::size_t rune = 0; rune < kRunes.size(); ++rune) {
@@ -157,10 +157,10 @@ Picture paintBrazier() {
             const double up = (kBowl + 2.0 - y) / 78.0;
             const double rise = y + time * kSide;
             const double lick =
-                (valueNoise(x / 64.0, rise / 32.0, 2, 4, kSeed + 10U) - 0.5) * 26.0 * up;
+                (valueNoise(x / 64.0, rise / 32.0, 2, 4, kGlowSeed + 10U) - 0.5) * 26.0 * up;
             const double off = std::abs(x + 0.5 - kMiddle + lick) / 30.0;
             const double tongue = fractalNoise((x + lick) / 8.0, (y + 2.0 * time * kSide) / 32.0,
-                                               16, 4, 2, kSeed + 11U);
+                                               16, 4, 2, kGlowSeed + 11U);
             const double body = 1.0 - off * off * (0.85 + 3.2 * up) - 1.2 * up;
             const double fire = body + 1.5 * (tongue - 0.5) * (0.15 + 2.6 * up * (1.0 - up));
             if (fire > 0.06) {
@@ -172,10 +172,10 @@ Picture paintBrazier() {
         });
         // Sparks rise once in a loop
         for (int spark = 0; spark < 7; ++spark) {
-            const double begun = time + randomAt(spark, 1, kSeed + 12U);
+            const double begun = time + randomAt(spark, 1, kGlowSeed + 12U);
             const double age = begun - std::floor(begun);
-            const double x = kMiddle + 34.0 * (randomAt(spark, 2, kSeed + 12U) - 0.5) +
-                             7.0 * wave(age + randomAt(spark, 3, kSeed + 12U));
+            const double x = kMiddle + 34.0 * (randomAt(spark, 2, kGlowSeed + 12U) - 0.5) +
+                             7.0 * wave(age + randomAt(spark, 3, kGlowSeed + 12U));
             const double y = 40.0 - 38.0 * age;
             if (age < 0.85) {
                 drawBall(surface, {x, y}, 1.3, 1.3,
@@ -185,8 +185,8 @@ Picture paintBrazier() {
         // Coals, then the bowl in front of them
         for (int coal = 0; coal < 9; ++coal) {
             const double x = 42.0 + 5.5 * coal;
-            const double glow = loopNoise(coal + 0.5, 0.5, 16, 1, time, 4, kSeed + 13U);
-            drawBall(surface, {x, 79.0 - 2.0 * randomAt(coal, 4, kSeed + 13U)}, 4.6, 3.6,
+            const double glow = loopNoise(coal + 0.5, 0.5, 16, 1, time, 4, kGlowSeed + 13U);
+            drawBall(surface, {x, 79.0 - 2.0 * randomAt(coal, 4, kGlowSeed + 13U)}, 4.6, 3.6,
                      {.ramp = &kFireRamp, .tone = 2.6 + 3.0 * glow, .bulge = 0.4});
         }
         everyTexelIn(30, 79, 98, 100, [&](int x, int y) {
@@ -201,10 +201,10 @@ Picture paintBrazier() {
                 // Slots through which the coals are seen
                 const double slot = std::abs(wrap(static_cast<int>(off + 68.5), 11) - 5.0);
                 if (y > 86 && y < 93 && slot < 2.0 && std::abs(off) < 24.0) {
-                    surface.at(x, y) = {
-                        .height = 6.0,
-                        .tone = 4.6 + 1.4 * loopNoise(x / 11.0, 0.5, 16, 1, time, 4, kSeed + 13U),
-                        .ramp = &kFireRamp};
+                    surface.at(x, y) = {.height = 6.0,
+                                        .tone = 4.6 + 1.4 * loopNoise(x / 11.0, 0.5, 16, 1, time, 4,
+                                                                      kGlowSeed + 13U),
+                                        .ramp = &kFireRamp};
                 }
             }
         });

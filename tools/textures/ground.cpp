@@ -11,7 +11,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 800;
+constexpr std::uint32_t kGroundSeed = 800;
 
 // Tufts of grass seen from above: three or five blades that spread from a foot, dark at the foot,
 // light at the tips.
@@ -20,7 +20,7 @@ void drawTufts(Surface& surface, int count, double tone, std::uint32_t seed) {
     for (int tuft = 0; tuft < count; ++tuft) {
         const int x = random.below(kSide);
         const int y = random.below(kSide);
-        const double meadow = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 1U) - 0.5;
+        const double meadow = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kGroundSeed + 1U) - 0.5;
         const double own = tone + 1.5 * meadow + random.between(-0.3, 0.3);
         const int blades = 3 + 2 * random.below(2);
         for (int blade = 0; blade < blades; ++blade) {
@@ -42,12 +42,12 @@ void drawTufts(Surface& surface, int count, double tone, std::uint32_t seed) {
 Surface grassSurface() {
     Surface surface;
     everyTexel([&](int x, int y) {
-        const double meadow = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 1U) - 0.5;
-        const double blade = valueNoise(x / 2.0, y / 4.0, 64, 32, kSeed + 2U);
+        const double meadow = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kGroundSeed + 1U) - 0.5;
+        const double blade = valueNoise(x / 2.0, y / 4.0, 64, 32, kGroundSeed + 2U);
         surface.at(x, y) = {
             .height = 0.0, .tone = 3.1 + 1.3 * meadow + 0.9 * (blade - 0.5), .ramp = &kMossRamp};
     });
-    drawTufts(surface, 420, 3.4, kSeed + 3U);
+    drawTufts(surface, 420, 3.4, kGroundSeed + 3U);
     return surface;
 }
 
@@ -55,15 +55,16 @@ Surface grassSurface() {
 Surface earthSurface() {
     Surface surface;
     everyTexel([&](int x, int y) {
-        const double bend = 10.0 * (fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kSeed + 80U) - 0.5);
-        const double layer = valueNoise(x / 64.0, (y + bend) / 8.0, 2, 16, kSeed + 81U) - 0.5;
-        const double clod = fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kSeed + 82U) - 0.5;
+        const double bend =
+            10.0 * (fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kGroundSeed + 80U) - 0.5);
+        const double layer = valueNoise(x / 64.0, (y + bend) / 8.0, 2, 16, kGroundSeed + 81U) - 0.5;
+        const double clod = fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kGroundSeed + 82U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kEarthRamp;
         texel.tone = 2.4 + 1.1 * layer + 0.9 * clod;
         texel.height = 3.5 * clod + 1.0 * layer;
     });
-    Random random(kSeed + 83U);
+    Random random(kGroundSeed + 83U);
     for (int stone = 0; stone < 30; ++stone) {
         const double x = random.between(0.0, kSide);
         const double y = random.between(0.0, kSide);
@@ -87,7 +88,7 @@ Surface earthSurface() {
                             .length = 14 + random.below(16),
                             .depth = 0.8,
                             .darkening = 0.9,
-                            .seed = kSeed + 84U + static_cast<std::uint32_t>(root)});
+                            .seed = kGroundSeed + 84U + static_cast<std::uint32_t>(root)});
     }
     return surface;
 }
@@ -99,29 +100,29 @@ constexpr Lighting kEarthLight = {.gain = 0.5,
                                   .shadowSlope = 0.6,
                                   .shadowDepth = 0.8};
 
-constexpr Lighting kFlat = {.gain = 0.0,
-                            .lightest = 0.0,
-                            .darkest = 0.0,
-                            .shadowReach = 0,
-                            .shadowSlope = 1.0,
-                            .shadowDepth = 0.0,
-                            .hollowDepth = 0.0};
+constexpr Lighting kFlatLight = {.gain = 0.0,
+                                 .lightest = 0.0,
+                                 .darkest = 0.0,
+                                 .shadowReach = 0,
+                                 .shadowSlope = 1.0,
+                                 .shadowDepth = 0.0,
+                                 .hollowDepth = 0.0};
 
 }  // namespace
 
 Picture paintGrass() {
-    return lit(grassSurface(), kFlat);
+    return lit(grassSurface(), kFlatLight);
 }
 
 Picture paintGrassMeadow() {
     Surface surface = grassSurface();
     // Flowers in small companies; four petals and an eye
-    Random random(kSeed + 10U);
+    Random random(kGroundSeed + 10U);
     for (int flower = 0; flower < 44; ++flower) {
         const int x = random.below(kSide);
         const int y = random.below(kSide);
-        const double company = valueNoise(x / 16.0, y / 16.0, 8, 8, kSeed + 11U);
-        const double kind = valueNoise(x / 32.0, y / 32.0, 4, 4, kSeed + 12U);
+        const double company = valueNoise(x / 16.0, y / 16.0, 8, 8, kGroundSeed + 11U);
+        const double kind = valueNoise(x / 32.0, y / 32.0, 4, 4, kGroundSeed + 12U);
         if (company < 0.35) {
             continue;
         }
@@ -138,25 +139,25 @@ Picture paintGrassMeadow() {
         }
         surface.at(x, y) = {.height = 0.0, .tone = kind < 0.42 ? 4.0 : 3.0, .ramp = &kBrassRamp};
     }
-    return lit(surface, kFlat);
+    return lit(surface, kFlatLight);
 }
 
 Picture paintMoss() {
-    static const Pieces cushions(nearest(spreadPoints(70, 1.0, kSeed + 20U), 1.0), 2.5,
-                                 kSeed + 21U);
+    static const Pieces cushions(nearest(spreadPoints(70, 1.0, kGroundSeed + 20U), 1.0), 2.5,
+                                 kGroundSeed + 21U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const int piece = cushions.pieceAt(x, y);
         const double inside = cushions.edgeAt(x, y);
-        const double fuzz = valueNoise(x / 2.0, y / 2.0, 64, 64, kSeed + 22U) - 0.5;
-        const double broad = fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kSeed + 23U) - 0.5;
+        const double fuzz = valueNoise(x / 2.0, y / 2.0, 64, 64, kGroundSeed + 22U) - 0.5;
+        const double broad = fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kGroundSeed + 23U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kMossRamp;
         texel.height = 4.0 * (1.0 - 1.0 / (1.0 + 0.35 * inside)) *
-                           (0.7 + 0.6 * randomAt(piece, 1, kSeed + 24U)) +
+                           (0.7 + 0.6 * randomAt(piece, 1, kGroundSeed + 24U)) +
                        1.0 * fuzz;
         texel.tone = 2.3 + 0.22 * std::min(inside, 5.0) + 0.8 * broad +
-                     0.6 * (randomAt(piece, 2, kSeed + 24U) - 0.5);
+                     0.6 * (randomAt(piece, 2, kGroundSeed + 24U) - 0.5);
     });
     return lit(surface, {.gain = 0.75,
                          .lightest = 1.0,
@@ -169,14 +170,14 @@ Picture paintMoss() {
 Picture paintPath() {
     Surface surface;
     everyTexel([&](int x, int y) {
-        const double broad = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 30U) - 0.5;
-        const double fine = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 31U) - 0.5;
+        const double broad = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kGroundSeed + 30U) - 0.5;
+        const double fine = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kGroundSeed + 31U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kEarthRamp;
         texel.tone = 3.3 + 1.1 * broad + 0.9 * fine;
         texel.height = 2.2 * fine + 2.0 * broad;
     });
-    Random random(kSeed + 32U);
+    Random random(kGroundSeed + 32U);
     for (int pebble = 0; pebble < 60; ++pebble) {
         const double x = random.between(0.0, kSide);
         const double y = random.between(0.0, kSide);
@@ -201,20 +202,21 @@ Picture paintSand() {
     Surface surface;
     everyTexel([&](int x, int y) {
         // Ripples run a little downhill and wander; their lee is steeper
-        const double wander = 9.0 * (fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kSeed + 40U) - 0.5);
+        const double wander =
+            9.0 * (fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kGroundSeed + 40U) - 0.5);
         const double phase = (y + wander + x / 8.0) / 16.0;
         const double part = phase - std::floor(phase);
         const double strength =
-            0.35 +
-            0.65 * smoothStep(0.3, 0.7, fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 41U));
+            0.35 + 0.65 * smoothStep(0.3, 0.7,
+                                     fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kGroundSeed + 41U));
         const double ripple = part < 0.65 ? part / 0.65 : (1.0 - part) / 0.35;
-        const double dune = fractalNoise(x / 64.0, y / 64.0, 2, 2, 2, kSeed + 42U) - 0.5;
+        const double dune = fractalNoise(x / 64.0, y / 64.0, 2, 2, 2, kGroundSeed + 42U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSandRamp;
         texel.height = 2.6 * strength * ripple;
         texel.tone = 3.9 + 0.7 * dune + 0.25 * strength * (ripple - 0.5);
-        texel.tone += hashOf(x, y, kSeed + 43U) % 90U == 0U ? 0.5 : 0.0;
-        texel.tone -= hashOf(x, y, kSeed + 44U) % 140U == 0U ? 0.6 : 0.0;
+        texel.tone += hashOf(x, y, kGroundSeed + 43U) % 90U == 0U ? 0.5 : 0.0;
+        texel.tone -= hashOf(x, y, kGroundSeed + 44U) % 140U == 0U ? 0.6 : 0.0;
     });
     return lit(surface, {.gain = 1.5,
                          .lightest = 0.7,
@@ -226,22 +228,22 @@ Picture paintSand() {
 }
 
 Picture paintCobbles() {
-    static const Pieces stones(nearest(spreadPoints(52, 1.15, kSeed + 50U), 1.15), 1.0,
-                               kSeed + 51U);
+    static const Pieces stones(nearest(spreadPoints(52, 1.15, kGroundSeed + 50U), 1.15), 1.0,
+                               kGroundSeed + 51U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const int piece = stones.pieceAt(x, y);
         const double inside = stones.edgeAt(x, y) - 1.2;
-        const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 52U) - 0.5;
+        const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kGroundSeed + 52U) - 0.5;
         Texel& texel = surface.at(x, y);
         if (inside <= 0.0) {
             texel = {.height = 0.0, .tone = 0.5 + 1.2 * rough, .ramp = &kStoneRamp};
             return;
         }
-        const bool warm = hashOf(piece, 1, kSeed + 53U) % 5U < 2U;
+        const bool warm = hashOf(piece, 1, kGroundSeed + 53U) % 5U < 2U;
         texel.ramp = warm ? &kStoneRamp : &kFlintRamp;
         texel.tone =
-            (warm ? 2.1 : 3.1) + 0.8 * (randomAt(piece, 2, kSeed + 53U) - 0.5) + 0.8 * rough;
+            (warm ? 2.1 : 3.1) + 0.8 * (randomAt(piece, 2, kGroundSeed + 53U) - 0.5) + 0.8 * rough;
         texel.height = 4.5 * (1.0 - 1.0 / (1.0 + 0.4 * inside)) + 0.8 * rough;
     });
     return lit(surface, {.gain = 0.65,
@@ -255,17 +257,17 @@ Picture paintCobbles() {
 Picture paintFlagstones() {
     static const Pieces flags(lettered({"AABBBCCC", "AABBBCCC", "DDDEECCC", "DDDEEFFG", "HHIEEFFG",
                                         "HHIJJJKG", "LLIJJJKM", "LLIJJJKM"}),
-                              1.0, kSeed + 60U);
+                              1.0, kGroundSeed + 60U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const int piece = flags.pieceAt(x, y);
         const double chipped =
-            1.6 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 61U) - 0.6);
+            1.6 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kGroundSeed + 61U) - 0.6);
         const double inside = flags.edgeAt(x, y) - 1.0 - chipped;
-        const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 62U) - 0.5;
+        const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kGroundSeed + 62U) - 0.5;
         Texel& texel = surface.at(x, y);
         if (inside <= 0.0) {
-            const bool grown = valueNoise(x / 16.0, y / 16.0, 8, 8, kSeed + 63U) > 0.66;
+            const bool grown = valueNoise(x / 16.0, y / 16.0, 8, 8, kGroundSeed + 63U) > 0.66;
             texel = {.height = 0.0,
                      .tone = grown ? 2.2 + rough : 0.6,
                      .ramp = grown ? &kMossRamp : &kStoneRamp};
@@ -274,7 +276,7 @@ Picture paintFlagstones() {
         const bool cool = piece == 'B' || piece == 'H' || piece == 'F' || piece == 'K';
         texel.ramp = cool ? &kFlintRamp : &kStoneRamp;
         texel.tone =
-            (cool ? 3.5 : 2.8) + 0.8 * (randomAt(piece, 1, kSeed + 64U) - 0.5) + 1.1 * rough;
+            (cool ? 3.5 : 2.8) + 0.8 * (randomAt(piece, 1, kGroundSeed + 64U) - 0.5) + 1.1 * rough;
         texel.height = std::min(inside * 0.8, 1.8) + 1.2 * rough;
     });
     drawCrack(surface,
@@ -291,11 +293,13 @@ Picture paintFlagstones() {
 
 // Calm water: long swells, and a net of light that comes and goes.
 Picture paintWater() {
-    static const Pieces net(nearest(spreadPoints(26, 1.7, kSeed + 70U), 1.7), 5.0, kSeed + 71U);
+    static const Pieces net(nearest(spreadPoints(26, 1.7, kGroundSeed + 70U), 1.7), 5.0,
+                            kGroundSeed + 71U);
     Surface surface;
     everyTexel([&](int x, int y) {
-        const double swell = fractalNoise(x / 32.0, y / 16.0, 4, 8, 3, kSeed + 72U) - 0.5;
-        const double bright = 3.2 * (fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 73U) - 0.42);
+        const double swell = fractalNoise(x / 32.0, y / 16.0, 4, 8, 3, kGroundSeed + 72U) - 0.5;
+        const double bright =
+            3.2 * (fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kGroundSeed + 73U) - 0.42);
         const double inside = net.edgeAt(x, y);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSeaRamp;
@@ -304,7 +308,7 @@ Picture paintWater() {
         texel.tone += inside < bright ? 0.6 : 0.0;
         texel.tone += inside < bright - 0.8 ? 0.7 : 0.0;
     });
-    return lit(surface, kFlat);
+    return lit(surface, kFlatLight);
 }
 
 Picture paintEarth() {
@@ -317,9 +321,9 @@ Picture paintTurf() {
     // Blades hang over the edge in tufts of different length; the nearer ones are lighter
     for (int layer = 0; layer < 3; ++layer) {
         for (int x = 0; x < kSide; ++x) {
-            const auto seed = kSeed + 90U + static_cast<std::uint32_t>(layer);
+            const auto seed = kGroundSeed + 90U + static_cast<std::uint32_t>(layer);
             const double tuft = valueNoise(x / 8.0, 0.0, 16, 1, seed);
-            const double blade = randomAt(x, layer, kSeed + 95U);
+            const double blade = randomAt(x, layer, kGroundSeed + 95U);
             const int length =
                 static_cast<int>((34.0 - 9.0 * layer) * (0.15 + 0.85 * tuft) * (0.5 + 0.5 * blade));
             for (int y = 0; y < length; ++y) {

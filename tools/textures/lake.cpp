@@ -11,7 +11,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 5600;
+constexpr std::uint32_t kLakeSeed = 5600;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ Picture paintSailingBoat() {
             .height = 6.0 + 9.0 * std::sqrt(std::max(0.0, down * (1.0 - down))) -
                       (seam > 0.47 ? 0.8 : 0.0),
             .tone = (stripe ? 3.5 : 5.9) - 1.0 * down * along - (seam > 0.46 ? 0.4 : 0.0) +
-                    0.5 * (fractalNoise(x / 16.0, y / 16.0, 16, 16, 2, kSeed) - 0.5),
+                    0.5 * (fractalNoise(x / 16.0, y / 16.0, 16, 16, 2, kLakeSeed) - 0.5),
             .ramp = stripe ? &kClayRamp : &kStoneRamp,
             .alpha = 255};
     });
@@ -75,7 +75,7 @@ Picture paintSailingBoat() {
         const double within = down * 5.0 - plank;
         Texel& texel = surface.at(x, y);
         texel = {.height = 14.0 * std::sqrt(std::max(0.0, 1.0 - off * off)) + within,
-                 .tone = 3.1 - 1.3 * down + 0.4 * (randomAt(plank, 1, kSeed + 1U) - 0.5) -
+                 .tone = 3.1 - 1.3 * down + 0.4 * (randomAt(plank, 1, kLakeSeed + 1U) - 0.5) -
                          (within < 0.16 ? 0.9 : 0.0),
                  .ramp = oak,
                  .alpha = 255};
@@ -138,11 +138,11 @@ Picture paintCypress() {
     Surface surface = Surface::empty(72, 252);
     drawLimb(surface, {kMiddle, 251.0}, 4.6, {kMiddle, 200.0}, 3.4,
              {.ramp = &kOakRamp, .tone = 2.8});
-    addGrain(surface, &kOakRamp, 1.0, kSeed + 30U);
+    addGrain(surface, &kOakRamp, 1.0, kLakeSeed + 30U);
     // A flame of leaves, thickest below its middle
     std::vector<Clump> clumps;
     constexpr int kClumps = 34;
-    Random random(kSeed + 31U);
+    Random random(kLakeSeed + 31U);
     for (int number = 0; number < kClumps; ++number) {
         const double share = static_cast<double>(number) / (kClumps - 1);
         const double up = std::max(0.0, 1.0 - share);
@@ -160,7 +160,7 @@ Picture paintCypress() {
                  .length = 6.0,
                  .width = 0.3,
                  .density = 0.9,
-                 .seed = kSeed + 32U});
+                 .seed = kLakeSeed + 32U});
     return spriteOf(surface, {.gain = 0.12,
                               .lightest = 0.5,
                               .darkest = 0.6,

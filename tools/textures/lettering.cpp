@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kBand = 16;
 
-struct Place {
+struct LetterPlace {
     int left;
     int top;
     int zoom;
     Colour colour;
 };
 
-void drawLetter(Picture& picture, char letter, const Place& place) {
+void drawLetter(Picture& picture, char letter, const LetterPlace& place) {
     const GlyphRows& rows = glyphOf(letter);
     for (int y = 0; y < kGlyphHeight * place.zoom; ++y) {
         for (int x = 0; x < kGlyphWidth * place.zoom; ++x) {

@@ -13,8 +13,8 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 2800;
-constexpr Lighting kFlat = {.gain = 0.0, .lightest = 0.0, .darkest = 0.0, .shadowReach = 0};
+constexpr std::uint32_t kLiquidsSeed = 2800;
+constexpr Lighting kLiquidLight = {.gain = 0.0, .lightest = 0.0, .darkest = 0.0, .shadowReach = 0};
 
 template <typename PaintFrame>
 Picture framesOf(PaintFrame paintFrame) {
@@ -31,18 +31,19 @@ int rounded(double value) {
 
 // The net of light on water, drawn like the still texture's, swaying and breathing.
 Picture waterFrame(double time, bool clear) {
-    static const Pieces net(nearest(spreadPoints(26, 1.7, kSeed + 70U), 1.7), 5.0, kSeed + 71U);
+    static const Pieces net(nearest(spreadPoints(26, 1.7, kLiquidsSeed + 70U), 1.7), 5.0,
+                            kLiquidsSeed + 71U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const double swayX =
-            9.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 74U) - 0.5);
+            9.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kLiquidsSeed + 74U) - 0.5);
         const double swayY =
-            7.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 75U) - 0.5);
+            7.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kLiquidsSeed + 75U) - 0.5);
         const double swell = loopFractal((x + 1.5 * swayY) / 32.0, (y + 1.5 * swayX) / 16.0, 4, 8,
-                                         time, 4, 3, kSeed + 72U) -
+                                         time, 4, 3, kLiquidsSeed + 72U) -
                              0.5;
         const double bright =
-            3.2 * (loopFractal(x / 16.0, y / 16.0, 8, 8, time, 4, 2, kSeed + 73U) - 0.42);
+            3.2 * (loopFractal(x / 16.0, y / 16.0, 8, 8, time, 4, 2, kLiquidsSeed + 73U) - 0.42);
         const double inside = net.edgeAt(x + rounded(swayX), y + rounded(swayY));
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSeaRamp;
@@ -55,30 +56,32 @@ Picture waterFrame(double time, bool clear) {
                 std::clamp(164 + rounded(20.0 * swell) + 12 * crest, 160, 200));
         }
     });
-    return lit(surface, kFlat);
+    return lit(surface, kLiquidLight);
 }
 
 }  // namespace
 
 // Dark crust drifting on a glow; the cracks between the plates open and close.
 Picture paintLava() {
-    static const Pieces plates(nearest(spreadPoints(15, 1.0, kSeed + 1U), 1.0), 6.0, kSeed + 2U);
+    static const Pieces plates(nearest(spreadPoints(15, 1.0, kLiquidsSeed + 1U), 1.0), 6.0,
+                               kLiquidsSeed + 2U);
     return framesOf([](double time) {
         Surface surface;
         everyTexel([&](int x, int y) {
             const double driftX =
-                10.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 3U) - 0.5);
+                10.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kLiquidsSeed + 3U) - 0.5);
             const double driftY =
-                10.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kSeed + 4U) - 0.5);
+                10.0 * (loopNoise(x / 32.0, y / 32.0, 4, 4, time, 4, kLiquidsSeed + 4U) - 0.5);
             const int fromX = x + rounded(driftX);
             const int fromY = y + rounded(driftY);
             const double inside = plates.edgeAt(fromX, fromY);
-            const double heat = loopFractal(x / 32.0, y / 32.0, 4, 4, time, 4, 2, kSeed + 5U);
+            const double heat =
+                loopFractal(x / 32.0, y / 32.0, 4, 4, time, 4, 2, kLiquidsSeed + 5U);
             const double width = 1.2 + 6.0 * smoothStep(0.35, 0.75, heat);
             const double grain =
-                fractalNoise(fromX / 8.0, fromY / 8.0, 16, 16, 3, kSeed + 6U) - 0.5;
+                fractalNoise(fromX / 8.0, fromY / 8.0, 16, 16, 3, kLiquidsSeed + 6U) - 0.5;
             const double churn =
-                loopFractal(x / 8.0, y / 8.0, 16, 16, time, 4, 2, kSeed + 7U) - 0.5;
+                loopFractal(x / 8.0, y / 8.0, 16, 16, time, 4, 2, kLiquidsSeed + 7U) - 0.5;
             Texel& texel = surface.at(x, y);
             texel.ramp = &kFireRamp;
             if (inside < width) {
@@ -113,13 +116,13 @@ Picture paintWaterfall() {
         const double fast = 2.0 * time * kSide;
         everyTexel([&](int x, int y) {
             const double bend =
-                5.0 * (valueNoise(x / 16.0, (y - slow) / 32.0, 8, 4, kSeed + 20U) - 0.5);
+                5.0 * (valueNoise(x / 16.0, (y - slow) / 32.0, 8, 4, kLiquidsSeed + 20U) - 0.5);
             const double strand =
-                valueNoise((x + bend) / 4.0, (y - slow) / 64.0, 32, 2, kSeed + 21U);
+                valueNoise((x + bend) / 4.0, (y - slow) / 64.0, 32, 2, kLiquidsSeed + 21U);
             const double thread =
-                valueNoise((x + 0.5 * bend) / 2.0, (y - fast) / 32.0, 64, 4, kSeed + 22U);
+                valueNoise((x + 0.5 * bend) / 2.0, (y - fast) / 32.0, 64, 4, kLiquidsSeed + 22U);
             const double gush =
-                fractalNoise(x / 16.0, (y - slow) / 32.0, 8, 4, 2, kSeed + 23U) - 0.5;
+                fractalNoise(x / 16.0, (y - slow) / 32.0, 8, 4, 2, kLiquidsSeed + 23U) - 0.5;
             Texel& texel = surface.at(x, y);
             texel.ramp = &kSeaRamp;
             texel.tone = 2.5 + 1.7 * (strand - 0.5) + 1.3 * gush;
@@ -128,10 +131,10 @@ Picture paintWaterfall() {
             texel.tone -= thread < 0.20 ? 0.5 : 0.0;
             // Foam where strands tear
             const double foam =
-                fractalNoise((x + bend) / 4.0, (y - fast) / 32.0, 32, 4, 2, kSeed + 24U);
+                fractalNoise((x + bend) / 4.0, (y - fast) / 32.0, 32, 4, 2, kLiquidsSeed + 24U);
             texel.tone += foam > 0.72 ? 1.3 : 0.0;
         });
-        return lit(surface, kFlat);
+        return lit(surface, kLiquidLight);
     });
 }
 

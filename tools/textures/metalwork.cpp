@@ -10,7 +10,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 1400;
+constexpr std::uint32_t kMetalworkSeed = 1400;
 constexpr int kPlate = 64;
 constexpr int kRivetInset = 7;
 
@@ -28,16 +28,17 @@ Surface plateSurface() {
         const int localX = x % kPlate;
         const int localY = y % kPlate;
         const int inside = std::min({localX, kPlate - 1 - localX, localY, kPlate - 1 - localY});
-        const double brushed =
-            valueNoise(x / 16.0, y / 1.0, 8, 128, kSeed + static_cast<std::uint32_t>(plate)) - 0.5;
-        const double cloud = fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kSeed + 9U) - 0.5;
+        const double brushed = valueNoise(x / 16.0, y / 1.0, 8, 128,
+                                          kMetalworkSeed + static_cast<std::uint32_t>(plate)) -
+                               0.5;
+        const double cloud = fractalNoise(x / 32.0, y / 32.0, 4, 4, 2, kMetalworkSeed + 9U) - 0.5;
         // A sheen falls across each plate from the upper left
         const double sheen = 0.7 - 1.4 * smoothStep(10.0, 110.0, localX + localY * 1.2);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSlateRamp;
         texel.height = std::min(1.6, inside * 0.8);
         texel.tone = 3.8 + 0.6 * sheen + 0.5 * brushed + 0.7 * cloud +
-                     0.4 * (randomAt(plate, 1, kSeed) - 0.5);
+                     0.4 * (randomAt(plate, 1, kMetalworkSeed) - 0.5);
         if (inside == 0) {
             texel.tone = 1.0;
         }
@@ -93,13 +94,14 @@ Picture paintMetalRusty() {
     everyTexel([&](int x, int y) {
         const int inside =
             std::min({x % kPlate, kPlate - 1 - x % kPlate, y % kPlate, kPlate - 1 - y % kPlate});
-        rustAt(x, y) = 1.5 * (fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 20U) - 0.5) +
-                       std::max(0.0, 0.32 - 0.05 * inside);
+        rustAt(x, y) =
+            1.5 * (fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kMetalworkSeed + 20U) - 0.5) +
+            std::max(0.0, 0.32 - 0.05 * inside);
     });
     everyRivet([&](double atX, double atY) {
         const int x = static_cast<int>(atX);
         const int y = static_cast<int>(atY);
-        const int length = static_cast<int>(8.0 + 22.0 * randomAt(x, y, kSeed + 21U));
+        const int length = static_cast<int>(8.0 + 22.0 * randomAt(x, y, kMetalworkSeed + 21U));
         for (int step = -1; step < length; ++step) {
             const double fade = 0.5 * (1.0 - static_cast<double>(step) / length);
             rustAt(x - 1, y + step) += fade;
@@ -110,7 +112,7 @@ Picture paintMetalRusty() {
     });
     everyTexel([&](int x, int y) {
         const double amount = rustAt(x, y);
-        const double crust = fractalNoise(x / 4.0, y / 4.0, 32, 32, 2, kSeed + 22U) - 0.5;
+        const double crust = fractalNoise(x / 4.0, y / 4.0, 32, 32, 2, kMetalworkSeed + 22U) - 0.5;
         Texel& texel = surface.at(x, y);
         const bool seam = texel.tone < 1.5;
         if (seam || amount < 0.16) {
@@ -139,9 +141,9 @@ Picture paintMetalTread() {
         const double along = (rising ? dx - dy : dx + dy) * 0.7071;
         const double across = (rising ? dx + dy : dx - dy) * 0.7071;
         const double bar = 1.0 - (along * along) / 52.0 - (across * across) / 5.5;
-        const double cloud = fractalNoise(x / 32.0, y / 32.0, 4, 4, 3, kSeed + 40U) - 0.5;
+        const double cloud = fractalNoise(x / 32.0, y / 32.0, 4, 4, 3, kMetalworkSeed + 40U) - 0.5;
         const double scratch =
-            valueNoise((x + y) / 2.0, (x - y + kSide) / 64.0, 128, 4, kSeed + 41U);
+            valueNoise((x + y) / 2.0, (x - y + kSide) / 64.0, 128, 4, kMetalworkSeed + 41U);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSlateRamp;
         texel.height = bar > 0.0 ? 3.2 * std::min(1.0, bar * 2.2) : 0.0;

@@ -15,7 +15,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 1800;
+constexpr std::uint32_t kOpeningsSeed = 1800;
 
 // Panes of glass with bars between them.
 struct Panes {
@@ -28,22 +28,22 @@ struct Panes {
     bool lamp;  // lit from inside; otherwise they mirror the sky
 };
 
-constexpr int kBar = 3;
+constexpr int kPaneBar = 3;
 
 void drawPanes(Surface& surface, const Panes& panes) {
-    const int width = panes.columns * (panes.paneWidth + kBar) + kBar;
-    const int height = panes.rows * (panes.paneHeight + kBar) + kBar;
+    const int width = panes.columns * (panes.paneWidth + kPaneBar) + kPaneBar;
+    const int height = panes.rows * (panes.paneHeight + kPaneBar) + kPaneBar;
     everyTexelIn(panes.left, panes.top, panes.left + width, panes.top + height, [&](int x, int y) {
-        const int localX = (x - panes.left) % (panes.paneWidth + kBar);
-        const int localY = (y - panes.top) % (panes.paneHeight + kBar);
+        const int localX = (x - panes.left) % (panes.paneWidth + kPaneBar);
+        const int localY = (y - panes.top) % (panes.paneHeight + kPaneBar);
         Texel& texel = surface.at(x, y);
-        if (localX < kBar || localY < kBar) {
+        if (localX < kPaneBar || localY < kPaneBar) {
             texel = {.height = -1.5, .tone = 2.6, .ramp = &kOakRamp};
             return;
         }
-        const int column = (x - panes.left) / (panes.paneWidth + kBar);
-        const int row = (y - panes.top) / (panes.paneHeight + kBar);
-        const double own = randomAt(column, row, kSeed) - 0.5;
+        const int column = (x - panes.left) / (panes.paneWidth + kPaneBar);
+        const int row = (y - panes.top) / (panes.paneHeight + kPaneBar);
+        const double own = randomAt(column, row, kOpeningsSeed) - 0.5;
         texel.height = -4.0;
         if (panes.lamp) {
             const double dx = (x - panes.left - width / 2.0) / width;
@@ -132,8 +132,8 @@ Picture paintDoor() {
         const int inside = std::min(along % kBoard, kBoard - 1 - along % kBoard);
         texel.ramp = &kTimberRamp;
         texel.height = -3.0 + std::min(1.2, 0.7 * inside);
-        texel.tone = 2.5 + 0.7 * (randomAt(board, 2, kSeed + 12U) - 0.5) +
-                     0.9 * woodGrain(y, x, kSeed + 13U + static_cast<std::uint32_t>(board));
+        texel.tone = 2.5 + 0.7 * (randomAt(board, 2, kOpeningsSeed + 12U) - 0.5) +
+                     0.9 * woodGrain(y, x, kOpeningsSeed + 13U + static_cast<std::uint32_t>(board));
         texel.tone = inside == 0 ? texel.tone - 1.2 : texel.tone;
         texel.tone -= outside > -2.5 ? 0.8 : 0.0;
     });
@@ -230,7 +230,7 @@ Picture paintWindowTimber() {
                        .bevel = 1.5,
                        .tone = 3.2,
                        .ramp = &kOakRamp});
-    Random random(kSeed + 30U);
+    Random random(kOpeningsSeed + 30U);
     for (int leaf = 0; leaf < 90; ++leaf) {
         const double x = random.between(40.0, 88.0);
         const double y = random.between(84.0, 95.0);

@@ -10,7 +10,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 5400;
+constexpr std::uint32_t kPalaceSeed = 5400;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ Picture paintMarbleDark() {
     Surface surface;
     everyTexel([&](int x, int y) {
         const int slab = x / kSlab + 2 * (y / kSlab);
-        const auto seed = kSeed + 7U * static_cast<std::uint32_t>(slab);
+        const auto seed = kPalaceSeed + 7U * static_cast<std::uint32_t>(slab);
         const int fromX = std::min(x % kSlab, kSlab - 1 - x % kSlab);
         const int fromY = std::min(y % kSlab, kSlab - 1 - y % kSlab);
         const double cloud = fractalNoise(x / 32.0, y / 32.0, 4, 4, 3, seed) - 0.5;
@@ -61,9 +61,9 @@ Picture paintColumn() {
         const double round = std::sqrt(1.0 - off * off);
         const double around = off * (0.8 + 0.2 * off * off) * 3.6;
         const double flute = std::abs(around - std::floor(around) - 0.5);
-        const double vein =
-            std::abs(fractalNoise(x / 16.0 + y / 40.0, y / 24.0, 8, 16, 3, kSeed + 20U) - 0.5);
-        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 16, 2, kSeed + 21U) - 0.5;
+        const double vein = std::abs(
+            fractalNoise(x / 16.0 + y / 40.0, y / 24.0, 8, 16, 3, kPalaceSeed + 20U) - 0.5);
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 16, 2, kPalaceSeed + 21U) - 0.5;
         // Light from the upper left
         surface.at(x, y) = {.height = 8.0 * round,
                             .tone = 5.3 - 1.2 * std::max(0.0, off) - 0.9 * off * off +

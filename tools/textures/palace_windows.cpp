@@ -13,34 +13,34 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 5200;
+constexpr std::uint32_t kPalaceWindowsSeed = 5200;
 
 // The whole window, in texels from the upper left corner of its head.
-constexpr double kMiddle = 64.0;
-constexpr double kHalf = 38.0;      // of the opening
-constexpr double kSpring = 82.0;    // where the arch begins
-constexpr double kSill = 226.0;     // where the opening ends
-constexpr double kSurround = 10.0;  // of dressed stone
-constexpr double kBar = 1.7;        // half the thickness of a bar
+constexpr double kWindowMiddle = 64.0;
+constexpr double kWindowHalf = 38.0;    // of the opening
+constexpr double kWindowSpring = 82.0;  // where the arch begins
+constexpr double kWindowSill = 226.0;   // where the opening ends
+constexpr double kSurround = 10.0;      // of dressed stone
+constexpr double kGlazingBar = 1.7;     // half the thickness of a bar
 
-enum class Panes { Glass, Painted, None };
+enum class PaneKind { Glass, Painted, None };
 
 // How far a place lies inside the opening; negative outside it.
 double insideOpening(double x, double y) {
-    const double dx = std::abs(x - kMiddle);
-    if (y < kSpring) {
-        const double dy = kSpring - y;
-        return kHalf - std::sqrt(dx * dx + dy * dy);
+    const double dx = std::abs(x - kWindowMiddle);
+    if (y < kWindowSpring) {
+        const double dy = kWindowSpring - y;
+        return kWindowHalf - std::sqrt(dx * dx + dy * dy);
     }
-    return std::min(kHalf - dx, kSill - y);
+    return std::min(kWindowHalf - dx, kWindowSill - y);
 }
 
 // How far it lies from the middle of the nearest bar.
 double fromBar(double x, double y) {
-    const double dx = x - kMiddle;
-    if (y < kSpring - 2.0) {
+    const double dx = x - kWindowMiddle;
+    if (y < kWindowSpring - 2.0) {
         // A fan: a half ring and spokes
-        const double dy = kSpring - y;
+        const double dy = kWindowSpring - y;
         const double radius = std::sqrt(dx * dx + dy * dy);
         double nearest = std::abs(radius - 15.0);
         if (radius > 15.0) {
@@ -52,7 +52,7 @@ double fromBar(double x, double y) {
         }
         return nearest;
     }
-    const double row = std::fmod(y - kSpring, 36.0);
+    const double row = std::fmod(y - kWindowSpring, 36.0);
     return std::min({std::abs(dx), std::abs(std::abs(dx) - 19.0) + 0.6, std::min(row, 36.0 - row)});
 }
 
@@ -61,34 +61,36 @@ double fromBar(double x, double y) {
 Texel paintedView(double x, double y) {
     constexpr double kHorizon = 158.0;
     Texel texel = {.height = -1.0};
-    const double brush = valueNoise(x / 5.0, y / 2.5, 64, 128, kSeed) - 0.5;
+    const double brush = valueNoise(x / 5.0, y / 2.5, 64, 128, kPalaceWindowsSeed) - 0.5;
     if (y < kHorizon) {
-        const double cloud =
-            fractalNoise(x / 30.0, y / 13.0, 8, 32, 3, kSeed + 1U) - 0.0035 * std::abs(y - 92.0);
+        const double cloud = fractalNoise(x / 30.0, y / 13.0, 8, 32, 3, kPalaceWindowsSeed + 1U) -
+                             0.0035 * std::abs(y - 92.0);
         texel.ramp = &kSeaRamp;
         texel.tone = 2.5 + 2.0 * y / kHorizon + 0.35 * brush;
         if (cloud > 0.5) {
             texel.tone = std::min(6.0, 4.7 + 7.0 * (cloud - 0.5) + 0.4 * brush);
         }
-        const double peaks = kHorizon - 30.0 * valueNoise(x / 21.0, 0.5, 16, 2, kSeed + 2U) -
-                             9.0 * valueNoise(x / 6.0, 0.5, 64, 2, kSeed + 3U) - 4.0;
+        const double peaks = kHorizon -
+                             30.0 * valueNoise(x / 21.0, 0.5, 16, 2, kPalaceWindowsSeed + 2U) -
+                             9.0 * valueNoise(x / 6.0, 0.5, 64, 2, kPalaceWindowsSeed + 3U) - 4.0;
         if (y > peaks) {
             texel.ramp = &kSlateRamp;
             texel.tone = y < peaks + 5.0 && peaks < kHorizon - 27.0
                              ? 6.4
                              : 4.3 + 0.03 * (y - peaks) + 1.2 * brush;
         }
-        const double cape =
-            kHorizon - 15.0 * smoothStep(70.0, 98.0, x) -
-            5.0 * valueNoise(x / 4.0, 0.5, 64, 2, kSeed + 4U) * smoothStep(66.0, 84.0, x);
+        const double cape = kHorizon - 15.0 * smoothStep(70.0, 98.0, x) -
+                            5.0 * valueNoise(x / 4.0, 0.5, 64, 2, kPalaceWindowsSeed + 4U) *
+                                smoothStep(66.0, 84.0, x);
         if (x > 66.0 && y > cape) {
             texel.ramp = &kMossRamp;
             texel.tone = 2.6 + 1.2 * brush + (y < cape + 3.0 ? 0.9 : 0.0);
         }
     } else {
-        const double near = (y - kHorizon) / (kSill - kHorizon);
-        const double ripple = valueNoise(x / (5.0 + 12.0 * near),
-                                         (y - kHorizon) / (1.2 + 2.6 * near), 64, 128, kSeed + 5U);
+        const double near = (y - kHorizon) / (kWindowSill - kHorizon);
+        const double ripple =
+            valueNoise(x / (5.0 + 12.0 * near), (y - kHorizon) / (1.2 + 2.6 * near), 64, 128,
+                       kPalaceWindowsSeed + 5U);
         texel.ramp = &kSeaRamp;
         texel.tone = 3.5 - 1.5 * near + (ripple > 0.66 ? 0.9 : (ripple < 0.25 ? -0.5 : 0.0));
         if (x > 72.0 && near < 0.3 && ripple < 0.7) {
@@ -112,11 +114,12 @@ Texel paintedView(double x, double y) {
         texel = {.height = -1.0, .tone = 3.6, .ramp = &kBrassRamp};
     }
     // Flowers
-    const double bed = kSill - 9.0 - 7.0 * valueNoise(x / 6.0, 1.5, 64, 4, kSeed + 6U);
+    const double bed =
+        kWindowSill - 9.0 - 7.0 * valueNoise(x / 6.0, 1.5, 64, 4, kPalaceWindowsSeed + 6U);
     if (y > bed) {
-        const double leaf = valueNoise(x / 2.0, y / 2.0, 64, 128, kSeed + 7U);
+        const double leaf = valueNoise(x / 2.0, y / 2.0, 64, 128, kPalaceWindowsSeed + 7U);
         const double flower =
-            randomAt(static_cast<int>(x) / 3, static_cast<int>(y) / 3, kSeed + 8U);
+            randomAt(static_cast<int>(x) / 3, static_cast<int>(y) / 3, kPalaceWindowsSeed + 8U);
         texel = {.height = 0.0, .tone = 1.8 + 2.8 * leaf, .ramp = &kMossRamp};
         if (flower > 0.8) {
             texel = {.height = 0.6,
@@ -128,7 +131,7 @@ Texel paintedView(double x, double y) {
 }
 
 // Clear glass with the light of the sky slanting over the whole window.
-Texel clearGlass(double x, double y) {
+Texel palaceGlass(double x, double y) {
     const double slant = std::fmod(x + y + 20.0, 92.0);
     const bool broad = slant > 40.0 && slant < 54.0;
     const bool narrow = slant > 58.0 && slant < 62.0;
@@ -139,7 +142,7 @@ Texel clearGlass(double x, double y) {
 }
 
 // The whole of it, so that no light breaks where foot and head meet.
-Picture paintWindow(Panes panes) {
+Picture paintWindow(PaneKind panes) {
     const Surface whitewash = whitewashSurface();
     Surface wall(kSide, 2 * kSide);
     everyTexelIn(0, 0, kSide, 2 * kSide, [&](int x, int y) { wall.at(x, y) = whitewash.at(x, y); });
@@ -148,34 +151,35 @@ Picture paintWindow(Panes panes) {
         const double x = column + 0.5;
         const double y = row + 0.5;
         const double inside = insideOpening(x, y);
-        const bool sill =
-            y >= kSill && y < kSill + 12.0 && std::abs(x - kMiddle) < kHalf + kSurround + 4.0;
+        const bool sill = y >= kWindowSill && y < kWindowSill + 12.0 &&
+                          std::abs(x - kWindowMiddle) < kWindowHalf + kSurround + 4.0;
         Texel& texel = surface.at(column, row);
         if (sill) {
-            texel = {.height = 4.0, .tone = 4.6 - 0.06 * (y - kSill), .ramp = &kSandRamp};
+            texel = {.height = 4.0, .tone = 4.6 - 0.06 * (y - kWindowSill), .ramp = &kSandRamp};
         } else if (inside > 0.0) {
             const double bar = fromBar(x, y);
-            if (panes == Panes::None) {
+            if (panes == PaneKind::None) {
                 texel = {.height = -2.0, .alpha = 0};
-            } else if (inside < 3.0 || bar < kBar) {
+            } else if (inside < 3.0 || bar < kGlazingBar) {
                 texel = {.height = 1.0,
                          .tone = inside < 3.0 ? 3.1 : 3.3 - 0.5 * bar,
                          .ramp = &kBrassRamp};
             } else {
-                texel = panes == Panes::Glass ? clearGlass(x, y) : paintedView(x, y);
+                texel = panes == PaneKind::Glass ? palaceGlass(x, y) : paintedView(x, y);
                 // The surround's shadow: a painter paints it, too
-                if (panes == Panes::Painted && (insideOpening(x - 5.0, y - 5.0) < 3.0)) {
+                if (panes == PaneKind::Painted && (insideOpening(x - 5.0, y - 5.0) < 3.0)) {
                     texel.tone -= 0.8;
                 }
             }
-        } else if (inside > -kSurround && y < kSill) {
+        } else if (inside > -kSurround && y < kWindowSill) {
             const double edge = std::min(-inside, kSurround + inside);
-            const double grain = fractalNoise(x / 8.0, y / 8.0, 16, 32, 2, kSeed + 9U) - 0.5;
+            const double grain =
+                fractalNoise(x / 8.0, y / 8.0, 16, 32, 2, kPalaceWindowsSeed + 9U) - 0.5;
             // Blocks beside the opening, wedges around the arch
-            double joint = std::fmod(y - kSpring, 24.0);
-            if (y < kSpring) {
-                const double dx = x - kMiddle;
-                const double dy = kSpring - y;
+            double joint = std::fmod(y - kWindowSpring, 24.0);
+            if (y < kWindowSpring) {
+                const double dx = x - kWindowMiddle;
+                const double dy = kWindowSpring - y;
                 joint = 99.0;
                 constexpr std::array<std::array<double, 2>, 5> kJoints = {
                     {{0.9239, 0.3827}, {0.5, 0.866}, {-0.5, 0.866}, {-0.9239, 0.3827}, {1.0, 0.0}}};
@@ -186,7 +190,7 @@ Picture paintWindow(Panes panes) {
             texel = {.height = 2.0 + std::min(1.5, edge),
                      .tone = joint < 0.8 ? 2.0 : 3.7 + 1.1 * grain,
                      .ramp = &kSandRamp};
-            if (y < kSpring && std::abs(x - kMiddle) < 6.5) {
+            if (y < kWindowSpring && std::abs(x - kWindowMiddle) < 6.5) {
                 texel = {.height = 5.0, .tone = 3.1 + grain, .ramp = &kBrassRamp};
             }
         }
@@ -199,10 +203,10 @@ Picture paintWindow(Panes panes) {
                                      .shadowSlope = 0.8,
                                      .shadowDepth = 0.7,
                                      .hollowDepth = 0.0});
-    return panes == Panes::Painted ? picture : holesFilled(picture, Border::Repeats);
+    return panes == PaneKind::Painted ? picture : holesFilled(picture, Border::Repeats);
 }
 
-Picture paintPart(int top, Panes panes) {
+Picture paintPart(int top, PaneKind panes) {
     const Picture window = paintWindow(panes);
     Picture part(kSide, kSide);
     everyTexel([&](int x, int y) { part.at(x, y) = window.at(x, top + y); });
@@ -212,27 +216,27 @@ Picture paintPart(int top, Panes panes) {
 }  // namespace
 
 Picture paintPalaceWindowFoot() {
-    return paintPart(kSide, Panes::Glass);
+    return paintPart(kSide, PaneKind::Glass);
 }
 
 Picture paintPalaceWindowHead() {
-    return paintPart(0, Panes::Glass);
+    return paintPart(0, PaneKind::Glass);
 }
 
 Picture paintPalaceOpeningFoot() {
-    return paintPart(kSide, Panes::None);
+    return paintPart(kSide, PaneKind::None);
 }
 
 Picture paintPalaceOpeningHead() {
-    return paintPart(0, Panes::None);
+    return paintPart(0, PaneKind::None);
 }
 
 Picture paintPaintedWindowFoot() {
-    return paintPart(kSide, Panes::Painted);
+    return paintPart(kSide, PaneKind::Painted);
 }
 
 Picture paintPaintedWindowHead() {
-    return paintPart(0, Panes::Painted);
+    return paintPart(0, PaneKind::Painted);
 }
 
 }  // namespace slicecast::textures

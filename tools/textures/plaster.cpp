@@ -10,7 +10,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 600;
+constexpr std::uint32_t kPlasterSeed = 600;
 
 // Strokes of the trowel: overlapping shallow arcs, each a little higher at its lower right rim.
 void drawTrowelling(Surface& surface, int strokes, std::uint32_t seed) {
@@ -45,7 +45,7 @@ Surface plasterSurface(const Ramp& ramp, double tone, std::uint32_t seed) {
 }
 
 Surface warmSurface() {
-    Surface surface = plasterSurface(kSandRamp, 3.9, kSeed + 20U);
+    Surface surface = plasterSurface(kSandRamp, 3.9, kPlasterSeed + 20U);
     drawCrack(surface,
               {.x = 40, .y = 100, .length = 30, .depth = 0.6, .darkening = 1.0, .seed = 11});
     drawCrack(surface,
@@ -66,7 +66,7 @@ Lighting plasterLighting() {
 }
 
 Surface whitewashSurface() {
-    Surface surface = plasterSurface(kStoneRamp, 5.6, kSeed);
+    Surface surface = plasterSurface(kStoneRamp, 5.6, kPlasterSeed);
     everyTexel([&](int x, int y) { surface.at(x, y).height *= 0.5; });
     return surface;
 }
@@ -91,7 +91,7 @@ Picture paintPlasterBroken() {
     Surface surface = plaster;
     everyTexel([&](int x, int y) {
         const double fromBorder = std::min({x, kSide - 1 - x, y, kSide - 1 - y});
-        const double loose = fractalNoise(x / 32.0, y / 32.0, 4, 4, 4, kSeed + 144U) -
+        const double loose = fractalNoise(x / 32.0, y / 32.0, 4, 4, 4, kPlasterSeed + 144U) -
                              0.5 * (1.0 - smoothStep(4.0, 30.0, fromBorder));
         Texel& texel = surface.at(x, y);
         if (loose > 0.52) {

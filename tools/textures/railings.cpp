@@ -13,14 +13,14 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 2400;
+constexpr std::uint32_t kRailingsSeed = 2400;
 
-constexpr Lighting kIronLight = {.gain = 0.7,
-                                 .lightest = 1.5,
-                                 .darkest = 1.5,
-                                 .shadowReach = 3,
-                                 .shadowSlope = 0.6,
-                                 .shadowDepth = 0.9};
+constexpr Lighting kRailingLight = {.gain = 0.7,
+                                    .lightest = 1.5,
+                                    .darkest = 1.5,
+                                    .shadowReach = 3,
+                                    .shadowSlope = 0.6,
+                                    .shadowDepth = 0.9};
 constexpr Lighting kRopeLight = {.gain = 0.5,
                                  .lightest = 1.0,
                                  .darkest = 1.4,
@@ -29,7 +29,7 @@ constexpr Lighting kRopeLight = {.gain = 0.5,
                                  .shadowDepth = 0.8};
 
 double rust(int x, int y) {
-    return fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kSeed + 1U);
+    return fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kRailingsSeed + 1U);
 }
 
 // Iron as it is painted everywhere here: dark, cool, with rust where water stays.
@@ -78,7 +78,7 @@ Picture paintIronBars() {
                                .ramp = &kSlateRamp});
         }
     }
-    return holesFilled(lit(surface, kIronLight), Border::Repeats);
+    return holesFilled(lit(surface, kRailingLight), Border::Repeats);
 }
 
 Picture paintGrate() {
@@ -98,7 +98,7 @@ Picture paintGrate() {
             surface.at(x, y) = iron(x, y, 0.6 + 0.5 * along, 2.2);
         }
     });
-    return holesFilled(lit(surface, kIronLight), Border::Repeats);
+    return holesFilled(lit(surface, kRailingLight), Border::Repeats);
 }
 
 // A picket fence as high as half a block: it stands in the lower half, so that a block of half
@@ -110,17 +110,18 @@ Picture paintFence() {
     for (const int top : {82, 108}) {
         everyTexelIn(0, top, kSide, top + 8, [&](int x, int y) {
             const int inside = std::min(y - top, top + 7 - y);
-            surface.at(x, y) = {
-                .height = std::min(1.5, 0.8 + 0.7 * inside),
-                .tone = 2.3 + 0.8 * woodGrain(x, y, kSeed + 10U + static_cast<std::uint32_t>(top)),
-                .ramp = &kTimberRamp};
+            surface.at(x, y) = {.height = std::min(1.5, 0.8 + 0.7 * inside),
+                                .tone = 2.3 + 0.8 * woodGrain(x, y,
+                                                              kRailingsSeed + 10U +
+                                                                  static_cast<std::uint32_t>(top)),
+                                .ramp = &kTimberRamp};
         });
     }
     for (int picket = 0; picket < kSide / kSpacing; ++picket) {
         const int left = picket * kSpacing + 2;
-        const auto seed = kSeed + 20U + 10U * static_cast<std::uint32_t>(picket);
-        const int tip = 66 + static_cast<int>(3.0 * randomAt(picket, 1, kSeed + 11U));
-        const double own = 0.7 * (randomAt(picket, 2, kSeed + 11U) - 0.5);
+        const auto seed = kRailingsSeed + 20U + 10U * static_cast<std::uint32_t>(picket);
+        const int tip = 66 + static_cast<int>(3.0 * randomAt(picket, 1, kRailingsSeed + 11U));
+        const double own = 0.7 * (randomAt(picket, 2, kRailingsSeed + 11U) - 0.5);
         everyTexelIn(left, tip, left + kWidth, kSide, [&](int x, int y) {
             const double off = std::abs(x + 0.5 - left - kWidth / 2.0);
             if (y - tip < off * 1.1 - 0.6) {
@@ -128,12 +129,12 @@ Picture paintFence() {
             }
             const double inside = kWidth / 2.0 - off;
             // Splashed and mossy at the foot
-            const double damp =
-                smoothStep(108.0, 128.0, y + 10.0 * (randomAt(x, y / 3, kSeed + 12U) - 0.5));
+            const double damp = smoothStep(
+                108.0, 128.0, y + 10.0 * (randomAt(x, y / 3, kRailingsSeed + 12U) - 0.5));
             surface.at(x, y) = {.height = 3.0 + std::min(1.6, 0.8 * inside),
                                 .tone = 4.1 + own + 1.0 * woodGrain(y, x, seed) - 1.0 * damp,
                                 .ramp = &kTimberRamp};
-            if (damp > 0.75 && randomAt(x, y, kSeed + 13U) < 0.5) {
+            if (damp > 0.75 && randomAt(x, y, kRailingsSeed + 13U) < 0.5) {
                 surface.at(x, y).ramp = &kMossRamp;
                 surface.at(x, y).tone = 2.6;
             }
@@ -173,12 +174,12 @@ Picture paintNet() {
             const int along = rising ? x - y : x + y;
             const int twist = wrap(along + static_cast<int>(std::floor(off * 2.0)), 8);
             const double lift = rising ? 1.5 : 0.0;
-            surface.at(x, y) = {
-                .height = lift + rope,
-                .tone = twist < 3
-                            ? 1.9
-                            : 3.2 + 0.5 * (randomAt(along / 16, line / kMesh, kSeed + 31U) - 0.5),
-                .ramp = &kSandRamp};
+            surface.at(x, y) = {.height = lift + rope,
+                                .tone = twist < 3 ? 1.9
+                                                  : 3.2 + 0.5 * (randomAt(along / 16, line / kMesh,
+                                                                          kRailingsSeed + 31U) -
+                                                                 0.5),
+                                .ramp = &kSandRamp};
         }
     });
     for (int row = 0; row < 8; ++row) {
@@ -224,10 +225,10 @@ Picture paintRopeRailing() {
         if (fromTop < 3 && std::abs(off) > 4.0 + fromTop) {
             return;
         }
-        surface.at(x, y) = {
-            .height = 3.0 + 0.7 * roundBar(off, kHalf),
-            .tone = 3.0 + 0.9 * woodGrain(y, x + 64, kSeed + 40U) - (fromTop < 2 ? -0.8 : 0.0),
-            .ramp = &kOakRamp};
+        surface.at(x, y) = {.height = 3.0 + 0.7 * roundBar(off, kHalf),
+                            .tone = 3.0 + 0.9 * woodGrain(y, x + 64, kRailingsSeed + 40U) -
+                                    (fromTop < 2 ? -0.8 : 0.0),
+                            .ramp = &kOakRamp};
     });
     // Where the ropes are wound around the post
     for (const int top : {69, 95}) {

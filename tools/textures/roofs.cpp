@@ -10,7 +10,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 1000;
+constexpr std::uint32_t kRoofsSeed = 1000;
 
 struct TilePlace {
     int course;
@@ -49,12 +49,12 @@ Picture paintRoofClay() {
             place = placeOf(x, y, y / kStep);
         }
         const int tile = place.course * 16 + place.column;
-        const double blotch = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed) - 0.5;
+        const double blotch = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kRoofsSeed) - 0.5;
         const double cover = std::min(place.above, 20.0);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kBurntRamp;
         texel.height = 5.0 - 0.22 * cover - 1.2 * place.across * place.across;
-        texel.tone = 2.7 + 1.0 * (randomAt(tile, 1, kSeed + 1U) - 0.5) + 0.7 * blotch;
+        texel.tone = 2.7 + 1.0 * (randomAt(tile, 1, kRoofsSeed + 1U) - 0.5) + 0.7 * blotch;
         texel.tone += cover < 2.0 ? 0.6 : 0.0;
         if (std::abs(place.across) > 0.9 && cover > 3.0) {
             texel.height -= 1.6;
@@ -80,7 +80,7 @@ Picture paintRoofSlate() {
                                         {kStep, 12, {24, 20, 18, 22, 24, 20}},
                                         {kStep, 6, {20, 22, 24, 20, 20, 22}},
                                         {kStep, 16, {22, 18, 22, 24, 20, 22}}}),
-                               0.0, kSeed + 20U);
+                               0.0, kRoofsSeed + 20U);
     Surface surface;
     everyTexel([&](int x, int y) {
         const int down = y % kStep;
@@ -88,14 +88,14 @@ Picture paintRoofSlate() {
         const bool seam =
             slates.pieceAt(x + 1, y) != piece && slates.pieceAt(x + 1, y) / 16 == piece / 16;
         const bool chipped =
-            down == kStep - 1 && valueNoise(x / 3.2, y / 16.0, 40, 8, kSeed + 21U) > 0.62;
-        const double grain = valueNoise(x / 2.0, y / 16.0, 64, 8, kSeed + 22U) - 0.5;
-        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kSeed + 23U) - 0.5;
+            down == kStep - 1 && valueNoise(x / 3.2, y / 16.0, 40, 8, kRoofsSeed + 21U) > 0.62;
+        const double grain = valueNoise(x / 2.0, y / 16.0, 64, 8, kRoofsSeed + 22U) - 0.5;
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 2, kRoofsSeed + 23U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kSlateRamp;
-        texel.height = 1.0 + 0.2 * down + 0.8 * randomAt(piece, 3, kSeed + 24U);
+        texel.height = 1.0 + 0.2 * down + 0.8 * randomAt(piece, 3, kRoofsSeed + 24U);
         texel.tone =
-            2.5 + 1.1 * (randomAt(piece, 1, kSeed + 24U) - 0.5) + 0.6 * grain + 0.6 * blotch;
+            2.5 + 1.1 * (randomAt(piece, 1, kRoofsSeed + 24U) - 0.5) + 0.6 * grain + 0.6 * blotch;
         texel.tone += down >= kStep - 2 ? 0.5 : 0.0;
         if (seam || chipped) {
             texel.tone = 0.8;
@@ -117,12 +117,13 @@ Picture paintRoofThatch() {
     Surface surface;
     everyTexel([&](int x, int y) {
         const double ragged =
-            7.0 * valueNoise(x / 4.0, 0.0, 32, 1,
-                             kSeed + 40U + static_cast<std::uint32_t>(wrap(y + 4, kSide) / kStep)) +
-            3.0 * valueNoise(x / 2.0, 1.0, 64, 2, kSeed + 41U);
+            7.0 * valueNoise(
+                      x / 4.0, 0.0, 32, 1,
+                      kRoofsSeed + 40U + static_cast<std::uint32_t>(wrap(y + 4, kSide) / kStep)) +
+            3.0 * valueNoise(x / 2.0, 1.0, 64, 2, kRoofsSeed + 41U);
         const double down = wrap(y - static_cast<int>(ragged), kSide) % kStep;
-        const double straw = valueNoise(x / 1.0, y / 16.0, 128, 8, kSeed + 42U);
-        const double bundle = valueNoise(x / 8.0, y / 32.0, 16, 4, kSeed + 43U) - 0.5;
+        const double straw = valueNoise(x / 1.0, y / 16.0, 128, 8, kRoofsSeed + 42U);
+        const double bundle = valueNoise(x / 8.0, y / 32.0, 16, 4, kRoofsSeed + 43U) - 0.5;
         Texel& texel = surface.at(x, y);
         texel.ramp = &kTimberRamp;
         texel.height = 0.16 * down;

@@ -13,7 +13,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 4100;
+constexpr std::uint32_t kSignsSeed = 4100;
 
 // A board of oak on two iron hooks, with a word cut into it and gilded.
 Picture paintSign(std::string_view word) {
@@ -46,7 +46,7 @@ Picture paintSign(std::string_view word) {
     everyTexelIn(kLeft + 4, kTop + 4, kRight - 4, kBottom - 4, [&](int x, int y) {
         const int inside = std::min({x - kLeft - 4, kRight - 5 - x, y - kTop - 4, kBottom - 5 - y});
         surface.at(x, y) = {.height = inside == 0 ? 3.4 : 4.2,
-                            .tone = 2.1 + 0.7 * woodGrain(x, y, kSeed),
+                            .tone = 2.1 + 0.7 * woodGrain(x, y, kSignsSeed),
                             .ramp = &kOakRamp};
     });
     const int letters = static_cast<int>(word.size());
@@ -121,7 +121,7 @@ Picture paintCarvedJamb() {
     constexpr double kHalfWidth = 5.0;
     Surface surface;
     everyTexel([&](int x, int y) {
-        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 30U) - 0.5;
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSignsSeed + 30U) - 0.5;
         const int side = std::min(x, kSide - 1 - x);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kStoneRamp;

@@ -9,9 +9,10 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 3000;
+constexpr std::uint32_t kSkyDaySeed = 3000;
 
-constexpr Ramp kAir{{kHazeDay, kSea4, kSea3, blend(kSea2, kSea3, 96), blend(kSea1, kSea2, 128)}, 5};
+constexpr Ramp kDayAir{{kHazeDay, kSea4, kSea3, blend(kSea2, kSea3, 96), blend(kSea1, kSea2, 128)},
+                       5};
 constexpr Ramp kCumulus{{blend(kSea2, kSlate3, 128), blend(kSea2, kSlate4, 170),
                          blend(kSea3, kSlate5, 128), blend(kSea4, kCream, 110), kCream},
                         5};
@@ -47,18 +48,18 @@ Picture paintSkyDay() {
     Picture sky(kSkyWidth, kSkyHeight);
     for (int y = 0; y < kSkyHeight; ++y) {
         const double up = upOf(y);
-        const Colour air = softColourAt(kAir, 4.6 * up / (up + 0.18) + 0.2 * up);
+        const Colour air = softColourAt(kDayAir, 4.6 * up / (up + 0.18) + 0.2 * up);
         for (int x = 0; x < kSkyWidth; ++x) {
             sky.at(x, y) = air;
         }
     }
     // From the farthest and lowest to the nearest
     drawRow(sky, {.count = 15, .base = 0.085, .width = 0.34, .height = 0.055, .hazeShare = 130},
-            kSeed);
+            kSkyDaySeed);
     drawRow(sky, {.count = 9, .base = 0.17, .width = 0.62, .height = 0.13, .hazeShare = 70},
-            kSeed + 100U);
+            kSkyDaySeed + 100U);
     drawRow(sky, {.count = 5, .base = 0.40, .width = 0.95, .height = 0.27, .hazeShare = 16},
-            kSeed + 200U);
+            kSkyDaySeed + 200U);
     drawRidge(sky, {.low = 0.02,
                     .high = 0.165,
                     .peaks = 26,
@@ -69,7 +70,7 @@ Picture paintSkyDay() {
                     .mistHeight = 0.09,
                     .snowLine = 0.103,
                     .snow = blend(kSea4, kCream, 120),
-                    .seed = kSeed + 300U});
+                    .seed = kSkyDaySeed + 300U});
     drawRidge(sky, {.low = 0.012,
                     .high = 0.10,
                     .peaks = 20,
@@ -80,7 +81,7 @@ Picture paintSkyDay() {
                     .mistHeight = 0.06,
                     .snowLine = 2.0,
                     .snow = kCream,
-                    .seed = kSeed + 310U});
+                    .seed = kSkyDaySeed + 310U});
     drawRidge(sky, {.low = 0.002,
                     .high = 0.055,
                     .peaks = 28,
@@ -91,7 +92,7 @@ Picture paintSkyDay() {
                     .mistHeight = 0.032,
                     .snowLine = 2.0,
                     .snow = kCream,
-                    .seed = kSeed + 320U});
+                    .seed = kSkyDaySeed + 320U});
     drawHaze(sky, kHazeDay, 4);
     return sky;
 }

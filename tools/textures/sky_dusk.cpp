@@ -8,13 +8,13 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 3200;
+constexpr std::uint32_t kSkyDuskSeed = 3200;
 constexpr double kSunAcross = kAround / 2.0;  // in the west
 constexpr double kSunUp = 0.125;
 
-constexpr Ramp kAir{{blend(kNight, kSea0, 128), blend(kSea0, kViolet, 128), kViolet, kPlum,
-                     blend(kPlum, kCoral, 150), kCoral, kSand0, blend(kBrass2, kSand2, 128)},
-                    8};
+constexpr Ramp kDuskAir{{blend(kNight, kSea0, 128), blend(kSea0, kViolet, 128), kViolet, kPlum,
+                         blend(kPlum, kCoral, 150), kCoral, kSand0, blend(kBrass2, kSand2, 128)},
+                        8};
 
 // How near to the sun, 0 to 1; glows are wider than tall.
 double nearSun(double across, double up, double reach) {
@@ -35,22 +35,23 @@ void drawStreaks(Picture& sky) {
         const double depth = 9.0 / (up + 0.2);
         for (int x = 0; x < kSkyWidth; ++x) {
             const double across = acrossOf(x);
-            const double bend = 0.8 * valueNoise(x / 42.666666666666664, depth, 24, 64, kSeed + 1U);
+            const double bend =
+                0.8 * valueNoise(x / 42.666666666666664, depth, 24, 64, kSkyDuskSeed + 1U);
             const double mass =
-                fractalNoise(x / 42.666666666666664, depth + bend, 24, 64, 4, kSeed + 2U);
+                fractalNoise(x / 42.666666666666664, depth + bend, 24, 64, 4, kSkyDuskSeed + 2U);
             const double edge = mass - (0.54 + 0.09 * up);
             if (edge < 0.0 || up < 0.04) {
                 continue;
             }
             const double glow = nearSun(across, up, 1.1);
             // The rims towards the sun burn, the bodies are dark
-            const double rim =
-                fractalNoise(x / 42.666666666666664, depth + bend + 0.16, 24, 64, 4, kSeed + 2U) -
-                (0.54 + 0.09 * up);
+            const double rim = fractalNoise(x / 42.666666666666664, depth + bend + 0.16, 24, 64, 4,
+                                            kSkyDuskSeed + 2U) -
+                               (0.54 + 0.09 * up);
             const bool burning = rim < 0.02;
             const double tone = burning ? airTone(across, up) + 0.8 + 1.4 * glow
                                         : airTone(across, up) - 0.9 + 0.5 * glow;
-            sky.at(x, y) = burning ? colourAt(kAir, tone) : softColourAt(kAir, tone);
+            sky.at(x, y) = burning ? colourAt(kDuskAir, tone) : softColourAt(kDuskAir, tone);
         }
     }
 }
@@ -63,9 +64,9 @@ Picture paintSkyDusk() {
         for (int x = 0; x < kSkyWidth; ++x) {
             const double across = acrossOf(x);
             const double up = upOf(y);
-            sky.at(x, y) = softColourAt(kAir, airTone(across, up));
+            sky.at(x, y) = softColourAt(kDuskAir, airTone(across, up));
             // First stars where it is darkest
-            if (airTone(across, up) < 1.6 && hashOf(x, y, kSeed + 9U) % 900U == 0U) {
+            if (airTone(across, up) < 1.6 && hashOf(x, y, kSkyDuskSeed + 9U) % 900U == 0U) {
                 sky.at(x, y) = blend(sky.at(x, y), kSea4, 150);
             }
         }
@@ -92,7 +93,7 @@ Picture paintSkyDusk() {
                     .mistHeight = 0.11,
                     .snowLine = 2.0,
                     .snow = kCoral,
-                    .seed = kSeed + 20U});
+                    .seed = kSkyDuskSeed + 20U});
     drawRidge(sky, {.low = 0.015,
                     .high = 0.12,
                     .peaks = 18,
@@ -103,7 +104,7 @@ Picture paintSkyDusk() {
                     .mistHeight = 0.07,
                     .snowLine = 2.0,
                     .snow = kCoral,
-                    .seed = kSeed + 31U});
+                    .seed = kSkyDuskSeed + 31U});
     drawRidge(sky, {.low = 0.004,
                     .high = 0.07,
                     .peaks = 30,
@@ -114,7 +115,7 @@ Picture paintSkyDusk() {
                     .mistHeight = 0.034,
                     .snowLine = 2.0,
                     .snow = kCoral,
-                    .seed = kSeed + 42U});
+                    .seed = kSkyDuskSeed + 42U});
     drawHaze(sky, kHazeDusk, 4);
     return sky;
 }

@@ -9,14 +9,14 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 3400;
+constexpr std::uint32_t kSkyNightSeed = 3400;
 constexpr double kMoonAcross = 0.70 * kAround;
 constexpr double kMoonUp = 0.42;
 constexpr double kMoonRadius = 0.062;
 
-constexpr Ramp kAir{{kHazeNight, blend(kSea0, kSlate0, 100), blend(kSea0, kNight, 110), kNight,
-                     blend(kNight, kInk, 128)},
-                    5};
+constexpr Ramp kNightAir{{kHazeNight, blend(kSea0, kSlate0, 100), blend(kSea0, kNight, 110), kNight,
+                          blend(kNight, kInk, 128)},
+                         5};
 
 // How deep in the milky way, 0 to 1: a band that climbs and falls once around the sky, parted by a
 // dark lane.
@@ -24,7 +24,7 @@ double milkyWay(int x, int y) {
     const double middle = 0.52 + 0.42 * wave(static_cast<double>(x) / kSkyWidth + 0.05);
     const double off = (upOf(y) - middle) / 0.20;
     const double cloud =
-        fractalNoise(x / 32.0, y / 16.0, kSkyWidth / 32, kSkyHeight / 16, 4, kSeed + 1U);
+        fractalNoise(x / 32.0, y / 16.0, kSkyWidth / 32, kSkyHeight / 16, 4, kSkyNightSeed + 1U);
     const double lane = std::abs(off + 1.2 * (cloud - 0.5));
     return std::max(0.0, 1.0 - off * off) * smoothStep(0.32, 0.7, cloud) *
            (0.45 + 0.55 * smoothStep(0.02, 0.25, lane));
@@ -35,11 +35,12 @@ void drawStars(Picture& sky) {
     for (int y = 0; y < kSkyHeight; ++y) {
         for (int x = 0; x < kSkyWidth; ++x) {
             const auto rarity = static_cast<std::uint32_t>(milkyWay(x, y) > 0.25 ? 70 : 190);
-            if (hashOf(x, y, kSeed + 2U) % rarity != 0U) {
+            if (hashOf(x, y, kSkyNightSeed + 2U) % rarity != 0U) {
                 continue;
             }
-            const double size = randomAt(x, y, kSeed + 3U);
-            const Colour colour = kStarColours[hashOf(x, y, kSeed + 4U) % kStarColours.size()];
+            const double size = randomAt(x, y, kSkyNightSeed + 3U);
+            const Colour colour =
+                kStarColours[hashOf(x, y, kSkyNightSeed + 4U) % kStarColours.size()];
             const int share = size < 0.6 ? 60 : (size < 0.9 ? 120 : 220);
             sky.at(x, y) = blend(sky.at(x, y), colour, share);
             if (size > 0.9) {
@@ -108,7 +109,7 @@ Picture paintSkyNight() {
     for (int y = 0; y < kSkyHeight; ++y) {
         const double up = upOf(y);
         for (int x = 0; x < kSkyWidth; ++x) {
-            const Colour air = softColourAt(kAir, 5.0 * up / (up + 0.32));
+            const Colour air = softColourAt(kNightAir, 5.0 * up / (up + 0.32));
             const double way = milkyWay(x, y);
             const Colour veil = way > 0.55 ? blend(kSea1, kSlate4, 110) : blend(kViolet, kSea1, 96);
             const int share =
@@ -128,7 +129,7 @@ Picture paintSkyNight() {
                     .mistHeight = 0.09,
                     .snowLine = 0.135,
                     .snow = blend(kSlate2, kSlate3, 100),
-                    .seed = kSeed + 20U});
+                    .seed = kSkyNightSeed + 20U});
     drawRidge(sky, {.low = 0.01,
                     .high = 0.11,
                     .peaks = 24,
@@ -139,7 +140,7 @@ Picture paintSkyNight() {
                     .mistHeight = 0.05,
                     .snowLine = 2.0,
                     .snow = blend(kSlate2, kSlate3, 100),
-                    .seed = kSeed + 31U});
+                    .seed = kSkyNightSeed + 31U});
     drawHaze(sky, kHazeNight, 4);
     return sky;
 }

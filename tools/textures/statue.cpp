@@ -10,7 +10,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 3800;
+constexpr std::uint32_t kStatueSeed = 3800;
 
 // A robe: its outline by half widths at heights, its folds as ripples of the surface.
 void drawRobe(Surface& surface) {
@@ -68,7 +68,7 @@ Picture paintStatue() {
     for (int line = 0; line < 3; ++line) {
         const int half = line == 1 ? 19 : 15;
         everyTexelIn(42 - half, 158 + 6 * line, 42 + half, 160 + 6 * line, [&](int x, int y) {
-            if (hashOf(x / 2, line, kSeed) % 4U != 0U) {
+            if (hashOf(x / 2, line, kStatueSeed) % 4U != 0U) {
                 surface.at(x, y).height -= 0.8;
                 surface.at(x, y).tone -= 1.2;
             }
@@ -130,9 +130,9 @@ Picture paintStatue() {
         if (texel.alpha == 0) {
             return;
         }
-        texel.tone += 1.1 * (fractalNoise(x / 16.0, y / 16.0, 8, 16, 3, kSeed + 1U) - 0.5) -
-                      (valueNoise(x / 3.0, y / 40.0, 64, 8, kSeed + 2U) > 0.78 ? 0.5 : 0.0);
-        const double moss = fractalNoise(x / 8.0, y / 8.0, 16, 32, 3, kSeed + 3U) +
+        texel.tone += 1.1 * (fractalNoise(x / 16.0, y / 16.0, 8, 16, 3, kStatueSeed + 1U) - 0.5) -
+                      (valueNoise(x / 3.0, y / 40.0, 64, 8, kStatueSeed + 2U) > 0.78 ? 0.5 : 0.0);
+        const double moss = fractalNoise(x / 8.0, y / 8.0, 16, 32, 3, kStatueSeed + 3U) +
                             (y > 128 && y < 144 ? 0.1 : 0.0);
         if (moss > 0.74 && y > 66) {
             texel.ramp = &kMossRamp;

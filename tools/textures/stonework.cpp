@@ -12,19 +12,19 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 200;
+constexpr std::uint32_t kStoneworkSeed = 200;
 
 const Pieces& ashlar() {
     static const Pieces pieces(coursed({{32, 10, {44, 36, 48}},
                                         {32, 34, {56, 40, 32}},
                                         {32, 4, {38, 50, 40}},
                                         {32, 26, {48, 34, 46}}}),
-                               0.0, kSeed);
+                               0.0, kStoneworkSeed);
     return pieces;
 }
 
 double variationOf(int piece) {
-    return randomAt(piece, 3, kSeed) - 0.5;
+    return randomAt(piece, 3, kStoneworkSeed) - 0.5;
 }
 
 }  // namespace
@@ -44,15 +44,15 @@ Surface ashlarSurface() {
         Texel& texel = surface.at(x, y);
         const int piece = ashlar().pieceAt(x, y);
         const double ragged =
-            1.2 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kSeed + 1U) - 0.55);
+            1.2 * std::max(0.0, valueNoise(x / 4.0, y / 4.0, 32, 32, kStoneworkSeed + 1U) - 0.55);
         const double inside = ashlar().edgeAt(x, y) - 0.6 - ragged;
-        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 2U) - 0.5;
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kStoneworkSeed + 2U) - 0.5;
         texel.height = std::clamp(inside * 0.8, 0.0, 2.4);
         texel.ramp = &kStoneRamp;
         texel.tone = inside <= 0.0 ? 1.6 : 3.6 + 1.0 * variationOf(piece) + 1.5 * blotch;
     });
     // The mason's chisel: short slanting strokes, lighter below
-    Random random(kSeed + 3U);
+    Random random(kStoneworkSeed + 3U);
     for (int stroke = 0; stroke < 90; ++stroke) {
         const int x = random.below(kSide);
         const int y = random.below(kSide);
@@ -76,7 +76,7 @@ Picture paintStoneBlocksWorn() {
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const double inside = ashlar().edgeAt(x, y) - 0.6;
-        const double bite = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 10U);
+        const double bite = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kStoneworkSeed + 10U);
         if (inside <= 0.0) {
             return;
         }
@@ -85,9 +85,9 @@ Picture paintStoneBlocksWorn() {
         texel.height = std::clamp(worn * 0.7, 0.3, 2.4);
         texel.tone -= worn < 1.0 ? 0.3 : 0.0;
         // Rain stains running down, lichen on the lit shoulders
-        const double stain = valueNoise(x / 4.0, y / 64.0, 32, 2, kSeed + 11U);
+        const double stain = valueNoise(x / 4.0, y / 64.0, 32, 2, kStoneworkSeed + 11U);
         texel.tone -= stain > 0.72 ? 0.5 : 0.0;
-        const double lichen = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 12U);
+        const double lichen = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kStoneworkSeed + 12U);
         if (lichen > 0.7) {
             texel.ramp = &kLichenRamp;
             texel.tone += 0.5;
@@ -103,13 +103,14 @@ Picture paintStoneBlocksWorn() {
 // Two courses of rough-faced blocks in slate, for towers and cellars.
 Picture paintStoneBlocksDark() {
     static const Pieces pieces(
-        coursed({{64, 0, {64, 64}}, {32, 32, {64, 64}}, {32, 0, {48, 40, 40}}}), 1.0, kSeed + 20U);
+        coursed({{64, 0, {64, 64}}, {32, 32, {64, 64}}, {32, 0, {48, 40, 40}}}), 1.0,
+        kStoneworkSeed + 20U);
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const double inside = pieces.edgeAt(x, y) - 0.8;
-        const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 21U);
-        const double variation = randomAt(pieces.pieceAt(x, y), 5, kSeed) - 0.5;
+        const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kStoneworkSeed + 21U);
+        const double variation = randomAt(pieces.pieceAt(x, y), 5, kStoneworkSeed) - 0.5;
         texel.ramp = &kSlateRamp;
         texel.height = inside <= 0.0 ? 0.0
                                      : std::min(1.0 + inside * 0.6, 3.0) +
@@ -126,8 +127,8 @@ Picture paintStoneBlocksDark() {
 
 Picture paintStoneRubble() {
     const double flatness = 1.35;
-    static const Pieces pieces(nearest(spreadPoints(30, flatness, kSeed + 30U), flatness), 1.5,
-                               kSeed + 31U);
+    static const Pieces pieces(nearest(spreadPoints(30, flatness, kStoneworkSeed + 30U), flatness),
+                               1.5, kStoneworkSeed + 31U);
     static const std::array<const Ramp*, 4> ramps = {&kStoneRamp, &kStoneRamp, &kEarthRamp,
                                                      &kFlintRamp};
     Surface surface;
@@ -135,19 +136,19 @@ Picture paintStoneRubble() {
         Texel& texel = surface.at(x, y);
         const int piece = pieces.pieceAt(x, y);
         const double inside = pieces.edgeAt(x, y) - 1.3;
-        const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kSeed + 32U) - 0.5;
+        const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kStoneworkSeed + 32U) - 0.5;
         if (inside <= 0.0) {
             texel.ramp = &kStoneRamp;
             texel.tone = 2.3 + 1.0 * rough;
             texel.height = 0.4 * rough;
             return;
         }
-        const auto kind = hashOf(piece, 4, kSeed) % ramps.size();
+        const auto kind = hashOf(piece, 4, kStoneworkSeed) % ramps.size();
         texel.ramp = ramps[kind];
         texel.tone = (kind == 2   ? 4.2
                       : kind == 3 ? 4.6
                                   : 3.6) +
-                     1.1 * (randomAt(piece, 6, kSeed) - 0.5) + 1.2 * rough;
+                     1.1 * (randomAt(piece, 6, kStoneworkSeed) - 0.5) + 1.2 * rough;
         texel.height = std::min(inside, 3.0) * 0.9 + 0.15 * inside + 1.2 * rough;
     });
     return lit(surface, {.gain = 0.5,
@@ -161,48 +162,48 @@ Picture paintStoneRubble() {
 Picture paintSandstone() {
     static const Pieces pieces(
         coursed({{32, 0, {64, 64}}, {32, 40, {48, 80}}, {32, 16, {64, 64}}, {32, 0, {72, 56}}}),
-        0.0, kSeed + 40U);
+        0.0, kStoneworkSeed + 40U);
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const int piece = pieces.pieceAt(x, y);
         const double inside = pieces.edgeAt(x, y) - 0.6;
         // Beds of the stone: long, nearly level bands, different in every block
-        const double bend = 3.0 * valueNoise(x / 16.0, y / 32.0, 8, 4, kSeed + 41U);
+        const double bend = 3.0 * valueNoise(x / 16.0, y / 32.0, 8, 4, kStoneworkSeed + 41U);
         const double bed = valueNoise(x / 32.0, (y + bend) / 4.0, 4, 32,
-                                      kSeed + 42U + static_cast<std::uint32_t>(piece));
-        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 43U) - 0.5;
+                                      kStoneworkSeed + 42U + static_cast<std::uint32_t>(piece));
+        const double blotch = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kStoneworkSeed + 43U) - 0.5;
         texel.ramp = &kSandRamp;
         texel.height = std::clamp(inside * 0.8, 0.0, 2.2) - (bed < 0.2 ? 0.6 : 0.0);
-        texel.tone = 2.9 + 1.1 * (randomAt(piece, 1, kSeed + 44U) - 0.5) + 1.3 * blotch;
+        texel.tone = 2.9 + 1.1 * (randomAt(piece, 1, kStoneworkSeed + 44U) - 0.5) + 1.3 * blotch;
         texel.tone += bed > 0.78 ? 0.4 : (bed < 0.2 ? -0.4 : 0.0);
         if (inside <= 0.0) {
             texel.tone = 0.6;
         }
     });
-    drawPits(surface, 220, 0.9, kSeed + 45U);
+    drawPits(surface, 220, 0.9, kStoneworkSeed + 45U);
     return lit(surface, ashlarLighting());
 }
 
 // Living rock: facets that lean this way and that, with ledges.
 Picture paintRock() {
     const double flatness = 1.3;
-    static const std::vector<Point> points = spreadPoints(26, flatness, kSeed + 50U);
-    static const Pieces pieces(nearest(points, flatness), 4.0, kSeed + 51U);
+    static const std::vector<Point> points = spreadPoints(26, flatness, kStoneworkSeed + 50U);
+    static const Pieces pieces(nearest(points, flatness), 4.0, kStoneworkSeed + 51U);
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const int piece = pieces.pieceAt(x, y);
         const Point& middle = points[static_cast<std::size_t>(piece)];
-        const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 52U) - 0.5;
+        const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kStoneworkSeed + 52U) - 0.5;
         // Each facet is a plane; its lean decides how much light it takes
-        const double leanX = randomAt(piece, 2, kSeed + 54U) - 0.5;
-        const double leanY = randomAt(piece, 4, kSeed + 54U) - 0.6;
+        const double leanX = randomAt(piece, 2, kStoneworkSeed + 54U) - 0.5;
+        const double leanY = randomAt(piece, 4, kStoneworkSeed + 54U) - 0.6;
         const double plane =
             leanX * wrappedDifference(middle.x, x) + leanY * wrappedDifference(middle.y, y);
         texel.ramp = &kRockRamp;
         texel.tone = 3.1 + 1.2 * (leanX + leanY) + 0.9 * rough + 0.03 * plane;
-        texel.height = 3.0 * randomAt(piece, 3, kSeed + 54U) + 0.25 * plane +
+        texel.height = 3.0 * randomAt(piece, 3, kStoneworkSeed + 54U) + 0.25 * plane +
                        std::min(pieces.edgeAt(x, y), 2.5) * 0.7 + 3.0 * rough;
     });
     return lit(surface, {.gain = 0.5,

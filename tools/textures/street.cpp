@@ -12,7 +12,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 3600;
+constexpr std::uint32_t kStreetSeed = 3600;
 
 // The front of a box of boards with a frame and a brace, and its lid seen a little from above.
 void drawCrate(Surface& surface, int left, int top, int size, std::uint32_t seed) {
@@ -133,8 +133,8 @@ Picture paintStandingBarrel() {
         const double within = around - stave;
         Texel& texel = surface.at(x, y);
         texel = {.height = 20.0 * round,
-                 .tone = 3.0 + 0.7 * (randomAt(stave, 1, kSeed) - 0.5) +
-                         0.9 * woodGrain(y, stave * 16 + 8.0 * within, kSeed + 1U),
+                 .tone = 3.0 + 0.7 * (randomAt(stave, 1, kStreetSeed) - 0.5) +
+                         0.9 * woodGrain(y, stave * 16 + 8.0 * within, kStreetSeed + 1U),
                  .ramp = &kTimberRamp,
                  .alpha = 255};
         if (within < 0.09) {
@@ -157,11 +157,11 @@ Picture paintStandingBarrel() {
         const double dx = (x + 0.5 - kMiddle) / 24.5;
         const double dy = (y + 0.5 - 9.5) / 6.0;
         if (dx * dx + dy * dy < 1.0) {
-            surface.at(x, y) = {
-                .height = 11.0,
-                .tone = 3.1 + 0.8 * woodGrain(x, y * 3, kSeed + 2U) - (x % 13 == 0 ? 1.2 : 0.0),
-                .ramp = &kTimberRamp,
-                .alpha = 255};
+            surface.at(x, y) = {.height = 11.0,
+                                .tone = 3.1 + 0.8 * woodGrain(x, y * 3, kStreetSeed + 2U) -
+                                        (x % 13 == 0 ? 1.2 : 0.0),
+                                .ramp = &kTimberRamp,
+                                .alpha = 255};
         }
     });
     drawBall(surface, {46.0, 10.0}, 2.2, 1.4, {.ramp = &kOakRamp, .tone = 1.2, .height = 12.0});
@@ -175,9 +175,9 @@ Picture paintStandingBarrel() {
 
 Picture paintCrateStack() {
     Surface surface = Surface::empty(132, 128);
-    drawCrate(surface, 66, 68, 60, kSeed + 10U);
-    drawCrate(surface, 2, 66, 62, kSeed + 20U);
-    drawCrate(surface, 34, 14, 52, kSeed + 30U);
+    drawCrate(surface, 66, 68, 60, kStreetSeed + 10U);
+    drawCrate(surface, 2, 66, 62, kStreetSeed + 20U);
+    drawCrate(surface, 34, 14, 52, kStreetSeed + 30U);
     return spriteOf(surface, {.gain = 0.4,
                               .lightest = 0.9,
                               .darkest = 1.4,
@@ -197,7 +197,7 @@ Picture paintMarketStall() {
     }
     // Herbs and onions hang from a line under the roof
     drawLimb(surface, {14.0, 58.0}, 1.0, {194.0, 58.0}, 1.0, {.ramp = &kSandRamp, .tone = 2.0});
-    Random random(kSeed + 40U);
+    Random random(kStreetSeed + 40U);
     for (int bunch = 0; bunch < 9; ++bunch) {
         const double x = 34.0 + 17.5 * bunch;
         if (bunch % 3 == 1) {
@@ -259,15 +259,15 @@ Picture paintMarketStall() {
     everyTexelIn(14, kCounter + 7, kWidth - 14, kHeight - 4, [&](int x, int y) {
         const int board = (x - 14) / 15;
         const int inside = std::min((x - 14) % 15, 14 - (x - 14) % 15);
-        surface.at(x, y) = {
-            .height = 2.0 + std::min(1.0, 0.7 * inside),
-            .tone = 2.6 + 0.7 * (randomAt(board, 1, kSeed + 41U) - 0.5) - (inside == 0 ? 1.3 : 0.0),
-            .ramp = &kTimberRamp,
-            .alpha = 255};
+        surface.at(x, y) = {.height = 2.0 + std::min(1.0, 0.7 * inside),
+                            .tone = 2.6 + 0.7 * (randomAt(board, 1, kStreetSeed + 41U) - 0.5) -
+                                    (inside == 0 ? 1.3 : 0.0),
+                            .ramp = &kTimberRamp,
+                            .alpha = 255};
     });
     drawBox(surface, 14, 160, kWidth - 14, 168,
             {.ramp = &kTimberRamp, .tone = 3.2, .height = 4.0, .bulge = 0.0});
-    addGrain(surface, &kTimberRamp, 0.9, kSeed + 42U);
+    addGrain(surface, &kTimberRamp, 0.9, kStreetSeed + 42U);
     // A cloth hangs over the middle of the front
     drawOutline(surface,
                 {{70.0, kCounter + 2.0},
@@ -295,7 +295,7 @@ Picture paintMarketStall() {
         drawBox(surface, x, 30, x + 10, kHeight,
                 {.ramp = &kOakRamp, .tone = 2.9, .height = 9.0, .bulge = 0.7});
     }
-    addGrain(surface, &kOakRamp, 0.8, kSeed + 43U);
+    addGrain(surface, &kOakRamp, 0.8, kStreetSeed + 43U);
     // The awning: it slopes towards the viewer, striped, with a scalloped hem
     constexpr int kStripes = 12;
     everyTexelIn(0, 4, kWidth, 56, [&](int x, int y) {

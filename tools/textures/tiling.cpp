@@ -12,7 +12,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 1200;
+constexpr std::uint32_t kTilingSeed = 1200;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Picture paintMarbleChecker() {
         const int localX = x % kTile;
         const int localY = y % kTile;
         const int inside = std::min({localX, kTile - 1 - localX, localY, kTile - 1 - localY});
-        const auto seed = kSeed + 5U * static_cast<std::uint32_t>(tile);
+        const auto seed = kTilingSeed + 5U * static_cast<std::uint32_t>(tile);
         // Veins: where two noises cross a level, each tile cut from another place of the block
         const double cloud = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, seed) - 0.5;
         const double bent = fractalNoise((x + y) / 32.0 + 0.5 * cloud,
@@ -58,12 +58,12 @@ Picture paintTerracotta() {
         const int end = std::min(y % kTile, kTile - 1 - y % kTile);
         const int tile = x / kTile + 4 * (y / kTile);
         const int corner = (x + kTile / 2) / kTile % 4 + 4 * ((y + kTile / 2) / kTile % 4);
-        const double blotch = fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kSeed + 100U) - 0.5;
+        const double blotch = fractalNoise(x / 8.0, y / 8.0, 16, 16, 3, kTilingSeed + 100U) - 0.5;
         Texel& texel = surface.at(x, y);
         if (diagonal < -0.8) {
             texel.ramp = &kSeaRamp;
             texel.height = std::min(1.2, -diagonal - 0.8);
-            texel.tone = 2.2 + 0.5 * (randomAt(corner, 1, kSeed + 101U) - 0.5) + 0.5 * blotch;
+            texel.tone = 2.2 + 0.5 * (randomAt(corner, 1, kTilingSeed + 101U) - 0.5) + 0.5 * blotch;
             return;
         }
         const double inside = std::min({diagonal - 0.8, side + 0.0, end + 0.0});
@@ -73,7 +73,7 @@ Picture paintTerracotta() {
         }
         texel.ramp = &kClayRamp;
         texel.height = std::min(1.4, inside * 0.8);
-        texel.tone = 2.9 + 0.9 * (randomAt(tile, 2, kSeed + 101U) - 0.5) + 0.9 * blotch;
+        texel.tone = 2.9 + 0.9 * (randomAt(tile, 2, kTilingSeed + 101U) - 0.5) + 0.9 * blotch;
     });
     return lit(surface, {.gain = 0.6,
                          .lightest = 0.7,
@@ -121,7 +121,7 @@ Picture paintMosaic() {
         }
         Texel& texel = surface.at(x, y);
         texel.ramp = ramp;
-        texel.tone = tone + 1.0 * (randomAt(column, row, kSeed + 200U) - 0.5);
+        texel.tone = tone + 1.0 * (randomAt(column, row, kTilingSeed + 200U) - 0.5);
         if (x % kCube == kCube - 1 || y % kCube == kCube - 1) {
             texel.tone -= 0.9;
         } else if (x % kCube == 0 && y % kCube == 0) {
@@ -141,7 +141,7 @@ Picture paintCeilingCoffers() {
         const int localX = x % kCoffer;
         const int localY = y % kCoffer;
         const int inside = std::min({localX, kCoffer - 1 - localX, localY, kCoffer - 1 - localY});
-        const double grain = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kSeed + 300U) - 0.5;
+        const double grain = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kTilingSeed + 300U) - 0.5;
         int step = 0;
         while (inside >= kSteps[static_cast<std::size_t>(step)]) {
             ++step;
@@ -155,7 +155,7 @@ Picture paintCeilingCoffers() {
                 : 3.1 - 0.35 * step +
                       0.8 * woodGrain(std::abs(localX - 31.5) > std::abs(localY - 31.5) ? y : x,
                                       std::abs(localX - 31.5) > std::abs(localY - 31.5) ? x : y,
-                                      kSeed + 301U);
+                                      kTilingSeed + 301U);
         if (inside == 9 || inside == 8) {
             texel.ramp = &kBrassRamp;
             texel.tone = 2.4;

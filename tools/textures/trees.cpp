@@ -12,7 +12,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 3400;
+constexpr std::uint32_t kTreesSeed = 3400;
 
 constexpr Lighting kLeafLight = {.gain = 0.12,
                                  .lightest = 0.5,
@@ -49,26 +49,27 @@ Picture paintOak() {
     drawLimb(surface, {109.0, 176.0}, 7.5, {154.0, 130.0}, 4.0, wood);
     drawLimb(surface, {106.0, 165.0}, 9.0, {110.0, 110.0}, 5.0, wood);
     drawLimb(surface, {132.0, 154.0}, 3.5, {172.0, 142.0}, 2.5, wood);
-    addGrain(surface, &kOakRamp, 1.2, kSeed);
+    addGrain(surface, &kOakRamp, 1.2, kTreesSeed);
     // A hollow where a bough broke off
     drawBall(surface, {103.0, 203.0}, 4.0, 6.0,
              {.ramp = &kOakRamp, .tone = 0.6, .height = 8.0, .bulge = -0.5});
-    drawLeafage(surface,
-                {{108.0, 52.0, 44.0},
-                 {66.0, 66.0, 36.0},
-                 {150.0, 64.0, 36.0},
-                 {108.0, 32.0, 28.0},
-                 {38.0, 98.0, 31.0},
-                 {178.0, 98.0, 31.0},
-                 {78.0, 40.0, 27.0},
-                 {138.0, 38.0, 27.0},
-                 {108.0, 88.0, 38.0},
-                 {60.0, 124.0, 26.0},
-                 {154.0, 122.0, 27.0},
-                 {84.0, 118.0, 25.0},
-                 {130.0, 114.0, 26.0}},
-                {.tone = 2.7, .contrast = 1.25, .length = 8.0, .width = 0.34, .seed = kSeed + 1U});
-    drawTuft(surface, 78.0, 138.0, 34, kSeed + 2U);
+    drawLeafage(
+        surface,
+        {{108.0, 52.0, 44.0},
+         {66.0, 66.0, 36.0},
+         {150.0, 64.0, 36.0},
+         {108.0, 32.0, 28.0},
+         {38.0, 98.0, 31.0},
+         {178.0, 98.0, 31.0},
+         {78.0, 40.0, 27.0},
+         {138.0, 38.0, 27.0},
+         {108.0, 88.0, 38.0},
+         {60.0, 124.0, 26.0},
+         {154.0, 122.0, 27.0},
+         {84.0, 118.0, 25.0},
+         {130.0, 114.0, 26.0}},
+        {.tone = 2.7, .contrast = 1.25, .length = 8.0, .width = 0.34, .seed = kTreesSeed + 1U});
+    drawTuft(surface, 78.0, 138.0, 34, kTreesSeed + 2U);
     return spriteOf(surface, kLeafLight);
 }
 
@@ -84,8 +85,8 @@ Picture paintPine() {
              {.ramp = &kOakRamp, .tone = 2.5});
     drawLimb(surface, {kMiddle + 3.0, 244.0}, 5.0, {kMiddle + 13.0, 252.0}, 3.0,
              {.ramp = &kOakRamp, .tone = 2.5});
-    addGrain(surface, &kOakRamp, 1.1, kSeed + 10U);
-    Random random(kSeed + 11U);
+    addGrain(surface, &kOakRamp, 1.1, kTreesSeed + 10U);
+    Random random(kTreesSeed + 11U);
     for (int tier = 0; tier < kTiers; ++tier) {
         const double share = static_cast<double>(tier) / (kTiers - 1);
         const double half = 64.0 - 56.0 * share;
@@ -132,7 +133,7 @@ Picture paintPine() {
     }
     drawLimb(surface, {kMiddle, 14.0}, 1.6, {kMiddle, 2.0}, 0.8,
              {.ramp = &kPineRamp, .tone = 4.0, .height = 40.0});
-    drawTuft(surface, 48.0, 92.0, 18, kSeed + 12U);
+    drawTuft(surface, 48.0, 92.0, 18, kTreesSeed + 12U);
     return spriteOf(surface, kLeafLight);
 }
 
@@ -151,7 +152,7 @@ Picture paintBirch() {
     drawLimb(surface, {75.0, 242.0}, 5.0, {84.0, 252.0}, 3.0, bark);
     drawLimb(surface, {69.0, 242.0}, 5.0, {60.0, 252.0}, 3.0, bark);
     // Dark scars across the white bark, denser and rougher at the foot
-    Random random(kSeed + 20U);
+    Random random(kTreesSeed + 20U);
     for (int scar = 0; scar < 60; ++scar) {
         const double share = random.fraction();
         const int y = 245 - static_cast<int>(190.0 * share);
@@ -185,39 +186,41 @@ Picture paintBirch() {
                  .density = 0.36,
                  .filled = false,
                  .hanging = true,
-                 .seed = kSeed + 21U});
-    drawTuft(surface, 52.0, 92.0, 20, kSeed + 22U);
+                 .seed = kTreesSeed + 21U});
+    drawTuft(surface, 52.0, 92.0, 20, kTreesSeed + 22U);
     return spriteOf(surface, kLeafLight);
 }
 
 Picture paintBush() {
     Surface surface = Surface::empty(132, 76);
-    drawLeafage(surface,
-                {{66.0, 34.0, 30.0},
-                 {38.0, 46.0, 26.0},
-                 {94.0, 46.0, 26.0},
-                 {26.0, 58.0, 18.0},
-                 {107.0, 58.0, 18.0},
-                 {52.0, 54.0, 22.0},
-                 {80.0, 54.0, 23.0},
-                 {66.0, 62.0, 18.0}},
-                {.tone = 2.6, .contrast = 1.3, .length = 7.0, .width = 0.34, .seed = kSeed + 30U});
-    drawTuft(surface, 14.0, 118.0, 46, kSeed + 31U);
+    drawLeafage(
+        surface,
+        {{66.0, 34.0, 30.0},
+         {38.0, 46.0, 26.0},
+         {94.0, 46.0, 26.0},
+         {26.0, 58.0, 18.0},
+         {107.0, 58.0, 18.0},
+         {52.0, 54.0, 22.0},
+         {80.0, 54.0, 23.0},
+         {66.0, 62.0, 18.0}},
+        {.tone = 2.6, .contrast = 1.3, .length = 7.0, .width = 0.34, .seed = kTreesSeed + 30U});
+    drawTuft(surface, 14.0, 118.0, 46, kTreesSeed + 31U);
     return spriteOf(surface, kLeafLight);
 }
 
 Picture paintFlowerBush() {
     Surface surface = Surface::empty(120, 84);
-    drawLeafage(surface,
-                {{60.0, 36.0, 28.0},
-                 {34.0, 50.0, 25.0},
-                 {86.0, 50.0, 25.0},
-                 {60.0, 58.0, 25.0},
-                 {26.0, 66.0, 17.0},
-                 {94.0, 66.0, 17.0}},
-                {.tone = 2.4, .contrast = 1.1, .length = 7.5, .width = 0.3, .seed = kSeed + 40U});
+    drawLeafage(
+        surface,
+        {{60.0, 36.0, 28.0},
+         {34.0, 50.0, 25.0},
+         {86.0, 50.0, 25.0},
+         {60.0, 58.0, 25.0},
+         {26.0, 66.0, 17.0},
+         {94.0, 66.0, 17.0}},
+        {.tone = 2.4, .contrast = 1.1, .length = 7.5, .width = 0.3, .seed = kTreesSeed + 40U});
     // Blossoms of five petals, in drifts, lighter above
-    Random random(kSeed + 41U);
+    Random random(kTreesSeed + 41U);
     for (int number = 0; number < 240; ++number) {
         const double x = random.between(10.0, 110.0);
         const double y = random.between(8.0, 78.0);
@@ -227,7 +230,7 @@ Picture paintFlowerBush() {
         const bool inside = surface.at(at, row).alpha > 0 &&
                             surface.at(wrap(at + 4, 120), row).alpha > 0 &&
                             surface.at(wrap(at - 4, 120), row).alpha > 0;
-        if (!inside || valueNoise(x / 14.0, y / 14.0, 8, 8, kSeed + 42U) < 0.47) {
+        if (!inside || valueNoise(x / 14.0, y / 14.0, 8, 8, kTreesSeed + 42U) < 0.47) {
             continue;
         }
         const double tone = 3.9 - y / 45.0 + own;
@@ -239,7 +242,7 @@ Picture paintFlowerBush() {
         }
         drawBall(surface, {x, y}, 0.9, 0.9, {.ramp = &kBrassRamp, .tone = 3.8, .height = 17.0});
     }
-    drawTuft(surface, 14.0, 106.0, 40, kSeed + 43U);
+    drawTuft(surface, 14.0, 106.0, 40, kTreesSeed + 43U);
     return spriteOf(surface, kLeafLight);
 }
 

@@ -13,8 +13,8 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr int kWidth = 60;
-constexpr int kHeight = 116;
+constexpr int kWalkerWidth = 60;
+constexpr int kWalkerHeight = 116;
 
 // Where a leg or an arm is in its swing: `ahead` from -1 (behind) to 1 (before the body), `lift`
 // how far the foot is off the ground.
@@ -84,7 +84,7 @@ void drawTunic(Surface& surface, double sway, double bob) {
                  at(14.5 + sway, 82.0), at(5.0 + sway, 84.0), at(-5.0 + sway, 84.0),
                  at(-14.5 + sway, 82.0), at(-12.0, 58.0)},
                 {.ramp = &kSeaRamp, .tone = 2.0, .height = 8.0});
-    everyTexelOn(surface, 0.0, 30.0, kWidth, 90.0, [&](int x, int y) {
+    everyTexelOn(surface, 0.0, 30.0, kWalkerWidth, 90.0, [&](int x, int y) {
         Texel& texel = surface.at(x, y);
         if (texel.alpha == 0 || texel.ramp != &kSeaRamp) {
             return;
@@ -118,8 +118,8 @@ Picture paintWalker() {
         const double bob = 1.6 * (1.0 - std::abs(left.ahead)) * -1.0 + 1.0;
         const double sway = 1.6 * left.ahead;
         // Whichever foot is lower stands on the lowest row
-        const double ground = kHeight + 0.4 - std::max(soleOf(left), soleOf(right));
-        Surface surface = Surface::empty(kWidth, kHeight);
+        const double ground = kWalkerHeight + 0.4 - std::max(soleOf(left), soleOf(right));
+        Surface surface = Surface::empty(kWalkerWidth, kWalkerHeight);
         // What is behind comes first: the arm that swings back, the leg that stands behind
         if (left.ahead > 0.0) {
             drawArm(surface, -1.0, -left.ahead, bob, false);

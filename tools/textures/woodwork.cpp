@@ -13,7 +13,7 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr std::uint32_t kSeed = 400;
+constexpr std::uint32_t kWoodworkSeed = 400;
 
 // A knot: the grain makes way for a dark eye.
 void drawKnot(Surface& surface, int middleX, int middleY, bool upright) {
@@ -89,7 +89,7 @@ Picture paintPlanksFloor() {
                                         {kBoard, 70, {128}},
                                         {kBoard, 38, {128}},
                                         {kBoard, 102, {128}}}),
-                               0.0, kSeed);
+                               0.0, kWoodworkSeed);
     static constexpr std::array<int, 8> kJoints = {22, 86, 50, 118, 6, 70, 38, 102};
     Surface surface;
     everyTexel([&](int x, int y) {
@@ -98,10 +98,10 @@ Picture paintPlanksFloor() {
         const int fromJoint = wrap(x - kJoints[static_cast<std::size_t>(board)], kSide);
         const double gap =
             std::min({boards.edgeAt(x, y), fromJoint + 0.5, kSide - fromJoint - 0.5});
-        const auto seed = kSeed + 10U * static_cast<std::uint32_t>(board);
+        const auto seed = kWoodworkSeed + 10U * static_cast<std::uint32_t>(board);
         texel.ramp = &kTimberRamp;
         texel.height = std::clamp(gap * 0.7 - 0.35, 0.0, 1.0);
-        texel.tone = 2.7 + 0.9 * (randomAt(board, 1, kSeed) - 0.5) + woodGrain(x, y, seed);
+        texel.tone = 2.7 + 0.9 * (randomAt(board, 1, kWoodworkSeed) - 0.5) + woodGrain(x, y, seed);
         if (gap < 0.8) {
             texel.tone = y % kBoard == kBoard - 1 || fromJoint == kSide - 1 ? 0.4 : texel.tone;
         }
@@ -135,11 +135,12 @@ Picture paintPlanksWall() {
         }
         const int left = x - kEdges[static_cast<std::size_t>(board)];
         const int right = kEdges[static_cast<std::size_t>(board) + 1] - 1 - x;
-        const auto seed = kSeed + 100U + 10U * static_cast<std::uint32_t>(board);
+        const auto seed = kWoodworkSeed + 100U + 10U * static_cast<std::uint32_t>(board);
         Texel& texel = surface.at(x, y);
         texel.ramp = &kTimberRamp;
         texel.height = std::min({(left + 0.4) * 0.9, (right + 0.4) * 0.9, 2.0});
-        texel.tone = 3.8 + 0.9 * (randomAt(board, 2, kSeed) - 0.5) + 1.1 * woodGrain(y, x, seed);
+        texel.tone =
+            3.8 + 0.9 * (randomAt(board, 2, kWoodworkSeed) - 0.5) + 1.1 * woodGrain(y, x, seed);
         if (right == 0) {
             texel.tone = 0.8;
         }
@@ -175,14 +176,14 @@ Surface timberFrameSurface() {
                        .bottom = 8,
                        .upright = false,
                        .height = 3.0,
-                       .seed = kSeed + 200U});
+                       .seed = kWoodworkSeed + 200U});
     drawBeam(surface, {.left = -9,
                        .top = 8,
                        .right = 9,
                        .bottom = kSide - 8,
                        .upright = true,
                        .height = 3.0,
-                       .seed = kSeed + 210U});
+                       .seed = kWoodworkSeed + 210U});
     drawPeg(surface, -4, 3);
     drawPeg(surface, 5, -3);
     return surface;
@@ -196,7 +197,7 @@ Picture paintTimberFrame() {
                        .bottom = kSide - 8,
                        .upright = true,
                        .height = 3.0,
-                       .seed = kSeed + 220U});
+                       .seed = kWoodworkSeed + 220U});
     drawPeg(surface, 61, 3);
     drawPeg(surface, 67, -3);
     return lit(surface, timberLighting());
@@ -212,7 +213,7 @@ Picture paintTimberFrameBrace() {
             Texel& texel = surface.at(x, y);
             texel.ramp = &kOakRamp;
             texel.height = 2.6 * std::min(1.0, (8.0 - std::abs(across)) / 2.0);
-            texel.tone = 3.1 + 0.9 * woodGrain((x + y) * 0.5, across + 40.0, kSeed + 230U);
+            texel.tone = 3.1 + 0.9 * woodGrain((x + y) * 0.5, across + 40.0, kWoodworkSeed + 230U);
         }
     });
     return lit(surface, timberLighting());
@@ -227,8 +228,9 @@ Picture paintCeilingBeams() {
         Texel& texel = surface.at(x, y);
         texel.ramp = &kOakRamp;
         texel.height = std::min(1.0, inside * 0.6);
-        texel.tone = 2.5 + 0.6 * (randomAt(board, 3, kSeed) - 0.5) +
-                     0.7 * woodGrain(y, x, kSeed + 300U + static_cast<std::uint32_t>(board));
+        texel.tone =
+            2.5 + 0.6 * (randomAt(board, 3, kWoodworkSeed) - 0.5) +
+            0.7 * woodGrain(y, x, kWoodworkSeed + 300U + static_cast<std::uint32_t>(board));
         texel.tone = x % kBoard == kBoard - 1 ? 0.5 : texel.tone;
     });
     for (const int top : {18, 82}) {
@@ -238,7 +240,7 @@ Picture paintCeilingBeams() {
                            .bottom = top + 28,
                            .upright = false,
                            .height = 9.0,
-                           .seed = kSeed + 320U + static_cast<std::uint32_t>(top)});
+                           .seed = kWoodworkSeed + 320U + static_cast<std::uint32_t>(top)});
         everyTexelIn(0, top, kSide, top + 28, [&](int x, int y) { surface.at(x, y).tone += 0.7; });
         everyTexelIn(0, top + 28, kSide, top + 33,
                      [&](int x, int y) { surface.at(x, y).tone -= 0.6; });
@@ -261,8 +263,8 @@ Picture paintCrate() {
         Texel& texel = surface.at(x, y);
         texel.ramp = &kTimberRamp;
         texel.height = std::min(1.0, inside * 0.7);
-        texel.tone = 2.7 + 0.8 * (randomAt(board, 4, kSeed) - 0.5) +
-                     woodGrain(y, x, kSeed + 400U + static_cast<std::uint32_t>(board));
+        texel.tone = 2.7 + 0.8 * (randomAt(board, 4, kWoodworkSeed) - 0.5) +
+                     woodGrain(y, x, kWoodworkSeed + 400U + static_cast<std::uint32_t>(board));
         texel.tone = inside == 0 ? texel.tone - 1.5 : texel.tone;
     });
     // The brace, then the frame around
@@ -272,7 +274,7 @@ Picture paintCrate() {
         if (across > -9.0 && across < 9.0) {
             Texel& texel = surface.at(x, y);
             texel.height = 1.0 + 2.5 * std::min(1.0, (9.0 - std::abs(across)) / 2.0);
-            texel.tone = frameTone(woodGrain((x - y) * 0.5, across + 30.0, kSeed + 420U));
+            texel.tone = frameTone(woodGrain((x - y) * 0.5, across + 30.0, kWoodworkSeed + 420U));
         }
     });
     everyTexel([&](int x, int y) {
@@ -286,8 +288,8 @@ Picture paintCrate() {
         const int inner = rail ? kFrame - 1 - end : kFrame - 1 - side;
         Texel& texel = surface.at(x, y);
         texel.height = 4.5 * std::min({1.0, (outer + 1.0) / 2.5, (inner + 1.0) / 2.5});
-        texel.tone =
-            frameTone(rail ? woodGrain(x, y, kSeed + 430U) : woodGrain(y, x, kSeed + 440U));
+        texel.tone = frameTone(rail ? woodGrain(x, y, kWoodworkSeed + 430U)
+                                    : woodGrain(y, x, kWoodworkSeed + 440U));
         if (!rail && (y == kFrame || y == kSide - 1 - kFrame)) {
             texel.tone -= 1.4;
         }

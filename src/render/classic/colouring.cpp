@@ -1,14 +1,11 @@
 #include "render/classic/colouring.h"
 
+#include "base/pixels.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace slicecast::classic {
-namespace {
-
-constexpr Pixel kOpaque = toPixel({0, 0, 0, 255});
-
-}  // namespace
 
 Pixel laidOver(Pixel colour, Pixel behind) {
     const Colour over = toColour(colour);

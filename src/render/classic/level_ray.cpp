@@ -8,10 +8,9 @@
 
 namespace slicecast {
 
-using namespace classic;
-
 ClassicLevelRay castClassic(const World& world, const Eye& eye, const ClassicOptions& options,
                             const ClassicAim& aim) {
+    using namespace classic;
     constexpr int kAnySize = 1000;
     const Map& map = world.maps[static_cast<std::size_t>(eye.map)];
     const View view(world, eye, {.fovDegrees = aim.fovDegrees}, options, kAnySize, kAnySize);
