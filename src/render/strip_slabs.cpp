@@ -49,9 +49,9 @@ int StripWalk::farTile(int lane, double v) const {
     return step > 0 ? border - !isCrossed : border - isCrossed;
 }
 
-// Leaps over slabs in which no column meets anything; false if it saves nothing. The leap ends at
-// the edge of the map, at the next object, where the rays must stop, or where the first of the two
-// outer columns leaves the open land around the middle.
+// Leaps over slabs in which no column meets anything; false if that would save nothing. The leap
+// ends at the edge of the map, at the next object, or where the rays must stop. It also ends where
+// one of the two outer columns leaves the open land around the middle.
 bool StripWalk::passOpenLand() {
     if (map_->openLand.empty() || onlyFloor_ != map_->floor.texture || onlyCeiling_ != kNoTexture)
         return false;
