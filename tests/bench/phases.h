@@ -3,9 +3,9 @@
 //
 // A frame is drawn as Renderer::draw does it: for each strip of 16 columns all spans are found,
 // then painted, then the strip is copied. The clock is read in between. So the replay finds the
-// caches as a real frame does. Two simpler replays did not: painting all spans of the picture at
-// the end finds none of them in the cache (14 % longer for the glassworks in WebAssembly), and
-// painting one strip over and over finds all its texels there (15 % shorter).
+// caches as a real frame does. Two simpler replays did not. If all spans of the picture are painted
+// at the end, they have left the cache (14 % longer for the glassworks in WebAssembly). If one
+// strip is painted over and over, all its texels are there (15 % shorter).
 #pragma once
 
 #include "render/frame.h"

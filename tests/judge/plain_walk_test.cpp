@@ -46,7 +46,7 @@ std::uint32_t alphaOf(const Span& span, int row) {
     return span.column.texels[position >> span.column.shift] >> 24;
 }
 
-// Who looks at texels leaves out those that show nothing, and what lies behind opaque ones.
+// Removes the layers that show nothing in a row, and all that lie behind an opaque texel.
 void forgetHidden(Row& row, int number) {
     std::vector<const Span*> seen;
     for (const Span* layer : row.layers) {
