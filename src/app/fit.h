@@ -1,4 +1,5 @@
-// Fits a picture into a window. Pixels stay crisp: each becomes a square of n x n window pixels.
+// Fits a picture into a window. Pixels stay crisp: each becomes a square of n x n window pixels,
+// unless the window is too small for the picture.
 #pragma once
 
 #include <SDL2/SDL_rect.h>
@@ -15,10 +16,9 @@ struct Size {
     friend bool operator==(const Size&, const Size&) = default;
 };
 
-// A picture's size, and its place in the window.
 struct Fit {
-    Size picture;
-    SDL_Rect place;
+    Size picture;    // pixels of the picture
+    SDL_Rect place;  // where it is shown, in pixels of the window
 };
 
 // Fills the window: each pixel becomes a square of n x n, with the least n that gives at most

@@ -25,7 +25,7 @@ namespace slicecast {
 struct KeyHelp {
     std::vector<std::string_view> keys;  // labels; none if its actions have no key
     std::string_view does;
-    Action first;  // the line's actions
+    Action first;  // the line is about all actions from `first` to `last`
     Action last;
 };
 
@@ -36,10 +36,11 @@ public:
     // Restores the standard keys.
     void reset();
 
-    // Binds a key to an action: it keeps its other keys, the key loses its old action. Escape
-    // cannot be bound to anything else.
+    // Binds a key (a KeyboardEvent.code) to an action by its name. The action keeps its other keys,
+    // and the key loses its old action. Escape keeps its own action. Like the next two, returns ""
+    // on success, else a message.
     std::string bind(std::string_view code, std::string_view action);
-    // Removes the key's action.
+    // Leaves the key without an action.
     std::string unbind(std::string_view code);
     // Reads texts such as "forward=ArrowUp" or "forward=ArrowUp+KeyW,fly=KeyJ": each named action
     // has only those keys afterwards. Changes nothing if the text has an error.
@@ -47,8 +48,8 @@ public:
 
     std::optional<Action> actionOf(SDL_Scancode scancode) const;
 
-    // The key with this number (from 0) of an action, in the order of allPositions; null if it has
-    // fewer.
+    // One of the keys of an action: number 0 is the first in the order of allPositions. Null if the
+    // action has fewer keys.
     const KeyPosition* keyOf(Action action, int number = 0) const;
 
     // The help text of all keys. Includes lines without a key, so that a user can bind one.

@@ -1,9 +1,9 @@
 // The program in a page: a canvas is its screen and gives it keys and mouse
 // (web/engine/engine-canvas.js). Several modules in one page are independent.
 //
-// SDL provides only the surface. Canvas, keys and mouse are used directly, because SDL swallows
-// every key of the page (Tab and the browser's shortcuts too), never lets a click give the focus,
-// and its window code would be a third of the program.
+// SDL provides only the surface. Canvas, keys and mouse are used directly. SDL would swallow every
+// key of the page, Tab and the browser's shortcuts too, and would not let a click give the focus.
+// Its window code would be a third of the program.
 #pragma once
 
 #ifdef __EMSCRIPTEN__

@@ -2,9 +2,9 @@
 //
 //     raw = floor(65536 v + 0.5)        tile = raw >> 16        fraction = (raw & 65535) / 65536
 //
-// A coordinate is rounded once, when it is loaded or at the end of a step; sums and differences of
-// coordinates are exact, and so are their values as doubles. x grows east, y grows south, z grows
-// up. Tile i is the half-open interval [i, i + 1).
+// A coordinate is rounded once, when it is loaded or at the end of a step. Sums and differences are
+// exact as long as they stay within the limit, and so are their values as doubles. x grows east, y
+// grows south, z grows up. Tile i is the half-open interval [i, i + 1).
 #pragma once
 
 #include <compare>
@@ -40,6 +40,7 @@ constexpr Coordinate toCoordinate(double units) {
     return {static_cast<std::int32_t>(whole)};
 }
 
+// Where a tile begins: its west or north border, or the base of a level. From -32767 to 32767.
 constexpr Coordinate tileEdge(int tile) {
     return {tile * 65536};
 }

@@ -9,7 +9,8 @@
 namespace {
 
 // A hostile file's compressed data may expand without end, whatever size its picture claims to
-// have. The largest picture that is read takes 8192 x 4096 pixels of 4 bytes, with a byte a row.
+// have. The largest picture that is read has 8192 x 4096 pixels of 4 bytes, and a filter byte for
+// each row.
 constexpr std::size_t kMaxAllocation = 8192ull * 4096 * 4 + 4096;
 
 void* allocateBounded(std::size_t bytes) {
@@ -52,13 +53,14 @@ void* reallocateBounded(void* memory, std::size_t bytes) {
 namespace slicecast {
 namespace {
 
-// Larger files than this cannot be images within the limits; it also keeps the length within
+// No image within the limits needs a larger file. The limit also keeps the length within
 // stb_image's int.
 constexpr std::size_t kMaxPngBytes = 64u << 20;
 
 }  // namespace
 
-// Without a function for each pixel, which costs more than all else where code is built for size.
+// Joins the pixels as numbers and unpacks one colour at the end. In code built for size, a call of
+// toColour for each pixel would take most of the time.
 bool Image::isOpaque() const {
     Pixel common = ~Pixel{0};
     for (const Pixel pixel : pixels) common &= pixel;
@@ -111,9 +113,9 @@ DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int ma
 }
 
 std::vector<std::uint8_t> compressed(std::span<const std::uint8_t> bytes) {
-    constexpr int kQuality = 32;  // how many earlier places are compared; more make nothing smaller
+    constexpr int kQuality = 32;  // earlier matches tried for each byte; more save no bytes
     int size = 0;
-    // It only reads them.
+    // stb's parameter is not const, but stb only reads the bytes.
     unsigned char* packed = stbi_zlib_compress(const_cast<unsigned char*>(bytes.data()),
                                                static_cast<int>(bytes.size()), &size, kQuality);
     std::vector<std::uint8_t> result(packed, packed + size);

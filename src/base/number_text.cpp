@@ -118,7 +118,7 @@ bool Decimal::roundsUp(int at) const {
     return digits[at] >= 5;
 }
 
-// To so many digits.
+// Rounds to at most `wanted` digits.
 void Decimal::roundTo(int wanted) {
     if (wanted >= count) return;
     const bool up = roundsUp(wanted);
@@ -151,7 +151,7 @@ bool Decimal::isDoubtful(int at) const {
                        [](std::uint8_t digit) { return digit == 9; });
 }
 
-// Nothing if so many digits are too few to tell.
+// The nearest double, worked out with this many digits; nothing if they are too few to tell.
 std::optional<double> Decimal::value(int keptDigits) const {
     if (count == 0 || point < -400) return 0.0;
     if (point > 400) return HUGE_VAL;

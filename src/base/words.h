@@ -17,8 +17,8 @@
 
 namespace slicecast {
 
-// A number with 0 to 6 digits after the point; and in the fewest digits that give it back
-// (base/number_text.h).
+// Numbers to print (base/number_text.h): Fixed with 0 to 6 digits after the point, Shortest with
+// the fewest digits that are read back as the same number.
 struct Fixed {
     double number;
     int decimals;
@@ -29,10 +29,10 @@ struct Shortest {
 // "1 row", "3 rows"
 struct Counted {
     std::int64_t count;
-    const char* noun;
+    const char* noun;  // in the singular; "s" makes the plural
 };
 
-// A text, which is not copied, or a number.
+// A text or a number. A text is not copied: it must outlive the word.
 class Word {
 public:
     Word(std::string_view text)
@@ -64,7 +64,8 @@ private:
     };
 };
 
-// The argument of a function: one word, or several in braces. It is not kept.
+// The parameter of a function that takes one word, or several in braces. It refers to its words, so
+// the function must not keep it.
 class Words {
 public:
     Words(std::initializer_list<Word> words) : single_(0), count_(words.size()) {
@@ -86,10 +87,11 @@ private:
     std::size_t count_;
 };
 
-// Appended to a text.
+// Appends the words to `text`.
 void add(std::string& text, const Words& words);
 
-// Into a buffer; what does not fit is cut off.
+// Writes the words into `place`, without a zero at the end; what does not fit is cut off. Returns
+// what was written.
 std::string_view write(std::span<char> place, const Words& words);
 
 template <typename... Pieces>

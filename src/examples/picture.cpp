@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", slicecast::describe(fault).c_str());
     if (!loaded.scene) return 1;
 
-    // A game of it, and its picture
+    // A game with that scene, and its first picture
     slicecast::Game game(std::move(*loaded.scene));
     const std::string fault = slicecast::saveImage(game.picture(1280, 720), argv[2]);
     if (!fault.empty()) std::fprintf(stderr, "%s\n", fault.c_str());

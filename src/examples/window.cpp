@@ -1,4 +1,4 @@
-// Plays a scene in a window: the arrows walk and turn, Escape ends it.
+// Plays a scene in a window: the arrows walk and turn, Space jumps, Escape ends it.
 //
 //     example-window assets/scenes/castle.json
 //     example-window assets/scenes/castle.json 10        ends after 10 pictures
@@ -16,7 +16,7 @@ namespace {
 constexpr int kWidth = 960;
 constexpr int kHeight = 600;
 
-// What the keys that are held ask for.
+// The input of the keys that are held.
 slicecast::Input input() {
     const Uint8* keys = SDL_GetKeyboardState(nullptr);
     return {.forward = 1.0 * keys[SDL_SCANCODE_UP] - keys[SDL_SCANCODE_DOWN],
@@ -32,7 +32,7 @@ bool isClosed() {
     return false;
 }
 
-// Shows this many pictures, or pictures until the window is closed if it is negative.
+// Shows this many pictures; if `pictures` is negative, shows them until the window is closed.
 void play(slicecast::Game& game, SDL_Window* window, long pictures) {
     SDL_Renderer* renderer = SDL_CreateRenderer(window, -1, 0);
     SDL_Texture* shown = SDL_CreateTexture(renderer, SDL_PIXELFORMAT_ABGR8888,

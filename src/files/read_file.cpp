@@ -54,7 +54,7 @@ ReadFile readWholeFile(const fs::path& path, std::uintmax_t maxBytes) {
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
     if (!stream) return unreadable({errno, std::generic_category()});
-    // Some files grow while they are read, and some report no size.
+    // Read to the end, whatever the size was: some files grow meanwhile, and some report 0 bytes.
     constexpr std::uintmax_t kBlock = 1u << 16;
     ReadFile file;
     file.bytes.reserve(static_cast<std::size_t>(size));

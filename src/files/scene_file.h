@@ -17,12 +17,12 @@ namespace slicecast {
 // No valid image needs a file this large.
 inline constexpr std::uintmax_t kMaxImageBytes = 64u << 20;
 
-// The world, or all faults. A file that cannot be read, is larger than kMaxSceneBytes or is not a
-// regular file is a fault; it never blocks.
+// The world, or all faults. It is a fault if a file cannot be read, is too large, or is not a
+// regular file; so a pipe cannot block the caller.
 LoadedScene readSceneFile(const std::filesystem::path& scene);
 
-// The images that a scene names, with paths relative to `folder`: `files` has the bytes of those
-// that could be read, `unread` why the others could not, by name.
+// The images that a scene names, with paths relative to `folder`, by their names in the scene:
+// `files` holds the bytes of those that could be read, `unread` the reasons why others could not.
 struct ReadImages {
     SceneFiles files;
     std::map<std::string, std::string> unread;

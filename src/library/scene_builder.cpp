@@ -22,7 +22,7 @@ bool isIndexOf(int index, const List& list) {
     return index >= 0 && static_cast<std::size_t>(index) < list.size();
 }
 
-// Names the faulty part in a message: block "wall"
+// A part of the scene as messages name it: block "wall"
 std::string named(const char* kind, const std::string& name) {
     return words(kind, " \"", name, "\"");
 }
@@ -40,7 +40,7 @@ struct SceneBuilder::State {
     bool hasStart = false;
     std::vector<Fault> faults;
 
-    // `where` names the faulty part: block "wall".
+    // Adds a fault, unless there are enough. `where` is the faulty part: block "wall".
     void refuse(const std::string& where, const Words& found, const Words& expected) {
         if (faults.size() >= kMaxFaults) return;
         Fault fault;

@@ -9,12 +9,12 @@
 namespace slicecast {
 
 struct Beyond {
-    int map = 0;  // in which the rays end
-    int levels =
-        0;  // added to heights on the way: height h there is at h - levels in the eye's map
+    int map = 0;     // the one that the rays reach
+    int levels = 0;  // height h in it appears at height h - levels of the eye's map
 };
 
-// Behind the first `most` portals that the rays of this row passed.
+// The map behind the first `most` portals that the rays of this row passed; the eye's map if they
+// passed none.
 Beyond beyondPortals(const SliceTrace& trace, const World& world, int eyeMap, int row,
                      int most = kMaxPortalLimit);
 

@@ -18,8 +18,8 @@ namespace slicecast {
 inline constexpr int kPanelPadding = 5;  // dots of the font between a panel's edge and its text
 
 struct OverlayLayout {
-    int scale =
-        1;  // pixels per dot of the font: a readable size, or less if the panels would not fit
+    // Pixels per dot of the font: readableScale(), or less if the panels would not fit
+    int scale = 1;
     int margin = 0;  // around and between the panels
     PixelRect minimap;
     PixelRect player;

@@ -7,12 +7,12 @@
 namespace slicecast {
 namespace {
 
-// The tile borders that a ray crosses along one axis.
+// The tile borders that a ray crosses along one axis. Lengths are in multiples of its direction.
 struct Borders {
-    int tile;
-    int step;
-    double next;   // length to the next border
-    double every;  // length from one to the next
+    int tile;      // where the ray is
+    int step;      // 1 or -1: to the next tile
+    double next;   // length from the start to the next border; infinite if the ray meets none
+    double every;  // length from one border to the next
 
     Borders(double from, double direction)
         : tile(static_cast<int>(std::floor(from))), step(direction < 0.0 ? -1 : 1) {

@@ -16,9 +16,9 @@ struct MapRay {
 };
 
 struct MapRayEnd {
-    double length = 0.0;  // at most the given maximum
+    double length = 0.0;  // to where it ends, in multiples of the direction; at most `most`
     bool met = false;     // a block or a portal ends it
-    bool portal = false;  // it is a portal
+    bool portal = false;  // what ends it is a portal
 };
 
 // The block and the portal tile in which a ray starts do not stop it.

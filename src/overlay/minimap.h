@@ -16,8 +16,8 @@
 //     pale, or magenta with a line ahead      still objects; moving ones (see
 //                                             minimap_objects.h)
 //
-// A stack of bars in the lower left corner has a bar for each level, in the tone of its ground on
-// the map, with the number of the shown level and a dot beside the eye's.
+// A stack in the lower left corner has a bar for each level, in the tone of its ground on the map.
+// The shown level has its number, and the eye's level a dot.
 //
 // A yellow arrow is the eye, with its field of view ahead and a circle for its reach. Green lines
 // are horizontal rays, each up to the first block of the level at their height or to a portal,

@@ -46,8 +46,8 @@ constexpr int remainder(int a, int b) {
     return a - floorDivide(a, b) * b;
 }
 
-// A light edge if the tile is higher than its neighbour, a shadow if it is lower, a dashed line at
-// the edge of a block above the level.
+// How a tile is marked along its border with a neighbour: by a light edge if it is higher, by a
+// shadow if it is lower, and by a dashed line at the edge of a block above the level.
 Mark edgeTo(const MinimapTile& tile, const MinimapTile& beside, bool onDash) {
     const bool under = tile.over && !tile.block;
     if (under && onDash && !beside.over && !beside.block) return overhang;

@@ -16,8 +16,8 @@ namespace slicecast {
 inline constexpr int kMostSlicesPerPicture = 200;
 inline constexpr Colour kNotYetDrawn = {20, 22, 26, 255};
 
-// Keeps the first `count` columns of a picture, marks the next one by a line, and covers the rest
-// with `before`, a picture of the same size, or with kNotYetDrawn.
+// Keeps the first `count` columns of a picture and marks the next one by a line. Covers the rest
+// with `before`, a picture of the same size, or with kNotYetDrawn if that is null.
 void drawColumns(const Picture& picture, int count, const Image* before = nullptr);
 
 class SlowDrawing {

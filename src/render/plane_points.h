@@ -14,7 +14,8 @@ namespace slicecast {
 
 class PlanePoints {
 public:
-    // A plane seen from a vista by the rays of a column; `ray` is in the coordinates of its map.
+    // The plane of `look` as the rays of a column see it from a vista. `ray` is the column's, in
+    // the coordinates of the vista's map. Points lie on `tiles`.
     PlanePoints(const Vista& vista, GroundDirection ray, const PlaneLook& look,
                 const TileRange& tiles);
 
@@ -29,13 +30,13 @@ public:
     Point at(double inverseOffset) const;
     // Whether a point lies within the tiles by more than the rounding error.
     bool isInside(double inverseOffset) const;
-    // Whether one of the rows [first, last) may see a point exactly on a tile border, for which a
-    // special rule applies behind portals (see `at`).
+    // Whether one of the rows [first, last) may see a point exactly on a tile border. Behind
+    // portals that turn, such points need at(): it decides to which of the two tiles they belong.
     bool anyOnBorder(const double* inverseOffsets, int first, int last) const {
         return turn_ != 0 && anyOnBorderTurned(inverseOffsets, first, last);
     }
 
-    PlaneLine line;
+    PlaneLine line;  // where the points lie, without clamping
 
 private:
     // The tiles, relative to the eye's: points are in [first, end), east and south.
@@ -44,8 +45,8 @@ private:
         F64x2 end;
     };
 
-    // Half a unit of the stored fraction; closer to the end of a tile, it would round up to the
-    // next one.
+    // Half of 1/2^32, the step of a stored fraction: a position closer to the end of a tile would
+    // round up into the next tile.
     static constexpr double kHalfStep = 1.0 / 8589934592.0;
 
     bool anyOnBorderTurned(const double* inverseOffsets, int first, int last) const;
@@ -73,8 +74,8 @@ inline PlanePoints::PlanePoints(const Vista& vista, GroundDirection ray, const P
     if (ray.y < 0.0) box_.first[1] = -kNever;
 }
 
-// East and south at once. A position within the rounding error before the border on which the eye
-// is counts as outside.
+// Checks east and south at once. Position 0 is the west or north border of the eye's tile;
+// positions before it by less than the rounding error count as outside.
 inline bool PlanePoints::isInside(double inverseOffset) const {
     const F64x2 start = {line.eastStart, line.southStart};
     const F64x2 perInverse = {line.eastPerInverse, line.southPerInverse};

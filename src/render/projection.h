@@ -4,10 +4,10 @@
 //     row r's centre is r + 0.5, rows grow downwards
 //     a height h at perpendicular depth t appears at row   y = horizon - (h - eye height) * d / t
 //
-// Ties, where a ray meets an edge exactly, are broken as if the eye were an infinitely small step
-// further east, a far smaller one south and a still smaller one up. A border is then met slightly
-// sooner if it is crossed eastward or southward and slightly later otherwise, so a rising ray is
-// slightly lower (or higher) there, which decides the rows that touch an edge.
+// A tie is a ray that meets an edge exactly. Ties are broken as if the eye were moved: by an
+// infinitely small step east, a far smaller one south and a still smaller one up. So a border
+// crossed eastward or southward is met slightly sooner, any other slightly later. A rising ray is
+// slightly lower there, or higher, and that decides the rows that touch an edge.
 #pragma once
 
 #include "base/coordinate.h"

@@ -33,9 +33,11 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    // Draws the picture, all of it or from one column on. Returns false and changes nothing if the
-    // eye is not above the floor, its map does not exist, the field of view or the look is outside
-    // its limits, or the picture is empty or larger than kMaxPictureSide.
+    // Draws the picture, all of it or from one column on. Returns false and changes nothing if
+    //
+    //   - the eye is not above the floor, or its map does not exist
+    //   - the field of view or the look is outside its limits
+    //   - the picture is empty or larger than kMaxPictureSide
     bool draw(const World& world, const Eye& eye, const RenderOptions& options,
               const Picture& picture, int firstColumn = 0);
 

@@ -1,13 +1,14 @@
-// Where a slice continues elsewhere: behind portals and in mirrors. These rows become parts of
-// their own.
+// Where a slice continues elsewhere: behind portals and in mirrors. The rows that do become parts
+// of their own.
 #include "render/slice_walk.h"
 
 #include <algorithm>
 
 namespace slicecast {
 
-// Faces of blocks that are see-through, have portals, or are cut by the part's height clip. A
-// portal acts on rays that enter it; from inside the block nothing is drawn there.
+// The next six take the faces of blocks that are see-through, have portals, or are cut by the
+// part's height clip. A portal acts only on rays that enter the block; seen from inside the block,
+// its face shows nothing.
 void SliceWalk::enterSide(const Block& block, int firstRow, int lastRow) {
     if (!enter_.border || !open_.mayHold(firstRow, lastRow)) return;
     const PortalId portal = block.blueprint->face(enteredFace(enter_)).portal;
@@ -88,8 +89,9 @@ bool SliceWalk::cutToClip(Block& block) const {
     return true;
 }
 
-// Where a ray has just come out of a portal no other portal acts: neither the exit tile's, nor a
-// face in the very plane. Otherwise the ray could circle for ever.
+// Whether a portal acts on the present ray. With `atExit` it does not: it is where the ray has just
+// come out of another one, as the exit tile's portal or a face in the same plane. Otherwise the ray
+// could circle for ever.
 bool SliceWalk::acts(PortalId portal, bool atExit) const {
     return portal != kNoPortal && portals_ < frame_.world->portalLimit && !atExit;
 }
@@ -103,8 +105,8 @@ bool SliceWalk::actsAtBottom(const Block& block) const {
                 isArrival() && block.bottom == clip_.low);
 }
 
-// Closes rows here and opens them behind the portal, in a part that continues from this tile. Rays
-// that come out below the floor end in the haze.
+// Closes rows here and opens them behind the portal, in a part that starts at its exit tile. Rays
+// that come out below the floor there end in the haze.
 void SliceWalk::sendThrough(PortalId id, int firstRow, int lastRow, const HeightClip& clip) {
     if (!open_.mayHold(firstRow, lastRow)) return;
     const Portal& portal = frame_.world->portals[id];
@@ -136,8 +138,8 @@ void SliceWalk::sendThrough(PortalId id, int firstRow, int lastRow, const Height
     });
 }
 
-// Sends all open rows through; if the ray has passed as many portals as allowed, they end in the
-// haze of the present map.
+// Sends all open rows through the tile's portal. If it does not act, they end in the haze of the
+// present map.
 void SliceWalk::enterPortalTile() {
     takeFloor(Border::enter);
     const PortalId id = map_->tilePortal(walk_.tileX, walk_.tileY);
@@ -151,8 +153,8 @@ void SliceWalk::mirror(std::int32_t rise, int first, int last, int strength) {
     report_.mirroredRows += last - first;
 }
 
-// Starts the walk of what the slice's mirrors show, as an upside down column: before the first tile
-// of its first part. False without mirrors.
+// Starts to walk what the slice's mirrors show. Each mirror becomes a part of an upside-down
+// column; the walk stands before the first tile of the first one. False without mirrors.
 bool SliceWalk::beginReflection(SliceSpans& found) {
     if (found.upright.mirrors.empty()) return false;
     const int height = frame_.vistas.projection().height;

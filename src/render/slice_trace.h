@@ -7,7 +7,7 @@
 
 namespace slicecast {
 
-// Fills an empty trace; watchedRow and asksReflection are set before.
+// Fills a trace that is empty but for watchedRow and asksReflection, which the caller has set.
 void traceSlice(const Frame& frame, const SliceSpans& slice, SliceTrace& trace);
 
 }  // namespace slicecast

@@ -1,10 +1,9 @@
 // A strip of slices: columns in memory that stays in the cache, and their transfer into the rows of
 // a picture.
 //
-// Columns written directly into a picture whose rows are a few kilobytes apart fall on a handful of
-// cache sets and cost five to ten times as much; a strip of 16 columns is one cache line of each
-// row.
-// row.
+// Writing columns directly into a picture costs five to ten times as much: its rows are a few
+// kilobytes apart, so a column's pixels fall on a handful of cache sets. In a row, the 16 columns
+// of a strip are one cache line.
 #pragma once
 
 #include "slicecast/picture.h"

@@ -8,7 +8,7 @@
 namespace slicecast {
 namespace {
 
-// Rounding may put a point this close to a border on the other side of it; units.
+// A point nearer than this to a border may be rounded to the wrong side of it; units.
 constexpr double kNearBorder = 1e-7;
 
 }  // namespace
@@ -34,8 +34,9 @@ void StripWalk::findFarTiles() {
     }
 }
 
-// Close to a border along v the order of the crossings decides, as in GridWalk. `v` is at or near
-// that border, relative to the eye's tile.
+// The tile in which a column leaves the slab close to a border along v; the order of the crossings
+// decides, as in GridWalk. `v` is at or near that border. It and the result are relative to the
+// eye's tile.
 int StripWalk::farTile(int lane, double v) const {
     const auto border = static_cast<int>(std::floor(v + 0.5));
     const int step = stepV_[indexOf(lane)];
@@ -48,7 +49,9 @@ int StripWalk::farTile(int lane, double v) const {
     return step > 0 ? border - !isCrossed : border - isCrossed;
 }
 
-// Skips slabs of the grid in which no column meets anything. False if there are none.
+// Leaps over slabs in which no column meets anything; false if that would save nothing. The leap
+// ends at the edge of the map, at the next object, or where the rays must stop. It also ends where
+// one of the two outer columns leaves the open land around the middle.
 bool StripWalk::passOpenLand() {
     if (map_->openLand.empty() || onlyFloor_ != map_->floor.texture || onlyCeiling_ != kNoTexture)
         return false;

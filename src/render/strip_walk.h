@@ -122,16 +122,16 @@ private:
     int stepU_ = 1;
     int sizeU_ = 0;  // tiles
     int sizeV_ = 0;
-    int eyeU_ = 0;
+    int eyeU_ = 0;  // the eye's tile
     int eyeV_ = 0;
-    double fractionU_ = 0.0;
+    double fractionU_ = 0.0;  // the eye's place in its tile, 0 to 1
     double fractionV_ = 0.0;
     LaneDoubles speedU_;  // see Crossing
     LaneDoubles speedV_;
     LaneDoubles rayV_;   // the rays' direction along v
     LaneDoubles slope_;  // v per u, with sign
     std::array<int, kLanes> stepV_;
-    Lanes stepsV_;            // the same as lanes
+    Lanes stepsV_;            // stepV_ in lanes
     double alongPerU_ = 0.0;  // least and greatest `along` per unit of u
     double alongPerUMost_ = 0.0;
 

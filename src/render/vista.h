@@ -1,6 +1,6 @@
 // A vista: a map as some rays of a frame see it. The eye's own map is one. The map behind a portal
-// is laid on there, turned and shifted, and seen as if the eye were in it. A map in a mirror is
-// seen from as far below the mirror as the eye is above, upside down (see Projection::mirrored):
+// is seen as if the eye were in it, turned and shifted by the portal. A map in a mirror is seen
+// upside down, from as far below the mirror as the eye is above it (see Projection::mirrored):
 //
 //         eye  o
 //               \     . reflected
@@ -10,8 +10,8 @@
 //                 /
 //     2 h - z    o
 //
-// Above a mirror at height h, a reflected ray of slope s runs like a ray of slope -s from height
-// 2 h - z. So reflections are drawn by the same code as everything else.
+// A ray of slope -s that meets a mirror at height h rises with slope s afterwards, as if it came
+// from height 2 h - z. So reflections are drawn by the same code as everything else.
 //
 // All numbers here are in the coordinates of the map: eye, rays and heights are turned and shifted
 // into them without rounding.
@@ -91,7 +91,7 @@ public:
     Vista& mirrored(const Vista& from, std::int32_t height);
 
     const Projection& projection() const { return *projection_; }
-    // The fog limit of each row for an eye in water; else null.
+    // The fog limit of each row for an eye in water; null for an eye in air.
     const std::uint8_t* waterFogs() const {
         return frame_.water.water != nullptr ? waterFogs_.data() : nullptr;
     }

@@ -20,7 +20,7 @@
 
 namespace slicecast {
 
-// low <= v <= high, or low < v where `aboveLow`; `words` say it: "a number from 0 to 1".
+// low <= v <= high, or low < v <= high with `aboveLow`. `words` say so in messages.
 struct NumberRange {
     double low;
     double high;
@@ -46,10 +46,12 @@ public:
     // Faults so far; a part of the tree is sound if none was added while it was read.
     std::size_t count() const { return faults_.size() + omitted_; }
 
+    // Each reports a fault: at a value, at the key of a member, and for a key that an object has a
+    // second time.
     void add(JsonValue at, const Words& found, const Words& expected);
     void addAtKey(JsonValue member, const Words& found, const Words& expected);
     void addSecondKey(JsonValue again, JsonValue first);
-    // Reports the value itself as found.
+    // The same; `found` is the value itself, as shown() puts it.
     void refuse(JsonValue value, const Words& expected);
     // In a row of a grid: `row` and `character` count from 0 in the north and west.
     void addInRow(JsonValue text, int row, int character, const Words& found,
@@ -58,7 +60,7 @@ public:
     // For what loads, but is probably a mistake.
     void warn(JsonValue at, const Words& found, const Words& expected);
 
-    // All faults in the order of the text.
+    // All faults, or warnings, in the order of the text. The checker forgets them.
     std::vector<Fault> take();
     std::vector<Fault> takeWarnings();
 
@@ -66,19 +68,21 @@ public:
     // elements`.
     std::string shown(JsonValue value) const;
 
-    // The members of an object; `known` are its keys besides "comment". Nothing if the value is no
-    // object.
+    // The members of an object; `known` are its keys besides "comment". Reports unknown keys.
+    // Nothing if the value is no object, which is reported as not `expected`.
     std::optional<Fields> fields(JsonValue value, std::span<const std::string_view> known,
                                  const char* expected);
     std::optional<Fields> fields(JsonValue value, std::initializer_list<std::string_view> known,
                                  const char* expected);
 
+    // Each of these reads a value. Reports a value of another kind or outside the range, and
+    // returns nothing.
     std::optional<double> number(JsonValue value, const NumberRange& range);
     std::optional<int> wholeNumber(JsonValue value, const NumberRange& range);
     std::optional<bool> flag(JsonValue value);
     // A text of 1 to `longest` characters; `expected` says what it is.
     std::optional<std::string> text(JsonValue value, std::size_t longest, const Words& expected);
-    // Looks up a name; `what` is its kind in messages: "texture".
+    // The number that the table has for a name; `what` is its kind in messages: "texture".
     std::optional<std::uint16_t> name(JsonValue value, const NameTable& names, const char* what);
     // "#rrggbb"
     std::optional<Colour> colour(JsonValue value);
@@ -86,10 +90,10 @@ public:
 private:
     struct Placed {
         std::size_t offset;
-        std::size_t number;  // as they were found
+        std::size_t number;  // order in which they were found
         Fault fault;
     };
-    // Beyond kMaxFaults, counts a fault and gives true: its message is not needed.
+    // True if kMaxFaults have been reported: then counts one more, which needs no message.
     bool onlyCounts();
     void addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row,
                int character, const Words& found, const Words& expected);
@@ -102,27 +106,27 @@ private:
     std::size_t omitted_ = 0;
 };
 
-// The members of an object whose keys have been checked. The readers return the fallback where
-// there is no such member, or a faulty one (which they report).
+// The members of an object whose keys have been checked. The readers return the fallback if there
+// is no such member. They report a faulty member, and return the fallback too.
 class Fields {
 public:
     Fields(Checker& checker, JsonValue object) : checker_(&checker), object_(object) {}
 
-    // An unknown key, which is a fault already, is read as the one that it is nearest to: what it
-    // means is not missed a second time.
+    // Lets a misspelt key, which is reported already, count as the known `key` that it resembles.
+    // So that one is not reported as missing too.
     void addMisspelt(std::string_view key, JsonValue member) {
         misspelt_.emplace_back(key, member);
     }
 
     FoundValue find(const char* key) const;
-    // Reports a fault where there is no such member.
+    // The same; reports a missing member.
     FoundValue require(const char* key, const char* expected) const;
 
     double number(const char* key, const NumberRange& range, double fallback) const;
     int wholeNumber(const char* key, const NumberRange& range, int fallback) const;
     bool flag(const char* key, bool fallback) const;
     Colour colour(const char* key, Colour fallback) const;
-    // One of the names of a table.
+    // The value of a name of the table.
     template <typename Value, std::size_t count>
     Value choice(const char* key, const Named<Value> (&table)[count], Value fallback) const {
         const FoundValue member = find(key);
@@ -156,7 +160,7 @@ inline std::optional<Fields> Checker::fields(JsonValue value,
     return fields(value, std::span(known.begin(), known.size()), expected);
 }
 
-// The last entry of a list that leaves out others.
+// The last entry of a list of faults: says that `count` others are left out.
 Fault moreFaults(const std::string& file, std::size_t count);
 
 }  // namespace slicecast

@@ -11,7 +11,8 @@ bool isSound(const Reading& reading, std::size_t map) {
     return reading.areBlueprintsSound && map < reading.isMapSound.size() && reading.isMapSound[map];
 }
 
-// A width that depends on the picture is not known yet, so the widest body must fit.
+// Reports a moving object that starts inside something solid. A width of 0 depends on the sprite's
+// picture, which is not read yet, so the widest body must fit.
 void checkRoom(Reading& reading, const PlacedMotion& placed) {
     const World& world = reading.description.world;
     const ObjectMotion& motion = world.movingObjects.motions[placed.motion];
@@ -45,8 +46,8 @@ void placeObjects(Reading& reading) {
             const Sown sown = sowObjects(world, static_cast<int>(map), order.sowing, *taken);
             if (sown == Sown::all) continue;
             const int most = sown == Sown::tooMany ? kMaxObjects : kMaxMovingObjects;
-            const char* what = sown == Sown::tooMany ? " objects" : " moving objects";
-            reading.checker.add(order.value, {"more than ", most, what, ", counting those before"},
+            const char* noun = sown == Sown::tooMany ? " objects" : " moving objects";
+            reading.checker.add(order.value, {"more than ", most, noun, ", counting those before"},
                                 {"at most ", most, " in a scene"});
             return;
         }

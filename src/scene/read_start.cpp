@@ -101,11 +101,11 @@ void readStart(Reading& reading, JsonValue value) {
     start.look = fields->number("look", kLook, 0.0);
 
     const auto map = static_cast<std::size_t>(start.map);
-    // With faults in what surrounds it, the position may be right: it is not checked.
+    // Not checked among faulty blocks or maps: the position may be right.
     const bool isMapSound =
         reading.areBlueprintsSound && map < reading.isMapSound.size() && reading.isMapSound[map];
     if (checker.count() == faultsBefore && isMapSound) checkPosition(reading, value, start);
-    // Warnings are not given beside faults.
+    // Scenes with faults get no warnings.
     if (checker.count() == 0) checkEntries(reading);
 }
 

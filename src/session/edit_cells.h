@@ -30,10 +30,10 @@ std::string cellRow(const World& world, int map, int level, int y);
 
 class CellEdits {
 public:
-    // Puts the block of a character into a cell; '.' and the space empty it. Refuses, and changes
-    // nothing: a place outside the map, a character that its legend lacks, and blocks that are set
-    // up when the scene is loaded (those that move, gates, and those with portals), whether they
-    // are in the cell or would come into it.
+    // Puts the block of a character into a cell; '.' and the space empty it. Returns an empty text
+    // on success, else a message, and changes nothing: for a place outside the map, for a character
+    // that its legend lacks, and for blocks that are set up when the scene is loaded. Those are
+    // blocks that move, gates, and blocks with portals, both in the cell and as its new content.
     std::string set(World& world, const CellAt& at, char32_t character);
     void undo(World& world);
 

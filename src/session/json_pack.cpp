@@ -11,6 +11,7 @@ void PackedJson::grow() {
     packed_.numbers.resize(2 * packed_.count + 1024);
 }
 
+// The index of a text in the answer's texts, which get it if it is new.
 double PackedJson::indexOf(const char* text) {
     std::vector<std::string>& texts = packed_.texts;
     const auto known = std::find(texts.begin(), texts.end(), text);
@@ -31,6 +32,7 @@ PackedJson& PackedJson::endList() {
     return *this;
 }
 
+// Finds texts that were packed before by their address, so nobody may change them meanwhile.
 PackedJson& PackedJson::text(const char* value) {
     PackedText& cached = packedTexts_[reinterpret_cast<std::uintptr_t>(value) / 4 % kPackedTexts];
     if (cached.data != value) cached = {value, indexOf(value)};

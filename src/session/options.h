@@ -27,8 +27,8 @@ struct SessionOptions {
     RenderOptions render;
     DrawMethod method = DrawMethod::exact;
     ClassicOptions classic;
-    double compare = 0.0;  // share of the width, from the left, that the classic method draws
-                           // beside the exact one; 0 for no comparison
+    double compare = 0.0;  // share of the width, from the left, that the classic method draws while
+                           // the exact one draws the rest; 0 for no comparison
     std::optional<double> intensity;   // of the light in all maps; empty: each map's own
     std::optional<double> multiplier;  // of the light, units; empty: each map's own
     LightPreset lightPreset = LightPreset::map;
@@ -80,7 +80,8 @@ const OptionInfo* findOption(std::string_view name);
 // "Unknown option 'fvo'. Did you mean 'fov'?"
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
 
-// The same for an option that is a number, which is brought into its range.
+// The same for an option that is a number. Clamps the number to the option's range; it must not be
+// NaN. Does nothing for any other name.
 void setOption(SessionOptions& options, std::string_view name, double number);
 
 // The word that follows `value` in a choice; the first one after the last. Empty for an unknown

@@ -36,7 +36,7 @@
 namespace slicecast {
 
 inline constexpr int kRecordingVersion = 1;
-// Ten hours with a mouse that never rests.
+// Enough for ten hours of play in which the mouse moves in every step.
 inline constexpr std::size_t kMaxRecordingBytes = 64u << 20;
 inline constexpr std::size_t kMaxRecordedName = 60;  // characters of a scene's or mark's name
 
@@ -47,7 +47,7 @@ struct ReadRecording {
     std::vector<Fault> faults;           // in the order of the text, at most one per line
 };
 
-// `fileName` is used in the faults.
+// The recording, or all faults. `fileName` is the file's name in the faults.
 ReadRecording readRecording(std::string_view text, const std::string& fileName);
 
 }  // namespace slicecast

@@ -1,4 +1,4 @@
-// Finds where a place of the world appears in the picture that a session drew last, for a label
+// Finds where a place of the world appears in the picture that a session drew last, to put a label
 // there.
 //
 //     const auto spot = spotOf(session, {.x = 4.5, .y = 2.0, .z = 0.5}, map, 640, 400);
@@ -12,11 +12,12 @@
 namespace slicecast {
 
 struct Spot : PicturePoint {
-    bool isSeen =
-        false;  // inside the picture, and nothing stands in between (world/line_of_sight.h)
+    // It is inside the picture, and nothing stands before it (world/line_of_sight.h)
+    bool isSeen = false;
 };
 
-// Nothing for a place in another map, or not in front of the eye.
+// `width` and `height` are the picture's, in pixels. Nothing for a place in another map than the
+// eye's, or not in front of the eye.
 std::optional<Spot> spotOf(const Session& session, const Place& place, int map, int width,
                            int height);
 

@@ -48,22 +48,26 @@ struct SlicecastSession {
     std::unique_ptr<Session> own;
     std::optional<Recording> recording;  // read, but not yet replayed
     SessionOptions waiting;              // options set before there is a game; see currentValue()
+
+    // Results that JavaScript reads, each until the next of its kind
     Image picture;
     std::string answer;
     PackedValues packed;
-    double view[6] = {};
-    double spot[4] = {};
-    uint32_t supplied[2] = {};
+    double view[6] = {};        // of slicecast_view
+    double spot[4] = {};        // of slicecast_project and slicecast_spot
+    uint32_t supplied[2] = {};  // address and bytes of the pixels of slicecast_supply
 
     Session* game() const { return ofProgram ? pageProgram().game() : own.get(); }
+    // The picture must be drawn again.
     void changed() const {
         if (ofProgram) pageProgram().redraw();
     }
-    // Empties `packed` for a new answer.
+    // Where a new packed answer goes; forgets the last one.
     PackedValues& pack() {
         packed.clear();
         return packed;
     }
+    // These return the address of an answer.
     const double* tell(const PicturePoint& point, bool isSeen) {
         spot[0] = point.x;
         spot[1] = point.y;

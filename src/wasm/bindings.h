@@ -85,11 +85,12 @@ SlicecastSession* slicecast_programSession(void);
 const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes,
                             const char* fileName);
 
-// Supplies the bytes of one of those files and decodes the picture at once. Returns the address of
-// its pixels and their size in bytes (R, G, B, A each); 0 if it is not a picture, which
-// slicecast_start reports. With `blank` 1 it decodes nothing: the caller has the pixels of these
-// bytes from another module and writes them there. The address is valid until the next call for the
-// same session. A file that is not supplied becomes a fault ("could not be read").
+// Supplies the bytes of one of those files and decodes the picture at once. Returns two numbers:
+// the address of its pixels and their size in bytes (R, G, B, A for each pixel). Both are 0 if it
+// is not a picture, which slicecast_start reports. With `blank` 1 it decodes nothing: the caller
+// writes the pixels there, which another module has decoded from the same bytes. The address is
+// valid until the session's next call. A file that is not supplied becomes a fault ("could not be
+// read").
 const uint32_t* slicecast_supply(SlicecastSession* session, const char* fileName,
                                  const uint8_t* bytes, int32_t byteCount, int32_t blank);
 
@@ -97,11 +98,12 @@ const uint32_t* slicecast_supply(SlicecastSession* session, const char* fileName
 // fault the game that ran before continues; warnings do not prevent playing. Options are kept.
 const char* slicecast_start(SlicecastSession* session);
 
-// The size of the module's memory in use, in bytes from its start. To clone a program: overwrite a
-// module's memory with that of another module of the same build, then call slicecast_adopt. It
-// starts the other program's scene from its start, with default options and without a canvas. 1 on
-// success, 0 if there was no game.
+// The size of the module's memory in use, in bytes from its start.
 uint32_t slicecast_memoryEnd(void);
+
+// Makes this module a copy of another one of the same build, after its memory has been overwritten
+// with that of the other. Plays the other's scene from the beginning, with default options and
+// without a canvas. 1 on success, 0 if the other had no game.
 int32_t slicecast_adopt(void);
 
 // The running world: {"title", "maps": [{"name", "width", "depth", "levels"}], "gates": how many};
@@ -118,9 +120,9 @@ void slicecast_step(SlicecastSession* session, double forward, double strafe, do
                     double look, double fly, double turnDegrees, double lookHeights,
                     int32_t buttons);
 
-// Draws the view at `fraction` (0 to 1) of the way between the last two steps into the session's
-// own picture. 1 on success, 0 if there is no game or the size is not within 1 to 8192 pixels a
-// side.
+// Draws the view between the last two steps into the session's own picture: `fraction` is 0 for the
+// last step but one, 1 for the last. 1 on success, 0 if there is no game or the size is not 1 to
+// 8192 pixels a side.
 int32_t slicecast_draw(SlicecastSession* session, int32_t width, int32_t height, double fraction);
 
 // The picture last drawn by slicecast_draw: width * height * 4 bytes R, G, B, A, rows from the top,
@@ -159,18 +161,19 @@ const char* slicecast_leftOut(SlicecastSession* session);
 const char* slicecast_state(SlicecastSession* session);
 
 // The eye after the last step, fast enough for every frame: map number, x, y, z, heading, look, as
-// in slicecast_state. Valid until the next call. Null without a game.
+// in slicecast_state. Valid until the session's next slicecast_view. Null without a game.
 const double* slicecast_view(SlicecastSession* session);
 
-// Records the game, which must have just begun, under the name of the scene's file without its
-// extension. Does nothing without a game.
+// Starts to record the game, which must have just begun. `sceneName` is the name of the scene's
+// file without its extension. Does nothing without a game.
 void slicecast_record(SlicecastSession* session, const char* sceneName);
 
 // Stops recording and returns the text; "" if nothing was recorded.
 const char* slicecast_takeRecording(SlicecastSession* session);
 
-// Checks the text of a recording, and keeps it if it has no faults: {"scene", "steps", "marks":
-// [{"name", "step"}], "faults": [...]}. `fileName` is used in the faults.
+// Checks the text of a recording, and keeps it if it has no faults. Returns {"faults": [], "scene",
+// "steps", "marks": [{"name", "step"}]}, or only {"faults": [...]}. `fileName` is used in the
+// faults.
 const char* slicecast_readRecording(SlicecastSession* session, const char* text, int32_t textBytes,
                                     const char* fileName);
 
@@ -195,9 +198,9 @@ int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, doubl
 // the free tile nearest to the map's middle. 1 on success, 0 if there is no such map.
 int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 
-// ---- Questions of figures. Answers that consist of numbers are packed (session/json_text.h);
-// slicecast_texts returns their texts. Both are valid until the next such call. Null without a
-// game, and for things that do not exist.
+// ---- Questions of figures. slicecast_hits, _trace, _cast and _pick return packed answers, as
+// numbers (session/json_text.h); slicecast_texts then returns the texts in them. Both are valid
+// until the next packed answer. Null without a game, and for things that do not exist.
 
 // The texts of the last packed answer, as a JSON list.
 const char* slicecast_texts(SlicecastSession* session);
@@ -215,7 +218,7 @@ const double* slicecast_trace(SlicecastSession* session, int32_t width, int32_t 
 // The same for a whole picture of this size, as JSON; "null" without a game.
 const char* slicecast_traceFrame(SlicecastSession* session, int32_t width, int32_t height);
 
-// A free ray, see session/cast_json.h; without a height if z is NaN.
+// What a ray from any point meets, see session/cast_json.h; a ray without a height if z is NaN.
 const double* slicecast_cast(SlicecastSession* session, int32_t map, double x, double y, double z,
                              double headingDegrees);
 
@@ -223,8 +226,9 @@ const double* slicecast_cast(SlicecastSession* session, int32_t map, double x, d
 const double* slicecast_pick(SlicecastSession* session, int32_t width, int32_t height,
                              int32_t column, int32_t row);
 
-// Where a point of the world lies in a picture of this size: x and y in pixels, and its depth. Null
-// for a point in another map, or not in front of the eye.
+// Where a point of the world lies in a picture of this size, seen from the eye after the last step:
+// x and y in pixels, and its depth in units. Valid until the next slicecast_project or
+// slicecast_spot. Null for a point in another map, or not in front of the eye.
 const double* slicecast_project(SlicecastSession* session, int32_t map, double x, double y,
                                 double z, int32_t width, int32_t height);
 
@@ -238,9 +242,9 @@ const char* slicecast_blueprints(SlicecastSession* session, int32_t map);
 const char* slicecast_setCell(SlicecastSession* session, int32_t map, int32_t level, int32_t x,
                               int32_t y, int32_t character);
 
-// Where a place of the world appears in a picture of this size, from the eye of the last picture: x
-// and y in pixels, perpendicular depth, and 1 if nothing hides it, else 0 (world/line_of_sight.h).
-// Valid until the next call. Null for a place in another map, or not in front of the eye.
+// Where a place of the world appears in a picture of this size, seen from the eye of the last
+// picture. The numbers are those of slicecast_project, then 1 if the place is inside the picture
+// and nothing hides it, else 0 (world/line_of_sight.h).
 const double* slicecast_spot(SlicecastSession* session, int32_t map, double x, double y, double z,
                              int32_t width, int32_t height);
 
@@ -287,8 +291,8 @@ void slicecast_steerByCursor(int32_t on);
 // "actions": [{"name": "forward", "does", "press", "keys": [{"code": "KeyW", "label": "W"}]}]}], in
 // the order of the help. `group` is "move", "look", "gates", "light", "show" or "program"; `scope`
 // is "move", "element" or "page" (see app/actions.h); `press` is "hold", "press" or "repeat".
-// `keys` is empty for actions that have no key at present. Valid until the next slicecast_keys or
-// slicecast_bindKey.
+// `keys` is empty for actions that have no key at present. This string and that of
+// slicecast_bindKey belong to the program's session.
 const char* slicecast_keys(void);
 
 // Binds a key (a KeyboardEvent.code) to an action instead of its present one; "" removes that.
@@ -298,7 +302,7 @@ const char* slicecast_bindKey(const char* code, const char* action);
 // Restores the standard keys.
 void slicecast_standardKeys(void);
 
-// The scope of a key's action; "" if it has none.
+// The scope of a key's action; "" if it has none. Never freed.
 const char* slicecast_keyScope(const char* code);
 
 // Starts to draw into the canvas and to listen to it; a second call does nothing. 0 if there is no

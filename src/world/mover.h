@@ -8,7 +8,8 @@
 //      +-----+
 //
 // Cells of one moving blueprint that touch, side by side or stacked, are one mover: all of it moves
-// by the same offset. A shaft is the part of it in tiles of the same levels.
+// by the same offset. A shaft is a vertical run of its cells, shared by all tiles that have the
+// same run.
 //
 // A mover waits, and its clock with it, while it would enter a body that was free. It lifts bodies
 // that stand on its top or that it meets from below; bodies that rest on it go down with it too.
@@ -35,9 +36,8 @@ struct Shaft {
     Coordinate high;
     int firstLevel = 0;  // the levels that it can reach
     int lastLevel = 0;
-    BlueprintId firstPart =
-        kEmptyCell;                  // blueprint on firstLevel; those of the levels above follow
-    std::vector<std::size_t> tiles;  // Map::tileIndex
+    BlueprintId firstPart = kEmptyCell;  // on firstLevel; those of the levels above follow it
+    std::vector<std::size_t> tiles;      // Map::tileIndex
 };
 
 struct Mover {

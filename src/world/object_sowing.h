@@ -1,10 +1,10 @@
 // Objects that are sown over a map at random instead of placed one by one: trees in a meadow,
 // people in a square.
 //
-// A spot can hold an object if it is on the wanted ground, its tile is empty from there up to the
-// object's top, it belongs to no portal, nobody starts there and nothing stands there yet. Each
-// tile draws its own random numbers from the seed and its place, so changes elsewhere on the map,
-// or of its size, do not move what was sown here.
+// A spot can hold an object if it is on the wanted ground and its tile is empty from there up to
+// the object's top. No portal may belong to it, nobody may start there, and nothing may stand there
+// yet. Each tile draws its own random numbers from the seed and its place. So changes elsewhere on
+// the map, or of its size, do not move what was sown here.
 #pragma once
 
 #include "world/blueprint.h"

@@ -9,12 +9,12 @@
 namespace slicecast {
 namespace {
 
-constexpr double kGreatestTurnDegrees = 360.0;  // at once, for a mouse
-constexpr double kEyeAtRest = 1.0 / 4096.0;     // units: an invisible lag
+constexpr double kGreatestTurnDegrees = 360.0;  // by the mouse in one step
+constexpr double kEyeAtRest = 1.0 / 4096.0;     // units; a smaller lag of the eye is invisible
 constexpr Coordinate kEyeDrop = kStandingEye - kCrouchedEye;
 
-double within(double value, double least, double greatest, double ifNoNumber) {
-    if (std::isnan(value)) return ifNoNumber;
+double within(double value, double least, double greatest, double ifNaN) {
+    if (std::isnan(value)) return ifNaN;
     return std::min(std::max(value, least), greatest);
 }
 
@@ -46,7 +46,7 @@ struct Vector {
     double y;
 };
 
-// The same for a vector; `change` limits the length of the difference.
+// The same for a vector; it moves by a length of at most `change`.
 Vector approach(Vector value, Vector target, double change) {
     const Vector difference = {target.x - value.x, target.y - value.y};
     const double length = std::sqrt(difference.x * difference.x + difference.y * difference.y);
@@ -55,8 +55,8 @@ Vector approach(Vector value, Vector target, double change) {
     return {value.x + difference.x * part, value.y + difference.y * part};
 }
 
-// Moves a rate towards its target. It reaches its full value within 1 / response seconds, and slows
-// down equally fast from a higher one.
+// The rate one step later, nearer to its target. It grows from 0 to `full` within 1 / response
+// seconds; a rate above `full` changes faster in proportion.
 double respond(double rate, double target, double full, double response) {
     return approach(rate, target, std::max(full, std::abs(rate)) * response * kStepSeconds);
 }
@@ -130,8 +130,8 @@ void easeEye(const World& world, Player& player) {
     moveEyeTo(world, player, wantedLag);
 }
 
-// Slides along the ground by the velocity; obstacles cancel the velocity on their axis. The eye
-// lags behind on steps.
+// Slides sideways by the velocity, over steps of at most `step`. Obstacles cancel the velocity on
+// their axis. On steps the eye lags behind.
 Travelled slidePlayer(const World& world, Player& player, Coordinate step) {
     Traveller body = travellerOf(player);
     const Travelled way = slide(world, body, toCoordinate(player.velocityX * kStepSeconds),
@@ -142,7 +142,7 @@ Travelled slidePlayer(const World& world, Player& player, Coordinate step) {
     return way;
 }
 
-// Moves up or down by at most `distance`. False if something stopped it.
+// Moves up or down (negative) by `distance`. False if something stopped the body earlier.
 bool rise(const World& world, Player& player, Coordinate distance) {
     Traveller body = travellerOf(player);
     const bool arrived = rise(world, body, distance);
@@ -164,8 +164,8 @@ void crouchOrStand(const World& world, Player& player, bool crouch) {
     player.eyeLag = crouch ? player.eyeLag + kEyeDrop : player.eyeLag - kEyeDrop;
 }
 
-// A press is remembered for a while before landing, and works for a while after leaving the ground;
-// holding the key adds nothing.
+// A press shortly before landing still counts, and so does one shortly after leaving the ground.
+// Holding the key does not jump again.
 void jumpIfAsked(Player& player, bool pressed) {
     if (pressed && !player.jumpHeld) player.earlyJumpSteps = kEarlyJumpSteps;
     player.jumpHeld = pressed;
@@ -181,7 +181,7 @@ void jumpIfAsked(Player& player, bool pressed) {
     player.lateJumpSteps = std::max(0, player.lateJumpSteps - 1);
 }
 
-// Keeps a body on the ground over steps down; where it is deeper, the body starts to fall.
+// Steps down as far as kStepHeight; where the ground lies deeper, the body starts to fall.
 void followGround(const World& world, Player& player) {
     Traveller body = travellerOf(player);
     body.box = moved(body.box, {.x = {}, .y = {}, .z = sweepZ(world, body, {-kStepHeight.raw})});
@@ -243,7 +243,7 @@ void fly(const World& world, Player& player) {
     if (!rise(world, player, toCoordinate(player.velocityZ * kStepSeconds))) player.velocityZ = 0.0;
 }
 
-// Moves a body that is stuck through everything.
+// Moves a stuck body, which nothing stops.
 void drift(Player& player) {
     player.x = toCoordinate(player.x.value() + player.velocityX * kStepSeconds);
     player.y = toCoordinate(player.y.value() + player.velocityY * kStepSeconds);
@@ -254,8 +254,8 @@ void drift(Player& player) {
     player.behind = {};
 }
 
-// Makes the body a flying or swimming one around the eye. It stays within the space of a free body
-// and its eye.
+// Starts `mode`, flying or swimming: the body becomes a low one around the eye, which stays where
+// it is. The low body needs no space beyond that of the old body and its eye.
 void shrinkToEye(Player& player, bool Player::*mode) {
     const Coordinate eye = eyeHeight(player);
     player.z = std::max(player.z, eye - kCrouchedEye);
@@ -265,8 +265,8 @@ void shrinkToEye(Player& player, bool Player::*mode) {
     player.eyeLag = eye - player.z - kCrouchedEye;
 }
 
-// The same for a free body. Above a portal that the eye has just passed, it may have no room: then
-// the eye comes down to the body.
+// The same for a body that is free. Just after the eye has passed a portal, there may be no room
+// around it: then the body stays, and the eye comes down to it.
 void bringBodyToEye(const World& world, Player& player, bool Player::*mode) {
     const Coordinate feet = player.z;
     shrinkToEye(player, mode);
@@ -277,8 +277,8 @@ void bringBodyToEye(const World& world, Player& player, bool Player::*mode) {
     moveEyeTo(world, player, {});
 }
 
-// Extends the legs as far as there is room; crouches if that is not enough to stand. The eye stays
-// where it is.
+// Ends flying or swimming: extends the legs by at most `mostLegs`, as far as there is room, and
+// crouches if the player cannot stand there. The eye stays where it is.
 void standUp(const World& world, Player& player, Coordinate mostLegs) {
     const Coordinate eye = eyeHeight(player);
     const Coordinate legs = sweepZ(world, travellerOf(player), {-mostLegs.raw});
@@ -291,7 +291,8 @@ void standUp(const World& world, Player& player, Coordinate mostLegs) {
     moveEyeTo(world, player, player.eyeLag);
 }
 
-// True if the ground is close enough to the surface to stand on it.
+// True if a swimmer can stand up: the ground is close to the surface. `depth` is that of the water
+// above the swimmer's feet.
 bool reachesGround(const World& world, const Player& player, Coordinate depth) {
     Traveller body = travellerOf(player);
     const Coordinate legs = sweepZ(world, body, {-kEyeDrop.raw});
@@ -315,19 +316,20 @@ void swimOrStand(const World& world, Player& player) {
     if (!player.swimming) player.onGround = isSupported(world, travellerOf(player));
 }
 
-// The upward speed that gets a swimmer onto a bank, or 0. The swimmer must move towards it.
+// The upward speed that gets a swimmer onto a bank, or 0 if there is none. The bank must have
+// `stopped` the way along the main direction of `wished`, and be at most `highest` above the feet.
 double climbingSpeed(const World& world, const Player& player, Vector wished, Travelled stopped,
                      Coordinate highest) {
     const double x = std::abs(wished.x);
     const double y = std::abs(wished.y);
     if (!(stopped.stoppedX && x > y) && !(stopped.stoppedY && y > x)) return 0.0;
-    Traveller there = travellerOf(player);
+    Traveller climber = travellerOf(player);
     const Coordinate way = kLongestSlide;
     const Travelled climbed =
-        x > y ? slide(world, there, {wished.x < 0.0 ? -way.raw : way.raw}, {}, highest)
-              : slide(world, there, {}, {wished.y < 0.0 ? -way.raw : way.raw}, highest);
+        x > y ? slide(world, climber, {wished.x < 0.0 ? -way.raw : way.raw}, {}, highest)
+              : slide(world, climber, {}, {wished.y < 0.0 ? -way.raw : way.raw}, highest);
     if (climbed.rise.raw == 0) return 0.0;
-    constexpr double kToSpare = 0.06;
+    constexpr double kToSpare = 0.06;  // units above the bank
     return std::sqrt(2.0 * kGravity * (climbed.rise.value() + kToSpare));
 }
 
@@ -470,7 +472,7 @@ void levelLook(const World& world, Player& player) {
     player.velocityZ = 0.0;
     player.eyeLagRate = 0.0;
     moveEyeTo(world, player, {});
-    // Down to the ground, or to the surface of water.
+    // Down to the ground, or onto the water below; a body that is in water sinks through it.
     Traveller body = travellerOf(player);
     body.floats = true;
     body.floats = isFree(world, body);

@@ -9,8 +9,9 @@
 //
 // The portal's tile is laid on the exit tile, turned clockwise (seen from above) about its middle
 // by quarter turns and shifted by whole levels; headings grow by 90 degrees for each quarter turn.
-// Whatever enters the portal continues from there. Seen from inside the block, or for an eye within
-// the tile, the portal does nothing, and a portal of the exit tile does not act on arrivals.
+// Whatever enters the portal continues from there. A portal face does nothing seen from inside its
+// block, and a portal tile nothing for an eye within it. Where something arrives, neither the exit
+// tile's own portal nor a face in the plane of the exit acts.
 //
 // All of this is integer arithmetic and therefore exact, and the reversed portal undoes it. How
 // bodies go through is in traveller.h.
@@ -60,9 +61,9 @@ struct GridTile {
     friend constexpr bool operator==(const GridTile&, const GridTile&) = default;
 };
 
-// Maps a place of the entry map to the exit map. The tile decides: a place on the western or
-// northern edge of the entry tile, which belongs to it, may land on the eastern or southern edge of
-// the exit tile, which does not (see `keptInside`).
+// Maps a place of the entry map to the exit map. The western and northern edges belong to the entry
+// tile. A place on them may land on the eastern or southern edge of the exit tile, which does not
+// belong to that tile: see `keptInside`.
 Position carried(const Portal& portal, Position place);
 GridTile carried(const Portal& portal, GridTile tile);
 double carriedHeading(const Portal& portal, double degrees);

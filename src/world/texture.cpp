@@ -8,6 +8,7 @@
 namespace slicecast {
 namespace {
 
+// One frame in all sizes, each half of the one before, down to 1 texel.
 std::vector<TextureLevel> levelsOf(const Image& sheet, int frame, bool seeThrough) {
     std::vector<TextureLevel> levels;
     for (int size = sheet.height; size >= 1; size /= 2) {
@@ -20,7 +21,7 @@ std::vector<TextureLevel> levelsOf(const Image& sheet, int frame, bool seeThroug
     return levels;
 }
 
-// Pixels to be overwritten, copied because that is far faster than constructing zeros.
+// `count` pixels that the caller overwrites. Copying some is far faster than constructing zeros.
 std::vector<Pixel> firstOf(const std::vector<Pixel>& pixels, std::size_t count) {
     return {pixels.data(), pixels.data() + count};
 }
@@ -46,8 +47,8 @@ Pixel meanByAlpha(const Pixel (&four)[4]) {
                     static_cast<std::uint8_t>((alpha + 2) / 4)});
 }
 
-// The mean of four opaque texels: (sum * 255 + 510) / 1020 is (sum + 2) / 4. Works on two channels
-// at a time, with 16 bits for each sum.
+// The same for four opaque texels, but faster: then (sum * 255 + 510) / 1020 is (sum + 2) / 4.
+// Works on two channels at a time, with 16 bits for each sum.
 Pixel mean(const Pixel (&four)[4]) {
     constexpr Pixel kChannels = 0x00ff00ff;
     constexpr Pixel kHalf = 0x00020002;

@@ -28,7 +28,7 @@ bool hasWayOut(const World& world, int map, Coordinate x, Coordinate y, Coordina
                       .box = bodyBox(x, y, feet, kCrouchedHeight),
                       .eye = {x, y, feet + kCrouchedEye},
                       .behind = {}};
-    // Water can be crossed like ground
+    // The body can cross water like ground, unless it starts in water
     body.floats = true;
     body.floats = isFree(world, body);
     const GridTile startTile = {x.tile(), y.tile()};

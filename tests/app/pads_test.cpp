@@ -66,7 +66,7 @@ TEST(Pads, AGamepadDoesWhatTheKeysDo) {
     EXPECT_TRUE(input.fast);
     EXPECT_TRUE(input.use);
 
-    // Gates alone are something, and go together with the rest.
+    // A button for gates counts as input, and is joined like the others.
     for (bool Input::*button : {&Input::use, &Input::open, &Input::close}) {
         Input gate;
         gate.*button = true;

@@ -13,10 +13,9 @@ struct ManyObjects {
     World seenOnly;
 };
 
-// Spreads `count` objects of the world's sprites over the floor of the eye's map, so that `seen` of
-// them are in sight in a picture of that width and the usual field of view, wholly or in part; the
-// others stand behind blocks, or beside or behind the picture. Nothing if the map has no room for
-// that.
+// Spreads `count` objects of the world's sprites over the floor of the eye's map. `seen` of them
+// are in sight, wholly or in part, with the usual field of view. The others stand behind blocks,
+// beside the picture or behind the eye. Nothing if the map has no room for that.
 std::optional<ManyObjects> spreadObjects(const World& world, const Eye& eye, int count, int seen);
 
 }  // namespace slicecast

@@ -1,11 +1,11 @@
-// How the time of a frame falls on its phases, and its replay: the same spans painted without a
-// walk, which no faster walk gets below.
+// Measures the phases of a frame, and its replay: painting the same spans without a walk. No walk,
+// however fast, makes a frame shorter than its replay.
 //
-// A frame is drawn as Renderer::draw does it: of each strip of 16 columns all spans are found
-// first, then all are painted, then the strip is copied. A clock is read between. So the replay
-// finds the caches as a real frame does. Spans of a whole picture that are painted later have left
-// the cache (the glassworks took 14 % longer in WebAssembly), and a strip painted over and over
-// finds all its texels there (15 % less).
+// A frame is drawn as Renderer::draw does it: for each strip of 16 columns all spans are found,
+// then painted, then the strip is copied. The clock is read in between. So the replay finds the
+// caches as a real frame does. Two simpler replays did not. If all spans of the picture are painted
+// at the end, they have left the cache (14 % longer for the glassworks in WebAssembly). If one
+// strip is painted over and over, all its texels are there (15 % shorter).
 #pragma once
 
 #include "render/frame.h"

@@ -101,7 +101,7 @@ double quantile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-// The median over so many rounds of what is worked out from each.
+// The median of ofRound(0) to ofRound(rounds - 1).
 template <typename OfRound>
 double median(std::size_t rounds, OfRound&& ofRound) {
     std::vector<double> values;

@@ -81,7 +81,7 @@ std::unique_ptr<Session> openScene(const std::string& assets, const Described& v
     return session;
 }
 
-// The garden with many objects, and with those of them alone that are seen.
+// Adds two views of the garden: with many objects, and with only those of them that are seen.
 bool addManyObjects(const std::string& assets, std::vector<View>& views) {
     LoadedScene scene = readSceneFile(assets + "/scenes/garden.json");
     if (!scene.world) return false;

@@ -19,7 +19,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-// All violations, one line each; all rules, those of good practice too.
+// One line for each violation of any of axe's rules, best practices included.
 async function complaintsOf(page) {
   await page.addScriptTag({ path: kAxe });
   return page.evaluate(async () => {

@@ -1,4 +1,4 @@
-// A third-party page with <ray-caster> in it, and questions to it.
+// A third-party page with <ray-caster> in it, and functions that observe it.
 //
 //     const { page, server } = await openGuest(t, browser,
 //       { body: '<ray-caster scene="room"></ray-caster>' });
@@ -38,8 +38,8 @@ export function openGuest(
   });
 }
 
-// All of the page's elements have their scenes, as many as there are. No waiting by frames: it
-// would be found among what the page schedules.
+// Waits until all elements of the page have loaded their scenes. Schedules nothing in the page,
+// because watchPage() would count it.
 export function ready(page, selector = 'ray-caster') {
   return page.evaluate(async (which) => {
     await customElements.whenDefined('ray-caster');
@@ -62,9 +62,12 @@ export function stateOf(page, selector = 'ray-caster') {
   return page.evaluate((which) => document.querySelector(which).state, selector);
 }
 
-// In the page, before anything else: keeps a list of all that is scheduled and has not come yet
-// (`pending`), counts what was ever (`calls`), and how often programs of WebAssembly are compiled.
-// `memories` are weak references to the memories of instances.
+// Runs in the page before its scripts, and sets window.watch:
+//
+//     pending    what is scheduled and has not run yet: 'setTimeout 7' -> where it was scheduled
+//     calls      how many times something was scheduled
+//     compiled   how many WebAssembly programs were compiled
+//     memories   weak references to the memories of their instances
 export function watchPage() {
   const watch = { calls: 0, pending: new Map(), compiled: 0, memories: [] };
   window.watch = watch;
@@ -111,7 +114,7 @@ export function watchPage() {
   };
 }
 
-// Seconds of processor time that the browser's processes of a kind have used, by their id.
+// The processor time that each process of the browser has used: [{id, type, cpuTime in seconds}].
 export async function processorSeconds(browser) {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');

@@ -19,7 +19,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-// Waits until the place is the same twice, a twentieth of a second apart.
+// Waits until the player has neither moved nor turned for 50 milliseconds.
 function atRest(page) {
   return page.waitForFunction(
     () => {
@@ -239,7 +239,7 @@ test('H shows the keys in a table, Escape brings the game back', async (t) => {
   await page.waitForSelector('#keys:not([open])', { state: 'attached' });
   await inState(page, 'playing');
   assert.equal(await focused(page), 'picture');
-  // Without the canvas's focus too, and closed by the same key
+  // H also works while the canvas does not have the focus, and H closes the table too
   await page.keyboard.press('Escape');
   await inState(page, 'paused');
   await page.keyboard.press('h');

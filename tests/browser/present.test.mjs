@@ -14,8 +14,8 @@ before(async () => {
 });
 after(() => browser.close());
 
-// Records, for each picture, what is passed to the canvas, and the time from when it was drawn (the
-// program's last reading of the clock) to when it is on the canvas.
+// Records for each picture what is passed to the canvas, and how long that took since the picture
+// was drawn. It was drawn when the program last read the clock.
 function watch() {
   window.shown = [];
   let drawn = 0;

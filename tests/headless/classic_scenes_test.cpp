@@ -1,5 +1,5 @@
-// Whatever shipped scenes have, gates, lifts, mirrors, portals and objects that move among it, the
-// classic method without any of its old ways draws as the exact one does.
+// Without any of its old ways, the classic method draws the shipped scenes as the exact method
+// does: also gates, lifts, mirrors, portals and objects that move.
 #include "base/random.h"
 #include "files/scene_file.h"
 #include "session/session.h"

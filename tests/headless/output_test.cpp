@@ -76,8 +76,9 @@ TEST(Output, GoesIntoAPipe) {
 
 const fs::path kFull = "/dev/full";  // takes nothing; some systems have none
 
-// A device that nothing fits into; empty where there can be none. Who may replace files of /dev
-// gets one of their own: a fault of the program must not harm the machine.
+// A device that takes no bytes; an empty path if the system has none. A user who may replace files
+// of /dev (root) gets a device in the test's folder: a fault of the program must not harm the
+// machine.
 fs::path fullDevice(const TestFolder& folder) {
     struct stat full {};
     if (stat(kFull.c_str(), &full) != 0) return {};

@@ -1,7 +1,7 @@
-// The package in other projects: the packed file is installed and used in a plain page, in
-// apps and sites that Vite, webpack, Rollup, esbuild, Astro and VitePress build, in one that React
-// renders on the server, and in a program under Node. Needs build/slicecast-VERSION.tgz
-// (tools/package), and nothing from the network.
+// Installs the packed file in other projects and uses it: in a plain page; in apps and sites built
+// by Vite, webpack, Rollup, esbuild, Astro and VitePress; in one that React renders on the server;
+// and in a program under Node. Needs build/slicecast-VERSION.tgz (tools/package), and nothing from
+// the network.
 
 import assert from 'node:assert/strict';
 import { execFile, spawn } from 'node:child_process';

@@ -1,4 +1,4 @@
-// The renderer's picture of a judge's scene.
+// Draws the renderer's picture of a scene that the judge made.
 #pragma once
 
 #include "base/image.h"

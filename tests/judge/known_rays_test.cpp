@@ -1,4 +1,4 @@
-// The tracer before known answers: portals and mirrors worked out on paper.
+// Compares the tracer with answers worked out on paper: portals and mirrors.
 #include "tracer.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ World twoMaps() {
     return world;
 }
 
-// A block at (x, y, level) of the first map whose faces all lead on.
+// Puts a block at (x, y, level) of the first map; all its faces are that portal.
 void addPortalBlock(World& world, int x, int y, int level, const Portal& portal) {
     CellBlueprint block = world.blueprints[kWall];
     for (FaceBlueprint& face : block.faces)
@@ -56,16 +56,16 @@ View eyeAt(double x, double y, double z, double heading) {
     return view;
 }
 
-// The sights of a ray with a sideways slope and an upward slope.
+// What a ray meets, front to back. Its slopes to the right and up are per unit of depth.
 std::vector<Sight> along(const World& world, const View& view, double sideways, double up) {
     std::vector<Sight> sights;
     Tracer(world, view).look(50.0 + 50.0 * sideways, 50.0 - 50.0 * up, sights);
     return sights;
 }
 
-// Eastwards through the west face of (5, 4), turned by 90 degrees to go south from the north side
-// of (3, 1): the wall at (3, 3) is 4.5 away from x = 2.5, and what is 0.25 right of the ray's
-// middle, seen from the eye, is west there.
+// The ray goes east into the west face of (5, 4), and comes out of the north side of (3, 1) going
+// south. The wall at (3, 3) is 2.5 + 2 away. What is right of the middle for the eye lies west
+// there.
 TEST(Tracer, GoesOnTurnedBehindAPortal) {
     World world = twoMaps();
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 1, 0});
@@ -80,8 +80,7 @@ TEST(Tracer, GoesOnTurnedBehindAPortal) {
     EXPECT_NEAR(sights[0].u, -(0.5 - 0.05 * 4.5), 1e-12);
 }
 
-// The same portal two levels up: what is at height 0.5 before it is at 2.5 behind it, and the floor
-// there lies 2 lower.
+// The same portal, raised by two levels: height 0.5 before it is height 2.5 behind it.
 TEST(Tracer, ShiftsByWholeLevels) {
     World world = twoMaps();
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 1, 2});
@@ -89,7 +88,7 @@ TEST(Tracer, ShiftsByWholeLevels) {
     EXPECT_EQ(along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0)[0].kind, Sight::Kind::sky);
     world.maps[1].setCell(3, 3, 2, kWall);
     EXPECT_DOUBLE_EQ(along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0)[0].depth, 4.5);
-    // Out below the floor of the map entered: its haze, at the crossing.
+    // Lowered by one, the ray comes out below the floor: it ends at the portal, in the exit's haze.
     world.portals[0].levels = -1;
     const std::vector<Sight> below = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0);
     ASSERT_EQ(below.size(), 1u);
@@ -98,8 +97,8 @@ TEST(Tracer, ShiftsByWholeLevels) {
     EXPECT_DOUBLE_EQ(below[0].depth, 2.5);
 }
 
-// A portal that leads to the tile before it: seen through as often as it may be, then a face shows
-// its own texture and a tile haze.
+// A portal leads to the tile before it, so a ray passes it again and again. At the limit, a portal
+// face shows its own texture, and a portal tile shows haze.
 TEST(Tracer, PassesAsManyPortalsAsItMay) {
     World world = twoMaps();
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 0, 4, 4, 0, 0});
@@ -117,12 +116,12 @@ TEST(Tracer, PassesAsManyPortalsAsItMay) {
     const std::vector<Sight> sights = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0);
     EXPECT_EQ(sights[0].kind, Sight::Kind::haze);
     EXPECT_DOUBLE_EQ(sights[0].depth, 7.5);
-    // At any height, but not for an eye within.
+    // A portal tile acts at any height, but not on an eye inside it.
     EXPECT_EQ(along(world, eyeAt(2.5, 4.5, 9.5, 0.0), 0.0, 0.0)[0].kind, Sight::Kind::haze);
     EXPECT_EQ(along(world, eyeAt(5.5, 4.5, 0.5, 0.0), 0.0, 0.0)[0].kind, Sight::Kind::sky);
 }
 
-// Out of a block through a portal face nothing is drawn and nothing happens.
+// From inside its block, a portal face is invisible and leads nowhere.
 TEST(Tracer, APortalActsFromOutsideOnly) {
     World world = twoMaps();
     addPortalBlock(world, 5, 4, 0, {0, 5, 4, 1, 3, 1, 0, 0});
@@ -130,15 +129,15 @@ TEST(Tracer, APortalActsFromOutsideOnly) {
     ASSERT_EQ(sights.size(), 1u);
     EXPECT_EQ(sights[0].map, 0);
     EXPECT_EQ(sights[0].kind, Sight::Kind::sky);
-    // At t = 0 it acts on a ray that moves into it: westwards from the east border, not eastwards
-    // from the west one.
+    // An eye on a border is in the tile to the east. So a ray going west from the block's east
+    // border enters the block, and one going east from its west border starts inside.
     EXPECT_EQ(along(world, eyeAt(6.0, 4.5, 0.5, 180.0), 0.0, 0.0)[0].map, 1);
     EXPECT_EQ(along(world, eyeAt(5.0, 4.5, 0.5, 0.0), 0.0, 0.0)[0].map, 0);
     EXPECT_EQ(along(world, eyeAt(5.5, 4.5, 1.0, 0.0), 0.0, -0.5)[0].map, 1);
 }
 
-// From 1.5 above a floor, down by half a unit each unit: the mirror at 3, then up to the middle of
-// a wall at 4; above it the sky.
+// The eye is 1.5 above a mirror, and the ray falls by half a unit each unit: it meets the mirror at
+// depth 3, then rises to the middle of a wall at depth 4, or into the sky without a wall.
 TEST(Tracer, RisesAgainFromAMirror) {
     World world = twoMaps();
     world.maps[0].floor.mirror = 100;
@@ -155,7 +154,7 @@ TEST(Tracer, RisesAgainFromAMirror) {
     sights = along(world, eyeAt(1.0, 4.5, 1.5, 0.0), 0.0, -0.5);
     ASSERT_EQ(sights.size(), 2u);
     EXPECT_EQ(sights[1].kind, Sight::Kind::sky);
-    // Beyond `far` the floor is haze and no mirror; half as strong a mirror is half as strong.
+    // Beyond `far` the floor is haze and no mirror. `mirrors` multiplies the mirror's strength.
     world.maps[0].far = 2.9;
     EXPECT_EQ(along(world, eyeAt(1.0, 4.5, 1.5, 0.0), 0.0, -0.5).size(), 1u);
     world.maps[0].far = 3.1;
@@ -166,7 +165,8 @@ TEST(Tracer, RisesAgainFromAMirror) {
     EXPECT_EQ(along(world, view, 0.0, -0.5).size(), 1u);
 }
 
-// An object of the other map is met behind the portal only, where that map lies along the ray.
+// A ray meets objects of the entry map only before the portal, those of the exit map only behind
+// it.
 TEST(Tracer, MeetsObjectsOfTheMapThatItIsIn) {
     World world = twoMaps();
     world.sprites.push_back(makeSprite("plain", plainImage({9, 9, 9, 255})));
@@ -179,8 +179,7 @@ TEST(Tracer, MeetsObjectsOfTheMapThatItIsIn) {
         object.height = tileEdge(1);
         return object;
     };
-    // Before the portal, behind it in the entry map, behind it in the exit map, and before it
-    // there.
+    // Of each map, one object on the ray's way, and one in its line on the portal's other side
     world.maps[0].objects = {objectAt(3.5, 4.5), objectAt(7.5, 4.5)};
     world.maps[1].objects = {objectAt(3.5, 3.5), objectAt(3.5, 0.5)};
     const std::vector<Sight> sights = along(world, eyeAt(2.5, 4.5, 0.5, 0.0), 0.0, 0.0);

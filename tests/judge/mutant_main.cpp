@@ -1,5 +1,5 @@
-// Judges a renderer that was broken on purpose, until the judge notices. Exit status 0 if it does
-// (with "sound" as an argument: if it does not).
+// Judges a renderer that was broken on purpose, until the judge notices. Exit status 0 if it does.
+// With the argument "sound" the renderer is whole: exit status 0 if the judge notices nothing.
 #include "suite.h"
 
 #include <cstdio>
@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
     // Most faults show in the first few pictures; some need a rare meeting of blocks.
     constexpr int kBatch = 20;
     const int batches = sound ? 20 : 600;
-    // In a few pictures a share says nothing.
+    // The share of excused pixels counts only from this batch on: in few pictures it says little.
     constexpr int kBatchesForShare = 5;
     Verdict random;
     Verdict ties;

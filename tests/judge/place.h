@@ -1,7 +1,7 @@
 // Where a ray is: the map that it goes through, and how that map lies along it. A ray keeps the
-// coordinates of the map that it began in all the way; behind a portal the other map's tiles are
-// laid along it, turned clockwise (as seen from above) by quarter turns and moved by whole tiles
-// and levels, so that nothing is rounded anew:
+// coordinates of the map that it began in. Behind a portal, the other map is laid along the ray:
+// turned clockwise (seen from above) by quarter turns and moved by whole tiles and levels. So
+// nothing is rounded anew:
 //
 //     map point = ray point, turned about the origin by `turn`, plus (x, y)        map height = ray height + levels
 #pragma once

@@ -46,7 +46,7 @@ std::uint32_t alphaOf(const Span& span, int row) {
     return span.column.texels[position >> span.column.shift] >> 24;
 }
 
-// Who looks at texels leaves out those that show nothing, and what lies behind opaque ones.
+// Removes the layers that show nothing in a row, and all that lie behind an opaque texel.
 void forgetHidden(Row& row, int number) {
     std::vector<const Span*> seen;
     for (const Span* layer : row.layers) {
@@ -105,10 +105,9 @@ bool covers(const TileRange& fast, const TileRange& plain, GroundDirection ray) 
            holds(fast.fromY, fast.toY, plain.fromY, ray.y);
 }
 
-// How far the texel positions of a row may lie apart where spans begin or end in other rows, as
-// layers do that are cut: steps are rounded once a row, and shortened where the last row would come
-// to lie beyond the block, which positions may do by the trifle that they are moved by, 2^14 of
-// 2^48.
+// How far the texel positions of a row may lie apart if the two walks begin or end the span in
+// different rows, as for layers that are cut. Steps are rounded once a row. They are also shortened
+// if the last row would lie beyond the block by more than the margin of positions, 2^14 of 2^48.
 std::int64_t mayBeApart(const Span& span, int rows) {
     return rows + 2 + (span.what == What::side ? std::int64_t{1} << 14 : 0);
 }

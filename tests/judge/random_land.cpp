@@ -13,7 +13,8 @@ bool standsStill(const CellBlueprint& block) {
 
 }  // namespace
 
-// On a map of its own, made of what the random world is made of.
+// Adds a wide, nearly empty map to a random scene and puts the eye there. Its blocks, textures,
+// objects and light are those of the scene.
 Scene wideLandScene(std::uint64_t seed, int width, int height) {
     Scene scene = randomScene(seed, width, height);
     Random random(seed ^ 0x6c616e64u);

@@ -10,10 +10,10 @@
 namespace slicecast::judge {
 namespace {
 
-// A texture whose every texel tells where it stands: red which texture, green u, blue v. Up to 8
-// texels a side, neighbours differ so much that they can be told apart in the dimmest light; finer
-// textures only stand in worlds whose light never falls below a half. Where there are two frames,
-// red tells which one. See-through ones have holes, opaque texels and all between.
+// A texture of which each texel's colour tells its place: red the texture and the frame, green u,
+// blue v. With up to 8 texels a side, neighbours can be told apart in the dimmest light. Finer
+// textures are used only in worlds whose light never falls below a half. See-through textures have
+// holes, opaque texels and all between.
 Texture codedTexture(int index, int size, bool seeThrough, int frames, double rate) {
     Image image(size * frames, size);
     const int step = 240 / size;

@@ -1,4 +1,4 @@
-// The judge's suites: many random pictures, judged and summed up.
+// Judges many random pictures and sums up the verdicts.
 #pragma once
 
 #include "draw.h"
@@ -16,14 +16,14 @@ struct Size {
     int height;
 };
 
-// Small pictures of many shapes.
+// Small pictures of many shapes, pixels.
 inline constexpr std::array<Size, 8> kSmallSizes = {
     {{160, 100}, {1, 1}, {7, 3}, {64, 64}, {97, 53}, {128, 80}, {33, 120}, {160, 99}}};
-// Full size and odd.
+// Full-size pictures, some of odd width and height.
 inline constexpr std::array<Size, 4> kLargeSizes = {
     {{1280, 720}, {641, 399}, {1280, 720}, {1279, 721}}};
 
-// With a middle column.
+// Odd widths: these pictures have a middle column.
 inline constexpr std::array<Size, 3> kOddSizes = {{{33, 120}, {97, 53}, {7, 90}}};
 
 using MakeScene = Scene (*)(std::uint64_t seed, int width, int height);

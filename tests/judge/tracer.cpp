@@ -78,9 +78,9 @@ bool Tracer::Walk::isAbove(double height, const Border& border) const {
                    : crossedBefore(height, border);
 }
 
-// Is the ray above an edge where it begins in the tile? Where it comes out of a top or bottom face,
-// the faces entered and the planes at that very height are still to be met and the faces left are
-// not; from a mirror only what lies above is.
+// Is the ray above an edge where it begins in the tile? A ray that comes out of a top or bottom
+// face has yet to meet the faces that it enters and the planes at that height, but not the faces
+// that it leaves. A ray from a mirror has yet to meet only what lies above.
 bool Tracer::Walk::isAboveAtStart(double height, Edge edge) const {
     switch (start_) {
         case Start::eye:

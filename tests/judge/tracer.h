@@ -1,6 +1,6 @@
 // The judge's tracer: a slow, plain statement of what a correct picture is. It follows the ray of
-// one pixel through the blocks in three dimensions, from border to border and from height to
-// height, through portals and up again from mirrors, in double precision, and knows nothing of the
+// one pixel through the blocks in three dimensions, in double precision: from border to border and
+// from height to height, through portals and up again from mirrors. It knows nothing of the
 // renderer: it includes `base` and `world` only, and does its own sampling, light and fog.
 #pragma once
 

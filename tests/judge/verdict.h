@@ -1,10 +1,10 @@
 // Compares a picture with what the tracer sees, pixel by pixel.
 //
-// Colours count as equal within 1 of 255 per channel. A pixel that differs is excused only if the
-// tracer, asked again at 32 points around the pixel's centre (8 directions at 1/64, 1/512, 1/4096
-// and 1/32768 of a pixel), sees that colour at one of them. The other side of a threshold on the
-// depth (level of detail, far, fog) is accepted within one part in a million. Any other difference
-// is a bug.
+// Colours count as equal within 1 of 255 per channel. If a pixel differs, the tracer is asked again
+// at 32 points around its centre: in 8 directions at 1/64, 1/512, 1/4096 and 1/32768 of a pixel.
+// The pixel is excused only if the tracer sees its colour at one of them. The other side of a
+// threshold on the depth (level of detail, far, fog) is accepted within one part in a million. Any
+// other difference is a bug.
 #pragma once
 
 #include "tracer.h"

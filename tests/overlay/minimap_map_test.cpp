@@ -64,7 +64,7 @@ TEST(MinimapMap, RedrawsNothingWithoutAChange) {
     EXPECT_EQ(kept.draw(), 0);
     kept.world.seconds = 3.0;
     EXPECT_EQ(kept.draw(), 0);
-    // What lies on the map is no reason either
+    // Nor for what is drawn on top: the eye, its rays, objects
     kept.eye = eyeAt(20.6, 15.4, 200.0);
     kept.options = {.fovDegrees = 90.0, .rays = true, .turns = true, .reach = 3.0};
     EXPECT_EQ(kept.draw(), 0);

@@ -44,7 +44,8 @@ TEST(SlowDrawing, BuildsThePictureUpSliceBySliceAgainAndAgain) {
               (std::vector<int>{180, 180, -1, 180, 180, 180, 180, 180, 180, 180}));
 }
 
-// The picture that has so many columns of one grey drawn; -1 where the line is.
+// What drawColumns makes of a grey picture: the grey of each column, -1 for the line, 0 if not yet
+// drawn.
 std::vector<int> drawnColumns(int count) {
     Canvas canvas(kSlowWidth, kSlowHeight);
     for (int y = 0; y < kSlowHeight; ++y) {

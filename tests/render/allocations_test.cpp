@@ -1,5 +1,5 @@
-// Pictures take no memory once such pictures have been drawn, whatever is in them and wherever the
-// eye goes.
+// A renderer that draws the same pictures again takes no more memory, whatever they show and in
+// whatever order they come.
 #include "../count_allocations.h"
 #include "render/renderer.h"
 #include "world/world.h"
@@ -18,6 +18,8 @@ constexpr int kCountedWidth = 320;
 constexpr int kCountedHeight = 180;
 constexpr int kSide = 24;  // tiles
 
+// A picture of many colours. With `holes` above 0 it has holes and half-transparent columns, one in
+// so many texels.
 Image pattern(int width, int height, int holes) {
     Image image(width, height);
     for (int y = 0; y < height; ++y) {
@@ -33,7 +35,7 @@ Image pattern(int width, int height, int holes) {
     return image;
 }
 
-// Blocks of all kinds on several levels, some see-through, some that reflect.
+// Fills cells on all levels with blocks of random blueprints.
 void addBlocks(World& world, Random& random, Map& map) {
     const int shapes = static_cast<int>(world.blueprints.size());
     for (int y = 0; y < map.depth; ++y) {
@@ -120,7 +122,7 @@ World mixedWorld() {
     return world;
 }
 
-// A way through all maps, up and down, looking everywhere.
+// Eyes on a way through all maps, at many heights, looking everywhere.
 std::vector<Eye> way(int pictures) {
     std::vector<Eye> eyes;
     for (int i = 0; i < pictures; ++i) {

@@ -19,8 +19,8 @@ Texture columnsTexture() {
     return makeTexture("columns", std::move(image));
 }
 
-// An eye at x = 5 that looks north, a trifle west or east of it; undersides, ceilings or the floor
-// alone are before it. They all show the last column of the texture, or the first one.
+// The eye is on the border x = 5 and looks north, a trifle to the west or east. All that it sees,
+// undersides or ceiling and floor, shows the texture's last column, or its first.
 TEST(Borders, ARayAlongOneStaysInItsTile) {
     constexpr int kWidth = 31;
     constexpr int kHeight = 80;

@@ -155,8 +155,8 @@ TEST(GridWalk, ATileBeginsWhereTheOneBeforeEnds) {
     }
 }
 
-// A walk that goes on elsewhere, turned: its tiles are those of the walk that it comes from, turned
-// about the tile in which that was, and its depths and its ties are the same.
+// A walk that continues turned behind a portal passes the tiles of the old walk, turned about the
+// tile where it continues. Its depths and its ties are the same.
 TEST(GridWalk, TurnedItHasTheSameDepths) {
     Random random(3);
     for (int i = 0; i < 300; ++i) {

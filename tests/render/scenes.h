@@ -1,4 +1,4 @@
-// Small worlds that are made by hand, for known answers.
+// Helpers to make small worlds whose pictures can be worked out by hand.
 #pragma once
 
 #include "base/image.h"
@@ -31,7 +31,7 @@ inline World emptyWorld(int width, int depth, int levels, Texture floor) {
     return world;
 }
 
-// A full block with the same texture on all faces.
+// A blueprint with one texture on all faces; by default it fills its cell.
 inline BlueprintId addBlock(World& world, TextureId texture, Coordinate bottom = {},
                             Coordinate top = tileEdge(1)) {
     CellBlueprint blueprint;
@@ -56,7 +56,7 @@ inline Eye eyeAt(double x, double y, double z, double heading, double look = 0.0
             .look = look};
 }
 
-// Draws; an image of no pixels if the renderer refuses.
+// Draws a picture; an empty image if the renderer refuses.
 inline Image draw(const World& world, const Eye& eye, int width, int height,
                   const RenderOptions& options = {}) {
     Renderer renderer;

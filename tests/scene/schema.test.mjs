@@ -1,5 +1,5 @@
-// The published schema: it accepts every scene that is shipped, rejects of the broken ones exactly
-// those that are marked so, and explains itself.
+// The published schema accepts every shipped scene, rejects exactly those broken scenes that are
+// marked so, and describes every key.
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -19,7 +19,7 @@ const validate = new Ajv({
   strictRequired: false,
 }).compile(schema);
 
-// As an editor reads a file: UTF-8 and nothing else, with or without a byte order mark.
+// Reads a file as an editor does: only UTF-8, with or without a byte order mark.
 const parse = (bytes) => JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
 const parseFile = (path) => parse(readFileSync(path));
 const words = () =>

@@ -1,5 +1,5 @@
-// What is seen at the horizon of the shipped scenes: floor, haze and sky meet without an edge, and
-// the floor goes on almost as far as one can look, from the highest place that can be flown to.
+// At the horizon of the shipped scenes, floor, haze and sky meet without an edge. From the highest
+// place that can be flown to, the floor goes on almost as far as one can look.
 #include "scenes/shipped.h"
 
 #include "render/renderer.h"

@@ -1,6 +1,6 @@
-// Places of a map at which a player can stand, as a graph: one for each tile and each height in it
-// at which there is room. From a place one gets to those of the four tiles beside it that are no
-// higher than a jump, if there is room for the head above the higher of the two.
+// The places of a map at which a player can stand, as a graph: one for each height of a tile at
+// which there is room. From a place one gets to places of the four tiles beside it, up to the
+// height of a jump above it. There must be room for the head above the higher of the two.
 #pragma once
 
 #include "world/player.h"

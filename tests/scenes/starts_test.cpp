@@ -45,7 +45,7 @@ bool eyeIsInWater(const Session& session) {
                .water != nullptr;
 }
 
-// Who plays for the first time holds the key that goes ahead.
+// A first-time player tends to hold the key that walks ahead.
 TEST(Starts, StraightAheadNobodyGetsUnderWater) {
     for (const std::string& scene : shippedScenes()) {
         if (beginsByTheWater(scene)) continue;

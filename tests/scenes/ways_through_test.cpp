@@ -22,8 +22,8 @@ constexpr int kWayWidth = 320;
 constexpr int kWayHeight = 180;
 constexpr int kWayPatience = 10 * kStepsPerSecond;
 
-// Units: blocks and degrees. Who stands at a place of one map and goes in a direction comes out in
-// another one, and goes on there in a direction.
+// A way through a portal: a player at a place of one map goes along `heading`, and comes out on the
+// exit tile of another map, going along another heading. Units: blocks and degrees.
 struct Way {
     const char* scene;
     const char* what;

@@ -1,5 +1,5 @@
-// Where a world ends there is a thing that ends it: nobody gets to the border of a shipped map on
-// foot, by jumping or in the water, where nothing but the end of the grid would hold him back.
+// Something visible ends each world: on foot, by jumping or in water, the player never gets to a
+// border of a shipped map where only the end of the grid stops them.
 #include "scenes/shipped.h"
 #include "scenes/spots.h"
 

@@ -49,8 +49,8 @@ World works() {
     return std::move(make.world);
 }
 
-// Who looks at the platform under their feet sees the same all the way, to the byte, whenever the
-// picture is drawn.
+// A player who rides a platform and looks at it sees the same picture all the way, byte for byte,
+// at any moment between steps.
 TEST(SessionThatMoves, ShowsARiderThePlatformAtRest) {
     Session session(works());
     const std::vector<Pixel> before = drawn(session, 1.0).pixels;

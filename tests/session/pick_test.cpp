@@ -1,5 +1,5 @@
-// What a pixel shows is what the picture has there, and a point that a pixel shows lies in that
-// pixel.
+// pick names the texel that the picture has at a pixel, and project finds that pixel again from the
+// point that pick names.
 #include "session/pick.h"
 
 #include "session/hall.h"
@@ -85,7 +85,8 @@ protected:
     rapidjson::Document json;
 };
 
-// Of every pixel, by whichever method draws it.
+// Compares every pixel of pictures with the texel that is picked there, by the method of the
+// options.
 void PickTest::expectTexelsOfPictures() {
     std::map<std::string, int> seen;
     int behindPortals = 0;
@@ -105,7 +106,7 @@ void PickTest::expectTexelsOfPictures() {
                     continue;
                 }
                 behindPortals += picked["portals"].GetInt();
-                // Smaller images of holes and colours are neither one nor the other.
+                // Texels that mix holes with colours, and the divider, have other colours.
                 if (picked["alpha"].GetInt() < 255 || isDivider(column)) continue;
                 const Pixel pixel = pixels[static_cast<std::size_t>(row * kPickWidth + column)];
                 ASSERT_EQ(toColour(pixel), texelOf(picked)) << what << column << "," << row;
@@ -131,7 +132,7 @@ TEST_F(PickTest, EveryPixelOfTheClassicMethodShowsThePickedTexel) {
     expectTexelsOfPictures();
     EXPECT_EQ(session.setOption("method", "exact"), "");
     EXPECT_EQ(session.setOption("compare", "0.6"), "");
-    // The divider is no thing of the world; its columns show what is beside it.
+    // Columns near the divider are not compared: it is drawn over them.
     expectTexelsOfPictures();
 }
 
@@ -180,7 +181,7 @@ void PickTest::expectPointsInTheirPixels() {
             ASSERT_TRUE(back.has_value());
             ASSERT_NEAR(back->depth, picked["depth"].GetDouble(), 1e-9);
             ASSERT_NEAR(back->x, column + 0.5, 1e-6) << row;
-            // A plane's height is given exactly, so that the row is where its ray meets that.
+            // Planes too: the point is where the ray meets the plane's exact height.
             ASSERT_NEAR(back->y, row + 0.5, 1e-6) << column;
         }
     }
@@ -273,7 +274,7 @@ void PickMirrorTest::expectReflections() {
             EXPECT_EQ(reflection["row"].GetInt(), row);
             ASSERT_EQ(toColour(pixels[static_cast<std::size_t>(row * kPickWidth + column)]),
                       texelOf(reflection));
-            // The ray goes on from height 0 with the slope turned round.
+            // At height 0 the ray is reflected: it rises as steeply as it fell.
             const double depth = reflection["depth"].GetDouble();
             EXPECT_GT(depth, picked["depth"].GetDouble());
             const double mirrored = 0.6 * (depth / picked["depth"].GetDouble() - 1.0);

@@ -15,7 +15,7 @@
 namespace slicecast {
 namespace {
 
-// A field with a stair of one step, and a block in the way.
+// A field; the player starts in its middle, with a block in the way to the east.
 World makeField() {
     WorldBuilder make;
     make.world.title = "A field";
@@ -45,7 +45,8 @@ Input anyInput(Random& random) {
     return input;
 }
 
-// A game in which everything happens that a recording holds; its fingerprint after each step.
+// Plays a game with all inputs, and with all that a recording holds besides, except changes of
+// cells. Returns the fingerprint after each step.
 std::vector<std::uint64_t> playAnything(Session& session, Recorder& recorder, int steps) {
     Random random(7);
     std::vector<std::uint64_t> fingerprints;
@@ -110,7 +111,7 @@ TEST(Recording, RecordingAReplayGivesTheSame) {
     Session again(makeField());
     Recorder second("field");
     Replay replay(readBack(recorder.finish(session)));
-    // The options that the first one began with are among what is replayed.
+    // The second recording sets its first options twice: at its start, and by the replay.
     again.record(&second);
     while (replay.step(again)) {
         if (again.steps() == 350) second.mark("half-way", again);
@@ -141,7 +142,7 @@ TEST(Recording, NoticesAnotherWorld) {
     EXPECT_FALSE(replay.isSame());
 }
 
-// A field where one swims.
+// The field under water that is deep enough to swim.
 World makeFloodedField() {
     World world = makeField();
     CellBlueprint water;
@@ -158,7 +159,7 @@ World makeFloodedField() {
     return world;
 }
 
-// Every option either leads elsewhere and is recorded, or is not and leads to the same place.
+// An option is recorded exactly if it changes where the player gets to.
 TEST(Recording, HoldsTheOptionsThatAffectSteps) {
     for (const OptionInfo& info : knownOptions()) {
         const std::string name = info.name;
@@ -306,7 +307,7 @@ TEST(Recording, FaultsHaveTheirPlaces) {
          "f:3:8: found \"y\", expected the pose of the eye, 16 digits from 0 to f\n"},
         {kHead + "5 \xff\n" + kTail,
          "f:3:3: found a byte that is not UTF-8, expected a recording, which is UTF-8 text\n"},
-        // Several: each line's first
+        // Two lines, two faults in the first: each line reports its first
         {kHead + "5 a b\nfly\n" + kTail,
          "f:3:3: found \"a\", expected " + words +
              "\nf:4:4: found the end of the line, expected on or off\n"},

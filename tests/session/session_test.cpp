@@ -16,7 +16,8 @@
 namespace slicecast {
 namespace {
 
-// Two walled yards with a stair in the first; the player starts in its west and looks east.
+// Two walled yards alike, each with a half block; the player starts in the west of the first and
+// looks east.
 World yards() {
     WorldBuilder make;
     make.world.title = "Yards";
@@ -293,7 +294,7 @@ TEST(Session, TracesAColumnOfWhatItDraws) {
     EXPECT_EQ(trace.hits.front().tileX, 6) << "the half block ahead";
 }
 
-// A walk, a flight and all sorts of wishes.
+// The fingerprint after a game of walking, flying and random input.
 std::uint64_t fingerprintOfAGame(int steps) {
     Session session(yards());
     Random random(2025);
@@ -343,7 +344,7 @@ TEST(Session, GoesIntoEveryMap) {
     EXPECT_FALSE(session.goToMap(-1));
     EXPECT_EQ(session.state().map, "first");
     ASSERT_TRUE(session.goToMap(1));
-    // The middle of the second yard holds a half block: they stand on it.
+    // The middle of the second yard holds a half block: the player stands on it.
     SessionState state = session.state();
     EXPECT_EQ(state.map, "second");
     EXPECT_EQ(state.x, 6.5);
@@ -386,7 +387,8 @@ TEST(Session, AnInspectedColumnIsOneOfThePicture) {
     EXPECT_EQ(session.inspectedColumn(96), 95);
 }
 
-// The pixels that an option changes are these, and it can be taken back.
+// Each overlay changes about this many pixels on its side of the picture. Switching it off restores
+// the picture.
 TEST(Session, OverlaysAreDrawnWhenAsked) {
     Session session(yards());
     const Image plain = drawn(session, 1.0, 640, 400);

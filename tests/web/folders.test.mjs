@@ -10,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 const web = fileURLToPath(new URL('../../web/', import.meta.url));
 const kMayImport = {
   engine: ['engine'],
-  element: ['element', 'engine', '.'], // beside the folders: what comes later, ray-caster-*.js
+  element: ['element', 'engine', '.'], // '.': ray-caster-*.js, the scripts that load later
   node: ['node', 'engine'],
   play: ['play', 'element', 'engine', '.'],
 };

@@ -1,6 +1,6 @@
-// What must hold for any rows and any addresses, tried with thousands of random ones. A failure
-// prints the shortest input that it could find, and the seed that finds it again. tools/fuzz runs
-// the same for longer: SLICECAST_RUNS says how many inputs each property gets.
+// Properties that hold for any rows and any addresses, tried with thousands of random ones. A
+// failure prints the shortest failing input found, and the seed that finds it again. tools/fuzz
+// runs the same tests for longer: SLICECAST_RUNS is the number of inputs for each property.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -32,7 +32,7 @@ function holds(property, runs = kRuns) {
   return fc.assert(property, { numRuns: runs, includeErrorInReport: true });
 }
 
-// Anything but a Trouble is a fault of the program.
+// The Trouble that an action throws, or null. Other errors are faults of the program and pass on.
 function troubleOf(action) {
   try {
     action();
@@ -133,7 +133,7 @@ test('each line of a legend has its effect or is a fault', () => {
       const text = (legend) => `>.\n--- legend\n${legend}`;
       const trouble = troubleOf(() => sceneOfRows(text(line)));
       if (trouble !== null) return checkFaults(trouble, text(line));
-      // It is one character, a word that the format knows, or no line at all.
+      // The key is one character or a word of the format, or the text is not one line at all.
       const [key] = line.split(/\s*=/);
       const isKnown = [...key.trim()].length === 1 || ['blank', 'sky'].includes(key.trim());
       assert.ok(isKnown || /[\r\n]/.test(line), `${JSON.stringify(line)} is lost`);
@@ -183,7 +183,7 @@ test('the engine takes what rows make', async () => {
     fc.asyncProperty(rowsText, async (text) => {
       let scene = null;
       troubleOf(() => (scene = sceneOfRows(text, { colours: true, name: 'rows' })));
-      // Pictures of the reader's own are not there.
+      // Files that the legend names do not exist.
       if (scene === null || JSON.stringify(scene).includes('.png"')) return;
       const loaded = await load(scene);
       assert.ok(loaded.pixels({ width: 8, height: 8 }));

@@ -113,8 +113,7 @@ TEST(Collision, LeastRiseGoesOntoTheObstacle) {
 TEST(Collision, AFastSlideFollowsItsDiagonal) {
     World world = emptyWorld(12, 12, 1);
     putBlock(world, 4, 4, 0.0_u, 1.0_u);
-    // On the diagonal towards the block's corner region, far past it in one move: it must not go
-    // around.
+    // One long diagonal move across the block: the box must meet the block, not jump past it.
     const Slide slid = slide(world, 0, boxAt(2.0_u, 2.0_u, 0.0_u), 8.0_u, 8.0_u, {});
     EXPECT_TRUE(isFree(world, 0, slid.box));
     EXPECT_TRUE(slid.stoppedX || slid.stoppedY);
@@ -137,18 +136,18 @@ TEST(Collision, SlidesOverStepsOnlyWithRoomOnTheWay) {
     slid = slide(world, 0, box, 0.5_u, {}, 0.5_u - kTiny);
     EXPECT_EQ(slid.box.east, 1.0_u);
     EXPECT_TRUE(slid.stoppedX);
-    // Something above the way up
+    // A block above the start stops the rise
     World low = world.copy();
     putBlock(low, 0, 0, 0.9_u, 1.0_u);
     EXPECT_EQ(slide(low, 0, box, 0.5_u, {}, 0.5_u).box.east, 1.0_u);
-    // Something above a part of it that moves out from under it while the front takes the step
+    // The rear of the box is still under a block while its front takes the step: no room to rise
     World behind = emptyWorld(4, 1, 3);
     putBlock(behind, 2, 0, 0.0_u, 0.25_u);
     const Box wide = {0.97_u, 1.95_u, 0.2_u, 0.8_u, 0.0_u, 0.5_u};
     EXPECT_EQ(slide(behind, 0, wide, 0.0625_u, {}, 0.5_u).box.bottom, 0.25_u);
     putBlock(behind, 0, 0, 0.6_u, 1.0_u);
     EXPECT_EQ(slide(behind, 0, wide, 0.0625_u, {}, 0.5_u).box.east, 2.0_u);
-    // Something above the step: a body that fits exactly, and one that is a little too high
+    // A block above the step: one body fits exactly, the other is a little too high
     low = world.copy();
     putBlock(low, 1, 0, 1.0_u, 1.1_u);
     EXPECT_EQ(slide(low, 0, box, 0.5_u, {}, 0.5_u).box.bottom, 0.5_u);
@@ -157,7 +156,8 @@ TEST(Collision, SlidesOverStepsOnlyWithRoomOnTheWay) {
     EXPECT_EQ(slide(low, 0, higher, 0.5_u, {}, 0.5_u).box.east, 1.0_u);
 }
 
-// Free boxes stay free wherever they are swept, and stop only where one more step would overlap.
+// Free boxes stay free wherever they are swept. They stop only where 1/65536 unit more would
+// overlap.
 TEST(Collision, RandomSweepsAreTight) {
     int tried = 0;
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {

@@ -196,7 +196,7 @@ TEST(Gates, OpenOnApproachAndCloseAfterwards) {
     EXPECT_EQ(state(who.world), GateState::open);
     steps(who, 2);
     EXPECT_EQ(state(who.world), GateState::closing);
-    // Who comes back opens it again.
+    // It opens again if the player comes back.
     while (who.x() - 0.2 > 6.0) steps(who, 1, {.forward = -1.0});
     steps(who, 1);
     EXPECT_EQ(state(who.world), GateState::opening);

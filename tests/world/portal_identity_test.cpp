@@ -58,9 +58,9 @@ bool slidesAlongSomething(const Player& player) {
     return player.velocityX == 0.0 || player.velocityY == 0.0;
 }
 
-// What a turn may change. Who ends a step exactly on a border may be put 1/65536 inside the tile.
-// And steps go by x and then by y, in the copy too: where a quarter turn changes which comes first,
-// one who slides around the end of a wall may do so a part of a step earlier or later.
+// Whether a turn may make this difference. A player who ends a step exactly on a border may be put
+// 1/65536 inside the tile. And steps go along x first, in the turned copy too: so a player who
+// slides around the end of a wall may do so a part of a step earlier or later there.
 bool mayPart(const Portal& toCopy, const Player& before, const Player& a, const Player& b) {
     const int x = std::abs(a.x.raw - b.x.raw);
     const int y = std::abs(a.y.raw - b.y.raw);

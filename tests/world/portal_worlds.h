@@ -14,15 +14,18 @@ inline constexpr int kPortalSeeds = 60;
 inline constexpr int kPortalSeeds = 600;
 #endif
 
-// A portal of a tile; the list of tile portals is made where there is none yet.
+// Adds the portal to its tile; makes the map's list of tile portals if it has none yet.
 void putTilePortal(World& world, const Portal& portal);
 
-// Gives a face of the block in the portal's tile a portal; the block gets a blueprint of its own.
+// Adds the portal to a face of the block in its tile. A block without portals first gets a
+// blueprint of its own.
 void putFacePortal(World& world, const Portal& portal, int level, Face face);
 
-// Appends a map like that one, but turned clockwise and on a ground of whole blocks, `levels` high.
-// Gives the portal from tile (0, 0) to its place in the copy; `portalAt` moves it to other tiles.
+// Appends a copy of a map: turned clockwise by `turn` quarters, and raised by `levels` levels of
+// whole blocks. Returns the portal from tile (0, 0) to its place in the copy.
 Portal appendCopy(World& world, int map, int turn, int levels);
+
+// That portal, from tile (x, y) to its place in the copy.
 Portal portalAt(const Portal& portal, int x, int y);
 
 }  // namespace slicecast

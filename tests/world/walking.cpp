@@ -84,7 +84,7 @@ World randomWaterWorld(std::uint64_t seed) {
     Map& map = world.maps[0];
     map.floor.water = 1;
     for (TextureId& tile : map.floor.tiles) tile = random.oneIn(2) ? TextureId{1} : TextureId{0};
-    // Whole levels are flooded, up to a level or a part of it; and blocks here and there.
+    // Floods most empty cells up to the surface in level `flooded`; adds water here and there.
     const auto water = [&](Coordinate top) {
         CellBlueprint block;
         block.isWater = true;

@@ -1,8 +1,11 @@
 // Looks for legal scenes whose frames or steps cost too much: random ones, then changes of the
-// worst so far. A frame may take kMostTimes that of the castle in processor time, a step as much as
-// the castle's frame times kMostStepTimes, and drawing and stepping kMostMemory of memory beyond
-// what the session holds after loading. Prints the worst of each. A scene far over a limit is
-// written to a file, and the search fails.
+// worst so far. The limits are
+//
+//     a frame    kMostTimes the processor time of the castle's frame
+//     a step     kMostStepTimes the same
+//     memory     kMostMemory for drawing and stepping, beyond what the session holds after loading
+//
+// Prints the worst of each. If a scene is far over a limit, writes it to a file and fails.
 //
 //     slicecast-worst SCENES ASSETS     how many scenes; a folder with scenes/castle.json
 #include "base/random.h"

@@ -7,6 +7,7 @@
 // A node is a part of the schema with references resolved: {type, enum, minimum, ..., items,
 // values, variants, said}. The same part of the schema is always the same node.
 
+// What the reference says of a value, in HTML, instead of its parts in the schema.
 const kSaid = {
   colour: 'a colour, <code>#rrggbb</code>',
   file: 'a PNG file',
@@ -29,8 +30,9 @@ const kTitles = {
 
 export function objectKinds(schema) {
   const kinds = [];
-  const nodes = new Map(); // place in the schema -> node
+  const nodes = new Map(); // part of the schema -> its node
 
+  // The node of a part. `id` is the key or the definition by which the schema names it.
   function nodeAt(raw, id) {
     if (nodes.has(raw)) return nodes.get(raw);
     const node = { ...raw };
@@ -51,7 +53,8 @@ export function objectKinds(schema) {
     return node;
   }
 
-  // Variants of one thing, such as a sky of two colours and a panorama, are one kind.
+  // Adds an object's keys to its kind. Variants of one thing, such as a sky of two colours and a
+  // panorama, are one kind.
   function addKeys(node, raw, id) {
     let kind = kinds.find((each) => each.id === id);
     if (kind === undefined) {
@@ -93,7 +96,7 @@ function titleOf(schema, id) {
   return describedAt(schema, id).title;
 }
 
-// An object defined inside another one is described by its key there.
+// Title and description of an object that is defined inside another one: those of its key there.
 function describedAt(schema, id) {
   for (const { properties } of [schema, ...Object.values(schema.definitions)]) {
     const found = properties?.[id];

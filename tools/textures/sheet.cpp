@@ -6,9 +6,10 @@ namespace slicecast::textures {
 
 namespace {
 
-constexpr int kMargin = 8;
-constexpr int kTiled = 3 * kSide;
+constexpr int kMargin = 8;         // pixels, like all sizes of sheets
+constexpr int kTiled = 3 * kSide;  // side of a square that is filled with copies of a texture
 
+// Fills a rectangle with copies of a texture whose texels are `zoom` pixels wide.
 void copyTiled(Picture& sheet, const Picture& texture, int left, int top, int width, int height,
                int zoom) {
     for (int y = 0; y < height; ++y) {
@@ -37,6 +38,7 @@ void copySky(Picture& sheet, const Picture& sky, const SkyView& view, int left, 
     }
 }
 
+// A smaller picture: each pixel is the mean of factor x factor texels.
 Picture reduced(const Picture& texture, int factor) {
     Picture small(texture.width / factor, texture.height / factor);
     const int area = factor * factor;
@@ -71,10 +73,12 @@ Picture grey(const Picture& texture) {
 
 constexpr int kSheetWidth = 1560;
 
+// A see-through colour in front of an opaque one.
 Colour over(const Colour& colour, const Colour& ground) {
     return blend(ground, colour, (colour.a * 256 + 127) / 255);
 }
 
+// What see-through pictures are shown on.
 enum class Ground { Checker, Dark, Light };
 
 Colour groundAt(Ground ground, int x, int y) {
@@ -84,6 +88,8 @@ Colour groundAt(Ground ground, int x, int y) {
     return ground == Ground::Dark ? kNight : kSea4;
 }
 
+// Lays a part of a picture over a ground, enlarged `zoom` times. `fromColumn` and the size of the
+// part count texels, `left` and `top` pixels of the sheet.
 void copyOver(Picture& sheet, const Picture& picture, int fromColumn, Ground ground, int left,
               int top, int width, int height, int zoom) {
     for (int y = 0; y < zoom * height; ++y) {
@@ -94,11 +100,12 @@ void copyOver(Picture& sheet, const Picture& picture, int fromColumn, Ground gro
     }
 }
 
+// Shows all frames of one entry, on three grounds if it is see-through.
 Picture groundsSheet(const Entry& entry) {
     const Picture picture = entry.paint();
     const int frameWidth = picture.width / entry.frames;
     const bool tiled = entry.frames == 1 && entry.use != Use::Sprite;
-    // What is shown once for each ground: a texture and its copies, or one frame
+    // Each ground shows one piece: a texture beside a copy of itself, or one frame. In texels
     const int width = tiled && entry.repeatsSideways ? 2 * frameWidth : frameWidth;
     const int height = tiled && entry.repeatsUpwards ? 2 * picture.height : picture.height;
     const int zoom =
@@ -118,6 +125,7 @@ Picture groundsSheet(const Entry& entry) {
     return sheet;
 }
 
+// Puts another sheet below.
 void append(Picture& sheet, const Picture& below) {
     Picture both(std::max(sheet.width, below.width), sheet.height + below.height);
     std::fill(both.pixels.begin(), both.pixels.end(), kNight);
@@ -133,6 +141,8 @@ void append(Picture& sheet, const Picture& below) {
     sheet = both;
 }
 
+// Shows opaque pictures without frames: textures repeated in two sizes, grey and reduced; skies as
+// a whole and in two views.
 Picture tilesSheet(const std::vector<Entry>& entries);
 
 }  // namespace

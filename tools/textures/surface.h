@@ -60,9 +60,8 @@ struct Lighting {
 
 Picture lit(const Surface& surface, const Lighting& lighting = {});
 
-// Something put on a wall: lit as `lighting` says where the surface differs from the bare wall and
-// close by, and exactly like the bare wall elsewhere, so that it stands in a row with bare walls
-// without a seam.
+// Something put on a wall. Where the surface differs from the bare wall, and close by, it is lit by
+// `lighting`. Elsewhere it is exactly like the bare wall, so it has no seam beside bare walls.
 Picture litOver(const Surface& wall, const Lighting& wallLighting, const Surface& surface,
                 const Lighting& lighting);
 

@@ -4,8 +4,8 @@
 //
 //     const activation = new Activation(tree, {canBegin() {}, changed(isHeld) {}, engine() {}});
 //     activation.begin();          // like a click on the cover, which has the focus
-//     activation.end();            // the cover gets the focus if the picture had it;
-//                                  // with {focus: true} always
+//     activation.end();            // the cover gets the focus if the picture had it
+//     activation.end({focus: true});                    // the cover gets it in any case
 //     activation.setKeys('move');
 
 import { Gamepads } from './gamepads.js';
@@ -15,7 +15,7 @@ import { touchLayer } from './touch.js';
 const kMovingGroups = ['move', 'gates']; // of the engine's actions (src/app/actions.h)
 const kMovingActions = /^map\d$/;
 
-// Keeps only the stick that looks around.
+// A gamepad's state with only the stick that looks around.
 const onlyLooking = (pad) => ({
   ...pad,
   leftX: 0,
@@ -29,7 +29,7 @@ export class Activation {
   keys = 'all';
   interaction = 'walk';
   isHeld = false;
-  #byTouch = false; // a finger began: show thumbs, also when the window gets the focus back
+  #byTouch = false; // a finger began, so thumbs are shown whenever the picture has the focus
   #pending = null; // {touch, mouse} of a press on the cover before the scene had loaded
   #pointerHeld = new AbortController();
   #thumbs = null;
@@ -139,6 +139,7 @@ export class Activation {
     this.tree.box.classList.remove('waiting');
   }
 
+  // Begins or ends steering.
   #hold(isHeld) {
     const { box, cover, leave, canvas, root } = this.tree;
     this.isHeld = isHeld;
@@ -163,6 +164,7 @@ export class Activation {
     this.actions.changed(isHeld);
   }
 
+  // Escape ends steering.
   #filter(event) {
     if (!this.isHeld) return;
     if (event.code === 'Escape') {
@@ -218,7 +220,7 @@ export class Activation {
       });
   }
 
-  // Told by the engine.
+  // The element sets it when the engine reports the event "fly".
   set flying(flying) {
     if (this.#thumbs !== null) this.#thumbs.flying = flying;
   }

@@ -1,23 +1,23 @@
-// All pictures of a page share one time budget: the drawing time of all of them in a frame sets the
-// scale of those with size="auto". A picture at rest has all pixels of its box. The size does not
-// change while an overlay counts columns.
+// All pictures of a page share one time budget: how long all of them draw in a frame sets the scale
+// of those with size="auto". A picture at rest has scale 1: all pixels of its box. The scale does
+// not change while isCounted() is true, because an overlay counts columns.
 //
 //     const pace = joinPace({ setScale(scale) {...}, isCounted: () => false });
-//     pace.plays(true);                    whether its world runs
-//     pace.drew(time, milliseconds);       when a frame began, and how long drawing took
+//     pace.plays(true);                    // whether its world runs
+//     pace.drew(time, milliseconds);       // when a frame began, and how long drawing took
 //     pace.leave();
 
 import { Pace } from './pace.js';
 
 const kRest = 300; // milliseconds without a frame after which a picture is at rest
-const kFlow = 100; // milliseconds at most between frames of a moving picture, without drawing
-const kFlowing = 3; // so many such frames in a row: the picture moves
+const kFlow = 100; // milliseconds from one picture to the next frame; frames this close flow
+const kFlowing = 3; // flowing frames in a row after which a picture moves, though its world rests
 
 const pace = new Pace();
 const members = new Set();
 let time = null; // of the current frame
 let busy = 0; // milliseconds of drawing in it
-let rest = 0; // a timer, while a paused picture moves
+let rest = 0; // the timer of findResting; 0 for none
 
 export function joinPace({ setScale, isCounted }) {
   const member = { setScale, isCounted, scale: 1, plays: false, last: -Infinity, frames: 0 };
@@ -46,10 +46,10 @@ export function joinPace({ setScale, isCounted }) {
 
 const moves = ({ plays, frames }) => plays || frames >= kFlowing;
 
-// Whether a timer must find out that the picture has come to rest.
+// Whether the picture may come to rest without further news, so that a timer must look.
 const needsRest = (member) => !member.plays && (moves(member) || member.scale !== 1);
 
-// All pictures of the previous frame have been drawn.
+// Ends the previous frame, of which all pictures have been drawn, and begins another one.
 function endFrame(begin) {
   if (time !== null && [...members].some(moves)) {
     pace.frame(time, busy);

@@ -1,8 +1,9 @@
 // Describes the view for screen readers, each time the player has come to rest. The text is
 // announced while the focus is in the element, and can be read at any time.
 //
-//     const text = new ViewStatus(tree, () => engine);
-//     text.moved();      text.stop();
+//     const status = new ViewStatus(tree, () => engine);
+//     status.moved();      // the view has changed: describes it 800 ms after the last change
+//     status.stop();       // empties the text
 
 import { describeView } from './view-text.js';
 

@@ -2,12 +2,14 @@
 // before the page's own; the engine decides which keys it takes from the page.
 //
 //     const screen = openCanvas(canvas, exports, {writeCode, takesKey});
-//     screen.show(buffer, at, width, height);         // pixels in the engine's memory
+//     screen.show(buffer, at, width, height);         // pixels at that address of the memory
 //     screen.close();
 //
-// `exports` are those of src/app/page_shell.cpp; writeCode(text) names the next key.
+// `exports` are those of src/app/page_shell.cpp. takesKey(code) says whether the engine gets a key;
+// writeCode(code) tells it the code before slicecastKey.
 
-// After the pointer lock ends, browsers refuse a new one for a while; such a refusal means nothing.
+// For some time after a pointer lock ends, browsers refuse a new one: such a refusal is no reason
+// to steer by the cursor.
 const kLockRestMilliseconds = 2000;
 
 export function openCanvas(canvas, exports, { writeCode, takesKey }) {
@@ -15,8 +17,8 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   const context = canvas.getContext('2d', { alpha: false });
   const listeners = new AbortController();
   const until = { signal: listeners.signal };
-  const on = (target, type, hear) =>
-    target.addEventListener(type, hear, { ...until, capture: true });
+  const on = (target, type, listener) =>
+    target.addEventListener(type, listener, { ...until, capture: true });
   let image = null; // a view of the engine's memory; invalid once that memory grows
 
   const key = (event, isDown) => {
@@ -34,7 +36,7 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   on(canvas, 'blur', () => exports.slicecastBlurred());
   on(page, 'visibilitychange', () => exports.slicecastHidden(page.hidden ? 1 : 0));
 
-  // The cursor's place, -1 to 1 from edge to edge, if the engine wants it.
+  // Reports the motion, and the cursor's place (-1 to 1 from edge to edge) if the engine wants it.
   on(canvas, 'mousemove', ({ clientX, clientY, movementX, movementY }) => {
     if (!exports.slicecastPointerMoved(movementX, movementY)) return;
     const { left, top, width, height } = canvas.getBoundingClientRect();
@@ -48,14 +50,18 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
 
   // Pressing the mouse or tapping focuses the canvas without scrolling; a dragging finger scrolls
   // the page. A click asks for the pointer lock; if that is refused, the cursor's place steers.
-  let asks = false;
-  let held = false;
+  let hasAsked = false; // for the pointer lock, without an answer so far
+  let wasHeld = false;
   let lockEnd = -Infinity;
   const holdsPointer = () => canvas.getRootNode().pointerLockElement === canvas;
   const refused = () => {
-    if (asks && !listeners.signal.aborted && performance.now() - lockEnd > kLockRestMilliseconds)
+    if (
+      hasAsked &&
+      !listeners.signal.aborted &&
+      performance.now() - lockEnd > kLockRestMilliseconds
+    )
       exports.slicecast_steerByCursor(1);
-    asks = false;
+    hasAsked = false;
   };
   canvas.addEventListener(
     'pointerdown',
@@ -64,17 +70,17 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   );
   page.addEventListener('pointerlockerror', refused, until);
   on(page, 'pointerlockchange', () => {
-    if (holdsPointer()) asks = false;
-    else if (held) lockEnd = performance.now();
-    held = holdsPointer();
-    exports.slicecastPointerHeld(held ? 1 : 0);
+    if (holdsPointer()) hasAsked = false;
+    else if (wasHeld) lockEnd = performance.now();
+    wasHeld = holdsPointer();
+    exports.slicecastPointerHeld(wasHeld ? 1 : 0);
   });
   canvas.addEventListener(
     'click',
     ({ pointerType }) => {
       canvas.focus({ preventScroll: true });
       if ((pointerType && pointerType !== 'mouse') || holdsPointer()) return;
-      asks = true;
+      hasAsked = true;
       if (canvas.requestPointerLock) canvas.requestPointerLock()?.catch(refused);
       else refused();
     },

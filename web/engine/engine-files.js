@@ -16,7 +16,8 @@ const kBuilds = {
   scalar: () => new URL('./slicecast-scalar.wasm', import.meta.url),
 };
 
-// `total` is 0 while it is unknown. Throws a Trouble.
+// Returns {kind, program, openCanvas} for Engine.create. onBytes counts bytes; `total` is 0 while
+// it is unknown. Throws a Trouble.
 export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
   if (!browserHasWebAssembly()) {
     throw new Trouble(
@@ -55,7 +56,7 @@ async function compileProgram(address, onBytes) {
   }
 }
 
-// Servers that answer every address with a web page are a common mistake.
+// Throws unless the bytes begin like a program: many servers answer a wrong address with a page.
 function checkBeginning(bytes) {
   if (
     bytes.length >= 8 &&

@@ -1,5 +1,6 @@
-// Answers questions of figures about a running engine: rays, pixels, points and cells, as plain
-// data. Answers describe the moment after the last step.
+// Answers the questions that figures of lessons ask about a running engine: rays, pixels, points
+// and cells, as plain data. Answers describe the moment after the last step. web/element/api.json
+// describes each answer.
 //
 //     const questions = new Questions(module, session, mapNames);       // engine.questions
 //     questions.hits(320, 200, { first: 0, last: 319 });
@@ -25,12 +26,13 @@ export class Questions {
     this.#mapNames = mapNames;
   }
 
-  // For one column: its hits, or null if there is no such column. For a list of columns, or
-  // {first, last}: a list of the same.
+  // The hits of one column of a picture of this size, or null if there is no such column. For a
+  // list of columns, or {first, last}, an array with the answer for each.
   hits(width, height, columns) {
     return this.#ofColumns('hits', readHits, width, height, columns);
   }
 
+  // The traces of columns, in the same form.
   trace(width, height, columns) {
     return this.#ofColumns('trace', readTrace, width, height, columns);
   }
@@ -40,6 +42,8 @@ export class Questions {
     return this.#json('traceFrame', width, height);
   }
 
+  // What a ray from {map, x, y, z, heading} meets: units and degrees, the eye's map without `map`,
+  // a ray without a height without `z`.
   cast(from) {
     if (typeof from !== 'object' || from === null)
       throw misread('cast', from, 'an object with x, y, heading and, if wanted, map and z');
@@ -68,7 +72,7 @@ export class Questions {
     );
   }
 
-  // Returns null outside the picture.
+  // What a pixel shows; null outside the picture.
   pick(width, height, column, row) {
     for (const [name, value] of Object.entries({ column, row })) {
       if (typeof value !== 'number') throw misread('pick', `${name} ${value}`, 'a number');
@@ -87,6 +91,8 @@ export class Questions {
       : null;
   }
 
+  // Where a point (units) appears in the picture: {x, y} in pixels, {depth} in units. Null for a
+  // point in another map than the eye's, or not in front of the eye.
   project(width, height, x, y, z, map) {
     for (const [name, value] of Object.entries({ x, y, z })) {
       if (!Number.isFinite(value)) throw misread('project', `${name} ${value}`, 'a number');
@@ -98,7 +104,7 @@ export class Questions {
     return { x: left, y: top, depth };
   }
 
-  // The cells of all levels, or the rows of one.
+  // The rows of a map's level, or of all levels: [level][y], each row a text.
   cells(map, level) {
     const levels = this.#json('cells', this.#mapIndex('cells', map));
     if (level === undefined) return levels;
@@ -107,10 +113,12 @@ export class Questions {
     return levels[level];
   }
 
+  // The blocks of the map's legend, with their characters.
   blueprints(map) {
     return this.#json('blueprints', this.#mapIndex('blueprints', map));
   }
 
+  // Puts the block of a legend character into a cell; "." empties it.
   setCell(map, level, x, y, character) {
     for (const [name, value] of Object.entries({ level, x, y })) {
       if (!Number.isInteger(value)) throw misread('setCell', `${name} ${value}`, 'a whole number');
@@ -124,7 +132,7 @@ export class Questions {
     if (refusal !== '') throw new RangeError(`setCell: ${refusal}.`);
   }
 
-  // The eye's map if none is named.
+  // The number of a map by its name; of the eye's map if none is named.
   #mapIndex(method, name) {
     if (name === undefined || name === null) return this.#numbers(this.#call('view'))[0];
     const index = this.#mapNames.indexOf(name);
@@ -154,7 +162,7 @@ export class Questions {
     return this.#module[`_slicecast_${name}`](this.#session, ...words);
   }
 
-  // The view is valid until the module's memory grows.
+  // The numbers from an address to the end of the memory; valid until the memory grows.
   #numbers(at) {
     return new Float64Array(this.#module.HEAPU8.buffer, at);
   }
@@ -175,7 +183,7 @@ export class Questions {
   }
 }
 
-// One column as a list of one.
+// The columns as a list; one column is a list of one.
 function columnList(method, columns) {
   if (typeof columns !== 'object' || columns === null) return [columns];
   if (Array.isArray(columns)) return columns;

@@ -7,10 +7,11 @@
 // All columns of a picture may hold a hundred thousand entries, of which a figure reads a few. So
 // each column's lists are built when they are first read.
 
+// The answer that is being read
 let numbers;
 let texts;
-let next;
-let isLazy;
+let next; // index of the next number
+let isLazy; // whether its lists are built later
 
 export function readPacked(packed, itsTexts, read) {
   return readFrom(packed, itsTexts, 0, read);
@@ -34,17 +35,18 @@ function readFrom(packed, itsTexts, first, read, lazily = false) {
 // Each kind of number has its own function: JavaScript engines store integers and lists of reals in
 // less memory as long as nothing else appears in the same place.
 
-// Never null.
+// An integer, never null.
 function whole() {
   return numbers[next++] | 0;
 }
 
-// NaN is null.
+// Any number, or null.
 function number() {
   const value = numbers[next++];
   return value === value ? value : null;
 }
 
+// An integer, or null.
 function index() {
   const value = numbers[next++];
   return value === value ? value | 0 : null;
@@ -81,6 +83,7 @@ function lists(answer, readers) {
   }
 }
 
+// Adds a list that is built when it is first read, or never if it is set before.
 function listLater(answer, name, read) {
   const [packed, itsTexts, first] = [numbers, texts, next];
   next += 2 + packed[first + 1];

@@ -71,20 +71,20 @@ function readText(text) {
 // before the first row of the first level.
 function linesOf(levels) {
   const lists = levels.map((level) => (Array.isArray(level) ? level : level.split('\n')));
-  const isTold = (line) => line.trim() !== '';
+  const isFilled = (line) => line.trim() !== '';
   const indentation = lists
     .flat()
-    .filter(isTold)
+    .filter(isFilled)
     .reduce((least, line) => Math.min(least, /^[ \t]*/.exec(line)[0].length), Infinity);
   return lists.map((lines, level) => {
-    const first = level === 0 ? Math.max(0, lines.findIndex(isTold)) : 0;
+    const first = level === 0 ? Math.max(0, lines.findIndex(isFilled)) : 0;
     return lines
-      .slice(first, lines.findLastIndex(isTold) + 1)
+      .slice(first, lines.findLastIndex(isFilled) + 1)
       .map((line) => line.slice(indentation));
   });
 }
 
-// Counts code units, so an upper bound: a few characters take two.
+// Counts code units, of which a few characters take two: the sizes are upper bounds.
 function sizeOf(levels) {
   const greatest = (numbers) => numbers.reduce((most, one) => Math.max(most, one), 0);
   return {

@@ -11,8 +11,8 @@
 //
 //     listenToHost(caster, 'https://host.example', {scene: (text) => address});
 //
-// The last argument checks or converts the values of single attributes. Messages are accepted from,
-// and sent to, only the frame's direct parent, and only if it has that origin.
+// The last argument has functions that check or convert texts for the attributes that it names.
+// Messages are accepted from, and sent to, only the frame's direct parent, if it has that origin.
 
 const kMethods = [
   'play',

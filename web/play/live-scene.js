@@ -3,7 +3,7 @@
 
 export function listenForSaves(caster, address, status) {
   const saves = new EventSource(new URL('-/events', document.baseURI));
-  let playsOn = false;
+  let playsOn = false; // somebody steered before the faults
   saves.addEventListener('scene', async () => {
     if (address.reference === null) return;
     playsOn ||= caster.entered;

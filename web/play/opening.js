@@ -1,5 +1,5 @@
-// The opening: if the page's address names nothing, a slow flight through the first scene of the
-// list runs behind the page's title until somebody plays or chooses a scene. Visitors who prefer
+// The opening: a slow flight through the first scene of the list, behind the page's title. It runs
+// if the page's address names nothing, until somebody plays or chooses a scene. Visitors who prefer
 // reduced motion see a still picture.
 //
 //     const opening = new Opening(caster);

@@ -23,8 +23,9 @@ export async function listScenes() {
   return JSON.parse(new TextDecoder().decode(bytes));
 }
 
-// Resolves the name of one of the page's scenes ("castle" or "castle.json") or, with a slash in it,
-// an address relative to the page that the page's owner allows. Throws a Trouble.
+// The address for the name of one of the page's scenes: "castle" or "castle.json". With a slash in
+// it, the text is an address relative to the page. Throws a Trouble if the page's owner does not
+// allow the address.
 export function sceneAddress(reference) {
   const file = /\.json$/i.test(reference) ? reference : `${reference}.json`;
   return allowed(new URL(file, file.includes('/') ? document.baseURI : kScenes));

@@ -66,14 +66,14 @@ struct ColumnHit {
     std::vector<RowRange> rows;  // where the block is seen, from the top; empty if it is hidden
 };
 
-// What a pixel shows.
 enum class Seen : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze, object };
 
+// What a pixel shows.
 struct Pick {
     Seen what = Seen::sky;
-    int map = 0;
+    int map = 0;               // of the visible point
     int portals = 0;           // passed between the eye and the point
-    std::optional<Face> face;  // of a block; so are the next four
+    std::optional<Face> face;  // this and the next four are set for blocks only
     int tileX = 0;
     int tileY = 0;
     int level = 0;
@@ -108,17 +108,17 @@ public:
     // Restarts: everything as the scene has it; options stay.
     void reset();
 
-    // Draws what the player sees into the caller's pixels; keeps no pointer to them. `fraction` (0
-    // to 1) is the position between the last two steps: use it for screens that do not show 120
-    // pictures a second. Returns false and changes no pixel if the picture is empty, has no pixels
-    // or is larger than 8192 a side.
+    // Draws what the player sees into the caller's pixels; keeps no pointer to them. `fraction` is
+    // the moment of the picture: 0 is the last step but one, 1 the last step. Use it for screens
+    // that do not show 120 pictures a second. Returns false and changes no pixel if the picture is
+    // empty, has no pixels, has a pitch below its width or is larger than 8192 a side.
     bool draw(const Picture& picture, double fraction = 1.0);
 
     // The same into a new image; an empty one where draw() returns false.
     Image picture(int width, int height);
 
-    // The player's eye. Setting it puts the player there, flying. Returns false and changes nothing
-    // if a value is outside its range.
+    // The player's eye. setCamera() puts the player there, flying. It returns false and changes
+    // nothing if a value is outside its range or there is no such map.
     Camera camera() const;
     bool setCamera(const Camera& camera);
 
@@ -145,8 +145,8 @@ public:
     // The nearest thing at a pixel of a picture of this size; nothing if there is no such pixel.
     std::optional<Pick> pick(int width, int height, int column, int row);
 
-    // The pixel at which a point of the player's map is seen. Nothing for a point that is not in
-    // front of the eye.
+    // Where a point of the player's map (units) appears in a picture of this size, hidden or not.
+    // Nothing for a point that is not in front of the eye, and if there is no such picture.
     std::optional<ScreenPoint> project(double x, double y, double z, int width, int height) const;
 
     const std::string& title() const;

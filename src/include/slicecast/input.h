@@ -9,12 +9,12 @@ struct Input {
     double strafe = 0.0;       // positive to the right
     double turn = 0.0;         // positive turns right (clockwise), at the turning speed
     double look = 0.0;         // positive looks up, at the looking speed
-    double fly = 0.0;          // fly mode: positive rises. Walk mode: negative crouches
+    double fly = 0.0;          // flying, swimming: positive rises. Walking: negative crouches
     double turnDegrees = 0.0;  // turned at once, degrees, for a mouse; positive right
-    double lookHeights = 0.0;  // looked up at once, in screen heights
-    bool jump = false;         // held; walk mode. Each press is one jump
-    bool fast = false;         // Shift
-    bool slow = false;         // Ctrl; wins over fast
+    double lookHeights = 0.0;  // looked up at once, screen heights; negative looks down
+    bool jump = false;         // held. Walking: each press is one jump. Swimming: rises
+    bool fast = false;         // held; moves and turns faster
+    bool slow = false;         // held; the same slower. Wins over fast
     bool use = false;          // held; one press opens or closes the gates within reach
     bool open = false;         // one press opens the gates within reach
     bool close = false;        // one press closes them

@@ -12,12 +12,12 @@
 //              [i, i + 1). Headings are degrees, 0 = east, growing clockwise seen from above (90 =
 //              south). Pixels count from the upper left. Coordinates and heights are rounded to
 //              1/65536 unit and kept within 32767 of 0; a NaN counts as 0.
-//   errors     Nothing throws but std::bad_alloc. What can fail says so in what it returns: a list
+//   errors     Only std::bad_alloc is thrown. Calls that can fail report it in their result: a list
 //              of faults, a text that is empty on success, false, an empty image or an empty
-//              optional. Then nothing else has changed. Calls name the ranges that they check; an
-//              index that a call does not check is the caller's duty.
-//   lifetime   Every object owns what it needs. A scene goes into a game by a move and is never
-//              copied by the way. An object that was moved from may only be destroyed or assigned.
+//              optional. A call that failed has changed nothing. Calls name the ranges that they
+//              check; the caller answers for all other indices.
+//   lifetime   Every object owns what it needs. A scene is moved into its game; only copy() copies
+//              one. An object that was moved from may only be destroyed or assigned.
 //   threads    There is no global state. One object serves one thread at a time; different objects
 //              serve different threads at the same time.
 //   the same   The same calls give the same states and the same pictures, byte for byte, from every

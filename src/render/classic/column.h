@@ -11,7 +11,7 @@
 
 namespace slicecast::classic {
 
-// A map as the column sees it.
+// A map as the column sees it: the eye's, one behind a portal, or one in a mirror.
 struct Part {
     int map = 0;
     int portals = 0;  // passed by the ray before it
@@ -22,13 +22,15 @@ struct Part {
     std::vector<TileSpan> spans;
     std::vector<BlockMet> blocks;
     std::vector<Surface> surfaces;
-    std::vector<int> overdrawn;  // by row, the surface of the portal that covers the things in
-                                 // front of it; -1 for none
+    std::vector<int> overdrawn;  // by row: index in `surfaces` of a portal that is drawn over
+                                 // what stands before it, or -1; empty if no row has one
 
-    // Where the rays of a row start: at the eye, behind a portal, or at a mirror.
-    const Part* before = nullptr;
-    const Surface* door = nullptr;  // of `before`; null for a mirror
-    double mirrorHeight = 0.0;
+    // Where rays come from.
+    const Part* before = nullptr;   // null for the eye's own part
+    const Surface* door = nullptr;  // the portal, one of the surfaces of `before`; null in a mirror
+    double mirrorHeight = 0.0;      // of the mirror, units
+
+    // The depth at which the ray of screen row y enters this part; -1 if it starts at the eye.
     double beginsAt(double y) const {
         if (before == nullptr) return -1.0;
         return door != nullptr ? door->depthAt(before->view, before->ray, y)
@@ -58,12 +60,12 @@ public:
     const std::vector<Mark>& marks(int row) const { return marks_[static_cast<std::size_t>(row)]; }
     const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
     std::size_t partsUsed() const { return used_; }
-    // The work of all columns.
+    // What all columns so far took.
     const FrameReport& report() const { return report_; }
 
 private:
-    // Where a ray meets a surface; without a surface, before all others. At equal depth the order
-    // is that of Passing, then that of gathering.
+    // Where a ray meets a surface; without a surface, where it begins. Nearer places come first; at
+    // equal depth the order is that of Passing, then that in which surfaces were gathered.
     struct Place {
         const Surface* surface = nullptr;
         double depth = -1.0;

@@ -10,10 +10,11 @@
 namespace slicecast::classic {
 namespace {
 
-// With one level, the eye never leaves it.
+// If only one level is drawn, the eye stays inside it: above its base and below its top.
 constexpr double kLowestEyeOfOneLevel = 1.0 / 65536.0;
 constexpr double kHighestEyeOfOneLevel = 65535.0 / 65536.0;
 
+// Height of a standing player's eye at the start, where a drifting horizon is in the middle.
 double startEyeZ(const World& world) {
     return (world.start.z + kStandingEye).value();
 }
