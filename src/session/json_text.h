@@ -77,7 +77,7 @@ private:
 
 class PackedJson {
 public:
-    // Texts given to it must outlive it.
+    // Texts given to it must outlive it: they are told apart by their addresses.
     explicit PackedJson(PackedValues& packed) : packed_(packed) {}
 
     PackedJson& beginObject() { return *this; }
@@ -89,6 +89,7 @@ public:
     PackedJson& key(const char*) { return *this; }
     PackedJson& text(const char* value);  // ends with a 0
     PackedJson& text(const std::string& value) { return text(value.c_str()); }
+    PackedJson& text(std::string&& value) = delete;
     __attribute__((always_inline)) PackedJson& number(double value) {
         return pack(value - value == 0.0 ? value : kNull);
     }

@@ -399,7 +399,7 @@ std::string setOption(SessionOptions& options, std::string_view name, std::strin
 
 void setOption(SessionOptions& options, std::string_view name, double number) {
     const Entry* entry = findEntry(name);
-    if (entry == nullptr) return;
+    if (entry == nullptr || std::isnan(number)) return;
     const double taken = std::clamp(number, entry->info.least, entry->info.greatest);
     const auto write = [&](auto place) {
         auto& value = member(options, place);

@@ -80,8 +80,8 @@ const OptionInfo* findOption(std::string_view name);
 // "Unknown option 'fvo'. Did you mean 'fov'?"
 std::string setOption(SessionOptions& options, std::string_view name, std::string_view value);
 
-// The same for an option that is a number. Clamps the number to the option's range; it must not be
-// NaN. Does nothing for any other name.
+// The same for an option that is a number. Clamps the number to the option's range. Does nothing
+// for NaN and for any other name.
 void setOption(SessionOptions& options, std::string_view name, double number);
 
 // The word that follows `value` in a choice; the first one after the last. Empty for an unknown

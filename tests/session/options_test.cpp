@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <set>
 #include <string>
 #include <utility>
@@ -28,6 +30,7 @@ TEST(Options, NumbersAreSetAndReadAsNumbers) {
     SessionOptions options;
     setOption(options, "slowSlices", -3.0);
     setOption(options, "mirrors", 99.0);
+    setOption(options, "mirrors", std::nan(""));
     setOption(options, "intensity", 1.25);
     EXPECT_EQ(options.slowSlices, -3);
     EXPECT_EQ(options.render.mirrors, kGreatestMirrors) << "brought into its range";

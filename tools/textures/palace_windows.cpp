@@ -181,9 +181,9 @@ Picture paintWindow(PaneKind panes) {
                 const double dx = x - kWindowMiddle;
                 const double dy = kWindowSpring - y;
                 joint = 99.0;
-                constexpr std::array<std::array<double, 2>, 5> kJoints = {
+                constexpr std::array<std::array<double, 2>, 5> kCrossings = {
                     {{0.9239, 0.3827}, {0.5, 0.866}, {-0.5, 0.866}, {-0.9239, 0.3827}, {1.0, 0.0}}};
-                for (const auto& direction : kJoints) {
+                for (const auto& direction : kCrossings) {
                     joint = std::min(joint, std::abs(dx * direction[1] - dy * direction[0]));
                 }
             }

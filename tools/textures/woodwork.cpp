@@ -90,12 +90,12 @@ Picture paintPlanksFloor() {
                                         {kBoard, 38, {128}},
                                         {kBoard, 102, {128}}}),
                                0.0, kWoodworkSeed);
-    static constexpr std::array<int, 8> kJoints = {22, 86, 50, 118, 6, 70, 38, 102};
+    static constexpr std::array<int, 8> kBoardEnds = {22, 86, 50, 118, 6, 70, 38, 102};
     Surface surface;
     everyTexel([&](int x, int y) {
         Texel& texel = surface.at(x, y);
         const int board = y / kBoard;
-        const int fromJoint = wrap(x - kJoints[static_cast<std::size_t>(board)], kSide);
+        const int fromJoint = wrap(x - kBoardEnds[static_cast<std::size_t>(board)], kSide);
         const double gap =
             std::min({boards.edgeAt(x, y), fromJoint + 0.5, kSide - fromJoint - 0.5});
         const auto seed = kWoodworkSeed + 10U * static_cast<std::uint32_t>(board);
@@ -107,7 +107,7 @@ Picture paintPlanksFloor() {
         }
     });
     for (int board = 0; board < 8; ++board) {
-        const int joint = kJoints[static_cast<std::size_t>(board)];
+        const int joint = kBoardEnds[static_cast<std::size_t>(board)];
         for (const int across : {4, 11}) {
             drawNail(surface, joint + 3, board * kBoard + across);
             drawNail(surface, joint - 5, board * kBoard + across);
