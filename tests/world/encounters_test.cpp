@@ -14,7 +14,8 @@ namespace {
 World yard() {
     World world = emptyWorld(12, 12, 4);
     const BlueprintId lift =
-        addMoving(world, {}, 0.25_u, {.edges = MovingEdges::both, .to = 1.0_u, .periodSteps = 240});
+        addMoving(world, {}, 0.25_u,
+                  {.name = "lift", .edges = MovingEdges::both, .to = 1.0_u, .periodSteps = 240});
     const BlueprintId gate = addGate(world, {});
     world.maps[0].setCell(2, 1, 0, lift);
     world.maps[0].setCell(8, 6, 0, lift);
@@ -78,7 +79,8 @@ TEST(Encounters, AreFoundAnewInEachStep) {
 TEST(Encounters, NameEachBodyOnce) {
     World world = emptyWorld(6, 6, 1);
     const BlueprintId lift =
-        addMoving(world, {}, 0.25_u, {.edges = MovingEdges::both, .to = 0.5_u, .periodSteps = 240});
+        addMoving(world, {}, 0.25_u,
+                  {.name = "lift", .edges = MovingEdges::both, .to = 0.5_u, .periodSteps = 240});
     for (int y = 1; y < 4; ++y) {
         for (int x = 1; x < 4; ++x) world.maps[0].setCell(x, y, 0, lift);
     }
