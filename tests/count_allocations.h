@@ -12,14 +12,15 @@ inline long allocations = 0;
 
 }  // namespace slicecast
 
-void* operator new(std::size_t size) {
+// Not inlined: g++ would take free() for the wrong partner of the library's operator new.
+__attribute__((noinline)) void* operator new(std::size_t size) {
     ++slicecast::allocations;
     if (void* memory = std::malloc(size)) return memory;
     std::abort();
 }
-void operator delete(void* memory) noexcept {
+__attribute__((noinline)) void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
