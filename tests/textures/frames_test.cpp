@@ -55,7 +55,7 @@ TEST(Frames, NoFrameStandsStillAndNoneLeaps) {
 
 TEST(Frames, GatesOpenStepByStep) {
     for (const char* name : {"portcullis", "double-door"}) {
-        const Entry& entry = entryNamed(name);
+        const Entry entry = entryNamed(name);
         ASSERT_EQ(entry.frames, 8);
         for (int frame = 0; frame + 1 < entry.frames; ++frame) {
             EXPECT_GT(coverage(frameOf(entry, frame)), coverage(frameOf(entry, frame + 1)))
@@ -79,7 +79,7 @@ double differenceMoved(const Image& before, const Image& after, int rows) {
 }
 
 TEST(Frames, TheWaterfallFalls) {
-    const Entry& entry = entryNamed("waterfall");
+    const Entry entry = entryNamed("waterfall");
     for (int frame = 0; frame < entry.frames; ++frame) {
         const Image before = frameOf(entry, frame);
         const Image after = frameOf(entry, (frame + 1) % entry.frames);

@@ -73,7 +73,7 @@ TEST(Holes, ClearWaterIsHalfSeenThrough) {
 }
 
 TEST(Holes, GlassLetsMoreThroughThanItKeeps) {
-    const Image& image = committed(entryNamed("glass-pane"));
+    const Image image = committed(entryNamed("glass-pane"));
     const auto clear = std::count_if(image.pixels.begin(), image.pixels.end(),
                                      [](Pixel pixel) { return toColour(pixel).a < 128; });
     EXPECT_GT(static_cast<double>(clear) / static_cast<double>(image.pixels.size()), 0.7);
