@@ -44,18 +44,19 @@ std::int64_t mostBytes = 0;
 
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Not inlined: g++ would take free() for the wrong partner of the library's operator new.
+__attribute__((noinline)) void* operator new(std::size_t size) {
     void* const memory = std::malloc(size);
     if (memory == nullptr) std::abort();
     liveBytes += static_cast<std::int64_t>(malloc_usable_size(memory));
     mostBytes = std::max(mostBytes, liveBytes);
     return memory;
 }
-void operator delete(void* memory) noexcept {
+__attribute__((noinline)) void operator delete(void* memory) noexcept {
     if (memory != nullptr) liveBytes -= static_cast<std::int64_t>(malloc_usable_size(memory));
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept {
     operator delete(memory);
 }
 

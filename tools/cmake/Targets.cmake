@@ -62,6 +62,10 @@ function(slicecastTest name)
   target_compile_definitions(${name} PRIVATE SLICECAST_SOURCE_FOLDER="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${test_WITH} GTest::gtest_main slicecast_flags)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  if(NOT CMAKE_UNITY_BUILD)
+    # Some files at a time: they share most headers.
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
+  endif()
   # tools/test counts the cases from the results that each run leaves behind.
   set(results "GTEST_OUTPUT=json:${PROJECT_BINARY_DIR}/results")
   if(NOT test_SHARDS)
