@@ -1,6 +1,6 @@
 // Walks the whole site in Chromium, at the width of a phone, a laptop and a wide screen. No page is
-// wider than its window, and none complains on the console. A picture of each is kept in build/site,
-// for people to judge.
+// wider than its window, and none complains on the console. A picture of each is kept in
+// build/site, for people to judge.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, readdirSync } from 'node:fs';
