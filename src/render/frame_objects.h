@@ -41,7 +41,7 @@ struct FrameObjectRoom {
     };
 
     std::vector<FrameObject> objects;
-    std::vector<int> near;  // of the search under way, as the rest
+    std::vector<int> near;  // used during one search only, as are the next two
     std::vector<Seen> seen;
     std::vector<Seen> sorting;
 };

@@ -69,8 +69,9 @@ struct PortalSpan {
 };
 
 // The most layers of one column; farther ones are left out. It bounds the time of a frame before a
-// field of glass: 4,096 layers took 344 times as long as the castle, 192 take 50 times at most. A
-// side whose texture splits it into two spans counts once.
+// field of glass. With 4,096 layers the slowest scene that slicecast-worst found took 344 times as
+// long as the castle, with 192 layers 49 times. A side whose texture splits it into two spans
+// counts once.
 inline constexpr std::size_t kMaxLayers = 192;
 
 // A list that keeps its memory. Added spans hold old values: each kind uses only a part of the

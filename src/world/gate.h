@@ -22,8 +22,8 @@ namespace slicecast {
 struct Body;
 struct World;
 
-// Cells of all gates of a world: a step may compare each of them with each body, 4 million pairs
-// in 5 ms or so.
+// Cells of all gates of a world: a step may compare each of them with each moving body, which are
+// up to 4 million pairs.
 inline constexpr std::size_t kMaxGateCells = 1024;
 inline constexpr double kLongestGate = 60.0;   // seconds; for opening and for holding
 inline constexpr double kFarthestGate = 64.0;  // units; for reach and approach
