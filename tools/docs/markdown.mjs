@@ -68,7 +68,7 @@ export function markdown(pictures) {
   return parser;
 }
 
-function slugOf(title) {
+export function slugOf(title) {
   return title
     .trim()
     .toLowerCase()

@@ -1,0 +1,45 @@
+// Builds the tutorial: turns web/learn into the pages of FOLDER/learn, by Eleventy and esbuild.
+//
+//     node tools/learn.mjs FOLDER        // a built page; its engine draws the figures
+//
+// web/learn/README.md says what a chapter consists of.
+
+import { Eleventy } from '@11ty/eleventy';
+import { cp, rm } from 'node:fs/promises';
+import path from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+
+import { drawChapters, readChapters } from './learn/chapters.mjs';
+import { readProgram } from './learn/program.mjs';
+import { writeRedirects } from './learn/redirects.mjs';
+import { buildScripts } from './learn/scripts.mjs';
+import { writeSearch } from './learn/search.mjs';
+import { configure } from './learn/site.mjs';
+import { stage } from './learn/stage.mjs';
+
+const [argument] = process.argv.slice(2);
+if (argument === undefined)
+  throw new Error('tools/learn.mjs: found no folder, expected that of a built page');
+const folder = path.resolve(argument);
+
+// Eleventy needs paths relative to the working directory.
+process.chdir(fileURLToPath(new URL('..', import.meta.url)));
+const output = path.join(folder, 'learn');
+await rm(output, { recursive: true, force: true });
+await cp('web/learn/scenes', path.join(output, 'scenes'), { recursive: true });
+
+const program = await readProgram();
+const staged = await stage(program);
+const chapters = readChapters();
+await drawChapters(chapters, staged, folder);
+const site = new Eleventy('web/learn', path.relative('.', output), {
+  quietMode: true,
+  config: (config) => configure(config, chapters, program),
+});
+await site.write();
+for (const { figures } of chapters.values())
+  for (const figure of figures.values()) figure.writePictures(output);
+await buildScripts(staged, output, chapters);
+await writeSearch(output, chapters);
+await writeRedirects(folder);

@@ -1,0 +1,75 @@
+// Eleventy's configuration for the tutorial: a page of web/learn/NN-NAME/index.md is built as
+// NAME.html, with one layout (chapter.njk) and relative links, so that the folder works anywhere.
+
+import { readFileSync } from 'node:fs';
+
+import { markdown, unlistedNumbers } from './markdown.mjs';
+
+const kVersion = /project\(Slicecast VERSION ([0-9.]+)/;
+const kKeys = ['title', 'question', 'minutes', 'needs', 'new'];
+
+export function configure(config, chapters, program) {
+  const chapterOf = ({ page }) =>
+    chapters.get(/\d\d-([a-z-]+)\/index\.md$/.exec(page.inputPath)?.[1]) ?? null;
+  const parser = markdown(chapterOf, program);
+
+  config.setLibrary('md', checked(parser));
+  config.setIncludesDirectory('../../tools/learn');
+  config.setTemplateFormats(['md']);
+  config.ignores.add('web/learn/**/README.md');
+  config.addGlobalData('layout', 'chapter.njk');
+  config.addGlobalData(
+    'permalink',
+    () =>
+      ({ page }) =>
+        `${page.inputPath.replace(/^.*?(?:\d\d-)?([a-z-]+)\/index\.md$/, '$1').replace('learn', 'index')}.html`,
+  );
+  config.addGlobalData('version', kVersion.exec(readFileSync('CMakeLists.txt', 'utf8'))[1]);
+  config.addGlobalData('eleventyComputed', { chapter: (data) => chapterOf(data) });
+
+  // The pages of the chapters, in their order.
+  config.addCollection('chapters', (all) => {
+    const pages = all.getAll().filter((page) => chapterOf(page.data) !== null);
+    for (const page of pages) {
+      for (const key of kKeys)
+        if (page.data[key] === undefined)
+          throw new Error(`${page.inputPath}: its front matter has no "${key}".`);
+      for (const name of page.data.needs)
+        if (!chapters.has(name))
+          throw new Error(
+            `${page.inputPath}: it needs the chapter "${name}", which does not exist.`,
+          );
+    }
+    return pages.sort((left, right) => chapterOf(left.data).number - chapterOf(right.data).number);
+  });
+
+  config.addFilter('sections', (html) =>
+    [...html.matchAll(/<h2 id="([^"]+)"[^>]*>([\s\S]*?)<\/h2>/g)].map(([, id, title]) => ({
+      id,
+      title: title.replaceAll(/<[^>]+>/g, ''),
+    })),
+  );
+  config.addFilter('inline', (text) => parser.renderInline(text ?? ''));
+
+  return { markdownTemplateEngine: false, dir: { includes: '../../tools/learn' } };
+
+  // The parser, which refuses numbers without a source, and names the page in its errors.
+  function checked(markdownIt) {
+    return {
+      render(text, data) {
+        try {
+          const tokens = markdownIt.parse(text, data);
+          const unlisted = unlistedNumbers(tokens, data.facts);
+          if (unlisted.length > 0)
+            throw new Error(
+              'these numbers are neither computed nor listed under "facts":\n' +
+                unlisted.map(({ number, text: where }) => `  ${number} in "${where}"`).join('\n'),
+            );
+          return markdownIt.renderer.render(tokens, markdownIt.options, data);
+        } catch (error) {
+          throw new Error(`${data.page.inputPath}: ${error.message}`, { cause: error });
+        }
+      },
+    };
+  }
+}

@@ -1,0 +1,5 @@
+// The page script of the map of chapters: only the search.
+
+import { startSearch } from './search.js';
+
+startSearch();
