@@ -1,5 +1,5 @@
-// The reader's raycaster, for the pages: its functions in the state of a chapter, and which of their
-// lines the chapter adds.
+// The reader's raycaster, for the pages: its functions in the state of a chapter, and which of
+// their lines the chapter adds.
 
 import { readFileSync } from 'node:fs';
 import path from 'node:path';

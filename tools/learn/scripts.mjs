@@ -1,4 +1,4 @@
-// Bundles the tutorial's scripts: one per chapter, and parts that several chapters share in files of
+// Bundles the tutorial's scripts: one per chapter, and what several chapters share in files of
 // their own.
 
 import { build } from 'esbuild';

@@ -3,6 +3,7 @@
 
 import { readFileSync } from 'node:fs';
 
+import { chapterMap } from './map.mjs';
 import { markdown, unlistedNumbers } from './markdown.mjs';
 
 const kVersion = /project\(Slicecast VERSION ([0-9.]+)/;
@@ -48,6 +49,16 @@ export function configure(config, chapters, program) {
       id,
       title: title.replaceAll(/<[^>]+>/g, ''),
     })),
+  );
+  config.addFilter('map', (pages) =>
+    chapterMap(
+      pages.map(({ data: { chapter, title, needs } }) => ({
+        number: chapter.number,
+        name: chapter.name,
+        title,
+        needs,
+      })),
+    ),
   );
   config.addFilter('inline', (text) => parser.renderInline(text ?? ''));
 

@@ -1,6 +1,6 @@
-// Copies web/learn to build/learn and adds there what is made: modules of the reader's raycaster, one
-// for each state, by-hand/chapter-NN.js, and one for each fault, by-hand/FAULT.js. Both the build and
-// the bundles import modules from this copy.
+// Copies web/learn to build/learn and adds modules of the reader's raycaster there, one for each
+// state, by-hand/chapter-NN.js, and one for each fault, by-hand/FAULT.js. The build and the bundles
+// import modules from this copy.
 
 import { cpSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';

@@ -1,7 +1,7 @@
 // Lets figures draw with the reader's raycaster, in the state of a chapter or with a fault in it.
 // tools/learn.mjs makes a module of each state and of each fault:
 //
-//     import { draw } from '../by-hand/chapter-04.js';         // the program at the end of chapter 4
+//     import { draw } from '../by-hand/chapter-04.js';         // the program after chapter 4
 //     import { draw as wrong } from '../by-hand/mirrored.js';  // with the fault of this name
 //     import { byHandWorld, drawWith } from '../by-hand.js';
 //
