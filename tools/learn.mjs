@@ -11,6 +11,7 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 
 import { drawChapters, readChapters } from './learn/chapters.mjs';
+import { Formulas } from './learn/formulas.mjs';
 import { readProgram } from './learn/program.mjs';
 import { writeRedirects } from './learn/redirects.mjs';
 import { buildScripts } from './learn/scripts.mjs';
@@ -32,14 +33,16 @@ await cp('web/learn/scenes', path.join(output, 'scenes'), { recursive: true });
 const program = await readProgram();
 const staged = await stage(program);
 const chapters = readChapters();
+const formulas = new Formulas();
 await drawChapters(chapters, staged, folder);
 const site = new Eleventy('web/learn', path.relative('.', output), {
   quietMode: true,
-  config: (config) => configure(config, chapters, program),
+  config: (config) => configure(config, { chapters, program, formulas }),
 });
 await site.write();
 for (const { figures } of chapters.values())
   for (const figure of figures.values()) figure.writePictures(output);
+formulas.writeStyles(output);
 await buildScripts(staged, output, chapters);
 await writeSearch(output, chapters);
 await writeRedirects(folder);

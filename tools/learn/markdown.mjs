@@ -17,7 +17,6 @@
 
 import anchor from 'markdown-it-anchor';
 import { createRequire } from 'node:module';
-import temml from 'temml';
 
 import { colour } from './colour.mjs';
 import { regionOf } from './excerpts.mjs';
@@ -27,10 +26,9 @@ import { slugOf } from '../docs/markdown.mjs';
 const require = createRequire(createRequire(import.meta.url).resolve('@11ty/eleventy'));
 const MarkdownIt = require('markdown-it');
 
-const kMacros = { '\\x': '\\class{across}{#1}', '\\y': '\\class{along}{#1}' };
-
-// `chapterOf(env)` is the Chapter of a page; `program` has the states of the reader's raycaster.
-export function markdown(chapterOf, program) {
+// `chapterOf(env)` is the Chapter of a page, `program` has the states of the reader's raycaster, and
+// `mathOf` makes formulas.
+export function markdown(chapterOf, program, mathOf) {
   const parser = new MarkdownIt({ html: true, typographer: true, quotes: '“”‘’' });
   parser.use(anchor, { level: [2, 3], slugify: slugOf, tabIndex: false });
   parser.use(containers);
@@ -51,14 +49,7 @@ export function markdown(chapterOf, program) {
 
   rules.formula = (tokens, index) => {
     const { content, meta } = tokens[index];
-    const math = temml.renderToString(content, {
-      displayMode: meta.isBlock,
-      trust: true,
-      throwOnError: true,
-      macros: { ...kMacros },
-    });
-    if (/ style=/.test(math))
-      throw new Error(`the formula ${content} needs inline styles, which the pages do not allow.`);
+    const math = mathOf.mathMl(content, meta.isBlock);
     return meta.isBlock ? `<div class="formula">${math}</div>\n` : math;
   };
   rules.number = (tokens, index, options, env) => number(tokens[index].meta, chapterOf(env));

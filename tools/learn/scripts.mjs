@@ -2,7 +2,7 @@
 // their own.
 
 import { build } from 'esbuild';
-import { copyFile } from 'node:fs/promises';
+import { copyFileSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 
 const kStyles = ['learn.css', 'figures/figures.css', 'write/write.css'];
@@ -33,7 +33,8 @@ export async function buildScripts(staged, output, chapters) {
       }));
     },
   };
-  await build({
+  const { metafile } = await build({
+    metafile: true,
     entryPoints: [
       { in: path.join(staged, 'learn-index.js'), out: 'index' },
       { in: path.join(staged, 'figures/figures.js'), out: 'figures' },
@@ -51,5 +52,26 @@ export async function buildScripts(staged, output, chapters) {
     plugins: [generated],
   });
   for (const style of kStyles)
-    await copyFile(path.join(staged, style), path.join(output, path.basename(style)));
+    copyFileSync(path.join(staged, style), path.join(output, path.basename(style)));
+  copyLicences(Object.keys(metafile.inputs), path.join(output, '../licences'));
+}
+
+// Copies the licences of the packages that these files belong to, and of Temml, whose style sheet
+// is in formulas.css.
+function copyLicences(files, to) {
+  const packages = new Set(['temml']);
+  for (const file of files) {
+    const name = /^.*node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(file)?.[1];
+    if (name !== undefined) packages.add(name);
+  }
+  mkdirSync(to, { recursive: true });
+  for (const name of packages) {
+    const folder = path.resolve('tools/node_modules', name);
+    const licence = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
+    if (licence === undefined) throw new Error(`the package ${name} has no licence file.`);
+    copyFileSync(
+      path.join(folder, licence),
+      path.join(to, `${name.replaceAll(/[@/]/g, ' ').trim().replaceAll(' ', '-')}.txt`),
+    );
+  }
 }

@@ -9,10 +9,10 @@ import { markdown, unlistedNumbers } from './markdown.mjs';
 const kVersion = /project\(Slicecast VERSION ([0-9.]+)/;
 const kKeys = ['title', 'question', 'minutes', 'needs', 'new'];
 
-export function configure(config, chapters, program) {
+export function configure(config, { chapters, program, formulas }) {
   const chapterOf = ({ page }) =>
     chapters.get(/\d\d-([a-z-]+)\/index\.md$/.exec(page.inputPath)?.[1]) ?? null;
-  const parser = markdown(chapterOf, program);
+  const parser = markdown(chapterOf, program, formulas);
 
   config.setLibrary('md', checked(parser));
   config.setIncludesDirectory('../../tools/learn');

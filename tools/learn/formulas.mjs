@@ -1,0 +1,45 @@
+// Formulas as MathML, by Temml. The pages' policy forbids inline styles, so what Temml writes as
+// such becomes classes of a style sheet, formulas.css, which also holds Temml's own rules.
+
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import temml from 'temml';
+
+const kMacros = { '\\x': '\\class{across}{#1}', '\\y': '\\class{along}{#1}' };
+const kFont = /@font-face \{[^}]*\}/g; // for script letters, which the tutorial does not use
+
+export class Formulas {
+  #classes = new Map(); // declarations -> class
+
+  mathMl(formula, isBlock) {
+    const math = temml.renderToString(formula, {
+      displayMode: isBlock,
+      trust: true, // for \class
+      throwOnError: true,
+      macros: { ...kMacros },
+    });
+    return math.replaceAll(/<[^<>]* style="[^"]*"[^<>]*>/g, (tag) => {
+      const [whole, declarations] = / style="([^"]*)"/.exec(tag);
+      const plain = tag.replace(whole, '');
+      const name = this.#classOf(declarations);
+      return / class="/.test(plain)
+        ? plain.replace(' class="', ` class="${name} `)
+        : plain.replace(/(?=\/?>$)/, ` class="${name}"`);
+    });
+  }
+
+  writeStyles(output) {
+    const require = createRequire(import.meta.url);
+    const folder = path.dirname(require.resolve('temml'));
+    const rules = readFileSync(path.join(folder, 'Temml-Local.css'), 'utf8').replaceAll(kFont, '');
+    const own = [...this.#classes].map(([declarations, name]) => `.${name} { ${declarations} }\n`);
+    writeFileSync(path.join(output, 'formulas.css'), rules + own.join(''));
+  }
+
+  #classOf(declarations) {
+    if (!this.#classes.has(declarations))
+      this.#classes.set(declarations, `math-${this.#classes.size}`);
+    return this.#classes.get(declarations);
+  }
+}
