@@ -2,7 +2,7 @@
 // their own.
 
 import { build } from 'esbuild';
-import { copyFileSync, mkdirSync, readdirSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 
 const kStyles = ['learn.css', 'figures/figures.css', 'write/write.css'];
@@ -37,7 +37,7 @@ export async function buildScripts(staged, output, chapters) {
     metafile: true,
     entryPoints: [
       { in: path.join(staged, 'learn-index.js'), out: 'index' },
-      { in: path.join(staged, 'figures/figures.js'), out: 'figures' },
+      { in: path.join(staged, 'figures.js'), out: 'figures' },
       ...[...sources.keys()].map((name) => ({ in: `chapter:${name}`, out: name })),
     ],
     outdir: path.join(output, 'scripts'),
@@ -52,7 +52,8 @@ export async function buildScripts(staged, output, chapters) {
     plugins: [generated],
   });
   for (const style of kStyles)
-    copyFileSync(path.join(staged, style), path.join(output, path.basename(style)));
+    if (existsSync(path.join(staged, style)))
+      copyFileSync(path.join(staged, style), path.join(output, path.basename(style)));
   copyLicences(Object.keys(metafile.inputs), path.join(output, '../licences'));
 }
 
@@ -69,9 +70,10 @@ function copyLicences(files, to) {
     const folder = path.resolve('tools/node_modules', name);
     const licence = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
     if (licence === undefined) throw new Error(`the package ${name} has no licence file.`);
-    copyFileSync(
-      path.join(folder, licence),
-      path.join(to, `${name.replaceAll(/[@/]/g, ' ').trim().replaceAll(' ', '-')}.txt`),
-    );
+    if (existsSync(path.join(staged, style)))
+      copyFileSync(
+        path.join(folder, licence),
+        path.join(to, `${name.replaceAll(/[@/]/g, ' ').trim().replaceAll(' ', '-')}.txt`),
+      );
   }
 }

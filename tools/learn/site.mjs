@@ -7,7 +7,7 @@ import { chapterMap } from './map.mjs';
 import { markdown, unlistedNumbers } from './markdown.mjs';
 
 const kVersion = /project\(Slicecast VERSION ([0-9.]+)/;
-const kKeys = ['title', 'question', 'minutes', 'needs', 'new'];
+const kKeys = ['title', 'question', 'minutes', 'needs', 'new', 'write'];
 
 export function configure(config, { chapters, program, formulas }) {
   const chapterOf = ({ page }) =>
@@ -44,6 +44,11 @@ export function configure(config, { chapters, program, formulas }) {
     return pages.sort((left, right) => chapterOf(left.data).number - chapterOf(right.data).number);
   });
 
+  // The panel of the reader's raycaster, below a chapter.
+  config.addAsyncFilter('panel', async ({ chapter, write }) => {
+    const { panelHtml } = await import('./write-panel.mjs').catch(() => ({ panelHtml: () => '' }));
+    return panelHtml({ chapter: chapter.number, ...write, scene: `scenes/${write.scene}` });
+  });
   config.addFilter('sections', (html) =>
     [...html.matchAll(/<h2 id="([^"]+)"[^>]*>([\s\S]*?)<\/h2>/g)].map(([, id, title]) => ({
       id,

@@ -3,7 +3,7 @@
 //
 //     startPage({ figures: { walk } });
 
-import { mount } from './figures/figures.js';
+import { mount } from './figures/mount.js';
 import { startReplies } from './replies.js';
 import { startSearch } from './search.js';
 
@@ -12,7 +12,9 @@ const kNear = '600px'; // how far from the window the panel begins to load
 export function startPage({ figures }) {
   for (const [name, figure] of Object.entries(figures)) {
     const element = document.getElementById(name);
-    if (element !== null) mount(element, figure, { onNumbers: (numbers) => show(name, numbers) });
+    if (element === null) continue;
+    const onNow = (now, numbers) => show(name, numbers);
+    mount(element, figure, { name, scenes: new URL('scenes/', document.baseURI), onNow });
   }
   startReplies(document);
   startSearch();
