@@ -1,0 +1,669 @@
+// Brings a figure to life in a page.
+//
+//     const figure = mount(element, module, { name: 'rulers', scenes: new URL('scenes/', import.meta.url) });
+//
+// The page has loaded ray-caster.js. What the build has drawn into the element stays until the scene
+// is there.
+
+import { putMarkup } from './dom.js';
+import { drawnPixels, numbersOf, prepare, viewOf } from './draw.js';
+import { Handles, onPick } from './handles.js';
+import {
+  bodyOf,
+  controlsMarkup,
+  figureMarkup,
+  frameOf,
+  isShown,
+  titleOf,
+  widthsOf,
+} from './layout.js';
+import { apply, changeOf, makeNow, setOptions, valueOf } from './now.js';
+import { elementSource } from './source.js';
+import { changed, openingState, readState, same, sizeOf, writeState } from './state.js';
+import { sidesOf } from './views/divider.js';
+
+const kAddressMilliseconds = 300;
+const kSpeakMilliseconds = 700;
+const kCopiedMilliseconds = 2000;
+
+export function mount(element, figure, options = {}) {
+  return new LiveFigure(element, figure, options);
+}
+
+class LiveFigure {
+  #element;
+  #figure;
+  #options;
+  #root;
+  #panels = []; // {view, node, body, width, ...}
+  #pictures = []; // {panel, side, caster, source, applied, state}
+  #main = null;
+  #source = null;
+  #state = null;
+  #opening = null;
+  #applied = null; // the state in which the main engine is
+  #now = null;
+  #frame = 0;
+  #timers = new Map();
+  #observer = null;
+  #stop = new AbortController();
+
+  constructor(element, figure, options) {
+    this.#element = element;
+    this.#figure = figure;
+    this.#options = { name: 'figure', address: true, ...options };
+    this.ready = this.#start();
+  }
+
+  get state() {
+    return this.#state;
+  }
+
+  get now() {
+    return this.#now;
+  }
+
+  get source() {
+    return this.#source;
+  }
+
+  // Makes a change, and draws it with the next picture.
+  change(change) {
+    if (change === null || change === undefined || this.#state === null) return;
+    const next = changed(this.#figure, this.#state, change, this.#now);
+    if (!same(next, this.#state)) this.restore(next);
+  }
+
+  // Goes to a state that was there before.
+  restore(state) {
+    const before = this.#state;
+    this.#state = state;
+    if (!this.#bring()) {
+      // The eye cannot be there.
+      this.#state = { ...state, eye: before.eye };
+      this.#bring();
+    }
+    this.#later('address', kAddressMilliseconds, () => this.#writeAddress());
+    this.#redraw();
+  }
+
+  reset() {
+    this.restore(this.#opening);
+  }
+
+  stop() {
+    this.#stop.abort();
+    this.#observer?.disconnect();
+    cancelAnimationFrame(this.#frame);
+    for (const timer of this.#timers.values()) clearTimeout(timer);
+  }
+
+  // ---- Beginning
+
+  async #start() {
+    const figure = this.#figure;
+    this.#root = this.#element.querySelector('.fig') ?? this.#makeRoot();
+    await customElements.whenDefined('ray-caster');
+    this.#findPanels();
+    const scene = await this.#makePictures();
+    await isReady(this.#main.caster);
+    this.#source = elementSource(this.#main.caster, {
+      scene,
+      size: sizeOf(figure),
+      address: (file) => new URL(file, this.#base).href,
+    });
+    await prepare(figure, this.#source);
+    if (figure.view) this.#source.look(viewOf(figure.view));
+    this.#opening = openingState(figure, this.#source.view);
+    this.#state = this.#opening;
+    apply(figure, this.#source, this.#state, null);
+    this.#source.isUsed = true;
+    this.#applied = this.#state;
+    this.#now = makeNow(figure, this.#source, this.#state);
+    const told = this.#readAddress();
+    if (told !== null) {
+      this.#state = changed(figure, this.#opening, told, this.#now);
+      if (!this.#bring()) {
+        this.#state = { ...this.#state, eye: this.#opening.eye };
+        this.#bring();
+      }
+    }
+    this.#wire();
+    this.#draw();
+    this.#observer = new ResizeObserver(() => {
+      if (this.#root.clientWidth !== this.#width) this.#redraw();
+    });
+    this.#observer.observe(this.#root);
+    this.#root.classList.add('live');
+    return this;
+  }
+
+  #width = 0;
+  #base = document.baseURI;
+
+  #makeRoot() {
+    const root = document.createElement('div');
+    root.className = 'fig';
+    this.#element.prepend(root);
+    return root;
+  }
+
+  #findPanels() {
+    const count = this.#figure.rows.flat().length;
+    if (this.#root.querySelectorAll('[data-panel]').length !== count) {
+      const size = sizeOf(this.#figure);
+      putMarkup(
+        this.#root,
+        figureMarkup(this.#figure, {
+          name: this.#options.name,
+          body: (view) => (hasFrame(view) ? frameOf(view, null, size) : ''),
+        }),
+      );
+    }
+    this.#figure.rows.forEach((views, row) =>
+      views.forEach((view, place) => {
+        const node = this.#root.querySelector(`[data-panel="${row}.${place}"]`);
+        this.#panels.push({ view, row, place, node, body: node.querySelector('.fig-body') });
+      }),
+    );
+  }
+
+  // Puts a <ray-caster> for each picture; a figure without one of its own view has a hidden one.
+  // Returns the scene's JSON.
+  async #makePictures() {
+    const { scene } = this.#figure;
+    const isFile = typeof scene === 'string';
+    const address = isFile ? new URL(scene, this.#options.scenes ?? document.baseURI) : null;
+    this.#base = address ?? this.#options.scenes ?? document.baseURI;
+    for (const panel of this.#panels) {
+      const { view, body } = panel;
+      if (!hasFrame(view)) continue;
+      panel.frame = body.querySelector('.fig-frame');
+      panel.over = panel.frame.querySelector('.fig-over');
+      panel.knobs = layer('fig-knobs', panel.frame);
+      panel.handles = new Handles(this, layer('fig-handles', panel.frame));
+      for (const place of view.kind === 'divider' ? [0, 1] : [null]) {
+        const side = place === null ? null : place === 0 ? view.left : view.right;
+        const drawnBy = side?.draw ? this.#makeCanvas(panel, place) : null;
+        const caster = drawnBy === null ? this.#makeCaster(panel, place) : null;
+        this.#pictures.push({ panel, place, caster, canvas: drawnBy, source: null, applied: null });
+      }
+    }
+    const isPlain = ({ panel, place, caster }) =>
+      caster !== null &&
+      (place === null
+        ? !panel.view.options
+        : place === 0 && !panel.view.left.options && !panel.view.left.oldWay);
+    this.#main = this.#pictures.find(isPlain) ?? this.#hiddenCaster();
+    return isFile ? (await fetch(address)).json() : scene;
+  }
+
+  #makeCaster({ view, frame, over }, place) {
+    const caster = document.createElement('ray-caster');
+    const [width, height] = sizeOf(this.#figure);
+    const { scene, view: eye } = this.#figure;
+    caster.setAttribute('size', `${width}x${height}`);
+    caster.setAttribute('interaction', view?.walk ? 'walk' : 'none');
+    if (eye) caster.setAttribute('view', eye);
+    const label = view && titleOf(view, null).trim();
+    if (label) caster.setAttribute('label', label);
+    if (place !== null) caster.className = place === 0 ? 'left' : 'right';
+    if (typeof scene === 'string') caster.setAttribute('scene', this.#base);
+    else {
+      if (this.#options.scenes) caster.setAttribute('base', this.#base);
+      caster.scene = scene;
+    }
+    if (frame) frame.insertBefore(caster, over);
+    return caster;
+  }
+
+  #hiddenCaster() {
+    const caster = this.#makeCaster({}, null);
+    caster.className = 'fig-hidden';
+    caster.inert = true;
+    caster.setAttribute('aria-hidden', 'true');
+    this.#root.append(caster);
+    return { caster };
+  }
+
+  #makeCanvas({ frame, over }, place) {
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = sizeOf(this.#figure);
+    canvas.className = place === 0 ? 'left' : 'right';
+    frame.insertBefore(canvas, over);
+    return canvas;
+  }
+
+  // ---- The engines
+
+  // Brings all engines to the state. Returns false if the eye cannot be there.
+  #bring() {
+    const isPlaced = apply(this.#figure, this.#source, this.#state, this.#applied);
+    this.#applied = this.#state;
+    return isPlaced;
+  }
+
+  // The other pictures of the figure follow the main one.
+  #bringOthers() {
+    for (const picture of this.#pictures) {
+      const { panel, place, caster, canvas } = picture;
+      const { view } = panel;
+      if (canvas !== null) {
+        this.#drawCanvas(picture, place === 0 ? view.left : view.right);
+        continue;
+      }
+      if (caster === this.#main.caster || caster.currentView === null) continue;
+      picture.source ??= this.#followWith(caster);
+      const more = place === null ? view.options : sidesOf(view, this.#now)[place].options;
+      const options = typeof more === 'function' ? more(this.#state) : more;
+      const before = picture.applied;
+      const isTimed = this.#state.time > 0 || before?.state.time > 0;
+      apply(this.#figure, picture.source, this.#state, before?.state ?? null);
+      if (!isTimed) picture.source.look(this.#now.eye);
+      // What the figure itself sets stays below the picture's own options.
+      if (!same(options, before?.options) || before?.state !== this.#state) {
+        for (const name of Object.keys(before?.options ?? {}))
+          if (!(name in (options ?? {}))) picture.source.set(name, this.#source.get(name));
+        setOptions(picture.source, options ?? {}, null);
+      }
+      picture.applied = { state: this.#state, options };
+    }
+  }
+
+  #followWith(caster) {
+    const source = elementSource(caster, { size: sizeOf(this.#figure) });
+    source.isUsed = true;
+    return source;
+  }
+
+  #drawCanvas({ canvas }, { draw }) {
+    let picture;
+    try {
+      picture = drawnPixels(draw, this.#now);
+    } catch (error) {
+      console.warn('The drawing of a figure failed:', error);
+      return;
+    }
+    const { width, height, data } = picture;
+    canvas.getContext('2d').putImageData(new ImageData(data, width, height), 0, 0);
+  }
+
+  // ---- Drawing
+
+  #redraw() {
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0;
+      this.#draw();
+    });
+  }
+
+  // Draws at once.
+  #draw() {
+    const figure = this.#figure;
+    this.#now = makeNow(figure, this.#source, this.#state);
+    const now = this.#now;
+    this.#width = this.#root.clientWidth;
+    for (const [row, views] of figure.rows.entries()) {
+      const shown = views.filter((view) => isShown(view, this.#state));
+      const ratio = window.devicePixelRatio || 1;
+      const widths = widthsOf(shown, figure, this.#width, ratio);
+      for (const panel of this.#panels)
+        if (panel.row === row) this.#drawPanel(panel, widths[shown.indexOf(panel.view)]);
+    }
+    this.#bringOthers();
+    this.#drawControls();
+    const says = this.#root.querySelector('.fig-says');
+    if (says !== null) {
+      putMarkup(says, figure.says(now));
+      this.#speak(says.textContent);
+    }
+    this.#options.onNow?.(now, numbersOf(figure, now));
+  }
+
+  #drawPanel(panel, width) {
+    const { view, node } = panel;
+    const now = this.#now;
+    node.hidden = width === undefined;
+    if (width === undefined) return;
+    node.style.flex = 'none';
+    node.style.width = `${width}px`;
+    const title = node.querySelector('.fig-title');
+    if (title !== null) title.textContent = titleOf(view, now);
+    if (hasFrame(view)) this.#drawFrame(panel, width);
+    else this.#drawBody(panel, Math.round(width));
+  }
+
+  #drawFrame(panel, width) {
+    const { view, frame, over, knobs, handles } = panel;
+    const now = this.#now;
+    const [wide, tall] = now.size;
+    const size = { width, height: (width * tall) / wide };
+    frame.style.width = `${width}px`;
+    putMarkup(over, view.markup(now));
+    putMarkup(
+      knobs,
+      `<svg viewBox="0 0 ${size.width} ${size.height}" width="${size.width}" height="${size.height}" aria-hidden="true">${view.knobs(now, size)}</svg>`,
+    );
+    handles.put(view.handles(now, size));
+    if (view.kind !== 'divider') return;
+    const share = `${100 * now.state.split}%`;
+    frame.style.setProperty('--split', share);
+    panel.labels ??= [0, 1].map((place) =>
+      layer(`fig-label ${place === 0 ? 'left' : 'right'}`, frame),
+    );
+    view.labels(now).forEach((label, place) => {
+      panel.labels[place].textContent = label;
+    });
+  }
+
+  #drawBody(panel, width) {
+    const { view, body } = panel;
+    const now = this.#now;
+    panel.content ??= this.#content(body);
+    putMarkup(panel.content, bodyOf(view, now, width));
+    if (view.kind === 'panel') return;
+    const svg = panel.content.querySelector('.fig-svg');
+    const box = { width, height: Number(svg.getAttribute('height')) };
+    panel.box = box;
+    panel.layer ??= layer('fig-handles', body);
+    panel.layer.style.height = `${box.height}px`;
+    panel.handles ??= new Handles(this, panel.layer);
+    const cursor = view.kind === 'paint' ? [this.#cursor(panel)] : [];
+    panel.handles.put([...cursor, ...view.handles(now, box)]);
+  }
+
+  #content(body) {
+    const content = document.createElement('div');
+    content.className = 'fig-content';
+    content.append(...body.childNodes);
+    body.append(content);
+    return content;
+  }
+
+  #drawControls() {
+    const now = this.#now;
+    (this.#figure.controls ?? []).forEach((control, index) => {
+      const node = this.#root.querySelector(`[data-control="${index}"]`);
+      node.hidden = !isShown(control, this.#state);
+      control.show(node, now);
+    });
+  }
+
+  // ---- Listening
+
+  #wire() {
+    const controls = this.#root.querySelector('.fig-controls');
+    if (controls.childElementCount === 0)
+      putMarkup(controls, controlsMarkup(this.#figure, this.#options.name, this.#now));
+    (this.#figure.controls ?? []).forEach((control, index) => {
+      const node = this.#root.querySelector(`[data-control="${index}"]`);
+      node.addEventListener('input', (event) => {
+        const place = [...node.querySelectorAll('input')].indexOf(event.target);
+        this.change(control.read(event.target, this.#now, place));
+      });
+      node.addEventListener('click', (event) => {
+        const button = event.target.closest('button');
+        if (button !== null) this.change(control.press(button, this.#now));
+      });
+    });
+    for (const panel of this.#panels) this.#wirePanel(panel);
+    this.#wireTools();
+    this.#wireNumbers();
+    if (this.#panels.some(({ view }) => view.walk))
+      this.#main.caster.addEventListener('viewchange', () => this.#follow());
+  }
+
+  // A visitor walks in the picture.
+  #follow() {
+    const { view } = this.#source;
+    if (same(view, this.#now.eye)) return;
+    this.#state = { ...this.#state, eye: view };
+    this.#applied = this.#state;
+    this.#later('address', kAddressMilliseconds, () => this.#writeAddress());
+    this.#redraw();
+  }
+
+  #wirePanel(panel) {
+    const { view, frame } = panel;
+    if (hasFrame(view) && view.point && !view.walk)
+      onPick(frame, (point) => {
+        const size = { width: frame.clientWidth, height: frame.clientHeight };
+        this.change(view.point(this.#now, point, size));
+      });
+    if (hasFrame(view)) return;
+    // The body's markup is made when the panel is first drawn.
+    const { body } = panel;
+    if (view.click) {
+      body.classList.add('picks');
+      onPick(body, (point) =>
+        this.change(view.click(this.#inDrawing(panel, point), this.#now, panel.box)),
+      );
+    }
+    if (view.kind === 'paint') this.#wirePainting(panel);
+    if (view.kind === 'panel')
+      body.addEventListener('click', ({ target }) => {
+        const change = target.closest('[data-change]')?.dataset.change;
+        if (change !== undefined) this.change(JSON.parse(change));
+      });
+  }
+
+  // A point of the body, in the drawing: other things may stand above it.
+  #inDrawing({ body, content }, { x, y }) {
+    const outer = body.getBoundingClientRect();
+    const inner = content.querySelector('.fig-svg').getBoundingClientRect();
+    return { x: x + outer.left - inner.left, y: y + outer.top - inner.top };
+  }
+
+  #wireTools() {
+    this.#root.querySelector('.fig-tools')?.addEventListener('click', ({ target }) => {
+      const { tool } = target.dataset;
+      if (tool === 'reset') this.reset();
+      if (tool === 'link') void this.#copyLink(target);
+    });
+  }
+
+  // Numbers in the text: dragged to the side, or by keys.
+  #wireNumbers() {
+    const root = this.#root;
+    let held = null; // {pointer, node, x, value}
+    const numberAt = ({ target }) => target.closest?.('.fig-scrubbed');
+    const to = (node, value) => {
+      const { field, step } = node.dataset;
+      const [least, greatest] = ['min', 'max'].map((end) =>
+        Number(node.getAttribute(`aria-value${end}`)),
+      );
+      const even = Math.round(value / step) * step;
+      this.change(changeOf(field, Math.max(least, Math.min(greatest, Number(even.toFixed(9))))));
+    };
+    const { signal } = this.#stop;
+    root.addEventListener(
+      'pointerdown',
+      (event) => {
+        const node = numberAt(event);
+        if (!node || event.button !== 0 || !event.isPrimary) return;
+        held = {
+          pointer: event.pointerId,
+          node,
+          x: event.clientX,
+          value: valueOf(this.#state, node.dataset.field),
+        };
+        node.setPointerCapture(event.pointerId);
+        node.focus({ preventScroll: true });
+        event.preventDefault();
+      },
+      { signal },
+    );
+    root.addEventListener(
+      'pointermove',
+      (event) => {
+        if (held?.pointer === event.pointerId)
+          to(held.node, held.value + ((event.clientX - held.x) / 3) * held.node.dataset.step);
+      },
+      { signal },
+    );
+    for (const name of ['pointerup', 'pointercancel'])
+      root.addEventListener(name, () => (held = null), { signal });
+    root.addEventListener(
+      'keydown',
+      (event) => {
+        const node = numberAt(event);
+        const by = {
+          ArrowRight: 1,
+          ArrowUp: 1,
+          ArrowLeft: -1,
+          ArrowDown: -1,
+          PageUp: 10,
+          PageDown: -10,
+        }[event.key];
+        if (!node || by === undefined) return;
+        event.preventDefault();
+        to(
+          node,
+          valueOf(this.#state, node.dataset.field) +
+            by * (event.shiftKey ? 10 : 1) * node.dataset.step,
+        );
+      },
+      { signal },
+    );
+  }
+
+  // ---- Painting
+
+  #cursorCell = (panel) => this.#state.cell ?? panel.view.paint.startCell(this.#now, panel.box);
+
+  // The cell cursor is a handle: it moves by arrows, and what is typed goes into its cell.
+  #cursor(panel) {
+    const { paint } = panel.view;
+    const { box } = panel;
+    const now = this.#now;
+    const cell = this.#cursorCell(panel);
+    const character = paint.characterAt(cell, now);
+    const blocks = paint.blocksOf(now);
+    const name = (sign) => blocks.find((block) => block.character === sign)?.name ?? 'empty';
+    const brush = this.#state.brush ?? blocks[0].character;
+    const put = (sign, at = cell) => ({ ...paint.edited(at, sign, now), cell: at });
+    return {
+      id: 'cell',
+      label: `Cell to paint with ${name(brush)}`,
+      ...paint.middleOf(cell, now, box),
+      value: cell[0],
+      least: 0,
+      greatest: now.map(now.eye.map).width - 1,
+      says: `${cell.join(', ')}: ${name(character)}`,
+      drag: (point) => {
+        const at = paint.cellAt(point, this.#now, box);
+        return at === null || same(at, this.#state.cell) ? null : put(brush, at);
+      },
+      keys: (right, down) => ({ cell: paint.within([cell[0] + right, cell[1] + down], now, box) }),
+      press(key) {
+        if (key === 'Enter' || key === ' ') return put(character === brush ? '.' : brush);
+        if (key === 'Delete' || key === 'Backspace') return put('.');
+        return blocks.some((block) => block.character === key) ? put(key) : undefined;
+      },
+    };
+  }
+
+  #wirePainting(panel) {
+    const { body, view } = panel;
+    const { paint } = view;
+    body.addEventListener('click', ({ target }) => {
+      const { brush } = target.closest('[data-brush]')?.dataset ?? {};
+      if (brush !== undefined) this.change({ brush });
+    });
+    body.classList.add('picks');
+    let stroke = null; // what the stroke puts
+    onPick(body, (point, isFirst) => {
+      const cell = paint.cellAt(this.#inDrawing(panel, point), this.#now, panel.box);
+      if (cell === null) return;
+      const brush = this.#state.brush ?? paint.blocksOf(this.#now)[0].character;
+      // A stroke that begins on the brush's own block erases.
+      const now = makeNow(this.#figure, this.#source, this.#state);
+      if (isFirst) stroke = paint.characterAt(cell, now) === brush ? '.' : brush;
+      if (paint.characterAt(cell, now) !== stroke)
+        this.change({ ...paint.edited(cell, stroke, now), cell });
+    });
+  }
+
+  // ---- The address
+
+  #readAddress() {
+    const { name, address } = this.#options;
+    if (address === false) return null;
+    const told = parametersOf(location.search).get(name);
+    return told === undefined ? null : readState(told, this.#opening);
+  }
+
+  #writeAddress() {
+    const { name, address } = this.#options;
+    if (address === false) return;
+    const parameters = parametersOf(location.search);
+    const text = writeState(this.#state, this.#opening);
+    if (text === '') parameters.delete(name);
+    else parameters.set(name, text);
+    const query = [...parameters]
+      .map(([key, value]) => (value === '' ? key : `${key}=${value}`))
+      .join('&');
+    const whole = `${location.pathname}${query && `?${query}`}${location.hash}`;
+    if (whole !== `${location.pathname}${location.search}${location.hash}`)
+      history.replaceState(history.state, '', whole);
+  }
+
+  async #copyLink(button) {
+    this.#writeAddress();
+    const { id } = this.#element;
+    const link = `${location.href.replace(/#.*/, '')}${id ? `#${id}` : location.hash}`;
+    let says = 'Copied';
+    try {
+      await navigator.clipboard.writeText(link);
+    } catch {
+      says = 'It is in the address bar';
+    }
+    button.textContent = says;
+    this.#later('copied', kCopiedMilliseconds, () => (button.textContent = 'Copy link'));
+  }
+
+  // ---- Small things
+
+  // Told to screen readers once the hand rests.
+  #speak(text) {
+    const node = this.#root.querySelector('.fig-spoken');
+    if (node === null || node.dataset.last === text) return;
+    const isFirst = node.dataset.last === undefined;
+    node.dataset.last = text;
+    if (!isFirst) this.#later('speak', kSpeakMilliseconds, () => (node.textContent = text));
+  }
+
+  #later(name, milliseconds, act) {
+    clearTimeout(this.#timers.get(name));
+    this.#timers.set(name, setTimeout(act, milliseconds));
+  }
+}
+
+const hasFrame = ({ kind }) => kind === 'picture' || kind === 'divider';
+
+function layer(name, parent) {
+  const node = document.createElement('div');
+  node.className = name;
+  parent.append(node);
+  return node;
+}
+
+// Does not make the element load: it does so when it comes near the window.
+function isReady(caster) {
+  if (caster.currentView !== null) return Promise.resolve();
+  return new Promise((resolve) => caster.addEventListener('ready', resolve, { once: true }));
+}
+
+// The parameters of a query as they are written.
+function parametersOf(query) {
+  return new Map(
+    query
+      .replace(/^\?/, '')
+      .split('&')
+      .filter((part) => part !== '')
+      .map((part) => {
+        const at = part.indexOf('=');
+        return at < 0 ? [part, ''] : [part.slice(0, at), part.slice(at + 1)];
+      }),
+  );
+}
