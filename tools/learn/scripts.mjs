@@ -2,7 +2,7 @@
 // their own.
 
 import { build } from 'esbuild';
-import { copyFileSync, existsSync, mkdirSync, readdirSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 
 const kStyles = ['learn.css', 'figures/figures.css', 'write/write.css'];
@@ -19,6 +19,8 @@ function scriptOf(chapter, staged) {
 
 // `staged` holds the modules.
 export async function buildScripts(staged, output, chapters) {
+  if (!existsSync(path.join(staged, 'write/panel.js')))
+    writeFileSync(path.join(staged, 'write/panel.js'), 'export function mountPanel() {}');
   const sources = new Map([...chapters.values()].map((chapter) => [chapter.name, chapter]));
   const generated = {
     name: 'chapters',
@@ -70,10 +72,9 @@ function copyLicences(files, to) {
     const folder = path.resolve('tools/node_modules', name);
     const licence = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
     if (licence === undefined) throw new Error(`the package ${name} has no licence file.`);
-    if (existsSync(path.join(staged, style)))
-      copyFileSync(
-        path.join(folder, licence),
-        path.join(to, `${name.replaceAll(/[@/]/g, ' ').trim().replaceAll(' ', '-')}.txt`),
-      );
+    copyFileSync(
+      path.join(folder, licence),
+      path.join(to, `${name.replaceAll(/[@/]/g, ' ').trim().replaceAll(' ', '-')}.txt`),
+    );
   }
 }

@@ -47,7 +47,13 @@ export function configure(config, { chapters, program, formulas }) {
   // The panel of the reader's raycaster, below a chapter.
   config.addAsyncFilter('panel', async ({ chapter, write }) => {
     const { panelHtml } = await import('./write-panel.mjs').catch(() => ({ panelHtml: () => '' }));
-    return panelHtml({ chapter: chapter.number, ...write, scene: `scenes/${write.scene}` });
+    const options = Object.entries(write.options ?? {}).map(([name, value]) => `${name}=${value}`);
+    return panelHtml({
+      chapter: chapter.number,
+      scene: `scenes/${write.scene}`,
+      view: write.view,
+      options: options.join(' '),
+    });
   });
   config.addFilter('sections', (html) =>
     [...html.matchAll(/<h2 id="([^"]+)"[^>]*>([\s\S]*?)<\/h2>/g)].map(([, id, title]) => ({
