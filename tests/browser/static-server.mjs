@@ -26,7 +26,7 @@ const kTypes = {
 
 // `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function
 // that gives one of them. `headers` go with every answer. `asked` lists the paths in the order in
-// which they were wanted. `folder` is another one than the page's. `redirects`: path -> where the
+// which they were wanted. `headersOf(path)` gives more headers for a file. `folder` is another one than the page's. `redirects`: path -> where the
 // server sends one on. With `mayGo` every file comes in pieces, each after `await mayGo(path, bytes
 // sent of it)`.
 export async function serve({
@@ -34,6 +34,7 @@ export async function serve({
   files = {},
   prefix = '/',
   headers = {},
+  headersOf = () => ({}),
   types = {},
   redirects = {},
   mayGo = null,
@@ -51,7 +52,12 @@ export async function serve({
         .writeHead(404, { 'Content-Type': 'text/plain' })
         .end('There is no such file.');
     const type = types[name] ?? kTypes[path.extname(name)] ?? 'application/octet-stream';
-    response.writeHead(200, { 'Content-Type': type, 'Content-Length': content.length, ...headers });
+    response.writeHead(200, {
+      'Content-Type': type,
+      'Content-Length': content.length,
+      ...headers,
+      ...headersOf(name),
+    });
     if (mayGo === null) return response.end(content);
     await sendInPieces(response, content, (sent) => mayGo(name, sent));
     return response.end();

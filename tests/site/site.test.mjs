@@ -28,7 +28,7 @@ before(async () => {
 after(() => browser.close());
 
 test('the site has its pages', () => {
-  for (const name of ['index.html', 'element.html', 'docs/index.html', 'examples/index.html'])
+  for (const name of ['index.html', 'element.html', 'docs/index.html', 'learn/index.html'])
     assert.ok(pages.includes(name), name);
 });
 

@@ -27,7 +27,9 @@ const pages = filesIn(path.join(site, 'docs'), '.html').map((name) => `docs/${na
 const others = [
   'index.html',
   'element.html',
-  ...filesIn(path.join(site, 'examples'), '.html').map((name) => `examples/${name}`),
+  ...['examples', 'learn'].flatMap((folder) =>
+    filesIn(path.join(site, folder), '.html').map((name) => `${folder}/${name}`),
+  ),
 ];
 
 const attributesOf = (html, name) =>

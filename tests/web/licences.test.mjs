@@ -1,4 +1,4 @@
-// The licences of the libraries in the engine, which must accompany it.
+// The licences of the libraries in the engine and in the tutorial, which must accompany them.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -13,6 +13,9 @@ const kLicences = {
   'licences/SDL2.txt': /Sam Lantinga[\s\S]*without any express or implied\s+warranty/,
   'licences/stb.txt': /Sean Barrett[\s\S]*Permission is hereby granted, free of charge/,
   'licences/RapidJSON.txt': /Milo Yip[\s\S]*Permission is hereby granted, free of charge/,
+  'licences/codemirror-view.txt': /Marijn Haverbeke[\s\S]*Permission is hereby granted/,
+  'licences/minisearch.txt': /Luca Ongaro[\s\S]*Permission is hereby granted/,
+  'licences/temml.txt': /Permission is hereby granted/,
   'licences/musl.txt': /Rich Felker[\s\S]*Permission is hereby granted, free of charge/,
 };
 
