@@ -1,6 +1,6 @@
 // Draws a figure as text, for the build: its markup, its pictures and its numbers.
 //
-//     const { html, posters, numbers, says } = drawStatic(figure, source, { name: 'rulers', poster });
+//     const { html, posters, numbers, says } = drawStatic(figure, source, { name, poster });
 
 import { bodyOf, figureMarkup, frameOf, titleOf, widthsOf } from './layout.js';
 import { escape, fixed } from './markup.js';
@@ -27,8 +27,15 @@ export function openingNow(figure, source, change = {}) {
 export function drawStatic(
   figure,
   source,
-  { name, poster = (file) => `${file}.png`, widths = kWidths, wide = false } = {},
+  {
+    name,
+    poster = (file) => `${file}.png`,
+    widths = kWidths,
+    wide = false,
+    image = (file) => `scenes/${file}`,
+  } = {},
 ) {
+  source.image = image; // beside the page, and not beside the build
   const now = openingNow(figure, source);
   const posters = [];
   const width = widths[wide ? 0 : 1];

@@ -78,10 +78,12 @@ export function heightOf(run, slice, ceiling = null) {
   return run.what === 'ceiling' ? ceiling : null;
 }
 
-// Where the sight line through the upper edge of a row ends: on the run's surface, or at `farthest`.
+// Where the sight line through the upper edge of a row ends: on the run's surface, or at
+// `farthest`.
 export function placeOf(run, row, slice, { ceiling = null, farthest = Infinity } = {}) {
   const slope = slopeOf(row, slice);
-  const rise = eyesOf(slice)[run.portals]?.z ?? slice.eye.z; // behind portals, in that map's heights
+  // Behind portals, in that map's heights.
+  const rise = eyesOf(slice)[run.portals]?.z ?? slice.eye.z;
   const upright =
     run.what === 'side'
       ? slice.hits[run.hit]

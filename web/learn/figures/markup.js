@@ -76,10 +76,17 @@ export function mark(x, y, axis, size = 6) {
   );
 }
 
-// What a handle looks like; `kind` is eye, ray, across or along.
-export function knob(x, y, kind = 'eye', radius = 11) {
+// What a handle looks like; `kind` is eye, turn, ray, across or along, `axis` the way it goes.
+export function knob(x, y, kind = 'eye', radius = 11, axis = '') {
+  const tip = radius + 7;
+  const arrows = {
+    x: `M${at(x - tip + 4)} ${at(y - 5)}L${at(x - tip)} ${at(y)}l4 5M${at(x + tip - 4)} ${at(y - 5)}L${at(x + tip)} ${at(y)}l-4 5`,
+    y: `M${at(x - 5)} ${at(y - tip + 4)}L${at(x)} ${at(y - tip)}l5 4M${at(x - 5)} ${at(y + tip - 4)}L${at(x)} ${at(y + tip)}l5 -4`,
+  }[axis];
   return (
-    dot(x, y, radius, `class="fig-knob ${kind}"`) + dot(x, y, radius * 0.36, 'class="fig-knob-dot"')
+    (arrows === undefined ? '' : path(arrows, 'class="fig-knob-arrows"')) +
+    dot(x, y, radius, `class="fig-knob ${kind}"`) +
+    dot(x, y, radius * 0.36, 'class="fig-knob-dot"')
   );
 }
 

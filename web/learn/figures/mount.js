@@ -1,9 +1,10 @@
 // Brings a figure to life in a page.
 //
-//     const figure = mount(element, module, { name: 'rulers', scenes: new URL('scenes/', import.meta.url) });
+//     const scenes = new URL('scenes/', import.meta.url);
+//     const figure = mount(element, module, { name: 'rulers', scenes });
 //
-// The page has loaded ray-caster.js. What the build has drawn into the element stays until the scene
-// is there.
+// The page has loaded ray-caster.js. What the build has drawn into the element stays until the
+// scene is there.
 
 import { putMarkup } from './dom.js';
 import { drawnPixels, numbersOf, prepare, viewOf } from './draw.js';
@@ -24,6 +25,7 @@ import { sidesOf } from './views/divider.js';
 
 const kAddressMilliseconds = 300;
 const kSpeakMilliseconds = 700;
+const kMarks = { column: 0, row: 0, step: null, split: 0, cell: 0, brush: 0 };
 const kCopiedMilliseconds = 2000;
 
 export function mount(element, figure, options = {}) {
@@ -259,7 +261,7 @@ class LiveFigure {
       const before = picture.applied;
       const isTimed = this.#state.time > 0 || before?.state.time > 0;
       apply(this.#figure, picture.source, this.#state, before?.state ?? null);
-      if (!isTimed) picture.source.look(this.#now.eye);
+      if (!isTimed && !same(picture.source.view, this.#now.eye)) picture.source.look(this.#now.eye);
       // What the figure itself sets stays below the picture's own options.
       if (!same(options, before?.options) || before?.state !== this.#state) {
         for (const name of Object.keys(before?.options ?? {}))
@@ -276,7 +278,12 @@ class LiveFigure {
     return source;
   }
 
-  #drawCanvas({ canvas }, { draw }) {
+  // A program may take long: it is not asked again for what only marks the picture.
+  #drawCanvas(drawing, { draw }) {
+    const { canvas } = drawing;
+    const key = JSON.stringify({ ...this.#state, ...kMarks });
+    if (drawing.key === key) return;
+    drawing.key = key;
     let picture;
     try {
       picture = drawnPixels(draw, this.#now);

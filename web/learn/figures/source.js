@@ -55,6 +55,7 @@ function common(engine, json, address) {
   return {
     scene: json,
     address,
+    image: address, // what markup names
     get view() {
       return engine.currentView;
     },

@@ -25,7 +25,7 @@ export function divider({
       return (
         line(x, 0, x, height, 'class="fig-split edge"') +
         line(x, 0, x, height, 'class="fig-split"') +
-        knob(x, height / 2, 'turn', 11)
+        knob(x, height / 2, 'turn', 11, 'x')
       );
     },
     handles: (now, { width, height }) => [

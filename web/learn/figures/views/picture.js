@@ -3,7 +3,7 @@
 import { clamp } from '../geometry.js';
 import { box, fixed, group, knob, path } from '../markup.js';
 
-const kStrip = 18; // pixels of the window beside the picture's edge where a handle sits
+const kStrip = 22; // pixels of the window beside the picture's edge where a handle sits
 
 export function picture({
   title,
@@ -28,7 +28,7 @@ export function picture({
     markup: (now) => marks(now, mark) + (over?.(now) ?? ''),
     knobs: (now, { width, height }) =>
       pictureHandles(handles, now, width, height)
-        .map(({ x, y, kind }) => knob(x, y, kind))
+        .map(({ x, y, kind, axis }) => knob(x, y, kind, 10, axis))
         .join(''),
     handles: (now, { width, height }) => pictureHandles(handles, now, width, height),
     point(now, { x, y }, { width, height }) {
@@ -105,7 +105,7 @@ function pictureHandles(names, now, width, height) {
       kind: 'turn',
       axis: 'x',
       x: width / 2,
-      y: kStrip + 4,
+      y: kStrip,
       value: Math.round(eye.heading),
       least: 0,
       greatest: 360,
@@ -120,7 +120,7 @@ function pictureHandles(names, now, width, height) {
       label: 'Look up and down',
       kind: 'turn',
       axis: 'y',
-      x: kStrip + 4,
+      x: kStrip,
       y: clamp(height / 2 + eye.look * height, kStrip, height - kStrip),
       value: Number(eye.look.toFixed(2)),
       least: -4,

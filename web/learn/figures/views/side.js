@@ -339,8 +339,8 @@ function scales(it) {
 function eyeOf(now, it, handles) {
   const eye = it.place(0, now.slice.eye.z);
   return (
-    (handles.includes('eye') ? knob(...eye, 'eye') : dot(...eye, 8, 'class="fig-eye"')) +
-    (handles.includes('look') ? knob(...lookPlace(now, it), 'turn', 8) : '')
+    (handles.includes('eye') ? knob(...eye, 'eye', 11, 'y') : dot(...eye, 8, 'class="fig-eye"')) +
+    (handles.includes('look') ? knob(...lookPlace(now, it), 'turn', 8, 'y') : '')
   );
 }
 

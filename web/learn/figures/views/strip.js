@@ -113,7 +113,7 @@ function draw(now, width, { names, rows, pick, tall }) {
     parts.push(
       path(`M${left} ${at(middle)}H${at(left + wide)}`, 'class="fig-row-line edge"'),
       path(`M${left} ${at(middle)}H${at(left + wide)}`, 'class="fig-row-line"'),
-      knob(left - 13, middle, 'ray', 8),
+      knob(left - 13, middle, 'ray', 8, 'y'),
     );
   }
   return parts.join('');

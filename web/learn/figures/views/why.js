@@ -1,0 +1,108 @@
+// Why the picked pixel has its colour, step by step.
+
+import { crossing } from '../geometry.js';
+import { escape, fixed, hex, swatch } from '../markup.js';
+import { panel } from './own.js';
+
+export function why(options = {}) {
+  return panel({ ...options, markup: (now) => list(now) });
+}
+
+function list(now) {
+  const { pick, column, row } = now;
+  const steps = stepsOf(now).map(({ colour, head, says }) => {
+    const sample = colour === undefined ? '<span class="fig-swatch"></span>' : swatch(colour);
+    return `<li>${sample}<b>${head}</b> <span>${says}</span></li>`;
+  });
+  const title = `column ${column}, row ${row}: ${pick === null ? 'outside' : nameOf(now, pick)}`;
+  return `<p class="fig-why-title">${escape(title)}</p><ol class="fig-why">${steps.join('')}</ol>`;
+}
+
+function nameOf(now, pick) {
+  if (pick.blueprint)
+    return `${pick.blueprint}, ${pick.face === 'top' || pick.face === 'bottom' ? pick.what : `${pick.face} side`}`;
+  if (pick.what === 'object') return now.slice.objects[now.run?.object]?.sprite ?? pick.texture;
+  return pick.what;
+}
+
+export function stepsOf(now) {
+  const { pick, slice, source, column, row } = now;
+  if (pick === null) return [];
+  const key = JSON.stringify({
+    ...now.state,
+    column: 0,
+    row: 0,
+    step: null,
+    split: 0,
+    brush: 0,
+    cell: 0,
+  });
+  const { texel, light, picture } = source.colours(column, row, key);
+  const steps = [];
+  const { tile } = pick;
+  const walked = slice.walk.length;
+  const place = slice.walk.findIndex(
+    (each) => each.map === pick.map && tile !== null && each.tile.join() === tile.join(),
+  );
+  if (place > 0) {
+    const { axis, border } = crossing(slice, place, now.eyes);
+    steps.push({
+      head: 'Tile',
+      says: `${tile.join(', ')}, the ${ordinal(place + 1)} on the ray, entered through ${axis} = ${border}`,
+    });
+  } else if (tile !== null)
+    steps.push({ head: 'Tile', says: `${tile.join(', ')}${place === 0 ? ', the eye’s own' : ''}` });
+  else if (pick.depth === null)
+    steps.push({ head: 'Nothing', says: `${walked} tiles walked, and no block in this row` });
+  if (pick.portals > 0)
+    steps.push({ head: 'Portals', says: `${pick.portals} passed, into ${pick.map}` });
+  if (pick.depth !== null) steps.push({ head: 'Depth', says: fixed(pick.depth, 4) });
+  if (pick.point !== null)
+    steps.push({ head: 'Point', says: pick.point.map((n) => fixed(n, 3)).join(', ') });
+  const sample = pick.texel;
+  if (sample === null) {
+    steps.push({ head: 'Colour', colour: hex(picture), says: `${pick.what}: ${hex(picture)}` });
+    return steps;
+  }
+  const isPlain =
+    pick.alpha === 255 &&
+    pick.reflection === null &&
+    !now.slice.runs.some((run) => run.layer && run.first <= row && row <= run.last);
+  steps.push({
+    head: 'Texel',
+    colour: hex(texel),
+    says: `${sample.u}, ${sample.v} of ${escape(pick.texture)}, level ${sample.detail} (${sample.size.join(' × ')}): ${hex(texel)}`,
+  });
+  const lit = texel.map((part) => (part * sample.light) / 256);
+  steps.push({
+    head: 'Light',
+    colour: hex(light),
+    says: `× ${sample.light} ÷ 256 = ${isPlain ? rounded(lit) : hex(light)}`,
+  });
+  if (sample.fog > 0)
+    steps.push({
+      head: 'Fog',
+      colour: hex(picture),
+      says: `${sample.fog} of 255 parts haze = ${hex(picture)}`,
+    });
+  if (pick.alpha < 255)
+    steps.push({
+      head: 'Seen through',
+      says: `${pick.alpha} of 255 parts; the rest is what stands behind`,
+    });
+  if (pick.reflection !== null)
+    steps.push({
+      head: 'Mirror',
+      says: `mixed with ${nameOf(now, pick.reflection)} at depth ${fixed(pick.reflection.depth)}`,
+    });
+  steps.push({ head: 'Pixel', colour: hex(picture), says: hex(picture) });
+  return steps;
+}
+
+const rounded = (colour) => colour.map((part) => fixed(part, 1)).join(', ');
+
+function ordinal(number) {
+  const last = number % 100;
+  if (last > 10 && last < 14) return `${number}th`;
+  return `${number}${{ 1: 'st', 2: 'nd', 3: 'rd' }[number % 10] ?? 'th'}`;
+}
