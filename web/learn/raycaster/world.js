@@ -48,6 +48,7 @@ export function makeWorld(scene, images) {
   for (const map of scene.maps) readPortals(map, maps, leftOut);
   return {
     maps,
+    textures: { ...textures, ...sprites },
     seconds: 0,
     body: null,
     portalLimit: scene.portalLimit ?? 8,
