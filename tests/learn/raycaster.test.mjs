@@ -30,11 +30,11 @@ const walking = [
   view(12.5, 2.5, 0.5, 130),
   view(9.2, 1.3, 0.5, 205.5),
 ];
-const looking = [view(2.4, 6.6, 0.5, 20, 0.15), view(9.5, 7.2, 0.5, 260, -0.2)];
+const looking = [view(3.6, 6.6, 0.5, 20, 0.15), view(9.5, 7.2, 0.5, 260, -0.2)];
 const heights = [
   view(7.4, 7.5, 0.5, 235, 0.12),
   view(9.4, 3.5, 0.5, 200, 0.1),
-  view(8.2, 6.4, 0.5, 310),
+  view(7.4, 6.4, 0.5, 310),
 ];
 const flying = [view(8, 5, 3.5, 200, -0.4), view(13.2, 7.4, 2.2, 225, -0.25)];
 const inside = [view(12.4, 4.4, 0.5, 175), view(13.5, 6.1, 0.5, 280, 0.1)];
@@ -211,7 +211,7 @@ test('gates and lifts are where the engine has them', async (t) => {
   for (const steps of [120, 300, 300, 240]) {
     engine.step(steps);
     world.seconds += steps / 120;
-    for (const place of [view(8.2, 4.5, 0.5, 0), view(11.5, 6.4, 0.6, 0), inside[0]]) {
+    for (const place of [view(8.2, 4.5, 0.5, 1), view(11.5, 6.4, 0.6, 4), inside[0]]) {
       const { eye, picture } = lookAt(scene, place, { chapter: 17, size: kSmall });
       const { share } = difference(drawn(functions, world, eye, kSmall), picture);
       t.diagnostic(`${world.seconds} s: ${(100 * share).toFixed(3)} %`);

@@ -284,6 +284,7 @@ const kChecks = {
         const run = column.runs.find(({ what, hit }) => what === 'side' && hit === 0);
         const [hit] = column.hits;
         if (!run || run.layer || hit.topFrontRow === null || hit.depth === 0) continue;
+        if (!isWhole(run, hit, given.expected.size)) continue;
         const rows = [];
         fillRows(emptySlice(given, column), hit.topFrontRow, hit.bottomFrontRow, (row) => {
           rows.push(row);
@@ -397,6 +398,25 @@ const kChecks = {
       }
     },
   },
+  'shade darkest': {
+    from: 10,
+    run(shade, { map }) {
+      const clear = { ...map, fog: { ...map.fog, on: false } };
+      const { darkest, brightest } = map.light;
+      for (const [depth, light] of [
+        [1e6, darkest],
+        [1e-6, brightest],
+      ]) {
+        const mine = shade(clear, [200, 150, 77, 255], depth, 1);
+        const factor = map.light.on ? Math.floor(256 * light + 0.5) : 256;
+        mustBeColour(
+          `, without fog, depth ${depth}`,
+          mine,
+          fogged([200, 150, 77], map.haze, factor, 0),
+        );
+      }
+    },
+  },
   groundUnder: {
     from: 11,
     run(groundUnder, given) {
@@ -482,6 +502,30 @@ const kChecks = {
         for (const { depth } of own(column.objects))
           if (!depths.some((each) => Math.abs(each - depth) < kTolerance))
             tell(where, depths, depth);
+      }
+    },
+  },
+  isJoined: {
+    from: 16,
+    run(isJoined) {
+      const pane = { seeThrough: true, join: true };
+      const other = { ...pane };
+      for (const [what, block, others, level, joined] of [
+        ['two panes of one block', pane, [{ block: pane, level: 1 }], 1, true],
+        ['two panes on two levels', pane, [{ block: pane, level: 0 }], 1, false],
+        ['panes of two blocks', pane, [{ block: other, level: 1 }], 1, false],
+        ['no neighbour', pane, [], 1, false],
+      ])
+        mustBe(`, ${what}`, Boolean(isJoined({ block, level }, others, level)), joined);
+      const wall = { seeThrough: false, join: true };
+      const leaves = { seeThrough: true, join: false };
+      for (const block of [wall, leaves]) {
+        const what = block === wall ? 'two opaque blocks' : 'two blocks that do not join';
+        mustBe(
+          `, ${what}`,
+          Boolean(isJoined({ block, level: 0 }, [{ block, level: 0 }], 0)),
+          false,
+        );
       }
     },
   },
@@ -651,6 +695,14 @@ const kChecks = {
 
 function isMoving(map, { blueprint }) {
   return Object.values(map.blocks).some(({ name, motion }) => name === blueprint && motion);
+}
+
+// Whether a run shows all of a side that is on the screen: a ceiling may hide some from above.
+function isWhole({ first, last }, { topFrontRow, bottomFrontRow }, { height }) {
+  const isAt = (row, edge) => Math.abs(row - edge) <= 1;
+  return (
+    (first === 0 || isAt(first, topFrontRow)) && (last === height - 1 || isAt(last, bottomFrontRow))
+  );
 }
 
 // A tile beside a wall that is higher than a step, with free tiles around.

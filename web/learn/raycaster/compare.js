@@ -18,6 +18,8 @@ const kObjects = 15;
 const kLayers = 16; // whatever is seen through, and the soft edges of objects
 const kMirrors = 18;
 const kPortals = 19;
+const kTies = 22; // rays that meet an edge or a corner exactly
+const kTie = 1e-7; // rows; parts of a depth
 
 // 1 for each pixel whose kind a chapter knows, by rows. `traces` are the engine's, of all columns.
 // With the world, chapter 15 counts objects too, except for their half-transparent texels.
@@ -36,12 +38,31 @@ export function taught(chapter, traces, { width, height }, world = null) {
         leaveOut(run);
       }
     }
+    if (chapter < kTies) leaveOutTies(slice, world, rows);
     if (chapter < kMirrors) slice.mirrors.forEach(leaveOut);
     rows.forEach((known, row) => {
       mask[row * width + slice.column] = known;
     });
   }
   return mask;
+}
+
+// The rows whose rays meet an edge exactly; all of them if the column's ray meets a corner.
+function leaveOutTies(slice, world, rows) {
+  const heights = new Set([0]);
+  if (world) heights.add(world.maps[slice.map].ceilingHeight);
+  for (const { bottom, top } of slice.hits) heights.add(bottom).add(top);
+  for (const { depth, next, portals } of slice.walk) {
+    if (portals > 0) continue;
+    const [x, y] = next;
+    if (x !== null && y !== null && Math.abs(x - y) <= kTie * x) rows.fill(0);
+    for (const height of heights) {
+      const rise = height - slice.eye.z;
+      const row = slice.horizonRow - (rise * slice.projectionDistance) / depth - 0.5;
+      const nearest = Math.round(row);
+      if (Math.abs(row - nearest) < kTie && nearest >= 0) rows[nearest] = 0;
+    }
+  }
 }
 
 // The rows that show a texel of an object which is neither opaque nor a hole.

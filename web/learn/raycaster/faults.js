@@ -138,7 +138,7 @@ export const faults = {
   'unrounded-light': {
     chapter: 10,
     change: [
-      ['Math.floor(256 * bright * faceLight + 0.5)', '256 * bright * faceLight'],
+      ['Math.floor(256 * light + 0.5)', '256 * light'],
       ['(channel * factor + 128) >> 8', 'Math.floor((channel * factor) / 256)'],
     ],
     says: 'The light is cut off instead of rounded: some colours are one step too dark.',
@@ -268,7 +268,11 @@ export const faults = {
   },
   'less-or-equal': {
     chapter: 22,
-    change: [['if (farX < farY || (farX === farY && stepX > 0)) {', 'if (farX <= farY) {']],
+    change: [
+      ['stepX * 2 ** -40', '0'],
+      ['stepY * 2 ** -46', '0'],
+      ['if (farX < farY) {', 'if (farX <= farY) {'],
+    ],
     says: 'At every corner the x border comes first: half of the corners are wrong.',
   },
 };

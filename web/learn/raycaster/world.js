@@ -190,7 +190,9 @@ function readMap(map, given) {
     const rows = level.length > 0 ? level : empty;
     return rows.map((row) => [...row]);
   });
-  const blocks = mapValues({ ...scene.legend, ...map.legend }, (name) => blueprints[name]);
+  // Each map has blocks of its own, because they move; characters of one blueprint share a block.
+  const own = mapValues(blueprints, (block) => ({ ...block }));
+  const blocks = mapValues({ ...scene.legend, ...map.legend }, (name) => own[name]);
   if (map.sow) leftOut.add('sown objects');
   return {
     name: map.name,
