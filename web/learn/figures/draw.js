@@ -58,7 +58,8 @@ export function drawStatic(
         const image = addPoster(view, splitPixels(view, now), `${row}${place}`);
         return frameOf(view, now, now.size, image);
       }
-      return bodyOf(view, now, Math.round(widthsOf(figure.rows[row], figure, width)[place]));
+      const itsWidth = Math.round(widthsOf(figure.rows[row], figure, width)[place]);
+      return bodyOf(view, now, itsWidth, `${name}-${row}-${place}`);
     },
   });
   return {

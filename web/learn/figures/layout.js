@@ -77,10 +77,10 @@ const kTools =
   '<div class="fig-tools"><button type="button" data-tool="reset">Reset</button><button type="button" data-tool="link">Copy link</button></div>';
 
 // A panel's content, except pictures: those need an element, or an image.
-export function bodyOf(view, now, width) {
+export function bodyOf(view, now, width, id) {
   if (view.kind === 'panel') return view.markup(now);
   const palette = view.kind === 'paint' ? paletteOf(view, now) : '';
-  return palette + drawn(view, now, width).markup;
+  return palette + drawn(view, now, width, id).markup;
 }
 
 // The picture's frame: the marks, in the picture's pixels, over what `inner` draws.

@@ -367,7 +367,10 @@ class LiveFigure {
     const { view, body } = panel;
     const now = this.#now;
     panel.content ??= this.#content(body);
-    putMarkup(panel.content, bodyOf(view, now, width));
+    putMarkup(
+      panel.content,
+      bodyOf(view, now, width, `${this.#options.name}-${panel.row}-${panel.place}`),
+    );
     if (view.kind === 'panel') return;
     const svg = panel.content.querySelector('.fig-svg');
     const box = { width, height: Number(svg.getAttribute('height')) };

@@ -67,7 +67,11 @@ export function mapView({
     height: (width, now) => frame(now, look, width).height,
     markup(now, size) {
       const it = frame(now, look, size.width);
-      return draw(now, look, it) + (paint ? cursor(now, it) : '') + knobs(now, handles, look, it);
+      return (
+        draw(now, look, it, `${size.id}-clip`) +
+        (paint ? cursor(now, it) : '') +
+        knobs(now, handles, look, it)
+      );
     },
     handles: (now, size) => mapHandles(now, handles, look, frame(now, look, size.width)),
     click: column
@@ -106,9 +110,8 @@ const inside = ({ left, top, wide, deep }, x, y) =>
 
 // ---- The drawing
 
-function draw(now, look, it) {
+function draw(now, look, it, id) {
   const { place, unit } = it;
-  const id = `clip${at(it.width)}${now.escape(it.map.name)}`.replace(/\W/g, '');
   const [x, y] = place(it.left, it.top);
   return (
     `<clipPath id="${id}">${box(x - 4, y - 4, unit * it.wide + 8, unit * it.deep + 8)}</clipPath>` +
@@ -171,7 +174,7 @@ function blocksOf(now, { levels, heights }, it) {
           text(
             px + unit - 4,
             py + unit - 5,
-            fixed(top.level + top.block.top, top.block.top % 1 ? 1 : 0),
+            String(Number((top.level + top.block.top).toFixed(unit < 34 ? 1 : 2))),
             'class="on-block" text-anchor="end"',
           ),
         );

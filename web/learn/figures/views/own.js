@@ -16,10 +16,10 @@ export function drawing({ height = 260, ...options }) {
   };
 }
 
-// The drawing's whole markup for a width.
-export function drawn(view, now, width) {
+// The drawing's whole markup for a width. `id` begins the ids in it: no other drawing has it.
+export function drawn(view, now, width, id) {
   const tall = Math.round(view.height(width, now));
-  const size = { width, height: tall };
+  const size = { width, height: tall, id };
   const label = view.label?.(now) ?? view.title ?? '';
   const about =
     label === '' ? 'aria-hidden="true"' : `role="img" aria-label="${now.escape(label)}"`;

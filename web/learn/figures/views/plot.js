@@ -37,9 +37,9 @@ export function plot({ x, y, lines = [], marks, over, tall = 240, title, ...othe
       others.label ??
       ((now) =>
         `${y.label} by ${x.label}${x.field ? ` at ${fixed(valueOf(now.state, x.field))}` : ''}`),
-    markup(now, { width }) {
-      const it = frame(now, width);
-      return draw(now, it, width, { x, y, lines, marks, over });
+    markup(now, size) {
+      const it = frame(now, size.width);
+      return draw(now, it, size, { x, y, lines, marks, over });
     },
     handles(now, { width }) {
       if (!x.field) return [];
@@ -73,9 +73,9 @@ export function plot({ x, y, lines = [], marks, over, tall = 240, title, ...othe
   });
 }
 
-function draw(now, it, width, { x, y, lines, marks, over }) {
+function draw(now, it, { width, id: key }, { x, y, lines, marks, over }) {
   const { place, right, bottom } = it;
-  const id = `plot${width}${at(bottom)}`.replace(/\W/g, '');
+  const id = `${key}-clip`;
   const parts = [box(kLeft, kTop, right - kLeft, bottom - kTop, 'class="fig-ground"')];
   for (const tick of ticks(it.fromX, it.toX, Math.max(2, (right - kLeft) / 70))) {
     const [px] = place(tick, 0);

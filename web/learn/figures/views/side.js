@@ -58,7 +58,7 @@ function frame(now, { depth, height, mirror, tall }, { width }) {
   const lowest = Math.min(0, mirrored ?? 0, ...hits.map((hit) => risen(hit, hit.bottom)));
   const floor = tall - kFoot;
   const unitX = (width - kLeft - 10) / farthest;
-  const unitZ = (floor - kTop) / (highest - lowest * 1.06);
+  const unitZ = (floor - kTop) / (highest - lowest * 1.12);
   const zero = kTop + unitZ * highest;
   const place = (t, z) => [kLeft + unitX * t, zero - unitZ * z];
   const back = ({ x, y }) => [(x - kLeft) / unitX, (zero - y) / unitZ];
@@ -89,7 +89,7 @@ function mirroredEye({ slice }) {
 function draw(now, look, size, handles) {
   const it = frame(now, look, size);
   const { place, width } = it;
-  const id = `side${width}${size.height}`.replace(/\W/g, '');
+  const id = `${size.id}-clip`;
   const [, ground] = place(0, 0);
   return (
     `<clipPath id="${id}">${box(kLeft, 0, width - kLeft, it.bottom)}</clipPath>` +
@@ -112,6 +112,7 @@ function draw(now, look, size, handles) {
       now,
       Object.assign((t, z) => place(t, z), { unitX: it.unitX, unitZ: it.unitZ }),
     ) ?? '') +
+    (it.mirrored === null ? '' : dot(...place(0, it.mirrored), 8, 'class="fig-eye mirrored"')) +
     eyeOf(now, it, handles)
   );
 }
@@ -250,7 +251,7 @@ function mirrored(now, it) {
     });
     parts.push(polygon([eye, ...ends], `class="fig-wedge mirrored ${run.what}"`));
   }
-  return parts.join('') + dot(...eye, 8, 'class="fig-eye mirrored"');
+  return parts.join('');
 }
 
 // The border that the walk crosses now.

@@ -26,7 +26,8 @@ export function sliceStrip({
       others.label ??
       ((now) =>
         `The ${now.height} rows of column ${now.column}, filled by ${now.runs.length} runs.`),
-    markup: (now, { width }) => draw(now, width, { names, rows, pick, tall }),
+    markup: (now, { width, id }) =>
+      draw(now, width, { id: `${id}-hatch`, names, rows, pick, tall }),
     handles: (now, { width }) =>
       pick
         ? [
@@ -56,13 +57,13 @@ function stripOf(width, names, pick) {
   return { left, wide: names ? clamp(width * 0.22, 40, 110) : width - left - 2 };
 }
 
-function draw(now, width, { names, rows, pick, tall }) {
+function draw(now, width, { id, names, rows, pick, tall }) {
   const { slice, runs } = now;
   const { left, wide } = stripOf(width, names, pick);
   const y = (row) => yOf(now, row, tall);
   const parts = [
-    '<pattern id="fig-hatch" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="8" height="8" class="fig-open"/><rect width="2" height="8" class="fig-open-line"/></pattern>',
-    box(left, kTop, wide, tall, 'fill="url(#fig-hatch)"'),
+    `<pattern id="${id}" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="8" height="8" class="fig-open"/><rect width="2" height="8" class="fig-open-line"/></pattern>`,
+    box(left, kTop, wide, tall, `fill="url(#${id})"`),
   ];
   const current = now.step?.of === 'run' ? now.step.index : -1;
   const labels = [];

@@ -42,8 +42,8 @@ export function numberTable({
 const inBrackets = (number, digits) =>
   number < 0 ? `(${fixed(number, digits)})` : fixed(number, digits);
 
-// `=`: the page's own number is the engine's in every bit; `≈`: all but the last bits.
-const agreed = (own, engine) => `${own === engine ? '=' : '≈'} ${fixed(engine, 6)}`;
+// `=`: the page's own number is the engine's in every bit, and not only in the digits shown.
+const agreed = (own, engine) => `${own === engine ? '= ' : ''}${fixed(engine, 6)}`;
 
 const named = ({ axis, border }) =>
   `<span class="${axis === 'x' ? 'across' : 'along'}">${axis === 'x' ? '▲' : '▼'} ${axis} = ${border}</span>`;

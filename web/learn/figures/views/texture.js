@@ -19,7 +19,7 @@ export function textureView({
     height: (width, now) => heightOf(now, run(now), side(width)) + kFoot,
     ...others,
     label: others.label ?? ((now) => says(now, run(now))),
-    markup: (now, { width }) => draw(now, run(now), side(width), grid),
+    markup: (now, { width, id }) => draw(now, run(now), side(width), grid, `${id}-clip`),
   });
 }
 
@@ -51,7 +51,7 @@ function says(now, run) {
     : `Texture ${run.texture}: texel ${texel.u}, ${texel.v} of level ${texel.detail}.`;
 }
 
-function draw(now, run, side, grid) {
+function draw(now, run, side, grid, id) {
   const texel = texelOf(now, run);
   if (texel === null)
     return (
@@ -65,7 +65,6 @@ function draw(now, run, side, grid) {
   const { image, frames, colour } = looksOf(now, run);
   if (colour) parts.push(box(0, 0, side, tall, `fill="${escape(colour)}"`));
   if (image) {
-    const id = `texture${Math.round(side)}x${Math.round(tall)}`;
     parts.push(
       `<clipPath id="${id}">${box(0, 0, side, tall)}</clipPath>`,
       `<image href="${escape(image)}" x="0" y="0" width="${at(side * frames)}" height="${at(tall)}" preserveAspectRatio="none" class="fig-texture" clip-path="url(#${id})"/>`,

@@ -64,42 +64,48 @@ export function stepsOf(now) {
     steps.push({ head: 'Colour', colour: hex(picture), says: `${pick.what}: ${hex(picture)}` });
     return steps;
   }
-  const isPlain =
-    pick.alpha === 255 &&
-    pick.reflection === null &&
-    !now.slice.runs.some((run) => run.layer && run.first <= row && row <= run.last);
-  steps.push({
-    head: 'Texel',
-    colour: hex(texel),
-    says: `${sample.u}, ${sample.v} of ${escape(pick.texture)}, level ${sample.detail} (${sample.size.join(' × ')}): ${hex(texel)}`,
-  });
-  const lit = texel.map((part) => (part * sample.light) / 256);
-  steps.push({
-    head: 'Light',
-    colour: hex(light),
-    says: `× ${sample.light} ÷ 256 = ${isPlain ? rounded(lit) : hex(light)}`,
-  });
-  if (sample.fog > 0)
+  const alone = `${sample.u}, ${sample.v} of ${escape(pick.texture)}, level ${sample.detail} (${sample.size.join(' × ')})`;
+  // Of a pixel that shows several things at once, the engine tells only what they are together.
+  const isMixed =
+    pick.alpha < 255 ||
+    pick.reflection !== null ||
+    slice.runs.some((run) => run.layer && run.first <= row && row <= run.last);
+  if (isMixed) {
+    steps.push({ head: 'Texel', says: alone }, { head: 'Light', says: `× ${sample.light} ÷ 256` });
+    if (sample.fog > 0) steps.push({ head: 'Fog', says: `${sample.fog} of 255 parts haze` });
+  } else {
+    steps.push({ head: 'Texel', colour: hex(texel), says: `${alone}: ${parts(texel)}` });
     steps.push({
-      head: 'Fog',
-      colour: hex(picture),
-      says: `${sample.fog} of 255 parts haze = ${hex(picture)}`,
+      head: 'Light',
+      colour: hex(light),
+      says: `× ${sample.light} ÷ 256 = ${parts(light)}`,
     });
+    if (sample.fog > 0)
+      steps.push({
+        head: 'Fog',
+        colour: hex(picture),
+        says: `${sample.fog} of 255 parts haze = ${parts(picture)}`,
+      });
+  }
   if (pick.alpha < 255)
     steps.push({
-      head: 'Seen through',
+      head: 'Layer',
       says: `${pick.alpha} of 255 parts; the rest is what stands behind`,
     });
   if (pick.reflection !== null)
     steps.push({
       head: 'Mirror',
-      says: `mixed with ${nameOf(now, pick.reflection)} at depth ${fixed(pick.reflection.depth)}`,
+      says: `mixed with what it reflects: ${nameOf(now, pick.reflection)}${pick.reflection.depth === null ? '' : ` at depth ${fixed(pick.reflection.depth)}`}`,
     });
-  steps.push({ head: 'Pixel', colour: hex(picture), says: hex(picture) });
+  steps.push({
+    head: 'Pixel',
+    colour: hex(picture),
+    says: `${parts(picture)}, which is ${hex(picture)}`,
+  });
   return steps;
 }
 
-const rounded = (colour) => colour.map((part) => fixed(part, 1)).join(', ');
+const parts = (colour) => colour.join(', ');
 
 function ordinal(number) {
   const last = number % 100;
