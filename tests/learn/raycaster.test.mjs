@@ -2,12 +2,13 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { check as isLaidOut, resolveConfig } from 'prettier';
 
 import { check, expectations } from '../../web/learn/raycaster/checks.js';
 import { difference, firstDifference, taught } from '../../web/learn/raycaster/compare.js';
 import { faults, faultyText } from '../../web/learn/raycaster/faults.js';
 import { asModule, engineOptions, functionsOf, sceneOf } from '../../web/learn/raycaster/states.js';
-import { drawn, lookAt, openScene, program, states } from './reader.mjs';
+import { drawn, lookAt, openScene, program, root, states } from './reader.mjs';
 
 const kSize = { width: 480, height: 300 };
 const kSmall = { width: 160, height: 100 };
@@ -145,6 +146,14 @@ test('a program that throws, or lacks a function, is told so', async () => {
   assert.equal(says.slopeOf, '`slopeOf` is not there.');
   assert.match(says.rayOf, /^`rayOf`, column \d+, x: yours nothing, engine -?[\d.]+$/);
   assert.match(says.walkGrid, /^`walkGrid`, column \d+, tile 0 of the way: yours nothing, engine /);
+});
+
+test('every state is laid out as the rest of the code', async () => {
+  const layout = { ...(await resolveConfig(`${root}/web/x.js`)), parser: 'babel' };
+  for (const chapter of chapters) {
+    assert.ok(await isLaidOut(states.answer(chapter), layout), `the answer of chapter ${chapter}`);
+    assert.ok(await isLaidOut(states.start(chapter), layout), `the start of chapter ${chapter}`);
+  }
 });
 
 test('the engine draws what the options of a chapter say', () => {

@@ -71,6 +71,7 @@ function runOne(label, run, given) {
         height: expected.size.height,
         distance: expected.distance,
         horizon: expected.horizon,
+        up: 1,
         ...directions(eye.heading),
       },
     });
@@ -156,7 +157,7 @@ function emptySlice({ expected, view, map, eye, world }, { column, ray }) {
   const words = new Uint32Array(pixels.buffer);
   const picture = { width, height, pixels, words };
   const open = new Uint8Array(height).fill(1);
-  const part = { open, layers: [], first: 0, last: height, floor: -Infinity, portals: 0 };
+  const part = { open, layers: [], first: 0, last: height, lowest: -Infinity, portals: 0 };
   return { ...part, picture, column, map, eye, view, ray, world };
 }
 

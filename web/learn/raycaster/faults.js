@@ -153,7 +153,7 @@ export const faults = {
   },
   'no-sliding': {
     chapter: 11,
-    change: [['    [dx, 0],\n    [0, dy],\n', '    [dx, dy],\n']],
+    change: [['[alongX, alongY]', '[{ x: dx, y: dy }]']],
     says: 'Both axes are tested at once: a body that touches a wall sticks to it.',
   },
   'first-hit-only': {
@@ -171,7 +171,7 @@ export const faults = {
   },
   'painters-order': {
     chapter: 13,
-    change: [['    if (slice.open[row]) put(', '    put(']],
+    change: [['if (slice.open[row]) put(', 'put(']],
     says: 'No row is ever closed: what is far covers what is near.',
   },
   'one-hit-a-level': {
@@ -263,7 +263,7 @@ export const faults = {
   },
   'painted-last': {
     chapter: 20,
-    change: [['    if (slice.open[row]) put(', '    put(']],
+    change: [['if (slice.open[row]) put(', 'put(']],
     says: 'What is painted last is seen, though it is further away.',
   },
   'less-or-equal': {
