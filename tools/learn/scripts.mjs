@@ -52,6 +52,7 @@ export async function buildScripts(staged, output, chapters) {
     legalComments: 'none',
     logLevel: 'warning',
     chunkNames: 'part-[hash]',
+    external: ['node:*'], // by-hand.js imports one under Node only
     plugins: [generated],
   });
   for (const style of kStyles)

@@ -18,6 +18,7 @@ export function configure(config, { chapters, program, formulas }) {
   config.setIncludesDirectory('../../tools/learn');
   config.setTemplateFormats(['md']);
   config.ignores.add('web/learn/**/README.md');
+  config.addGlobalData('templateEngineOverride', 'md'); // {{ }} is a number of a figure
   config.addGlobalData('layout', 'chapter.njk');
   config.addGlobalData(
     'permalink',
@@ -72,8 +73,6 @@ export function configure(config, { chapters, program, formulas }) {
     ),
   );
   config.addFilter('inline', (text) => parser.renderInline(text ?? ''));
-
-  return { markdownTemplateEngine: false, dir: { includes: '../../tools/learn' } };
 
   // The parser, which refuses numbers without a source, and names the page in its errors.
   function checked(markdownIt) {
