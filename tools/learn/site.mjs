@@ -16,6 +16,8 @@ export function configure(config, { chapters, program, formulas }) {
 
   config.setLibrary('md', checked(parser));
   config.setIncludesDirectory('../../tools/learn');
+  // {{...}} in the text is the parser's, not Liquid's.
+  config.addPreprocessor('raw', 'md', (data, text) => `{% raw %}${text}{% endraw %}`);
   config.setTemplateFormats(['md']);
   config.ignores.add('web/learn/**/README.md');
   config.addGlobalData('templateEngineOverride', 'md'); // {{ }} is a number of a figure
