@@ -52,7 +52,6 @@ export async function buildScripts(staged, output, chapters) {
     legalComments: 'none',
     logLevel: 'warning',
     chunkNames: 'part-[hash]',
-    external: ['node:*'], // by-hand.js imports one under Node only
     plugins: [generated],
   });
   for (const style of kStyles)
