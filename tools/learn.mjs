@@ -18,6 +18,7 @@ import { buildScripts } from './learn/scripts.mjs';
 import { writeSearch } from './learn/search.mjs';
 import { configure } from './learn/site.mjs';
 import { stage } from './learn/stage.mjs';
+import { writePanelFiles } from './learn/write-panel.mjs';
 
 const [argument] = process.argv.slice(2);
 if (argument === undefined)
@@ -44,5 +45,6 @@ for (const { figures } of chapters.values())
   for (const figure of figures.values()) figure.writePictures(output);
 formulas.writeStyles(output);
 await buildScripts(staged, output, chapters);
+await writePanelFiles(path.join(output, 'write'));
 await writeSearch(output, chapters);
 await writeRedirects(folder);

@@ -185,7 +185,6 @@ struct GridWalk {
 private:
     enum class Way : std::uint8_t { none, alongX, alongY };
 
-    // #region borders
     // The next border of one axis.
     struct Axis {
         double distance;
@@ -210,7 +209,6 @@ private:
             along = distance / speed;
         }
     };
-    // #endregion
 
     Crossing crossing(double along, double distance, const Axis& axis, bool alongX) const {
         return {along,

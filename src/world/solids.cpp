@@ -127,7 +127,6 @@ std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, C
     }
 }
 
-// #region advance
 bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance,
                   Coordinate step) {
     Offset way;
@@ -153,6 +152,5 @@ bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, 
     state.box = moved(state.box, way);
     return false;
 }
-// #endregion
 
 }  // namespace slicecast

@@ -108,7 +108,6 @@ class Now {
         objects: written.objects ?? [],
         portals: written.portals ?? [],
         ceiling: written.ceiling ?? null,
-        floor: written.floor ?? null,
       };
     });
   }
