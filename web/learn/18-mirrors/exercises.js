@@ -1,0 +1,29 @@
+// The row where the floor shows the top of the lettered block, from the engine's numbers.
+function reflectedRow({ slice, eye }) {
+  const { depth, top } = slice.hits.find(({ blueprint }) => blueprint === 'letters');
+  return slice.horizonRow + (slice.projectionDistance * (top + eye.z)) / depth;
+}
+
+export default {
+  meet: {
+    scene: 'yard-7.json',
+    view: '5.5,7.6,0.5,325,0',
+    answer: () => (4 * 0.5) / (0.5 + 1),
+    tolerance: 0.02,
+    unit: 'units',
+    digits: 2,
+  },
+  row: {
+    scene: 'yard.json',
+    view: '1.4,4.8,0.5,357,-0.06,hall',
+    options: { fov: 60 },
+    answer: reflectedRow,
+    tolerance: 2,
+    digits: 0,
+  },
+  lost: {
+    scene: 'slab.json',
+    view: '3,4,1.8,2,-0.5',
+    answer: () => 'The underside of a bridge',
+  },
+};

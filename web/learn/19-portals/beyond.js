@@ -1,0 +1,35 @@
+// A door of the yard: both maps, the eye in each, and the picture.
+
+import { fixed, mapView, picture } from '../figures/kit.js';
+
+const beyondOf = (now) => now.eyes[1] ?? null;
+
+export default {
+  scene: 'yard.json',
+  view: '7.4,6.4,0.5,86,0',
+  options: { fov: 60 },
+  size: [480, 300],
+  state: { column: 270 },
+  controls: [],
+  rows: [
+    [
+      mapView({
+        title: 'The yard',
+        map: 'yard',
+        handles: ['eye', 'heading'],
+        window: [4, 4, 7, 5],
+      }),
+      mapView({ title: 'The hall', map: 'hall' }),
+    ],
+    [picture({ handles: ['column'] })],
+  ],
+  numbers: {
+    x: (now) => fixed(beyondOf(now)?.x ?? now.eye.x),
+    y: (now) => fixed(beyondOf(now)?.y ?? now.eye.y),
+  },
+  says: (now) => {
+    const beyond = beyondOf(now);
+    if (beyond === null) return 'This slice passes no portal. Choose another column, or turn.';
+    return `The eye is at ${fixed(now.eye.x)}, ${fixed(now.eye.y)} in the yard. Beyond the portal it is at ${fixed(beyond.x)}, ${fixed(beyond.y)} in the hall.`;
+  },
+};

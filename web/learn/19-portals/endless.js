@@ -1,0 +1,26 @@
+// A corridor whose end leads to its beginning.
+
+import { fixed, mapView, picture } from '../figures/kit.js';
+
+export default {
+  scene: 'corridor.json',
+  view: '1.2,1.3,0.5,2,0',
+  options: { fov: 60 },
+  size: [480, 300],
+  state: { column: 232 },
+  controls: [],
+  rows: [
+    [picture({ handles: ['column', 'turn'] })],
+    [mapView({ title: 'The corridor', handles: ['eye', 'heading'] })],
+  ],
+  numbers: {
+    limit: (now) => now.source.scene.portalLimit,
+    portals: (now) => now.slice.portals.length,
+  },
+  says: ({ slice }) => {
+    const { portals } = slice;
+    if (portals.length === 0) return 'This slice passes no portal.';
+    const last = portals.at(-1);
+    return `This slice passes ${portals.length} portals, the last one at depth ${fixed(last.depth, 1)}.`;
+  },
+};

@@ -1,0 +1,20 @@
+const tower = { scene: 'yard.json', view: '2.6,4.6,0.5,268,0', tolerance: 0.05, digits: 1 };
+
+const depthsOf = ({ slice }) => slice.objects.map(({ depth }) => depth);
+
+export default {
+  beyond: { ...tower, answer: (now) => now.eyes[1].x },
+  'beyond-y': { ...tower, answer: (now) => now.eyes[1].y },
+  apart: {
+    scene: 'corridor.json',
+    view: '1.2,1.5,0.5,0,0',
+    state: { column: 250 },
+    answer: (now) => {
+      const [first, second] = depthsOf(now);
+      return second - first;
+    },
+    tolerance: 0.01,
+    unit: 'units',
+    digits: 0,
+  },
+};
