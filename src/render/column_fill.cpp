@@ -127,6 +127,7 @@ struct RowShade {
     }
 };
 
+// #region lay-over
 inline std::uint32_t laidOver(std::uint32_t there, std::uint32_t colour, std::uint32_t alpha) {
     const std::uint32_t rest = 255 - alpha;
     const std::uint32_t even =
@@ -135,6 +136,7 @@ inline std::uint32_t laidOver(std::uint32_t there, std::uint32_t colour, std::ui
                                            ((there >> 8) & kRedAndBlue) * rest + 0x007f007f);
     return even | odd << 8 | kOpaque;
 }
+// #endregion
 
 // The result for a row: `there` is its old pixel, `colour` the shaded texel.
 struct Opaque {

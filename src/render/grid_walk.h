@@ -185,6 +185,7 @@ struct GridWalk {
 private:
     enum class Way : std::uint8_t { none, alongX, alongY };
 
+    // #region borders
     // The next border of one axis.
     struct Axis {
         double distance;
@@ -209,6 +210,7 @@ private:
             along = distance / speed;
         }
     };
+    // #endregion
 
     Crossing crossing(double along, double distance, const Axis& axis, bool alongX) const {
         return {along,

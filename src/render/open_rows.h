@@ -47,6 +47,7 @@ public:
         return first < last && last > first_ && first < last_;
     }
 
+    // #region take
     // Closes the rows [first, last) and calls fill(first, last) for each run that was open.
     template <typename Fill>
     void take(int first, int last, Fill&& fill) {
@@ -80,6 +81,7 @@ public:
         }
         findEnds();
     }
+    // #endregion
 
     // Calls fn(first, last) for each run of open rows within [first, last); closes none.
     template <typename Fn>

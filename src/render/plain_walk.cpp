@@ -64,6 +64,7 @@ bool PlainWalk::isGridLeft() const {
            isBehind(walk_.tileY, map().depth, walk_.stepY);
 }
 
+// #region objects
 // Each object splits the tile: things before its depth are met first, the others afterwards.
 void PlainWalk::meetTile() {
     const Crossing leave = leave_;
@@ -78,7 +79,9 @@ void PlainWalk::meetTile() {
     leave_ = leave;
     meetStretch();
 }
+// #endregion
 
+// #region stretch
 // Meets everything in the tile between `enter_` and `leave_`.
 void PlainWalk::meetStretch() {
     findBlocks();
@@ -91,6 +94,7 @@ void PlainWalk::meetStretch() {
         for (const Block& block : blocks_) leaveSide(block);
     }
 }
+// #endregion
 
 // Outside the grid the floor is endless.
 void PlainWalk::meetBackground() {
@@ -101,6 +105,7 @@ void PlainWalk::meetBackground() {
 
 // ---- the contents of a tile
 
+// #region blocks
 // The blocks, cut to the heights of the part's rays.
 void PlainWalk::findBlocks() {
     blocks_.clear();
@@ -118,6 +123,7 @@ void PlainWalk::findBlocks() {
             {&blueprint, level, std::max(bottom, clip.low), std::min(top, clip.high), cut});
     }
 }
+// #endregion
 
 // The horizontal planes, sorted by distance from the eye's height: a ray meets those in its
 // direction in that order. At equal height the face of the block that is left comes first, then
@@ -168,6 +174,7 @@ void PlainWalk::showSideBut(const Block& block, Face face, const Crossing& borde
     showSide(block, face, border, {std::max(rows.first, joined.last), rows.last});
 }
 
+// #region plane
 // The rows whose rays cross the plane's height between the two borders: falling rays see it below
 // the eye, rising rays above.
 void PlainWalk::meetPlane(const LevelPlane& plane) {
@@ -187,6 +194,7 @@ void PlainWalk::meetPlane(const LevelPlane& plane) {
         meetFace(plane, rows);
     }
 }
+// #endregion
 
 // Whether a roof or an underside is a portal that acts on rays entering it. It does not act on rays
 // that came out of another one at this height.

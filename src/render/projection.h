@@ -41,6 +41,7 @@ struct Projection {
     // r.
     Projection mirrored() const;
 
+    // #region rays
     double sidewaysSlope(int column) const { return (column + 0.5 - width / 2.0) / distance; }
     double upwardSlope(int row) const { return (horizon - (row + 0.5)) / distance; }
 
@@ -52,7 +53,9 @@ struct Projection {
         return {distance * forward.x + sideways * right.x,
                 distance * forward.y + sideways * right.y};
     }
+    // #endregion
 
+    // #region rows
     // The row (a real number) of a height `rise` above the eye at `depth`; infinite at depth 0. Not
     // for rise = 0 at depth 0.
 #if defined(__clang__)
@@ -72,6 +75,7 @@ struct Projection {
         const int whole = static_cast<int>(above);
         return tieIsBelow && static_cast<double>(whole) == above ? whole - 1 : whole;
     }
+    // #endregion
 
 private:
     void setHorizon(double row);

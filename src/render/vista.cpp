@@ -24,6 +24,7 @@ void fillInverseOffsets(const Projection& projection, std::vector<double>& inver
 
 }  // namespace
 
+// #region eye-beyond
 Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
     // Relative to the middle of the portal's tile, then from the middle of the exit tile
     std::int64_t x = from.x - portal.fromX * kUnit - kUnit / 2;
@@ -37,6 +38,7 @@ Viewpoint throughPortal(const Viewpoint& from, const Portal& portal) {
     to.z = from.z + portal.levels * static_cast<std::int32_t>(kUnit);
     return to;
 }
+// #endregion
 
 void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
                   const Vista* sameMap, FrameObjectRoom& room) {
@@ -101,12 +103,14 @@ void Vistas::findWater() {
     }
 }
 
+// #region eye-below
 Vista& Vistas::mirrored(const Vista& from, std::int32_t height) {
     Viewpoint below = from.viewpoint;
     below.z = 2 * height - below.z;
     below.upsideDown = true;
     return find(below);
 }
+// #endregion
 
 Vista& Vistas::find(const Viewpoint& from) {
     const Vista* sameMap = nullptr;

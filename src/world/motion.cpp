@@ -12,6 +12,7 @@ constexpr double eased(double p) {
 
 }  // namespace
 
+// #region offset-at
 // Rounds once, at the end. The product of integers is exact, so `even` is exact to the last bit.
 Coordinate offsetAt(const Motion& motion, int steps) {
     const std::int64_t period = motion.periodSteps;
@@ -27,6 +28,7 @@ Coordinate offsetAt(const Motion& motion, int steps) {
                                                         : std::clamp(2.0 * part - 0.5, 0.0, 1.0));
     return {motion.from.raw + static_cast<std::int32_t>(std::floor(way + 0.5))};
 }
+// #endregion
 
 double fastestSpeed(MotionShape shape, double distance, double periodSeconds) {
     const double even = 2.0 * (distance < 0.0 ? -distance : distance) / periodSeconds;

@@ -127,6 +127,7 @@ std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, C
     }
 }
 
+// #region advance
 bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, Coordinate distance,
                   Coordinate step) {
     Offset way;
@@ -152,5 +153,6 @@ bool advanceAmong(const Solids& solids, Slide& state, Coordinate Offset::*axis, 
     state.box = moved(state.box, way);
     return false;
 }
+// #endregion
 
 }  // namespace slicecast

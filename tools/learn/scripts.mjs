@@ -44,6 +44,7 @@ export async function buildScripts(staged, output, chapters) {
     ],
     outdir: path.join(output, 'scripts'),
     bundle: true,
+    external: ['node:*'], // by-hand.js reads files when the build draws
     splitting: true,
     format: 'esm',
     target: 'es2022',

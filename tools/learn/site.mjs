@@ -16,8 +16,11 @@ export function configure(config, { chapters, program, formulas }) {
 
   config.setLibrary('md', checked(parser));
   config.setIncludesDirectory('../../tools/learn');
+  // {{...}} in the text is the parser's, not Liquid's.
+  config.addPreprocessor('raw', 'md', (data, text) => `{% raw %}${text}{% endraw %}`);
   config.setTemplateFormats(['md']);
   config.ignores.add('web/learn/**/README.md');
+  config.addGlobalData('templateEngineOverride', 'md'); // {{ }} is a number of a figure
   config.addGlobalData('layout', 'chapter.njk');
   config.addGlobalData(
     'permalink',
@@ -72,8 +75,6 @@ export function configure(config, { chapters, program, formulas }) {
     ),
   );
   config.addFilter('inline', (text) => parser.renderInline(text ?? ''));
-
-  return { markdownTemplateEngine: false, dir: { includes: '../../tools/learn' } };
 
   // The parser, which refuses numbers without a source, and names the page in its errors.
   function checked(markdownIt) {

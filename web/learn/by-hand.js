@@ -30,6 +30,8 @@ export function drawWith(draw, { fov = 60 } = {}) {
     world.seconds = (state?.time ?? 0) / 120;
     draw(drawn, world, makeEye(world, eye, state?.fov ?? fov));
     picture.data.set(drawn.pixels);
+    // A program with a fault may leave holes; the page would shine through.
+    for (let i = 3; i < picture.data.length; i += 4) picture.data[i] = 255;
   };
 }
 

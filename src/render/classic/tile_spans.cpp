@@ -81,6 +81,7 @@ std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray,
     span.enter = start.along;
     span.first = true;
     std::int64_t samples = 0;
+    // #region march
     const auto strides = static_cast<std::int64_t>(classic.reach / classic.stepSize);
     const auto begun = static_cast<std::int64_t>(start.along * ray.length / classic.stepSize);
     for (std::int64_t stride = begun + 1; stride <= strides; ++stride) {
@@ -100,6 +101,7 @@ std::int64_t marchTiles(const Map& map, const View& view, const ColumnRay& ray,
                 along,      false, nearestSide(x - tileX - 0.5, y - tileY - 0.5),
                 Face::north};
     }
+    // #endregion
     span.leave = static_cast<double>(strides) * classic.stepSize / ray.length;
     if (map.contains(span.x, span.y)) spans.push_back(span);
     return samples;

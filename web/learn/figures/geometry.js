@@ -91,7 +91,11 @@ export function placeOf(run, row, slice, { ceiling = null, farthest = Infinity }
         ? slice.objects[run.object]
         : null;
   const surface = heightOf(run, slice, ceiling);
-  const reach = upright?.depth ?? (surface === null ? Infinity : (surface - rise) / slope);
+  // Of a see-through block also the inner side, where the ray leaves it.
+  const isInner = run.what === 'side' && run.face !== upright.face;
+  const reach =
+    (isInner ? upright.backDepth : upright?.depth) ??
+    (surface === null ? Infinity : (surface - rise) / slope);
   const depth = Math.min(reach >= 0 ? reach : Infinity, farthest);
   return { depth, z: slice.eye.z + slope * depth };
 }

@@ -108,6 +108,7 @@ class Now {
         objects: written.objects ?? [],
         portals: written.portals ?? [],
         ceiling: written.ceiling ?? null,
+        floor: written.floor ?? null,
       };
     });
   }

@@ -19,6 +19,11 @@ export const faults = {
     change: [['x: -forward.y, y: forward.x', 'x: forward.y, y: -forward.x']],
     says: 'y grows to the north: left and right are exchanged.',
   },
+  'mirrored-yard': {
+    chapter: 9,
+    change: [['x: -forward.y, y: forward.x', 'x: forward.y, y: -forward.x']],
+    says: 'The same, in a picture with letters to read.',
+  },
   'big-steps': {
     chapter: 2,
     change: [['const step = 0.01;', 'const step = 0.3;']],

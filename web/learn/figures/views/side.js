@@ -55,7 +55,11 @@ function frame(now, { depth, height, mirror, tall }, { width }) {
       ...objects.map((object) => risen(object, object.top)),
     ) * 1.06;
   const mirrored = mirror && slice.reflection !== null ? mirroredEye(now) : null;
-  const lowest = Math.min(0, mirrored ?? 0, ...hits.map((hit) => risen(hit, hit.bottom)));
+  const lowest = Math.min(
+    0,
+    mirrored === null ? 0 : mirrored - 0.2,
+    ...hits.map((hit) => risen(hit, hit.bottom)),
+  );
   const floor = tall - kFoot;
   const unitX = (width - kLeft - 10) / farthest;
   const unitZ = (floor - kTop) / (highest - lowest * 1.12);

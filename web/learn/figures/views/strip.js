@@ -63,6 +63,7 @@ function draw(now, width, { id, names, rows, pick, tall }) {
   const y = (row) => yOf(now, row, tall);
   const parts = [
     `<pattern id="${id}" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="8" height="8" class="fig-open"/><rect width="2" height="8" class="fig-open-line"/></pattern>`,
+    `<pattern id="${id}-glass" width="10" height="10" patternUnits="userSpaceOnUse" patternTransform="rotate(-45)"><rect width="4" height="10" class="fig-glass"/></pattern>`,
     box(left, kTop, wide, tall, `fill="url(#${id})"`),
   ];
   const current = now.step?.of === 'run' ? now.step.index : -1;
@@ -76,7 +77,7 @@ function draw(now, width, { id, names, rows, pick, tall }) {
         top,
         wide - inset,
         bottom - top,
-        `class="fig-run ${run.what}${run.layer ? ' layer' : ''}"`,
+        run.layer ? `class="fig-run" fill="url(#${id}-glass)"` : `class="fig-run ${run.what}"`,
       ),
     );
     labels.push({ run, index, middle: (top + bottom) / 2 });

@@ -74,11 +74,17 @@ export function stepsOf(now) {
     steps.push({ head: 'Texel', says: alone }, { head: 'Light', says: `× ${sample.light} ÷ 256` });
     if (sample.fog > 0) steps.push({ head: 'Fog', says: `${sample.fog} of 255 parts haze` });
   } else {
-    steps.push({ head: 'Texel', colour: hex(texel), says: `${alone}: ${parts(texel)}` });
+    // The engine draws without light and fog, but not without the side's own share of light.
+    const share = shareOf(now, pick);
+    const raw = `${alone}${share === 1 ? `: ${parts(texel)}` : ''}`;
+    steps.push({ head: 'Texel', colour: share === 1 ? hex(texel) : undefined, says: raw });
+    if (share !== 1)
+      steps.push({ head: 'Side', colour: hex(texel), says: `× ${share} = ${parts(texel)}` });
+    const all = share === 1 ? '' : ', the side included,';
     steps.push({
       head: 'Light',
       colour: hex(light),
-      says: `× ${sample.light} ÷ 256 = ${parts(light)}`,
+      says: `× ${sample.light} ÷ 256${all} = ${parts(light)}`,
     });
     if (sample.fog > 0)
       steps.push({
@@ -103,6 +109,14 @@ export function stepsOf(now) {
     says: `${parts(picture)}, which is ${hex(picture)}`,
   });
   return steps;
+}
+
+// The factor on the light that a face, the floor, the ceiling or an object has of its own.
+function shareOf(now, { map, blueprint, face, what, object }) {
+  const { blueprints, objects, ceiling, floor } = now.map(map);
+  if (blueprint !== null)
+    return [...blueprints.values()].find(({ name }) => name === blueprint)?.faces[face].light ?? 1;
+  return { floor, ceiling, object: objects[object] }[what]?.light ?? 1;
 }
 
 const parts = (colour) => colour.join(', ');
