@@ -2,7 +2,7 @@
 // their own.
 
 import { build } from 'esbuild';
-import { copyFileSync, existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 
 const kStyles = ['learn.css', 'figures/figures.css', 'write/write.css'];
@@ -19,8 +19,6 @@ function scriptOf(chapter, staged) {
 
 // `staged` holds the modules.
 export async function buildScripts(staged, output, chapters) {
-  if (!existsSync(path.join(staged, 'write/panel.js')))
-    writeFileSync(path.join(staged, 'write/panel.js'), 'export function mountPanel() {}');
   const sources = new Map([...chapters.values()].map((chapter) => [chapter.name, chapter]));
   const generated = {
     name: 'chapters',
@@ -55,8 +53,7 @@ export async function buildScripts(staged, output, chapters) {
     plugins: [generated],
   });
   for (const style of kStyles)
-    if (existsSync(path.join(staged, style)))
-      copyFileSync(path.join(staged, style), path.join(output, path.basename(style)));
+    copyFileSync(path.join(staged, style), path.join(output, path.basename(style)));
   copyLicences(Object.keys(metafile.inputs), path.join(output, '../licences'));
 }
 

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 
 import { chapterMap } from './map.mjs';
 import { markdown, unlistedNumbers } from './markdown.mjs';
+import { panelHtml } from './write-panel.mjs';
 
 const kVersion = /project\(Slicecast VERSION ([0-9.]+)/;
 const kKeys = ['title', 'question', 'minutes', 'needs', 'new', 'write'];
@@ -48,8 +49,7 @@ export function configure(config, { chapters, program, formulas }) {
   });
 
   // The panel of the reader's raycaster, below a chapter.
-  config.addAsyncFilter('panel', async ({ chapter, write }) => {
-    const { panelHtml } = await import('./write-panel.mjs').catch(() => ({ panelHtml: () => '' }));
+  config.addFilter('panel', ({ chapter, write }) => {
     const options = Object.entries(write.options ?? {}).map(([name, value]) => `${name}=${value}`);
     return panelHtml({
       chapter: chapter.number,
