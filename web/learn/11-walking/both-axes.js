@@ -1,4 +1,4 @@
-import { clamp, drawing, dot, fixed, knob, line, numberTable, text } from '../figures/kit.js';
+import { clamp, drawing, dot, fixed, knob, line, numberTable } from '../figures/kit.js';
 import { kHalfWidth, solidOf, sweep } from './body.js';
 import { arrow, bodyBox, planFrame, planTiles } from './plan.js';
 

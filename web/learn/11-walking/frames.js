@@ -50,7 +50,7 @@ function tracks(now, { width }) {
           'stroke="var(--ink)" stroke-width="3"',
         ),
         text(
-          unit * way < 240 ? left + unit * way + 8 : left + 6,
+          width - left - unit * way > 230 ? left + unit * way + 8 : left + 6,
           y + 19,
           `${rate} frames a second: ${fixed(of(rate))} units`,
           'class="halo"',

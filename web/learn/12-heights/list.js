@@ -1,7 +1,7 @@
 import { box, drawing, fixed, line, numberTable, picture, slider, text } from '../figures/kit.js';
 
 const kTall = 320;
-const kColours = ['--across', '--along', '--ray', '--link', '--step', '--soft'];
+const kColours = ['--across', '--along', '--ray', '--link', '--good', '--soft'];
 
 const rowsSeen = (hit) => hit.filled.reduce((sum, { first, last }) => sum + last + 1 - first, 0);
 
@@ -99,15 +99,18 @@ export default {
           { head: '', value: (hit, index) => String(index + 1), class: 'number' },
           { head: 'Block', value: ({ blueprint }) => blueprint },
           { head: 'Depth', value: ({ depth }) => fixed(depth), class: 'number' },
-          { head: 'Bottom', value: ({ bottom }) => fixed(bottom), class: 'number' },
-          { head: 'Top', value: ({ top }) => fixed(top), class: 'number' },
+          {
+            head: 'Heights',
+            value: ({ bottom, top }) => `${fixed(bottom)}–${fixed(top)}`,
+            class: 'number',
+          },
           {
             head: 'Rows',
             value: (hit, index, now) => String(coveredBy(hit, now.height)),
             class: 'number',
           },
           {
-            head: 'Visible',
+            head: 'Seen',
             value: (hit) => (rowsSeen(hit) === 0 ? 'none' : String(rowsSeen(hit))),
             class: 'number',
           },

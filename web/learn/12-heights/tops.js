@@ -95,7 +95,9 @@ function handles(now, size) {
   return pillarsOf(now).map(({ name, depth, top }, index) => {
     const [x, y] = place(depth + 0.5, top);
     const put = (quarters) => ({
-      heights: now.state.heights.with(index, clamp(Math.round(quarters), 0, 12)),
+      heights: now.state.heights.map((height, other) =>
+        other === index ? clamp(Math.round(quarters), 0, 12) : height,
+      ),
     });
     return {
       id: name,

@@ -1,4 +1,4 @@
-import { blockName, picture, scrub, sideView, slider, sliceStrip } from '../figures/kit.js';
+import { picture, scrub, sideView, slider, sliceStrip } from '../figures/kit.js';
 
 export default {
   scene: 'yard-2.json',
@@ -18,15 +18,9 @@ export default {
   ],
   numbers: { runs: (now) => String(now.slice.runs.length) },
   says: (now) => {
-    const { runs } = now;
-    const all = now.slice.runs.length;
-    if (runs.length === 0) return 'All rows are open.';
-    const last = runs.at(-1);
-    const rows =
-      last.first === last.last ? `row ${last.first}` : `rows ${last.first} to ${last.last}`;
-    const name = blockName(now.slice, last);
-    return runs.length === all
-      ? `${all} fills, and no row is open.`
-      : `Fill ${runs.length} of ${all}: ${name}, ${rows}.`;
+    const filled = now.runs.reduce((sum, { first, last }) => sum + last + 1 - first, 0);
+    const open = now.height - filled;
+    if (open === 0) return `No row is open after ${now.slice.runs.length} fills: the walk ends.`;
+    return `${filled} rows are filled, ${open} are open.`;
   },
 };

@@ -14,7 +14,7 @@ function tilesOf(now) {
 const blocksSay = ({ blocks }) =>
   blocks.length === 0
     ? '–'
-    : blocks.map(({ blueprint, level }) => `${blueprint} (${level})`).join(', ');
+    : blocks.map(({ blueprint, level }) => `${blueprint}, ${level}`).join('<br>');
 
 export default {
   scene: 'yard-3.json',
@@ -34,13 +34,13 @@ export default {
         caption: 'Two depths for each tile, for the blocks of all its levels',
         columns: [
           { head: 'Tile', value: ({ tile }) => tile.join(', ') },
-          { head: 'Entered at', value: ({ depth }) => fixed(depth), class: 'number' },
+          { head: 'In at', value: ({ depth }) => fixed(depth), class: 'number' },
           {
-            head: 'Left at',
+            head: 'Out at',
             value: ({ leave }) => (leave === null ? '–' : fixed(leave)),
             class: 'number',
           },
-          { head: 'Blocks (level)', value: blocksSay },
+          { head: 'Blocks, level', value: blocksSay },
         ],
         items: tilesOf,
         current: (now) => (now.step === null ? -1 : now.step.index),

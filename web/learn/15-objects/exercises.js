@@ -3,7 +3,7 @@ import { kView, nearestDepth } from './order.js';
 const kOptions = { fov: 66 };
 const kSplit = {
   scene: 'yard-4.json',
-  view: '9.4,4.5,3.2,192,-0.45',
+  view: '9.4,4.5,3.2,192,-0.62',
   options: kOptions,
   state: { column: 160 },
 };

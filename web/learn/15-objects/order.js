@@ -51,7 +51,7 @@ export default {
           { head: '', value: ({ name }) => name },
           { head: 'Height', value: ({ height }) => fixed(height, 1), class: 'number' },
           { head: 'Depth', value: ({ depth }) => fixed(depth), class: 'number' },
-          { head: 'The engine’s depth', value: ({ engine }) => fixed(engine), class: 'number' },
+          { head: 'Engine', value: ({ engine }) => fixed(engine), class: 'number' },
         ],
         items: treesOf,
         current: () => 0,

@@ -126,17 +126,17 @@ export default {
     [
       numberTable({
         title: 'The same numbers twice',
-        caption: 'Depth and side are units, columns and rows pixels',
+        caption: 'Units, and pixels',
         columns: [
           { head: '', value: ({ name }) => name },
           {
             head: 'This page',
             value: ({ mine }) =>
-              Array.isArray(mine) ? mine.map((n) => fixed(n, 1)).join(' to ') : fixed(mine),
+              Array.isArray(mine) ? mine.map((n) => fixed(n, 0)).join(' to ') : fixed(mine),
             class: 'number',
           },
           {
-            head: 'The engine',
+            head: 'Engine',
             value: ({ engine }) => (engine === null ? '–' : fixed(engine)),
             class: 'number',
           },

@@ -1,10 +1,10 @@
-import { blockName, picture, scrub, sideView, slider, sliceStrip } from '../figures/kit.js';
+import { fixed, picture, scrub, sideView, slider, sliceStrip } from '../figures/kit.js';
 
 export default {
   scene: 'yard-4.json',
-  view: '9.4,4.5,3.2,192,-0.45',
+  view: '9.4,4.5,3.2,192,-0.62',
   options: { fov: 66 },
-  state: { column: 160, step: 2 },
+  state: { column: 160, step: 3 },
   controls: [
     scrub({ of: 'runs', label: 'Met so far' }),
     slider({ label: 'Slice', field: 'column' }),
@@ -18,10 +18,11 @@ export default {
   ],
   numbers: {},
   says: (now) => {
-    const { runs } = now;
-    if (runs.length === 0) return 'All rows are open.';
-    const last = runs.at(-1);
-    const what = blockName(now.slice, last);
-    return `${runs.length} of ${now.slice.runs.length}: ${what}, rows ${last.first} to ${last.last}${last.layer ? ', where the sprite has texels' : ''}.`;
+    const filled = now.runs
+      .filter(({ layer }) => !layer)
+      .reduce((sum, { first, last }) => sum + last + 1 - first, 0);
+    const [object] = now.slice.objects;
+    if (object === undefined) return 'This slice meets no object.';
+    return `The tree stands at depth ${fixed(object.depth)}. ${now.height - filled} rows are open behind it and above.`;
   },
 };
