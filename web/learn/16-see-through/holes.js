@@ -6,7 +6,7 @@ import { divider } from '../figures/kit.js';
 
 export default {
   scene: 'yard-5.json',
-  view: '8.8,5.4,0.5,28,0',
+  view: '8.8,5.4,0.5,40,0',
   options: { fov: 60 },
   size: [480, 300],
   world: byHandWorld,

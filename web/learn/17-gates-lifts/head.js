@@ -52,7 +52,7 @@ function markup(edgeOf) {
       line(lineX - 8, lineY, lineX + unit + 8, lineY, 'class="fig-ray"'),
       text(lineX + unit + 12, lineY + 5, fixed(edge)),
       text(bodyX, bodyY, 'body', 'class="on-lit" text-anchor="middle"'),
-      text(...at(10.5, 1.1), 'gate', 'text-anchor="middle"'),
+      text(lineX - 14, lineY + 5, 'gate', 'text-anchor="end"'),
       text(...at(kWest + 0.1, 0.08), inside > 0 ? `${fixed(inside)} units into the head` : ''),
     );
     return parts.join('');

@@ -2,6 +2,9 @@
 
 import { picture, slider, why } from '../figures/kit.js';
 
+const strengthAt = ({ slice, row }) =>
+  slice.mirrors.find(({ first, last }) => first <= row && row <= last)?.strength ?? 0;
+
 export default {
   scene: 'yard.json',
   view: '1.4,4.8,0.5,357,-0.06,hall',
@@ -13,4 +16,9 @@ export default {
   ],
   rows: [[picture({ handles: ['column', 'row'], mark: 'pixel' }), why()]],
   numbers: {},
+  says: (now) => {
+    const strength = strengthAt(now);
+    if (strength === 0) return 'The marked pixel is no mirror.';
+    return `The mirror's strength is ${strength} of 255: ${Math.round((100 * strength) / 255)} % of the colour is the reflection's.`;
+  },
 };

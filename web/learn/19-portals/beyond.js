@@ -1,8 +1,13 @@
 // A door of the yard: both maps, the eye in each, and the picture.
 
-import { fixed, mapView, picture } from '../figures/kit.js';
+import { dot, fixed, mapView, picture } from '../figures/kit.js';
 
 const beyondOf = (now) => now.eyes[1] ?? null;
+
+function eyeBeyond(now, at) {
+  const beyond = beyondOf(now);
+  return beyond === null ? '' : dot(...at(beyond.x, beyond.y), 8, 'class="fig-eye mirrored"');
+}
 
 export default {
   scene: 'yard.json',
@@ -13,15 +18,23 @@ export default {
   controls: [],
   rows: [
     [
+      picture({ title: 'The picture', handles: ['column'], share: 4 }),
       mapView({
         title: 'The yard',
         map: 'yard',
         handles: ['eye', 'heading'],
-        window: [4, 4, 7, 5],
+        window: [5, 4, 5, 5],
+        share: 3,
       }),
-      mapView({ title: 'The hall', map: 'hall' }),
+      mapView({
+        title: 'The hall, and the eye beyond',
+        map: 'hall',
+        window: [0, 0, 17, 9],
+        depths: false,
+        share: 5,
+        over: eyeBeyond,
+      }),
     ],
-    [picture({ handles: ['column'] })],
   ],
   numbers: {
     x: (now) => fixed(beyondOf(now)?.x ?? now.eye.x),

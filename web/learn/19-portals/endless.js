@@ -4,14 +4,22 @@ import { fixed, mapView, picture } from '../figures/kit.js';
 
 export default {
   scene: 'corridor.json',
-  view: '1.2,1.3,0.5,2,0',
+  view: '1.2,1.3,0.5,0.5,0',
   options: { fov: 60 },
   size: [480, 300],
-  state: { column: 232 },
+  state: { column: 240 },
   controls: [],
   rows: [
-    [picture({ handles: ['column', 'turn'] })],
-    [mapView({ title: 'The corridor', handles: ['eye', 'heading'] })],
+    [
+      picture({ title: 'The picture', handles: ['column'] }),
+      mapView({
+        title: 'The corridor',
+        handles: ['eye', 'heading'],
+        depths: false,
+        order: false,
+        marks: false,
+      }),
+    ],
   ],
   numbers: {
     limit: (now) => now.source.scene.portalLimit,

@@ -40,7 +40,7 @@ function markup(view, offset, quarters, name) {
   const [x, y] = placeOf(view, [-0.5, -0.5]);
   const unit = unitOf(view);
   const eye = placeOf(view, turned(offset, quarters));
-  const [labelX, labelY] = placeOf(view, [0, -0.62]);
+  const [labelX, labelY] = placeOf(view, [0, 0.95]);
   return [
     grid(view),
     box(x, y, unit, unit, 'class="fig-lit"'),

@@ -69,19 +69,22 @@ function draw(now, width, { id, names, rows, pick, tall }) {
   const current = now.step?.of === 'run' ? now.step.index : -1;
   const labels = [];
   runs.forEach((run, index) => {
-    const [top, bottom] = [y(run.first), y(run.last + 1)];
+    labels.push({ run, index, middle: (y(run.first) + y(run.last + 1)) / 2 });
+  });
+  // Layers lie over what closes the rows, the nearest one on top.
+  const over = runs.filter(({ layer }) => layer).reverse();
+  for (const run of [...runs.filter(({ layer }) => !layer), ...over]) {
     const inset = run.layer ? wide * 0.3 : 0;
     parts.push(
       box(
         left + inset,
-        top,
+        y(run.first),
         wide - inset,
-        bottom - top,
+        y(run.last + 1) - y(run.first),
         run.layer ? `class="fig-run" fill="url(#${id}-glass)"` : `class="fig-run ${run.what}"`,
       ),
     );
-    labels.push({ run, index, middle: (top + bottom) / 2 });
-  });
+  }
   if (current >= 0) {
     const run = runs[current];
     parts.push(
