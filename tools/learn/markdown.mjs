@@ -26,8 +26,8 @@ import { slugOf } from '../docs/markdown.mjs';
 const require = createRequire(createRequire(import.meta.url).resolve('@11ty/eleventy'));
 const MarkdownIt = require('markdown-it');
 
-// `chapterOf(env)` is the Chapter of a page, `program` has the states of the reader's raycaster, and
-// `mathOf` makes formulas.
+// `chapterOf(env)` is the Chapter of a page, `program` has the states of the reader's raycaster,
+// and `mathOf` makes formulas.
 export function markdown(chapterOf, program, mathOf) {
   const parser = new MarkdownIt({ html: true, typographer: true, quotes: '“”‘’' });
   parser.use(anchor, { level: [2, 3], slugify: slugOf, tabIndex: false });

@@ -17,8 +17,6 @@ export function configure(config, { chapters, program, formulas }) {
 
   config.setLibrary('md', checked(parser));
   config.setIncludesDirectory('../../tools/learn');
-  // {{...}} in the text is the parser's, not Liquid's.
-  config.addPreprocessor('raw', 'md', (data, text) => `{% raw %}${text}{% endraw %}`);
   config.setTemplateFormats(['md']);
   config.ignores.add('web/learn/**/README.md');
   config.addGlobalData('templateEngineOverride', 'md'); // {{ }} is a number of a figure
@@ -49,7 +47,7 @@ export function configure(config, { chapters, program, formulas }) {
   });
 
   // The panel of the reader's raycaster, below a chapter.
-  config.addFilter('panel', ({ chapter, write }) => {
+  config.addAsyncFilter('panel', async ({ chapter, write }) => {
     const options = Object.entries(write.options ?? {}).map(([name, value]) => `${name}=${value}`);
     return panelHtml({
       chapter: chapter.number,
