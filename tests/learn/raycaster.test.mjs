@@ -1,6 +1,10 @@
 // The reader's raycaster against the engine: every state, its checks, and its faults.
 
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { check as isLaidOut, resolveConfig } from 'prettier';
 
@@ -8,6 +12,7 @@ import { check, expectations } from '../../web/learn/raycaster/checks.js';
 import { difference, firstDifference, taught } from '../../web/learn/raycaster/compare.js';
 import { faults, faultyText } from '../../web/learn/raycaster/faults.js';
 import { asModule, engineOptions, functionsOf, sceneOf } from '../../web/learn/raycaster/states.js';
+import { worldNumbers } from '../../web/learn/raycaster/world-numbers.js';
 import { drawn, lookAt, openScene, program, root, states } from './reader.mjs';
 
 const kSize = { width: 480, height: 300 };
@@ -211,6 +216,45 @@ test('the last state agrees with the engine in every view', async (t) => {
       `${(100 * least).toFixed(4)} % at ${JSON.stringify(worst)}; ` +
       `${(milliseconds / list.length).toFixed(0)} ms a picture`,
   );
+});
+
+// raycaster.cpp, which is built with the other native programs.
+function drawnNatively(world, views) {
+  const folder = mkdtempSync(join(tmpdir(), 'slicecast-raycaster-'));
+  try {
+    const file = join(folder, 'world');
+    writeFileSync(file, Buffer.from(worldNumbers(world, views).buffer));
+    const options = { maxBuffer: 1e9 };
+    const bytes = execFileSync(join(root, 'build/native/tests/raycaster'), [file], options);
+    let start = 0;
+    return views.map(({ width, height }) => {
+      const data = bytes.subarray(start, start + 4 * width * height);
+      start += 4 * width * height;
+      return { width, height, data };
+    });
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+test('the same program in C++ draws the same, and is short', async (t) => {
+  const lines = readFileSync(join(root, 'web/learn/raycaster/raycaster.cpp'), 'utf8').split('\n');
+  assert.ok(lines.length <= 401, `${lines.length} lines`);
+  let least = 1;
+  for (const [name, places] of [
+    ['yard.json', whole],
+    ['yard-7.json', wet],
+  ]) {
+    const scene = await sceneNamed(name);
+    const seen = places.map((place) => lookAt(scene, place, { size: kSize }));
+    const views = seen.map(({ eye }) => ({ eye, ...kSize }));
+    drawnNatively(scene.world, views).forEach((mine, i) => {
+      const { share } = difference(mine, seen[i].picture);
+      least = Math.min(least, share);
+      assert.ok(share >= kLeast, `${name} ${JSON.stringify(places[i])}: ${share}`);
+    });
+  }
+  t.diagnostic(`worst view: ${(100 * least).toFixed(4)} % equal; ${lines.length - 1} lines`);
 });
 
 test('gates and lifts are where the engine has them', async (t) => {
