@@ -26,8 +26,8 @@ export default {
     [sideView({ runs: true, depth: 4, height: 2.4 })],
   ],
   numbers: {
-    opaque: (now) => opaqueOf(now).length,
-    layers: (now) => layersOf(now).length,
+    opaque: (now) => String(opaqueOf(now).length),
+    layers: (now) => String(layersOf(now).length),
   },
   says,
 };

@@ -20,7 +20,7 @@ export default {
   state: { column: 420, row: 150 },
   controls: [],
   rows: [[picture({ handles: ['column'], share: 2 }), sliceStrip({ names: true })]],
-  numbers: { panes: (now) => panesAtEye(now).length },
+  numbers: { panes: (now) => String(panesAtEye(now).length) },
   says: (now) => {
     const panes = panesAtEye(now);
     if (panes.length === 0) return 'This slice meets no glass at the height of the eye.';

@@ -22,8 +22,9 @@ export default {
     ],
   ],
   numbers: {
-    limit: (now) => now.source.scene.portalLimit,
-    portals: (now) => now.slice.portals.length,
+    limit: (now) => String(now.source.scene.portalLimit),
+    first: (now) => fixed(now.slice.portals[0]?.depth, 1),
+    portals: (now) => String(now.slice.portals.length),
   },
   says: ({ slice }) => {
     const { portals } = slice;

@@ -5,6 +5,14 @@ const depthsOf = ({ slice }) => slice.objects.map(({ depth }) => depth);
 export default {
   beyond: { ...tower, answer: (now) => now.eyes[1].x },
   'beyond-y': { ...tower, answer: (now) => now.eyes[1].y },
+  last: {
+    scene: 'corridor.json',
+    view: '1.2,1.3,0.5,0.5,0',
+    answer: (now) => now.slice.portals[15].depth,
+    tolerance: 0.1,
+    unit: 'units',
+    digits: 1,
+  },
   apart: {
     scene: 'corridor.json',
     view: '1.2,1.5,0.5,0,0',
