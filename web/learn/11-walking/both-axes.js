@@ -173,6 +173,7 @@ export default {
   numbers: {
     wayX: (now) => fixed(Math.abs(movesOf(now).alongX.way)),
     wishX: (now) => fixed(Math.abs(movesOf(now).wishX)),
+    wayY: (now) => fixed(Math.abs(movesOf(now).alongY.way)),
     wishY: (now) => fixed(Math.abs(movesOf(now).wishY)),
   },
   says: (now) => {
