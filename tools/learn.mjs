@@ -6,11 +6,13 @@
 
 import { Eleventy } from '@11ty/eleventy';
 import { cp, rm } from 'node:fs/promises';
+import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 
 import { drawChapters, readChapters } from './learn/chapters.mjs';
+import { Drawing } from './learn/draw.mjs';
 import { Formulas } from './learn/formulas.mjs';
 import { readProgram } from './learn/program.mjs';
 import { writeRedirects } from './learn/redirects.mjs';
@@ -19,6 +21,14 @@ import { writeSearch } from './learn/search.mjs';
 import { configure } from './learn/site.mjs';
 import { stage } from './learn/stage.mjs';
 import { writePanelFiles } from './learn/write-panel.mjs';
+
+// The picture of the first page, as in web/learn/index.md.
+const kOpening = {
+  scene: 'yard.json',
+  view: '13.6,8.3,3.3,220,-0.42',
+  options: { fov: 66 },
+  size: [1120, 480],
+};
 
 const [argument] = process.argv.slice(2);
 if (argument === undefined)
@@ -35,7 +45,8 @@ const program = await readProgram();
 const staged = await stage(program);
 const chapters = readChapters();
 const formulas = new Formulas();
-await drawChapters(chapters, staged, folder);
+const drawing = await Drawing.begin(staged, folder);
+await drawChapters(chapters, drawing, staged);
 const site = new Eleventy('web/learn', path.relative('.', output), {
   quietMode: true,
   config: (config) => configure(config, { chapters, program, formulas }),
@@ -43,6 +54,7 @@ const site = new Eleventy('web/learn', path.relative('.', output), {
 await site.write();
 for (const { figures } of chapters.values())
   for (const figure of figures.values()) figure.writePictures(output);
+writeFileSync(path.join(output, 'pictures/index.png'), await drawing.picture(kOpening));
 formulas.writeStyles(output);
 await buildScripts(staged, output, chapters);
 await writePanelFiles(path.join(output, 'write'));

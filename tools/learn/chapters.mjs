@@ -1,14 +1,12 @@
 // The chapters of the tutorial: what stands in their folders, web/learn/NN-name, besides the text.
 //
 //     const chapters = readChapters();                    // name -> Chapter, in their order
-//     await drawChapters(chapters, staged, builtPage);    // figures and answers, by the engine
+//     await drawChapters(chapters, drawing, staged);      // figures and answers, by the engine
 //     chapters.get('one-ray').figures.get('walk').html
 
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-
-import { Drawing } from './draw.mjs';
 
 const kSource = 'web/learn';
 const kFolder = /^(\d\d)-([a-z-]+)$/;
@@ -65,7 +63,6 @@ export function readChapters() {
   return chapters;
 }
 
-export async function drawChapters(chapters, staged, builtPage) {
-  const drawing = await Drawing.begin(staged, builtPage);
+export async function drawChapters(chapters, drawing, staged) {
   for (const chapter of chapters.values()) await chapter.draw(drawing, staged);
 }

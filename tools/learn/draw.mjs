@@ -44,10 +44,18 @@ export class Drawing {
           mkdirSync(path.join(output, 'pictures'), { recursive: true });
           for (const poster of posters) {
             const file = path.join(output, 'pictures', `${chapter}-${poster.name}.png`);
-            writeFileSync(file, encode(withoutAlpha(poster.pixels), { zlib: { level: 9 } }));
+            writeFileSync(file, encodePng(poster.pixels));
           }
         },
       };
+    });
+  }
+
+  // A figure's picture alone, as the bytes of a PNG file.
+  async picture(figure) {
+    return this.#withSource(figure, (source) => {
+      this.#kit.openingNow({ rows: [], ...figure }, source);
+      return encodePng(source.pixels());
     });
   }
 
@@ -75,9 +83,10 @@ export class Drawing {
   }
 }
 
-function withoutAlpha({ width, height, data }) {
+function encodePng({ width, height, data }) {
   const colours = new Uint8Array(width * height * 3);
   for (let pixel = 0; pixel < width * height; ++pixel)
     colours.set(data.subarray(4 * pixel, 4 * pixel + 3), 3 * pixel);
-  return { width, height, data: colours, channels: 3, depth: 8 };
+  const image = { width, height, data: colours, channels: 3, depth: 8 };
+  return encode(image, { zlib: { level: 9 } });
 }

@@ -4,6 +4,7 @@
 //     startPage({ figures: { walk } });
 
 import { mount } from './figures/mount.js';
+import { startProgress } from './progress.js';
 import { startReplies } from './replies.js';
 import { startSearch } from './search.js';
 
@@ -17,6 +18,7 @@ export function startPage({ figures }) {
     mount(element, figure, { name, scenes: new URL('scenes/', document.baseURI), onNow });
   }
   startReplies(document);
+  startProgress();
   startSearch();
   const panel = document.querySelector('.write');
   if (panel !== null) whenNear(panel, () => startPanel(panel));
