@@ -1,7 +1,7 @@
 // A page with nothing but the panel "Write your own", for its tests.
 //
-//     const files = await panelFiles({ chapter: 4 });
-//     await serve({ files, headersOf: policy });      // learn/page.html
+//     const files = await panelFiles({ chapters: [4] });
+//     await serve({ files, headersOf: policy });      // learn/page-4.html
 
 import { mkdtemp, readFile, readdir, rm } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -31,6 +31,8 @@ ${panel}<p><a href="#end" id="after">After the panel</a></p></main></body></html
 
 const kStart = `
 import { mountPanel } from './panel.js';
+import { codeOf } from './share.js';
+window.codeOf = codeOf;
 window.violations = [];
 document.addEventListener('securitypolicyviolation', (event) =>
   violations.push(event.effectiveDirective + ' ' + event.blockedURI),
@@ -69,8 +71,8 @@ export async function scriptFiles(contents = kStart) {
   return { files, outputs: metafile.outputs };
 }
 
-// { path: text } of the pages learn/page.html, or learn/page-NN.html for several chapters.
-export async function panelFiles({ chapters = [4], ...options } = {}) {
+// { path: text } of the pages learn/page-NN.html and all that they need; views: chapter -> view.
+export async function panelFiles({ chapters = [4], views = {} } = {}) {
   const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-panel-'));
   const files = {};
   try {
@@ -93,7 +95,7 @@ export async function panelFiles({ chapters = [4], ...options } = {}) {
   for (const name of await readdir(scenes))
     files[`learn/scenes/${name}`] = await readFile(path.join(scenes, name), 'utf8');
   for (const chapter of chapters)
-    files[`learn/page-${chapter}.html`] = page(await panelHtml({ chapter, ...options }));
+    files[`learn/page-${chapter}.html`] = page(await panelHtml({ chapter, view: views[chapter] }));
   return files;
 }
 

@@ -25,7 +25,7 @@ let browser;
 let files;
 before(async () => {
   browser = await launch();
-  files = await panelFiles({ chapters: [2, 3, 4, 6, 11] });
+  files = await panelFiles({ chapters: [2, 3, 4, 6, 11, 17], views: { 17: '8.2,4.5,0.5,1' } });
 });
 after(() => browser.close());
 
@@ -92,7 +92,7 @@ test('The panel runs our program and says what is wrong', async (t) => {
   await noViolations(page);
   assert.match(
     await text(page, '.write-status'),
-    /^8 of 9 functions are right\. [1-8]?\d % of the pixels are equal\.$/,
+    /^8 of 9 functions are right\. rowOf, .* engine .*\. [1-8]?\d % of the pixels are equal\.$/,
   );
   const wrong = await text(page, '.write-check[data-name="rowOf"]');
   assert.match(wrong, /✗\s+rowOf[\s\S]*yours 90, engine \d/);
@@ -164,6 +164,11 @@ test('A loop without end is stopped, and does not run again unasked', async (t) 
   assert.match(await text(page, '.write-error'), /Line 2[\s\S]*more than 2 seconds/);
   // The last picture stays, and the page lives.
   assert.deepEqual(await pictureColours(page), [77, 77, 77, 255]);
+  // Turning the eye does not start it again, and the message stays.
+  await page.getByRole('application').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForTimeout(400);
+  assert.match(await text(page, '.write-error'), /more than 2 seconds/);
   const again = await context.newPage();
   await again.goto(page.url());
   await readyPanel(again);
@@ -235,6 +240,23 @@ test('The eye turns and walks, and both pictures follow', async (t) => {
   assert.deepEqual(await eye(), first);
 });
 
+test('Gates and lifts move with the time', async (t) => {
+  const { page } = await openPanel(t, 17);
+  const before = await page.evaluate(() => events[0].equal);
+  assert.ok(before < 0.999, 'our program does not move them yet');
+  await press(page, 'Show the answer');
+  await press(page, 'Put it in place of mine');
+  const run = await afterRun(page, () => press(page, 'Really? Mine goes to the earlier versions'));
+  assert.ok(run.equal >= 0.999);
+  const picture = () => page.evaluate(() => document.querySelector('.write canvas').toDataURL());
+  const first = await picture();
+  for (const seconds of ['4', '0.5']) {
+    const moved = await afterRun(page, () => page.getByLabel('Time').fill(seconds));
+    assert.ok(moved.equal >= 0.999, `after ${seconds} s: ${moved.equal}`);
+  }
+  assert.notEqual(await picture(), first);
+});
+
 test('Work is kept, comes along to the next chapter, and two tabs do not lose it', async (t) => {
   const { page, context, server } = await openPanel(t, 3);
   const start = await programText(page);
@@ -295,6 +317,24 @@ test('A shared program is shown, and runs only after a click', async (t) => {
   assert.equal(new URL(guest.url()).hash, '');
 
   // It does not take the place of one's own work.
+  const code = await page.evaluate((other) => window.codeOf(other), kDraw('// other'));
+  const other = await context.newPage();
+  await other.goto(address.replace(/#.*/, `#program=${code}`));
+  await readyPanel(other);
+  assert.match(await programText(other), /other/);
+  await press(other, 'Back to my program');
+  assert.equal(await programText(other), shared);
+  await other.goto('about:blank');
+  await other.goto(address.replace(/#.*/, `#program=${code}`));
+  await readyPanel(other);
+  await afterRun(other, () => press(other, 'Run it'));
+  await press(other, 'Earlier versions');
+  assert.match(await text(other, '.write-earlier'), /Before the link/);
+  await afterRun(other, () => press(other, 'Bring back'));
+  assert.equal(await programText(other), shared);
+  await other.close();
+
+  // What is cut off is said to be.
   const own = await context.newPage();
   await own.goto(`${address.slice(0, -40)}`);
   await readyPanel(own);
@@ -444,7 +484,7 @@ async function openRunner(t) {
         const view = { map: 'yard', x: 2, y: 2, z: 0.5, heading: 0, look: 0 };
         try {
           await runner.ask('run', { text, names: ['draw', 'move'], ...data });
-          await runner.ask('draw', { view, fov: 60, width: 8, height: 8 });
+          await runner.ask('draw', { view, fov: 60, width: 8, height: 8, seconds: 0 });
           await new Promise((resolve) => setTimeout(resolve, wait));
           await runner.ask('move', { view, ahead: 0, aside: 0 });
           return 'fine';

@@ -8,6 +8,9 @@ import { readProgram } from './program.mjs';
 import { buildExportPage, buildRunPage } from './run-page.mjs';
 import { engineOptions, sceneOf } from '../../web/learn/raycaster/states.js';
 
+const kMoves = 17; // the chapter of gates and lifts
+const kMovedSeconds = 1.5; // then they are on their way
+
 const escape = (text) =>
   text
     .replaceAll('&', '&amp;')
@@ -17,12 +20,13 @@ const escape = (text) =>
 
 // The panel as it stands in the page: readable without JavaScript. What is left out of `scene`,
 // `view` and `options` comes from the chapter's state.
-export async function panelHtml({ chapter, scene, view = '', options = '' }) {
+export async function panelHtml({ chapter, scene, view = '', options = '', seconds }) {
   const { states } = await readProgram();
   const data = {
     chapter,
     scene: scene ?? `scenes/${sceneOf(chapter)}`,
     view,
+    seconds: seconds ?? (chapter === kMoves ? kMovedSeconds : 0),
     options: `${optionsText(engineOptions(chapter))} ${options}`.trim(),
   };
   const attributes = Object.entries(data).map(

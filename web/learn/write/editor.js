@@ -4,12 +4,13 @@
 //     editor.text; editor.replace(text); editor.parses; editor.goTo(line, column);
 //     editor.mark([{ line, column, says, severity }]); editor.focus(); editor.destroy();
 //
-// The editor stands in a shadow root, because of the policy `style-src 'self'`. Tried with
-// @codemirror/view 6.43 and style-mod 4.1 in Chromium 143, Firefox 153 and under the page's policy:
-// in a document style-mod writes a <style> element, which the policy forbids, and the editor has no
-// styles at all; in a shadow root it uses adoptedStyleSheets, which the policy allows. Attributes
-// `style` are set by `style.cssText`, which it allows too. Only the marks of @codemirror/lint are
-// pictures at data: addresses, which it forbids: the theme below replaces them.
+// The editor stands in a shadow root, because of the policy `style-src 'self'`. Tried under it with
+// @codemirror/view 6.43 and style-mod 4.1, in Chromium 156, Firefox 153 and WebKitGTK 2.50: in a
+// document style-mod writes a <style> element, which the policy forbids, and the editor has no
+// styles at all; in a shadow root it uses adoptedStyleSheets, which the policy allows, as it does
+// attributes `style` that are set by `style.cssText`. The marks of @codemirror/lint are pictures at
+// data: addresses, which the policy forbids too: the theme below replaces them. And when a
+// selection is typed over, Chromium itself writes attributes `style`: see `beforeinput`.
 
 import { defaultKeymap, history, historyKeymap, redo, undo } from '@codemirror/commands';
 import { javascript } from '@codemirror/lang-javascript';

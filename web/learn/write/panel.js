@@ -24,6 +24,8 @@ import { Shelf } from './storage.js';
 const kSize = { width: 320, height: 200 };
 const kTypingMilliseconds = 600;
 const kCompareMilliseconds = 200; // after the last move of the eye
+const kStepsPerSecond = 120; // of the engine
+const kMovesFrom = 17; // the chapter of gates and lifts
 const kMostLook = 0.5; // picture heights
 const kObjects = 15; // the chapter of objects
 const kWalksFrom = 11; // the chapter that writes `move`
@@ -31,12 +33,13 @@ const kBodyRadius = 0.2;
 const kToMend = '// Yours to mend'; // begins the comment of such a function
 
 export function mountPanel(element, options = {}) {
-  const { chapter, scene, view, options: engineOptions } = element.dataset;
+  const { chapter, scene, view, options: engineOptions, seconds = '0' } = element.dataset;
   const panel = new Panel(element, {
     chapter: Number(chapter),
     scene,
     view,
     engineOptions,
+    seconds: Number(seconds),
     folder: 'write/',
     storage: ownStorage(),
     ...options,
@@ -115,6 +118,7 @@ class Panel {
     addEventListener('pagehide', this.#onLeave);
     await this.#parts.caster.whenReady();
     this.#home = this.#parts.caster.currentView;
+    this.#passTime(this.#settings.seconds);
     if (mayRun) await this.#run();
   }
   #home = null;
@@ -306,6 +310,7 @@ class Panel {
     } while (this.#runAgain);
     this.#running = false;
     this.#parts.run.removeAttribute('aria-disabled');
+    if (this.#drawAgain) this.#follow();
   }
 
   async #runOnce() {
@@ -316,9 +321,8 @@ class Panel {
       history.replaceState(null, '', location.pathname + location.search);
     }
     const text = this.#current;
-    const isOurs = text === this.#step.start;
     if (this.#parts.note.dataset.until === 'run') this.#note('');
-    if (this.#isTouched && !isOurs) this.#shelf.save(this.#chapter, text, true);
+    if (this.#isTouched) this.#shelf.save(this.#chapter, text, true);
     let error = null;
     try {
       const { caster } = this.#parts;
@@ -327,22 +331,23 @@ class Panel {
       );
       const [{ scene, images }] = await Promise.all([this.#world, caster.whenReady()]);
       const names = [...new Set([...this.#step.names, ...namesIn(text)])];
+      this.#isAlive = false;
       await this.#runner.ask('run', { text, names, scene, images });
+      this.#isAlive = true;
       await this.#draw();
-      const expected = expectations(this.#chapter, this.#source);
-      const detail = { chapter: this.#chapter, expected };
-      this.#checks = (await this.#runner.ask('check', detail)).checks;
-      await this.#compare();
+      await this.#judge();
     } catch (problem) {
       error = problem;
     }
     // What was stopped does not run unasked when the page is opened again.
-    const isStopped = error instanceof ProgramError && error.kind !== 'error';
-    if (!isStopped) this.#shelf.finish(this.#chapter);
+    if (isStop(error)) this.#isAlive = false;
+    else this.#shelf.finish(this.#chapter);
     await this.#showError(error, text);
     if (this.#shelf.fails && this.#isTouched)
       this.#note('This browser does not keep your program: download it before you leave.');
   }
+
+  #isAlive = false; // the program runs, and can be asked
 
   get #source() {
     const { caster } = this.#parts;
@@ -350,18 +355,25 @@ class Panel {
       eye: caster.currentView,
       fov: Number(caster.get('fov')),
       size: kSize,
-      seconds: 0,
+      seconds: this.#seconds,
       trace: (columns) => caster.trace(columns),
     };
   }
 
   async #draw() {
-    const { eye: view, fov } = this.#source;
-    const { picture } = await this.#runner.ask('draw', { view, fov, ...kSize });
+    const { eye: view, fov, seconds } = this.#source;
+    const { picture } = await this.#runner.ask('draw', { view, fov, seconds, ...kSize });
     this.#last = { ...picture, view };
     const image = new ImageData(picture.data, picture.width, picture.height);
     this.#parts.mine.getContext('2d').putImageData(image, 0, 0);
     this.#parts.mineFigure.classList.remove('stale');
+  }
+
+  async #judge() {
+    const expected = expectations(this.#chapter, this.#source);
+    const { checks } = await this.#runner.ask('check', { chapter: this.#chapter, expected });
+    this.#checks = checks;
+    await this.#compare();
   }
 
   // The last picture with the engine's, where the chapters so far say what it shows.
@@ -369,7 +381,7 @@ class Panel {
     const { caster, difference: canvas } = this.#parts;
     const mine = this.#last;
     if (mine === null) return;
-    const { eye: view, fov } = this.#source;
+    const { eye: view, fov, seconds } = this.#source;
     const engine = caster.pixels(kSize);
     const traces = caster.trace({ first: 0, last: kSize.width - 1 });
     const mask = taught(this.#chapter, traces, kSize, await this.#ownWorld());
@@ -377,8 +389,9 @@ class Panel {
     paintDifference(canvas, mine.data, pixels.map, mask);
     let first = null;
     if (pixels.first !== null) {
-      const slice = traces[pixels.first.column];
-      const detail = { chapter: this.#chapter, view, fov, mine, engine, mask, traces: [slice] };
+      const traced = [traces[pixels.first.column]];
+      const place = { chapter: this.#chapter, view, fov, seconds };
+      const detail = { ...place, mine, engine, mask, traces: traced };
       first = (await this.#runner.ask('explain', detail)).difference;
     }
     const isEmpty = mine.data.every((byte, index) => byte === 0 || index % 4 === 3);
@@ -404,10 +417,27 @@ class Panel {
     this.#follow();
   }
 
+  // Lets the engine's gates and lifts stand where they are after so many seconds.
+  #passTime(seconds) {
+    const { caster } = this.#parts;
+    const view = caster.currentView;
+    if (seconds < this.#seconds) {
+      caster.reset();
+      this.#seconds = 0;
+    }
+    const steps = Math.round((seconds - this.#seconds) * kStepsPerSecond);
+    if (steps === 0) return;
+    caster.step(steps);
+    this.#seconds = seconds;
+    caster.look(view);
+  }
+  #seconds = 0;
+
   // Draws both pictures again, and compares them once the eye rests.
   async #follow() {
     this.#parts.home.hidden = false;
     clearTimeout(this.#settling);
+    if (!this.#isAlive && !this.#running) return;
     if (this.#drawing || this.#running) {
       this.#drawAgain = true;
       return;
@@ -418,27 +448,34 @@ class Panel {
         this.#drawAgain = false;
         await this.#draw();
       } while (this.#drawAgain);
+      await this.#showError(null, this.#current);
       this.#settling = setTimeout(
-        () => this.#compare().catch((error) => this.#showError(error, this.#current)),
+        () => this.#judge().catch((error) => this.#fail(error)),
         kCompareMilliseconds,
       );
     } catch (error) {
-      await this.#showError(error, this.#current);
+      await this.#fail(error);
     } finally {
       this.#drawing = false;
     }
   }
 
+  // A program that ran before can fail in another view.
+  #fail(error) {
+    if (isStop(error)) this.#isAlive = false;
+    return this.#showError(error, this.#current);
+  }
+
   async #walk(ahead, aside) {
     const { caster } = this.#parts;
     const view = caster.currentView;
-    if (this.#chapter >= kWalksFrom && namesIn(this.#current).includes('move')) {
+    if (this.#isAlive && this.#chapter >= kWalksFrom && namesIn(this.#current).includes('move')) {
       if (this.#moving) return;
       this.#moving = true;
       try {
         this.#look((await this.#runner.ask('move', { view, ahead, aside })).view);
       } catch (error) {
-        await this.#showError(error, this.#current);
+        await this.#fail(error);
       } finally {
         this.#moving = false;
       }
@@ -464,11 +501,13 @@ class Panel {
     firstBox.replaceChildren(...differenceReport(first, (column) => this.#markColumn(column)));
     this.#markColumn(null);
     const right = this.#checks.filter(({ ok }) => ok).length;
+    const wrong = this.#checks.find(({ ok }) => !ok);
+    const firstWrong = wrong === undefined ? '' : ` ${wrong.says.replaceAll('`', '')}.`;
     const solved = isSolved(this.#checks, pixels);
     const share = pixels.all === 0 ? '' : ` ${percent(pixels.share)} of the pixels are equal.`;
     const done = solved ? ' This step is done.' : '';
     this.#say(
-      `${right} of ${this.#checks.length} functions are right.${share}${done}`,
+      `${right} of ${this.#checks.length} functions are right.${firstWrong}${share}${done}`,
       solved ? 'solved' : '',
     );
     this.#emit('write-run', { equal: pixels.share, checks: this.#checks });
@@ -563,7 +602,7 @@ class Panel {
   // ---- The parts
 
   #build() {
-    const { engineOptions: options, scene, view } = this.#settings;
+    const { engineOptions: options, scene, view, seconds } = this.#settings;
     const acts = {
       edit: (event) => this.#edit(event),
       run: () => this.#run(),
@@ -573,8 +612,13 @@ class Panel {
       share: () => this.#share(),
       download: () => this.#download(),
       home: () => this.#goHome(),
+      time: (now) => {
+        this.#passTime(now);
+        this.#follow();
+      },
     };
-    this.#parts = makeParts(this.#element, { size: kSize, scene, view, options, acts });
+    const time = this.#chapter >= kMovesFrom ? seconds : null;
+    this.#parts = makeParts(this.#element, { size: kSize, scene, view, options, time, acts });
     const { stick, steps, caster } = this.#parts;
     steer(stick, steps, {
       turn: (degrees) => this.#turn({ heading: degrees }),
@@ -702,6 +746,9 @@ class Panel {
     setTimeout(() => URL.revokeObjectURL(address), 10000);
   }
 }
+
+// The frame has ended the program.
+const isStop = (error) => error instanceof ProgramError && error.kind !== 'error';
 
 function namesIn(text) {
   return functionsOf(text).map(({ name }) => name);

@@ -1,16 +1,17 @@
 // Builds what the panel adds to the page: everything but the program, which is there already.
 //
-//     const parts = makeParts(element, { size, scene, view, options, acts })
+//     const parts = makeParts(element, { size, scene, view, options, time, acts })
 //
-// `acts` are what the buttons do.
+// `acts` are what the controls do; `time` is where the seconds of the world begin, or null.
 
 import { button, make } from './make.js';
 
+const kMostSeconds = 12;
 const kLabel = 'Your program. Tab leaves the editor.';
 const kPictureLabel =
   'Your picture. Left and right turn, up and down walk, Shift with left and right steps aside.';
 
-export function makeParts(element, { size, scene, view, options, acts }) {
+export function makeParts(element, { size, scene, view, options, time, acts }) {
   const pre = element.querySelector('.write-program');
   const code = pre.querySelector('code');
   const host = pre.parentElement;
@@ -36,8 +37,13 @@ export function makeParts(element, { size, scene, view, options, acts }) {
     button('Share', acts.share),
     button('Download', acts.download),
   );
+  const keys = make(
+    'p',
+    { class: 'write-keys' },
+    'Tab leaves the editor. Ctrl ] indents, Ctrl Enter runs.',
+  );
   host.before(note);
-  host.after(bar, errorBox, tools, share, earlier, answer);
+  host.after(keys, bar, errorBox, tools, share, earlier, answer);
 
   const canvas = (label) => make('canvas', { ...size, role: 'img', 'aria-label': label });
   const mine = canvas('Your picture');
@@ -65,6 +71,7 @@ export function makeParts(element, { size, scene, view, options, acts }) {
   const home = button('To the start', acts.home, { hidden: true });
   const steering = box('write-steering', { role: 'group', 'aria-label': 'The eye' });
   steering.append(...steps, home);
+  if (time !== null) steering.append(timeSlider(time, acts.time));
   const pictures = box('write-pictures');
   pictures.append(
     mineFigure,
@@ -89,6 +96,19 @@ export function makeParts(element, { size, scene, view, options, acts }) {
     ...{ mine, mineFigure, stick, steps, home, caster, difference },
     ...{ functions, pixelBox, firstBox },
   };
+}
+
+function timeSlider(time, act) {
+  const output = make('output', {}, `${time} s`);
+  const range = make('input', {
+    ...{ id: 'write-time', type: 'range', min: 0, max: kMostSeconds, step: 0.25, value: time },
+    oninput: () => {
+      output.textContent = `${range.value} s`;
+      act(Number(range.value));
+    },
+  });
+  const label = make('label', { for: 'write-time' }, 'Time');
+  return make('div', { class: 'write-time' }, label, ' ', output, range);
 }
 
 function figure(title, picture, note = '') {

@@ -25,11 +25,12 @@ const kActions = {
     return { leftOut: world.leftOut ?? [] };
   },
 
-  draw({ view, fov, width, height }) {
+  draw({ view, fov, width, height, seconds }) {
     if (functions.draw === undefined) throw new ReferenceError('draw is not defined');
     const eye = makeEye(world, view, fov);
     const picture = makePicture(width, height);
     const { pixels } = picture;
+    world.seconds = seconds;
     const begin = now();
     functions.draw(picture, world, eye);
     const milliseconds = now() - begin;
@@ -43,7 +44,8 @@ const kActions = {
     return { checks: check(chapter, functions, expected, world) };
   },
 
-  explain({ chapter, view, fov, ...pictures }) {
+  explain({ chapter, view, fov, seconds, ...pictures }) {
+    world.seconds = seconds;
     const eye = makeEye(world, view, fov);
     return { difference: firstDifference(chapter, { ...pictures, functions, world, eye }) };
   },
