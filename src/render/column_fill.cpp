@@ -13,12 +13,14 @@ constexpr std::uint32_t kFullLight = 256;  // leaves a colour unchanged
 // alpha; no product or sum below exceeds 16 bits. Machines without vectors do not use the vector
 // forms.
 
+// #region shaded
 inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
     const std::uint32_t factor = factorTwice & 0xffff;
     const std::uint32_t even = (((texel & kRedAndBlue) * factor + 0x00800080) >> 8) & kRedAndBlue;
     const std::uint32_t odd = ((texel >> 8) & kRedAndBlue) * factor + 0x00800080;
     return even | (odd & ~kRedAndBlue) | kOpaque;
 }
+// #endregion
 
 // Shifts by a variable count. Clang 14 hoists the broadcast of the count out of loops, then fails
 // to see that all lanes have the same count, and shifts them one by one for WebAssembly; the asm
@@ -224,6 +226,7 @@ void fillPlaneRows(Pixel* column, int first, int last, const PlaneTexels& from, 
             storeVector(column + row, Put::four(column + row, four, shade.four(four, row)));
         }
     }
+    // #region plane-texel
     for (; row < last; ++row) {
         const std::uint32_t u =
             lowHalf(eastStart + line.eastPerInverse * inverseOffsets[row]) >> shift;
@@ -232,6 +235,7 @@ void fillPlaneRows(Pixel* column, int first, int last, const PlaneTexels& from, 
         const Pixel texel = texels[(u << bits) | (v ^ reverse)];
         column[row] = Put::one(column + row, texel, shade.one(texel, row));
     }
+    // #endregion
 }
 
 template <typename Put, typename ShadeRows>

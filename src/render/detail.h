@@ -22,6 +22,7 @@ struct Detail {
           firstThreshold(options.detailThreshold * projectionDistance) {}
 
     // `size` is the texture's, in texels a side; `last` its last level.
+    // #region level-of-detail
     int levelAt(double depth, int size, int last) const {
         if (!textures) return last;
         if (!levels) return 0;
@@ -34,6 +35,7 @@ struct Detail {
         constexpr std::int64_t kOne = std::int64_t{1} << 52;
         return static_cast<int>(std::clamp<std::int64_t>((over + kOne - 1) >> 52, 0, last));
     }
+    // #endregion
 };
 
 }  // namespace slicecast

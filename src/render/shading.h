@@ -66,6 +66,7 @@ struct Lighting {
     }
 
     // 256 times the light at a depth, without the face's own factor.
+    // #region light
     double brightnessAt(double depth) const {
         if (!lit) return kFullBrightness;
         const double falloff = strength / depth;
@@ -84,6 +85,7 @@ struct Lighting {
         const double share = (depth - fogStart) / fogLength;
         return static_cast<std::uint32_t>(255.0 * std::min(std::max(share, 0.0), 1.0) + 0.5);
     }
+    // #endregion
 
     Shade at(double depth, double faceLight, bool glow = false) const {
         return {factorAt(depth, faceLight, glow), fogAt(depth)};

@@ -10,6 +10,7 @@ namespace slicecast {
 void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double headingDegrees) {
     sky_ = &sky;
     headingDegrees_ = headingDegrees;
+    // #region gradient
     const int rows = projection.firstFallingRow;
     const auto share = [&](int row) {
         return std::min(1.0, projection.upwardSlope(row) / sky.slope);
@@ -26,6 +27,7 @@ void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double he
                 toPixel({blend(sky.low.r, sky.high.r), blend(sky.low.g, sky.high.g),
                          blend(sky.low.b, sky.high.b), 255});
         }
+        // #endregion
     } else if (sky.kind == Sky::Kind::panorama) {
         colours_.resize(static_cast<std::size_t>(rows));
         fetchedColumn_ = -1;

@@ -51,6 +51,7 @@ SliceWalk::Side SliceWalk::sideOf(const Block& block, Face face, bool layer) con
 inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view, int first,
                                          int last) const {
     const FrameTexture& texture = *side.texture;
+    // #region texel-column
     const int detail = frame_.detail.levelAt(view.depth, texture.size, texture.last);
     const TextureLevel& level = texture.levels[detail];
     const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
@@ -67,6 +68,7 @@ inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view,
     const int steps = last - first - 1;
     // A block of several rows is at most one tile high, so a row's step is less
     std::int64_t step = steps > 0 ? nearestInteger(std::min(view.along, 1.0) * kPositions) : 0;
+    // #endregion
     if (start + steps * step >= side.end) step = (side.end - 1 - start) / steps;
     return {.texels = level.texels.data() + (static_cast<std::size_t>(u) << level.bits),
             .start = static_cast<std::uint64_t>(start + side.rise),

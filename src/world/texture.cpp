@@ -49,6 +49,7 @@ Pixel meanByAlpha(const Pixel (&four)[4]) {
 
 // The same for four opaque texels, but faster: then (sum * 255 + 510) / 1020 is (sum + 2) / 4.
 // Works on two channels at a time, with 16 bits for each sum.
+// #region mean-of-four
 Pixel mean(const Pixel (&four)[4]) {
     constexpr Pixel kChannels = 0x00ff00ff;
     constexpr Pixel kHalf = 0x00020002;
@@ -60,6 +61,7 @@ Pixel mean(const Pixel (&four)[4]) {
     }
     return ((even >> 2) & kChannels) | ((odd >> 2) & kChannels) << 8;
 }
+// #endregion
 
 }  // namespace
 
