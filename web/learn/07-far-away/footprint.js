@@ -39,7 +39,7 @@ function part(now) {
 
 const distance = (now) => distanceOf(66, now.width);
 const side = (now) => (now.state.depth * 128) / distance(now);
-const kAim = [12.35, 10.4]; // where the middle of the pixel hits, in texels of the part that is shown
+const kAim = [12.35, 10.4]; // where the middle of the pixel hits, in texels of the part
 
 const plan = drawing({
   title: 'From above',

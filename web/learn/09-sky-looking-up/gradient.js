@@ -1,6 +1,6 @@
 // The sky of one column: a colour for the slope of each row.
 
-import { clamp, drawing, fixed, hex, knob, line, picture, polygon, text } from '../figures/kit.js';
+import { clamp, drawing, fixed, hex, line, picture, polygon, text } from '../figures/kit.js';
 
 const kLow = [0xf1, 0xe2, 0xc4];
 const kHigh = [0x5f, 0x9f, 0xd4];

@@ -1,5 +1,5 @@
-// The lamp of figures whose light is not the scene's: pictures of the reader's program, with a world
-// whose yard has another light, fog or haze. Chapter 14 is the first that draws all levels of blocks.
+// Pictures whose light is not the scene's: drawn by the reader's program, in a world whose map has
+// another light, fog or haze. Chapter 14 is the first that draws all levels of blocks.
 
 import { draw } from '../by-hand/chapter-14.js';
 import { drawWith } from '../by-hand.js';

@@ -22,7 +22,7 @@ export default {
     [
       divider({
         left: { title: 'Day' },
-        right: { title: 'Night', options: { lightPreset: 'night' } },
+        right: { title: 'Night', options: { lightPreset: 'night', multiplier: '2.5' } },
       }),
     ],
   ],
