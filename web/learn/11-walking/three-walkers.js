@@ -14,7 +14,7 @@ const kLooks = {
 };
 
 // The places of a walker, from the start on.
-function walk(solid, way, heading) {
+export function walk(solid, way, heading) {
   const angle = (heading * Math.PI) / 180;
   const [dx, dy] = [Math.cos(angle), Math.sin(angle)].map((part) =>
     units((part * kLength) / kParts),
@@ -77,7 +77,7 @@ function plan(now, { width }) {
 
 export default {
   scene: 'yard-2.json',
-  view: '7.999755859375,6.6558380126953125,0.5,327',
+  view: '7.999755859375,6.6556549072265625,0.5,327',
   options: { fov: 66 },
   state: { way: 'point', wish: 327 },
   // The eye is where the chosen walker ends.

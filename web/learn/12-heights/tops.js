@@ -21,7 +21,7 @@ const kFoot = 26;
 const kTall = 300;
 
 // The pillars with their slopes, and whether each rises above all before it.
-function pillarsOf(now) {
+export function pillarsOf(now) {
   return now.kept('pillars', () => {
     const { eye, heights } = { eye: now.eye, heights: now.state.heights };
     let steepest = -eye.z / (kPillars[0].x - eye.x); // of what the floor before the first one shows

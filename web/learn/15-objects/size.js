@@ -25,7 +25,7 @@ export const lawn = {
 };
 
 // What the page computes itself: depth, side, and the edges in columns and rows.
-function seenAs(now) {
+export function seenAs(now) {
   const { eye, slice } = now;
   const angle = (eye.heading * Math.PI) / 180;
   const forward = [Math.cos(angle), Math.sin(angle)];
