@@ -17,7 +17,7 @@ export default {
   view: '1.1,3.5,0.7,0,0',
   options: { fov: 60 },
   size: [480, 300],
-  state: { column: 420, row: 150 },
+  state: { column: 392, row: 150 },
   controls: [],
   rows: [[picture({ handles: ['column'], share: 2 }), sliceStrip({ names: true })]],
   numbers: { panes: (now) => String(panesAtEye(now).length) },

@@ -24,7 +24,7 @@ export default {
     }),
   ],
   rows: [
-    [picture({ handles: ['column'] }), sideView({ runs: true, depth: 8, height: 1.5 })],
+    [picture({ handles: ['column'] }), sideView({ handles: [], depth: 8, height: 1.5 })],
     [
       plot({
         title: 'The lower edge of the gate, by time',

@@ -2,8 +2,6 @@
 
 import { fixed, picture, sideView, sliceStrip } from '../figures/kit.js';
 
-const blockOf = (now) => now.slice.hits.find(({ blueprint }) => blueprint === 'letters');
-
 export default {
   scene: 'yard.json',
   view: '1.4,4.8,0.5,357,-0.06,hall',
@@ -15,12 +13,7 @@ export default {
     [picture({ handles: ['column', 'row'], share: 3 }), sliceStrip({ pick: true, share: 2 })],
     [sideView({ mirror: true, handles: ['eye'], depth: 8, height: 2.2 })],
   ],
-  numbers: {
-    top: (now) => fixed(blockOf(now)?.topFrontRow ?? 0, 0),
-    horizon: (now) => fixed(now.slice.horizonRow, 0),
-    eye: (now) => fixed(now.eye.z, 1),
-    above: (now) => fixed(now.slice.horizonRow - (blockOf(now)?.topFrontRow ?? 0), 0),
-  },
+  numbers: {},
   says: (now) =>
     `The eye is ${fixed(now.eye.z)} units above the floor, the mirrored eye ${fixed(now.eye.z)} below it.`,
 };

@@ -23,13 +23,13 @@ export default {
   ],
   numbers: {
     limit: (now) => String(now.source.scene.portalLimit),
-    first: (now) => fixed(now.slice.portals[0]?.depth, 1),
     portals: (now) => String(now.slice.portals.length),
   },
   says: ({ slice }) => {
     const { portals } = slice;
     if (portals.length === 0) return 'This slice passes no portal.';
     const last = portals.at(-1);
-    return `This slice passes ${portals.length} portals, the last one at depth ${fixed(last.depth, 1)}.`;
+    const many = portals.length === 1 ? 'one portal' : `${portals.length} portals`;
+    return `This slice passes ${many}, the last one at depth ${fixed(last.depth, 1)}.`;
   },
 };
