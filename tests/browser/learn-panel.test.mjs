@@ -2,21 +2,24 @@
 // loops without end, what is kept, links, downloads; and what a program cannot do.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
 /* global events */ // of the page, in learn-panel-page.mjs
 
 import { launch, openPage } from './browser.mjs';
 import { panelFiles, policy, scriptFiles } from './learn-panel-page.mjs';
+import { serve } from './static-server.mjs';
 
 const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+const kSite = fileURLToPath(new URL('../../build/web/learn/', import.meta.url));
+const kNothingToMend = []; // chapters
 const kDesktop = { width: 1280, height: 900 };
 const kPhone = { width: 360, height: 740 };
 const kDraw = (body) => `function draw(picture, world, eye) {\n  ${body}\n}\n`;
@@ -203,6 +206,43 @@ for (const chapter of [2, 6, 11])
     assert.equal(await programText(page), before);
     await noViolations(page);
   });
+
+test('On the site, every program has something to mend, and its answer passes', async () => {
+  const pages = readdirSync(kSite).filter((name) => name.endsWith('.html'));
+  const panels = pages.filter((name) =>
+    readFileSync(path.join(kSite, name), 'utf8').includes('class="write"'),
+  );
+  assert.ok(panels.length > 0, 'tools/learn.mjs builds the site');
+  const problems = [];
+  for (const name of panels) {
+    const context = await browser.newContext({ viewport: kDesktop });
+    const server = await serve({ headersOf: policy });
+    try {
+      const page = await context.newPage();
+      await page.goto(`${server.address}learn/${name}`);
+      await page.evaluate(() => {
+        window.events = [];
+        addEventListener('write-run', ({ detail }) => events.push(detail));
+        document.querySelector('.write').scrollIntoView();
+      });
+      await page.waitForFunction(() => events.length > 0);
+      await press(page, 'Show the answer');
+      await press(page, 'Put it in place of mine');
+      await press(page, 'Really? Mine goes to the earlier versions');
+      await page.waitForFunction(() => events.length > 1);
+      const [before, after] = await page.evaluate('events');
+      const isSolved = ({ equal, checks }) => equal >= 0.999 && checks.every(({ ok }) => ok);
+      if (!isSolved(after)) problems.push(`${name}: ${await text(page, '.write-status')}`);
+      const chapter = await page.locator('.write').getAttribute('data-chapter');
+      if (isSolved(before) && !kNothingToMend.includes(Number(chapter)))
+        problems.push(`${name}: our program passes as it is`);
+    } finally {
+      await context.close();
+      await server.close();
+    }
+  }
+  assert.deepEqual(problems, []);
+});
 
 test('The eye turns and walks, and both pictures follow', async (t) => {
   const { page } = await openPanel(t, 11);
