@@ -237,6 +237,42 @@ function drawnNatively(world, views) {
   }
 }
 
+test('it also draws what the tutorial does not show', async () => {
+  const functions = program(states.answer(22));
+  const scene = await openScene('panes.json', join(root, 'tests/learn/scenes'));
+  assert.deepEqual(scene.world.leftOut, []);
+  const places = [
+    ...[5, 61, 118, 171, 236, 292, 349].map((heading) => view(4.4, 3.6, 0.5, heading)),
+    ...[view(2.4, 2.3, 0.5, 40), view(6.6, 2.4, 0.5, 190), view(5.3, 4.6, 0.3, 100)],
+    ...[view(4.6, 4.4, 1.4, 93, -0.1), view(4.9, 5.2, 1.5, 100), view(3.4, 4.4, 0.5, 182)],
+    ...[view(4.4, 6.6, 0.9, 215, -0.35), view(5.5, 6.2, 1.3, 190, -0.3)],
+    ...[
+      view(5.1, 1.2, 3.2, 80, -0.6),
+      view(8.4, 6.5, 2.5, 200, -0.5),
+      view(1.2, 7.2, 2.9, 300, -0.4),
+    ],
+  ];
+  const seen = places.map((place) => lookAt(scene, place, { size: kSmall, fov: 75 }));
+  const natively = drawnNatively(
+    scene.world,
+    seen.map(({ eye }) => ({ eye, ...kSmall })),
+  );
+  for (const [i, place] of places.entries()) {
+    const { eye, picture } = seen[i];
+    assert.ok(difference(natively[i], picture).share >= kLeast, `C++: ${JSON.stringify(place)}`);
+    const { share } = difference(drawn(functions, scene.world, eye, kSmall), picture);
+    assert.ok(share >= kLeast, `${JSON.stringify(place)}: ${(100 * share).toFixed(3)} %`);
+  }
+  // Panes that touch have no faces between them.
+  const inner = program(faultyText(states, 'inner-panes', 22));
+  const shares = seen.map(({ eye, picture }) =>
+    difference(drawn(inner, scene.world, eye, kSmall), picture),
+  );
+  assert.ok(shares.some(({ share }) => share < kLeast));
+});
+  assert.ok(difference(drawn(inner, scene.world, eye, kSmall), picture).share < kLeast);
+});
+
 test('the same program in C++ draws the same, and is short', async (t) => {
   const lines = readFileSync(join(root, 'web/learn/raycaster/raycaster.cpp'), 'utf8').split('\n');
   assert.ok(lines.length <= 401, `${lines.length} lines`);

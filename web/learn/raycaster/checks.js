@@ -510,23 +510,22 @@ const kChecks = {
     from: 16,
     run(isJoined) {
       const pane = { seeThrough: true, join: true };
-      const other = { ...pane };
-      for (const [what, block, others, level, joined] of [
-        ['two panes of one block', pane, [{ block: pane, level: 1 }], 1, true],
-        ['two panes on two levels', pane, [{ block: pane, level: 0 }], 1, false],
-        ['panes of two blocks', pane, [{ block: other, level: 1 }], 1, false],
-        ['no neighbour', pane, [], 1, false],
+      const alike = { ...pane };
+      const at = (block, level, top = level + 1) => ({ block, level, bottom: level, top });
+      for (const [what, one, others, level, joined] of [
+        ['two panes of one block', at(pane, 1), [at(pane, 1)], 1, true],
+        ['a pane on another', at(pane, 0), [at(pane, 0), at(pane, 1)], 1, true],
+        ['a pane above a gap', at(pane, 0, 0.5), [at(pane, 1)], 1, false],
+        ['two panes on two levels', at(pane, 1), [at(pane, 0)], 1, false],
+        ['panes of two blocks', at(pane, 1), [at(alike, 1)], 1, false],
+        ['no neighbour', at(pane, 1), [], 1, false],
       ])
-        mustBe(`, ${what}`, Boolean(isJoined({ block, level }, others, level)), joined);
+        mustBe(`, ${what}`, Boolean(isJoined(one, others, level)), joined);
       const wall = { seeThrough: false, join: true };
       const leaves = { seeThrough: true, join: false };
       for (const block of [wall, leaves]) {
         const what = block === wall ? 'two opaque blocks' : 'two blocks that do not join';
-        mustBe(
-          `, ${what}`,
-          Boolean(isJoined({ block, level: 0 }, [{ block, level: 0 }], 0)),
-          false,
-        );
+        mustBe(`, ${what}`, Boolean(isJoined(at(block, 0), [at(block, 0)], 0)), false);
       }
     },
   },

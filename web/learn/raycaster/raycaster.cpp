@@ -1,5 +1,4 @@
-// The reader's raycaster at the end of the tutorial, in C++20 with nothing but the standard
-// library: the same functions with the same names, without those for walking. Use:
+// The reader's raycaster in C++20, at the end of the tutorial: all its functions but walking. Use:
 //     raycaster WORLD >PICTURES
 // world.h reads the world and the views; the pictures are bytes R, G, B, A, one after the other.
 #include "world.h"
@@ -167,12 +166,13 @@ void layOver(Column& column) {
     }
 }
 
-// Whether a block continues in one of these on some level: then there is no face between them.
-bool isJoined(const Block* block, const std::vector<Placed>& others, int level) {
-    if (!block->seeThrough || !block->join) return false;
-    for (const Placed& other : others)
-        if (other.block == block && other.level == level) return true;
-    return false;
+// Whether a block touches its like among these, on some level: then there is no face between them.
+bool isJoined(const Placed& each, const std::vector<Placed>& others, int level) {
+    if (!each.block->seeThrough || !each.block->join) return false;
+    return std::ranges::any_of(others, [&](const Placed& other) {
+        return other.block == each.block && other.level == level && other.bottom <= each.top &&
+               other.top >= each.bottom;
+    });
 }
 
 void drawSide(const Slice& slice, const Tile& tile, Face face, const Placed& each) {
@@ -199,11 +199,12 @@ std::vector<Plane> planesOf(const Slice& slice, const Tile& tile) {
     const Map& map = *slice.map;
     const double z = slice.eye.z;
     std::vector<Plane> planes;
-    for (const auto& [block, level, low, high] : tile.blocks) {
-        const Plane roof = {high, &block->faces[top], false, high > z ? 1 : 2};
-        const Plane under = {low, &block->faces[bottom], true, low < z ? 1 : 2};
-        if (!isJoined(block, tile.blocks, level + 1)) planes.push_back(roof);
-        if (!isJoined(block, tile.blocks, level - 1)) planes.push_back(under);
+    for (const Placed& each : tile.blocks) {
+        const Plane roof = {each.top, &each.block->faces[top], false, each.top > z ? 1 : 2};
+        const Plane under = {each.bottom, &each.block->faces[bottom], true,
+                             each.bottom < z ? 1 : 2};
+        if (!isJoined(each, tile.blocks, each.level + 1)) planes.push_back(roof);
+        if (!isJoined(each, tile.blocks, each.level - 1)) planes.push_back(under);
     }
     const bool inside = isInside(map, tile.x, tile.y);
     const int at = inside ? tile.y * map.width + tile.x : 0;
@@ -211,10 +212,10 @@ std::vector<Plane> planesOf(const Slice& slice, const Tile& tile) {
         planes.push_back({map.ceilingHeight, &map.ceiling[at], true, 3});
     planes.push_back({0.0, inside ? &map.floor[at] : &map.outside, false, 3});
     std::erase_if(planes, [&](const Plane& plane) { return plane.height <= slice.lowest; });
-    std::stable_sort(planes.begin(), planes.end(), [z](const Plane& a, const Plane& b) {
-        return std::pair(std::abs(a.height - z), a.order) <
-               std::pair(std::abs(b.height - z), b.order);
-    });
+    const auto order = [z](const Plane& plane) {
+        return std::pair(std::abs(plane.height - z), plane.order);
+    };
+    std::ranges::stable_sort(planes, {}, order);
     return planes;
 }
 
@@ -264,8 +265,7 @@ std::vector<Seen> objectsOf(const Slice& slice) {
         const bool isBeyond = depth > 0.0 && depth >= slice.from.near;
         if (isBeyond && u >= 0.0 && u < 1.0 && isAbove) seen.push_back({&object, depth, u});
     }
-    std::stable_sort(seen.begin(), seen.end(),
-                     [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
+    std::ranges::stable_sort(seen, {}, &Seen::depth);
     return seen;
 }
 
@@ -320,13 +320,12 @@ void lookThrough(const Slice& slice, const Tile& tile, const Placed& each, const
 void drawBorder(const Slice& slice, const Tile& before, const Tile& tile) {
     const Face left = std::array{south, west, north, east}[tile.face];
     for (const Placed& each : before.blocks)
-        if (!isJoined(each.block, tile.blocks, each.level)) drawSide(slice, tile, left, each);
+        if (!isJoined(each, tile.blocks, each.level)) drawSide(slice, tile, left, each);
     for (const Placed& each : tile.blocks) {
         const Portal* portal = findPortal(*slice.map, tile, each.level);
         if (portal && slice.portals < slice.world.portalLimit)
             lookThrough(slice, tile, each, *portal);
-        if (!isJoined(each.block, before.blocks, each.level))
-            drawSide(slice, tile, tile.face, each);
+        if (!isJoined(each, before.blocks, each.level)) drawSide(slice, tile, tile.face, each);
     }
 }
 
@@ -334,6 +333,7 @@ void drawBorder(const Slice& slice, const Tile& before, const Tile& tile) {
 void drawPart(const Slice& slice) {
     const std::vector<Seen> objects = objectsOf(slice);
     auto object = objects.begin();
+    const char* const open = slice.column.open.data();
     Tile before = {-1, -1};
     for (Tile& tile : walkGrid(*slice.map, slice.eye, slice.ray, slice.from)) {
         tile.blocks = blocksOf(*slice.map, tile.x, tile.y, slice.lowest);
@@ -347,7 +347,7 @@ void drawPart(const Slice& slice) {
             near = object->depth;
         }
         for (const Plane& plane : planes) drawPlane(slice, plane, near, tile.far);
-        if (std::ranges::count(slice.column.open, 1) == 0) return;
+        if (std::count(open + slice.first, open + slice.last, 1) == 0) return;
         before = tile;
     }
     const auto sky = [&](int row) { return skyColour(*slice.map, slopeOf(slice, row)); };
