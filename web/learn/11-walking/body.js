@@ -1,6 +1,6 @@
-// A body on the map, for this chapter's figures: a square of half width r that sweeps along one axis
-// until something solid stops it. Lengths are multiples of 1/65536 of a unit, as in the engine, so
-// that touching is not overlapping.
+// A body on the map, for this chapter's figures: a square of half width r that sweeps along one
+// axis until something solid stops it. Lengths are multiples of 1/65536 of a unit, as in the
+// engine, so that touching is not overlapping.
 
 export const kHalfWidth = units(0.2);
 

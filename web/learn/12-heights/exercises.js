@@ -9,6 +9,14 @@ const kBehind = {
 };
 const kOver = { ...kBehind, view: '9.4,4.5,0.65,192,0.08', state: { column: 200 } };
 
+const kLane = {
+  scene: laneScene,
+  view: '0.5,1.5,0.5,0',
+  options: { fov: 66 },
+  state: { edits: laneEdits([3, 4, 9]), column: 240 },
+};
+const thirdOf = ({ slice }) => slice.hits.filter(({ tile }) => tile[0] === kPillars[2].x).at(-1);
+
 export default {
   hidden: { ...kBehind, answer: ({ slice }) => slice.hits.length - seenHits(slice).size },
   nearDepth: { ...kOver, answer: ({ slice }) => slice.hits[0].depth, digits: 2 },
@@ -22,14 +30,9 @@ export default {
     digits: 2,
     unit: 'units',
   },
-  top: {
-    scene: laneScene,
-    view: '0.5,1.5,0.5,0',
-    options: { fov: 66 },
-    state: { edits: laneEdits([3, 4, 9]), column: 240 },
-    answer: ({ slice }) =>
-      slice.hits.filter(({ tile }) => tile[0] === kPillars[2].x).at(-1).topFrontRow,
-    tolerance: 1,
-    digits: 0,
-  },
+  top: { ...kLane, answer: (now) => thirdOf(now).topFrontRow, tolerance: 1, digits: 0 },
+  pillarTop: { ...kLane, answer: (now) => thirdOf(now).top },
+  pillarDepth: { ...kLane, answer: (now) => thirdOf(now).depth },
+  horizon: { ...kLane, answer: ({ slice }) => slice.horizonRow },
+  distance: { ...kLane, answer: ({ slice }) => slice.projectionDistance, digits: 1 },
 };
