@@ -270,8 +270,6 @@ test('it also draws what the tutorial does not show', async () => {
   );
   assert.ok(shares.some(({ share }) => share < kLeast));
 });
-  assert.ok(difference(drawn(inner, scene.world, eye, kSmall), picture).share < kLeast);
-});
 
 test('the same program in C++ draws the same, and is short', async (t) => {
   const lines = readFileSync(join(root, 'web/learn/raycaster/raycaster.cpp'), 'utf8').split('\n');
