@@ -222,9 +222,11 @@ private:
                 alongX ? earlyX_ : earlyY_};
     }
     static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
+    // #region ties
     bool leavesAlongX() const {
         return x_.along < y_.along || (x_.along == y_.along && tieAlongX_);
     }
+    // #endregion
 
     Axis x_;
     Axis y_;

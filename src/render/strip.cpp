@@ -79,11 +79,13 @@ void Strip::copyTo(const Picture& picture, int x, int columns) const {
     int y = 0;
     if (kHasVectors && columns == kStripColumns)
         y = transposeRows(strip, stride_, height_, picture.pixels + x, picture.pitch);
+    // #region copy
     for (; y < height_; ++y) {
         Pixel* row = picture.row(y) + x;
         for (int c = 0; c < columns; ++c)
             row[c] = strip[static_cast<std::ptrdiff_t>(c) * stride_ + y];
     }
+    // #endregion
 }
 
 }  // namespace slicecast

@@ -12,6 +12,7 @@
 
 namespace slicecast {
 
+// #region strip
 inline constexpr int kStripColumns = 16;
 
 class Strip {
@@ -31,5 +32,6 @@ private:
     int stride_ = 0;  // pixels from one column to the next
     std::vector<Pixel> pixels_;
 };
+// #endregion
 
 }  // namespace slicecast

@@ -34,6 +34,7 @@ bool isMirrored(const SliceTrace& trace) {
 
 }  // namespace
 
+// #region nearest
 SeenThing nearestSeen(const World& world, const SliceTrace& trace) {
     SeenThing picked;
     for (const SeenPoint& point : trace.seen) {
@@ -47,6 +48,7 @@ SeenThing nearestSeen(const World& world, const SliceTrace& trace) {
     picked.isHole = true;
     return picked;
 }
+// #endregion
 
 double heightOf(const World& world, const SliceTrace& trace, const FilledRows& rows, double z) {
     switch (rows.what) {
