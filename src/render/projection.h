@@ -45,6 +45,7 @@ struct Projection {
     double sidewaysSlope(int column) const { return (column + 0.5 - width / 2.0) / distance; }
     double upwardSlope(int row) const { return (horizon - (row + 0.5)) / distance; }
 
+    // #region ray
     // The ground direction of a column's rays, in units per `distance` units of perpendicular
     // depth: d * (forward + k * right). It avoids the division by d, which would round, so that
     // rays that meet a corner or the middle of a row exactly are recognised.
@@ -53,6 +54,7 @@ struct Projection {
         return {distance * forward.x + sideways * right.x,
                 distance * forward.y + sideways * right.y};
     }
+    // #endregion
     // #endregion
 
     // #region rows
