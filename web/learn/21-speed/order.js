@@ -94,7 +94,7 @@ export default {
     choice({ label: 'Write', field: 'order', of: kOrders }),
     choice({ label: 'Width', field: 'width', of: ['480', '512', '1280'] }),
     toggle({ label: '16 unused pixels after each row', field: 'padded' }),
-    slider({ label: 'Writes', field: 'writes', from: 0, to: 3000, step: 1 }),
+    slider({ label: 'Writes', field: 'writes', from: 0, to: 12000, step: 10 }),
   ],
   rows: [
     [
