@@ -111,6 +111,8 @@ export default {
   says: (now) => {
     const { x, y } = walksOf(now)[now.state.way].at(-1);
     const dash = { point: 'dotted', box: 'dashed', slide: 'solid' }[now.state.way];
-    return `${kWays[now.state.way]} (the ${dash} line) ends at ${fixed(x)}, ${fixed(y)}.`;
+    const end = `${kWays[now.state.way]} (the ${dash} line) ends at ${fixed(x)}, ${fixed(y)}.`;
+    const touches = now.state.way === 'point' && walksOf(now).point.length <= kParts;
+    return touches ? `${end} Its eye is on the wall: few texels fill the picture.` : end;
   },
 };

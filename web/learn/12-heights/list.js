@@ -105,13 +105,8 @@ export default {
             class: 'number',
           },
           {
-            head: 'Rows',
-            value: (hit, index, now) => String(coveredBy(hit, now.height)),
-            class: 'number',
-          },
-          {
-            head: 'Seen',
-            value: (hit) => (rowsSeen(hit) === 0 ? 'none' : String(rowsSeen(hit))),
+            head: 'Rows seen',
+            value: (hit, index, now) => `${rowsSeen(hit)} of ${coveredBy(hit, now.height)}`,
             class: 'number',
           },
         ],
