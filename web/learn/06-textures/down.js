@@ -47,17 +47,17 @@ export default {
     ],
     [
       numberTable({
-        caption: 'Neighbouring rows of the slice',
+        caption: 'Neighbouring rows: height z, v, and the texel that the engine takes',
         columns: [
           { head: 'Row', value: ({ row }) => String(row), class: 'number' },
-          { head: 'Height z', value: ({ z }, _, now) => now.fixed(z, 3), class: 'number' },
+          { head: 'z', value: ({ z }, _, now) => now.fixed(z, 3), class: 'number' },
           { head: 'v = 1 − z', value: ({ z }, _, now) => now.fixed(1 - z, 3), class: 'number' },
           {
-            head: '128 · v',
+            head: '128 v',
             value: ({ z }, _, now) => now.fixed(128 * (1 - z), 2),
             class: 'number',
           },
-          { head: 'Engine’s texel', value: ({ texel }) => texel ?? '–', class: 'number' },
+          { head: 'Engine', value: ({ texel }) => texel ?? '–', class: 'number' },
         ],
         items: rowsAround,
         current: (now) => rowsAround(now).findIndex(({ row }) => row === now.row),

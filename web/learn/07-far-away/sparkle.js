@@ -50,7 +50,7 @@ export default {
   scene: kScene,
   view: '5.5,1.5,0.85,90,-0.16',
   options: { fov: 66 },
-  size: [280, 120],
+  size: [280, 140],
   controls: [
     slider({
       label: 'Step forward',

@@ -26,7 +26,7 @@ export default {
     [
       plot({
         x: { label: 'depth, units', from: 0, to: 30, field: 'depth', unit: 'units' },
-        y: { label: 'texels of the image', from: 0, to: 16 },
+        y: { label: 'texels', from: 0, to: 16 },
         marks: ({ state }) => [
           {
             x: state.depth,
@@ -35,7 +35,7 @@ export default {
           },
         ],
         lines: [
-          { label: 'texel of the level', points: stairs, class: 'along' },
+          { label: 'the level', points: stairs, class: 'along' },
           { label: 'one pixel', of: patch, class: 'across' },
         ],
       }),

@@ -93,8 +93,8 @@ export default {
       return `Row ${now.row} looks down: slope ${fixed(slope)}. Where nothing is met there, the map has its haze.`;
     const engine =
       now.pick?.what === 'sky'
-        ? ' The engine’s pixel has the same colour.'
-        : ' In the middle column something hides the sky there.';
+        ? ' In the middle column the picture shows it.'
+        : ' In the middle column something hides it.';
     return `Row ${now.row} has the slope ${fixed(slope)}: ${hex(colourAt(slope))}.${engine}`;
   },
 };

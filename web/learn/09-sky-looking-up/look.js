@@ -17,7 +17,8 @@ export default {
   ],
   numbers: {
     look: (now) => now.fixed(now.eye.look),
-    moved: (now) => now.fixed(Math.abs(now.eye.look * now.height), 0),
+    moved: (now) =>
+      `${now.fixed(Math.abs(now.eye.look * now.height), 0)} rows ${now.eye.look < 0 ? 'up' : 'down'}`,
     height: (now) => String(now.height),
     horizon: (now) => now.fixed(now.slice.horizonRow, 0),
   },
