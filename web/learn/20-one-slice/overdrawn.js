@@ -6,7 +6,7 @@ export default {
   scene: 'yard.json',
   view: '9,2.1,0.5,14,0',
   options: { fov: 80 },
-  state: { split: 0.42 },
+  state: { split: 0.36 },
   rows: [
     [
       divider({

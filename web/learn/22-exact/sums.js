@@ -39,10 +39,10 @@ export default {
         items: (now) => listOf(now).slice(0, 8),
         columns: [
           { head: 'Corner', value: (corner, index) => String(index + 1), class: 'number' },
-          { head: 'Depth', value: ({ quotients }) => fixed(quotients[0], 4), class: 'number' },
           { head: 'Sums', value: ({ sums }) => sign(sums) },
-          { head: 'Apart by', value: ({ sums: [x, y] }) => apart(x - y), class: 'number' },
           { head: 'Quotients', value: ({ quotients }) => sign(quotients) },
+          { head: 'Sums differ by', value: ({ sums: [x, y] }) => apart(x - y), class: 'number' },
+          { head: 'Depth', value: ({ quotients }) => fixed(quotients[0], 4), class: 'number' },
         ],
       }),
     ],
