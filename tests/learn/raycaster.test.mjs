@@ -35,6 +35,7 @@ const walking = [
   view(8.5, 4.5, 0.5, 10),
   view(12.5, 2.5, 0.5, 130),
   view(9.2, 1.3, 0.5, 205.5),
+  view(2.4, 7.35, 0.25, 20), // a wall that is taller than the picture
 ];
 const looking = [view(3.6, 6.6, 0.5, 20, 0.15), view(9.5, 7.2, 0.5, 260, -0.2)];
 const heights = [

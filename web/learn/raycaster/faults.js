@@ -68,6 +68,17 @@ export const faults = {
     ],
     says: 'Heights are whole numbers of rows: slanting edges have steps, and walls gape.',
   },
+  'cut-heights': {
+    chapter: 4,
+    change: [
+      ['const bottom = rowOf(slice, 0, tile.near);', 'const bottom = top + tall;'],
+      [
+        'const top = rowOf(slice, 1, tile.near);',
+        'const tall = Math.min(slice.view.height, slice.view.distance / tile.near);\n      const top = slice.view.horizon - tall * (1 - eye.z);',
+      ],
+    ],
+    says: 'A wall is never taller than the picture: near walls end before they reach the ground.',
+  },
   'half-row': {
     chapter: 8,
     change: [['(row + 0.5)', 'row']],
