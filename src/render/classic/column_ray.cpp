@@ -53,6 +53,7 @@ View::View(const World& world, const Eye& eye, const RenderOptions& options,
     }
 }
 
+// #region ways
 ColumnRay View::rayAt(double x) const {
     const double sideways = x - width / 2.0;
     ColumnRay ray;
@@ -75,6 +76,7 @@ ColumnRay View::rayAt(double x) const {
     ray.ahead = cosDegrees(angle);
     return ray;
 }
+// #endregion
 
 double View::rowOf(double z, double depth) const {
     const double rise = up * (z - eyeZ);
