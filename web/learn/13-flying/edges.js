@@ -22,6 +22,8 @@ const showsOf = (now) => {
 export default {
   ...kOpening,
   state: { column: 240 },
+  // The eye looks at the block, so that it stays in the picture.
+  check: ({ eye }) => ({ eye: { look: (0.75 - eye.z) / 3 } }),
   controls: [slider({ label: 'Eye', eye: 'z', from: 0.1, to: 2.4, step: 0.05, unit: 'units' })],
   rows: [
     [
