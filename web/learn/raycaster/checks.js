@@ -29,7 +29,7 @@ function readSlice(slice) {
   return {
     column: slice.column,
     ray: { x: slice.ray[0], y: slice.ray[1] },
-    walk: plain(slice.walk, ['portals', 'tile', 'axis', 'depth']),
+    walk: plain(slice.walk, ['portals', 'tile', 'axis', 'depth', 'next']),
     hits: plain(slice.hits, [
       ...['portals', 'map', 'tile', 'level', 'blueprint', 'face', 'point', 'depth'],
       ...['bottom', 'top', 'topFrontRow', 'bottomFrontRow'],
@@ -239,10 +239,13 @@ const kChecks = {
   },
   walkGrid: {
     from: 3,
-    run(walkGrid, { expected, map, eye }) {
+    run(walkGrid, { chapter, expected, map, eye }) {
       for (const { column, ray, walk } of expected.columns) {
         const tiles = walkGrid(map, eye, ray);
         const known = own(walk);
+        // Chapter 22 decides where a ray goes on that meets a corner.
+        const corner = chapter < 22 ? known.findIndex(({ next }) => isTie(...next)) : -1;
+        if (corner >= 0) known.length = corner + 1;
         known.forEach((step, index) => {
           const where = `, column ${column}, tile ${index} of the way`;
           const mine = tiles?.[index];
@@ -697,9 +700,13 @@ function isMoving(map, { blueprint }) {
   return Object.values(map.blocks).some(({ name, motion }) => name === blueprint && motion);
 }
 
+const isTie = (a, b) => a !== null && b !== null && Math.abs(a - b) <= 1e-9 * a;
+
 // Whether a run shows all of a side that is on the screen: a ceiling may hide some from above.
 function isWhole({ first, last }, { topFrontRow, bottomFrontRow }, { height }) {
   const isAt = (row, edge) => Math.abs(row - edge) <= 1;
+  const isExact = (edge) => isTie(edge, Math.floor(edge) + 0.5);
+  if (isExact(topFrontRow) || isExact(bottomFrontRow)) return false;
   return (
     (first === 0 || isAt(first, topFrontRow)) && (last === height - 1 || isAt(last, bottomFrontRow))
   );

@@ -115,8 +115,9 @@ Colour texelOf(const Texture& texture, double u, double v, double pixelSize) {
     int level = 0;
     while (level < last && pixelSize * texture[0].height > 1 << level) ++level;
     const auto& [width, height, texels] = texture[level];
-    const int column = std::clamp(static_cast<int>(std::floor(u * width)), 0, width - 1);
-    const int row = std::clamp(static_cast<int>(std::floor(v * height)), 0, height - 1);
+    const int column =
+        std::clamp(static_cast<int>(std::floor((u + 0x1p-33) * width)), 0, width - 1);
+    const int row = std::clamp(static_cast<int>(std::floor((v + 0x1p-33) * height)), 0, height - 1);
     return texels[row * width + column];
 }
 
@@ -182,7 +183,7 @@ void drawSide(const Slice& slice, const Tile& tile, Face face, const Placed& eac
     const double x = slice.eye.x + slice.ray.x * depth - tile.x;
     const double y = slice.eye.y + slice.ray.y * depth - tile.y;
     const double along = face == east || face == west ? y : x;
-    const double u = face == north || face == east ? 1.0 - along : along;
+    const double u = face == north || face == east ? 1.0 - 0x1p-32 - along : along;
     const double upper = rowOf(slice, each.top, depth);
     fillRows(slice, upper, rowOf(slice, each.bottom, depth), [&](int row) {
         double v = each.level + 1 - (slice.eye.z + slopeOf(slice, row) * depth);
@@ -242,7 +243,7 @@ void drawPlane(const Slice& slice, const Plane& plane, double near, double far) 
         if (plane.height == 0.0 && depth > slice.map->far) return slice.map->haze;
         const double x = slice.eye.x + slice.ray.x * depth;
         const double y = slice.eye.y + slice.ray.y * depth;
-        const double v = plane.under ? 1.0 - (y - std::floor(y)) : y - std::floor(y);
+        const double v = plane.under ? 1.0 - 0x1p-32 - (y - std::floor(y)) : y - std::floor(y);
         const Texture& shown = slice.world.textures[look.texture];
         Colour texel = texelOf(shown, x - std::floor(x), v, depth / slice.view.distance);
         if (isMirror) texel[3] = 255 - look.mirror;
@@ -251,7 +252,6 @@ void drawPlane(const Slice& slice, const Plane& plane, double near, double far) 
     if (isMirror) reflect(slice, plane.height, from, to);
 }
 
-// The objects that a slice passes, the nearest first.
 std::vector<Seen> objectsOf(const Slice& slice) {
     const auto& [width, distance, horizon, up, forward, right] = slice.view;
     std::vector<Seen> seen;
