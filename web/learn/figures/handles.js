@@ -6,7 +6,8 @@
 
 const kPageSteps = 10;
 
-// `figure`: {state, now, change(change)}. `layer` is the element that holds the handles.
+// `figure`: {state, now, change(change), restore(state), flush()}. `layer` is the element that
+// holds the handles.
 export class Handles {
   #figure;
   #layer;
@@ -69,13 +70,16 @@ export class Handles {
     };
     node.addEventListener('pointerdown', (event) => {
       if (held !== null || event.button !== 0 || !event.isPrimary) return;
+      this.#figure.flush();
       const box = this.#layer.getBoundingClientRect();
       const { x, y } = kept.handle;
       const { now, state } = this.#figure;
+      const point = { x: event.clientX - box.left, y: event.clientY - box.top };
+      const { isDirect } = kept.handle; // acts where the pointer is, and from the first touch on
       held = {
         pointer: event.pointerId,
-        dx: event.clientX - box.left - x,
-        dy: event.clientY - box.top - y,
+        dx: isDirect ? 0 : point.x - x,
+        dy: isDirect ? 0 : point.y - y,
         start: { state, now, point: { x, y } },
       };
       node.setPointerCapture(event.pointerId);
@@ -83,6 +87,7 @@ export class Handles {
       node.focus({ preventScroll: true });
       event.preventDefault();
       event.stopPropagation();
+      if (isDirect) this.#figure.change(kept.handle.drag(point, now, held.start, true));
     });
     node.addEventListener('pointermove', (event) => {
       if (held === null || event.pointerId !== held.pointer) return;
@@ -118,6 +123,7 @@ export class Handles {
         }
         return;
       }
+      this.#figure.flush();
       const { now } = this.#figure;
       const change = kept.handle.press?.(event.key, now) ?? this.#move(kept.handle, event, now);
       if (change === undefined) return;

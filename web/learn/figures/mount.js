@@ -108,6 +108,7 @@ class LiveFigure {
     await customElements.whenDefined('ray-caster');
     this.#findPanels();
     const scene = await this.#makePictures();
+    this.#loadWhenNear();
     await isReady(this.#main.caster);
     this.#source = elementSource(this.#main.caster, {
       scene,
@@ -236,12 +237,28 @@ class LiveFigure {
     return canvas;
   }
 
+  // Each element by itself would load only when it is near, and a figure may be tall.
+  #loadWhenNear() {
+    const casters = [...this.#pictures.map(({ caster }) => caster), this.#main.caster];
+    const watch = new IntersectionObserver(
+      (entries) => {
+        if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+        watch.disconnect();
+        for (const caster of new Set(casters)) caster?.whenReady().catch(() => {}); // it says why
+      },
+      { rootMargin: '400px' },
+    );
+    watch.observe(this.#root);
+    this.#stop.signal.addEventListener('abort', () => watch.disconnect());
+  }
+
   // ---- The engines
 
   // Brings all engines to the state. Returns false if the eye cannot be there.
   #bring() {
     const isPlaced = apply(this.#figure, this.#source, this.#state, this.#applied);
     this.#applied = this.#state;
+    this.#now = makeNow(this.#figure, this.#source, this.#state);
     return isPlaced;
   }
 
@@ -304,7 +321,14 @@ class LiveFigure {
     });
   }
 
-  // Draws at once.
+  // Draws at once what waits for the next picture: quick keys find handles as they are then.
+  flush() {
+    if (this.#frame === 0) return;
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#draw();
+  }
+
   #draw() {
     const figure = this.#figure;
     this.#now = makeNow(figure, this.#source, this.#state);
@@ -560,10 +584,8 @@ class LiveFigure {
       least: 0,
       greatest: now.map(now.eye.map).width - 1,
       says: `${cell.join(', ')}: ${name(character)}`,
-      drag: (point) => {
-        const at = paint.cellAt(point, this.#now, box);
-        return at === null || same(at, this.#state.cell) ? null : put(brush, at);
-      },
+      isDirect: true,
+      drag: (point, _, start, isFirst) => this.#painted(panel, point, isFirst),
       keys: (right, down) => ({ cell: paint.within([cell[0] + right, cell[1] + down], now, box) }),
       press(key) {
         if (key === 'Enter' || key === ' ') return put(character === brush ? '.' : brush);
@@ -574,24 +596,28 @@ class LiveFigure {
   }
 
   #wirePainting(panel) {
-    const { body, view } = panel;
-    const { paint } = view;
+    const { body } = panel;
     body.addEventListener('click', ({ target }) => {
       const { brush } = target.closest('[data-brush]')?.dataset ?? {};
       if (brush !== undefined) this.change({ brush });
     });
     body.classList.add('picks');
-    let stroke = null; // what the stroke puts
-    onPick(body, (point, isFirst) => {
-      const cell = paint.cellAt(this.#inDrawing(panel, point), this.#now, panel.box);
-      if (cell === null) return;
-      const brush = this.#state.brush ?? paint.blocksOf(this.#now)[0].character;
-      // A stroke that begins on the brush's own block erases.
-      const now = makeNow(this.#figure, this.#source, this.#state);
-      if (isFirst) stroke = paint.characterAt(cell, now) === brush ? '.' : brush;
-      if (paint.characterAt(cell, now) !== stroke)
-        this.change({ ...paint.edited(cell, stroke, now), cell });
-    });
+    onPick(body, (point, isFirst) =>
+      this.change(this.#painted(panel, this.#inDrawing(panel, point), isFirst)),
+    );
+  }
+
+  // The change of a stroke over a point of the map. One that begins on the brush's own block
+  // erases.
+  #painted(panel, point, isFirst) {
+    const { paint } = panel.view;
+    const now = this.#now;
+    const cell = paint.cellAt(point, now, panel.box);
+    if (cell === null) return null;
+    const brush = this.#state.brush ?? paint.blocksOf(now)[0].character;
+    const before = paint.characterAt(cell, now);
+    if (isFirst) panel.stroke = before === brush ? '.' : brush;
+    return before === panel.stroke ? { cell } : { ...paint.edited(cell, panel.stroke, now), cell };
   }
 
   // ---- The address
