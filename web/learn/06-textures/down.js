@@ -1,6 +1,6 @@
 // One slice of wall: the height, v and texel of some neighbouring rows.
 
-import { numberTable, picture, sideView, slider } from '../figures/kit.js';
+import { numberTable, picture, polygon, sideView, slider } from '../figures/kit.js';
 
 const kRows = 2; // listed above and below the picked one
 
@@ -78,14 +78,34 @@ export default {
       : `Row ${now.row} passes the wall. Drag the row onto it.`,
 };
 
-// The sight line through the middle of the row, to the wall or beyond.
+const kPlane = 36; // pixels from the eye to the picture plane of the side view
+
+// The sight line through the middle of the row, to the wall or beyond, and the two triangles.
 function sight(now, place) {
-  const { slice } = now;
+  const { slice, line, text } = now;
   const depth = slice.hits[0]?.depth ?? 3;
   const z = slice.eye.z + (depth * (slice.horizonRow - (now.row + 0.5))) / slice.projectionDistance;
   const [x1, y1] = place(0, slice.eye.z);
   const [x2, y2] = place(depth, z);
+  const small = [x1 + kPlane, y1 + ((y2 - y1) * kPlane) / (x2 - x1)];
+  const below = y2 < y1 ? 17 : -8; // where letters are, on the other side of the line
   return (
-    now.line(x1, y1, x2, y2, 'class="fig-sight"') + now.dot(x2, y2, 4.5, 'class="fig-edge-dot"')
+    polygon(
+      [
+        [x1, y1],
+        [x2, y1],
+        [x2, y2],
+      ],
+      'class="fig-wedge side"',
+    ) +
+    polygon([[x1, y1], [small[0], y1], small], 'class="fig-wedge side now"') +
+    line(x1, y1, x2, y2, 'class="fig-sight"') +
+    line(x2, y1, x2, y2, 'class="fig-bold"') +
+    now.dot(x2, y2, 4.5, 'class="fig-edge-dot"') +
+    (x2 - x1 > 70
+      ? text(x1 + kPlane / 2 + 5, y1 + below, 'd', 'class="letter" text-anchor="middle"') +
+        text((small[0] + x2) / 2, y1 + below, 't', 'class="letter" text-anchor="middle"')
+      : '') +
+    (Math.abs(y2 - y1) > 24 ? text(x2 + 8, (y1 + y2) / 2 + 4.5, 'rise') : '')
   );
 }
