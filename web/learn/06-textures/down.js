@@ -78,8 +78,6 @@ export default {
       : `Row ${now.row} passes the wall. Drag the row onto it.`,
 };
 
-const kPlane = 36; // pixels from the eye to the picture plane of the side view
-
 // The sight line through the middle of the row, to the wall or beyond, and the two triangles.
 function sight(now, place) {
   const { slice, line, text } = now;
@@ -87,7 +85,7 @@ function sight(now, place) {
   const z = slice.eye.z + (depth * (slice.horizonRow - (now.row + 0.5))) / slice.projectionDistance;
   const [x1, y1] = place(0, slice.eye.z);
   const [x2, y2] = place(depth, z);
-  const small = [x1 + kPlane, y1 + ((y2 - y1) * kPlane) / (x2 - x1)];
+  const small = [x1 + place.plane, y1 + ((y2 - y1) * place.plane) / (x2 - x1)];
   const below = y2 < y1 ? 17 : -8; // where letters are, on the other side of the line
   return (
     polygon(
@@ -103,7 +101,7 @@ function sight(now, place) {
     line(x2, y1, x2, y2, 'class="fig-bold"') +
     now.dot(x2, y2, 4.5, 'class="fig-edge-dot"') +
     (x2 - x1 > 70
-      ? text(x1 + kPlane / 2 + 5, y1 + below, 'd', 'class="letter" text-anchor="middle"') +
+      ? text(x1 + place.plane / 2 + 5, y1 + below, 'd', 'class="letter" text-anchor="middle"') +
         text((small[0] + x2) / 2, y1 + below, 't', 'class="letter" text-anchor="middle"')
       : '') +
     (Math.abs(y2 - y1) > 24 ? text(x2 + 8, (y1 + y2) / 2 + 4.5, 'rise') : '')

@@ -114,7 +114,7 @@ function draw(now, look, size, handles) {
     (look.runs ? numbers(now, it) : '') +
     (look.over?.(
       now,
-      Object.assign((t, z) => place(t, z), { unitX: it.unitX, unitZ: it.unitZ }),
+      Object.assign((t, z) => place(t, z), { unitX: it.unitX, unitZ: it.unitZ, plane: it.plane }),
     ) ?? '') +
     (it.mirrored === null ? '' : dot(...place(0, it.mirrored), 8, 'class="fig-eye mirrored"')) +
     eyeOf(now, it, handles)
