@@ -154,14 +154,14 @@ function gzipped(file) {
   return gzipSync(readFileSync(path.join(kSite, file)), { level: 9 }).length;
 }
 
-// In the page: visible pictures of fewer than 20 colours.
+// In the page: visible pictures of fewer than 5 colours.
 function flatPictures() {
   return [...document.querySelectorAll('ray-caster')]
     .filter((caster) => {
       const canvas = caster.shadowRoot.querySelector('canvas');
       if (!caster.checkVisibility() || canvas === null || canvas.width === 0) return false;
       const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-      return new Set(new Uint32Array(data.buffer)).size < 20;
+      return new Set(new Uint32Array(data.buffer)).size < 5;
     })
     .map((caster) => caster.closest('figure')?.id ?? 'outside');
 }

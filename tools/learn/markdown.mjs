@@ -50,7 +50,7 @@ export function markdown(chapterOf, program, mathOf) {
   rules.formula = (tokens, index) => {
     const { content, meta } = tokens[index];
     const math = mathOf.mathMl(content, meta.isBlock);
-    return meta.isBlock ? `<div class="formula">${math}</div>\n` : math;
+    return meta.isBlock ? `<div class="formula" tabindex="0">${math}</div>\n` : math;
   };
   rules.number = (tokens, index, options, env) => number(tokens[index].meta, chapterOf(env));
 

@@ -22,7 +22,9 @@ export function numberTable({
       const title = caption ?? others.title ?? '';
       const about = typeof title === 'string' && title !== '' ? escape(title) : 'Numbers';
       const head = table.columns
-        .map(({ head: name, class: kind = '' }) => `<th scope="col" class="${kind}">${name}</th>`)
+        .map(({ head: name, class: kind = '' }) =>
+          name === '' ? '<td></td>' : `<th scope="col" class="${kind}">${name}</th>`,
+        )
         .join('');
       const body = list.map((item, index) => {
         const isNow = Array.isArray(marked) ? marked.includes(index) : index === marked;
