@@ -41,7 +41,6 @@ struct Projection {
     // r.
     Projection mirrored() const;
 
-    // #region rays
     double sidewaysSlope(int column) const { return (column + 0.5 - width / 2.0) / distance; }
     double upwardSlope(int row) const { return (horizon - (row + 0.5)) / distance; }
 
@@ -55,14 +54,13 @@ struct Projection {
                 distance * forward.y + sideways * right.y};
     }
     // #endregion
-    // #endregion
 
-    // #region rows
     // The row (a real number) of a height `rise` above the eye at `depth`; infinite at depth 0. Not
     // for rise = 0 at depth 0.
 #if defined(__clang__)
     __attribute__((no_sanitize("float-divide-by-zero")))
 #endif
+    // #region rows
     double
     rowOf(double rise, double depth) const {
         return horizon - rise * distance / depth;

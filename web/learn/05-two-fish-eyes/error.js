@@ -24,10 +24,10 @@ export default {
     [
       plot({
         x: { label: 'column', from: 0, to: 480 },
-        y: { label: 'rows too low', from: -10, to: 40 },
+        y: { label: 'rows', from: -10, to: 40 },
         lines: [
           { label: 'distance', class: 'ray', points: (now) => errorsOf(now).distance },
-          { label: 'distance × cosine', class: 'across', points: (now) => errorsOf(now).cosine },
+          { label: 'with cosine', class: 'across', points: (now) => errorsOf(now).cosine },
         ],
       }),
     ],
