@@ -5,7 +5,7 @@ import { numberTable, picture, polygon, sideView, slider } from '../figures/kit.
 const kRows = 2; // listed above and below the picked one
 
 // The rows around the picked one, and what they show. The wall stands from the floor to height 1.
-function rowsAround(now) {
+export function rowsAround(now) {
   const { slice, row, height } = now;
   const first = Math.max(0, Math.min(row - kRows, height - 2 * kRows - 1));
   return Array.from({ length: 2 * kRows + 1 }, (_, index) => {
@@ -66,8 +66,8 @@ export default {
   ],
   numbers: {
     row: (now) => String(now.row),
-    z: (now) => now.fixed(at(now).z, 3),
-    v: (now) => now.fixed(1 - at(now).z, 3),
+    z: (now) => now.fixed(at(now).z, 4),
+    v: (now) => now.fixed(1 - at(now).z, 4),
     texel: (now) => String(at(now).texel ?? '–'),
     step: (now) => now.fixed((now.slice.hits[0]?.depth ?? NaN) / now.slice.projectionDistance, 4),
     distance: (now) => now.fixed(now.slice.projectionDistance, 2),

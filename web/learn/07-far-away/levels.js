@@ -3,14 +3,9 @@
 import { byHandWorld } from '../by-hand.js';
 import { box, distanceOf, drawing, fixed, slider, text } from '../figures/kit.js';
 import { imageAddress, textureOf } from './bitmap.js';
+import { levelAt } from './detail.js';
 
 const kScene = { fov: 66 };
-
-export function levelAt(depth, size, distance, last) {
-  let level = 0;
-  while ((depth * size) / distance > 2 ** level && level < last) ++level;
-  return level;
-}
 
 const chosen = (now) => levelAt(now.state.depth, 128, distanceOf(kScene.fov, now.width), 7);
 

@@ -1,7 +1,7 @@
 // The width of a pixel in texels, and of the texels of the level that is taken.
 
 import { distanceOf, fixed, plot } from '../figures/kit.js';
-import { levelAt } from './levels.js';
+import { levelAt } from './detail.js';
 
 const distance = (now) => distanceOf(66, now.width);
 const patch = (depth, now) => (depth * 128) / distance(now);
