@@ -64,8 +64,8 @@ export default {
   rows: [
     [
       divider({
-        left: { title: 'A mean for each pixel' },
-        right: { title: 'One texel for each pixel', options: { detail: 'off' } },
+        left: { title: 'A mean' },
+        right: { title: 'One texel', options: { detail: 'off' } },
       }),
     ],
   ],
