@@ -4,6 +4,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
+import { transformSync } from 'esbuild';
 import temml from 'temml';
 
 const kMacros = { '\\x': '\\class{across}{#1}', '\\y': '\\class{along}{#1}' };
@@ -32,7 +33,8 @@ export class Formulas {
   writeStyles(output) {
     const require = createRequire(import.meta.url);
     const folder = path.dirname(require.resolve('temml'));
-    const rules = readFileSync(path.join(folder, 'Temml-Local.css'), 'utf8').replaceAll(kFont, '');
+    const all = readFileSync(path.join(folder, 'Temml-Local.css'), 'utf8').replaceAll(kFont, '');
+    const { code: rules } = transformSync(all, { loader: 'css', minify: true });
     const own = [...this.#classes].map(([declarations, name]) => `.${name} { ${declarations} }\n`);
     writeFileSync(path.join(output, 'formulas.css'), rules + own.join(''));
   }

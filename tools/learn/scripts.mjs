@@ -1,8 +1,8 @@
 // Bundles the tutorial's scripts: one per chapter, and what several chapters share in files of
 // their own.
 
-import { build } from 'esbuild';
-import { copyFileSync, mkdirSync, readdirSync } from 'node:fs';
+import { build, transform } from 'esbuild';
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 
 const kStyles = ['learn.css', 'figures/figures.css', 'write/write.css'];
@@ -52,8 +52,11 @@ export async function buildScripts(staged, output, chapters) {
     chunkNames: 'part-[hash]',
     plugins: [generated],
   });
-  for (const style of kStyles)
-    copyFileSync(path.join(staged, style), path.join(output, path.basename(style)));
+  for (const style of kStyles) {
+    const text = readFileSync(path.join(staged, style), 'utf8');
+    const { code } = await transform(text, { loader: 'css', minify: true });
+    writeFileSync(path.join(output, path.basename(style)), code);
+  }
   copyLicences(Object.keys(metafile.inputs), path.join(output, '../licences'));
 }
 

@@ -6,7 +6,7 @@ import path from 'node:path';
 import { colour } from './colour.mjs';
 import { readProgram } from './program.mjs';
 import { buildExportPage, buildRunPage } from './run-page.mjs';
-import { engineOptions, sceneOf } from '../../web/learn/raycaster/states.js';
+import { engineOptions, functionsOf, sceneOf } from '../../web/learn/raycaster/states.js';
 
 const kMoves = 17; // the chapter of gates and lifts
 const kMovedSeconds = 1.5; // then they are on their way
@@ -37,8 +37,17 @@ export async function panelHtml({ chapter, scene, view = '', options = '', secon
     `<h2 id="write-title">Write your own</h2>\n${task(states.newIn(chapter))}\n` +
     `<div class="write-bench"><div class="write-code"><div class="write-host">` +
     `<pre class="write-program" tabindex="0" aria-label="The program at the start of this chapter"><code>` +
-    `${colour(states.start(chapter), 'js')}</code></pre></div></div></div>\n</section>\n`
+    `${colour(partOf(states, chapter), 'js')}</code></pre></div></div></div>\n</section>\n`
   );
+}
+
+// What stands there until the panel is mounted: the functions that are new or changed, as the
+// reader finds them. The whole program would be half of the page.
+function partOf(states, chapter) {
+  const names = states.newIn(chapter).map(({ name }) => name);
+  const functions = functionsOf(states.start(chapter));
+  const shown = functions.filter(({ name }) => names.includes(name));
+  return (shown.length > 0 ? shown : functions.slice(0, 1)).map(({ text }) => text).join('\n\n');
 }
 
 // { textures: true, detail: false } as the attribute has it.
