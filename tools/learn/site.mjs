@@ -86,11 +86,23 @@ export function configure(config, { chapters, program, formulas }) {
               'these numbers are neither computed nor listed under "facts":\n' +
                 unlisted.map(({ number, text: where }) => `  ${number} in "${where}"`).join('\n'),
             );
-          return markdownIt.renderer.render(tokens, markdownIt.options, data);
+          const html = markdownIt.renderer.render(tokens, markdownIt.options, data);
+          refuseEqualIds(html);
+          return html;
         } catch (error) {
           throw new Error(`${data.page.inputPath}: ${error.message}`, { cause: error });
         }
       },
     };
   }
+}
+
+// A figure and a heading may not have the same name: a link would find only one of them.
+function refuseEqualIds(html) {
+  const ids = [...html.matchAll(/<(?:figure|section|h[23])\b[^>]* id="([^"]+)"/g)].map(
+    ([, id]) => id,
+  );
+  const twice = ids.find((id, index) => ids.indexOf(id) !== index);
+  if (twice !== undefined)
+    throw new Error(`two headings or figures have the id "${twice}"; expected different names.`);
 }
