@@ -14,7 +14,9 @@ export class Formulas {
   #classes = new Map(); // declarations -> class
 
   mathMl(formula, isBlock) {
-    const math = temml.renderToString(formula, {
+    // Names of several letters stand upright: fonts space the letters of mathematical italics as if
+    // they were to be multiplied.
+    const math = temml.renderToString(formula.replaceAll('\\mathit{', '\\mathrm{'), {
       displayMode: isBlock,
       trust: true, // for \class
       throwOnError: true,
