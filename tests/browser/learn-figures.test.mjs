@@ -283,6 +283,16 @@ test('the mouse drags handles, and all views follow', async (t) => {
   await page.mouse.click(box.x + box.width * 0.25 + 0.5, box.y + box.height / 3);
   assert.equal((await stateOf(page, 'walk')).column, 120);
   await agree(page);
+  // A handle that is taken at its side does not jump.
+  const { eye: still } = await stateOf(page, 'walk');
+  const [sideX, sideY] = await middleOf(handle(page, 'walk', 'eye'));
+  await page.mouse.move(sideX + 14, sideY - 10);
+  await page.mouse.down();
+  await page.mouse.move(sideX + 15, sideY - 10);
+  await page.mouse.up();
+  const { eye: nudged } = await stateOf(page, 'walk');
+  assert.ok(Math.abs(nudged.x - still.x - 1 / unit) < 0.02, `${nudged.x} ${still.x}`);
+  assert.ok(Math.abs(nudged.y - still.y) < 0.02, `${nudged.y} ${still.y}`);
   // Escape takes a drag back.
   const [x, y] = await middleOf(handle(page, 'walk', 'eye'));
   const kept = await stateOf(page, 'walk');

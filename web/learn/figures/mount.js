@@ -276,9 +276,7 @@ class LiveFigure {
       const more = place === null ? view.options : sidesOf(view, this.#now)[place].options;
       const options = typeof more === 'function' ? more(this.#state) : more;
       const before = picture.applied;
-      const isTimed = this.#state.time > 0 || before?.state.time > 0;
       apply(this.#figure, picture.source, this.#state, before?.state ?? null);
-      if (!isTimed && !same(picture.source.view, this.#now.eye)) picture.source.look(this.#now.eye);
       // What the figure itself sets stays below the picture's own options.
       if (!same(options, before?.options) || before?.state !== this.#state) {
         for (const name of Object.keys(before?.options ?? {}))
