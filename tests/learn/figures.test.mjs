@@ -3,7 +3,9 @@
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 
 import { load } from '../../build/web/node/index.js';
 import { drawStatic, openingNow } from '../../web/learn/figures/draw.js';
@@ -495,4 +497,31 @@ test('a whole figure is drawn for the build', async (t) => {
   // Every id once.
   const ids = [...html.matchAll(/ id="([^"]+)"/g)].map(([, id]) => id);
   assert.equal(new Set(ids).size, ids.length);
+});
+
+test('the kit is small', async (t) => {
+  const tools = createRequire(new URL('../../tools/package.json', import.meta.url));
+  const { build } = tools('esbuild');
+  const folder = new URL('../../web/learn/figures/', import.meta.url).pathname;
+  const bytes = async (names) => {
+    const { outputFiles } = await build({
+      stdin: {
+        contents: `export { ${names} } from './kit.js'; export { mount } from './mount.js';`,
+        resolveDir: folder,
+      },
+      bundle: true,
+      splitting: true,
+      minify: true,
+      format: 'esm',
+      outdir: 'out',
+      write: false,
+    });
+    // What loads later is in files of its own.
+    return gzipSync(outputFiles.find(({ path }) => path.endsWith('stdin.js')).contents).length;
+  };
+  const usual =
+    'picture, mapView, rulers, sideView, sliceStrip, numberTable, scrub, slider, choice, toggle';
+  const [some, all] = [await bytes(usual), await bytes(Object.keys(kit).join())];
+  t.diagnostic(`the usual views: ${some} bytes, all: ${all}`);
+  assert.ok(some < 25000 && all < 29000, `${some} ${all}`);
 });

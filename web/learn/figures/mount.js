@@ -109,6 +109,7 @@ class LiveFigure {
     this.#findPanels();
     const scene = await this.#makePictures();
     this.#loadWhenNear();
+    await this.#loadPainting();
     await isReady(this.#main.caster);
     this.#source = elementSource(this.#main.caster, {
       scene,
@@ -142,6 +143,7 @@ class LiveFigure {
   }
 
   #width = 0;
+  #hasNumbers = false;
   #base = document.baseURI;
 
   #makeRoot() {
@@ -252,6 +254,22 @@ class LiveFigure {
     this.#stop.signal.addEventListener('abort', () => watch.disconnect());
   }
 
+  // Few figures are painted, and few have numbers to drag: what they need loads with them alone.
+  async #loadPainting() {
+    const panels = this.#panels.filter(({ view }) => view.kind === 'paint');
+    if (panels.length === 0) return;
+    const { Painting } = await import('./painting.js');
+    for (const panel of panels) panel.painting = new Painting(this, panel.view.paint);
+  }
+
+  #loadNumbers() {
+    if (this.#hasNumbers || this.#root.querySelector('.fig-scrubbed') === null) return;
+    this.#hasNumbers = true;
+    void import('./numbers.js').then(({ listenToNumbers }) =>
+      listenToNumbers(this, this.#root, valueOf, changeOf),
+    );
+  }
+
   // ---- The engines
 
   // Brings all engines to the state. Returns false if the eye cannot be there.
@@ -346,6 +364,7 @@ class LiveFigure {
       putMarkup(says, figure.says(now));
       this.#speak(says.textContent);
     }
+    this.#loadNumbers();
     this.#options.onNow?.(now, numbersOf(figure, now));
   }
 
@@ -400,7 +419,7 @@ class LiveFigure {
     panel.layer ??= layer('fig-handles', body);
     panel.layer.style.height = `${box.height}px`;
     panel.handles ??= new Handles(this, panel.layer);
-    const cursor = view.kind === 'paint' ? [this.#cursor(panel)] : [];
+    const cursor = panel.painting ? [panel.painting.cursor(now, box)] : [];
     panel.handles.put([...cursor, ...view.handles(now, box)]);
   }
 
@@ -440,7 +459,6 @@ class LiveFigure {
     });
     for (const panel of this.#panels) this.#wirePanel(panel);
     this.#wireTools();
-    this.#wireNumbers();
     if (this.#panels.some(({ view }) => view.walk))
       this.#main.caster.addEventListener('viewchange', () => this.#follow());
   }
@@ -471,7 +489,8 @@ class LiveFigure {
         this.change(view.click(this.#inDrawing(panel, point), this.#now, panel.box)),
       );
     }
-    if (view.kind === 'paint') this.#wirePainting(panel);
+    if (view.kind === 'paint')
+      panel.painting.listen(body, onPick, (point) => this.#inDrawing(panel, point));
     if (view.kind === 'panel')
       body.addEventListener('click', ({ target }) => {
         const change = target.closest('[data-change]')?.dataset.change;
@@ -492,130 +511,6 @@ class LiveFigure {
       if (tool === 'reset') this.reset();
       if (tool === 'link') void this.#copyLink(target);
     });
-  }
-
-  // Numbers in the text: dragged to the side, or by keys.
-  #wireNumbers() {
-    const root = this.#root;
-    let held = null; // {pointer, node, x, value}
-    const numberAt = ({ target }) => target.closest?.('.fig-scrubbed');
-    const to = (node, value) => {
-      const { field, step } = node.dataset;
-      const [least, greatest] = ['min', 'max'].map((end) =>
-        Number(node.getAttribute(`aria-value${end}`)),
-      );
-      const even = Math.round(value / step) * step;
-      this.change(changeOf(field, Math.max(least, Math.min(greatest, Number(even.toFixed(9))))));
-    };
-    const { signal } = this.#stop;
-    root.addEventListener(
-      'pointerdown',
-      (event) => {
-        const node = numberAt(event);
-        if (!node || event.button !== 0 || !event.isPrimary) return;
-        held = {
-          pointer: event.pointerId,
-          node,
-          x: event.clientX,
-          value: valueOf(this.#state, node.dataset.field),
-        };
-        node.setPointerCapture(event.pointerId);
-        node.focus({ preventScroll: true });
-        event.preventDefault();
-      },
-      { signal },
-    );
-    root.addEventListener(
-      'pointermove',
-      (event) => {
-        if (held?.pointer === event.pointerId)
-          to(held.node, held.value + ((event.clientX - held.x) / 3) * held.node.dataset.step);
-      },
-      { signal },
-    );
-    for (const name of ['pointerup', 'pointercancel'])
-      root.addEventListener(name, () => (held = null), { signal });
-    root.addEventListener(
-      'keydown',
-      (event) => {
-        const node = numberAt(event);
-        const by = {
-          ArrowRight: 1,
-          ArrowUp: 1,
-          ArrowLeft: -1,
-          ArrowDown: -1,
-          PageUp: 10,
-          PageDown: -10,
-        }[event.key];
-        if (!node || by === undefined) return;
-        event.preventDefault();
-        to(
-          node,
-          valueOf(this.#state, node.dataset.field) +
-            by * (event.shiftKey ? 10 : 1) * node.dataset.step,
-        );
-      },
-      { signal },
-    );
-  }
-
-  // ---- Painting
-
-  #cursorCell = (panel) => this.#state.cell ?? panel.view.paint.startCell(this.#now, panel.box);
-
-  // The cell cursor is a handle: it moves by arrows, and what is typed goes into its cell.
-  #cursor(panel) {
-    const { paint } = panel.view;
-    const { box } = panel;
-    const now = this.#now;
-    const cell = this.#cursorCell(panel);
-    const character = paint.characterAt(cell, now);
-    const blocks = paint.blocksOf(now);
-    const name = (sign) => blocks.find((block) => block.character === sign)?.name ?? 'empty';
-    const brush = this.#state.brush ?? blocks[0].character;
-    const put = (sign, at = cell) => ({ ...paint.edited(at, sign, now), cell: at });
-    return {
-      id: 'cell',
-      label: `Cell to paint with ${name(brush)}`,
-      ...paint.middleOf(cell, now, box),
-      value: cell[0],
-      least: 0,
-      greatest: now.map(now.eye.map).width - 1,
-      says: `${cell.join(', ')}: ${name(character)}`,
-      isDirect: true,
-      drag: (point, _, start, isFirst) => this.#painted(panel, point, isFirst),
-      keys: (right, down) => ({ cell: paint.within([cell[0] + right, cell[1] + down], now, box) }),
-      press(key) {
-        if (key === 'Enter' || key === ' ') return put(character === brush ? '.' : brush);
-        if (key === 'Delete' || key === 'Backspace') return put('.');
-        return blocks.some((block) => block.character === key) ? put(key) : undefined;
-      },
-    };
-  }
-
-  #wirePainting(panel) {
-    const { body } = panel;
-    body.addEventListener('click', ({ target }) => {
-      const { brush } = target.closest('[data-brush]')?.dataset ?? {};
-      if (brush !== undefined) this.change({ brush });
-    });
-    body.classList.add('picks');
-    onPick(body, (point, isFirst) =>
-      this.change(this.#painted(panel, this.#inDrawing(panel, point), isFirst)),
-    );
-  }
-
-  // The change of a stroke over a point of the map. One that begins on the brush's own block
-  // erases.
-  #painted(panel, point, isFirst) {
-    const { paint } = panel.view;
-    const now = this.#now;
-    const cell = paint.cellAt(point, now, panel.box);
-    if (cell === null) return null;
-    const brush = this.#state.brush ?? paint.blocksOf(now)[0].character;
-    const before = paint.characterAt(cell, now);
-    if (isFirst) panel.stroke = before === brush ? '.' : brush;
-    return before === panel.stroke ? { cell } : { ...paint.edited(cell, panel.stroke, now), cell };
   }
 
   // ---- The address
