@@ -39,6 +39,7 @@ const folder = path.resolve(argument);
 process.chdir(fileURLToPath(new URL('..', import.meta.url)));
 const output = path.join(folder, 'learn');
 await rm(output, { recursive: true, force: true });
+await cp('web/learn/guide', path.join(folder, 'guide'), { recursive: true });
 await cp('web/learn/scenes', path.join(output, 'scenes'), { recursive: true });
 
 const program = await readProgram();

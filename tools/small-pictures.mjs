@@ -1,5 +1,5 @@
-// Makes the pictures of a built page smaller, without changing a pixel: PNG files are packed anew by
-// oxipng. The results are kept in build/pictures, by the pictures' contents.
+// Makes the pictures of a built page smaller, without changing a pixel: oxipng packs the PNG files
+// anew. The results are kept in build/pictures, by the pictures' contents.
 //
 //     node tools/small-pictures.mjs FOLDER
 

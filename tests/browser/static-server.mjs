@@ -25,10 +25,10 @@ const kTypes = {
 };
 
 // `files` stand in front of the page's own: path -> text, bytes, null (not there) or a function
-// that gives one of them. `headers` go with every answer. `asked` lists the paths in the order in
-// which they were wanted. `headersOf(path)` gives more headers for a file. `folder` is another one than the page's. `redirects`: path -> where the
-// server sends one on. With `mayGo` every file comes in pieces, each after `await mayGo(path, bytes
-// sent of it)`.
+// that gives one of them. `headers` go with every answer. `asked` lists the paths in the order
+// in which they were wanted. `headersOf(path)` gives more headers for a file. `folder` is
+// another one than the page's. `redirects`: path -> where the server sends one on. With `mayGo`
+// every file comes in pieces, each after `await mayGo(path, bytes sent of it)`.
 export async function serve({
   folder = kPage,
   files = {},

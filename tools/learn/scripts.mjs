@@ -5,6 +5,13 @@ import { build, transform } from 'esbuild';
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 
+const kSmall = {
+  format: 'esm',
+  target: 'es2022',
+  minify: true,
+  legalComments: 'none',
+  logLevel: 'warning',
+};
 const kStyles = ['learn.css', 'figures/figures.css', 'write/write.css'];
 
 // A chapter's script starts its figures, its exercises and its panel.
@@ -37,20 +44,22 @@ export async function buildScripts(staged, output, chapters) {
     metafile: true,
     entryPoints: [
       { in: path.join(staged, 'learn-index.js'), out: 'index' },
-      { in: path.join(staged, 'figures.js'), out: 'figures' },
       ...[...sources.keys()].map((name) => ({ in: `chapter:${name}`, out: name })),
     ],
     outdir: path.join(output, 'scripts'),
     bundle: true,
     external: ['node:*'], // by-hand.js reads files when the build draws
     splitting: true,
-    format: 'esm',
-    target: 'es2022',
-    minify: true,
-    legalComments: 'none',
-    logLevel: 'warning',
+    ...kSmall,
     chunkNames: 'part-[hash]',
     plugins: [generated],
+  });
+  // The figure kit for other pages, in one file.
+  await build({
+    entryPoints: [path.join(staged, 'figures.js')],
+    outfile: path.join(output, 'figures.js'),
+    bundle: true,
+    ...kSmall,
   });
   for (const style of kStyles) {
     const text = readFileSync(path.join(staged, style), 'utf8');

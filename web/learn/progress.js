@@ -1,5 +1,5 @@
-// Remembers in which chapters the reader's raycaster has passed all checks, and marks these chapters
-// in lists. Without storage nothing is marked.
+// Remembers in which chapters the reader's raycaster has passed all checks, and marks these in
+// lists. Without storage nothing is marked.
 
 const kKey = 'slicecast.learn.solved';
 

@@ -1,6 +1,6 @@
 // A picture and a map, linked: the column of the one is the ray of the other.
 
-import { fixed, mapView, mount, picture } from '../learn/scripts/figures.js';
+import { fixed, mapView, mount, picture } from '../../learn/figures.js';
 
 // The first block on the ray. `now.slice` is the engine's trace of the column.
 const first = (now) => now.slice.hits[0];

@@ -1,6 +1,6 @@
 // A map that the reader paints, with the slice from the side and as a strip of rows.
 
-import { mapView, mount, picture, scrub, sideView, sliceStrip } from '../learn/scripts/figures.js';
+import { mapView, mount, picture, scrub, sideView, sliceStrip } from '../../learn/figures.js';
 
 const figure = {
   scene: 'scene.json',

@@ -1,6 +1,6 @@
 // Two pictures of one eye with a divider: the engine's, and an old way of drawing.
 
-import { choice, divider, mount, slider } from '../learn/scripts/figures.js';
+import { choice, divider, mount, slider } from '../../learn/figures.js';
 
 // The engine's names for old ways; see `oldWays` of <ray-caster>.
 const ways = ['Fish eye', 'Half a fish eye', 'Big pixels'];
