@@ -59,9 +59,10 @@ function draw(now, width, depths, step) {
     if (index === current)
       parts.push(box(from + 1, kMiddle - 8, to - from - 2, 16, 'class="fig-now"'));
     const number = String(index + 1);
-    if (isShown && to - from > number.length * kCharacter + 4)
+    const free = index === 0 ? from + 8 : from; // beside the eye
+    if (isShown && to - free > number.length * kCharacter + 4)
       parts.push(
-        text((from + to) / 2, kMiddle + 4.5, number, 'class="fig-order" text-anchor="middle"'),
+        text((free + to) / 2, kMiddle + 4.5, number, 'class="fig-order" text-anchor="middle"'),
       );
   });
   parts.push(line(kLeft, kMiddle - 9, width, kMiddle - 9, 'class="fig-axis"'));
