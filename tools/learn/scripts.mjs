@@ -61,6 +61,7 @@ export async function buildScripts(staged, output, chapters) {
     bundle: true,
     ...kSmall,
   });
+  copyFileSync('web/learn/figures.d.ts', path.join(output, 'figures.d.ts'));
   for (const style of kStyles) {
     const text = readFileSync(path.join(staged, style), 'utf8');
     const { code } = await transform(text, { loader: 'css', minify: true });
