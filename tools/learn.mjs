@@ -16,7 +16,7 @@ import { Drawing } from './learn/draw.mjs';
 import { Formulas } from './learn/formulas.mjs';
 import { readProgram } from './learn/program.mjs';
 import { writeRedirects } from './learn/redirects.mjs';
-import { buildScripts } from './learn/scripts.mjs';
+import { buildScripts, buildStyles } from './learn/scripts.mjs';
 import { writeSearch } from './learn/search.mjs';
 import { configure } from './learn/site.mjs';
 import { stage } from './learn/stage.mjs';
@@ -56,8 +56,8 @@ await site.write();
 for (const { figures } of chapters.values())
   for (const figure of figures.values()) figure.writePictures(output);
 writeFileSync(path.join(output, 'pictures/index.png'), await drawing.picture(kOpening));
-formulas.writeStyles(output);
 await buildScripts(staged, output, chapters);
+await buildStyles(staged, output, formulas.styles);
 await writePanelFiles(path.join(output, 'write'));
 await writeSearch(output, chapters);
 await writeRedirects(folder);

@@ -1,10 +1,9 @@
 // Formulas as MathML, by Temml. The pages' policy forbids inline styles, so what Temml writes as
-// such becomes classes of a style sheet, formulas.css, which also holds Temml's own rules.
+// such becomes classes; `styles` has their rules, and Temml's own.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
-import { transformSync } from 'esbuild';
 import temml from 'temml';
 
 const kMacros = { '\\x': '\\class{across}{#1}', '\\y': '\\class{along}{#1}' };
@@ -32,13 +31,12 @@ export class Formulas {
     });
   }
 
-  writeStyles(output) {
+  get styles() {
     const require = createRequire(import.meta.url);
     const folder = path.dirname(require.resolve('temml'));
-    const all = readFileSync(path.join(folder, 'Temml-Local.css'), 'utf8').replaceAll(kFont, '');
-    const { code: rules } = transformSync(all, { loader: 'css', minify: true });
+    const rules = readFileSync(path.join(folder, 'Temml-Local.css'), 'utf8').replaceAll(kFont, '');
     const own = [...this.#classes].map(([declarations, name]) => `.${name} { ${declarations} }\n`);
-    writeFileSync(path.join(output, 'formulas.css'), rules + own.join(''));
+    return rules + own.join('');
   }
 
   #classOf(declarations) {

@@ -1,5 +1,5 @@
 // Bundles the tutorial's scripts: one per chapter, and what several chapters share in files of
-// their own.
+// their own; and its style sheets.
 
 import { build, transform } from 'esbuild';
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -62,16 +62,23 @@ export async function buildScripts(staged, output, chapters) {
     ...kSmall,
   });
   copyFileSync('web/learn/figures.d.ts', path.join(output, 'figures.d.ts'));
-  for (const style of kStyles) {
-    const text = readFileSync(path.join(staged, style), 'utf8');
-    const { code } = await transform(text, { loader: 'css', minify: true });
-    writeFileSync(path.join(output, path.basename(style)), code);
-  }
   copyLicences(Object.keys(metafile.inputs), path.join(output, '../licences'));
 }
 
+// Writes learn.css, the one sheet of a chapter, and figures.css, for other pages. `more` are
+// further rules.
+export async function buildStyles(staged, output, more) {
+  const read = (name) => readFileSync(path.join(staged, name), 'utf8');
+  const write = async (name, text) => {
+    const { code } = await transform(text, { loader: 'css', minify: true });
+    writeFileSync(path.join(output, name), code);
+  };
+  await write('learn.css', [...kStyles.map(read), more].join('\n'));
+  await write('figures.css', read('figures/figures.css'));
+}
+
 // Copies the licences of the packages that these files belong to, and of Temml, whose style sheet
-// is in formulas.css.
+// is in learn.css.
 function copyLicences(files, to) {
   const packages = new Set(['temml']);
   for (const file of files) {
