@@ -154,6 +154,52 @@ test('a program that throws, or lacks a function, is told so', async () => {
   assert.match(says.walkGrid, /^`walkGrid`, column \d+, tile 0 of the way: yours nothing, engine /);
 });
 
+test('a mirror is checked: its eye, its rows, and what is below it', async () => {
+  const scene = await sceneNamed('yard-7.json');
+  lookAt(scene, heights[0], { chapter: 18, size: kSmall });
+  const expected = expectedOf(scene, 18);
+  const failing = (text) =>
+    check(18, program(text), expected, scene.world)
+      .filter(({ ok }) => !ok)
+      .map(({ says }) => says);
+  assert.match(failing(states.start(18)).join('\n'), /^`reflect`, where the mirror shows a wall: /);
+  for (const [find, put] of [
+    [', lowest: height };', ' };'],
+    ['2 * height - eye.z', 'eye.z'],
+    ['up: -view.up', 'up: view.up'],
+    ['part.first = Math.max(slice.first, Math.round(Math.min(from, to)));', ''],
+    ['part.last = Math.min(slice.last, Math.round(Math.max(from, to)));', ''],
+  ]) {
+    const text = states.answer(18).replace(find, put);
+    assert.notEqual(text, states.answer(18));
+    assert.match(failing(text).join('\n'), /^`reflect`, /, find);
+  }
+});
+
+test('what is right in another way passes', async () => {
+  const scene = await sceneNamed('yard-4.json');
+  for (const place of [heights[0], flying[0]]) {
+    lookAt(scene, place, { chapter: 15, size: kSmall });
+    const text = states
+      .answer(15)
+      .replace(
+        'Math.round((x * forward.x + y * forward.y) * 65536) / 65536',
+        'x * forward.x + y * forward.y',
+      )
+      .replace('planes.push({ height: top,', 'if (top < eye.z) planes.push({ height: top,')
+      .replace(
+        'planes.push({ height: bottom,',
+        'if (bottom > eye.z) planes.push({ height: bottom,',
+      );
+    assert.notEqual(text, states.answer(15));
+    const failed = check(15, program(text), expectedOf(scene, 15), scene.world);
+    assert.deepEqual(
+      failed.filter(({ ok }) => !ok),
+      [],
+    );
+  }
+});
+
 test('every state is laid out as the rest of the code', async () => {
   const layout = { ...(await resolveConfig(`${root}/web/x.js`)), parser: 'babel' };
   for (const chapter of chapters) {

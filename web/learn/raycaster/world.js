@@ -174,6 +174,7 @@ function readBlock(name, blueprint, textures, motions, leftOut) {
   if (blueprint.motion) {
     const { moves, from = 0, to, period, phase = 0, shape = 'smooth' } = motions[blueprint.motion];
     block.motion = { moves, from, to, period, phase, shape, bottom, top };
+    block.moved = 0; // units, by `moveBlocks`
   }
   return block;
 }

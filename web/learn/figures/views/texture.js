@@ -36,7 +36,7 @@ function looksOf(now, { texture }) {
 export function texelOf(now, run) {
   if (run === null || run.texels.length === 0) return null;
   if (now.run === run && now.pick?.texel && now.pick.texture === run.texture) return now.pick.texel;
-  return run.texels[0];
+  return run.texels.find(({ row }) => row === now.row) ?? run.texels[0];
 }
 
 function heightOf(now, run, side) {
