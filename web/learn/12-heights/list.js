@@ -94,7 +94,7 @@ export default {
     [
       numberTable({
         title: 'The hit list, nearest first',
-        caption: 'Blocks that the ray enters',
+        caption: 'The last column: rows seen, of all rows of the side',
         columns: [
           { head: '', value: (hit, index) => String(index + 1), class: 'number' },
           { head: 'Block', value: ({ blueprint }) => blueprint },
@@ -105,8 +105,8 @@ export default {
             class: 'number',
           },
           {
-            head: 'Rows seen',
-            value: (hit, index, now) => `${rowsSeen(hit)} of ${coveredBy(hit, now.height)}`,
+            head: 'Seen',
+            value: (hit, index, now) => `${rowsSeen(hit)}/${coveredBy(hit, now.height)}`,
             class: 'number',
           },
         ],

@@ -11,7 +11,7 @@ function eyeBeyond(now, at) {
 
 export default {
   scene: 'yard.json',
-  view: '7.4,6.4,0.5,86,0',
+  view: '7.5,6.4,0.5,86,0',
   options: { fov: 60 },
   size: [480, 300],
   state: { column: 270 },

@@ -9,6 +9,7 @@ const kOf = {
   floor: { label: 'Rows of floor', of: ({ rows }) => rows.floor },
 };
 
+const grouped = (count) => count.toLocaleString('en');
 const totals = (now) => now.source.traceFrame().totals;
 
 export default {
@@ -46,10 +47,10 @@ export default {
     ],
   ],
   numbers: {
-    tiles: (now) => String(totals(now).tilesWalked),
-    spans: (now) => String(totals(now).spansDrawn),
-    rows: (now) => String(totals(now).rowsFilled),
-    pixels: (now) => String(now.width * now.height),
+    tiles: (now) => grouped(totals(now).tilesWalked),
+    spans: (now) => grouped(totals(now).spansDrawn),
+    rows: (now) => grouped(totals(now).rowsFilled),
+    pixels: (now) => grouped(now.width * now.height),
     each: (now) => fixed(totals(now).tilesWalked / now.width, 1),
     behind: (now) => String(totals(now).walksBehindPortals),
   },

@@ -28,15 +28,18 @@ export default {
     slider({ label: 'Turn', eye: 'heading', from: 150, to: 230, step: 1, unit: '°' }),
   ],
   rows: [
-    [picture({ mark: 'pixel', handles: ['column', 'row'] }), why()],
+    [
+      picture({ title: 'The picture', mark: 'pixel', handles: ['column', 'row'] }),
+      why({ title: 'Why this colour?' }),
+    ],
     [
       mapView({ map: 'hall', title: 'The hall' }),
       mapView({ map: 'yard', title: 'The yard, behind the portal' }),
     ],
-    [sideView({ share: 2 })],
+    [sideView({ title: 'The slice from the side', share: 2 })],
     [
-      sliceStrip({ names: true, pick: true }),
-      textureView({ run: (now) => thingsIn(now)[0]?.run ?? now.run }),
+      sliceStrip({ title: 'The rows of the slice', names: true, pick: true }),
+      textureView({ title: 'The texture', run: (now) => thingsIn(now)[0]?.run ?? now.run }),
     ],
   ],
   numbers: {

@@ -2,14 +2,14 @@
 // make them.
 
 import {
-  choice,
   codeView,
   fixed,
   mapView,
-  numberTable,
+  picture,
   scrub,
+  sideView,
   sliceStrip,
-  slider,
+  textureView,
 } from '../figures/kit.js';
 import { kEye, kOptions } from './pixel.js';
 
@@ -28,18 +28,18 @@ const kBorder = [2, 3];
 const kObject = [4, 5];
 const kPlane = [6, 7];
 
+// The run of the step; before the first one, the run of the picked row.
+const runOf = (now) => (now.step?.of === 'run' ? now.slice.runs[now.step.index] : now.run);
+
 export default {
   scene: 'yard.json',
   view: kEye,
   options: kOptions,
-  state: { column: 250, row: 170, step: 20, list: 'runs' },
-  controls: [
-    scrub({ of: 'both' }),
-    slider({ label: 'Slice', field: 'column' }),
-    choice({ label: 'List', field: 'list', of: { walk: 'tiles', runs: 'runs' } }),
-  ],
+  state: { column: 250, row: 170, step: 22 },
+  controls: [scrub({ of: 'both' }), scrub({ of: 'frame' })],
   rows: [
     [
+      picture({ title: 'The picture, and one slice', handles: ['column'] }),
       codeView({
         title: 'A slice, in short',
         code: kCode,
@@ -57,12 +57,12 @@ export default {
           haze: [11],
         },
       }),
-      sliceStrip({ names: true }),
     ],
     [mapView({ map: 'hall', title: 'The hall' }), mapView({ map: 'yard', title: 'The yard' })],
+    [sideView({ title: 'The slice from the side', share: 2 })],
     [
-      numberTable({ of: 'walk', when: ({ list }) => list === 'walk' }),
-      numberTable({ of: 'runs', when: ({ list }) => list === 'runs' }),
+      sliceStrip({ title: 'Rows filled, in order', names: true }),
+      textureView({ title: 'The texture of the run', run: runOf, tallest: 240 }),
     ],
   ],
   numbers: {
@@ -77,6 +77,6 @@ export default {
     now.step === null
       ? `The slice is done: ${now.slice.walk.length} tiles, ${now.slice.runs.length} runs.`
       : now.step.of === 'walk'
-        ? `Tile ${now.step.index + 1} of ${now.slice.walk.length}.`
-        : `Run ${now.step.index + 1} of ${now.slice.runs.length}: ${now.step.kind}.`,
+        ? `Tile ${now.step.index + 1} of ${now.slice.walk.length}; no run is filled yet.`
+        : `Run ${now.step.index + 1} of ${now.slice.runs.length}.`,
 };

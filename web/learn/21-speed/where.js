@@ -38,6 +38,8 @@ function table(now) {
   );
 }
 
+const grouped = (count) => count.toLocaleString('en');
+
 export default {
   scene: 'yard.json',
   view: '9.4,4.5,0.5,192,0.1',
@@ -51,10 +53,10 @@ export default {
     [picture({ mark: 'none', handles: ['turn'] }), panel({ title: 'The frame', markup: table })],
   ],
   numbers: {
-    pixels: (now) => String(now.width * now.height),
-    tiles: (now) => String(partsOf(now)[0].count),
-    runs: (now) => String(partsOf(now)[1].count),
-    rows: (now) => String(partsOf(now)[2].count),
+    pixels: (now) => grouped(now.width * now.height),
+    tiles: (now) => grouped(partsOf(now)[0].count),
+    runs: (now) => grouped(partsOf(now)[1].count),
+    rows: (now) => grouped(partsOf(now)[2].count),
     rowsEachTile: (now) => fixed(partsOf(now)[2].count / partsOf(now)[0].count, 0),
     tileShare: (now) => percent(partsOf(now)[0].share),
     rowShare: (now) => percent(partsOf(now)[2].share),

@@ -34,6 +34,7 @@ const differenceIn = (now) => {
   return differing(drawnBy(right, now, kFov), drawnBy(wrong, now, kFov), now.width);
 };
 const differenceOf = (now) => now.kept('difference', () => differenceIn(now));
+const grouped = (count) => count.toLocaleString('en');
 const equalShare = (now) => 100 * (1 - differenceOf(now).pixels / (now.width * now.height));
 
 // The pixels that differ, bright on dark.
@@ -71,10 +72,10 @@ export default {
     ],
   ],
   numbers: {
-    pixels: (now) => String(differenceOf(now).pixels),
+    pixels: (now) => grouped(differenceOf(now).pixels),
     equal: (now) => `${fixed(equalShare(now), 2)} %`,
-    all: (now) => String(now.width * now.height),
+    all: (now) => grouped(now.width * now.height),
   },
   says: (now) =>
-    `${differenceOf(now).pixels} of ${now.width * now.height} pixels differ: ${fixed(equalShare(now), 2)} % are equal.`,
+    `${grouped(differenceOf(now).pixels)} of ${grouped(now.width * now.height)} pixels differ: ${fixed(equalShare(now), 2)} % are equal.`,
 };

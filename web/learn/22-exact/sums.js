@@ -41,7 +41,7 @@ export default {
           { head: 'Corner', value: (corner, index) => String(index + 1), class: 'number' },
           { head: 'Sums', value: ({ sums }) => sign(sums) },
           { head: 'Quotients', value: ({ quotients }) => sign(quotients) },
-          { head: 'Sums differ by', value: ({ sums: [x, y] }) => apart(x - y), class: 'number' },
+          { head: 'Off by', value: ({ sums: [x, y] }) => apart(x - y), class: 'number' },
           { head: 'Depth', value: ({ quotients }) => fixed(quotients[0], 4), class: 'number' },
         ],
       }),

@@ -35,8 +35,15 @@ function looksOf(now, { texture }) {
 // The texel of the picked row, or of the nearest row of the run.
 export function texelOf(now, run) {
   if (run === null || run.texels.length === 0) return null;
-  if (now.run === run && now.pick?.texel && now.pick.texture === run.texture) return now.pick.texel;
-  return run.texels.find(({ row }) => row === now.row) ?? run.texels[0];
+  return isPicked(now, run) ? now.pick.texel : run.texels[0];
+}
+
+// Whether the picked pixel shows this run. Runs of one texture may lie over one another.
+function isPicked({ pick, row }, { texture, texels, first, last }) {
+  if (!pick?.texel || pick.texture !== texture || row < first || row > last) return false;
+  const depths = [texels[0].depth, texels.at(-1).depth];
+  const near = Math.min(...depths) - 1e-6;
+  return pick.depth >= near && pick.depth <= Math.max(...depths) + 1e-6;
 }
 
 function heightOf(now, run, side) {
