@@ -23,7 +23,7 @@ export const policy = (name) =>
 const page = (panel) => `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Write your own</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<link rel="stylesheet" href="learn.css"><link rel="stylesheet" href="write.css">
+<link rel="stylesheet" href="figures.css"><link rel="stylesheet" href="learn.css"><link rel="stylesheet" href="write.css">
 <script type="module" src="../ray-caster.js"></script>
 <script type="module" src="scripts/start.js"></script></head>
 <body><main id="text"><h1>A chapter</h1><p><a href="#write">To the panel</a></p>
@@ -86,7 +86,7 @@ export async function panelFiles({ chapters = [4], views = {} } = {}) {
   }
   for (const [name, text] of Object.entries((await scriptFiles()).files))
     files[`learn/scripts/${name}`] = text;
-  for (const name of ['learn.css', 'write/write.css'])
+  for (const name of ['figures/figures.css', 'learn.css', 'write/write.css'])
     files[`learn/${path.basename(name)}`] = await readFile(
       path.join(kHome, 'web/learn', name),
       'utf8',

@@ -12,7 +12,7 @@ const kSmall = {
   legalComments: 'none',
   logLevel: 'warning',
 };
-const kStyles = ['learn.css', 'figures/figures.css', 'write/write.css'];
+const kStyles = ['figures/figures.css', 'learn.css', 'write/write.css'];
 
 // A chapter's script starts its figures, its exercises and its panel.
 function scriptOf(chapter, staged) {
