@@ -26,8 +26,8 @@ export default {
   rows: [
     [
       divider({
-        left: { title: 'Turned for each side' },
-        right: { title: 'The same for all sides', oldWay: 'Mirrored letters' },
+        left: { title: 'Exact' },
+        right: { title: 'No 1 minus', oldWay: 'Mirrored letters' },
       }),
     ],
   ],

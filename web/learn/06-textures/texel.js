@@ -39,7 +39,7 @@ export default {
   ],
   numbers: {
     depth: (now) => now.fixed(now.pick?.depth),
-    coordinate: numbered(({ axis, along }, { fixed }) => `${axis} = ${fixed(along)}`),
+    coordinate: numbered(({ axis, along }, { fixed }) => `${axis}\u00a0=\u00a0${fixed(along)}`),
     fraction: numbered(({ share }, { fixed }) => fixed(share)),
     column: numbered(({ u }) => String(u)),
   },

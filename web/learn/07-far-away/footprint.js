@@ -15,6 +15,7 @@ import {
   text,
 } from '../figures/kit.js';
 import { imageAddress, meanOf, texelAt, textureOf } from './bitmap.js';
+import { levelAt } from './detail.js';
 
 const kTexels = 24; // shown across
 const kFar = 32; // units
@@ -39,6 +40,7 @@ function part(now) {
 
 const distance = (now) => distanceOf(66, now.width);
 const side = (now) => (now.state.depth * 128) / distance(now);
+const levelOf = (now) => levelAt(now.state.depth, 128, distance(now), 7);
 const kAim = [12.35, 10.4]; // where the middle of the pixel hits, in texels of the part
 
 const plan = drawing({
@@ -164,6 +166,8 @@ export default {
     texels: (now) => fixed(side(now), 1),
     area: (now) =>
       side(now) < 1 ? 'less than one' : String(Math.max(1, Math.round(side(now) ** 2))),
+    level: (now) => String(levelOf(now)),
+    wide: (now) => String(2 ** levelOf(now)),
   },
   says: (now) =>
     `At depth ${fixed(now.state.depth, 1)} one pixel is ${fixed(side(now), 2)} texels wide${side(now) > 1 ? `, and covers ${fixed(side(now) ** 2, 1)} of them` : ': less than one'}.`,

@@ -46,5 +46,5 @@ export default {
     first: (now) => fixed(distance(now) / 128),
   },
   says: (now) =>
-    `Depth ${fixed(now.state.depth, 1)}: a pixel is ${fixed(patch(now.state.depth, now))} texels wide, and a texel of the level ${texel(now.state.depth, now)}.`,
+    `Depth ${fixed(now.state.depth, 1)}: a pixel is ${fixed(patch(now.state.depth, now))} texels wide, and level ${levelAt(now.state.depth, 128, distance(now), 7)} has texels that are ${texel(now.state.depth, now)} wide.`,
 };

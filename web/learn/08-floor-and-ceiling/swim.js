@@ -27,7 +27,7 @@ export default {
     [
       divider({
         left: { title: 'Middle of the row', draw: drawWith(draw, { fov: kFov }) },
-        right: { title: 'Upper edge of the row', draw: drawWith(wrong, { fov: kFov }) },
+        right: { title: 'Its upper edge', draw: drawWith(wrong, { fov: kFov }) },
       }),
     ],
   ],

@@ -85,6 +85,7 @@ export default {
     share: (now) => fixed(shareOf(slopeIn(now, now.row)), 3),
     low: () => String(kLow[0]),
     high: () => String(kHigh[0]),
+    distance: (now) => fixed(now.slice.projectionDistance, 1),
     red: (now) => String(colourAt(slopeIn(now, now.row))[0]),
   },
   says(now) {

@@ -32,7 +32,7 @@ export default {
       plot({
         title: 'The weight of the haze by depth',
         x: { label: 'depth, units', from: 0, to: 20, field: 'depth', unit: 'units' },
-        y: { label: 'weight', from: 0, to: 280 },
+        y: { label: 'weight', from: 0, to: 280, digits: 0 },
         lines: [{ label: 'haze', of: (depth, { state }) => weight(depth, state), class: 'along' }],
       }),
       divider({

@@ -15,16 +15,21 @@ const kTracks = [
   { name: 'a fixed length for each second', of: bySecond },
 ];
 
+// In a narrow window, words stand above the bars.
+const isNarrow = (width) => width < 480;
+const spacingOf = (width) => (isNarrow(width) ? { lanes: 56, all: 168 } : { lanes: 44, all: 128 });
+
 function tracks(now, { width }) {
   const { fps } = now.state;
   const left = 8;
   const unit = (width - left - 16) / kFarthest;
+  const { lanes, all } = spacingOf(width);
   const parts = [];
   kTracks.forEach(({ name, of }, index) => {
-    const top = 22 + 128 * index;
-    parts.push(text(left, top - 4, name, ''));
+    const top = 22 + all * index;
+    parts.push(text(left, top - (isNarrow(width) ? 8 : 4), name, 'class="strong"'));
     [kUsual, fps].forEach((rate, lane) => {
-      const y = top + 10 + 44 * lane;
+      const y = top + lanes - 34 + lanes * lane;
       const way = Math.min(kFarthest, of(rate));
       parts.push(
         box(left, y, unit * kFarthest, 30, 'fill="var(--sheet)" stroke="var(--rule)"'),
@@ -50,8 +55,11 @@ function tracks(now, { width }) {
           'stroke="var(--ink)" stroke-width="3"',
         ),
         text(
-          width - left - unit * way > 230 ? left + unit * way + 8 : left + 6,
-          y + 19,
+          ...(isNarrow(width)
+            ? [left, y - 6]
+            : width - left - unit * way > 230
+              ? [left + unit * way + 8, y + 19]
+              : [left + 6, y + 19]),
           `${rate} frames a second: ${fixed(of(rate))} units`,
           'class="halo"',
         ),
@@ -79,7 +87,7 @@ export default {
     [
       drawing({
         title: 'Two seconds of walking',
-        height: 262,
+        height: (width) => 6 + 2 * spacingOf(width).all,
         label: (now) =>
           `After two seconds: ${kTracks.map(({ name, of }) => `${name}: ${fixed(of(kUsual))} and ${fixed(of(now.state.fps))} units`).join('; ')}`,
         markup: tracks,

@@ -77,9 +77,9 @@ function plan(now, { width }) {
 
 export default {
   scene: 'yard-2.json',
-  view: '7.999755859375,6.6556549072265625,0.5,327',
+  view: '7.8000030517578125,6.7646026611328125,0.5,327',
   options: { fov: 66 },
-  state: { way: 'point', wish: 327 },
+  state: { way: 'box', wish: 327 },
   // The eye is where the chosen walker ends.
   check(state, now) {
     if (now === null) return {};

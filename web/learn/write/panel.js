@@ -495,7 +495,8 @@ class Panel {
   // ---- What is shown
 
   #show(pixels, first) {
-    const { pixelBox, firstBox } = this.#parts;
+    const { pixelBox, firstBox, difference: canvas } = this.#parts;
+    canvas.closest('figure').hidden = pixels.all === 0;
     this.#showFunctions();
     pixelBox.replaceChildren(...pixelReport(pixels));
     firstBox.replaceChildren(...differenceReport(first, (column) => this.#markColumn(column)));

@@ -105,13 +105,13 @@ function draw(now, run, side, grid, id) {
     box(x, y, size, size, 'class="fig-pixel"'),
   );
   parts.push(
-    text(0, tall + 18, `${run.texture}: u ${texel.u}, v ${texel.v}`, 'class="fig-name now"'),
+    text(0, tall + 18, `${run.texture}: texel ${texel.u}, ${texel.v}`, 'class="fig-name now"'),
   );
   parts.push(
     text(
       0,
       tall + 37,
-      `level ${texel.detail}: ${wide} × ${deep} texels, depth ${fixed(texel.depth)}`,
+      `${texel.detail > 0 ? `level ${texel.detail}: ` : ''}${wide} × ${deep} texels, depth ${fixed(texel.depth)}`,
       'class="soft"',
     ),
   );
