@@ -47,6 +47,23 @@ export function launch(more = []) {
   return chromium.launch({ executablePath: findChromium(), args: [...kArguments, ...more] });
 }
 
+const closings = new WeakMap(); // by test: functions that close a page and return its complaints
+
+// Closes all pages of a test, and only then fails by what they complained about. A hook that throws
+// keeps the later hooks from running, and a server that is left open keeps the tests from ending.
+function atEnd(t, close) {
+  if (!closings.has(t)) {
+    const all = [];
+    closings.set(t, all);
+    t.after(async () => {
+      const complaints = [];
+      for (const one of all) complaints.push(...(await one()));
+      if (complaints.length > 0) throw new Error(`The page complained: ${complaints.join('\n')}`);
+    });
+  }
+  closings.get(t).push(close);
+}
+
 // A page on a server of its own. Whatever the page complains about on the console fails the test at
 // its end, unless the test expects complaints.
 export async function openPage(
@@ -73,11 +90,10 @@ export async function openPage(
     if (message.type() === 'error') complaints.push(message.text());
   });
   page.on('pageerror', (error) => complaints.push(String(error)));
-  t.after(async () => {
+  atEnd(t, async () => {
     await context.close();
     await server.close();
-    if (!expectErrors && complaints.length > 0)
-      throw new Error(`The page complained: ${complaints.join('\n')}`);
+    return expectErrors ? [] : complaints;
   });
   await prepare(page, context);
   await page.goto(server.address + query);
