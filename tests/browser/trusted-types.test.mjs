@@ -42,11 +42,14 @@ test('the policy is active in these pages', async (t) => {
 for (const chapter of ['one-ray', 'flying', 'portals']) {
   test(`a chapter draws its figures: ${chapter}`, async (t) => {
     const { page } = await openStrict(t, `learn/${chapter}.html`);
-    await page.evaluate(() =>
-      Promise.all([...document.querySelectorAll('ray-caster')].map((caster) => caster.whenReady())),
-    );
+    const figures = await page.$$('[data-figure]');
+    assert.ok(figures.length > 2);
+    for (const figure of figures) {
+      await figure.scrollIntoViewIfNeeded();
+      await figure.waitForSelector('.fig.live');
+    }
     await page.waitForFunction(() =>
-      [...document.querySelectorAll('svg.drawn')].every((svg) => svg.childElementCount > 0),
+      [...document.querySelectorAll('.fig-svg')].every((svg) => svg.childElementCount > 0),
     );
   });
 }

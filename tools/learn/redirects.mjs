@@ -23,6 +23,7 @@ export async function writeRedirects(folder) {
 <meta name="robots" content="noindex">
 <meta http-equiv="refresh" content="0; url=${address}">
 <link rel="canonical" href="${address}">
+<link rel="icon" href="../favicon.svg" type="image/svg+xml">
 </head>
 <body><p>This lesson is now <a href="${address}">a chapter of the tutorial</a>.</p></body>
 </html>
