@@ -4,7 +4,7 @@ export default {
   scene: 'yard-4.json',
   view: '9.4,4.5,1.4,192,-0.05',
   options: { fov: 66, detail: 'off' },
-  state: { split: 0.3 },
+  state: { split: 0.335 },
   controls: [slider({ label: 'Eye', eye: 'z', from: 0.2, to: 3, step: 0.05, unit: 'units' })],
   rows: [
     [

@@ -50,10 +50,9 @@ function markup(edgeOf) {
     parts.push(
       line(...at(kWest, 0), ...at(kEast, 0), 'class="fig-axis"'),
       line(lineX - 8, lineY, lineX + unit + 8, lineY, 'class="fig-ray"'),
-      text(lineX + unit + 12, lineY + 5, fixed(edge)),
+      text(...at(kEast - 0.1, edge + 0.04), `${fixed(edge)} up`, 'text-anchor="end"'),
       text(bodyX, bodyY, 'body', 'class="on-lit" text-anchor="middle"'),
       text(lineX - 14, lineY + 5, 'gate', 'text-anchor="end"'),
-      text(...at(kWest + 0.1, 0.08), inside > 0 ? `${fixed(inside)} units into the head` : ''),
     );
     return parts.join('');
   };
