@@ -12,6 +12,8 @@ export default {
   farRow: { ...kEdges, answer: ({ slice }) => slice.hits[0].topBackRow, digits: 1 },
   from: { ...kEdges, answer: ({ slice }) => slice.hits[0].depth },
   to: { ...kEdges, answer: ({ slice }) => slice.hits[0].backDepth },
+  pictureRows: { ...kEdges, answer: ({ slice }) => slice.size[1] },
+  distance: { ...kEdges, answer: ({ slice }) => slice.projectionDistance, digits: 1 },
   least: {
     ...kEdges,
     answer({ slice: { hits, projectionDistance, size } }) {
