@@ -11,6 +11,24 @@ export default {
     unit: 'units',
     digits: 2,
   },
+  enter: {
+    ...place,
+    state: { column: 347 },
+    answer: ({ slice }) => slice.hits[0].depth,
+    digits: 3,
+  },
+  leave: {
+    ...place,
+    state: { column: 347 },
+    answer: ({ slice }) => slice.hits[0].backDepth,
+    digits: 3,
+  },
+  middle: {
+    ...place,
+    state: { column: 240 },
+    answer: ({ slice }) => slice.hits[0].depth,
+    digits: 3,
+  },
   'at-least': { ...place, answer: () => 4.8 - 0.3, tolerance: 0.001, unit: 'units', digits: 1 },
   looks: {
     ...place,

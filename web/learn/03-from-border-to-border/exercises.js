@@ -14,7 +14,7 @@ export default {
   },
   'how-many': {
     scene: 'yard-1.json',
-    view: '13.3,1.6,0.5,180',
+    view: '13.25,1.625,0.5,180',
     options: { fov: 66 },
     state: { column: 90 },
     answer: ({ slice }) =>
@@ -22,7 +22,7 @@ export default {
   },
   steepest: {
     scene: 'yard-1.json',
-    view: '13.3,1.6,0.5,180',
+    view: '13.25,1.625,0.5,180',
     options: { fov: 66 },
     state: { column: 90 },
     answer: ({ slice }) => 1 / Math.abs(slice.ray[1]),

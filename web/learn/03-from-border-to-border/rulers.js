@@ -2,7 +2,7 @@ import { fixed, mapView, rulers, slider } from '../figures/kit.js';
 
 export default {
   scene: 'yard-1.json',
-  view: '13.3,1.6,0.5,180',
+  view: '13.25,1.625,0.5,180',
   options: { fov: 66 },
   state: { column: 90 },
   controls: [

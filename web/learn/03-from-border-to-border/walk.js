@@ -11,12 +11,11 @@ while (!blockAt(map, x, y)) {
   }
 }`;
 
-const kFirst = 'Across a border of constant ';
 const reached = (now) => now.tiles.at(-1);
 
 export default {
   scene: 'yard-1.json',
-  view: '13.3,1.6,0.5,180',
+  view: '13.25,1.625,0.5,180',
   options: { fov: 66 },
   state: { column: 90, step: 5 },
   controls: [
@@ -41,6 +40,8 @@ export default {
   says: (now) => {
     const { tile, axis } = reached(now);
     const place = `tile ${tile.join(', ')}`;
-    return axis === null ? `The walk begins in ${place}.` : `${kFirst}${axis}, into ${place}.`;
+    return axis === null
+      ? `The walk begins in ${place}.`
+      : `Across the ${axis} border, into ${place}.`;
   },
 };

@@ -157,7 +157,7 @@ class Panel {
       this.#setText(carry(kept.text, this.#step));
       this.#note(
         `Your functions of chapter ${kept.from} are in this program. ` +
-          'What this chapter changes is in our state.',
+          'Those that this chapter adds or changes are ours.',
         [button('Start from our state', () => this.#put(start, 'Carried over'))],
       );
     }

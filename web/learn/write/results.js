@@ -77,7 +77,8 @@ function meaningOf(says) {
     return '`NaN` comes of 0 / 0, of a missing argument, or of a value that is not there.';
   if (/undefined/.test(says) && !/no function/.test(says))
     return '`undefined` comes back: is a `return` missing, or does the function end before it?';
-  if (/Infinity/.test(says)) return '`Infinity` comes of a division by zero.';
+  if (/Infinity/.test(says))
+    return '`Infinity` comes of a division by zero, or of a ray that meets no block.';
   return '';
 }
 

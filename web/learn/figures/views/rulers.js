@@ -22,7 +22,7 @@ export function rulers({ depths = true, step = null, title, ...others } = {}) {
 
 function says({ slice }) {
   const count = (axis) => slice.walk.filter((tile) => tile.axis === axis).length;
-  return `The ray crosses ${count('x')} borders of constant x and ${count('y')} of constant y.`;
+  return `The ray crosses ${count('x')} x borders and ${count('y')} y borders.`;
 }
 
 function draw(now, width, depths, step) {
@@ -36,8 +36,8 @@ function draw(now, width, depths, step) {
   const current = now.step?.of === 'walk' ? now.step.index : -1;
   const shown = tiles.length;
   const parts = [
-    text(0, 15, 'borders of constant x', 'class="across"'),
-    text(0, kHeight - 6, 'borders of constant y', 'class="along"'),
+    text(0, 15, 'x borders', 'class="across"'),
+    text(0, kHeight - 6, 'y borders', 'class="along"'),
     text(width, kHeight - 6, 'depth, units', 'class="soft" text-anchor="end"'),
   ];
   // The tiles between the crossings, with their places in the walk.

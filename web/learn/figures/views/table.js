@@ -41,8 +41,12 @@ export function numberTable({
   });
 }
 
-const inBrackets = (number, digits) =>
-  number < 0 ? `(${fixed(number, digits)})` : fixed(number, digits);
+// Without the zeros at its end, if nothing is rounded away.
+const short = (number, digits) => {
+  const isWhole = Number(number.toFixed(digits)) === number;
+  const written = isWhole ? String(number).replace('-', '−') : fixed(number, digits);
+  return number < 0 ? `(${written})` : written;
+};
 
 // `=`: the page's own number is the engine's in every bit, and not only in the digits shown.
 const agreed = (own, engine) => `${own === engine ? '= ' : ''}${fixed(engine, 6)}`;
@@ -60,8 +64,7 @@ const kTables = {
       { head: 'Border', value: named },
       {
         head: '(border − eye) ÷ ray',
-        value: ({ border, eye, ray }) =>
-          `(${border} − ${inBrackets(eye, 3)}) ÷ ${inBrackets(ray, 4)}`,
+        value: ({ border, eye, ray }) => `(${border} − ${short(eye, 3)}) ÷ ${short(ray, 4)}`,
       },
       { head: 'Depth', value: ({ quotient }) => fixed(quotient, 6), class: 'number' },
       { head: 'Engine', value: ({ quotient, depth }) => agreed(quotient, depth), class: 'number' },
