@@ -738,6 +738,10 @@ const kChecks = {
           `${nextX}, ${nextY}`,
         );
       }
+      // Whoever divides 0 by a negative number gets -0, and then rows at the wrong infinity.
+      const near = walkGrid(map, { x: 1, y: 1.5, z: 0.5 }, { x: -1, y: 0.5 })?.[1]?.near;
+      const where = ', the eye on a border, the ray -1, 0.5, `near` of the second tile';
+      mustBe(where, Object.is(near, -0) ? '-0' : near, 0);
     },
   },
 };
