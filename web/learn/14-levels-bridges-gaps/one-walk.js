@@ -1,4 +1,13 @@
-import { mapView, numberTable, picture, scrub, sideView, slider, fixed } from '../figures/kit.js';
+import {
+  mapView,
+  numberTable,
+  picture,
+  scrub,
+  sideView,
+  sliceStrip,
+  slider,
+  fixed,
+} from '../figures/kit.js';
 
 // The tiles of the walk with their blocks, and the depths that all of these share.
 function tilesOf(now) {
@@ -27,7 +36,10 @@ export default {
       picture({ title: 'The picture, and one slice', handles: ['column'] }),
       mapView({ title: 'One walk on the map', fov: false }),
     ],
-    [sideView({ title: 'All levels in this slice', handles: ['eye'] })],
+    [
+      sideView({ title: 'All levels in this slice', handles: ['eye'], share: 3 }),
+      sliceStrip({ title: 'The rows of the slice', pick: false, tall: 220, share: 2 }),
+    ],
     [
       numberTable({
         title: 'The tiles of the walk',
