@@ -1,10 +1,7 @@
-import { choice, divider, slider } from '../figures/kit.js';
+import { divider, slider } from '../figures/kit.js';
 import { byHandWorld, drawWith } from '../by-hand.js';
 import { draw } from '../by-hand/chapter-04.js';
 import { draw as drawCut } from '../by-hand/cut-heights.js';
-import { draw as drawWhole } from '../by-hand/whole-heights.js';
-
-const ways = { cut: drawWith(drawCut, { fov: 66 }), whole: drawWith(drawWhole, { fov: 66 }) };
 
 export default {
   scene: 'yard-1.json',
@@ -14,17 +11,13 @@ export default {
   world: byHandWorld,
   state: { split: 0.78 },
   controls: [
-    choice({ label: 'Mistake', field: 'way', of: { cut: 'Cut heights', whole: 'Whole heights' } }),
     slider({ label: 'Height of the eye', eye: 'z', from: 0.1, to: 0.9, step: 0.05, unit: 'units' }),
   ],
   rows: [
     [
       divider({
         left: { title: 'By edges', draw: drawWith(draw, { fov: 66 }) },
-        right: {
-          title: (state) => (state.way === 'cut' ? 'Cut heights' : 'Whole heights'),
-          draw: (picture, world, eye, state) => ways[state.way](picture, world, eye, state),
-        },
+        right: { title: 'Cut heights', draw: drawWith(drawCut, { fov: 66 }) },
         mark: 'none',
       }),
     ],

@@ -286,6 +286,11 @@ const kChecks = {
           const next = known[index + 1];
           if (next) mustBe(`${where}, \`far\``, mine.far, next.depth, kExact);
         });
+        const last = tiles.at(-1);
+        const isOutside = last.x < 0 || last.y < 0 || last.x >= map.width || last.y >= map.depth;
+        const where = `, column ${column}, the last of the list`;
+        mustBe(where, isOutside ? 'outside the map' : 'inside the map', 'outside the map');
+        mustBe(`${where}, \`far\``, last.far === Infinity ? 'endless' : shown(last.far), 'endless');
       }
     },
   },

@@ -63,10 +63,10 @@ export const faults = {
     change: [
       [
         'return view.horizon - ((height - eye.z) * view.distance) / depth;',
-        'return view.horizon - Math.floor(((height - eye.z) * view.distance) / depth);',
+        'return view.horizon - (height - eye.z) * Math.round(view.distance / depth);',
       ],
     ],
-    says: 'Heights are whole numbers of rows: slanting edges have steps, and walls gape.',
+    says: 'A unit is a whole number of rows: edges far above or below the eye have large steps.',
   },
   'cut-heights': {
     chapter: 4,

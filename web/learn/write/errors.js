@@ -22,6 +22,10 @@ const kRules = [
     says: ([, what, property]) => ofNothing(what, property),
   },
   {
+    when: /Cannot destructure property '([^']+)' of '(.+?)' as it is (undefined|null)/,
+    says: ([, property, owner, what]) => ofNothing(what, property, owner),
+  },
+  {
     when: /^(?:can't access property "([^"]+)", )?(.+?) is (undefined|null)(?: \(evaluating .*)?$/,
     says: ([, property, owner, what]) => ofNothing(what, property, owner),
   },
