@@ -532,6 +532,17 @@ const kChecks = {
             if (!heights.includes(height)) tell(`${where}, heights`, heights, height);
         }
       });
+      // A block over the eye, whatever the view shows.
+      const slice = emptySlice(given, given.expected.columns[0]);
+      const block = Object.values(map.blocks).find((each) => !each.seeThrough);
+      const high = { block, level: 1, bottom: 1, top: 2 };
+      const low = { ...slice, eye: { ...eye, z: 0.5 } };
+      const planes = planesOf(low, { x: 1, y: 1, near: 1, far: 2, blocks: [high] });
+      const underside = planes.find(
+        ({ height, look }) => height === 1 && look === block.faces.bottom,
+      );
+      if (!underside?.under)
+        tell(', a block from 1 to 2, `under` of its underside', 'not true', 'true');
     },
   },
   objectsOf: {
@@ -546,6 +557,20 @@ const kChecks = {
         for (const { depth } of own(column.objects))
           if (!depths.some((each) => Math.abs(each - depth) < kStep)) tell(where, depths, depth);
       }
+      // Three objects in a row, one of them behind the eye, whatever the view shows.
+      const slice = emptySlice(given, given.expected.columns[0]);
+      const at = (x) => ({ ...given.map.objects[0], x, y: 0, z: 0, width: 1, height: 1 });
+      const row = objectsOf({
+        ...slice,
+        map: { ...given.map, objects: [at(5), at(-3), at(2)] },
+        eye: { ...given.eye, x: 0, y: 0 },
+        view: { ...slice.view, forward: { x: 1, y: 0 }, right: { x: 0, y: 1 } },
+        ray: { x: 1, y: 0 },
+      });
+      const depths = row.map(({ depth }) => depth);
+      const where =
+        ', the eye looks east, objects 5 and 2 units to the east and 3 to the west, depths';
+      mustBe(where, shown(depths), shown([2, 5]));
     },
   },
   isJoined: {
@@ -683,6 +708,15 @@ const kChecks = {
         mustBe(`${where}, x`, beyond?.x + direction.x * hit.depth, hit.point[0]);
         mustBe(`${where}, y`, beyond.y + direction.y * hit.depth, hit.point[1]);
       }
+      const up = {
+        x: 1,
+        y: 4,
+        level: 0,
+        face: 'north',
+        to: { map: eye.map, x: 6, y: 2, level: 1 },
+      };
+      const raised = eyeBeyond({ ...eye, z: 0.5 }, { ...up, turn: 1 });
+      mustBe(', from level 0 to level 1, the eye at z 0.5: z', raised?.z, 1.5);
     },
   },
   'put whole pixels': {
