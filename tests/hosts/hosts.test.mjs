@@ -442,6 +442,7 @@ test(
       'esm-only',
       '--exclude-entrypoints',
       'embed.html',
+      'figures.css',
       '--no-color',
     ]);
   },
