@@ -176,6 +176,30 @@ test('a mirror is checked: its eye, its rows, and what is below it', async () =>
   }
 });
 
+test('a check finds what no pixel of the view shows', async () => {
+  for (const [chapter, sceneName, name, find, put] of [
+    [13, 'yard-2.json', 'planesOf', 'faces.bottom, under: true }', 'faces.bottom }'],
+    [15, 'yard-4.json', 'objectsOf', '.sort((a, b) => a.depth - b.depth)', ''],
+    [15, 'yard-4.json', 'objectsOf', 'if (depth > 0 && u', 'if (u'],
+    [19, 'yard.json', 'eyeBeyond', ' + to.level - level }', ' }'],
+    [
+      22,
+      'corner.json',
+      'walkGrid',
+      ': eye.x - tile.x) / Math.abs(ray.x)',
+      ': tile.x - eye.x) / ray.x',
+    ],
+  ]) {
+    const scene = await sceneNamed(sceneName);
+    lookAt(scene, heights[0], { chapter, size: kSmall });
+    const text = states.answer(chapter).replace(find, put);
+    assert.notEqual(text, states.answer(chapter), find);
+    const failed = check(chapter, program(text), expectedOf(scene, chapter), scene.world);
+    const says = failed.filter(({ ok }) => !ok).map((each) => each.says);
+    assert.match(says.join('\n'), new RegExp(`^\`${name}\`, `), find);
+  }
+});
+
 test('what is right in another way passes', async () => {
   const scene = await sceneNamed('yard-4.json');
   for (const place of [heights[0], flying[0]]) {
