@@ -1,7 +1,7 @@
 #include "render/cast.h"
 
 #include "base/angle.h"
-#include "render/grid_walk.h"
+#include "render/plan_walk.h"
 #include "render/vista.h"
 
 #include <bit>
@@ -75,14 +75,21 @@ private:
             const Coordinate bottom = tileEdge(level) + block.bottom;
             const Coordinate top = tileEdge(level) + block.top;
             if (hasHeight_ && (from_.z < bottom.raw || from_.z >= top.raw)) continue;
-            const Crossing enter = walk_.enter();
+            const PlanPassage passage = PlanWalk(walk_, from_, direction_).passage(block.plan);
+            if (!passage.isMet) continue;
+            const Crossing enter = passage.enter.inner ? passage.enter : walk_.enter();
+            const double left = passage.leave.inner ? passage.leave.along : walk_.left();
+            const bool isEntered = passage.enter.inner || walk_.hasEntered();
             ray_.hits.push_back({from_.map, portals_, walk_.tileX, walk_.tileY, level, id,
-                                 walk_.hasEntered(), enteredFace(enter), walk_.entered,
-                                 walk_.left(), x(), y(), bottom, top});
-            if (!hasHeight_ || !walk_.hasEntered()) continue;
+                                 isEntered, enteredFace(enter), enter.along, left, x(enter.along),
+                                 y(enter.along), bottom, top});
+            if (!hasHeight_ || !isEntered) continue;
             const PortalId portal = block.face(enteredFace(enter)).portal;
             if (portal != kNoPortal && !isArrival_) return goThrough(portal, CastRay::End::block);
-            if (!block.seeThrough) return CastRay::End::block;
+            if (!block.seeThrough) {
+                ended_ = enter.along;
+                return CastRay::End::block;
+            }
         }
         return std::nullopt;
     }
@@ -104,18 +111,18 @@ private:
 
     CastRay ended(CastRay::End end) {
         ray_.end = end;
-        ray_.distance = walk_.entered;
+        ray_.distance = ended_ > 0.0 ? ended_ : walk_.entered;
         ray_.map = from_.map;
-        ray_.x = x();
-        ray_.y = y();
+        ray_.x = x(ray_.distance);
+        ray_.y = y(ray_.distance);
         return std::move(ray_);
     }
 
-    double x() const {
-        return static_cast<double>(from_.x) / 65536.0 + direction_.x * walk_.entered;
+    double x(double along) const {
+        return static_cast<double>(from_.x) / 65536.0 + direction_.x * along;
     }
-    double y() const {
-        return static_cast<double>(from_.y) / 65536.0 + direction_.y * walk_.entered;
+    double y(double along) const {
+        return static_cast<double>(from_.y) / 65536.0 + direction_.y * along;
     }
 
     const World& world_;
@@ -124,6 +131,7 @@ private:
     GroundDirection direction_;
     GridWalk walk_;
     int portals_ = 0;
+    double ended_ = 0.0;  // where a block within a tile stopped it
     bool isArrival_ =
         false;  // the ray has just left a portal here: the tile's own portals do not act
     CastRay ray_;

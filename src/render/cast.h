@@ -50,9 +50,9 @@ struct CastHit {
     int tileY = 0;
     int level = 0;
     BlueprintId blueprint = kEmptyCell;
-    bool entered = false;  // false for a block in the tile where the ray starts
+    bool entered = false;  // false if the ray starts inside
     Face face = Face::north;
-    double distance = 0.0;      // to where the ray enters the block's tile
+    double distance = 0.0;      // to where the ray enters the block
     double backDistance = 0.0;  // to where it leaves it
     double x = 0.0;             // the point where it enters, in the coordinates of the map
     double y = 0.0;

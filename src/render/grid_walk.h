@@ -46,6 +46,10 @@ struct Crossing {
     bool early =
         false;  // the same in the coordinates of the eye's map: wins ties (see projection.h)
     bool border = true;  // false for an object, where no tile ends
+    bool inner = false;  // an edge of a plan inside a tile, where no tile ends, but blocks do
+
+    // Blocks may have sides there.
+    bool hasSides() const { return border || inner; }
 };
 
 // By the exact quotient; rarely needed.
@@ -117,6 +121,21 @@ struct GridWalk {
         return crossing(axis.along, axis.distance, axis, alongX);
     }
     double left() const { return x_.along < y_.along ? x_.along : y_.along; }  // leave().along
+
+    // Where the ray crosses an edge inside the current tile, `distance` units from the eye along
+    // the edge's axis.
+    Crossing innerCrossing(bool alongX, double distance) const {
+        const Axis& axis = alongX ? x_ : y_;
+        Crossing edge = crossing(distance / axis.speed, distance, axis, alongX);
+        edge.border = false;
+        edge.inner = true;
+        return edge;
+    }
+    // Whether one of two crossings of this ray comes first.
+    bool isBefore(const Crossing& a, const Crossing& b) const {
+        return a.along < b.along ||
+               (a.along == b.along && a.alongX != b.alongX && a.alongX == tieAlongX_);
+    }
 
     // Advances to the next tile.
     void advance() {
@@ -219,7 +238,9 @@ private:
                 distance > 0.0 ? axis.speed / distance * (1.0 / 65536.0) : kHugeRows,
                 alongX,
                 (alongX ? stepX : stepY) > 0,
-                alongX ? earlyX_ : earlyY_};
+                alongX ? earlyX_ : earlyY_,
+                true,
+                false};
     }
     static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
     // #region ties

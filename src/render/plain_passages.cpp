@@ -25,24 +25,38 @@ PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& n
     return rowsOf(neighbour, block.level, border);
 }
 
+// The same behind a portal, where no block joins that fills only a part of its tile.
+PlainWalk::Rows PlainWalk::joinedBeyond(const Block& block, const CellBlueprint& neighbour,
+                                        const Crossing& border) const {
+    return block.blueprint->plan.isWhole() ? joinedRows(block, neighbour, border) : Rows{0, 0};
+}
+
 // The block that rays have left; it may be in front of the portal that they came through.
 PlainWalk::Rows PlainWalk::joinedBefore(const Block& block) const {
-    if (isArrival()) return joinedRows(block, cellBeforePortal(block.level), enter_);
-    return joinedRows(block, cell(map(), tileAcross(enter_, -1), block.level), enter_);
+    if (enter_.inner) return {0, 0};
+    if (isArrival()) return joinedBeyond(block, cellBeforePortal(block.level), enter_);
+    const GridTile tile = tileAcross(enter_, -1);
+    const CellBlueprint& before = cell(map(), tile, block.level);
+    if (!plansHere().touches(before.plan, tile.x, tile.y, enter_, false)) return {0, 0};
+    return joinedRows(block, before, enter_);
 }
 
 // The block that rays are about to enter; it may be behind a portal of the whole tile, or of a
 // block's face, which may be smaller than the side.
 PlainWalk::Rows PlainWalk::joinedBehind(const Block& block) const {
+    if (leave_.inner) return {0, 0};
     const GridTile tile = tileAcross(leave_, 1);
     const PortalId ofTile = map().tilePortal(tile.x, tile.y);
     if (ofTile != kNoPortal)
-        return mayPass() ? joinedRows(block, exitCell(ofTile, block.level), leave_) : Rows{0, 0};
+        return mayPass() ? joinedBeyond(block, exitCell(ofTile, block.level), leave_) : Rows{0, 0};
     const CellBlueprint& behind = cell(map(), tile, block.level);
     const PortalId portal = behind.face(enteredFace(leave_)).portal;
-    if (portal == kNoPortal || !mayPass()) return joinedRows(block, behind, leave_);
+    if (portal == kNoPortal || !mayPass()) {
+        if (!plansHere().touches(behind.plan, tile.x, tile.y, leave_, true)) return {0, 0};
+        return joinedRows(block, behind, leave_);
+    }
     const Rows window = rowsOf(behind, block.level, leave_);
-    const Rows joined = joinedRows(block, exitCell(portal, block.level), leave_);
+    const Rows joined = joinedBeyond(block, exitCell(portal, block.level), leave_);
     return {std::max(window.first, joined.first), std::min(window.last, joined.last)};
 }
 
@@ -60,12 +74,15 @@ bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
     };
     if (!reaches(own, up)) return false;
     const int level = block.level + up;
-    if (isWhereItCameOut(block, up)) return joins(cellBeforePortal(level));
+    const bool isWhole = own.plan.isWhole();  // others join nothing through portals
+    if (isWhereItCameOut(block, up)) return isWhole && joins(cellBeforePortal(level));
     const CellBlueprint& next = cell(map(), {walk_.tileX, walk_.tileY}, level);
-    if (!reaches(next, -up)) return false;
+    if (!reaches(next, -up) || level < 0 || level >= map().levels || (there_ >> level & 1) == 0)
+        return false;
     if (areOneMover(own, next)) return true;
     const PortalId portal = next.face(up > 0 ? Face::bottom : Face::top).portal;
-    if (leaving && portal != kNoPortal && mayPass()) return joins(exitCell(portal, level));
+    if (leaving && portal != kNoPortal && mayPass())
+        return isWhole && joins(exitCell(portal, level));
     return joins(next);
 }
 

@@ -145,6 +145,11 @@ TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing&
     const TextureLevel& level = texture.levels[column.detail];
     const double texel = std::max(0.0, fraction + kSnap) * level.size;
     int u = static_cast<int>(std::min(texel, level.size - 1.0));
+    // Only texels that the block covers
+    const Plan& plan = block.blueprint->plan;
+    const Coordinate from = border.alongX ? plan.north : plan.west;
+    const Coordinate to = border.alongX ? plan.south : plan.east;
+    u = std::clamp(u, from.raw * level.size >> 16, (to.raw * level.size - 1) >> 16);
     if (face == Face::north || face == Face::east) u = level.size - 1 - u;
     column.texels = level.texels.data() + static_cast<std::ptrdiff_t>(u) * level.size;
     column.shift = kTexturePositionBits - level.bits;

@@ -65,33 +65,74 @@ bool PlainWalk::isGridLeft() const {
 }
 
 // #region objects
-// Each object splits the tile: things before its depth are met first, the others afterwards.
+// Each object splits the tile: things before its depth are met first, the others afterwards. So do
+// the edges of blocks that fill only a part of the tile.
 void PlainWalk::meetTile() {
     const Crossing leave = leave_;
-    while (!objects_.empty() && objects_.front()->along < leave.along) {
-        const FrameObject& object = *objects_.front();
-        objects_.erase(objects_.begin());
-        leave_ = crossingAt(object);
-        meetStretch();
-        meetObject(object);
+    findEdges();
+    begins_ = enter_.border ? kAllLevels : 0;
+    for (;;) {
+        const double edge = edges_.empty() ? kNever : edges_.front().at.along;
+        const double object = objects_.empty() ? kNever : objects_.front()->along;
+        if (!edges_.empty() && edge <= object) {
+            meetEdge(edges_.front());
+            edges_.erase(edges_.begin());
+        } else if (object < leave.along) {
+            leave_ = crossingAt(*objects_.front());
+            ends_ = 0;
+            meetStretch();
+            meetObject(*objects_.front());
+            objects_.erase(objects_.begin());
+            begins_ = 0;
+        } else {
+            break;
+        }
         enter_ = leave_;
     }
     leave_ = leave;
+    ends_ = kAllLevels;
     meetStretch();
 }
 // #endregion
+
+// The edges of the tile's blocks that the ray crosses within the tile, in their order, and the
+// blocks that are there from the start.
+void PlainWalk::findEdges() {
+    edges_.clear();
+    there_ = 0;
+    for (int level = 0; level < map().levels; ++level) {
+        const CellBlueprint& block = cell(map(), {walk_.tileX, walk_.tileY}, level);
+        const PlanPassage passage = plansHere().passage(block.plan);
+        const std::uint32_t bit = std::uint32_t{1} << level;
+        if (!passage.isMet) continue;
+        if (!passage.enter.inner) there_ |= bit;
+        if (passage.enter.inner) edges_.push_back({passage.enter, bit});
+        if (passage.leave.inner) edges_.push_back({passage.leave, bit});
+    }
+    mergeSort(edges_, [&](const Edge& a, const Edge& b) { return walk_.isBefore(a.at, b.at); });
+}
+
+// Meets the stretch before an edge, where one block begins or ends.
+void PlainWalk::meetEdge(const Edge& edge) {
+    const bool isEnd = (there_ & edge.level) != 0;
+    leave_ = edge.at;
+    ends_ = isEnd ? edge.level : 0;
+    meetStretch();
+    there_ ^= edge.level;
+    begins_ = isEnd ? 0 : edge.level;
+}
 
 // #region stretch
 // Meets everything in the tile between `enter_` and `leave_`.
 void PlainWalk::meetStretch() {
     findBlocks();
     findPlanes();
-    if (enter_.border) {
-        for (const Block& block : blocks_) enterSide(block);
+    for (const Block& block : blocks_) {
+        if (begins_ >> block.level & 1) enterSide(block);
     }
     for (const LevelPlane& plane : planes_) meetPlane(plane);
-    if (leave_.border && leave_.along > 0.0) {
-        for (const Block& block : blocks_) leaveSide(block);
+    for (const Block& block : blocks_) {
+        if ((ends_ >> block.level & 1) && leave_.along > 0.0) leaveSide(block);
     }
 }
 // #endregion
@@ -116,7 +157,7 @@ void PlainWalk::findBlocks() {
         const CellBlueprint& blueprint = frame_.world->blueprints[id];
         const std::int32_t bottom = riseOf(tileEdge(level).raw) + blueprint.bottom.raw;
         const std::int32_t top = riseOf(tileEdge(level).raw) + blueprint.top.raw;
-        if (top <= clip.low || bottom >= clip.high) continue;
+        if (top <= clip.low || bottom >= clip.high || !(there_ >> level & 1)) continue;
         const bool cut =
             bottom < clip.low || top > clip.high || (clip.isMirror && bottom == clip.low);
         blocks_.push_back(

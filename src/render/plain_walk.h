@@ -45,6 +45,7 @@
 #include "render/frame.h"
 #include "render/grid_walk.h"
 #include "render/open_rows.h"
+#include "render/plan_walk.h"
 #include "render/slice_spans.h"
 #include "world/portal.h"
 
@@ -79,6 +80,13 @@ private:
         bool cut;  // extends beyond the heights of the part's rays, which start inside it
     };
 
+    // Where the ray enters or leaves a block within a tile.
+    struct Edge {
+        Crossing at;
+        std::uint32_t level;  // its bit
+    };
+    static constexpr std::uint32_t kAllLevels = 0xffffffff;
+
     // A plane of the current tile, at `rise` above the eye.
     struct LevelPlane {
         What what;
@@ -91,6 +99,8 @@ private:
     void walkPart();
     bool isGridLeft() const;
     void meetTile();
+    void findEdges();
+    void meetEdge(const Edge& edge);
     void meetStretch();
     void meetBackground();
     void findBlocks();
@@ -119,6 +129,7 @@ private:
     // ---- plain_passages.cpp
     Rows rowsOf(const CellBlueprint& blueprint, int level, const Crossing& border) const;
     Rows joinedRows(const Block& block, const CellBlueprint& other, const Crossing& border) const;
+    Rows joinedBeyond(const Block& block, const CellBlueprint& other, const Crossing& border) const;
     Rows joinedBefore(const Block& block) const;
     Rows joinedBehind(const Block& block) const;
     bool joinsLevel(const Block& block, int up, bool leaving) const;
@@ -138,6 +149,9 @@ private:
     }
     PlaneLook& lookOf(const Plane& plane) const {
         return part_.vista->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
+    }
+    PlanWalk plansHere() const {
+        return {walk_, part_.vista->viewpoint, part_.vista->ray(column_)};
     }
     std::int32_t riseOf(std::int32_t height) const { return height - part_.vista->viewpoint.z; }
     int rowBelow(std::int32_t rise, const Crossing& border) const {
@@ -159,8 +173,12 @@ private:
     std::vector<const FrameObject*> objects_;  // in this column, nearest first
 
     GridWalk walk_{{}, {}, {}};  // at the current tile
-    Crossing enter_;             // how the tile was entered, or the last object met in it
-    Crossing leave_;             // how it will be left, or the next object in it
+    Crossing enter_;             // how the tile was entered, or the last object or edge met in it
+    Crossing leave_;             // how it will be left, or the next object or edge in it
+    std::vector<Edge> edges_;    // within the tile, still to come
+    std::uint32_t there_ = 0;    // levels whose blocks are there between `enter_` and `leave_`
+    std::uint32_t begins_ = 0;   // levels whose blocks have a side at `enter_`
+    std::uint32_t ends_ = 0;     // or at `leave_`
     std::vector<Block> blocks_;  // of the tile, from below
     std::vector<LevelPlane> planes_;
 };

@@ -40,7 +40,6 @@ bool SliceWalk::leaveDownwards(const Block& block, int edgeRow) {
 // block, or on its roof. A face at depth 0 is not drawn: the ray counts as inside the block, and
 // leaves it downwards or through the far side.
 void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
-    const bool atEye = walk_.entered == 0.0;
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ < 0;
     const auto ceilingAbove = [&](std::int32_t height) {
         if (ceilingToCome && ceilingRise_ > height) {
@@ -59,6 +58,7 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
         rest ^= std::uint32_t{1} << level;
         Block block = blockAt(walk_.tileX, walk_.tileY, level);
         if ((clipped_ && !cutToClip(block)) || block.bottom > 0) continue;
+        const bool atEye = isAtEye(level);
         block.cut |= std::exchange(inside, false);
         if (isBeyondLayers(block)) continue;
         const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
@@ -83,7 +83,7 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
             }
             continue;
         }
-        if (!atEye && enter_.border && open_.mayHold(topRow, edgeRow))
+        if (!atEye && entersAt(level) && open_.mayHold(topRow, edgeRow))
             takeEnteredSide(block, topRow, edgeRow);
         if (block.top < 0) {
             ceilingAbove(block.top);
@@ -100,7 +100,6 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
 // Meets blocks that are not entirely below the eye, upwards. The side of a block at the eye's
 // height is drawn with those below.
 void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
-    const bool atEye = walk_.entered == 0.0;
     bool ceilingToCome = ceilingTexture != kNoTexture && ceilingRise_ > 0;
     const auto ceilingBelow = [&](std::int32_t height) {
         if (ceilingToCome && ceilingRise_ < height) {
@@ -113,8 +112,10 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
     bool opaqueBelow = false;
     bool inside = false;  // as in meetFalling
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
-        Block block = blockAt(walk_.tileX, walk_.tileY, std::countr_zero(rest));
+        const int level = std::countr_zero(rest);
+        Block block = blockAt(walk_.tileX, walk_.tileY, level);
         if (clipped_ && !cutToClip(block)) continue;
+        const bool atEye = isAtEye(level);
         block.cut |= std::exchange(inside, false);
         if (isBeyondLayers(block)) continue;
         const bool isPlain =
@@ -139,7 +140,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
                 }
                 continue;
             }
-            if (!atEye && enter_.border && open_.mayHold(edgeRow, bottomRow))
+            if (!atEye && entersAt(level) && open_.mayHold(edgeRow, bottomRow))
                 takeEnteredSide(block, edgeRow, bottomRow);
             ceilingBelow(block.bottom);
             if (!covered && bottomRow < open_.last())

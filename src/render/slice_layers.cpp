@@ -25,17 +25,38 @@ const CellBlueprint* SliceWalk::joinedAt(const Block& block, const Map& map, int
     return areJoined(*frame_.world, *block.blueprint, neighbour) ? &neighbour : nullptr;
 }
 
+// The same behind a portal, through which no block joins that fills only a part of its tile.
+const CellBlueprint* SliceWalk::joinedBeyond(const Block& block, const Map& map, int x, int y,
+                                             int level) const {
+    return block.blueprint->plan.isWhole() ? joinedAt(block, map, x, y, level) : nullptr;
+}
+
 // The block in the tile before that joins `block`.
 const CellBlueprint* SliceWalk::joinedBefore(const Block& block) const {
+    if (enter_.inner) return nullptr;
     if (isArrival())
-        return joinedAt(block, *before_.map, before_.x, before_.y, block.level - before_.levels);
-    return joinedAt(block, *map_, beforeX(Border::enter), beforeY(Border::enter), block.level);
+        return joinedBeyond(block, *before_.map, before_.x, before_.y,
+                            block.level - before_.levels);
+    return joinedNear(block, Border::enter);
+}
+
+// The block on the other side of a border that joins `block`.
+const CellBlueprint* SliceWalk::joinedNear(const Block& block, Border border) const {
+    const bool isAhead = border == Border::leave;
+    const int x = isAhead ? behindX(border) : beforeX(border);
+    const int y = isAhead ? behindY(border) : beforeY(border);
+    const CellBlueprint* const joined = joinedAt(block, *map_, x, y, block.level);
+    if (joined == nullptr || joined->plan.isWhole()) return joined;
+    return plansHere().touches(joined->plan, x, y, isAhead ? leave_ : enter_, isAhead) ? joined
+                                                                                       : nullptr;
 }
 
 // Whether a block and the one above it, or below, are parts of one mover: then nothing is between
 // them, whether or not they are see-through.
 bool SliceWalk::goesOn(const Block& block, int up) const {
-    if (block.blueprint->mover < 0 || !reachesEnd(*block.blueprint, up)) return false;
+    if (block.blueprint->mover < 0 || !reachesEnd(*block.blueprint, up) ||
+        isAbsent(block.level + up))
+        return false;
     if (up > 0 ? block.top == clip_.high : block.bottom == clip_.low) return false;
     const CellBlueprint& next =
         frame_.world->blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level + up)];
@@ -52,16 +73,19 @@ bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
         return next != nullptr && reachesEnd(*next, -up);
     };
     const int level = block.level + up;
+    const bool isWhole = block.blueprint->plan.isWhole();  // others join nothing through portals
     if (clipped_ && (up > 0 ? block.top == clip_.high : block.bottom == clip_.low))
-        return isArrival() && joins(*before_.map, before_.x, before_.y, level - before_.levels);
+        return isWhole && isArrival() &&
+               joins(*before_.map, before_.x, before_.y, level - before_.levels);
+    if (isAbsent(level)) return false;
     const CellBlueprint& next =
         frame_.world->blueprints[map_->cell(walk_.tileX, walk_.tileY, level)];
     const PortalId portal =
         reachesEnd(next, -up) ? next.face(up > 0 ? Face::bottom : Face::top).portal : kNoPortal;
     if (!leaving || !acts(portal, false)) return joins(*map_, walk_.tileX, walk_.tileY, level);
     const Portal& to = frame_.world->portals[portal];
-    return joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
-                 level + to.levels);
+    return isWhole && joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
+                            level + to.levels);
 }
 
 // Draws a side at a border, except where it touches a joined block.
@@ -89,28 +113,28 @@ void SliceWalk::enterThroughSide(const Block& block, int firstRow, int lastRow) 
 // Behind the side there may be a portal of the whole tile, or of a block's face, which may be
 // smaller than the side.
 void SliceWalk::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!leave_.border || leave_.along <= 0.0 || !open_.mayHold(firstRow, lastRow) ||
-        !isThere(block, leftFace(leave_)))
-        return;
+    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, leftFace(leave_))) return;
+    if (leave_.inner)
+        return seeUnjoined(block, nullptr, leftFace(leave_), leave_, firstRow, lastRow);
     const int x = behindX(Border::leave);
     const int y = behindY(Border::leave);
     const auto draw = [&](const CellBlueprint* joined, int first, int last) {
         seeUnjoined(block, joined, leftFace(leave_), leave_, first, last);
     };
     const bool mayPass = portals_ < frame_.world->portalLimit;
-    const auto joinedBeyond = [&](PortalId portal) {
+    const auto joinedAfter = [&](PortalId portal) {
         const Portal& to = frame_.world->portals[portal];
-        return mayPass ? joinedAt(block, frame_.world->maps[static_cast<std::size_t>(to.toMap)],
-                                  to.toX, to.toY, block.level + to.levels)
+        return mayPass ? joinedBeyond(block, frame_.world->maps[static_cast<std::size_t>(to.toMap)],
+                                      to.toX, to.toY, block.level + to.levels)
                        : nullptr;
     };
     if (const PortalId portal = map_->tilePortal(x, y); portal != kNoPortal)
-        return draw(joinedBeyond(portal), firstRow, lastRow);
+        return draw(joinedAfter(portal), firstRow, lastRow);
     const CellBlueprint& behind = frame_.world->blueprints[map_->cell(x, y, block.level)];
     const PortalId portal = behind.face(enteredFace(leave_)).portal;
     if (portal == kNoPortal || !mayPass)
-        return draw(joinedAt(block, *map_, x, y, block.level), firstRow, lastRow);
-    const CellBlueprint* const joined = joinedBeyond(portal);
+        return draw(joinedNear(block, Border::leave), firstRow, lastRow);
+    const CellBlueprint* const joined = joinedAfter(portal);
     if (joined == nullptr) return draw(nullptr, firstRow, lastRow);
     const std::int32_t base = tileEdge(block.level).raw - eyeZ_;
     const int top = rowBelow(base + behind.top.raw, leave_);

@@ -10,11 +10,11 @@ namespace slicecast {
 // part's height clip. A portal acts only on rays that enter the block; seen from inside the block,
 // its face shows nothing.
 void SliceWalk::enterSide(const Block& block, int firstRow, int lastRow) {
-    if (!enter_.border || !open_.mayHold(firstRow, lastRow)) return;
+    if (!entersAt(block.level) || !open_.mayHold(firstRow, lastRow)) return;
     const PortalId portal = block.blueprint->face(enteredFace(enter_)).portal;
     if (acts(portal, isArrival())) {
         sendThrough(portal, firstRow, lastRow, {});
-    } else if (walk_.entered > 0.0) {
+    } else if (enter_.along > 0.0) {
         if (block.blueprint->seeThrough) {
             enterThroughSide(block, firstRow, lastRow);
         } else {
@@ -51,7 +51,7 @@ void SliceWalk::enterBottom(const Block& block, int firstRow, int lastRow) {
 }
 
 void SliceWalk::leaveSide(const Block& block, int firstRow, int lastRow) {
-    if (!leave_.border || leave_.along <= 0.0 ||
+    if (!leavesAt(block.level) || leave_.along <= 0.0 ||
         block.blueprint->face(leftFace(leave_)).portal != kNoPortal)
         return;
     if (block.blueprint->seeThrough) {

@@ -35,6 +35,9 @@ SliceWalk::SideView SliceWalk::sideView(const Crossing& border) const {
 SliceWalk::Side SliceWalk::sideOf(const Block& block, Face face, bool layer) const {
     const CellBlueprint& blueprint = *block.blueprint;
     const FaceBlueprint& look = blueprint.face(face);
+    const bool runsEast = face == Face::north || face == Face::south;
+    const Coordinate from = runsEast ? blueprint.plan.west : blueprint.plan.north;
+    const Coordinate to = runsEast ? blueprint.plan.east : blueprint.plan.south;
     return {.look = &look,
             .texture = &frame_.textures[look.texture],
             .level = block.level,
@@ -44,7 +47,9 @@ SliceWalk::Side SliceWalk::sideOf(const Block& block, Face face, bool layer) con
             .upperEdge = Coordinate{tileEdge(block.level + 1).raw - eyeZ_}.value(),
             .start = (65536 - blueprint.top.raw) * kPositionsPerRaw,
             .end = (65536 - blueprint.bottom.raw) * kPositionsPerRaw,
-            .rise = blueprint.textureRise.raw * kPositionsPerRaw};
+            .rise = blueprint.textureRise.raw * kPositionsPerRaw,
+            .least = static_cast<std::uint32_t>(from.raw) << 16,
+            .most = (static_cast<std::uint32_t>(to.raw) << 16) - 1};
 }
 
 // The texels that the rows [first, last) show.
@@ -54,7 +59,8 @@ inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view,
     // #region texel-column
     const int detail = frame_.detail.levelAt(view.depth, texture.size, texture.last);
     const TextureLevel& level = texture.levels[detail];
-    const int column = static_cast<int>(std::uint64_t{view.fraction} >> (32 - level.bits));
+    const std::uint64_t fraction = std::clamp(view.fraction, side.least, side.most);
+    const int column = static_cast<int>(fraction >> (32 - level.bits));
     const int u = side.reversed ? level.size - 1 - column : column;
 
     // v runs from 0 at the level's upper edge to 1 at its lower edge, clamped to the block. A risen

@@ -1,6 +1,7 @@
 #include "render/slice_trace.h"
 
 #include "base/sort.h"
+#include "render/plan_walk.h"
 #include "render/plane_points.h"
 
 #include <bit>
@@ -82,22 +83,26 @@ private:
         const Vista& vista = *part.vista;
         const Projection& projection = *vista.projection;
         const GroundDirection ray = vista.ray(column_);
-        const Crossing enter = walk.enter();
+        const BlueprintId id = vista.map->cell(walk.tileX, walk.tileY, level);
+        const CellBlueprint& blueprint = frame_.world->blueprints[id];
+        const PlanPassage passage = PlanWalk(walk, vista.viewpoint, ray).passage(blueprint.plan);
+        if (!passage.isMet) return;
+        const Crossing enter = passage.enter.inner ? passage.enter : walk.enter();
+        const Crossing leave = passage.leave.inner ? passage.leave : walk.leave();
         Hit& hit = trace_.hits.emplace_back();
         hit.map = vista.viewpoint.map;
         hit.portals = part.portals;
         hit.tileX = walk.tileX;
         hit.tileY = walk.tileY;
         hit.level = level;
-        hit.blueprint = vista.map->cell(walk.tileX, walk.tileY, level);
+        hit.blueprint = id;
         hit.entered = enter.along > 0.0;
         hit.face = enteredFace(enter);
         hit.depth = enter.along * projection.distance;
-        hit.backDepth = walk.leave().along * projection.distance;
+        hit.backDepth = leave.along * projection.distance;
         hit.x = vista.viewpoint.tileX() + vista.viewpoint.fractionX() + ray.x * enter.along;
         hit.y = vista.viewpoint.tileY() + vista.viewpoint.fractionY() + ray.y * enter.along;
         hit.rawDepth = enter.along * std::sqrt(ray.x * ray.x + ray.y * ray.y);
-        const CellBlueprint& blueprint = frame_.world->blueprints[hit.blueprint];
         hit.bottom = tileEdge(level) + blueprint.bottom;
         hit.top = tileEdge(level) + blueprint.top;
         const auto rowOf = [&](Coordinate height, double depth) {

@@ -244,7 +244,9 @@ double SliceWalk::nextObjectAlong() const {
 
 // Meets a tile in which something changes.
 void SliceWalk::meetTile() {
-    if (object_ != objectsEnd_ && vista_->objects[*object_].along < leave_.along) {
+    if (frame_.hasPlans && hasPlansHere()) {
+        meetTileWithPlans();
+    } else if (object_ != objectsEnd_ && vista_->objects[*object_].along < leave_.along) {
         meetTileWithObjects();
     } else {
         meetStretch();

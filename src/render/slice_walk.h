@@ -16,6 +16,7 @@
 // slice_cover.cpp     floor and ceiling
 // slice_blocks.cpp    the blocks of a tile, their roofs and undersides
 // slice_sides.cpp     their sides
+// slice_plans.cpp     tiles whose blocks fill only parts of them
 // slice_layers.cpp    see-through blocks
 // slice_objects.cpp   objects
 // slice_passages.cpp  portals and mirrors, where the walk goes on elsewhere
@@ -24,6 +25,7 @@
 #include "render/frame.h"
 #include "render/grid_walk.h"
 #include "render/open_rows.h"
+#include "render/plan_walk.h"
 #include "render/slice_spans.h"
 
 #include <algorithm>
@@ -95,6 +97,8 @@ private:
         std::int64_t start;  // the block's part of the level
         std::int64_t end;
         std::int64_t rise;
+        std::uint32_t least = 0;  // what the block covers of its tile, in 1/2^32: both included
+        std::uint32_t most = 0xffffffff;
     };
 
     // Floor or ceiling of one texture, from a border on.
@@ -175,6 +179,19 @@ private:
     void takeSide(const Side& side, const SideView& view, int firstRow, int lastRow);
     void takeEnteredSide(const Block& block, int firstRow, int lastRow);
 
+    // ---- slice_plans.cpp
+    bool hasPlansHere() const;
+    void findPlanEdges(PlanEdges& edges);
+    void meetTileWithPlans();
+    bool isAtEye(int level) const { return walk_.entered == 0.0 && (late_ >> level & 1) == 0; }
+    bool entersAt(int level) const {
+        return enter_.hasSides() && (enter_.border || (within_ >> level & 1) == 0);
+    }
+    bool leavesAt(int level) const {
+        return leave_.hasSides() && (leave_.border || (staying_ >> level & 1) == 0);
+    }
+    PlanWalk plansHere() const { return {walk_, vista_->viewpoint, ray_}; }
+
     // ---- slice_layers.cpp
     // Faces of water may be missing.
     static bool isThere(const Block& block, Face face) {
@@ -183,7 +200,11 @@ private:
     // Called at many places, but rarely: not inlined, to keep the program small.
     __attribute__((noinline)) const CellBlueprint* joinedAt(const Block& block, const Map& map,
                                                             int x, int y, int level) const;
+    const CellBlueprint* joinedBeyond(const Block& block, const Map& map, int x, int y,
+                                      int level) const;
     const CellBlueprint* joinedBefore(const Block& block) const;
+    const CellBlueprint* joinedNear(const Block& block, Border border) const;
+    bool isAbsent(int level) const { return absent_ != 0 && (absent_ >> (level & 31) & 1) != 0; }
     __attribute__((noinline)) bool goesOn(const Block& block, int up) const;
     bool joinsNext(const Block& block, int up, bool leaving) const;
     __attribute__((noinline)) void seeUnjoined(const Block& block, const CellBlueprint* joined,
@@ -299,6 +320,12 @@ private:
     SideView enteredSide_;  // only valid if enteredSideKnown_
     bool enteredSideKnown_ = false;
     std::uint32_t reached_ = 0;  // levels of the current tile whose blocks an open row may meet
+    // Of a tile with plans, levels whose blocks are not between `enter_` and `leave_`, began before
+    // `enter_`, end after `leave_`, began at an edge within the tile
+    std::uint32_t absent_ = 0;
+    std::uint32_t within_ = 0;
+    std::uint32_t staying_ = 0;
+    std::uint32_t late_ = 0;
     Cover floor_;
     std::size_t floorSpan_ = kNone;  // the last floor span of this part
     Cover ceiling_;

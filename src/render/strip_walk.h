@@ -9,9 +9,9 @@
 //        u -->
 //
 // The contents of a tile are projected for all columns at once, and open rows are closed for all at
-// once. For rare contents (see-through blocks, portals, objects, mirrors in roofs, the eye's own
-// tile) each column goes by itself, by the walk of slice_walk.h. Mirrored parts of the eye's map
-// are walked together, too. Functions marked noinline are not copied to each call, to keep the
+// once. For rare contents (see-through blocks, plans, portals, objects, mirrors in roofs, the eye's
+// own tile) each column goes by itself, by the walk of slice_walk.h. Mirrored parts of the eye's
+// map are walked together, too. Functions marked noinline are not copied to each call, to keep the
 // program small.
 //
 // strip_walk.cpp      from tile to tile

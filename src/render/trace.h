@@ -44,8 +44,8 @@ struct FilledRows {
 };
 
 // A block that a slice's ground line passes, seen or not. Rows are real numbers: row r's centre is
-// r + 0.5, and rows grow downwards. "Front" is where the line enters the block's tile, "back" where
-// it leaves it. In the eye's own tile the front depth is 0 and the front rows are infinite.
+// r + 0.5, and rows grow downwards. "Front" is where the line enters the block, "back" where it
+// leaves it. If the line starts inside, the front depth is 0 and the front rows are infinite.
 struct Hit {
     int map = 0;
     int portals = 0;  // passed by the line before it
@@ -53,13 +53,13 @@ struct Hit {
     int tileY = 0;
     int level = 0;
     BlueprintId blueprint = kEmptyCell;
-    bool entered = false;     // false in the eye's own tile, where the line starts
+    bool entered = false;     // false if the line starts inside
     Face face = Face::north;  // that the line enters, if `entered`
-    double x = 0.0;           // world point at the entry of the tile, units
+    double x = 0.0;           // world point at the entry, units
     double y = 0.0;
     double rawDepth = 0.0;   // distance from the eye to that point along the ground
     double depth = 0.0;      // perpendicular depth t of that point
-    double backDepth = 0.0;  // perpendicular depth where the line leaves the tile
+    double backDepth = 0.0;  // perpendicular depth where the line leaves the block
     Coordinate bottom;       // heights above the map's floor
     Coordinate top;
     double topFrontRow = 0.0;

@@ -4,6 +4,7 @@
 #include "base/coordinate.h"
 #include "slicecast/colour.h"
 #include "slicecast/face.h"
+#include "world/plan.h"
 
 #include <array>
 #include <cstdint>
@@ -32,13 +33,15 @@ struct FaceBlueprint {
     PortalId portal = kNoPortal;  // the face leads to another place
 };
 
-// A filled cell: the box between `bottom` and `top` above its level's base. Blocks that move, open
+// A filled cell: the box between `bottom` and `top` above its level's base, over the whole tile or
+// over the part of it that `plan` says. Blocks that move, open
 // or lead elsewhere get blueprints of their own when the world is made, because each step may
 // change their edges and textures. While top <= bottom their cells are empty (see Map::occupied).
 struct CellBlueprint {
     std::string name;
     Coordinate bottom;             // 0 <= bottom < top
     Coordinate top = tileEdge(1);  // <= 1
+    Plan plan;                     // not of water, nor of blocks with portals
     std::array<FaceBlueprint, kFaces> faces;
     bool seeThrough = false;  // a texel of a face has alpha below 255; set by markSeeThrough
     bool join =

@@ -26,9 +26,15 @@ bool isFit(const Scene& scene) {
     return height < scene.world.blueprints[id].bottom || height >= scene.world.blueprints[id].top;
 }
 
+// What fills only a part of its tile joins nothing through portals, and has none.
+void fillTiles(World& world) {
+    for (CellBlueprint& blueprint : world.blueprints) blueprint.plan = {};
+}
+
 // A turned block is of another blueprint, so that it does not join the one before the portal; and a
 // panorama must have quarters.
 void prepareForTurn(World& world, int turn) {
+    fillTiles(world);
     if (turn == 0) return;
     for (CellBlueprint& blueprint : world.blueprints) blueprint.join = false;
     Sky& sky = world.maps[0].sky;
@@ -133,6 +139,7 @@ TEST_P(PortalIdentity, AnEyeCarriedOverSeesTheSame) {
         if (world.portals.empty() || world.maps.size() < 2 || world.maps[0].width < 3 ||
             world.maps[0].depth < 3)
             continue;
+        fillTiles(world);
         Random random(seed);
         Map& map = world.maps[0];
         const auto exitMap = static_cast<int>(world.maps.size()) - 1;

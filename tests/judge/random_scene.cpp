@@ -225,6 +225,28 @@ World randomWorld(Random& random, bool coarse) {
     return world;
 }
 
+// Some blocks fill only a part of their tile; numbers of their own, so that the rest of the scene
+// stays what it is.
+void narrow(Random& random, World& world, bool coarse) {
+    const auto edges = [&](Coordinate& low, Coordinate& high) {
+        if (random.oneIn(3)) return;
+        do {
+            low = random.oneIn(4) ? Coordinate{0} : fractionOfTile(random, coarse);
+            high = random.oneIn(4) ? tileEdge(1) : fractionOfTile(random, coarse);
+        } while (high - low < kThinnest);
+    };
+    for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+        CellBlueprint& block = world.blueprints[i];
+        if (block.hasPortals) continue;
+        if (block.origin != kEmptyCell) {
+            block.plan = world.blueprints[block.origin].plan;
+        } else if (random.oneIn(3)) {
+            edges(block.plan.west, block.plan.east);
+            edges(block.plan.north, block.plan.south);
+        }
+    }
+}
+
 // Some of the still blocks become water, which may lack faces; numbers of their own, so that the
 // rest of the scene stays what it is.
 void flood(Random& random, World& world) {
@@ -232,6 +254,7 @@ void flood(Random& random, World& world) {
         CellBlueprint& block = world.blueprints[i];
         if (block.hasPortals || block.mover >= 0 || random.oneIn(3)) continue;
         block.isWater = block.seeThrough = true;
+        block.plan = {};
         block.waterColour = anyColour(random);
         block.waterSight = random.between(0.5, 30.0);
         for (FaceBlueprint& face : block.faces) {
@@ -323,6 +346,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
         if (random.oneIn(12)) view.z = {random.between(1, 40)};
         if (insideBlock(scene.world, view) == wantInside) break;
     }
+    Random plans(seed ^ 0x706c616eu);
+    if (plans.oneIn(3)) narrow(plans, scene.world, plans.oneIn(2));
     Random water(seed ^ 0x77617465u);
     if (water.oneIn(4)) {
         flood(water, scene.world);
@@ -354,6 +379,8 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     view.x = onGrid(map.width);
     view.y = onGrid(map.depth);
     view.z = {random.between(1, map.levels * 8 + 4) * 8192};
+    Random plans(seed ^ 0x706c616eu);
+    if (!plans.oneIn(3)) narrow(plans, scene.world, true);
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
     changeMovers(more, scene.world);

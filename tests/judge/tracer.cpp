@@ -49,9 +49,9 @@ Tracer::Walk::Walk(const Tracer& tracer, double px, double py, std::vector<Sight
 void Tracer::Walk::run() {
     for (;;) {
         const Border leave = nextBorder();
-        Then then = Then::again;
-        while (then == Then::again) then = passTile(leave);
-        if (then == Then::ended || !leaveTile(leave)) return;
+        const Then then = passTile(leave);
+        if (then == Then::again) continue;
+        if (then == Then::ended || !(leave.inner ? leaveEdge(leave) : leaveTile(leave))) return;
     }
 }
 
@@ -97,16 +97,118 @@ bool Tracer::Walk::isAboveAtStart(double height, Edge edge) const {
 }
 
 Border Tracer::Walk::nextBorder() const {
-    const auto next = [](int tile, double eye, double direction) {
+    const auto meetingOn = [](int tile, double eye, double direction) {
         return direction > 0.0   ? Meeting{tile + 1 - eye, direction}
                : direction < 0.0 ? Meeting{eye - tile, -direction}
                                  : Meeting{kNever, 1.0};
     };
-    const Meeting x = next(tile_.x, eye_.x, direction_.x);
-    const Meeting y = next(tile_.y, eye_.y, direction_.y);
+    const Meeting x = meetingOn(tile_.x, eye_.x, direction_.x);
+    const Meeting y = meetingOn(tile_.y, eye_.y, direction_.y);
     const bool alongX = x.along() < y.along() || (x.along() == y.along() && direction_.x > 0.0);
-    if (alongX) return {x, x.along(), {direction_.x > 0.0 ? 1 : -1, 0}, direction_.x > 0.0};
-    return {y, y.along(), {0, direction_.y > 0.0 ? 1 : -1}, direction_.y > 0.0};
+    Border next = alongX
+                      ? Border{x, x.along(), {direction_.x > 0.0 ? 1 : -1, 0}, direction_.x > 0.0}
+                      : Border{y, y.along(), {0, direction_.y > 0.0 ? 1 : -1}, direction_.y > 0.0};
+    const Tile at = place_.tileOf(tile_);
+    for (int level = 0; map().contains(at.x, at.y) && level < map().levels; ++level) {
+        const BlueprintId id = map().cell(at.x, at.y, level);
+        if (id == kEmptyCell || isWhole(id)) continue;
+        for (const bool axis : {true, false}) {
+            const PlanEdges edges = planEdges(blueprint(id).plan, place_, tile_, axis);
+            for (const Border& edge : {edges.near, edges.far}) {
+                if (!isPassed(edge) && isBefore(edge, next)) next = edge;
+            }
+        }
+    }
+    return next;
+}
+
+// ---- Blocks that fill only a part of their tile ----
+
+Tracer::Walk::PlanEdges Tracer::Walk::planEdges(const Plan& plan, const Place& place, Tile tile,
+                                                bool alongX) const {
+    const Plan along = slicecast::turned(plan, 4 - place.turn);  // in the ray's own coordinates
+    const double direction = alongX ? direction_.x : direction_.y;
+    const double eye = alongX ? eye_.x : eye_.y;
+    const auto edge = [&](Coordinate at) {
+        const double way = (alongX ? tile.x : tile.y) + at.value() - eye;
+        Border border;
+        border.inner = true;
+        if (direction == 0.0) {
+            border.along = way <= 0.0 ? -kNever : kNever;
+            return border;
+        }
+        border.meeting = {direction > 0.0 ? way : -way, std::abs(direction)};
+        border.along = border.meeting.along();
+        border.early = direction > 0.0;
+        const int step = direction > 0.0 ? 1 : -1;
+        border.step = alongX ? Tile{step, 0} : Tile{0, step};
+        return border;
+    };
+    const Border low = edge(alongX ? along.west : along.north);
+    const Border high = edge(alongX ? along.east : along.south);
+    return direction < 0.0 ? PlanEdges{high, low} : PlanEdges{low, high};
+}
+
+// The eye counts as a little further east, and less further south: at one depth, what is crossed
+// eastward comes first, and what is crossed westward last.
+bool Tracer::Walk::isBefore(const Border& a, const Border& b) const {
+    if (a.along != b.along) return a.along < b.along;
+    const bool aAlongX = a.step.x != 0;
+    const bool bAlongX = b.step.x != 0;
+    return aAlongX != bAlongX && aAlongX == (direction_.x > 0.0);
+}
+
+// Whether the ray has crossed an edge before it is where it begins in the tile.
+bool Tracer::Walk::isPassed(const Border& edge) const {
+    switch (start_) {
+        case Start::eye:
+            return edge.along < 0.0 || (edge.along == 0.0 && edge.early);
+        case Start::border:
+            return !isBefore(enter_, edge);
+        case Start::portal:
+        case Start::mirror:
+            break;
+    }
+    return !crossedBefore(startHeight_, edge);
+}
+
+// Whether the block is where the ray begins in the tile.
+bool Tracer::Walk::isHere(BlueprintId id) const {
+    if (isWhole(id)) return true;
+    for (const bool alongX : {true, false}) {
+        const PlanEdges edges = planEdges(blueprint(id).plan, place_, tile_, alongX);
+        if (!isPassed(edges.near) || isPassed(edges.far)) return false;
+    }
+    return true;
+}
+
+// Whether the block is where the ray crosses a border into its tile.
+bool Tracer::Walk::isBehind(BlueprintId id, const Place& place, Tile tile,
+                            const Border& border) const {
+    if (isWhole(id)) return true;
+    for (const bool alongX : {true, false}) {
+        const PlanEdges edges = planEdges(blueprint(id).plan, place, tile, alongX);
+        if (isBefore(border, edges.near) || !isBefore(border, edges.far)) return false;
+    }
+    return true;
+}
+
+// From one part of a tile to the next. Returns false if the ray has ended.
+bool Tracer::Walk::leaveEdge(const Border& edge) {
+    if (inside_ != kNoLevel) {
+        const CellBlueprint& block = blueprint(map().cell(mapTile_.x, mapTile_.y, inside_));
+        const Border far = planEdges(block.plan, place_, tile_, edge.step.x != 0).far;
+        if (far.along == edge.along && edge.along > 0.0 && !block.plan.isWhole()) {
+            const Tile mapStep = Place::turned(edge.step, place_.turn);
+            note(Note::planLeft);
+            pushFace(block, inside_, leftFace(mapStep), edge.meeting, true);
+            if (!block.seeThrough) return false;
+        }
+    }
+    start_ = Start::border;
+    enter_ = edge;
+    left_ = kEmptyCell;
+    return true;
 }
 
 // ---- Blocks that touch ----
@@ -132,7 +234,7 @@ BlueprintId Tracer::Walk::blockBehind(const Place& place, Tile tile, const Borde
     const Tile at = place.tileOf(tile);
     for (int level = 0; level < map.levels; ++level) {
         const BlueprintId id = map.cell(at.x, at.y, level);
-        if (id == kEmptyCell) continue;
+        if (id == kEmptyCell || !isBehind(id, place, tile, border)) continue;
         const double base = level - place.levels;
         if (isAbove(base + blueprint(id).bottom.value(), border) &&
             !isAbove(base + blueprint(id).top.value(), border))
@@ -146,7 +248,7 @@ BlueprintId Tracer::Walk::blockBehind(const Place& place, Tile tile, const Borde
 BlueprintId Tracer::Walk::touching(const Place& place, int level, bool above) const {
     const Tile at = place.tileOf(tile_);
     const BlueprintId id = mapOf(place).cell(at.x, at.y, level);
-    if (id == kEmptyCell) return id;
+    if (id == kEmptyCell || !isHere(id)) return kEmptyCell;
     const bool touches =
         above ? blueprint(id).bottom == Coordinate{0} : blueprint(id).top == tileEdge(1);
     return touches ? id : kEmptyCell;
@@ -209,12 +311,24 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
             continue;
         }
         const CellBlueprint& block = blueprint(id);
+        if (!isHere(id)) {
+            note(Note::planMissed);
+            continue;
+        }
         const double bottom = level - place_.levels + block.bottom.value();
         const double top = level - place_.levels + block.top.value();
         if (isAboveAtStart(bottom, Edge::bottom) && !isAboveAtStart(top, Edge::top)) {
-            if (start_ == Start::border && enter_.along > 0.0) {
+            // At an edge within the tile, blocks that do not begin there go on.
+            const bool begins =
+                start_ == Start::border &&
+                (!enter_.inner ||
+                 (!isWhole(id) &&
+                  planEdges(block.plan, place_, tile_, enter_.step.x != 0).near.along ==
+                      enter_.along));
+            if (begins && enter_.along > 0.0) {
                 const Face entered = enteredFace(Place::turned(enter_.step, place_.turn));
-                if (!join(left_, id)) {
+                if (enter_.inner) note(Note::planEntered);
+                if (!(arrived_ ? joinThrough(left_, id) : join(left_, id))) {
                     if (block.face(entered).portal != kNoPortal)
                         note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
                     pushFace(block, level, entered, enter_.meeting, false);
@@ -274,7 +388,9 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
             return Then::leaves;
         }
         const BlueprintId next = atLevelsEnd ? behindLevel(event.level, event.top) : kEmptyCell;
-        if (!join(id, next)) pushFace(block, event.level, which, meeting, true);
+        const bool isThrough = next != touchingNext(event);
+        if (!(isThrough ? joinThrough(id, next) : join(id, next)))
+            pushFace(block, event.level, which, meeting, true);
         return block.seeThrough ? Then::leaves : Then::ended;
     }
     if (acts(block, which, event.height) && mayPass()) {
@@ -287,7 +403,8 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
     if (event.along <= 0.0) return Then::leaves;
     const bool atPortal = isWhereItCameOut(event.height);
     const BlueprintId left = atPortal ? left_ : atLevelsEnd ? touchingNext(event) : kEmptyCell;
-    if (join(left, id) || (!atPortal && isOneBlock(left, id))) {
+    if ((atPortal ? joinThrough(left, id) : join(left, id)) ||
+        (!atPortal && isOneBlock(left, id))) {
         if (atPortal) note(Note::joinedByPortal);
         if (event.top && block.face(which).mirror > 0) note(Note::mirrorJoined);
         return Then::leaves;
@@ -394,7 +511,7 @@ bool Tracer::Walk::leaveTile(const Border& leave) {
         if (block.face(leftFace(mapStep)).portal != kNoPortal) {
             note(Note::leftThroughPortal);
         } else if (leave.along > 0.0) {
-            if (!join(left, ahead)) {
+            if (!(passes ? joinThrough(left, ahead) : join(left, ahead))) {
                 pushFace(block, inside_, leftFace(mapStep), leave.meeting, true);
             } else if (passes) {
                 note(Note::joinedByPortal);

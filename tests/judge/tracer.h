@@ -104,6 +104,9 @@ enum class Note : std::uint8_t {
     waterSky,       // or the sky through it
     waterMirror,    // or a mirror
     noFace,         // a face that water leaves out
+    planEntered,    // a block entered through an edge within its tile
+    planLeft,       // and left through one
+    planMissed,     // a block in a tile that the ray passed beside it
     count
 };
 using Notes = std::bitset<static_cast<std::size_t>(Note::count)>;

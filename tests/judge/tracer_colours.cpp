@@ -192,7 +192,10 @@ const char* nameOf(Note note) {
                                          "out of the water",
                                          "sky through water",
                                          "mirror through water",
-                                         "no face"};
+                                         "no face",
+                                         "plan entered",
+                                         "plan left",
+                                         "plan missed"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Note::count));
     return kNames[static_cast<std::size_t>(note)];
 }

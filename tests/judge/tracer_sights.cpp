@@ -30,8 +30,14 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
     if (look.texture == kNoTexture) return note(Note::noFace);  // water may lack faces
     const Point point = Place::turned(
         Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
-    const double x = std::clamp(point.x + (place_.x - mapTile_.x), 0.0, 1.0);
-    const double y = std::clamp(point.y + (place_.y - mapTile_.y), 0.0, 1.0);
+    // A face shows only texels that its block covers.
+    const auto within = [](double at, Coordinate from, Coordinate to) {
+        const double last = to == tileEdge(1) ? 1.0 : std::nextafter(to.value(), 0.0);
+        return std::clamp(at, from.value(), last);
+    };
+    const Plan& plan = block.plan;
+    const double x = within(point.x + (place_.x - mapTile_.x), plan.west, plan.east);
+    const double y = within(point.y + (place_.y - mapTile_.y), plan.north, plan.south);
     const double z = std::clamp(eyeZ_ + meeting.at(up_) + (place_.levels - level),
                                 block.bottom.value(), block.top.value());
     Sight sight;

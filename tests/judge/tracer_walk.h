@@ -21,13 +21,14 @@ struct Meeting {
     double at(double direction) const { return direction * distance / speed; }
 };
 
-// A border between tiles. It is met "early" when it is crossed eastward or southward, for the eye
-// counts as a little further that way.
+// A border between tiles, or an edge of a block within a tile. It is met "early" when it is crossed
+// eastward or southward, for the eye counts as a little further that way.
 struct Border {
     Meeting meeting;
     double along = 0.0;
-    Tile step;
+    Tile step;  // the way across it
     bool early = false;
+    bool inner = false;  // within a tile
 };
 
 // One ray on its way. Tiles, points and heights are in the ray's own coordinates (those of the
@@ -75,6 +76,20 @@ private:
     bool isAboveAtStart(double height, Edge edge) const;
     Border nextBorder() const;
 
+    // Blocks that fill only a part of their tile. The edges of a plan along an axis, in the order
+    // in which the ray crosses them.
+    struct PlanEdges {
+        Border near;
+        Border far;
+    };
+    PlanEdges planEdges(const Plan& plan, const Place& place, Tile tile, bool alongX) const;
+    bool isBefore(const Border& a, const Border& b) const;
+    bool isPassed(const Border& edge) const;
+    bool isHere(BlueprintId id) const;
+    bool isBehind(BlueprintId id, const Place& place, Tile tile, const Border& border) const;
+    bool isWhole(BlueprintId id) const { return blueprint(id).plan.isWhole(); }
+    bool leaveEdge(const Border& edge);
+
     const Map& map() const { return mapOf(place_); }
     const Map& mapOf(const Place& place) const {
         return world_.maps[static_cast<std::size_t>(place.map)];
@@ -92,6 +107,10 @@ private:
         return blueprint(id).origin == kEmptyCell ? id : blueprint(id).origin;
     }
     bool join(BlueprintId a, BlueprintId b) const;
+    // Through a portal, a block that fills only a part of its tile joins none.
+    bool joinThrough(BlueprintId a, BlueprintId b) const {
+        return join(a, b) && isWhole(a) && isWhole(b);
+    }
     bool isOneBlock(BlueprintId a, BlueprintId b) const;
     BlueprintId touchingNext(const Event& event) const;
     BlueprintId blockBehind(const Place& place, Tile tile, const Border& border) const;

@@ -77,6 +77,7 @@ int addTurnedCopy(World& world, int index, int turn) {
             block.faces[(side + static_cast<std::size_t>(turn)) % 4] =
                 world.blueprints[i].faces[side];
         for (FaceBlueprint& face : block.faces) face.portal = kNoPortal;
+        block.plan = turned(block.plan, turn);
         FaceBlueprint& top = block.faces[static_cast<std::size_t>(Face::top)];
         FaceBlueprint& bottom = block.faces[static_cast<std::size_t>(Face::bottom)];
         // Water may lack faces.

@@ -93,6 +93,38 @@ TEST(Cast, AtAHeightMeetsItsBlocksAndEndsAtAnOpaqueOne) {
     EXPECT_EQ(cast(world, at(from(1.5, 1.5, 0.0), 1.5)).hits.at(0).level, 1);
 }
 
+// A board across the tile (4, 1), and a post in the middle of the tile (6, 1).
+TEST(Cast, MeetsWhatFillsAPartOfATileWhereItStands) {
+    WorldBuilder make;
+    make.block('|').plan = {toCoordinate(0.25), {}, toCoordinate(0.5), tileEdge(1)};
+    make.block('i').plan = {toCoordinate(0.25), toCoordinate(0.25), toCoordinate(0.75),
+                            toCoordinate(0.75)};
+    make.map("yard", 1, R"(
+.........
+....|.i..
+.........
+)");
+    const World world = std::move(make.world);
+    const CastRay all = cast(world, from(1.5, 1.5, 0.0));
+    ASSERT_EQ(all.hits.size(), 2u);
+    EXPECT_EQ(all.hits[0].distance, 2.75);
+    EXPECT_EQ(all.hits[0].backDistance, 3.0);
+    EXPECT_EQ(all.hits[1].distance, 4.75);
+    EXPECT_EQ(all.hits[1].x, 6.25);
+    const CastRay low = cast(world, at(from(1.5, 1.5, 0.0), 0.5));
+    EXPECT_EQ(low.end, CastRay::End::block);
+    EXPECT_EQ(low.distance, 2.75);
+    EXPECT_EQ(low.x, 4.25);
+    const CastRay beside = cast(world, at(from(5.5, 1.125, 0.0), 0.5));
+    EXPECT_TRUE(beside.hits.empty());
+    EXPECT_EQ(beside.end, CastRay::End::edge);
+    // In its tile, before it and behind it
+    EXPECT_EQ(cast(world, at(from(4.125, 1.5, 0.0), 0.5)).hits.at(0).distance, 0.125);
+    EXPECT_TRUE(cast(world, at(from(4.125, 1.5, 0.0), 0.5)).hits.at(0).entered);
+    EXPECT_EQ(cast(world, at(from(4.75, 1.5, 180.0), 0.5)).hits.at(0).face, Face::east);
+    EXPECT_TRUE(cast(world, at(from(4.75, 1.5, 90.0), 0.5)).hits.empty());
+}
+
 TEST(Cast, BordersFollowFromTheDirection) {
     const World world = yard();
     for (const double heading : {17.0, 71.0, 133.0, 200.0, 299.0, 350.0}) {

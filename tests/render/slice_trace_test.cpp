@@ -38,5 +38,28 @@ TEST(SliceTraces, FogEndsAtTheSurfaceOfTheEyesWater) {
     EXPECT_GT(ceilings, 0);
 }
 
+// A ray straight ahead along the middle of a board's tile, and one beside it.
+TEST(SliceTraces, HitsBeginAndEndAtPlans) {
+    World world = emptyWorld(5, 5, 1, plain("floor", kWhite));
+    const BlueprintId board = addBlock(world, 0);
+    world.blueprints[board].plan = {toCoordinate(0.25), {}, toCoordinate(0.5), toCoordinate(0.75)};
+    world.maps[0].setCell(3, 2, 0, board);
+    SliceStage stage(world, eyeAt(1.0, 2.5, 0.5, 0.0), 201, 100);
+    SliceTrace trace;
+    traceSlice(stage.frame(), stage.find(100), trace);
+    ASSERT_EQ(trace.hits.size(), 1u);
+    EXPECT_NEAR(trace.hits[0].depth, 2.25, 1e-9);
+    EXPECT_NEAR(trace.hits[0].backDepth, 2.5, 1e-9);
+    EXPECT_NEAR(trace.hits[0].x, 3.25, 1e-9);
+    EXPECT_TRUE(trace.hits[0].entered);
+    ASSERT_FALSE(trace.hits[0].filled.empty());
+    EXPECT_NEAR(trace.hits[0].filled[0].top.depth, 2.25, 1e-9);
+
+    SliceStage beside(world, eyeAt(1.0, 2.875, 0.5, 0.0), 201, 100);
+    SliceTrace passed;
+    traceSlice(beside.frame(), beside.find(100), passed);
+    EXPECT_TRUE(passed.hits.empty());
+}
+
 }  // namespace
 }  // namespace slicecast::known
