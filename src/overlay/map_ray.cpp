@@ -34,7 +34,7 @@ MapRayEnd followRay(const World& world, const Map& map, const MapRay& ray, doubl
     Borders alongY(ray.y, ray.directionY);
     while (true) {
         Borders& crossed = alongX.next < alongY.next ? alongX : alongY;
-        const double length = crossed.next;
+        double length = crossed.next;
         if (!(length < most)) return {most, false, false};
         crossed.cross();
         if (map.tilePortal(alongX.tile, alongY.tile) != kNoPortal) return {length, true, true};
@@ -42,6 +42,14 @@ MapRayEnd followRay(const World& world, const Map& map, const MapRay& ray, doubl
         if (id == kEmptyCell) continue;
         const CellBlueprint& block = world.blueprints[id];
         if (block.isWater || !(block.bottom <= ray.height && ray.height < block.top)) continue;
+        if (!block.plan.isWhole()) {
+            const auto over =
+                wayOver(block.plan, alongX.tile, alongY.tile, ray.x, ray.y, ray.directionX,
+                        ray.directionY, {length, std::min(alongX.next, alongY.next)});
+            if (!over) continue;
+            if (!(over->from < most)) return {most, false, false};
+            length = over->from;
+        }
         const Face face = &crossed == &alongX ? (alongX.step > 0 ? Face::west : Face::east)
                                               : (alongY.step > 0 ? Face::north : Face::south);
         return {length, true, block.face(face).portal != kNoPortal};

@@ -17,7 +17,7 @@ constexpr unsigned kStripe = 8;    // added to a mark on a stripe of a moving bl
 constexpr int kMarkShift = 24;     // bits below a pixel's mark
 constexpr Pixel kSeen = 1u << 28;  // set for pixels inside the grid
 constexpr int kMostAcross = 40;
-constexpr std::size_t kLookNumbers = 5;
+constexpr std::size_t kLookNumbers = 7;
 constexpr auto kMarkColours = [] {
     std::array<Pixel, 2 * kStripe> colours{};
     colours[stepEdge] = toPixel({236, 240, 244, 64});
@@ -129,6 +129,12 @@ void MinimapMap::lookUp(const Place& place) {
 MinimapMap::Look MinimapMap::lookOf(const MinimapTile* tile, int x, int y) const {
     Look look{.x = x, .y = y, .colour = toPixel(tile->colour)};
     if (look.colour == 0) return look;
+    if (!tile->plan.isWhole()) {
+        look.ground = toPixel(tile->ground);
+        const Plan& plan = tile->plan;
+        for (const Coordinate edge : {plan.west, plan.north, plan.east, plan.south})
+            look.plan = look.plan << 8 | static_cast<std::uint32_t>((edge.raw + 2048) >> 12);
+    }
     look.kind = (tile->openGate ? kOpenGate : 0u) | (tile->water ? kWater : 0u) |
                 (tile->moves ? kMoves : 0u) | tile->portals << kPortalBit;
     const std::array<int, 4> beside = {-across_, 1, across_, -1};
@@ -142,11 +148,20 @@ MinimapMap::Look MinimapMap::lookOf(const MinimapTile* tile, int x, int y) const
 void MinimapMap::drawTile(const Look& look, int place) {
     const int left = place % across_ * size_;
     const int top = place / across_ * size_;
+    // At least one pixel of what fills only a part of the tile
+    const auto isWithin = [&](int at, int shift) {
+        const int low = static_cast<int>(look.plan >> shift & 255u) * size_ / 16;
+        const int high = static_cast<int>(look.plan >> (shift - 16) & 255u) * size_ / 16;
+        return at >= low && at < std::max(low + 1, high);
+    };
     for (int y = 0; y < size_; ++y) {
-        for (int x = 0; x < size_; ++x)
-            image_.at(left + x, top + y) = look.colour == 0 ? 0
-                                                            : (look.colour & ~kOpaque) | kSeen |
-                                                                  markOf(look, x, y) << kMarkShift;
+        for (int x = 0; x < size_; ++x) {
+            const bool isBeside = look.ground != 0 && !(isWithin(x, 24) && isWithin(y, 16));
+            const Pixel colour = isBeside ? look.ground : look.colour;
+            image_.at(left + x, top + y) =
+                look.colour == 0 ? 0
+                                 : (colour & ~kOpaque) | kSeen | markOf(look, x, y) << kMarkShift;
+        }
     }
 }
 

@@ -30,10 +30,13 @@ Colour mixed(Colour a, Colour b, double part) {
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 255};
 }
 
-// The level of the highest block of a tile below a level; -1 without one.
-int levelBelow(const Map& map, int x, int y, int level) {
+// The level of the highest block of a tile below a level that fills the tile; -1 without one.
+int levelBelow(const World& world, const Map& map, int x, int y, int level) {
+    const auto isGround = [&](BlueprintId id) {
+        return id != kEmptyCell && world.blueprints[id].plan.isWhole();
+    };
     do --level;
-    while (level >= 0 && map.cell(x, y, level) == kEmptyCell);
+    while (level >= 0 && !isGround(map.cell(x, y, level)));
     return level;
 }
 
@@ -64,19 +67,27 @@ MinimapTile minimapTile(const World& world, const Map& map, int x, int y, int le
         const BlueprintId id = at >= 0 ? map.cell(x, y, at) : kEmptyCell;
         return id != kEmptyCell ? &world.blueprints[id] : nullptr;
     };
-    const int below = levelBelow(map, x, y, level);
+    const int below = levelBelow(world, map, x, y, level);
     const CellBlueprint* const ground = blockAt(below);
     const CellBlueprint* const block = blockAt(level);
     const CellBlueprint* const seen = block != nullptr ? block : ground;
     if (ground != nullptr) tile.surface = tileEdge(below) + ground->top;
     tile.water = seen != nullptr ? seen->isWater : map.isWaterFloor(map.tileIndex(x, y));
     tile.over = (map.occupied[map.tileIndex(x, y)] >> level >> 1) != 0;
-    tile.colour = colourOf(block, (tileEdge(level) - tile.surface).value(), tile.water);
+    const double drop = (tileEdge(level) - tile.surface).value();
+    tile.colour = colourOf(block, drop, tile.water);
     bool leads = map.tilePortal(x, y) != kNoPortal;
     if (block != nullptr) {
         tile.openGate = block->gate >= 0 && block->passable;
         tile.block = !tile.openGate && !block->isWater;
         tile.moves = block->motion >= 0;
+        if (!block->plan.isWhole()) {
+            // At its borders the tile is marked as its ground is
+            tile.plan = block->plan;
+            tile.ground = minimapGround(drop);
+            tile.ground.a = kMinimapTileAlpha;
+            tile.block = false;
+        }
         if (tile.block) tile.surface = tileEdge(level) + block->top;
         for (int i = 0; i < kFaces; ++i) {
             const auto face = static_cast<Face>(i);

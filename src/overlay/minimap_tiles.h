@@ -16,9 +16,11 @@ inline constexpr Colour kMinimapPortal = {64, 224, 208, 255};
 // Everything that the minimap shows of a tile.
 struct MinimapTile {
     Colour colour = {0, 0, 0, 0};  // transparent outside the grid
-    Coordinate surface;            // top of the level's block, or of the ground below it
-    bool block = false;            // the level has one that is not water or an open gate
-    bool over = false;             // a level above has one
+    Plan plan;                     // where it has this colour; elsewhere the ground's
+    Colour ground = {0, 0, 0, 0};
+    Coordinate surface;  // top of the level's block, or of the ground below it
+    bool block = false;  // the level has one that is not water or an open gate
+    bool over = false;   // a level above has one
     bool openGate = false;
     bool water = false;
     bool moves = false;

@@ -116,12 +116,38 @@ void readWater(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     blueprint.waterSight = fields->number("sight", kSight, kWaterSight);
 }
 
+// [west, north, east, south], in units from the tile's north-western corner.
+Plan readPlan(Reading& reading, JsonValue value) {
+    constexpr const char* kPlan =
+        "the edges [west, north, east, south], four numbers from 0 to 1, in units";
+    Checker& checker = reading.checker;
+    if (!value.isArray() || value.count() != 4) {
+        checker.refuse(value, kPlan);
+        return {};
+    }
+    const std::size_t faultsBefore = checker.count();
+    std::array<Coordinate, 4> edges;
+    std::size_t next = 0;
+    for (const JsonValue edge : value)
+        edges[next++] = toCoordinate(checker.number(edge, kUnitRange).value_or(0.0));
+    if (checker.count() != faultsBefore) return {};
+    const bool isWide = edges[2] - edges[0] >= kThinnest;
+    if (!isWide || edges[3] - edges[1] < kThinnest) {
+        checker.add(value, "a block that is too thin",
+                    {"[west, north, east, south] with ",
+                     isWide ? "\"south\" above \"north\"" : "\"east\" above \"west\"",
+                     ", by at least 1/16"});
+        return {};
+    }
+    return {edges[0], edges[1], edges[2], edges[3]};
+}
+
 CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     CellBlueprint blueprint;
     blueprint.name = std::string(value.key());
-    const auto fields =
-        reading.checker.fields(value, {"bottom", "top", "water", "faces", "join", "motion", "gate"},
-                               "a blueprint: an object with \"faces\"");
+    const auto fields = reading.checker.fields(
+        value, {"bottom", "top", "plan", "water", "faces", "join", "motion", "gate"},
+        "a blueprint: an object with \"faces\"");
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
     blueprint.bottom = toCoordinate(fields->number("bottom", kUnitRange, 0.0));
@@ -131,8 +157,14 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
         reading.checker.add(*given, "a \"top\" that is not above \"bottom\"",
                             "\"top\" above \"bottom\", by at least 1/65536");
     }
+    if (const auto plan = fields->find("plan")) blueprint.plan = readPlan(reading, *plan);
     blueprint.join = fields->flag("join", true);
-    if (const auto water = fields->find("water")) readWater(reading, *water, blueprint);
+    if (const auto water = fields->find("water")) {
+        readWater(reading, *water, blueprint);
+        if (blueprint.isWater && !blueprint.plan.isWhole())
+            reading.checker.add(*water, "water that fills a part of its tile",
+                                "\"plan\" or \"water\", not both");
+    }
     if (const auto faces = fields->require("faces", "the textures of the faces"))
         readFaces(reading, *faces, blueprint);
     if (const auto motion = fields->find("motion"))

@@ -357,6 +357,13 @@ private:
                          "a block that stands still");
             return false;
         }
+        if (!world_.blueprints[id].plan.isWhole()) {
+            checker_.add(at,
+                         {"a portal on the block ", quoted(world_.blueprints[id].name),
+                          ", which fills a part of its tile"},
+                         "a block without \"plan\"");
+            return false;
+        }
         if (world_.blueprints[id].isWater) {
             checker_.add(
                 at,

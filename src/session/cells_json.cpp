@@ -56,6 +56,11 @@ std::string blueprintsJson(const World& world, int mapIndex) {
         json.key("name").text(blueprint.name);
         json.key("bottom").number(blueprint.bottom.value());
         json.key("top").number(blueprint.top.value());
+        const Plan& plan = blueprint.plan;
+        json.key("plan").beginArray();
+        for (const Coordinate edge : {plan.west, plan.north, plan.east, plan.south})
+            json.number(edge.value());
+        json.endArray();
         json.key("seeThrough").yesNo(blueprint.seeThrough);
         json.key("moves").yesNo(blueprint.motion >= 0).key("gate").yesNo(blueprint.gate >= 0);
         json.key("faces").beginObject();

@@ -29,16 +29,26 @@ struct Borders {
     }
 };
 
-// True if a block hides the part of the way in one tile, between two heights.
-bool blockCovers(const World& world, const Map& map, int x, int y, double low, double high) {
+// True if a block hides a part of the way, in one tile.
+bool blockCovers(const World& world, const Map& map, int x, int y, const Place& from,
+                 const Place& to, WayPart part) {
     if (!map.contains(x, y)) return false;
+    const auto heightAt = [&](double share) { return from.z + share * (to.z - from.z); };
+    const auto [low, high] = std::minmax({heightAt(part.from), heightAt(part.to)});
     const int last = std::min(map.levels - 1, static_cast<int>(std::floor(high)));
     for (int level = std::max(0, static_cast<int>(std::floor(low))); level <= last; ++level) {
         const BlueprintId id = map.cell(x, y, level);
         if (id == kEmptyCell) continue;
         const CellBlueprint& block = world.blueprints[id];
         if (block.seeThrough || block.passable) continue;
-        if (low < level + block.top.value() && high > level + block.bottom.value()) return true;
+        const std::optional<WayPart> over =
+            block.plan.isWhole()
+                ? part
+                : wayOver(block.plan, x, y, from.x, from.y, to.x - from.x, to.y - from.y, part);
+        if (!over) continue;
+        const auto [lowest, highest] = std::minmax({heightAt(over->from), heightAt(over->to)});
+        if (lowest < level + block.top.value() && highest > level + block.bottom.value())
+            return true;
     }
     return false;
 }
@@ -74,7 +84,7 @@ bool isInSight(const World& world, const Map& map, const Place& from, const Plac
         const double left = std::min(crossed.next, most);
         const auto [low, high] = std::minmax({heightAt(entered), heightAt(left)});
         if (entered > 0.0 && map.tilePortal(alongX.tile, alongY.tile) != kNoPortal) return false;
-        if (blockCovers(world, map, alongX.tile, alongY.tile, low, high) ||
+        if (blockCovers(world, map, alongX.tile, alongY.tile, from, to, {entered, left}) ||
             ceilingCovers(world, map, alongX.tile, alongY.tile, low, high))
             return false;
         if (!(crossed.next < most)) return true;

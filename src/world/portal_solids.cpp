@@ -17,10 +17,11 @@ std::optional<Face> sideTowards(GridTile tile, GridTile other) {
 }
 
 // Calls met() for the part of a solid thing between two heights, including planes at these heights.
-void meet(Coordinate bottom, Coordinate top, Coordinate low, Coordinate high, Meeting met) {
+void meet(Coordinate bottom, Coordinate top, const Plan& plan, Coordinate low, Coordinate high,
+          Meeting met) {
     const Coordinate from = std::max(bottom, low);
     const Coordinate to = std::min(top, high);
-    if (from < to || (bottom == top && from == to)) met(from, to);
+    if (from < to || (bottom == top && from == to)) met(from, to, plan);
 }
 
 }  // namespace
@@ -54,14 +55,15 @@ void PortalSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting 
     if (portal != nullptr) return visitThrough(*portal, x, y, from, to, low, high, met);
     // Through faces
     const Openings openings = openingsAbove(tile);
-    const auto clipped = [&](Coordinate bottom, Coordinate top) {
+    const auto clipped = [&](Coordinate bottom, Coordinate top, const Plan& plan) {
         const Opening& a = openings.below;
         const Opening& b = openings.above;
-        if (a.portal == nullptr && b.portal == nullptr) return meet(bottom, top, from, to, met);
-        if (a.portal != nullptr) meet(bottom, top, from, std::min(to, a.low), met);
+        if (a.portal == nullptr && b.portal == nullptr)
+            return meet(bottom, top, plan, from, to, met);
+        if (a.portal != nullptr) meet(bottom, top, plan, from, std::min(to, a.low), met);
         const Coordinate middle = a.portal != nullptr ? std::max(from, a.high) : from;
-        meet(bottom, top, middle, b.portal != nullptr ? std::min(to, b.low) : to, met);
-        if (b.portal != nullptr) meet(bottom, top, std::max(from, b.high), to, met);
+        meet(bottom, top, plan, middle, b.portal != nullptr ? std::min(to, b.low) : to, met);
+        if (b.portal != nullptr) meet(bottom, top, plan, std::max(from, b.high), to, met);
     };
     MapSolids(world_, map_, floats_).visit(x, y, low, high, clipped);
     for (const Opening& opening : {openings.below, openings.above}) {
@@ -92,9 +94,11 @@ void PortalSolids::visitThrough(const Portal& portal, int x, int y, Coordinate f
     const GridTile tile = carried(portal, GridTile{x, y});
     const Coordinate shift = tileEdge(portal.levels);
     MapSolids(world_, mapAt(portal.toMap), floats_)
-        .visit(tile.x, tile.y, low + shift, high + shift, [&](Coordinate bottom, Coordinate top) {
-            meet(bottom - shift, top - shift, from, to, met);
-        });
+        .visit(tile.x, tile.y, low + shift, high + shift,
+               [&](Coordinate bottom, Coordinate top, const Plan& plan) {
+                   meet(bottom - shift, top - shift, turned(plan, (4 - portal.turn) % 4), from, to,
+                        met);
+               });
 }
 
 Openings PortalSolids::openingsAbove(GridTile tile) const {

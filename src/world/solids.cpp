@@ -7,50 +7,53 @@
 namespace slicecast {
 namespace {
 
-// Calls met(bottom, top) for all tiles that the box reaches into.
-void visitBox(const Solids& solids, const Box& box, Meeting met) {
+// Calls met(solid) for the solid things above the box's place.
+void visitBox(const Solids& solids, const Box& box, Visitor<const Box&> met) {
     const SolidRange columns = reached(box.west, box.east);
     const SolidRange rows = reached(box.north, box.south);
     for (int y = rows.first; y <= rows.last; ++y) {
-        for (int x = columns.first; x <= columns.last; ++x)
-            solids.visit(x, y, box.bottom, box.top, met);
+        for (int x = columns.first; x <= columns.last; ++x) {
+            solids.visit(x, y, box.bottom, box.top,
+                         [&](Coordinate bottom, Coordinate top, const Plan& plan) {
+                             const Box solid = {tileEdge(x) + plan.west,
+                                                tileEdge(x) + plan.east,
+                                                tileEdge(y) + plan.north,
+                                                tileEdge(y) + plan.south,
+                                                bottom,
+                                                top};
+                             if (solid.west < box.east && solid.east > box.west &&
+                                 solid.north < box.south && solid.south > box.north)
+                                 met(solid);
+                         });
+        }
     }
 }
 
-bool tileBlocks(const Solids& solids, int x, int y, Coordinate bottom, Coordinate top) {
-    bool blocks = false;
-    solids.visit(x, y, bottom, top, [&](Coordinate low, Coordinate high) {
-        blocks = blocks || (low < top && high > bottom);
+// How far the box gets along an axis whose ends are `low` and `high`.
+Coordinate sweepAcross(const Solids& solids, const Box& box, Coordinate distance,
+                       Coordinate Box::*low, Coordinate Box::*high) {
+    const bool isUp = distance.raw > 0;
+    Coordinate end = (isUp ? box.*high : box.*low) + distance;
+    Box way = box;
+    way.*low = isUp ? box.*high : end;
+    way.*high = isUp ? end : box.*low;
+    visitBox(solids, way, [&](const Box& solid) {
+        if (solid.bottom >= box.top || solid.top <= box.bottom) return;
+        if (isUp && solid.*low >= box.*high) end = std::min(end, solid.*low);
+        if (!isUp && solid.*high <= box.*low) end = std::max(end, solid.*high);
     });
-    return blocks;
-}
-
-// How far the box's side gets along an axis; blocks(i) is true if tile i of that axis stops it.
-// Obstacles start at tile edges.
-template <typename Blocks>
-Coordinate sweepAcross(Coordinate low, Coordinate high, Coordinate distance, Blocks blocks) {
-    if (distance.raw > 0) {
-        const int last = Coordinate{high.raw + distance.raw - 1}.tile();
-        for (int i = Coordinate{high.raw - 1}.tile() + 1; i <= last; ++i) {
-            if (blocks(i)) return tileEdge(i) - high;
-        }
-    } else if (distance.raw < 0) {
-        const int last = (low + distance).tile();
-        for (int i = low.tile() - 1; i >= last; --i) {
-            if (blocks(i)) return tileEdge(i + 1) - low;
-        }
-    }
-    return distance;
+    return end - (isUp ? box.*high : box.*low);
 }
 
 }  // namespace
 
 void MapSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const {
-    if (!map_.contains(x, y)) return met(Coordinate{-kBoundless.raw}, kBoundless);
+    if (!map_.contains(x, y)) return met(Coordinate{-kBoundless.raw}, kBoundless, kWholeTile);
     const std::size_t tile = map_.tileIndex(x, y);
     const bool isWaded = !floats_ && map_.isWaterFloor(tile);
-    met(Coordinate{-kBoundless.raw}, isWaded ? Coordinate{-kFloorWade.raw} : Coordinate{0});
-    met(kMaxBodyHeight, kBoundless);
+    met(Coordinate{-kBoundless.raw}, isWaded ? Coordinate{-kFloorWade.raw} : Coordinate{0},
+        kWholeTile);
+    met(kMaxBodyHeight, kBoundless, kWholeTile);
     const std::uint32_t occupied = map_.occupied[tile];
     const int first = std::max(0, Coordinate{low.raw - 1}.tile());
     const int last = std::min(map_.levels - 1, high.tile());
@@ -58,38 +61,26 @@ void MapSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting met
         if ((occupied >> level & 1u) == 0) continue;
         const CellBlueprint& block = world_.blueprints[map_.cells[map_.cellIndex(x, y, level)]];
         if (block.passable || (block.isWater && !floats_)) continue;
-        met(tileEdge(level) + block.bottom, tileEdge(level) + block.top);
+        met(tileEdge(level) + block.bottom, tileEdge(level) + block.top, block.plan);
     }
     if (!map_.ceiling.tiles.empty() && map_.ceiling.tiles[tile] != kNoTexture)
-        met(map_.ceiling.height, map_.ceiling.height);
+        met(map_.ceiling.height, map_.ceiling.height, kWholeTile);
 }
 
 bool isFreeAmong(const Solids& solids, const Box& box) {
     bool free = true;
-    visitBox(solids, box, [&](Coordinate bottom, Coordinate top) {
-        free = free && (bottom >= box.top || top <= box.bottom);
+    visitBox(solids, box, [&](const Box& solid) {
+        free = free && (solid.bottom >= box.top || solid.top <= box.bottom);
     });
     return free;
 }
 
 Coordinate sweepXAmong(const Solids& solids, const Box& box, Coordinate distance) {
-    const SolidRange rows = reached(box.north, box.south);
-    return sweepAcross(box.west, box.east, distance, [&](int x) {
-        for (int y = rows.first; y <= rows.last; ++y) {
-            if (tileBlocks(solids, x, y, box.bottom, box.top)) return true;
-        }
-        return false;
-    });
+    return sweepAcross(solids, box, distance, &Box::west, &Box::east);
 }
 
 Coordinate sweepYAmong(const Solids& solids, const Box& box, Coordinate distance) {
-    const SolidRange columns = reached(box.west, box.east);
-    return sweepAcross(box.north, box.south, distance, [&](int y) {
-        for (int x = columns.first; x <= columns.last; ++x) {
-            if (tileBlocks(solids, x, y, box.bottom, box.top)) return true;
-        }
-        return false;
-    });
+    return sweepAcross(solids, box, distance, &Box::north, &Box::south);
 }
 
 Coordinate sweepZAmong(const Solids& solids, const Box& box, Coordinate distance) {
@@ -98,16 +89,16 @@ Coordinate sweepZAmong(const Solids& solids, const Box& box, Coordinate distance
         Coordinate end = box.top + distance;
         way.bottom = box.top;
         way.top = end;
-        visitBox(solids, way, [&](Coordinate bottom, Coordinate) {
-            if (bottom >= box.top) end = std::min(end, bottom);
+        visitBox(solids, way, [&](const Box& solid) {
+            if (solid.bottom >= box.top) end = std::min(end, solid.bottom);
         });
         return end - box.top;
     }
     Coordinate end = box.bottom + distance;
     way.bottom = end;
     way.top = box.bottom;
-    visitBox(solids, way, [&](Coordinate, Coordinate top) {
-        if (top <= box.bottom) end = std::max(end, top);
+    visitBox(solids, way, [&](const Box& solid) {
+        if (solid.top <= box.bottom) end = std::max(end, solid.top);
     });
     return end - box.bottom;
 }
@@ -117,8 +108,9 @@ std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, C
     Box raised = box;
     for (;;) {
         Coordinate bottom = raised.bottom;
-        visitBox(solids, raised, [&](Coordinate low, Coordinate high) {
-            if (low < raised.top && high > raised.bottom) bottom = std::max(bottom, high);
+        visitBox(solids, raised, [&](const Box& solid) {
+            if (solid.bottom < raised.top && solid.top > raised.bottom)
+                bottom = std::max(bottom, solid.top);
         });
         const Coordinate rise = bottom - box.bottom;
         if (rise > limit) return std::nullopt;

@@ -24,28 +24,31 @@ constexpr SolidRange reached(Coordinate low, Coordinate high) {
     return {low.tile(), Coordinate{high.raw - 1}.tile()};
 }
 
-// A callback for the bottom and top of a solid thing. Refers to a function object, which must
-// outlive it.
-class Meeting {
+// A callback. Refers to a function object, which must outlive it.
+template <typename... Arguments>
+class Visitor {
 public:
     template <typename Met>
-        requires(!std::is_same_v<Met, Meeting>)
-    Meeting(const Met& met)
-        : met_(&met), call_([](const void* called, Coordinate bottom, Coordinate top) {
-              (*static_cast<const Met*>(called))(bottom, top);
+        requires(!std::is_same_v<Met, Visitor>)
+    Visitor(const Met& met)
+        : met_(&met), call_([](const void* called, Arguments... arguments) {
+              (*static_cast<const Met*>(called))(arguments...);
           }) {}
-    void operator()(Coordinate bottom, Coordinate top) const { call_(met_, bottom, top); }
+    void operator()(Arguments... arguments) const { call_(met_, arguments...); }
 
 private:
     const void* met_;
-    void (*call_)(const void*, Coordinate, Coordinate);
+    void (*call_)(const void*, Arguments...);
 };
+
+// For a solid thing in a tile: its bottom, its top, and what it fills of the tile.
+using Meeting = Visitor<Coordinate, Coordinate, const Plan&>;
 
 // Lists solid things.
 class Solids {
 public:
-    // Calls met(bottom, top) for the solid things above tile (x, y) that touch the heights from
-    // `low` to `high`, and possibly for others; planes have bottom == top.
+    // Calls met(bottom, top, plan) for the solid things above tile (x, y) that touch the heights
+    // from `low` to `high`, and possibly for others; planes have bottom == top.
     virtual void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const = 0;
 
 protected:

@@ -34,6 +34,27 @@ MapRayEnd follow(double directionX, double directionY, double height = 0.25, int
                      100.0);
 }
 
+TEST(MapRay, EndsAtThePlanOfABlock) {
+    WorldBuilder make;
+    make.block('i').plan = {toCoordinate(0.25), toCoordinate(0.25), toCoordinate(0.5),
+                            toCoordinate(0.5)};
+    make.map("map", 10, 10, 1, kNoTexture);
+    make.put('i', 7, 5);
+    const auto follow = [&](double y) {
+        return followRay(make.world, make.world.maps[0],
+                         {.x = 5.25,
+                          .y = y,
+                          .directionX = 1.0,
+                          .directionY = 0.0,
+                          .level = 0,
+                          .height = toCoordinate(0.5)},
+                         4.0);
+    };
+    EXPECT_EQ(follow(5.375).length, 2.0);
+    EXPECT_FALSE(follow(5.125).met) << "north of it";
+    EXPECT_FALSE(follow(5.625).met) << "south of it";
+}
+
 TEST(MapRay, EndsAtTheFirstBlockOfItsLevel) {
     EXPECT_EQ(follow(1.0, 0.0).length, 1.75);
     EXPECT_TRUE(follow(1.0, 0.0).met);

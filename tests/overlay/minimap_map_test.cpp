@@ -58,6 +58,38 @@ struct Kept {
     }
 };
 
+// North up, the eye in the middle: what stands in the western half of a tile is drawn there.
+TEST(MinimapMap, DrawsPlans) {
+    Kept kept;
+    kept.eye.headingDegrees = 270.0;
+    const auto picture = [&] {
+        Canvas canvas(kept.width, kept.height);
+        Minimap().draw(kept.world, kept.eye, kept.options, canvas.picture);
+        return canvas.image;
+    };
+    const Image whole = picture();
+    kept.world.blueprints[kWall].plan.east = toCoordinate(0.5);
+    const Image half = picture();
+    kept.world.blueprints[kWall].plan = {};
+    kept.world.maps[0].setCell(20, 13, 0, kEmpty);
+    const Image none = picture();
+    int asWhole = 0;
+    int asNone = 0;
+    int other = 0;
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+        if (whole.pixels[i] == none.pixels[i]) continue;
+        asWhole += half.pixels[i] == whole.pixels[i];
+        asNone += half.pixels[i] == none.pixels[i];
+        other += half.pixels[i] != whole.pixels[i] && half.pixels[i] != none.pixels[i];
+    }
+    EXPECT_GT(asWhole, 10);
+    EXPECT_GT(asNone, asWhole / 2);
+    EXPECT_LT(other, asWhole) << "edges of the tile";
+    kept.draw();
+    kept.world.blueprints[kWall].plan.east = toCoordinate(0.25);
+    kept.draw();
+}
+
 TEST(MinimapMap, RedrawsNothingWithoutAChange) {
     Kept kept;
     EXPECT_GT(kept.draw(), 400);

@@ -278,7 +278,7 @@ std::uint64_t hashAmongMovers() {
 
 TEST(RandomMovingWorlds, GoTheSameWayEverywhere) {
     EXPECT_EQ(hashAmongMovers(), hashAmongMovers());
-    EXPECT_EQ(hashAmongMovers(), 0x3c39f6c72cf0c8abu);
+    EXPECT_EQ(hashAmongMovers(), 0x390c99d91a8f031cu);
 }
 
 }  // namespace

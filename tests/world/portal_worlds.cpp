@@ -1,5 +1,8 @@
 #include "portal_worlds.h"
 
+#include <utility>
+#include <vector>
+
 namespace slicecast {
 namespace {
 
@@ -26,6 +29,7 @@ void putFacePortal(World& world, const Portal& portal, int level, Face face) {
     if (!world.blueprints[id].hasPortals) {
         world.blueprints.push_back(world.blueprints[id]);
         id = static_cast<BlueprintId>(world.blueprints.size() - 1);
+        world.blueprints[id].plan = {};  // of a block with portals it fills all of the tile
         map.setCell(portal.fromX, portal.fromY, level, id);
     }
     world.blueprints[id].faces[static_cast<std::size_t>(face)].portal = addPortal(world, portal);
@@ -52,6 +56,16 @@ Portal appendCopy(World& world, int mapIndex, int turn, int levels) {
     whole.name = "ground";
     world.blueprints.push_back(whole);
     const auto ground = static_cast<BlueprintId>(world.blueprints.size() - 1);
+    // What fills a part of its tile turns with it
+    std::vector<BlueprintId> turnedIds(world.blueprints.size());
+    for (std::size_t i = 0; i < turnedIds.size(); ++i) {
+        turnedIds[i] = static_cast<BlueprintId>(i);
+        CellBlueprint block = world.blueprints[i];
+        if (turn == 0 || block.plan.isWhole()) continue;
+        block.plan = turned(block.plan, turn);
+        turnedIds[i] = static_cast<BlueprintId>(world.blueprints.size());
+        world.blueprints.push_back(std::move(block));
+    }
     copy.ceiling.height = map.ceiling.height + tileEdge(levels);
     if (!map.ceiling.tiles.empty()) copy.ceiling.tiles.assign(copy.occupied.size(), kNoTexture);
     for (int y = 0; y < map.depth; ++y) {
@@ -61,7 +75,7 @@ Portal appendCopy(World& world, int mapIndex, int turn, int levels) {
                 copy.setCell(tile.x, tile.y, level, ground);
             for (int level = 0; level < map.levels; ++level) {
                 if (const BlueprintId id = map.cell(x, y, level))
-                    copy.setCell(tile.x, tile.y, level + levels, id);
+                    copy.setCell(tile.x, tile.y, level + levels, turnedIds[id]);
             }
             if (!map.ceiling.tiles.empty())
                 copy.ceiling.tiles[copy.tileIndex(tile.x, tile.y)] =

@@ -41,6 +41,21 @@ World lowPassage(Coordinate height) {
     return world;
 }
 
+// What a block fills of its tile; often all of it along an axis.
+Plan randomPlan(Random& random) {
+    const auto edges = [&random](Coordinate& low, Coordinate& high) {
+        if (random.oneIn(3)) return;
+        do {
+            low = {random.oneIn(3) ? 0 : random.below(65536)};
+            high = {random.oneIn(3) ? 65536 : random.below(65536)};
+        } while (high - low < kThinnest);
+    };
+    Plan plan;
+    edges(plan.west, plan.east);
+    edges(plan.north, plan.south);
+    return plan;
+}
+
 World randomWorld(std::uint64_t seed) {
     Random random(seed);
     const int width = random.between(1, 10);
@@ -75,6 +90,10 @@ World randomWorld(std::uint64_t seed) {
         for (TextureId& tile : world.maps[0].ceiling.tiles)
             tile = random.oneIn(3) ? kNoTexture : TextureId{0};
     }
+    for (CellBlueprint& block : world.blueprints) {
+        if (random.oneIn(3)) block.plan = randomPlan(random);
+    }
+    world.blueprints[kEmptyCell].plan = {};
     return world;
 }
 
@@ -141,6 +160,10 @@ bool reachesIntoSomething(const World& world, const Box& box) {
                 if (id == kEmptyCell) continue;
                 const CellBlueprint& block = world.blueprints[id];
                 if (block.isWater) continue;
+                const Plan& plan = block.plan;
+                if (box.west >= tileEdge(x) + plan.east || box.east <= tileEdge(x) + plan.west ||
+                    box.north >= tileEdge(y) + plan.south || box.south <= tileEdge(y) + plan.north)
+                    continue;
                 if (box.bottom < tileEdge(level) + block.top &&
                     box.top > tileEdge(level) + block.bottom)
                     return true;

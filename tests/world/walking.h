@@ -31,6 +31,9 @@ void putCeiling(World& world, Coordinate height);
 // A corridor along row 0 whose columns 2 to 5 have blocks overhead, from that height up.
 World lowPassage(Coordinate height);
 
+// A plan of any size.
+Plan randomPlan(Random& random);
+
 // Blocks of all shapes, bridges, shafts, ceilings with holes. Every seed gives another one.
 World randomWorld(std::uint64_t seed);
 
