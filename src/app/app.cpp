@@ -204,6 +204,8 @@ bool App::actInGame(Action action) {
 // Toggles the option, selects the next choice, or changes a number within its range. Light that has
 // not been set starts from the map's own.
 void App::changeOption(const ActionInfo& info) {
+    // What the page has changed in this frame is told before the key changes it back
+    tellChanges();
     const OptionInfo* option = findOption(info.option);
     if (option->kind == OptionKind::onOff) {
         game_->setOption(info.option, game_->option(info.option) == "on" ? "off" : "on");

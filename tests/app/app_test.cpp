@@ -577,6 +577,17 @@ TEST_F(AppTest, KeysSwitchTheOverlaysOnAndOff) {
     }
 }
 
+// In one frame the page switches the minimap on, and a key switches it off.
+TEST_F(AppTest, TellsWhatAKeyTakesBack) {
+    play(0.1);
+    app.game()->setOption("minimap", "on");
+    press(SDL_SCANCODE_M);
+    play(0.1);
+    EXPECT_EQ(app.game()->option("minimap"), "off");
+    ASSERT_GE(shell.news.size(), 2u);
+    EXPECT_EQ(shell.news.back(), (std::pair{News::overlay, false}));
+}
+
 TEST_F(AppTest, AKeyCyclesThroughTheTimesOfDay) {
     for (const char* preset : {"day", "dusk", "night", "fog", "map", "day"}) {
         press(SDL_SCANCODE_L);
