@@ -13,8 +13,9 @@ const kSite = join(kRoot, 'build/web');
 const kPictures = join(kRoot, 'build/site');
 const kWidths = [360, 1280, 2560];
 
-// What a package or an embedding page loads is no page of the site.
-const kNoPages = /^(bundlers|node|embed\.html)/;
+// What a package or another page loads is no page of the site; learn/write/export.html is what
+// the reader's download is made from.
+const kNoPages = /^(bundlers|node|embed\.html|learn\/write\/export\.html)/;
 
 const pages = readdirSync(kSite, { recursive: true })
   .filter((name) => name.endsWith('.html') && !kNoPages.test(name))
