@@ -38,7 +38,9 @@ for (const [device, viewport, colorScheme] of [
       const cut = await page.evaluate(() =>
         [...document.querySelectorAll('main *')]
           .filter((node) => !node.closest('pre, .table, ray-caster, .reference thead'))
-          .filter((node) => node.getBoundingClientRect().right > innerWidth + 1)
+          .filter(
+            (node) => node.getBoundingClientRect().right > document.documentElement.clientWidth + 1,
+          )
           .map((node) => node.outerHTML.slice(0, 80)),
       );
       assert.deepEqual(cut, []);

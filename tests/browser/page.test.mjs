@@ -177,12 +177,20 @@ test('a phone shows everything without overflow', async (t) => {
         .filter((element) => element.checkVisibility() && element.getClientRects().length > 0)
         .filter((element) => {
           const box = element.getBoundingClientRect();
-          return box.width > 1 && (box.left < 0 || box.right > innerWidth + 0.5);
+          return (
+            box.width > 1 &&
+            (box.left < 0 || box.right > document.documentElement.clientWidth + 0.5)
+          );
         })
         .map((element) => element.outerHTML),
     );
   assert.deepEqual(await outside(), []);
-  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
+  assert.equal(
+    await page.evaluate(
+      () => document.documentElement.scrollWidth <= document.documentElement.clientWidth,
+    ),
+    true,
+  );
   assert.match(await page.innerText('#play-hint'), /Tap/);
   for (const name of ['scenes', 'keys', 'settings', 'share']) {
     await page.tap(`#open-${name}`);
