@@ -127,14 +127,8 @@ function inPage() {
           axis,
           role: node.getAttribute('role'),
           label: node.getAttribute('aria-label'),
-          value: node.getAttribute('aria-valuenow'),
         };
       }),
-      ranges: all('[data-control] input[type=range]').length,
-      numbers: all('.fig-scrubbed').length,
-      switches: all('[data-control] input[type=checkbox], [data-control] input[type=radio]').length,
-      buttons: all('[data-control] button').length,
-      choices: all('.fig-body button, .fig-body [data-change]').length,
     };
   }
 
