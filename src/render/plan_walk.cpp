@@ -4,6 +4,12 @@
 
 namespace slicecast {
 
+// Whether the eye counts as moved eastward or southward from where it is: so it does in its own
+// map, which may lie turned.
+bool PlanWalk::isEyeMovedOn(bool alongX) const {
+    return alongX ? eye_.turn % 3 == 0 : eye_.turn < 2;
+}
+
 // An edge that the eye is on has been crossed if the eye counts as moved past it. An edge along the
 // ray has always been crossed, or never is.
 Crossing PlanWalk::edge(int tile, Coordinate at, bool alongX) const {
@@ -12,7 +18,8 @@ Crossing PlanWalk::edge(int tile, Coordinate at, bool alongX) const {
     const double ahead = tile + at.value() - from;  // eastward or southward; exact
     if (direction == 0.0) {
         Crossing never = {.alongX = alongX, .border = false, .inner = true};
-        never.along = ahead <= 0.0 ? -kNever : kNever;
+        const bool isPast = ahead < 0.0 || (ahead == 0.0 && isEyeMovedOn(alongX));
+        never.along = isPast ? -kNever : kNever;
         return never;
     }
     Crossing crossing = walk_.innerCrossing(alongX, direction < 0.0 ? -ahead : ahead);

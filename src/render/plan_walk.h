@@ -51,6 +51,7 @@ private:
     };
     Edges edges(const Plan& plan, int x, int y, bool alongX) const;
     Crossing edge(int tile, Coordinate at, bool alongX) const;
+    bool isEyeMovedOn(bool alongX) const;
 
     const GridWalk& walk_;
     const Viewpoint& eye_;

@@ -125,6 +125,39 @@ TEST(Cast, MeetsWhatFillsAPartOfATileWhereItStands) {
     EXPECT_TRUE(cast(world, at(from(4.75, 1.5, 90.0), 0.5)).hits.empty());
 }
 
+// A ray exactly along an edge, eastward and southward, behind portals of all turns: the eye counts
+// as a trifle further east and south in its own map, however the map behind the portal lies.
+TEST(Cast, AnEdgeAlongTheRayIsOnTheSideThatTheEyesMapSays) {
+    constexpr Coordinate kHalf = {32768};
+    constexpr Plan kNorthern = {{}, {}, tileEdge(1), kHalf};
+    constexpr Plan kSouthern = {{}, kHalf, tileEdge(1), tileEdge(1)};
+    constexpr Plan kWestern = {{}, {}, kHalf, tileEdge(1)};
+    constexpr Plan kEastern = {kHalf, {}, tileEdge(1), tileEdge(1)};
+    for (int turn = 0; turn < 4; ++turn) {
+        const auto meets = [turn](const Plan& plan, int quarters) {
+            WorldBuilder make;
+            make.block('#').plan = turned(plan, turn);
+            make.map("yard", 9, 9, 1);
+            const int toX[] = {5, 4, 3, 4};
+            const int toY[] = {4, 5, 4, 3};
+            const std::size_t way = static_cast<std::size_t>(quarters + turn) % 4;
+            make.put('#', toX[way], toY[way]);
+            make.tilePortal({.fromMap = 0,
+                             .fromX = quarters == 0 ? 2 : 1,
+                             .fromY = quarters == 0 ? 1 : 2,
+                             .toMap = 0,
+                             .toX = 4,
+                             .toY = 4,
+                             .turn = turn});
+            return !cast(make.world, at(from(1.5, 1.5, 90.0 * quarters), 0.5)).hits.empty();
+        };
+        EXPECT_FALSE(meets(kNorthern, 0)) << turn;
+        EXPECT_TRUE(meets(kSouthern, 0)) << turn;
+        EXPECT_FALSE(meets(kWestern, 1)) << turn;
+        EXPECT_TRUE(meets(kEastern, 1)) << turn;
+    }
+}
+
 TEST(Cast, BordersFollowFromTheDirection) {
     const World world = yard();
     for (const double heading : {17.0, 71.0, 133.0, 200.0, 299.0, 350.0}) {
