@@ -41,12 +41,12 @@ constexpr std::optional<Value> valueOf(const Named<Value> (&table)[count], std::
 // The names with a space between them, and a zero at the end.
 template <const auto& table>
 constexpr auto kJoinedNames = [] {
-    constexpr std::size_t kSize = [] {
+    constexpr std::size_t kJoinedSize = [] {
         std::size_t size = 0;
         for (const auto& named : table) size += std::string_view(named.name).size() + 1;
         return size;
     }();
-    std::array<char, kSize> text{};
+    std::array<char, kJoinedSize> text{};
     std::size_t end = 0;
     for (const auto& named : table) {
         for (const char c : std::string_view(named.name)) text[end++] = c;

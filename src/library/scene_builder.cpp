@@ -175,6 +175,7 @@ SceneBuilder::Block SceneBuilder::block(const BlockSpec& spec) {
     blueprint.name = spec.name;
     blueprint.bottom = toCoordinate(spec.bottom);
     blueprint.top = toCoordinate(spec.top);
+    blueprint.plan.half = spec.diagonal;
     for (FaceBlueprint& face : blueprint.faces) {
         face.texture = static_cast<TextureId>(spec.texture.index);
         face.light = spec.light;
@@ -264,6 +265,7 @@ LoadResult SceneBuilder::build() && {
         world.start.y = toCoordinate(0.5 * world.maps.front().depth);
     }
     markSeeThrough(world);
+    markPlans(world);
     result.scene.emplace(std::move(world));
     return result;
 }

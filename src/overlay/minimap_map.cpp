@@ -37,6 +37,7 @@ constexpr unsigned kOpenGate = 1;
 constexpr unsigned kWater = 2;
 constexpr unsigned kMoves = 4;
 constexpr int kPortalBit = 3;
+constexpr int kHalfShift = 16;  // to a Half
 
 constexpr int floorDivide(int a, int b) {
     return a >= 0 ? a / b : -((b - 1 - a) / b);
@@ -136,7 +137,8 @@ MinimapMap::Look MinimapMap::lookOf(const MinimapTile* tile, int x, int y) const
             look.plan = look.plan << 8 | static_cast<std::uint32_t>((edge.raw + 2048) >> 12);
     }
     look.kind = (tile->openGate ? kOpenGate : 0u) | (tile->water ? kWater : 0u) |
-                (tile->moves ? kMoves : 0u) | tile->portals << kPortalBit;
+                (tile->moves ? kMoves : 0u) | tile->portals << kPortalBit |
+                static_cast<unsigned>(tile->plan.half) << kHalfShift;
     const std::array<int, 4> beside = {-across_, 1, across_, -1};
     for (int i = 0; i < 8; ++i)
         look.edges |=
@@ -149,6 +151,11 @@ void MinimapMap::drawTile(const Look& look, int place) {
     const int left = place % across_ * size_;
     const int top = place / across_ * size_;
     // At least one pixel of what fills only a part of the tile
+    const auto half = static_cast<Half>(look.kind >> kHalfShift);
+    const auto isInHalf = [&](int x, int y) {
+        const int east = isCutFalling(half) ? x - y : x + y + 1 - size_;
+        return half == Half::none || (isEastern(half) ? east >= 0 : east <= 0);
+    };
     const auto isWithin = [&](int at, int shift) {
         const int low = static_cast<int>(look.plan >> shift & 255u) * size_ / 16;
         const int high = static_cast<int>(look.plan >> (shift - 16) & 255u) * size_ / 16;
@@ -156,7 +163,8 @@ void MinimapMap::drawTile(const Look& look, int place) {
     };
     for (int y = 0; y < size_; ++y) {
         for (int x = 0; x < size_; ++x) {
-            const bool isBeside = look.ground != 0 && !(isWithin(x, 24) && isWithin(y, 16));
+            const bool isBeside =
+                look.ground != 0 && !(isWithin(x, 24) && isWithin(y, 16) && isInHalf(x, y));
             const Pixel colour = isBeside ? look.ground : look.colour;
             image_.at(left + x, top + y) =
                 look.colour == 0 ? 0

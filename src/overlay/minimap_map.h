@@ -40,7 +40,7 @@ private:
         Pixel colour = 0;         // 0 outside the grid
         Pixel ground = 0;         // beside what fills only a part of the tile
         std::uint32_t plan = 0;   // that part: west, north, east and south, in 1/16 tile
-        std::uint32_t kind = 0;   // its gate, water, motion and portals
+        std::uint32_t kind = 0;   // its gate, water, motion, portals and half
         std::uint32_t edges = 0;  // four bits each: on a gap and on a dash, to the north, east ...
     };
 

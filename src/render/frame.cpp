@@ -7,7 +7,6 @@ Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int wid
     : world(&w), mirrors(options.mirrors), textures(memory.textures), vistas(memory.vistas) {
     vistas.beginFrame(w, e, options, width, height);
     detail = Detail(options, vistas.projection().distance);
-    for (const CellBlueprint& blueprint : w.blueprints) hasPlans |= !blueprint.plan.isWhole();
     textures.resize(w.textures.size());
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const Texture& texture = w.textures[i];

@@ -29,7 +29,6 @@ struct Frame {
     const World* world = nullptr;
     Detail detail;
     double mirrors = 1.0;                 // see RenderOptions
-    bool hasPlans = false;                // a blueprint fills only a part of its tile
     std::vector<FrameTexture>& textures;  // by TextureId
     Vistas& vistas;
 

@@ -32,6 +32,11 @@ inline constexpr double kHugeRows = 1e200;
 // How far along a ray something is that it does not meet.
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
+// A line across a tile from corner to corner, that falls or rises eastward as seen on a map: along
+// it x - y is constant, or x + y. The distance and speed of its crossing are in these; it is
+// crossed as if it ran from west to east, so `nearing` is towards the half in the south.
+enum class Cut : std::uint8_t { none, falling, rising };
+
 // A tile border and how a ray crosses it. `along` is in multiples of the ray's direction (see
 // Projection::ray): the quotient distance / speed. Rows and points are computed from these two,
 // because the quotient is rounded.
@@ -47,6 +52,7 @@ struct Crossing {
         false;  // the same in the coordinates of the eye's map: wins ties (see projection.h)
     bool border = true;  // false for an object, where no tile ends
     bool inner = false;  // an edge of a plan inside a tile, where no tile ends, but blocks do
+    Cut cut = Cut::none;
 
     // Blocks may have sides there.
     bool hasSides() const { return border || inner; }
@@ -131,12 +137,6 @@ struct GridWalk {
         edge.inner = true;
         return edge;
     }
-    // Whether one of two crossings of this ray comes first.
-    bool isBefore(const Crossing& a, const Crossing& b) const {
-        return a.along < b.along ||
-               (a.along == b.along && a.alongX != b.alongX && a.alongX == tieAlongX_);
-    }
-
     // Advances to the next tile.
     void advance() {
         if (leavesAlongX()) {
@@ -240,7 +240,8 @@ private:
                 (alongX ? stepX : stepY) > 0,
                 alongX ? earlyX_ : earlyY_,
                 true,
-                false};
+                false,
+                Cut::none};
     }
     static int stepOf(double direction) { return direction > 0.0 ? 1 : direction < 0.0 ? -1 : 0; }
     // #region ties

@@ -109,7 +109,8 @@ void PlainWalk::findEdges() {
         if (passage.enter.inner) edges_.push_back({passage.enter, bit});
         if (passage.leave.inner) edges_.push_back({passage.leave, bit});
     }
-    mergeSort(edges_, [&](const Edge& a, const Edge& b) { return walk_.isBefore(a.at, b.at); });
+    mergeSort(edges_,
+              [&](const Edge& a, const Edge& b) { return plansHere().isBefore(a.at, b.at); });
 }
 
 // Meets the stretch before an edge, where one block begins or ends.

@@ -9,6 +9,8 @@
 //      +-----------------* d
 //
 // Edges of plans are met like borders of tiles: at exact distances, with the same rule for ties.
+// So is the cut of a half. Whether a ray passes it follows from the borders by which it enters and
+// leaves the tile, which are of one half or of both; so no ray slips through at a corner.
 #pragma once
 
 #include "render/grid_walk.h"
@@ -41,6 +43,9 @@ public:
     // `isAhead` if the tile is behind the border.
     bool touches(const Plan& plan, int x, int y, const Crossing& border, bool isAhead) const;
 
+    // Whether one of two crossings of the ray comes first.
+    bool isBefore(const Crossing& a, const Crossing& b) const;
+
 private:
     // Both edges of a plan on one axis, the nearer one first.
     struct Edges {
@@ -52,6 +57,9 @@ private:
     Edges edges(const Plan& plan, int x, int y, bool alongX) const;
     Crossing edge(int tile, Coordinate at, bool alongX) const;
     bool isEyeMovedOn(bool alongX) const;
+    PlanPassage halfPassage(Half half) const;
+    bool isEyeIn(Half half) const;
+    Crossing cut(Half half) const;
 
     const GridWalk& walk_;
     const Viewpoint& eye_;
@@ -68,7 +76,7 @@ struct PlanEdge {
 // The edges that a ray crosses in a tile, in their order.
 class PlanEdges {
 public:
-    void add(const GridWalk& walk, const Crossing& at, std::uint32_t enters, std::uint32_t leaves);
+    void add(const PlanWalk& walk, const Crossing& at, std::uint32_t enters, std::uint32_t leaves);
     const PlanEdge* begin() const { return edges_.data(); }
     const PlanEdge* end() const { return edges_.data() + count_; }
 

@@ -21,16 +21,17 @@ bool SliceWalk::hasPlansHere() const {
 void SliceWalk::findPlanEdges(PlanEdges& edges) {
     const int x = walk_.tileX;
     const int y = walk_.tileY;
+    const PlanWalk plans = plansHere();
     for (std::uint32_t rest = map_->occupied[map_->tileIndex(x, y)]; rest != 0; rest &= rest - 1) {
         const int level = std::countr_zero(rest);
         const Plan& plan = blockAt(x, y, level).blueprint->plan;
         if (plan.isWhole()) continue;
         const std::uint32_t bit = std::uint32_t{1} << level;
-        const PlanPassage passage = plansHere().passage(plan);
+        const PlanPassage passage = plans.passage(plan);
         if (!passage.isMet || passage.enter.inner) absent_ |= bit;
         if (!passage.isMet) continue;
-        if (passage.enter.inner) edges.add(walk_, passage.enter, bit, 0);
-        if (passage.leave.inner) edges.add(walk_, passage.leave, 0, bit);
+        if (passage.enter.inner) edges.add(plans, passage.enter, bit, 0);
+        if (passage.leave.inner) edges.add(plans, passage.leave, 0, bit);
     }
 }
 

@@ -244,7 +244,7 @@ double SliceWalk::nextObjectAlong() const {
 
 // Meets a tile in which something changes.
 void SliceWalk::meetTile() {
-    if (frame_.hasPlans && hasPlansHere()) {
+    if (frame_.world->hasPlans && hasPlansHere()) {
         meetTileWithPlans();
     } else if (object_ != objectsEnd_ && vista_->objects[*object_].along < leave_.along) {
         meetTileWithObjects();

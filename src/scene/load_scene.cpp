@@ -201,6 +201,7 @@ LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages ea
     if (loaded.faults.empty()) {
         makeGateFrames(world);
         markSeeThrough(world);
+        markPlans(world);
         for (Map& map : world.maps) widenObjects(world, map);
         startObjects(world);
     }

@@ -10,6 +10,8 @@ namespace {
 constexpr NumberRange kSight = {0.0, 1000.0, true, "a number above 0 and at most 1000, in units"};
 
 // The faces that each key of "faces" covers. Wider keys come first: a narrower one overrides them.
+// The face of a half's cut has a key of its own.
+constexpr const char* kDiagonal = "diagonal";
 struct FaceKey {
     const char* key;
     std::array<bool, kFaces> faces;  // north, east, south, west, top, bottom
@@ -52,7 +54,8 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     return face;
 }
 
-// Water may leave out faces; they do not exist then.
+// Water may leave out faces; they do not exist then. Nor does the side of a half's tile beside its
+// cut: it gets the texture of the cut, if that has one of its own.
 void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     if (value.isText()) {
         blueprint.faces.fill(readFace(reading, value, true));
@@ -60,6 +63,8 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     }
     std::vector<std::string_view> keys;
     for (const FaceKey& faceKey : kFaceKeys) keys.push_back(faceKey.key);
+    const Half half = blueprint.plan.half;
+    if (half != Half::none) keys.emplace_back(kDiagonal);
     const auto fields = reading.checker.fields(
         value, keys, "a texture's name, or an object with textures for the faces");
     if (!fields) return;
@@ -72,6 +77,15 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
             if (!faceKey.faces[i]) continue;
             blueprint.faces[i] = face;
             if (i != kRoof) blueprint.faces[i].mirror = 0;
+        }
+    }
+    if (half != Half::none) {
+        FaceBlueprint& cut = blueprint.faces[static_cast<std::size_t>(cutFace(half))];
+        FaceBlueprint& beside =
+            blueprint.faces[static_cast<std::size_t>(isEastern(half) ? Face::west : Face::east)];
+        if (const auto member = fields->find(kDiagonal)) {
+            cut = readFace(reading, *member, false);
+            if (beside.texture == kNoTexture) beside = cut;
         }
     }
     std::string missing;
@@ -146,7 +160,7 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     CellBlueprint blueprint;
     blueprint.name = std::string(value.key());
     const auto fields = reading.checker.fields(
-        value, {"bottom", "top", "plan", "water", "faces", "join", "motion", "gate"},
+        value, {"bottom", "top", "plan", "diagonal", "water", "faces", "join", "motion", "gate"},
         "a blueprint: an object with \"faces\"");
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
@@ -158,12 +172,19 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
                             "\"top\" above \"bottom\", by at least 1/65536");
     }
     if (const auto plan = fields->find("plan")) blueprint.plan = readPlan(reading, *plan);
+    blueprint.plan.half = fields->choice("diagonal", kHalves, Half::none);
+    if (const auto diagonal = fields->find("diagonal"); diagonal && fields->find("plan")) {
+        reading.checker.add(*diagonal, "a half of a part of a tile",
+                            "\"plan\" or \"diagonal\", not both");
+    }
     blueprint.join = fields->flag("join", true);
     if (const auto water = fields->find("water")) {
         readWater(reading, *water, blueprint);
         if (blueprint.isWater && !blueprint.plan.isWhole())
             reading.checker.add(*water, "water that fills a part of its tile",
-                                "\"plan\" or \"water\", not both");
+                                blueprint.plan.half == Half::none
+                                    ? "\"plan\" or \"water\", not both"
+                                    : "\"diagonal\" or \"water\", not both");
     }
     if (const auto faces = fields->require("faces", "the textures of the faces"))
         readFaces(reading, *faces, blueprint);

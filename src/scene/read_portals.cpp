@@ -361,7 +361,7 @@ private:
             checker_.add(at,
                          {"a portal on the block ", quoted(world_.blueprints[id].name),
                           ", which fills a part of its tile"},
-                         "a block without \"plan\"");
+                         "a block without \"plan\" and \"diagonal\"");
             return false;
         }
         if (world_.blueprints[id].isWater) {

@@ -61,6 +61,12 @@ std::string blueprintsJson(const World& world, int mapIndex) {
         for (const Coordinate edge : {plan.west, plan.north, plan.east, plan.south})
             json.number(edge.value());
         json.endArray();
+        json.key("diagonal");
+        if (plan.half == Half::none) {
+            json.null();
+        } else {
+            json.text(nameOf(kHalves, plan.half));
+        }
         json.key("seeThrough").yesNo(blueprint.seeThrough);
         json.key("moves").yesNo(blueprint.motion >= 0).key("gate").yesNo(blueprint.gate >= 0);
         json.key("faces").beginObject();

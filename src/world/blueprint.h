@@ -41,7 +41,7 @@ struct CellBlueprint {
     std::string name;
     Coordinate bottom;             // 0 <= bottom < top
     Coordinate top = tileEdge(1);  // <= 1
-    Plan plan;                     // not of water, nor of blocks with portals
+    Plan plan;                     // see markPlans; not of water or blocks with portals
     std::array<FaceBlueprint, kFaces> faces;
     bool seeThrough = false;  // a texel of a face has alpha below 255; set by markSeeThrough
     bool join =

@@ -67,12 +67,23 @@ Slide slide(const World& world, int map, const Box& box, Coordinate distanceX, C
     const Map* where = findMap(world, map);
     if (where == nullptr) return state;
     const MapSolids solids(world, *where, floats);
+    const auto go = [&](Coordinate Offset::*axis, Coordinate distance, bool& stopped) {
+        const Box from = state.box;
+        if (distance.raw == 0 || advanceAmong(solids, state, axis, distance, step)) return;
+        const int slip = slipAmong(solids, state.box, axis, distance.raw > 0);
+        stopped = stopped || slip == 0 || state.slip == -slip;
+        if (slip == 0) return;
+        state.slip = slip;
+        const bool alongX = axis == &Offset::x;
+        const Coordinate done = alongX ? state.box.west - from.west : state.box.north - from.north;
+        const Coordinate half = {(distance - done).raw / 2};
+        advanceAmong(solids, state, alongX ? &Offset::y : &Offset::x, {slip * half.raw}, step);
+        advanceAmong(solids, state, axis, half, step);
+    };
     const std::int64_t parts = partsOf(distanceX, distanceY);
     for (std::int64_t i = 0; i < parts; ++i) {
-        const Coordinate x = partOf(distanceX, i, parts);
-        const Coordinate y = partOf(distanceY, i, parts);
-        if (x.raw != 0 && !advanceAmong(solids, state, &Offset::x, x, step)) state.stoppedX = true;
-        if (y.raw != 0 && !advanceAmong(solids, state, &Offset::y, y, step)) state.stoppedY = true;
+        go(&Offset::x, partOf(distanceX, i, parts), state.stoppedX);
+        go(&Offset::y, partOf(distanceY, i, parts), state.stoppedY);
     }
     return state;
 }

@@ -59,11 +59,13 @@ struct Slide {
     Coordinate rise;        // the part of the upward move that was steps
     bool stoppedX = false;  // something solid lay in the way along that axis
     bool stoppedY = false;
+    int slip = 0;  // went along the cut of a half: 1 if x and y grow together along it, or -1
 };
 
 // Moves a free box, wider and deeper than kLongestSlide, sideways, axis by axis, so that it slides
 // along obstacles. If an obstacle's top is at most `step` above its bottom, it steps up there if it
-// has room on the way. The result is free.
+// has room on the way. At the cut of a half, half of the rest of the way goes along each axis. The
+// result is free.
 Slide slide(const World& world, int map, const Box& box, Coordinate distanceX, Coordinate distanceY,
             Coordinate step, bool floats = false);
 

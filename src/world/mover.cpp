@@ -1,6 +1,7 @@
 #include "world/mover.h"
 
 #include "world/body.h"
+#include "world/solids.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -83,7 +84,9 @@ void Move::meet(Body& body) const {
                 for (const Shaft& shaft : mover.shafts) {
                     if (map.cells[map.cellIndex(x, y, shaft.firstLevel)] != shaft.firstPart)
                         continue;
-                    if (edges == MovingEdges::bottom) continue;
+                    if (edges == MovingEdges::bottom ||
+                        !isOver(world.blueprints[shaft.firstPart].plan, x, y, box))
+                        continue;
                     const Extent before = extentOf(shaft, edges, mover.offset);
                     const Extent after = extentOf(shaft, edges, offset);
                     const Coordinate rise = groundOf(after) - groundOf(before);

@@ -110,6 +110,7 @@ void fall(World& world, ObjectMotion& motion) {
 struct Step {
     bool stoppedX = false;
     bool stoppedY = false;
+    int slip = 0;          // see Slide
     bool refused = false;  // not moved: at a ledge, or pushed off its line
 };
 
@@ -119,13 +120,14 @@ Step walk(World& world, ObjectMotion& motion, GroundPoint way) {
     const Traveller before = travellerOf(motion, object);
     Traveller body = before;
     const Travelled done = slide(world, body, way.x, way.y, kStepHeight);
-    Step step = {.stoppedX = done.stoppedX, .stoppedY = done.stoppedY};
+    Step step = {.stoppedX = done.stoppedX, .stoppedY = done.stoppedY, .slip = done.slip};
     // A pacer keeps to its line. A wanderer with a limited reach must pass a portal on a straight
     // way, because its home moves by the same way.
     const bool straight =
         motion.kind == ObjectMotion::Kind::pace || (body.leaps > 0 && motion.reach.raw > 0);
-    step.refused = (straight && (step.stoppedX || step.stoppedY)) || !comeDown(world, body) ||
-                   isTooDeep(world, object, before, body);
+    const bool isAside = step.stoppedX || step.stoppedY || step.slip != 0;
+    step.refused =
+        (straight && isAside) || !comeDown(world, body) || isTooDeep(world, object, before, body);
     if (step.refused) {
         body = before;
         motion.onGround = comeDown(world, body);
@@ -151,6 +153,8 @@ void wander(World& world, ObjectMotion& motion) {
              motion.headingDegrees + 180.0 + motion.random.between(-kTurnAtLedge, kTurnAtLedge));
         return;
     }
+    // Back from a cut as from a mirror
+    if (step.slip != 0) face(motion, (step.slip > 0 ? 90.0 : 270.0) - motion.headingDegrees);
     const Object& object = movedObject(world, motion);
     if (step.stoppedX || isOutward(object.x - motion.homeX, motion.wayX, motion.reach))
         face(motion, 180.0 - motion.headingDegrees);
@@ -199,7 +203,7 @@ void circle(World& world, ObjectMotion& motion) {
     const GroundPoint way = {next.x - object.x, next.y - object.y};
     Traveller body = travellerOf(motion, object);
     const Travelled done = slide(world, body, way.x, way.y, {});
-    if (done.stoppedX || done.stoppedY) {
+    if (done.stoppedX || done.stoppedY || done.slip != 0) {
         motion.back = !motion.back;
     } else {
         motion.phase = phase;

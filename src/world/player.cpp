@@ -131,7 +131,7 @@ void easeEye(const World& world, Player& player) {
 }
 
 // Slides sideways by the velocity, over steps of at most `step`. Obstacles cancel the velocity on
-// their axis. On steps the eye lags behind.
+// their axis, cuts of halves what is across them. On steps the eye lags behind.
 Travelled slidePlayer(const World& world, Player& player, Coordinate step) {
     Traveller body = travellerOf(player);
     const Travelled way = slide(world, body, toCoordinate(player.velocityX * kStepSeconds),
@@ -139,6 +139,10 @@ Travelled slidePlayer(const World& world, Player& player, Coordinate step) {
     put(player, body);
     if (way.stoppedX) player.velocityX = 0.0;
     if (way.stoppedY) player.velocityY = 0.0;
+    if (way.slip != 0 && !way.stoppedX && !way.stoppedY) {
+        player.velocityX = 0.5 * (player.velocityX + way.slip * player.velocityY);
+        player.velocityY = way.slip * player.velocityX;
+    }
     return way;
 }
 
@@ -322,7 +326,9 @@ double climbingSpeed(const World& world, const Player& player, Vector wished, Tr
                      Coordinate highest) {
     const double x = std::abs(wished.x);
     const double y = std::abs(wished.y);
-    if (!(stopped.stoppedX && x > y) && !(stopped.stoppedY && y > x)) return 0.0;
+    const bool slipped = stopped.slip != 0;
+    if (!((stopped.stoppedX || slipped) && x > y) && !((stopped.stoppedY || slipped) && y > x))
+        return 0.0;
     Traveller climber = travellerOf(player);
     const Coordinate way = kLongestSlide;
     const Travelled climbed =

@@ -7,26 +7,69 @@
 namespace slicecast {
 namespace {
 
-// Calls met(solid) for the solid things above the box's place.
-void visitBox(const Solids& solids, const Box& box, Visitor<const Box&> met) {
+// What a box meets of a thing in a tile.
+struct Obstacle {
+    Box box;
+    int x;
+    int y;
+    Half half;
+};
+
+// What a box meets of a plan while it goes along one axis, or up or down. The corner of the box
+// that is nearest to a cut meets it, so to this box a half ends where the cut is at that corner:
+//
+//     +.
+//     | `+---+
+//     |  |box|  goes west, or south
+//     +--+---+
+Box reachOf(const Plan& plan, int x, int y, const Box& box, bool alongX) {
+    Box reach = {tileEdge(x) + plan.west,
+                 tileEdge(x) + plan.east,
+                 tileEdge(y) + plan.north,
+                 tileEdge(y) + plan.south,
+                 {},
+                 {}};
+    if (plan.half == Half::none) return reach;
+    const auto within = [](Coordinate at, int tile) {
+        return std::clamp(at - tileEdge(tile), Coordinate{0}, tileEdge(1));
+    };
+    const bool isEast = isEastern(plan.half);
+    const bool isSouth = isSouthern(plan.half);
+    const Coordinate corner = alongX ? within(isSouth ? box.south : box.north, y)
+                                     : within(isEast ? box.east : box.west, x);
+    const Coordinate end = isCutFalling(plan.half) ? corner : tileEdge(1) - corner;
+    if (alongX) {
+        (isEast ? reach.west : reach.east) = tileEdge(x) + end;
+    } else {
+        (isSouth ? reach.north : reach.south) = tileEdge(y) + end;
+    }
+    return reach;
+}
+
+bool overlapOnGround(const Box& a, const Box& b) {
+    return a.west < b.east && a.east > b.west && a.north < b.south && a.south > b.north;
+}
+
+// Calls met() for the solid things above the box's place that it meets along an axis.
+void visitBox(const Solids& solids, const Box& box, bool alongX, Visitor<const Obstacle&> met) {
     const SolidRange columns = reached(box.west, box.east);
     const SolidRange rows = reached(box.north, box.south);
     for (int y = rows.first; y <= rows.last; ++y) {
         for (int x = columns.first; x <= columns.last; ++x) {
             solids.visit(x, y, box.bottom, box.top,
                          [&](Coordinate bottom, Coordinate top, const Plan& plan) {
-                             const Box solid = {tileEdge(x) + plan.west,
-                                                tileEdge(x) + plan.east,
-                                                tileEdge(y) + plan.north,
-                                                tileEdge(y) + plan.south,
-                                                bottom,
-                                                top};
-                             if (solid.west < box.east && solid.east > box.west &&
-                                 solid.north < box.south && solid.south > box.north)
-                                 met(solid);
+                             Box solid = reachOf(plan, x, y, box, alongX);
+                             solid.bottom = bottom;
+                             solid.top = top;
+                             if (overlapOnGround(solid, box)) met({solid, x, y, plan.half});
                          });
         }
     }
+}
+
+// The same for a box that goes up or down, or stays where it is.
+void visitBox(const Solids& solids, const Box& box, Visitor<const Box&> met) {
+    visitBox(solids, box, true, [&](const Obstacle& obstacle) { met(obstacle.box); });
 }
 
 // How far the box gets along an axis whose ends are `low` and `high`.
@@ -37,7 +80,8 @@ Coordinate sweepAcross(const Solids& solids, const Box& box, Coordinate distance
     Box way = box;
     way.*low = isUp ? box.*high : end;
     way.*high = isUp ? end : box.*low;
-    visitBox(solids, way, [&](const Box& solid) {
+    visitBox(solids, way, low == &Box::west, [&](const Obstacle& obstacle) {
+        const Box& solid = obstacle.box;
         if (solid.bottom >= box.top || solid.top <= box.bottom) return;
         if (isUp && solid.*low >= box.*high) end = std::min(end, solid.*low);
         if (!isUp && solid.*high <= box.*low) end = std::max(end, solid.*high);
@@ -45,7 +89,21 @@ Coordinate sweepAcross(const Solids& solids, const Box& box, Coordinate distance
     return end - (isUp ? box.*high : box.*low);
 }
 
+// Whether a box that goes along an axis meets the cut of a half: not a side, and not a corner.
+bool isAtCut(const Obstacle& obstacle, const Box& box, bool alongX, bool isUp) {
+    const auto& [solid, x, y, half] = obstacle;
+    const bool isEast = isEastern(half);
+    const bool isSouth = isSouthern(half);
+    if (half == Half::none || isUp != (alongX ? isEast : isSouth)) return false;
+    if (alongX) return isSouth ? box.south <= tileEdge(y + 1) : box.north >= tileEdge(y);
+    return isEast ? box.east <= tileEdge(x + 1) : box.west >= tileEdge(x);
+}
+
 }  // namespace
+
+bool isOver(const Plan& plan, int x, int y, const Box& box) {
+    return overlapOnGround(reachOf(plan, x, y, box, true), box);
+}
 
 void MapSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const {
     if (!map_.contains(x, y)) return met(Coordinate{-kBoundless.raw}, kBoundless, kWholeTile);
@@ -117,6 +175,22 @@ std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, C
         if (bottom == raised.bottom) return rise;
         raised = moved(box, {.x = {}, .y = {}, .z = rise});
     }
+}
+
+int slipAmong(const Solids& solids, const Box& box, Coordinate Offset::*axis, bool isUp) {
+    const bool alongX = axis == &Offset::x;
+    Offset further;
+    further.*axis = {isUp ? 1 : -1};
+    const Box next = moved(box, further);
+    bool isMet[] = {false, false, false};  // by a rising cut, by something else, by a falling cut
+    visitBox(solids, next, alongX, [&](const Obstacle& obstacle) {
+        if (obstacle.box.bottom >= box.top || obstacle.box.top <= box.bottom) return;
+        const int slip = !isAtCut(obstacle, box, alongX, isUp) ? 0
+                         : isCutFalling(obstacle.half)         ? 1
+                                                               : -1;
+        isMet[slip + 1] = true;
+    });
+    return isMet[1] || isMet[0] == isMet[2] ? 0 : isMet[2] ? 1 : -1;
 }
 
 // #region advance

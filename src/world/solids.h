@@ -41,6 +41,9 @@ private:
     void (*call_)(const void*, Arguments...);
 };
 
+// Whether a box that reaches into tile (x, y) is over a part of the plan there, or under it.
+bool isOver(const Plan& plan, int x, int y, const Box& box);
+
 // For a solid thing in a tile: its bottom, its top, and what it fills of the tile.
 using Meeting = Visitor<Coordinate, Coordinate, const Plan&>;
 
@@ -75,6 +78,10 @@ Coordinate sweepXAmong(const Solids& solids, const Box& box, Coordinate distance
 Coordinate sweepYAmong(const Solids& solids, const Box& box, Coordinate distance);
 Coordinate sweepZAmong(const Solids& solids, const Box& box, Coordinate distance);
 std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, Coordinate limit);
+
+// Whether only cuts of halves, all alike, stop a box that goes further along an axis: 1 if x and y
+// grow together along them, -1 if one grows while the other shrinks, else 0.
+int slipAmong(const Solids& solids, const Box& box, Coordinate Offset::*axis, bool isUp);
 
 // One part of a slide along one axis, at most kLongestSlide long, over a step if needed. True if it
 // got all the way.

@@ -176,8 +176,8 @@ struct Stretch {
 };
 
 // One part of a slide. Goes through everything on the way: each time to the border of the eye's
-// tile, then over it.
-void go(const World& world, Traveller& body, Stretch way, Coordinate step, Travelled& done) {
+// tile, then over it. Returns what is left of the way when something stops it.
+Stretch go(const World& world, Traveller& body, Stretch way, Coordinate step, Travelled& done) {
     while (way.length().raw != 0) {
         const bool alongX = way.isAlongX();
         const auto axis = alongX ? &Offset::x : &Offset::y;
@@ -197,18 +197,19 @@ void go(const World& world, Traveller& body, Stretch way, Coordinate step, Trave
             Slide state;
             state.box = body.box;
             const bool whole = advanceAmong(solids, state, axis, part, step);
-            eye =
-                eye + (alongX ? state.box.west - body.box.west : state.box.north - body.box.north);
+            const Coordinate gone =
+                alongX ? state.box.west - body.box.west : state.box.north - body.box.north;
+            eye = eye + gone;
             body.box = state.box;
             done.rise = done.rise + state.rise;
             if (!whole) {
-                (alongX ? done.stoppedX : done.stoppedY) = true;
+                (alongX ? way.x : way.y) = all - gone;
                 leaveThreshold(body);
-                return;
+                return way;
             }
         }
         leaveThreshold(body);
-        if (!crosses) return;
+        if (!crosses) return {};
 
         // Over its border
         Offset over;
@@ -222,17 +223,43 @@ void go(const World& world, Traveller& body, Stretch way, Coordinate step, Trave
         const Offset inwards = enterTile(world, candidate, tile, side);
         const int turn = (candidate.turn - body.turn + 4) % 4;
         if (!arrive(world, body, candidate, step, done.rise)) {
-            (alongX ? done.stoppedX : done.stoppedY) = true;
-            return;
+            (alongX ? way.x : way.y) = all - part;
+            return way;
         }
         way.x = way.x - part - over.x;
         way.y = {};
         if (!alongX) way = {.x = {}, .y = all - part - over.y};
         turnArrow(turn, way.x, way.y);
-        if (turn % 2 != 0) std::swap(done.stoppedX, done.stoppedY);
+        if (turn % 2 != 0) {
+            std::swap(done.stoppedX, done.stoppedY);
+            done.slip = -done.slip;
+        }
         if (way.x.raw != 0) way.x = way.x - inwards.x;
         if (way.y.raw != 0) way.y = way.y - inwards.y;
     }
+    return {};
+}
+
+// The same, and along the cuts of halves.
+void goOrSlip(const World& world, Traveller& body, Stretch way, Coordinate step, Travelled& done) {
+    const Stretch left = go(world, body, way, step, done);
+    if (left.length().raw == 0) return;
+    const bool alongX = left.isAlongX();
+    const int slip = slipAmong(PortalSolids(world, body), body.box,
+                               alongX ? &Offset::x : &Offset::y, left.length().raw > 0);
+    bool& stopped = alongX ? done.stoppedX : done.stoppedY;
+    stopped = stopped || slip == 0 || done.slip == -slip;
+    if (slip == 0) return;
+    done.slip = slip;
+    const Coordinate half = {left.length().raw / 2};
+    Coordinate x = alongX ? Coordinate{} : Coordinate{slip * half.raw};
+    Coordinate y = alongX ? Coordinate{slip * half.raw} : Coordinate{};
+    const int before = body.turn;
+    go(world, body, {x, y}, step, done);
+    x = alongX ? half : Coordinate{};
+    y = alongX ? Coordinate{} : half;
+    turnArrow((body.turn - before + 4) % 4, x, y);
+    go(world, body, {x, y}, step, done);
 }
 
 }  // namespace
@@ -261,7 +288,8 @@ Travelled slide(const World& world, Traveller& body, Coordinate distanceX, Coord
         body.eye.x = body.eye.x + way.box.west - body.box.west;
         body.eye.y = body.eye.y + way.box.north - body.box.north;
         body.box = way.box;
-        return {.rise = way.rise, .stoppedX = way.stoppedX, .stoppedY = way.stoppedY};
+        return {
+            .rise = way.rise, .stoppedX = way.stoppedX, .stoppedY = way.stoppedY, .slip = way.slip};
     }
     Travelled done;
     const int before = body.turn;
@@ -269,7 +297,7 @@ Travelled slide(const World& world, Traveller& body, Coordinate distanceX, Coord
     for (std::int64_t i = 0; i < parts; ++i) {
         const auto walk = [&](Coordinate x, Coordinate y) {
             turnArrow((body.turn - before + 4) % 4, x, y);
-            go(world, body, {x, y}, step, done);
+            goOrSlip(world, body, {x, y}, step, done);
         };
         walk(partOf(distanceX, i, parts), {});
         walk({}, partOf(distanceY, i, parts));

@@ -49,6 +49,7 @@ struct Travelled {
     Coordinate rise;  // part of the box's upward move that was steps; the eye stays at its height
     bool stoppedX = false;
     bool stoppedY = false;
+    int slip = 0;  // see Slide
 };
 
 // True if nothing solid reaches into the box, on either side of a portal.

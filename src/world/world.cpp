@@ -41,4 +41,10 @@ void markPortals(World& world) {
     }
 }
 
+void markPlans(World& world) {
+    world.hasPlans =
+        std::any_of(world.blueprints.begin(), world.blueprints.end(),
+                    [](const CellBlueprint& blueprint) { return !blueprint.plan.isWhole(); });
+}
+
 }  // namespace slicecast

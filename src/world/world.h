@@ -52,7 +52,8 @@ struct World {
     std::vector<Gate> gates;            // see makeGates
     std::vector<Encounter> encounters;  // of the present step, see findEncounters
     Start start;
-    double seconds = 0.0;  // since the world began; drives animated textures
+    double seconds = 0.0;   // since the world began; drives animated textures
+    bool hasPlans = false;  // a blueprint fills only a part of its tile; set by markPlans
 
 private:
     World(const World&) = default;
@@ -75,5 +76,8 @@ void markSeeThrough(World& world);
 
 // Sets CellBlueprint::hasPortals. Portals must be complete.
 void markPortals(World& world);
+
+// Sets World::hasPlans. Blueprints must be complete.
+void markPlans(World& world);
 
 }  // namespace slicecast

@@ -1,5 +1,6 @@
 #include "generated_features.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -196,7 +197,56 @@ void addWater(Random& random, World& world) {
     }
 }
 
+// Blocks that fill a part of their tile, or a half of it.
+CellBlueprint anyShape(Random& random, const World& world) {
+    CellBlueprint shape;
+    shape.name = "shape";
+    for (FaceBlueprint& face : shape.faces) {
+        face.texture =
+            static_cast<TextureId>(random.below(static_cast<int>(world.textures.size())));
+        face.light = random.unit();
+    }
+    const auto edge = [&](int low, int high) { return Coordinate{random.between(low, high)}; };
+    switch (random.below(2)) {
+        case 0:
+            shape.plan.west = edge(0, 30000);
+            shape.plan.east = edge(35000, 65536);
+            shape.plan.north = edge(0, 30000);
+            shape.plan.south = edge(35000, 65536);
+            break;
+        default:
+            shape.plan.half = static_cast<Half>(random.between(1, 4));
+    }
+    return shape;
+}
+
 }  // namespace
+
+void addShapes(Random& random, World& world) {
+    const int first = static_cast<int>(world.blueprints.size());
+    for (int i = 0; i < 12; ++i) world.blueprints.push_back(anyShape(random, world));
+    for (std::size_t m = 0; m < world.maps.size(); ++m) {
+        Map& map = world.maps[m];
+        const int shapes = map.width * map.depth / 2;
+        for (int i = 0; i < shapes; ++i) {
+            const Cell at = anyCell(random, map);
+            const auto id = static_cast<BlueprintId>(first + random.below(12));
+            const std::size_t tile = map.tileIndex(at.x, at.y);
+            const bool changes = !map.changing.empty() && map.changing[tile] != 0;
+            const bool hasExit =
+                std::any_of(world.portals.begin(), world.portals.end(), [&](const Portal& portal) {
+                    return portal.toMap == static_cast<int>(m) && portal.toX == at.x &&
+                           portal.toY == at.y;
+                });
+            if (changes || hasExit || map.tilePortal(at.x, at.y) != kNoPortal ||
+                world.blueprints[map.cell(at.x, at.y, at.level)].hasPortals)
+                continue;
+            map.setCell(at.x, at.y, at.level, id);
+        }
+    }
+    markPlans(world);
+    markSeeThrough(world);
+}
 
 void addFeatures(Random& random, World& world) {
     addSeeThrough(random, world);

@@ -146,6 +146,7 @@ World generatedWorld(std::uint64_t seed) {
         world.maps.back().name += " " + std::to_string(i);
     }
     if (withFeatures) addFeatures(random, world);
+    if (seed % 4 >= 2) addShapes(random, world);
     world.start.x = {random.between(0, world.maps[0].width * 65536 - 1)};
     world.start.y = {random.between(0, world.maps[0].depth * 65536 - 1)};
     world.start.headingDegrees = random.between(0.0, 360.0);

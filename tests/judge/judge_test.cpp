@@ -161,6 +161,8 @@ TEST(Judge, SmallPictures) {
                          {"plan entered", 60000},
                          {"plan left", 30000},
                          {"plan missed", 500000},
+                         {"cut entered", 20000},
+                         {"cut left", 10000},
                          {"mirror behind a portal", 5000},
                          {"portal behind a mirror", 3000},
                          {"mirrored side", 50000},

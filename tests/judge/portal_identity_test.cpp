@@ -29,6 +29,7 @@ bool isFit(const Scene& scene) {
 // What fills only a part of its tile joins nothing through portals, and has none.
 void fillTiles(World& world) {
     for (CellBlueprint& blueprint : world.blueprints) blueprint.plan = {};
+    markPlans(world);
 }
 
 // A turned block is of another blueprint, so that it does not join the one before the portal; and a

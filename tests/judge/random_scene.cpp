@@ -243,8 +243,11 @@ void narrow(Random& random, World& world, bool coarse) {
         } else if (random.oneIn(3)) {
             edges(block.plan.west, block.plan.east);
             edges(block.plan.north, block.plan.south);
+        } else if (random.oneIn(3)) {
+            block.plan.half = static_cast<Half>(random.between(1, 4));
         }
     }
+    markPlans(world);
 }
 
 // Some of the still blocks become water, which may lack faces; numbers of their own, so that the
@@ -261,6 +264,7 @@ void flood(Random& random, World& world) {
             if (face.mirror == 0 && random.oneIn(3)) face.texture = kNoTexture;
         }
     }
+    markPlans(world);
 }
 
 // The eye somewhere in water, if there is some. Most of the time the whole levels above are water
@@ -309,6 +313,25 @@ bool insideBlock(const World& world, const View& view) {
     if (id == kEmptyCell) return false;
     const Coordinate height = view.z - tileEdge(level);
     return height >= world.blueprints[id].bottom && height < world.blueprints[id].top;
+}
+
+// From along a border to along a cut, by an eighth turn: the middle ray passes from corner to
+// corner. Edges of plans and cuts across the way would be borders between texels there, so there
+// are only halves that are cut along it.
+void turnAlongCut(Random& random, Scene& scene, bool isFalling) {
+    std::vector<CellBlueprint>& blocks = scene.world.blueprints;
+    for (std::size_t i = 1; i < blocks.size(); ++i) {
+        blocks[i].plan = blocks[blocks[i].origin].plan;
+        Half half = static_cast<Half>(random.between(0, 4));
+        if (isCutFalling(half) != isFalling) half = Half::none;
+        if (blocks[i].origin == kEmptyCell) blocks[i].plan.half = half;
+        if (blocks[i].isWater || blocks[i].hasPortals) blocks[i].plan = {};
+    }
+    markPlans(scene.world);
+    View& view = scene.view;
+    view.headingDegrees += 45.0;
+    const int x = view.x.raw & 0xffff;
+    view.y = {tileEdge(view.y.tile()).raw + (isFalling ? x : (65536 - x) & 0xffff)};
 }
 
 }  // namespace
@@ -396,6 +419,7 @@ Scene alongBorderScene(std::uint64_t seed, int width, int height) {
     view.headingDegrees = 90.0 * quarter + random.between(-2, 2) * kRounding;
     Coordinate& across = quarter % 2 == 0 ? view.y : view.x;
     across = tileEdge(across.tile());
+    if (random.oneIn(4)) turnAlongCut(random, scene, quarter % 2 == 0);
     return scene;
 }
 

@@ -17,6 +17,15 @@ Face leftFace(Tile step) {
     return enteredFace({-step.x, -step.y});
 }
 
+double inverse(double number) {
+    return number == 0.0 ? 0.0 : 1.0 / number;
+}
+
+// A cut counts as the side that looks north or south as it does.
+Face faceOfCut(Half half) {
+    return half == Half::southEast || half == Half::southWest ? Face::north : Face::south;
+}
+
 }  // namespace
 
 void Tracer::look(double x, double y, std::vector<Sight>& sights, Notes* notes) const {
@@ -96,27 +105,49 @@ bool Tracer::Walk::isAboveAtStart(double height, Edge edge) const {
     return edge == Edge::top || (edge == Edge::plane && falls());
 }
 
-Border Tracer::Walk::nextBorder() const {
+// The border by which the ray leaves the tile.
+Border Tracer::Walk::tileBorder() const {
     const auto meetingOn = [](int tile, double eye, double direction) {
         return direction > 0.0   ? Meeting{tile + 1 - eye, direction}
                : direction < 0.0 ? Meeting{eye - tile, -direction}
                                  : Meeting{kNever, 1.0};
     };
-    const Meeting x = meetingOn(tile_.x, eye_.x, direction_.x);
-    const Meeting y = meetingOn(tile_.y, eye_.y, direction_.y);
-    const bool alongX = x.along() < y.along() || (x.along() == y.along() && direction_.x > 0.0);
-    Border next = alongX
-                      ? Border{x, x.along(), {direction_.x > 0.0 ? 1 : -1, 0}, direction_.x > 0.0}
-                      : Border{y, y.along(), {0, direction_.y > 0.0 ? 1 : -1}, direction_.y > 0.0};
+    Border x;
+    x.meeting = meetingOn(tile_.x, eye_.x, direction_.x);
+    x.along = x.meeting.along();
+    x.step = {direction_.x > 0.0 ? 1 : -1, 0};
+    x.early = direction_.x > 0.0;
+    x.sooner[0] = inverse(direction_.x);
+    Border y;
+    y.meeting = meetingOn(tile_.y, eye_.y, direction_.y);
+    y.along = y.meeting.along();
+    y.step = {0, direction_.y > 0.0 ? 1 : -1};
+    y.early = direction_.y > 0.0;
+    y.sooner[1] = inverse(direction_.y);
+    return isBefore(y, x) ? y : x;
+}
+
+Border Tracer::Walk::nextBorder() const {
+    Border next = tileBorder();
+    const auto consider = [&](const Border& edge) {
+        if (isPassed(edge)) return;
+        // A cut is crossed within the tile, so before its border
+        const bool isCut = edge.cut != Half::none && !next.inner;
+        if (isCut ? edge.along <= next.along : isBefore(edge, next)) next = edge;
+    };
     const Tile at = place_.tileOf(tile_);
     for (int level = 0; map().contains(at.x, at.y) && level < map().levels; ++level) {
         const BlueprintId id = map().cell(at.x, at.y, level);
         if (id == kEmptyCell || isWhole(id)) continue;
+        if (const Half half = halfOf(id, place_); half != Half::none) {
+            const HalfPass pass = passHalf(half);
+            if (pass.begins != pass.ends) consider(pass.cut);
+            continue;
+        }
         for (const bool axis : {true, false}) {
             const PlanEdges edges = planEdges(blueprint(id).plan, place_, tile_, axis);
-            for (const Border& edge : {edges.near, edges.far}) {
-                if (!isPassed(edge) && isBefore(edge, next)) next = edge;
-            }
+            consider(edges.near);
+            consider(edges.far);
         }
     }
     return next;
@@ -138,6 +169,7 @@ Tracer::Walk::PlanEdges Tracer::Walk::planEdges(const Plan& plan, const Place& p
             return border;
         }
         border.meeting = {direction > 0.0 ? way : -way, std::abs(direction)};
+        border.sooner[alongX ? 0 : 1] = 1.0 / direction;
         border.along = border.meeting.along();
         border.early = direction > 0.0;
         const int step = direction > 0.0 ? 1 : -1;
@@ -149,21 +181,60 @@ Tracer::Walk::PlanEdges Tracer::Walk::planEdges(const Plan& plan, const Place& p
     return direction < 0.0 ? PlanEdges{high, low} : PlanEdges{low, high};
 }
 
-// The eye counts as a little further east, and less further south: at one depth, what is crossed
-// eastward comes first, and what is crossed westward last.
+Half Tracer::Walk::halfOf(BlueprintId id, const Place& place) const {
+    return slicecast::turned(blueprint(id).plan, 4 - place.turn).half;
+}
+
+// The ray is in a half at the borders that are the half's sides. In the eye's tile the eye's own
+// side of the cut counts; on the cut it counts as east of it.
+Tracer::Walk::HalfPass Tracer::Walk::passHalf(Half half) const {
+    const bool isEast = half == Half::northEast || half == Half::southEast;
+    const bool isSouth = half == Half::southEast || half == Half::southWest;
+    const auto isSide = [&](Face face) {
+        return face == (isEast ? Face::east : Face::west) ||
+               face == (isSouth ? Face::south : Face::north);
+    };
+    const double x = eye_.x - tile_.x;
+    const double y = eye_.y - tile_.y;
+    // How far the eye is on the side towards which the cut looks eastward
+    const double eyeEast = isEast == isSouth ? x + y - 1.0 : x - y;
+    const double fast =
+        isEast == isSouth ? direction_.x + direction_.y : direction_.x - direction_.y;
+    const Border leave = tileBorder();
+    HalfPass pass;
+    pass.begins = isEyeTile_ ? (eyeEast >= 0.0) == isEast : isSide(enteredFace(tileEnter_.step));
+    pass.ends = isSide(leftFace(leave.step));
+    if (pass.begins == pass.ends) return pass;
+    Border& cut = pass.cut;
+    cut.inner = true;
+    cut.cut = half;
+    const Meeting start = isEyeTile_ ? Meeting{} : tileEnter_.meeting;
+    cut.meeting = fast == 0.0 ? start : Meeting{std::abs(eyeEast), std::abs(fast)};
+    // Between the borders, whatever the quotient says
+    if (cut.meeting.along() < start.along()) cut.meeting = start;
+    if (cut.meeting.along() > leave.along) cut.meeting = leave.meeting;
+    cut.along = cut.meeting.along();
+    cut.sooner[0] = inverse(fast);
+    cut.sooner[1] = isEast == isSouth ? inverse(fast) : -inverse(fast);
+    cut.early = fast > 0.0;
+    return pass;
+}
+
+// The eye counts as a little further east, and less further south: at one depth, what is met much
+// sooner by this comes first.
 bool Tracer::Walk::isBefore(const Border& a, const Border& b) const {
     if (a.along != b.along) return a.along < b.along;
-    const bool aAlongX = a.step.x != 0;
-    const bool bAlongX = b.step.x != 0;
-    return aAlongX != bAlongX && aAlongX == (direction_.x > 0.0);
+    return std::lexicographical_compare(b.sooner, b.sooner + 2, a.sooner, a.sooner + 2);
 }
 
 // Whether the ray has crossed an edge before it is where it begins in the tile.
 bool Tracer::Walk::isPassed(const Border& edge) const {
     switch (start_) {
         case Start::eye:
+            if (edge.cut != Half::none) return false;
             return edge.along < 0.0 || (edge.along == 0.0 && edge.early);
         case Start::border:
+            if (edge.cut != Half::none && !enter_.inner) return false;
             return !isBefore(enter_, edge);
         case Start::portal:
         case Start::mirror:
@@ -175,6 +246,10 @@ bool Tracer::Walk::isPassed(const Border& edge) const {
 // Whether the block is where the ray begins in the tile.
 bool Tracer::Walk::isHere(BlueprintId id) const {
     if (isWhole(id)) return true;
+    if (const Half half = halfOf(id, place_); half != Half::none) {
+        const HalfPass pass = passHalf(half);
+        return pass.begins == pass.ends || !isPassed(pass.cut) ? pass.begins : pass.ends;
+    }
     for (const bool alongX : {true, false}) {
         const PlanEdges edges = planEdges(blueprint(id).plan, place_, tile_, alongX);
         if (!isPassed(edges.near) || isPassed(edges.far)) return false;
@@ -182,10 +257,28 @@ bool Tracer::Walk::isHere(BlueprintId id) const {
     return true;
 }
 
+// Whether the block, where the ray is, begins at a border or an edge.
+bool Tracer::Walk::beginsAt(const Border& border, BlueprintId id) const {
+    if (!border.inner) return true;
+    if (isWhole(id)) return false;
+    const Half half = halfOf(id, place_);
+    if (half == Half::none || border.cut == Half::none)
+        return half == border.cut &&
+               planEdges(blueprint(id).plan, place_, tile_, border.step.x != 0).near.along ==
+                   border.along;
+    const HalfPass pass = passHalf(half);
+    return isCutFalling(half) == isCutFalling(border.cut) && !pass.begins && pass.ends;
+}
+
 // Whether the block is where the ray crosses a border into its tile.
 bool Tracer::Walk::isBehind(BlueprintId id, const Place& place, Tile tile,
                             const Border& border) const {
     if (isWhole(id)) return true;
+    if (const Half half = halfOf(id, place); half != Half::none) {
+        const Tile step = border.step;
+        return step.x != 0 ? (step.x < 0) == (half == Half::northEast || half == Half::southEast)
+                           : (step.y < 0) == (half == Half::southEast || half == Half::southWest);
+    }
     for (const bool alongX : {true, false}) {
         const PlanEdges edges = planEdges(blueprint(id).plan, place, tile, alongX);
         if (isBefore(border, edges.near) || !isBefore(border, edges.far)) return false;
@@ -197,11 +290,20 @@ bool Tracer::Walk::isBehind(BlueprintId id, const Place& place, Tile tile,
 bool Tracer::Walk::leaveEdge(const Border& edge) {
     if (inside_ != kNoLevel) {
         const CellBlueprint& block = blueprint(map().cell(mapTile_.x, mapTile_.y, inside_));
-        const Border far = planEdges(block.plan, place_, tile_, edge.step.x != 0).far;
-        if (far.along == edge.along && edge.along > 0.0 && !block.plan.isWhole()) {
+        const bool isCut = edge.cut != Half::none;
+        const bool isHalf = block.plan.half != Half::none;
+        // Of two halves with one cut the ray is in one
+        const bool ends =
+            isCut == isHalf &&
+            (isHalf
+                 ? isCutFalling(halfOf(map().cell(mapTile_.x, mapTile_.y, inside_), place_)) ==
+                       isCutFalling(edge.cut)
+                 : planEdges(block.plan, place_, tile_, edge.step.x != 0).far.along == edge.along);
+        if (ends && edge.along > 0.0 && !block.plan.isWhole()) {
             const Tile mapStep = Place::turned(edge.step, place_.turn);
-            note(Note::planLeft);
-            pushFace(block, inside_, leftFace(mapStep), edge.meeting, true);
+            note(isHalf ? Note::cutLeft : Note::planLeft);
+            pushFace(block, inside_, isHalf ? faceOfCut(block.plan.half) : leftFace(mapStep),
+                     edge.meeting, true);
             if (!block.seeThrough) return false;
         }
     }
@@ -319,15 +421,12 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
         const double top = level - place_.levels + block.top.value();
         if (isAboveAtStart(bottom, Edge::bottom) && !isAboveAtStart(top, Edge::top)) {
             // At an edge within the tile, blocks that do not begin there go on.
-            const bool begins =
-                start_ == Start::border &&
-                (!enter_.inner ||
-                 (!isWhole(id) &&
-                  planEdges(block.plan, place_, tile_, enter_.step.x != 0).near.along ==
-                      enter_.along));
+            const bool begins = start_ == Start::border && beginsAt(enter_, id);
             if (begins && enter_.along > 0.0) {
-                const Face entered = enteredFace(Place::turned(enter_.step, place_.turn));
-                if (enter_.inner) note(Note::planEntered);
+                const bool isCut = enter_.cut != Half::none;
+                const Face entered = isCut ? faceOfCut(block.plan.half)
+                                           : enteredFace(Place::turned(enter_.step, place_.turn));
+                if (enter_.inner) note(isCut ? Note::cutEntered : Note::planEntered);
                 if (!(arrived_ ? joinThrough(left_, id) : join(left_, id))) {
                     if (block.face(entered).portal != kNoPortal)
                         note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
@@ -543,7 +642,8 @@ bool Tracer::Walk::leaveTile(const Border& leave) {
     }
     tile_ = next;
     start_ = Start::border;
-    enter_ = leave;
+    enter_ = tileEnter_ = leave;
+    isEyeTile_ = false;
     left_ = left;
     return true;
 }

@@ -107,6 +107,8 @@ enum class Note : std::uint8_t {
     planEntered,    // a block entered through an edge within its tile
     planLeft,       // and left through one
     planMissed,     // a block in a tile that the ray passed beside it
+    cutEntered,     // a half entered through its cut
+    cutLeft,        // and left through it
     count
 };
 using Notes = std::bitset<static_cast<std::size_t>(Note::count)>;

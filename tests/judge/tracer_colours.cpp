@@ -195,7 +195,9 @@ const char* nameOf(Note note) {
                                          "no face",
                                          "plan entered",
                                          "plan left",
-                                         "plan missed"};
+                                         "plan missed",
+                                         "cut entered",
+                                         "cut left"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Note::count));
     return kNames[static_cast<std::size_t>(note)];
 }

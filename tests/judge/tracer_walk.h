@@ -29,6 +29,10 @@ struct Border {
     Tile step;  // the way across it
     bool early = false;
     bool inner = false;  // within a tile
+    Half cut =
+        Half::none;  // the half beyond, of the tile as the ray sees it; then there is no step
+    // How much sooner it is met if the eye moves on by a unit, eastward and southward.
+    double sooner[2] = {0.0, 0.0};
 };
 
 // One ray on its way. Tiles, points and heights are in the ray's own coordinates (those of the
@@ -83,11 +87,22 @@ private:
         Border far;
     };
     PlanEdges planEdges(const Plan& plan, const Place& place, Tile tile, bool alongX) const;
+    // How the ray passes a half of its tile: whether it is in it where it enters the tile and where
+    // it leaves it; if the two differ, it crosses the cut between.
+    struct HalfPass {
+        bool begins = false;
+        bool ends = false;
+        Border cut;
+    };
+    Half halfOf(BlueprintId id, const Place& place) const;  // as the ray sees it
+    HalfPass passHalf(Half half) const;
+    Border tileBorder() const;
     bool isBefore(const Border& a, const Border& b) const;
     bool isPassed(const Border& edge) const;
     bool isHere(BlueprintId id) const;
     bool isBehind(BlueprintId id, const Place& place, Tile tile, const Border& border) const;
     bool isWhole(BlueprintId id) const { return blueprint(id).plan.isWhole(); }
+    bool beginsAt(const Border& border, BlueprintId id) const;
     bool leaveEdge(const Border& edge);
 
     const Map& map() const { return mapOf(place_); }
@@ -162,6 +177,8 @@ private:
     bool reflected_ = false;
     Start start_ = Start::eye;
     Border enter_;
+    Border tileEnter_;       // the border by which the ray came into the tile
+    bool isEyeTile_ = true;  // there is none
     double startHeight_ = 0.0;
     BlueprintId left_ = kEmptyCell;  // the block that the ray left where it entered the tile
     int inside_ = kNoLevel;          // the level of the block that it is in

@@ -204,6 +204,18 @@ TEST(Library, SavesPictures) {
     EXPECT_NE(saveImage(Image(1, 1), file / "in-no-folder.png"), "");
 }
 
+// West of the wall the corridor is blocked by halves, whose cuts the player slides along.
+TEST(SceneBuilder, CutsBlocksFromCornerToCorner) {
+    Corridor c;
+    const SceneBuilder::Block half =
+        c.builder.block({.name = "half", .texture = c.grey, .diagonal = Half::southEast});
+    c.builder.fill(c.map, {.x = 3, .y = 1}, half);
+    Game game(std::move(c.build().scene).value());
+    for (int i = 0; i < 240; ++i) game.step({.forward = 1.0});
+    EXPECT_GT(game.camera().x, 3.0);
+    EXPECT_LT(game.camera().y, 1.0);
+}
+
 TEST(SceneBuilder, ReportsFaults) {
     EXPECT_EQ(Corridor().fault(), "0 faults");
     {

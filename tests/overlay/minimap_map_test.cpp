@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 namespace slicecast {
@@ -88,6 +90,34 @@ TEST(MinimapMap, DrawsPlans) {
     kept.draw();
     kept.world.blueprints[kWall].plan.east = toCoordinate(0.25);
     kept.draw();
+}
+
+// Of the four halves of a tile, two opposite ones share only the pixels along the cut.
+TEST(MinimapMap, DrawsHalves) {
+    Kept kept;
+    kept.eye.headingDegrees = 270.0;
+    const auto picture = [&](Half half) {
+        kept.world.blueprints[kWall].plan.half = half;
+        Canvas canvas(kept.width, kept.height);
+        Minimap().draw(kept.world, kept.eye, kept.options, canvas.picture);
+        return canvas.image;
+    };
+    const Image whole = picture(Half::none);
+    const std::array<Image, 4> halves = {picture(Half::northEast), picture(Half::southEast),
+                                         picture(Half::southWest), picture(Half::northWest)};
+    kept.world.maps[0].setCell(20, 13, 0, kEmpty);
+    const Image none = picture(Half::none);
+    std::array<int, 4> count = {};
+    int shared = 0;
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+        const auto isIn = [&](std::size_t half) {
+            return whole.pixels[i] != none.pixels[i] && halves[half].pixels[i] == whole.pixels[i];
+        };
+        for (std::size_t half = 0; half < 4; ++half) count[half] += isIn(half);
+        shared += (isIn(0) && isIn(2)) || (isIn(1) && isIn(3));
+    }
+    for (const int pixels : count) EXPECT_GT(pixels, 5 * shared / 4);
+    EXPECT_GT(shared, 0);
 }
 
 TEST(MinimapMap, RedrawsNothingWithoutAChange) {

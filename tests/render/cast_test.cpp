@@ -125,6 +125,34 @@ TEST(Cast, MeetsWhatFillsAPartOfATileWhereItStands) {
     EXPECT_TRUE(cast(world, at(from(4.75, 1.5, 90.0), 0.5)).hits.empty());
 }
 
+TEST(Cast, MeetsTheCutOfAHalf) {
+    for (const bool isNorthern : {true, false}) {
+        WorldBuilder make;
+        make.block('a').plan.half = isNorthern ? Half::northEast : Half::southWest;
+        make.map("yard", 1, R"(
+.......
+...a...
+.......
+)");
+        const World world = std::move(make.world);
+        const CastRay east = cast(world, at(from(1.5, 1.25, 0.0), 0.5));
+        ASSERT_EQ(east.hits.size(), 1u);
+        EXPECT_EQ(east.hits[0].distance, isNorthern ? 1.75 : 1.5);
+        EXPECT_EQ(east.hits[0].backDistance, isNorthern ? 2.5 : 1.75);
+        EXPECT_EQ(east.hits[0].face, isNorthern ? Face::south : Face::west);
+        EXPECT_EQ(east.distance, east.hits[0].distance);
+        const CastRay west = cast(world, at(from(5.5, 1.25, 180.0), 0.5));
+        EXPECT_EQ(west.hits.at(0).distance, isNorthern ? 1.5 : 2.25);
+        EXPECT_EQ(west.hits.at(0).face, isNorthern ? Face::east : Face::north);
+        // From within the tile, on either side of the cut and on it: there it is the eastern half
+        EXPECT_EQ(cast(world, from(3.5, 1.25, 0.0)).hits.size(), isNorthern ? 1u : 0u);
+        EXPECT_EQ(cast(world, from(3.25, 1.5, 90.0)).hits.size(), isNorthern ? 0u : 1u);
+        EXPECT_EQ(cast(world, from(3.5, 1.5, 45.0)).hits.size(), isNorthern ? 1u : 0u);
+        // Through the corners, along the cut
+        EXPECT_EQ(cast(world, from(2.5, 0.5, 45.0)).hits.size(), isNorthern ? 1u : 0u);
+    }
+}
+
 // A ray exactly along an edge, eastward and southward, behind portals of all turns: the eye counts
 // as a trifle further east and south in its own map, however the map behind the portal lies.
 TEST(Cast, AnEdgeAlongTheRayIsOnTheSideThatTheEyesMapSays) {

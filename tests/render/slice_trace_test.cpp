@@ -44,6 +44,7 @@ TEST(SliceTraces, HitsBeginAndEndAtPlans) {
     const BlueprintId board = addBlock(world, 0);
     world.blueprints[board].plan = {toCoordinate(0.25), {}, toCoordinate(0.5), toCoordinate(0.75)};
     world.maps[0].setCell(3, 2, 0, board);
+    markPlans(world);
     SliceStage stage(world, eyeAt(1.0, 2.5, 0.5, 0.0), 201, 100);
     SliceTrace trace;
     traceSlice(stage.frame(), stage.find(100), trace);

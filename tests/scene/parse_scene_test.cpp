@@ -278,6 +278,25 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.start.look, 0.5);
 }
 
+TEST(ParseScene, ReadsPlansAndHalves) {
+    const LoadedScene loaded = loadFrom(sceneTestFolder() / "everything.json");
+    ASSERT_TRUE(loaded.world.has_value());
+    const World& world = *loaded.world;
+    EXPECT_TRUE(world.hasPlans);
+    const auto named = [&](const char* name) -> const CellBlueprint& {
+        return *std::find_if(world.blueprints.begin(), world.blueprints.end(),
+                             [&](const CellBlueprint& block) { return block.name == name; });
+    };
+    EXPECT_TRUE(named("wall").plan.isWhole());
+    EXPECT_EQ(named("pane").plan.north, toCoordinate(0.25));
+    EXPECT_EQ(named("pane").plan.half, Half::none);
+    const CellBlueprint& corner = named("corner");
+    EXPECT_EQ(corner.plan.half, Half::southWest);
+    EXPECT_EQ(corner.face(Face::north).light, 0.5) << "the cut's";
+    EXPECT_EQ(corner.face(Face::south).light, 1.0);
+    EXPECT_NE(corner.face(Face::east).texture, kNoTexture) << "there is no such side";
+}
+
 TEST(ParseScene, ReadsWater) {
     const LoadedScene loaded = loadFrom(sceneTestFolder() / "everything.json");
     ASSERT_TRUE(loaded.world.has_value());

@@ -179,14 +179,15 @@ TEST(EditCells, BlueprintsEqualTheLegend) {
     const World world = walledYard();
     const std::string text = blueprintsJson(world, 0);
     EXPECT_EQ(text.find("[{\"character\":\"#\",\"name\":\"wall\",\"bottom\":0,\"top\":1,"
-                        "\"plan\":[0,0,1,1],\"seeThrough\":false,\"moves\":false,"
+                        "\"plan\":[0,0,1,1],\"diagonal\":null,\"seeThrough\":false,\"moves\":false,"
                         "\"gate\":false,\"faces\":{\"north\":{"
                         "\"texture\":\"plain\",\"colour\":\"#c8c85a\",\"light\":1,\"glow\":false,"
                         "\"mirror\":0},"),
               0u)
         << text;
     EXPECT_NE(text.find("\"character\":\"l\",\"name\":\"lift\",\"bottom\":0,\"top\":0.5,"
-                        "\"plan\":[0,0,1,1],\"seeThrough\":false,\"moves\":true,\"gate\":false"),
+                        "\"plan\":[0,0,1,1],\"diagonal\":null,\"seeThrough\":false,\"moves\":true,"
+                        "\"gate\":false"),
               std::string::npos);
 }
 

@@ -338,6 +338,35 @@ TEST(Riders, StayOnStillGroundBesideAMover) {
     EXPECT_EQ(rider.z(), 0.5);
 }
 
+// A block that grows out of the floor and fills only a half of its tile, or a strip, lifts nobody
+// beside it.
+TEST(Riders, StayOnTheGroundBesideAPartOfATile) {
+    Plan half;
+    half.half = Half::southWest;
+    Plan strip;
+    strip.south = 0.5_u;
+    Motion motion = lift();
+    motion.edges = MovingEdges::top;
+    motion.from = toCoordinate(-0.5);
+    for (const Plan& plan : {half, strip}) {
+        World world = emptyWorld(5, 5, 4);
+        const BlueprintId id = addMoving(world, {}, 0.5_u, motion);
+        world.blueprints[id].plan = plan;
+        world.maps[0].setCell(2, 2, 0, id);
+        EXPECT_TRUE(makeMovers(world).empty());
+        const bool isHalf = plan.half != Half::none;
+        Walker beside(world.copy(), 2.75, isHalf ? 2.25 : 2.75, 0.0);
+        Walker rider(std::move(world), 2.25, isHalf ? 2.75 : 2.25, 0.0);
+        const auto liftOfAStep = [](Walker& walker) {
+            Body body = bodyOf(travellerOf(walker.player), true);
+            stepWorld(walker.world, {&body, 1}, {});
+            return body.lift;
+        };
+        EXPECT_EQ(liftOfAStep(beside), Coordinate{});
+        EXPECT_GT(liftOfAStep(rider), Coordinate{});
+    }
+}
+
 // ---- waiting
 
 // Steps until the mover has waited for a second; gives the offset that it waits at.

@@ -48,10 +48,7 @@ bool reachesIntoSolid(const World& world, int mapIndex, const Box& box) {
                 if (map.cells[map.cellIndex(x, y, level)] == kEmptyCell || block.passable ||
                     block.top <= block.bottom)
                     continue;
-                const Plan& plan = block.plan;
-                if (box.east <= tileEdge(x) + plan.west || box.west >= tileEdge(x) + plan.east ||
-                    box.south <= tileEdge(y) + plan.north || box.north >= tileEdge(y) + plan.south)
-                    continue;
+                if (!isOverPart(block.plan, x, y, box)) continue;
                 if (box.bottom < tileEdge(level) + block.top &&
                     box.top > tileEdge(level) + block.bottom)
                     return true;

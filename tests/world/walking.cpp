@@ -2,6 +2,7 @@
 
 #include "world/water.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace slicecast {
@@ -19,7 +20,8 @@ void putBlock(World& world, int x, int y, Coordinate bottom, Coordinate top) {
     block.top = top - tileEdge(level);
     BlueprintId id = 0;
     for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
-        if (world.blueprints[i].bottom == block.bottom && world.blueprints[i].top == block.top)
+        if (world.blueprints[i].bottom == block.bottom && world.blueprints[i].top == block.top &&
+            world.blueprints[i].plan.isWhole())
             id = static_cast<BlueprintId>(i);
     }
     if (id == kEmptyCell) {
@@ -41,8 +43,13 @@ World lowPassage(Coordinate height) {
     return world;
 }
 
-// What a block fills of its tile; often all of it along an axis.
+// What a block fills of its tile; often all of it along an axis, or a half.
 Plan randomPlan(Random& random) {
+    Plan plan;
+    if (random.oneIn(3)) {
+        plan.half = static_cast<Half>(random.between(1, 4));
+        return plan;
+    }
     const auto edges = [&random](Coordinate& low, Coordinate& high) {
         if (random.oneIn(3)) return;
         do {
@@ -50,7 +57,6 @@ Plan randomPlan(Random& random) {
             high = {random.oneIn(3) ? 65536 : random.below(65536)};
         } while (high - low < kThinnest);
     };
-    Plan plan;
     edges(plan.west, plan.east);
     edges(plan.north, plan.south);
     return plan;
@@ -129,6 +135,34 @@ World randomWaterWorld(std::uint64_t seed) {
     return world;
 }
 
+bool isOverPart(const Plan& plan, int x, int y, const Box& box) {
+    // In the tile; a box may be a point
+    const int west = box.west.raw - x * 65536;
+    const int east = box.east.raw - x * 65536;
+    const int north = box.north.raw - y * 65536;
+    const int south = box.south.raw - y * 65536;
+    if (east <= plan.west.raw || west >= plan.east.raw || south <= plan.north.raw ||
+        north >= plan.south.raw)
+        return false;
+    const int fromWest = std::max(west, 0);
+    const int fromNorth = std::max(north, 0);
+    const int toEast = std::min(east, 65536);
+    const int toSouth = std::min(south, 65536);
+    switch (plan.half) {
+        case Half::northEast:
+            return toEast > fromNorth;
+        case Half::southEast:
+            return toEast + toSouth > 65536;
+        case Half::southWest:
+            return toSouth > fromWest;
+        case Half::northWest:
+            return fromWest + fromNorth < 65536;
+        case Half::none:
+            break;
+    }
+    return true;
+}
+
 bool placeRandomly(const World& world, Random& random, Player& player) {
     const Map& map = world.maps[0];
     for (int attempt = 0; attempt < 100; ++attempt) {
@@ -160,10 +194,7 @@ bool reachesIntoSomething(const World& world, const Box& box) {
                 if (id == kEmptyCell) continue;
                 const CellBlueprint& block = world.blueprints[id];
                 if (block.isWater) continue;
-                const Plan& plan = block.plan;
-                if (box.west >= tileEdge(x) + plan.east || box.east <= tileEdge(x) + plan.west ||
-                    box.north >= tileEdge(y) + plan.south || box.south <= tileEdge(y) + plan.north)
-                    continue;
+                if (!isOverPart(block.plan, x, y, box)) continue;
                 if (box.bottom < tileEdge(level) + block.top &&
                     box.top > tileEdge(level) + block.bottom)
                     return true;

@@ -40,6 +40,9 @@ World randomWorld(std::uint64_t seed);
 // The same with water of all depths in it, and a floor of water here and there.
 World randomWaterWorld(std::uint64_t seed);
 
+// Whether the box is over the part of tile (x, y) that a plan fills; found anew, like the next.
+bool isOverPart(const Plan& plan, int x, int y, const Box& box);
+
 // A player at rest at a random place of map 0 where there is room, standing, crouched or flying.
 // False if none was found.
 bool placeRandomly(const World& world, Random& random, Player& player);

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "slicecast/colour.h"
+#include "slicecast/half.h"
 #include "slicecast/image.h"
 #include "slicecast/scene.h"
 
@@ -36,14 +37,15 @@ public:
 
     // A box that fills a cell from side to side.
     struct BlockSpec {
-        std::string name = {};    // not empty
-        Texture texture = {};     // of all faces
-        Texture topTexture = {};  // of the top; none: like the other faces
-        double bottom = 0.0;      // heights above the base of the cell's level, units;
-        double top = 1.0;         // 0 <= bottom < top <= 1
-        double light = 1.0;       // share of the map's light that its faces receive, 0 to 1
-        double mirror = 0.0;      // how strongly its top mirrors what is above, 0 to 1
-        char32_t character = 0;   // for Game::setCell; 0 for none
+        std::string name = {};       // not empty
+        Texture texture = {};        // of all faces
+        Texture topTexture = {};     // of the top; none: like the other faces
+        double bottom = 0.0;         // heights above the base of the cell's level, units;
+        double top = 1.0;            // 0 <= bottom < top <= 1
+        Half diagonal = Half::none;  // fills this half of its tile, which is cut corner to corner
+        double light = 1.0;          // share of the map's light that its faces receive, 0 to 1
+        double mirror = 0.0;         // how strongly its top mirrors what is above, 0 to 1
+        char32_t character = 0;      // for Game::setCell; 0 for none
     };
     struct MapSpec {
         std::string name = {};                 // not empty, unique
