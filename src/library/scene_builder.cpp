@@ -77,6 +77,16 @@ void SceneBuilder::State::checkBlock(const std::string& where, const BlockSpec& 
         refuse(where, {"a bottom of ", Shortest{spec.bottom}, " and a top of ", Shortest{spec.top}},
                "0 <= bottom < top <= 1");
     }
+    if (spec.rise) {
+        if (spec.rise->side == Face::top || spec.rise->side == Face::bottom)
+            refuse(where, "a rise to the top or the bottom", "a rise to one of the four sides");
+        if (!isWithin(spec.rise->from, spec.bottom, spec.top)) {
+            refuse(where, {"a rise from ", Shortest{spec.rise->from}},
+                   {"a height from ", Shortest{spec.bottom}, " to ", Shortest{spec.top}});
+        }
+        if (spec.diagonal != Half::none || spec.mirror > 0.0)
+            refuse(where, "a rise", "none, with a diagonal or a mirror");
+    }
     if (!isWithin(spec.light, 0.0, 1.0))
         refuse(where, {"a light of ", Shortest{spec.light}}, "a number from 0 to 1");
     if (!isWithin(spec.mirror, 0.0, 1.0))
@@ -176,6 +186,11 @@ SceneBuilder::Block SceneBuilder::block(const BlockSpec& spec) {
     blueprint.bottom = toCoordinate(spec.bottom);
     blueprint.top = toCoordinate(spec.top);
     blueprint.plan.half = spec.diagonal;
+    if (spec.rise) {
+        const Slant level = {blueprint.bottom, blueprint.bottom};
+        blueprint.slopes = slopesTo(spec.rise->side, level,
+                                    {toCoordinate(spec.rise->from), blueprint.top});
+    }
     for (FaceBlueprint& face : blueprint.faces) {
         face.texture = static_cast<TextureId>(spec.texture.index);
         face.light = spec.light;

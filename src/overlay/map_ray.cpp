@@ -42,10 +42,13 @@ MapRayEnd followRay(const World& world, const Map& map, const MapRay& ray, doubl
         if (id == kEmptyCell) continue;
         const CellBlueprint& block = world.blueprints[id];
         if (block.isWater || !(block.bottom <= ray.height && ray.height < block.top)) continue;
-        if (!block.plan.isWhole()) {
-            const auto over =
-                wayOver(block.plan, alongX.tile, alongY.tile, ray.x, ray.y, ray.directionX,
-                        ray.directionY, {length, std::min(alongX.next, alongY.next)});
+        if (!block.isBox()) {
+            auto over = wayOver(block.plan, alongX.tile, alongY.tile, ray.x, ray.y, ray.directionX,
+                                ray.directionY, {length, std::min(alongX.next, alongY.next)});
+            if (over && block.slopes.any())
+                over = wayBetween(block.slopes, alongX.tile, alongY.tile, 0.0,
+                                  {ray.x, ray.y, ray.height.value()},
+                                  {ray.directionX, ray.directionY, 0.0}, *over);
             if (!over) continue;
             if (!(over->from < most)) return {most, false, false};
             length = over->from;

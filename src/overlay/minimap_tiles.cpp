@@ -47,8 +47,10 @@ Colour colourOf(const CellBlueprint* block, double drop, bool isWater) {
     if (isWater) return mixed(ground, kMinimapWater, kWaterShade);
     if (block == nullptr) return ground;
     if (block->gate >= 0) return block->passable ? ground : kMinimapGate;
-    const Colour colour =
-        block->top == tileEdge(1) ? kWholeBlock : mixed(kLowBlock, kHighBlock, block->top.value());
+    const Slant& top = block->slopes.top;
+    const double height =
+        top.isLevel() ? block->top.value() : (top.from.value() + top.to.value()) / 2.0;
+    const Colour colour = height == 1.0 ? kWholeBlock : mixed(kLowBlock, kHighBlock, height);
     return block->bottom.raw > 0 ? mixed(ground, colour, kFloatingShade) : colour;
 }
 

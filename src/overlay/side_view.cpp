@@ -31,14 +31,24 @@ constexpr double kLeastDepth = 4.0;
 constexpr double kGreatestDepth = 200.0;
 constexpr double kLeastHeight = 2.0;
 
-// Heights above the floor of the eye's map.
-double topOf(const SliceTrace& trace, const Hit& hit, double eyeZ) {
-    return hit.entered ? heightInRow(trace, eyeZ, hit.topFrontRow, hit.depth)
-                       : heightInRow(trace, eyeZ, hit.topBackRow, hit.backDepth);
+// A top or an underside: heights are above the floor of the eye's map.
+struct Surface {
+    double height;
+    double depth;  // where it has that height
+    double rise;   // per unit of depth; 0 if it is level
+
+    double at(double d) const { return height + rise * (d - depth); }
+};
+
+Surface topOf(const SliceTrace& trace, const Hit& hit, double eyeZ) {
+    const double depth = hit.entered ? hit.depth : hit.backDepth;
+    const double row = hit.entered ? hit.topFrontRow : hit.topBackRow;
+    return {heightInRow(trace, eyeZ, row, depth), depth, hit.topSlope};
 }
-double bottomOf(const SliceTrace& trace, const Hit& hit, double eyeZ) {
-    return hit.entered ? heightInRow(trace, eyeZ, hit.bottomFrontRow, hit.depth)
-                       : heightInRow(trace, eyeZ, hit.bottomBackRow, hit.backDepth);
+Surface bottomOf(const SliceTrace& trace, const Hit& hit, double eyeZ) {
+    const double depth = hit.entered ? hit.depth : hit.backDepth;
+    const double row = hit.entered ? hit.bottomFrontRow : hit.bottomBackRow;
+    return {heightInRow(trace, eyeZ, row, depth), depth, hit.bottomSlope};
 }
 
 // The plot covers all visible parts of blocks and objects, and the eye.
@@ -49,8 +59,10 @@ SidePlot makePlot(const SliceTrace& trace, double eyeZ, PixelRect area, int scal
     for (const Hit& hit : trace.hits) {
         if (hit.filled.empty()) continue;
         depth = std::max(depth, std::min(hit.backDepth, hit.depth + 4.0));
-        highest = std::max(highest, topOf(trace, hit, eyeZ));
-        lowest = std::min(lowest, bottomOf(trace, hit, eyeZ));
+        const Surface top = topOf(trace, hit, eyeZ);
+        const Surface bottom = bottomOf(trace, hit, eyeZ);
+        highest = std::max({highest, top.at(hit.depth), top.at(hit.backDepth)});
+        lowest = std::min({lowest, bottom.at(hit.depth), bottom.at(hit.backDepth)});
     }
     for (const SeenObject& object : trace.objects) {
         depth = std::max(depth, object.depth + 0.5);
@@ -111,16 +123,25 @@ void drawBlocks(const SliceTrace& trace, const SidePlot& plot, const Picture& pi
         if (hit.depth >= plot.depth || (hit.portals > 0 && hit.filled.empty())) continue;
         const int left = static_cast<int>(plot.x(hit.depth));
         const int right = std::max(left + 1, static_cast<int>(plot.x(hit.backDepth)));
-        const int top = static_cast<int>(plot.y(topOf(trace, hit, plot.eyeZ)));
-        const int bottom =
-            std::max(top + 1, static_cast<int>(plot.y(bottomOf(trace, hit, plot.eyeZ))));
+        const Surface above = topOf(trace, hit, plot.eyeZ);
+        const Surface below = bottomOf(trace, hit, plot.eyeZ);
         const auto blendInside = [&](PixelRect rect, Colour colour) {
             blendRect(picture, shared(rect, plot.area), colour);
         };
-        blendInside({left, top, right - left, bottom - top},
-                    hit.filled.empty() ? kUnseenBlock : kSeenBlock);
-        blendInside({left, top, right - left, plot.line}, kBlockEdge);
-        blendInside({left, top, plot.line, bottom - top}, kBlockEdge);
+        // A block with slopes column by column, any other at once
+        const bool hasSlopes = above.rise != 0.0 || below.rise != 0.0;
+        const double perPixel = (hit.backDepth - hit.depth) / (right - left);
+        for (int x = left; x < right; x += hasSlopes ? 1 : right - left) {
+            const double depth = hit.depth + perPixel * (x - left + 0.5);
+            const int width = hasSlopes ? 1 : right - left;
+            const int top = static_cast<int>(plot.y(hasSlopes ? above.at(depth) : above.height));
+            const int bottom = std::max(
+                top + 1, static_cast<int>(plot.y(hasSlopes ? below.at(depth) : below.height)));
+            blendInside({x, top, width, bottom - top},
+                        hit.filled.empty() ? kUnseenBlock : kSeenBlock);
+            blendInside({x, top, width, plot.line}, kBlockEdge);
+            if (x == left) blendInside({left, top, plot.line, bottom - top}, kBlockEdge);
+        }
     }
 }
 
@@ -194,16 +215,21 @@ void drawHits(const SliceTrace& trace, const SidePlot& plot, const Picture& pict
             const bool isSide = rows.what == FilledRows::What::side;
             const double sideDepth =
                 hit.entered && rows.face == hit.face ? hit.depth : hit.backDepth;
-            const double height = rows.what == FilledRows::What::roof
+            const Surface plane = rows.what == FilledRows::What::roof
                                       ? topOf(trace, hit, plot.eyeZ)
                                       : bottomOf(trace, hit, plot.eyeZ);
+            const bool isLevel = !isSide && plane.rise == 0.0;
+            const auto planeDepth = [&](double slope) {
+                if (isLevel) return depthAt(plot, plane.height, slope);
+                const double over = plane.at(0.0) - plot.eyeZ;
+                return slope != plane.rise ? over / (slope - plane.rise) : hit.backDepth;
+            };
             drawRays(
                 trace, rows.first, rows.last, plot,
-                {.colour = kindColour(rows.what), .isLevel = !isSide, .height = height},
+                {.colour = kindColour(rows.what), .isLevel = isLevel, .height = plane.height},
                 [&](double slope) {
-                    return isSide
-                               ? sideDepth
-                               : std::clamp(depthAt(plot, height, slope), hit.depth, hit.backDepth);
+                    return isSide ? sideDepth
+                                  : std::clamp(planeDepth(slope), hit.depth, hit.backDepth);
                 },
                 picture);
         }

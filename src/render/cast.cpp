@@ -78,20 +78,41 @@ private:
             const PlanPassage passage = PlanWalk(walk_, from_, direction_).passage(block.plan);
             if (!passage.isMet) continue;
             const Crossing enter = passage.enter.inner ? passage.enter : walk_.enter();
-            const double left = passage.leave.inner ? passage.leave.along : walk_.left();
-            const bool isEntered = passage.enter.inner || walk_.hasEntered();
-            ray_.hits.push_back({from_.map, portals_, walk_.tileX, walk_.tileY, level, id,
-                                 isEntered, enteredFace(enter), enter.along, left, x(enter.along),
-                                 y(enter.along), bottom, top});
-            if (!hasHeight_ || !isEntered) continue;
-            const PortalId portal = block.face(enteredFace(enter)).portal;
-            if (portal != kNoPortal && !isArrival_) return goThrough(portal, CastRay::End::block);
-            if (!block.seeThrough) {
-                ended_ = enter.along;
-                return CastRay::End::block;
+            WayPart way = {enter.along, passage.leave.inner ? passage.leave.along : walk_.left()};
+            bool isEntered = passage.enter.inner || walk_.hasEntered();
+            Face face = enteredFace(enter);
+            if (hasHeight_ && block.slopes.any()) {
+                const std::optional<WayPart> inside = wayInside(block, level, way);
+                if (!inside) continue;
+                if (inside->from > way.from) {
+                    isEntered = true;
+                    face = isUnderAt(block, level, way.from) ? Face::bottom : Face::top;
+                }
+                way = *inside;
             }
+            ray_.hits.push_back({from_.map, portals_, walk_.tileX, walk_.tileY, level, id,
+                                 isEntered, face, way.from, way.to, x(way.from), y(way.from),
+                                 bottom, top});
+            if (!hasHeight_ || !isEntered) continue;
+            const PortalId portal = block.face(face).portal;
+            if (portal != kNoPortal && !isArrival_) return goThrough(portal, CastRay::End::block);
+            if (!block.seeThrough) return CastRay::End::block;
         }
         return std::nullopt;
+    }
+
+    // The part of the way on which the ray's height is between the slopes of a block.
+    std::optional<WayPart> wayInside(const CellBlueprint& block, int level, WayPart way) const {
+        return wayBetween(block.slopes, walk_.tileX, walk_.tileY, level,
+                          {x(0.0), y(0.0), Coordinate{from_.z}.value()},
+                          {direction_.x, direction_.y, 0.0}, way);
+    }
+    // Whether the ray is below the underside there.
+    bool isUnderAt(const CellBlueprint& block, int level, double along) const {
+        const Slant& slant = block.slopes.bottom;
+        const double at = block.slopes.alongX ? x(along) - walk_.tileX : y(along) - walk_.tileY;
+        return Coordinate{from_.z}.value() - level <
+               slant.from.value() + Coordinate{slant.rise()}.value() * at;
     }
 
     // `pastLimit` is the reason for the end if the ray has passed as many portals as allowed.
@@ -111,7 +132,7 @@ private:
 
     CastRay ended(CastRay::End end) {
         ray_.end = end;
-        ray_.distance = ended_ > 0.0 ? ended_ : walk_.entered;
+        ray_.distance = end == CastRay::End::block ? ray_.hits.back().distance : walk_.entered;
         ray_.map = from_.map;
         ray_.x = x(ray_.distance);
         ray_.y = y(ray_.distance);
@@ -131,7 +152,6 @@ private:
     GroundDirection direction_;
     GridWalk walk_;
     int portals_ = 0;
-    double ended_ = 0.0;  // where a block within a tile stopped it
     bool isArrival_ =
         false;  // the ray has just left a portal here: the tile's own portals do not act
     CastRay ray_;

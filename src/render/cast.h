@@ -8,8 +8,9 @@
 //
 //     without a height    all blocks on all levels of its tiles are hits; it ends at
 //                         the edge of the map. Portal tiles lead on, portal faces do not.
-//     with a height z     only blocks with bottom <= z < top are hits. The first opaque one
-//                         ends it. Portal tiles and portal faces lead on.
+//     with a height z     only blocks with bottom <= z < top are hits, of blocks with slopes
+//                         where that is so. The first opaque one ends it. Portal tiles and
+//                         portal faces lead on.
 #pragma once
 
 #include "base/coordinate.h"
@@ -56,7 +57,7 @@ struct CastHit {
     double backDistance = 0.0;  // to where it leaves it
     double x = 0.0;             // the point where it enters, in the coordinates of the map
     double y = 0.0;
-    Coordinate bottom;  // above the map's floor
+    Coordinate bottom;  // above the map's floor: its lowest and its highest point
     Coordinate top;
 };
 

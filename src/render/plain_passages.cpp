@@ -9,26 +9,19 @@
 
 namespace slicecast {
 
-// The rows between the top and the bottom of a block at a border.
-PlainWalk::Rows PlainWalk::rowsOf(const CellBlueprint& blueprint, int level,
-                                  const Crossing& border) const {
-    const std::int32_t base = riseOf(tileEdge(level).raw);
-    return {rowBelow(base + blueprint.top.raw, border),
-            rowBelow(base + blueprint.bottom.raw, border)};
-}
-
 // The rows in which a block touches a neighbour of its kind, both see-through: there are no faces
 // between them.
 PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& neighbour,
-                                      const Crossing& border) const {
+                                      GridTile tile, const Crossing& border) const {
     if (!areJoined(*frame_.world, *block.blueprint, neighbour)) return {0, 0};
-    return rowsOf(neighbour, block.level, border);
+    return {rowOf(neighbour, Face::top, tile, block.level, border),
+            rowOf(neighbour, Face::bottom, tile, block.level, border)};
 }
 
-// The same behind a portal, where no block joins that fills only a part of its tile.
+// The same behind a portal, where no block joins that has slopes or fills only a part of its tile.
 PlainWalk::Rows PlainWalk::joinedBeyond(const Block& block, const CellBlueprint& neighbour,
                                         const Crossing& border) const {
-    return block.blueprint->plan.isWhole() ? joinedRows(block, neighbour, border) : Rows{0, 0};
+    return block.blueprint->isBox() ? joinedRows(block, neighbour, here(), border) : Rows{0, 0};
 }
 
 // The block that rays have left; it may be in front of the portal that they came through.
@@ -38,7 +31,7 @@ PlainWalk::Rows PlainWalk::joinedBefore(const Block& block) const {
     const GridTile tile = tileAcross(enter_, -1);
     const CellBlueprint& before = cell(map(), tile, block.level);
     if (!plansHere().touches(before.plan, tile.x, tile.y, enter_, false)) return {0, 0};
-    return joinedRows(block, before, enter_);
+    return joinedRows(block, before, tile, enter_);
 }
 
 // The block that rays are about to enter; it may be behind a portal of the whole tile, or of a
@@ -53,9 +46,10 @@ PlainWalk::Rows PlainWalk::joinedBehind(const Block& block) const {
     const PortalId portal = behind.face(enteredFace(leave_)).portal;
     if (portal == kNoPortal || !mayPass()) {
         if (!plansHere().touches(behind.plan, tile.x, tile.y, leave_, true)) return {0, 0};
-        return joinedRows(block, behind, leave_);
+        return joinedRows(block, behind, tile, leave_);
     }
-    const Rows window = rowsOf(behind, block.level, leave_);
+    const Rows window = {rowOf(behind, Face::top, tile, block.level, leave_),
+                         rowOf(behind, Face::bottom, tile, block.level, leave_)};
     const Rows joined = joinedBeyond(block, exitCell(portal, block.level), leave_);
     return {std::max(window.first, joined.first), std::min(window.last, joined.last)};
 }
@@ -66,7 +60,7 @@ PlainWalk::Rows PlainWalk::joinedBehind(const Block& block) const {
 // to it.
 bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
     const auto reaches = [](const CellBlueprint& blueprint, int end) {
-        return end > 0 ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
+        return end > 0 ? blueprint.fillsUp() : blueprint.fillsDown();
     };
     const CellBlueprint& own = *block.blueprint;
     const auto joins = [&](const CellBlueprint& other) {
@@ -74,15 +68,14 @@ bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
     };
     if (!reaches(own, up)) return false;
     const int level = block.level + up;
-    const bool isWhole = own.plan.isWhole();  // others join nothing through portals
-    if (isWhereItCameOut(block, up)) return isWhole && joins(cellBeforePortal(level));
+    const bool isBox = own.isBox();  // others join nothing through portals
+    if (isWhereItCameOut(block, up)) return isBox && joins(cellBeforePortal(level));
     const CellBlueprint& next = cell(map(), {walk_.tileX, walk_.tileY}, level);
     if (!reaches(next, -up) || level < 0 || level >= map().levels || (there_ >> level & 1) == 0)
         return false;
     if (areOneMover(own, next)) return true;
     const PortalId portal = next.face(up > 0 ? Face::bottom : Face::top).portal;
-    if (leaving && portal != kNoPortal && mayPass())
-        return isWhole && joins(exitCell(portal, level));
+    if (leaving && portal != kNoPortal && mayPass()) return isBox && joins(exitCell(portal, level));
     return joins(next);
 }
 

@@ -159,6 +159,12 @@ void PlainWalk::findBlocks() {
         const std::int32_t bottom = riseOf(tileEdge(level).raw) + blueprint.bottom.raw;
         const std::int32_t top = riseOf(tileEdge(level).raw) + blueprint.top.raw;
         if (top <= clip.low || bottom >= clip.high || !(there_ >> level & 1)) continue;
+        if (blueprint.slopes.any()) {  // what a mirror in its tile reflects is wholly above it
+            const bool cut =
+                clip.isMirror && bottom == clip.low && blueprint.slopes.bottom.isLevel();
+            blocks_.push_back({&blueprint, level, bottom, top, cut});
+            continue;
+        }
         const bool cut =
             bottom < clip.low || top > clip.high || (clip.isMirror && bottom == clip.low);
         blocks_.push_back(
@@ -169,22 +175,43 @@ void PlainWalk::findBlocks() {
 
 // The horizontal planes, sorted by distance from the eye's height: a ray meets those in its
 // direction in that order. At equal height the face of the block that is left comes first, then
-// that of the block entered, then ceiling or floor.
+// that of the block entered, then ceiling or floor. A block with slopes is entered at its end that
+// is nearer to the eye's height (by a slope just behind it), and left at the other.
 void PlainWalk::findPlanes() {
     planes_.clear();
+    const auto add = [&](What what, std::int32_t rise, const Block& block, bool leaving) {
+        planes_.push_back({what, rise, block, leaving, 2 * std::abs(std::int64_t{rise})});
+    };
+    const auto addBoth = [&](const Block& block, bool leaving, std::int32_t end) {
+        const Slopes& slopes = block.blueprint->slopes;
+        const auto away = [&](const Slant& slant) {
+            return 2 * std::int64_t{end} + (leaving || slant.isLevel() ? 0 : 1);
+        };
+        planes_.push_back({What::roof, block.top, block, leaving, away(slopes.top)});
+        planes_.push_back({What::underside, block.bottom, block, leaving, away(slopes.bottom)});
+    };
     for (const Block& block : blocks_) {
-        if (block.top > 0) planes_.push_back({What::roof, block.top, block});
-        if (block.bottom < 0) planes_.push_back({What::underside, block.bottom, block});
+        if (block.blueprint->slopes.any()) {
+            addBoth(
+                block, true,
+                std::max({block.top > 0 && block.bottom < 0 ? 1 : 0,
+                          block.bottom >= 0 ? block.top : 0, block.top <= 0 ? -block.bottom : 0}));
+            continue;
+        }
+        if (block.top > 0) add(What::roof, block.top, block, true);
+        if (block.bottom < 0) add(What::underside, block.bottom, block, true);
     }
     for (const Block& block : blocks_) {
-        if (block.top <= 0) planes_.push_back({What::roof, block.top, block});
-        if (block.bottom > 0) planes_.push_back({What::underside, block.bottom, block});
+        if (block.blueprint->slopes.any()) {
+            addBoth(block, false, std::max({0, block.bottom, -block.top}));
+            continue;
+        }
+        if (block.top <= 0) add(What::roof, block.top, block, false);
+        if (block.bottom > 0) add(What::underside, block.bottom, block, false);
     }
-    planes_.push_back({What::ceiling, riseOf(map().ceiling.height.raw), {}});
-    planes_.push_back({What::floor, riseOf(0), {}});
-    mergeSort(planes_, [](const LevelPlane& a, const LevelPlane& b) {
-        return std::abs(a.rise) < std::abs(b.rise);
-    });
+    add(What::ceiling, riseOf(map().ceiling.height.raw), {}, false);
+    add(What::floor, riseOf(0), {}, false);
+    mergeSort(planes_, [](const LevelPlane& a, const LevelPlane& b) { return a.away < b.away; });
 }
 
 // A side at depth 0 is not drawn, but its portal acts. No portal acts on rays that have just come
@@ -192,7 +219,7 @@ void PlainWalk::findPlanes() {
 void PlainWalk::enterSide(const Block& block) {
     const Face face = enteredFace(enter_);
     const PortalId portal = block.blueprint->face(face).portal;
-    const Rows rows = {rowBelow(block.top, enter_), rowBelow(block.bottom, enter_)};
+    const Rows rows = rowsOf(block, enter_);
     if (portal != kNoPortal && mayPass() && !isArrival()) {
         sendThrough(portal, rows, {});
     } else if (enter_.along > 0.0) {
@@ -204,7 +231,7 @@ void PlainWalk::enterSide(const Block& block) {
 void PlainWalk::leaveSide(const Block& block) {
     const Face face = leftFace(leave_);
     if (block.blueprint->face(face).portal != kNoPortal) return;
-    const Rows rows = {rowBelow(block.top, leave_), rowBelow(block.bottom, leave_)};
+    const Rows rows = rowsOf(block, leave_);
     showSideBut(block, face, leave_, rows, joinedBehind(block));
 }
 
@@ -220,6 +247,8 @@ void PlainWalk::showSideBut(const Block& block, Face face, const Crossing& borde
 // The rows whose rays cross the plane's height between the two borders: falling rays see it below
 // the eye, rising rays above.
 void PlainWalk::meetPlane(const LevelPlane& plane) {
+    if (plane.block.blueprint != nullptr && plane.block.blueprint->slopes.any())
+        return meetFaceOfSlopes(plane);
     const int atEnter = rowBelow(plane.rise, enter_);
     const int atLeave = rowBelow(plane.rise, leave_);
     const int horizon = projection().firstFallingRow;
@@ -238,6 +267,59 @@ void PlainWalk::meetPlane(const LevelPlane& plane) {
 }
 // #endregion
 
+// The same for the faces of a block with slopes, sloped and level ones. Rays above a top that end
+// up below it enter the block; rays that do the reverse leave it.
+void PlainWalk::meetFaceOfSlopes(const LevelPlane& plane) {
+    const Block& block = plane.block;
+    const bool isTop = plane.what == What::roof;
+    const Face face = isTop ? Face::top : Face::bottom;
+    const int atEnter = rowOf(*block.blueprint, face, here(), block.level, enter_);
+    const int atLeave = rowOf(*block.blueprint, face, here(), block.level, leave_);
+    const bool isDownwards = isTop != plane.leaving;
+    Rows rows = isDownwards ? Rows{atLeave, atEnter} : Rows{atEnter, atLeave};
+    if (block.blueprint->slopes.of(face).isLevel()) {
+        const int horizon = projection().firstFallingRow;
+        if (isDownwards != (plane.rise < 0)) return;
+        (isDownwards ? rows.first : rows.last) =
+            isDownwards ? std::max(rows.first, horizon) : std::min(rows.last, horizon);
+    } else if (slopedPlane(*block.blueprint, face, here(), block.level).height == 0.0) {
+        return;  // it is met at depth 0
+    }
+    rows.last = std::min(rows.last, firstRowNotReflected(leave_));
+    meetFace(plane, rows);
+}
+
+SlopedPlane PlainWalk::slopedPlane(const CellBlueprint& blueprint, Face face, GridTile tile,
+                                   int level) const {
+    const Vista& vista = *part_.vista;
+    return SlopedPlane(blueprint.slopes, blueprint.slopes.of(face), tile.x, tile.y,
+                       riseOf(tileEdge(level).raw), vista.viewpoint, vista.ray(column_),
+                       projection());
+}
+
+// The first row whose ray passes below a block's top or underside.
+int PlainWalk::rowOf(const CellBlueprint& blueprint, Face face, GridTile tile, int level,
+                     const Crossing& at) const {
+    if (!blueprint.slopes.of(face).isLevel())
+        return firstRowBelow(projection(), slopedPlane(blueprint, face, tile, level), at);
+    const Coordinate height = face == Face::top ? blueprint.top : blueprint.bottom;
+    return rowBelow(riseOf(tileEdge(level).raw) + height.raw, at);
+}
+
+// The rows between the top and the bottom of a block at a border.
+PlainWalk::Rows PlainWalk::rowsOf(const Block& block, const Crossing& border) const {
+    if (!block.blueprint->slopes.any())
+        return {rowBelow(block.top, border), rowBelow(block.bottom, border)};
+    return {rowOf(*block.blueprint, Face::top, here(), block.level, border),
+            std::min(rowOf(*block.blueprint, Face::bottom, here(), block.level, border),
+                     firstRowNotReflected(border))};
+}
+
+// Rays below their mirror are still on their way to it.
+int PlainWalk::firstRowNotReflected(const Crossing& at) const {
+    return part_.clip.isMirror ? rowBelow(part_.clip.low, at) : projection().height;
+}
+
 // Whether a roof or an underside is a portal that acts on rays entering it. It does not act on rays
 // that came out of another one at this height.
 bool PlainWalk::acts(const LevelPlane& plane) const {
@@ -251,9 +333,11 @@ bool PlainWalk::acts(const LevelPlane& plane) const {
 void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
     const Block& block = plane.block;
     const bool isTop = plane.what == What::roof;
-    const bool leaving = isTop == (plane.rise > 0);
-    const FaceBlueprint& look = block.blueprint->face(isTop ? Face::top : Face::bottom);
-    if ((leaving && look.portal != kNoPortal) || (!leaving && block.cut)) return;
+    const Face face = isTop ? Face::top : Face::bottom;
+    const bool leaving = block.blueprint->slopes.any() ? plane.leaving : isTop == (plane.rise > 0);
+    const FaceBlueprint& look = block.blueprint->face(face);
+    const bool isCut = block.cut && (!isTop || !block.blueprint->slopes.any());
+    if ((leaving && look.portal != kNoPortal) || (!leaving && isCut)) return;
     if (acts(plane)) {
         HeightClip beyond;
         (isTop ? beyond.high : beyond.low) = plane.rise;
@@ -262,9 +346,15 @@ void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
     if (look.texture == kNoTexture || joinsLevel(block, isTop ? 1 : -1, leaving)) return;
     const int strength = leaving ? 0 : mirrorStrength(look.mirror);
     Span span = spanOf(plane.what);
-    span.face = isTop ? Face::top : Face::bottom;
+    span.face = face;
     span.level = block.level;
     span.layer = block.blueprint->seeThrough && strength == 0;
+    if (!block.blueprint->slopes.of(face).isLevel()) {
+        const SlopedPlane sloped = slopedPlane(*block.blueprint, face, here(), block.level);
+        span.slope = {sloped.height, sloped.horizon};
+        span.look = &lookOf({0, look.texture, look.light, look.glow, !isTop, false, true});
+        return show(span, rows);
+    }
     span.look = &lookOf({plane.rise, look.texture, look.light, look.glow, !isTop, strength > 0});
     showPlane(span, rows, strength);
 }

@@ -47,6 +47,7 @@
 #include "render/open_rows.h"
 #include "render/plan_walk.h"
 #include "render/slice_spans.h"
+#include "render/sloped_plane.h"
 #include "world/portal.h"
 
 #include <cstdint>
@@ -71,7 +72,8 @@ private:
         int last;  // one past the end
     };
 
-    // A block of the current tile. Heights are in 1/65536 units above the eye.
+    // A block of the current tile. Heights are in 1/65536 units above the eye; of a block with
+    // slopes, those of its lowest and its highest point.
     struct Block {
         const CellBlueprint* blueprint;
         int level;
@@ -87,11 +89,14 @@ private:
     };
     static constexpr std::uint32_t kAllLevels = 0xffffffff;
 
-    // A plane of the current tile, at `rise` above the eye.
+    // A plane of the current tile, at `rise` above the eye. Of a block with slopes, faces are in
+    // the list twice: as those by which rays enter the block, and by which they leave it.
     struct LevelPlane {
         What what;
         std::int32_t rise;
-        Block block;  // of roofs and undersides
+        Block block;            // of roofs and undersides
+        bool leaving = false;   // rays leave the block through it
+        std::int64_t away = 0;  // planes are sorted by it: twice the distance from the eye's height
     };
 
     // ---- plain_walk.cpp
@@ -109,8 +114,15 @@ private:
     void leaveSide(const Block& block);
     void showSideBut(const Block& block, Face face, const Crossing& border, Rows rows, Rows joined);
     void meetPlane(const LevelPlane& plane);
+    void meetFaceOfSlopes(const LevelPlane& plane);
     bool acts(const LevelPlane& plane) const;
     void meetFace(const LevelPlane& plane, Rows rows);
+    int rowOf(const CellBlueprint& blueprint, Face face, GridTile tile, int level,
+              const Crossing& at) const;
+    Rows rowsOf(const Block& block, const Crossing& border) const;
+    int firstRowNotReflected(const Crossing& at) const;
+    SlopedPlane slopedPlane(const CellBlueprint& blueprint, Face face, GridTile tile,
+                            int level) const;
     void meetFloor(Rows rows, bool endless);
     void meetCeiling(Rows rows);
     Span spanOf(What what) const;
@@ -127,8 +139,8 @@ private:
     void splitWhereTextureEnds(Span& seen);
 
     // ---- plain_passages.cpp
-    Rows rowsOf(const CellBlueprint& blueprint, int level, const Crossing& border) const;
-    Rows joinedRows(const Block& block, const CellBlueprint& other, const Crossing& border) const;
+    Rows joinedRows(const Block& block, const CellBlueprint& other, GridTile tile,
+                    const Crossing& border) const;
     Rows joinedBeyond(const Block& block, const CellBlueprint& other, const Crossing& border) const;
     Rows joinedBefore(const Block& block) const;
     Rows joinedBehind(const Block& block) const;
@@ -158,6 +170,7 @@ private:
         return firstRowBelow(projection(), rise, border);
     }
     // The tile before a border of the current one (`steps` is -1), or behind it (1).
+    GridTile here() const { return {walk_.tileX, walk_.tileY}; }
     GridTile tileAcross(const Crossing& border, int steps) const {
         return {walk_.tileX + (border.alongX ? steps * walk_.stepX : 0),
                 walk_.tileY + (border.alongX ? 0 : steps * walk_.stepY)};

@@ -19,12 +19,13 @@ struct FrameTexture;
 
 // A horizontal plane: the floor, a ceiling, or the roofs or undersides of blocks at one height.
 struct Plane {
-    std::int32_t rise = 0;  // 1/65536 units above the eye; never 0 where something is drawn
+    std::int32_t rise = 0;  // 1/65536 units above the eye; never 0 where a level one is drawn
     TextureId texture = kNoTexture;
     double light = 1.0;
     bool glow = false;
     bool southReversed = false;  // undersides and ceilings
     bool mirror = false;         // its texels count as opaque
+    bool sloped = false;         // each span has a slope of its own; `rise` is 0 then
 
     friend bool operator==(const Plane&, const Plane&) = default;
 };

@@ -14,9 +14,10 @@ namespace slicecast {
 
 class PlanePoints {
 public:
-    // The plane of `look` as the rays of a column see it from a vista. `ray` is the column's, in
-    // the coordinates of the vista's map. Points lie on `tiles`.
-    PlanePoints(const Vista& vista, GroundDirection ray, const PlaneLook& look,
+    // A plane at `height` above or below the eye (units, positive) as the rays of a column see it
+    // from a vista. `ray` is the column's, in the coordinates of the vista's map. Points lie on
+    // `tiles`.
+    PlanePoints(const Vista& vista, GroundDirection ray, double height, bool southReversed,
                 const TileRange& tiles);
 
     // A point in its tile, in 1/2^32 of the tile.
@@ -56,10 +57,10 @@ private:
     int turn_;
 };
 
-inline PlanePoints::PlanePoints(const Vista& vista, GroundDirection ray, const PlaneLook& look,
-                                const TileRange& tiles)
-    : line{vista.viewpoint.fractionX(), vista.viewpoint.fractionY(), look.height * ray.x,
-           look.height * ray.y, look.plane.southReversed},
+inline PlanePoints::PlanePoints(const Vista& vista, GroundDirection ray, double height,
+                                bool southReversed, const TileRange& tiles)
+    : line{vista.viewpoint.fractionX(), vista.viewpoint.fractionY(), height * ray.x, height * ray.y,
+           southReversed},
       turn_(vista.viewpoint.turn) {
     const int eyeX = vista.viewpoint.tileX();
     const int eyeY = vista.viewpoint.tileY();

@@ -61,6 +61,14 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
         const bool atEye = isAtEye(level);
         block.cut |= std::exchange(inside, false);
         if (isBeyondLayers(block)) continue;
+        if (block.blueprint->slopes.any()) {
+            ceilingAbove(block.top);
+            const MetSlopes met = enterSlopes(block);
+            ceilingAbove(block.top - 1);
+            passSlopes(block, met);
+            edge = kHighest;
+            continue;
+        }
         const int topRow = block.top == edge ? edgeRow : rowBelow(block.top, enter_);
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
@@ -118,6 +126,15 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
         const bool atEye = isAtEye(level);
         block.cut |= std::exchange(inside, false);
         if (isBeyondLayers(block)) continue;
+        if (block.blueprint->slopes.any()) {
+            if (block.bottom <= 0) continue;  // met as falling
+            ceilingBelow(block.bottom);
+            const MetSlopes met = enterSlopes(block);
+            ceilingBelow(block.bottom + 1);
+            passSlopes(block, met);
+            edge = -kHighest;
+            continue;
+        }
         const bool isPlain =
             !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
         if (block.bottom > 0) {

@@ -12,7 +12,7 @@ namespace {
 
 // Only a block that reaches the end of its level can touch the one above it, or below.
 bool reachesEnd(const CellBlueprint& blueprint, int up) {
-    return up > 0 ? blueprint.top == tileEdge(1) : blueprint.bottom == Coordinate{0};
+    return up > 0 ? blueprint.fillsUp() : blueprint.fillsDown();
 }
 
 }  // namespace
@@ -25,10 +25,11 @@ const CellBlueprint* SliceWalk::joinedAt(const Block& block, const Map& map, int
     return areJoined(*frame_.world, *block.blueprint, neighbour) ? &neighbour : nullptr;
 }
 
-// The same behind a portal, through which no block joins that fills only a part of its tile.
+// The same behind a portal, through which no block joins that has slopes or fills only a part of
+// its tile.
 const CellBlueprint* SliceWalk::joinedBeyond(const Block& block, const Map& map, int x, int y,
                                              int level) const {
-    return block.blueprint->plan.isWhole() ? joinedAt(block, map, x, y, level) : nullptr;
+    return block.blueprint->isBox() ? joinedAt(block, map, x, y, level) : nullptr;
 }
 
 // The block in the tile before that joins `block`.
@@ -73,9 +74,9 @@ bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
         return next != nullptr && reachesEnd(*next, -up);
     };
     const int level = block.level + up;
-    const bool isWhole = block.blueprint->plan.isWhole();  // others join nothing through portals
+    const bool isBox = block.blueprint->isBox();  // others join nothing through portals
     if (clipped_ && (up > 0 ? block.top == clip_.high : block.bottom == clip_.low))
-        return isWhole && isArrival() &&
+        return isBox && isArrival() &&
                joins(*before_.map, before_.x, before_.y, level - before_.levels);
     if (isAbsent(level)) return false;
     const CellBlueprint& next =
@@ -84,20 +85,30 @@ bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
         reachesEnd(next, -up) ? next.face(up > 0 ? Face::bottom : Face::top).portal : kNoPortal;
     if (!leaving || !acts(portal, false)) return joins(*map_, walk_.tileX, walk_.tileY, level);
     const Portal& to = frame_.world->portals[portal];
-    return isWhole && joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
-                            level + to.levels);
+    return isBox && joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
+                          level + to.levels);
 }
 
 // Draws a side at a border, except where it touches a joined block.
-void SliceWalk::seeUnjoined(const Block& block, const CellBlueprint* joined, Face face,
-                            const Crossing& border, int firstRow, int lastRow) {
+void SliceWalk::seeUnjoined(const Block& block, const CellBlueprint* joined, Face face, Border at,
+                            int firstRow, int lastRow) {
     const CellBlueprint& own = *block.blueprint;
+    const Crossing& border = at == Border::enter ? enter_ : leave_;
     const SideView view = sideView(border);
     const Side side = sideOf(block, face, true);
     const auto draw = [&](int first, int last) {
         if (first < last) seeThroughSide(side, view, first, last);
     };
     if (joined == nullptr) return draw(firstRow, lastRow);
+    if (joined->slopes.any() || own.slopes.any()) {
+        const int x = at == Border::enter ? beforeX(at) : behindX(at);
+        const int y = at == Border::enter ? beforeY(at) : behindY(at);
+        const int top = rowOfFace(*joined, Face::top, x, y, block.level, border);
+        const int bottom = rowOfFace(*joined, Face::bottom, x, y, block.level, border);
+        if (top >= bottom) return draw(firstRow, lastRow);
+        draw(firstRow, std::min(lastRow, top));
+        return draw(std::max(firstRow, bottom), lastRow);
+    }
     const std::int32_t base = tileEdge(block.level).raw - eyeZ_;
     if (joined->top < own.top)
         draw(firstRow, std::min(lastRow, rowBelow(base + joined->top.raw, border)));
@@ -107,7 +118,7 @@ void SliceWalk::seeUnjoined(const Block& block, const CellBlueprint* joined, Fac
 
 void SliceWalk::enterThroughSide(const Block& block, int firstRow, int lastRow) {
     if (!open_.mayHold(firstRow, lastRow) || !isThere(block, enteredFace(enter_))) return;
-    seeUnjoined(block, joinedBefore(block), enteredFace(enter_), enter_, firstRow, lastRow);
+    seeUnjoined(block, joinedBefore(block), enteredFace(enter_), Border::enter, firstRow, lastRow);
 }
 
 // Behind the side there may be a portal of the whole tile, or of a block's face, which may be
@@ -115,11 +126,11 @@ void SliceWalk::enterThroughSide(const Block& block, int firstRow, int lastRow) 
 void SliceWalk::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
     if (!open_.mayHold(firstRow, lastRow) || !isThere(block, leftFace(leave_))) return;
     if (leave_.inner)
-        return seeUnjoined(block, nullptr, leftFace(leave_), leave_, firstRow, lastRow);
+        return seeUnjoined(block, nullptr, leftFace(leave_), Border::leave, firstRow, lastRow);
     const int x = behindX(Border::leave);
     const int y = behindY(Border::leave);
     const auto draw = [&](const CellBlueprint* joined, int first, int last) {
-        seeUnjoined(block, joined, leftFace(leave_), leave_, first, last);
+        seeUnjoined(block, joined, leftFace(leave_), Border::leave, first, last);
     };
     const bool mayPass = portals_ < frame_.world->portalLimit;
     const auto joinedAfter = [&](PortalId portal) {

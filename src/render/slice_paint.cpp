@@ -1,33 +1,11 @@
 #include "render/slice_paint.h"
 
-#include "render/plane_points.h"
-
 #include <algorithm>
 
 namespace slicecast {
 namespace {
 
 using What = FilledRows::What;
-
-// The texel of a plane's row.
-struct PlaneTexel {
-    const TextureLevel& level;
-    PlanePoints::Point point;
-    bool southReversed;
-};
-
-Pixel shadedPlaneTexel(const PlaneTexel& texel, int row, const PlaneRows& rows, Pixel haze, Lay lay,
-                       Pixel there) {
-    const TextureLevel& level = texel.level;
-    const auto texelOf = [&](std::uint32_t bits) {
-        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits) >> (32 - level.bits));
-    };
-    const std::uint32_t u = texelOf(texel.point.east);
-    std::uint32_t v = texelOf(texel.point.south);
-    if (texel.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-    return shadedTexel(level.texels[(u << level.bits) | v], rows.factors[row] & 0xffff,
-                       rows.fogs ? rows.fogs[row] & 0xffff : 0, haze, lay, there);
-}
 
 }  // namespace
 
@@ -56,7 +34,11 @@ void SlicePainter::paintOpaque(const ColumnSpans& column) {
                 count(span.first, span.last);
                 break;
             default:
-                gather(span);
+                if (span.look->plane.sloped) {
+                    paintSlope(span, Lay::opaque);
+                } else {
+                    gather(span);
+                }
         }
     }
     paintGathered(falling_);
@@ -71,9 +53,10 @@ void SlicePainter::paintLayers(const ColumnSpans& column) {
         if (!span->layer) continue;
         if (span->what == What::side || span->what == What::object) {
             paintTexels(*span, Lay::over);
+        } else if (span->look->plane.sloped) {
+            paintSlope(*span, Lay::over);
         } else {
-            paintPlane({span->look, span->vista, span->tiles, span->part, span->first, span->last},
-                       Lay::over);
+            paintPlane(runOf(*span), Lay::over);
         }
     }
 }
@@ -142,7 +125,7 @@ void SlicePainter::gather(const Span& span) {
         run.tiles.endless = span.tiles.endless;
     } else {
         paintGathered(run);
-        run = {span.look, span.vista, span.tiles, span.part, span.first, span.last};
+        run = runOf(span);
     }
 }
 
@@ -167,7 +150,8 @@ void SlicePainter::paintGathered(PlaneRun& run) {
 void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     count(run.first, run.last);
     PlaneLook& look = *run.look;
-    const PlanePoints points(*run.vista, run.vista->ray(column_), look, run.tiles);
+    const PlanePoints points(*run.vista, run.vista->ray(column_), look.height,
+                             look.plane.southReversed, run.tiles);
     const PlaneRows rows = look.rows(run.first, run.last);
     const double* const inverses = rows.inverseOffsets;
     int first = run.first;
@@ -189,6 +173,20 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     }
 }
 
+// One texel of a plane.
+Pixel SlicePainter::texelAt(const PlaneRun& run, const TextureLevel& level,
+                            const PlanePoints::Point& point) const {
+    const bool southReversed = run.look->plane.southReversed;
+    const auto texelOf = [&](std::uint32_t fraction) {
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(fraction) >>
+                                          (32 - level.bits));
+    };
+    const std::uint32_t u = texelOf(point.east);
+    std::uint32_t v = texelOf(point.south);
+    if (southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
+    return level.texels[(u << level.bits) | v];
+}
+
 // Paints rows one by one, slowly: those near tile borders, and the rare runs behind turning portals
 // with a point exactly on a border.
 void SlicePainter::paintPlaneByRows(const PlaneRun& run, int first, int last,
@@ -200,10 +198,9 @@ void SlicePainter::paintPlaneByRows(const PlaneRun& run, int first, int last,
         const double inverse = rows.inverseOffsets[row];
         const int level =
             frame_.detail.levelAt(run.look->depthPerInverse * inverse, texture.size, texture.last);
-        const PlaneTexel texel = {texture.levels[level], points.at(inverse),
-                                  run.look->plane.southReversed};
-        pixels_[row] =
-            shadedPlaneTexel(texel, row, rows, run.vista->lighting.haze, lay, pixels_[row]);
+        pixels_[row] = shadedTexel(
+            texelAt(run, texture.levels[level], points.at(inverse)), rows.factors[row] & 0xffff,
+            rows.fogs ? rows.fogs[row] & 0xffff : 0, run.vista->lighting.haze, lay, pixels_[row]);
     }
 }
 

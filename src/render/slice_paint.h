@@ -4,14 +4,13 @@
 
 #include "render/column_fill.h"
 #include "render/frame.h"
+#include "render/plane_points.h"
 #include "render/slice_spans.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace slicecast {
-
-class PlanePoints;
 
 class SlicePainter {
 public:
@@ -32,6 +31,9 @@ private:
         int first = -1;  // no rows if `first` equals `last`
         int last = -1;
     };
+    static PlaneRun runOf(const Span& span) {
+        return {span.look, span.vista, span.tiles, span.part, span.first, span.last};
+    }
 
     void paintOpaque(const ColumnSpans& column);
     void paintLayers(const ColumnSpans& column);
@@ -42,8 +44,11 @@ private:
     void gather(const Span& span);
     void paintGathered(PlaneRun& run);
     void paintPlane(const PlaneRun& run, Lay lay);
+    Pixel texelAt(const PlaneRun& run, const TextureLevel& level,
+                  const PlanePoints::Point& point) const;
     void paintPlaneByRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
                           Lay lay);
+    void paintSlope(const Span& span, Lay lay);  // slope_paint.cpp
     void count(int first, int last) {
         ++report_.spansDrawn;
         report_.rowsFilled += last - first;

@@ -82,6 +82,11 @@ void SliceWalk::leaveBottom(const Block& block, int firstRow, int lastRow) {
 // Cuts a block to the heights of the part's rays; false if nothing remains.
 bool SliceWalk::cutToClip(Block& block) const {
     if (block.top <= clip_.low || block.bottom >= clip_.high) return false;
+    if (block.blueprint->slopes.any()) {  // see firstRowNotReflected
+        block.cut =
+            clip_.isMirror && block.bottom == clip_.low && block.blueprint->slopes.bottom.isLevel();
+        return true;
+    }
     block.cut = block.bottom < clip_.low || block.top > clip_.high ||
                 (clip_.isMirror && block.bottom == clip_.low);
     block.bottom = std::max(block.bottom, clip_.low);

@@ -31,6 +31,14 @@ struct TileRange {
 
 inline constexpr int kNoLevel = -1;  // for spans of no block
 
+// How a column sees a sloped plane: see sloped_plane.h.
+struct SpanSlope {
+    double height = 0.0;   // above the eye, units; not 0
+    double horizon = 0.0;  // row
+
+    friend bool operator==(const SpanSlope&, const SpanSlope&) = default;
+};
+
 // Rows [first, last) of a slice. Sides and objects have a column of texels, planes have a look;
 // members that a kind of span does not have are undefined (see SpanList).
 struct Span {
@@ -48,6 +56,7 @@ struct Span {
     TextureId image = kNoTexture;  // of sides; for objects the sprite
     TexelColumn column;            // of sides and objects
     PlaneLook* look = nullptr;     // of planes
+    SpanSlope slope;               // of sloped ones
 };
 
 // Rows that reflect something.

@@ -3,6 +3,7 @@
 #include "base/sort.h"
 #include "render/plan_walk.h"
 #include "render/plane_points.h"
+#include "render/sloped_plane.h"
 
 #include <bit>
 #include <cmath>
@@ -105,14 +106,27 @@ private:
         hit.rawDepth = enter.along * std::sqrt(ray.x * ray.x + ray.y * ray.y);
         hit.bottom = tileEdge(level) + blueprint.bottom;
         hit.top = tileEdge(level) + blueprint.top;
-        const auto rowOf = [&](Coordinate height, double depth) {
-            const Coordinate rise{height.raw - vista.viewpoint.z};
-            return rise.raw == 0 ? projection.horizon : projection.rowOf(rise.value(), depth);
+        // Height above the eye, as it was over the eye and as it rises
+        const auto rowOf = [&](double rise, double perDepth, double depth) {
+            const double there = rise + (perDepth != 0.0 ? perDepth * depth : 0.0);
+            return there == 0.0 ? projection.horizon : projection.rowOf(there, depth);
         };
-        hit.topFrontRow = rowOf(hit.top, hit.depth);
-        hit.bottomFrontRow = rowOf(hit.bottom, hit.depth);
-        hit.topBackRow = rowOf(hit.top, hit.backDepth);
-        hit.bottomBackRow = rowOf(hit.bottom, hit.backDepth);
+        double top = Coordinate{hit.top.raw - vista.viewpoint.z}.value();
+        double bottom = Coordinate{hit.bottom.raw - vista.viewpoint.z}.value();
+        const auto rise = [&](const Slant& slant, double& height, double& perDepth) {
+            if (slant.isLevel()) return;
+            const SlopedPlane plane(blueprint.slopes, slant, walk.tileX, walk.tileY,
+                                    tileEdge(level).raw - vista.viewpoint.z, vista.viewpoint, ray,
+                                    projection);
+            height = plane.height;
+            perDepth = plane.rise * (plane.alongX ? ray.x : ray.y) / projection.distance;
+        };
+        rise(blueprint.slopes.top, top, hit.topSlope);
+        rise(blueprint.slopes.bottom, bottom, hit.bottomSlope);
+        hit.topFrontRow = rowOf(top, hit.topSlope, hit.depth);
+        hit.bottomFrontRow = rowOf(bottom, hit.bottomSlope, hit.depth);
+        hit.topBackRow = rowOf(top, hit.topSlope, hit.backDepth);
+        hit.bottomBackRow = rowOf(bottom, hit.bottomSlope, hit.backDepth);
     }
 
     int hitOf(const Span& span) const {
@@ -194,14 +208,22 @@ private:
         const Plane& plane = span.look->plane;
         const Vista& vista = *span.vista;
         const FrameTexture& texture = frame_.textures[plane.texture];
-        const PlanePoints points(vista, vista.ray(column_), *span.look, span.tiles);
+        const double height = plane.sloped ? std::fabs(span.slope.height) : span.look->height;
+        const PlanePoints points(vista, vista.ray(column_), height, plane.southReversed,
+                                 span.tiles);
+        const auto inverseAt = [&](int row) {
+            return plane.sloped ? 1.0 / std::fabs(span.slope.horizon - (row + 0.5))
+                                : vista.inverseOffsets[row];
+        };
+        const auto depthAt = [&](int row) {
+            return height * vista.projection->distance * inverseAt(row);
+        };
         const auto detailAt = [&](int row) {
-            return frame_.detail.levelAt(span.look->depthPerInverse * vista.inverseOffsets[row],
-                                         texture.size, texture.last);
+            return frame_.detail.levelAt(depthAt(row), texture.size, texture.last);
         };
         const auto texelAt = [&](int row) {
-            const double inverse = vista.inverseOffsets[row];
-            const double depth = span.look->depthPerInverse * inverse;
+            const double inverse = inverseAt(row);
+            const double depth = depthAt(row);
             const int detail = detailAt(row);
             const TextureLevel& shown = texture.levels[detail];
             const PlanePoints::Point point = points.at(inverse);

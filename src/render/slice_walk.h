@@ -16,6 +16,7 @@
 // slice_cover.cpp     floor and ceiling
 // slice_blocks.cpp    the blocks of a tile, their roofs and undersides
 // slice_sides.cpp     their sides
+// slice_slopes.cpp    blocks with slopes
 // slice_plans.cpp     tiles whose blocks fill only parts of them
 // slice_layers.cpp    see-through blocks
 // slice_objects.cpp   objects
@@ -27,6 +28,7 @@
 #include "render/open_rows.h"
 #include "render/plan_walk.h"
 #include "render/slice_spans.h"
+#include "render/sloped_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +76,20 @@ private:
         std::int32_t top;
         bool cut = false;  // by the part's height clip, or at a border of levels within a mover: no
                            // face at that end, and rays that start there are inside
+    };
+
+    // The top or the underside of a block with slopes.
+    struct FaceOfSlopes {
+        Face face = Face::top;
+        bool isSloped = false;  // else level
+        SpanSlope slope;
+        int atEnter = 0;  // the first row below it there
+        int atLeave = 0;
+    };
+
+    struct MetSlopes {
+        FaceOfSlopes top;
+        FaceOfSlopes bottom;
     };
 
     // Values shared by all sides at one border.
@@ -161,6 +177,18 @@ private:
     void takeCeilingHere(TextureId texture);
     Plane planeOf(const Block& block, Face face) const;
 
+    // ---- slice_slopes.cpp
+    int rowOfFace(const CellBlueprint& block, Face face, int x, int y, int level,
+                  const Crossing& at) const;
+    FaceOfSlopes faceOfSlopes(const Block& block, Face face) const;
+    int firstRowNotReflected(Border at) const {
+        return clip_.isMirror ? rowBelow(clip_.low, at) : projection_->height;
+    }
+    MetSlopes enterSlopes(const Block& block);
+    void passSlopes(const Block& block, const MetSlopes& met);
+    void passFace(const Block& block, const FaceOfSlopes& at, bool leaving);
+    void takeSlope(const Block& block, const FaceOfSlopes& at, int firstRow, int lastRow);
+
     // ---- slice_sides.cpp
     // Rounding may put a point on the border of two texels just before it: positions are moved on
     // by this part of a tile, far less than a pixel and far more than the rounding error.
@@ -208,8 +236,7 @@ private:
     __attribute__((noinline)) bool goesOn(const Block& block, int up) const;
     bool joinsNext(const Block& block, int up, bool leaving) const;
     __attribute__((noinline)) void seeUnjoined(const Block& block, const CellBlueprint* joined,
-                                               Face face, const Crossing& border, int firstRow,
-                                               int lastRow);
+                                               Face face, Border border, int firstRow, int lastRow);
     void enterThroughSide(const Block& block, int firstRow, int lastRow);
     void passThroughPlane(const Block& block, Face face, int firstRow, int lastRow, bool leaving);
     void leaveThroughSide(const Block& block, int firstRow, int lastRow);

@@ -17,7 +17,7 @@ bool StripWalk::findBlocks(std::uint32_t reached) {
         Block block = any.blockAt(tileX(v_), tileY(v_), std::countr_zero(reached));
         if (any.clipped_ && !any.cutToClip(block)) continue;
         const CellBlueprint& look = *block.blueprint;
-        if (look.seeThrough || look.hasPortals || !look.plan.isWhole() ||
+        if (look.seeThrough || look.hasPortals || !look.isBox() ||
             (block.top < 0 && any.mirrorStrength(look.face(Face::top).mirror) > 0))
             return false;
         block_[blocks_++] = block;

@@ -60,8 +60,10 @@ struct Hit {
     double rawDepth = 0.0;   // distance from the eye to that point along the ground
     double depth = 0.0;      // perpendicular depth t of that point
     double backDepth = 0.0;  // perpendicular depth where the line leaves the block
-    Coordinate bottom;       // heights above the map's floor
+    Coordinate bottom;       // heights above the map's floor: its lowest and its highest point
     Coordinate top;
+    double bottomSlope = 0.0;  // how far its underside and its top rise per unit of depth
+    double topSlope = 0.0;
     double topFrontRow = 0.0;
     double bottomFrontRow = 0.0;
     double topBackRow = 0.0;

@@ -156,21 +156,88 @@ Plan readPlan(Reading& reading, JsonValue value) {
     return {edges[0], edges[1], edges[2], edges[3]};
 }
 
+constexpr Named<Face> kSides[] = {
+    {Face::north, "north"}, {Face::east, "east"}, {Face::south, "south"}, {Face::west, "west"}};
+
+// A height, or the two heights of a slope.
+struct Heights {
+    Slant heights;
+    bool isSlope = false;
+};
+Heights readHeights(Reading& reading, const Fields& fields, const char* key, double otherwise) {
+    const auto member = fields.find(key);
+    if (!member || !member->isArray()) {
+        const Coordinate height = toCoordinate(fields.number(key, kUnitRange, otherwise));
+        return {{height, height}, false};
+    }
+    if (member->count() != 2) {
+        reading.checker.refuse(*member, "a number from 0 to 1, or the two heights of a slope");
+        return {};
+    }
+    Heights read = {{}, true};
+    Coordinate* next = &read.heights.from;
+    for (const JsonValue height : *member) {
+        *next = toCoordinate(reading.checker.number(height, kUnitRange).value_or(0.0));
+        next = &read.heights.to;
+    }
+    return read;
+}
+
+// "bottom", "top" and "rise". A list has the height at the edge opposite the side `rise` first.
+void readShape(Reading& reading, JsonValue value, const Fields& fields, CellBlueprint& blueprint) {
+    Checker& checker = reading.checker;
+    const std::size_t faultsBefore = checker.count();
+    const auto [bottom, hasBottomSlope] = readHeights(reading, fields, "bottom", 0.0);
+    const auto [top, hasTopSlope] = readHeights(reading, fields, "top", 1.0);
+    const auto rise = fields.find("rise");
+    const Face side = fields.choice("rise", kSides, Face::east);
+    if (checker.count() != faultsBefore) return;
+    const bool isList = hasBottomSlope || hasTopSlope;
+    if (isList && !rise) {
+        checker.add(value, "a slope that rises towards no side",
+                    "\"rise\": \"north\", \"east\", \"south\" or \"west\"");
+    } else if (rise && !isList) {
+        checker.addAtKey(*rise, "\"rise\" without two heights",
+                         "\"top\" or \"bottom\" with two heights, as in \"top\": [0, 1]");
+    }
+    const auto given = fields.find("top") ? fields.find("top") : fields.find("bottom");
+    if (bottom.from > top.from || bottom.to > top.to ||
+        (bottom.from == top.from && bottom.to == top.to)) {
+        checker.add(*given, "a \"top\" that is not above \"bottom\"",
+                    isList ? "\"top\" nowhere below \"bottom\", and above it at one edge"
+                           : "\"top\" above \"bottom\", by at least 1/65536");
+    }
+    blueprint.bottom = bottom.least();
+    blueprint.top = top.most();
+    if (isList) blueprint.slopes = slopesTo(side, bottom, top);
+}
+
+// What a block with slopes cannot be.
+void checkSlopes(Reading& reading, const Fields& fields, const CellBlueprint& blueprint) {
+    if (!blueprint.slopes.any()) return;
+    if (const auto water = fields.find("water"); water && blueprint.isWater)
+        reading.checker.add(*water, "water with slopes", "\"rise\" or \"water\", not both");
+    if (const auto diagonal = fields.find("diagonal"))
+        reading.checker.add(*diagonal, "a half of a tile with slopes",
+                            "\"rise\" or \"diagonal\", not both");
+    if (const auto motion = fields.find("motion"))
+        reading.checker.add(*motion, "a block with slopes that moves",
+                            "\"rise\" or \"motion\", not both");
+    const auto faces = fields.find("faces");
+    if (faces && !blueprint.slopes.top.isLevel() && blueprint.face(Face::top).mirror > 0)
+        reading.checker.add(*faces, "a mirror on a slope", "a level \"top\", or no \"mirror\"");
+}
+
 CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     CellBlueprint blueprint;
     blueprint.name = std::string(value.key());
     const auto fields = reading.checker.fields(
-        value, {"bottom", "top", "plan", "diagonal", "water", "faces", "join", "motion", "gate"},
+        value,
+        {"bottom", "top", "rise", "plan", "diagonal", "water", "faces", "join", "motion", "gate"},
         "a blueprint: an object with \"faces\"");
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
-    blueprint.bottom = toCoordinate(fields->number("bottom", kUnitRange, 0.0));
-    blueprint.top = toCoordinate(fields->number("top", kUnitRange, 1.0));
-    if (reading.checker.count() == faultsBefore && blueprint.bottom >= blueprint.top) {
-        const auto given = fields->find("top") ? fields->find("top") : fields->find("bottom");
-        reading.checker.add(*given, "a \"top\" that is not above \"bottom\"",
-                            "\"top\" above \"bottom\", by at least 1/65536");
-    }
+    readShape(reading, value, *fields, blueprint);
     if (const auto plan = fields->find("plan")) blueprint.plan = readPlan(reading, *plan);
     blueprint.plan.half = fields->choice("diagonal", kHalves, Half::none);
     if (const auto diagonal = fields->find("diagonal"); diagonal && fields->find("plan")) {
@@ -194,6 +261,7 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
         blueprint.gate = readGate(reading, *gate);
         if (reading.checker.count() == faultsBefore) checkGate(reading, *gate, blueprint);
     }
+    checkSlopes(reading, *fields, blueprint);
     return blueprint;
 }
 

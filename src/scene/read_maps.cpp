@@ -21,6 +21,27 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
     }
 }
 
+// A ceiling must not pass between the lowest and the highest point of a block with slopes.
+void checkCeiling(Reading& reading, JsonValue value, const Map& map) {
+    const int level = map.ceiling.height.tile();
+    if (map.ceiling.tiles.empty() || level >= map.levels) return;
+    const Coordinate height = map.ceiling.height - tileEdge(level);
+    for (int y = 0; y < map.depth; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            const CellBlueprint& block =
+                reading.description.world.blueprints[map.cell(x, y, level)];
+            if (!block.slopes.any() || height <= block.bottom || height >= block.top ||
+                map.ceiling.tiles[map.tileIndex(x, y)] == kNoTexture)
+                continue;
+            reading.checker.add(value,
+                                {"a ceiling through the block ", quoted(block.name), " at x ", x,
+                                 ", y ", y, ", level ", level, ", which has slopes"},
+                                "a ceiling above or below it, or none in its tile");
+            return;
+        }
+    }
+}
+
 Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& legendOfAll) {
     Checker& checker = reading.checker;
     Map map;
@@ -43,7 +64,12 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
 
     if (const auto floor = fields->require("floor", "the floor's texture"))
         readFloor(reading, *floor, hasSize, map);
-    if (const auto ceiling = fields->find("ceiling")) readCeiling(reading, *ceiling, hasSize, map);
+    if (const auto ceiling = fields->find("ceiling")) {
+        const std::size_t faultsBefore = checker.count();
+        readCeiling(reading, *ceiling, hasSize, map);
+        if (checker.count() == faultsBefore && reading.areBlueprintsSound)
+            checkCeiling(reading, *ceiling, map);
+    }
     if (const auto objects = fields->find("objects")) readObjects(reading, *objects, hasSize, map);
     if (const auto sow = fields->find("sow")) readSowing(reading, *sow);
     if (const auto portals = fields->find("portals")) reading.portals.push_back({*portals, index});

@@ -346,6 +346,23 @@ private:
         return id.has_value();
     }
 
+    // Rays that come out of a roof or an underside start within the exit tile, where a slope could
+    // be partly behind them.
+    bool leadsToLevelBlocks(JsonValue at, const Portal& portal) {
+        const Map& map = mapAt(portal.toMap);
+        for (int level = 0; level < map.levels; ++level) {
+            const CellBlueprint& block = world_.blueprints[map.cell(portal.toX, portal.toY, level)];
+            if (!block.slopes.any()) continue;
+            checker_.add(
+                at,
+                {"a portal in a roof or an underside that leads to the block ", quoted(block.name),
+                 " at ", cellText({portal.toX, portal.toY}, level), ", which has slopes"},
+                "an exit tile without blocks with \"rise\"");
+            return false;
+        }
+        return true;
+    }
+
     bool addFace(JsonValue at, const Portal& portal, int level, Face face) {
         Map& map = world_.maps[static_cast<std::size_t>(portal.fromMap)];
         const GridTile tile = {portal.fromX, portal.fromY};
@@ -364,6 +381,15 @@ private:
                          "a block without \"plan\" and \"diagonal\"");
             return false;
         }
+        if (world_.blueprints[id].slopes.any()) {
+            checker_.add(at,
+                         {"a portal on the block ", quoted(world_.blueprints[id].name),
+                          ", which has slopes"},
+                         "a block without \"rise\"");
+            return false;
+        }
+        if ((face == Face::top || face == Face::bottom) && !leadsToLevelBlocks(at, portal))
+            return false;
         if (world_.blueprints[id].isWater) {
             checker_.add(
                 at,

@@ -47,6 +47,24 @@ std::string cellsJson(const World& world, int mapIndex) {
     return json.endArray().str();
 }
 
+namespace {
+
+// Heights at the western or northern edge, and at the eastern or southern.
+template <typename Json>
+void writeSlopes(Json& json, const Slopes& slopes) {
+    const auto pair = [&](const Slant& slant) {
+        return json.pair(slant.from.value(), slant.to.value());
+    };
+    json.beginObject().key("along").text(slopes.alongX ? "x" : "y");
+    json.key("bottom");
+    pair(slopes.bottom);
+    json.key("top");
+    pair(slopes.top);
+    json.endObject();
+}
+
+}  // namespace
+
 std::string blueprintsJson(const World& world, int mapIndex) {
     JsonText json;
     json.beginArray();
@@ -56,6 +74,7 @@ std::string blueprintsJson(const World& world, int mapIndex) {
         json.key("name").text(blueprint.name);
         json.key("bottom").number(blueprint.bottom.value());
         json.key("top").number(blueprint.top.value());
+        if (blueprint.slopes.any()) writeSlopes(json.key("slopes"), blueprint.slopes);
         const Plan& plan = blueprint.plan;
         json.key("plan").beginArray();
         for (const Coordinate edge : {plan.west, plan.north, plan.east, plan.south})

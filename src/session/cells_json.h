@@ -3,7 +3,10 @@
 //     cells         [ [ROW, ...], ... ]       for each level its rows from north to south, in the
 //                                             characters of edit_cells.h
 //     blueprints    [ { "character", "name",  the map's legend, in its order
-//                       "bottom", "top",      heights above the level's base
+//                       "bottom", "top",      its lowest and its highest point above the level's
+//                                             base
+//                       "slopes": { "along", "bottom", "top" },     only if there are some: "x" or
+//                                             "y", heights at the lesser and the greater coordinate
 //                       "seeThrough", "moves", "gate",     true or false
 //                       "faces": { "north": { "texture",
 //                                             "colour",    its average, "#rrggbb"; null if it has

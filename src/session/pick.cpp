@@ -51,7 +51,11 @@ SeenThing nearestSeen(const World& world, const SliceTrace& trace) {
 // #endregion
 
 double heightOf(const World& world, const SliceTrace& trace, const FilledRows& rows, double z) {
-    switch (rows.what) {
+    const bool isSloped =
+        rows.hit >= 0 && !world.blueprints[trace.hits[static_cast<std::size_t>(rows.hit)].blueprint]
+                              .slopes.of(rows.face)
+                              .isLevel();
+    switch (isSloped ? What::side : rows.what) {
         case What::roof:
             return trace.hits[static_cast<std::size_t>(rows.hit)].top.value();
         case What::underside:

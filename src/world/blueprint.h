@@ -5,6 +5,7 @@
 #include "slicecast/colour.h"
 #include "slicecast/face.h"
 #include "world/plan.h"
+#include "world/slope.h"
 
 #include <array>
 #include <cstdint>
@@ -34,14 +35,16 @@ struct FaceBlueprint {
 };
 
 // A filled cell: the box between `bottom` and `top` above its level's base, over the whole tile or
-// over the part of it that `plan` says. Blocks that move, open
-// or lead elsewhere get blueprints of their own when the world is made, because each step may
-// change their edges and textures. While top <= bottom their cells are empty (see Map::occupied).
+// over the part of it that `plan` says; `slopes` may cut off a part of the box above and below.
+// Blocks that move, open or lead elsewhere get blueprints of their own when the world is made,
+// because each step may change their edges and textures. While top <= bottom their cells are empty
+// (see Map::occupied).
 struct CellBlueprint {
     std::string name;
-    Coordinate bottom;             // 0 <= bottom < top
-    Coordinate top = tileEdge(1);  // <= 1
+    Coordinate bottom;             // its lowest point, 0 <= bottom < top
+    Coordinate top = tileEdge(1);  // its highest, <= 1
     Plan plan;                     // see markPlans; not of water or blocks with portals
+    Slopes slopes;                 // not of water, halves, nor blocks that move or have portals
     std::array<FaceBlueprint, kFaces> faces;
     bool seeThrough = false;  // a texel of a face has alpha below 255; set by markSeeThrough
     bool join =
@@ -64,6 +67,11 @@ struct CellBlueprint {
 
     // Neither moves nor opens.
     bool isStill() const { return motion < 0 && gate < 0; }
+    // Reaches the upper end of its level everywhere, or the lower one.
+    bool fillsUp() const { return top == tileEdge(1) && slopes.top.isLevel(); }
+    bool fillsDown() const { return bottom == Coordinate{0} && slopes.bottom.isLevel(); }
+    // Fills its tile and is level.
+    bool isBox() const { return plan.isWhole() && !slopes.any(); }
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }
 };
 

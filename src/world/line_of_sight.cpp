@@ -46,6 +46,12 @@ bool blockCovers(const World& world, const Map& map, int x, int y, const Place& 
                 ? part
                 : wayOver(block.plan, x, y, from.x, from.y, to.x - from.x, to.y - from.y, part);
         if (!over) continue;
+        if (block.slopes.any()) {
+            if (wayBetween(block.slopes, x, y, level, {from.x, from.y, from.z},
+                           {to.x - from.x, to.y - from.y, to.z - from.z}, *over))
+                return true;
+            continue;
+        }
         const auto [lowest, highest] = std::minmax({heightAt(over->from), heightAt(over->to)});
         if (lowest < level + block.top.value() && highest > level + block.bottom.value())
             return true;

@@ -23,7 +23,9 @@ std::optional<Coordinate> lowestPlace(const World& world, int mapIndex, int tile
         const BlueprintId id = map.cell(tileX, tileY, level);
         if (id == kEmptyCell || world.blueprints[id].isWater) continue;
         const Coordinate top = tileEdge(level) + world.blueprints[id].top;
-        if (isDry(top) && fitsStanding(world, mapIndex, x, y, top)) return top;
+        if (!isDry(top) || !fitsStanding(world, mapIndex, x, y, top)) continue;
+        // On a slope the feet are lower than its highest point
+        return top + sweepZ(world, mapIndex, bodyBox(x, y, top, kStandingHeight), {-65536});
     }
     return std::nullopt;
 }

@@ -29,7 +29,7 @@ std::optional<Ground> roofAt(const World& world, const Map& map, const Sowing& s
         return std::nullopt;
     const CellBlueprint& block = world.blueprints[id];
     const FaceBlueprint& roof = block.face(Face::top);
-    if (roof.portal != kNoPortal || block.mover >= 0 || !block.plan.isWhole()) return std::nullopt;
+    if (roof.portal != kNoPortal || block.mover >= 0 || !block.isBox()) return std::nullopt;
     return Ground{tileEdge(level) + block.top, roof.texture};
 }
 

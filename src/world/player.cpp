@@ -218,10 +218,18 @@ void walk(const World& world, Player& player, const PlayerInput& wish) {
     const bool resting = target.x == 0.0 && target.y == 0.0;
     const double acceleration = player.onGround ? (resting ? kGroundBraking : kGroundAcceleration)
                                                 : (resting ? kAirBraking : kAirAcceleration);
-    const Vector velocity = approach({player.velocityX, player.velocityY}, target,
-                                     acceleration * wish.speed * kStepSeconds);
+    const Fall downhill = player.onGround ? fallOf(world, travellerOf(player)) : Fall{};
+    const double steepness = downhill.x * downhill.x + downhill.y * downhill.y;  // squared
+    const Vector velocity =
+        approach({player.velocityX, player.velocityY}, target,
+                 (steepness > 0.0 ? kAirBraking : acceleration) * wish.speed * kStepSeconds);
     player.velocityX = velocity.x;
     player.velocityY = velocity.y;
+    if (steepness > 0.0) {  // gravity acts along the slope
+        const double pull = kGravity * kStepSeconds / (1.0 + steepness);
+        player.velocityX += pull * downhill.x;
+        player.velocityY += pull * downhill.y;
+    }
 
     slidePlayer(world, player, player.onGround ? kStepHeight : Coordinate{0});
     if (player.onGround) followGround(world, player);

@@ -17,11 +17,11 @@ std::optional<Face> sideTowards(GridTile tile, GridTile other) {
 }
 
 // Calls met() for the part of a solid thing between two heights, including planes at these heights.
-void meet(Coordinate bottom, Coordinate top, const Plan& plan, Coordinate low, Coordinate high,
-          Meeting met) {
+void meet(Coordinate bottom, Coordinate top, const Plan& plan, const SolidSlopes& slopes,
+          Coordinate low, Coordinate high, Meeting met) {
     const Coordinate from = std::max(bottom, low);
     const Coordinate to = std::min(top, high);
-    if (from < to || (bottom == top && from == to)) met(from, to, plan);
+    if (from < to || (bottom == top && from == to)) met(from, to, plan, slopes);
 }
 
 }  // namespace
@@ -55,15 +55,17 @@ void PortalSolids::visit(int x, int y, Coordinate low, Coordinate high, Meeting 
     if (portal != nullptr) return visitThrough(*portal, x, y, from, to, low, high, met);
     // Through faces
     const Openings openings = openingsAbove(tile);
-    const auto clipped = [&](Coordinate bottom, Coordinate top, const Plan& plan) {
+    const auto clipped = [&](Coordinate bottom, Coordinate top, const Plan& plan,
+                             const SolidSlopes& slopes) {
         const Opening& a = openings.below;
         const Opening& b = openings.above;
         if (a.portal == nullptr && b.portal == nullptr)
-            return meet(bottom, top, plan, from, to, met);
-        if (a.portal != nullptr) meet(bottom, top, plan, from, std::min(to, a.low), met);
+            return meet(bottom, top, plan, slopes, from, to, met);
+        if (a.portal != nullptr) meet(bottom, top, plan, slopes, from, std::min(to, a.low), met);
         const Coordinate middle = a.portal != nullptr ? std::max(from, a.high) : from;
-        meet(bottom, top, plan, middle, b.portal != nullptr ? std::min(to, b.low) : to, met);
-        if (b.portal != nullptr) meet(bottom, top, plan, std::max(from, b.high), to, met);
+        meet(bottom, top, plan, slopes, middle, b.portal != nullptr ? std::min(to, b.low) : to,
+             met);
+        if (b.portal != nullptr) meet(bottom, top, plan, slopes, std::max(from, b.high), to, met);
     };
     MapSolids(world_, map_, floats_).visit(x, y, low, high, clipped);
     for (const Opening& opening : {openings.below, openings.above}) {
@@ -95,9 +97,10 @@ void PortalSolids::visitThrough(const Portal& portal, int x, int y, Coordinate f
     const Coordinate shift = tileEdge(portal.levels);
     MapSolids(world_, mapAt(portal.toMap), floats_)
         .visit(tile.x, tile.y, low + shift, high + shift,
-               [&](Coordinate bottom, Coordinate top, const Plan& plan) {
-                   meet(bottom - shift, top - shift, turned(plan, (4 - portal.turn) % 4), from, to,
-                        met);
+               [&](Coordinate bottom, Coordinate top, const Plan& plan, const SolidSlopes& slopes) {
+                   const int back = (4 - portal.turn) % 4;
+                   meet(bottom - shift, top - shift, turned(plan, back),
+                        {turned(slopes.slopes, back), slopes.base - shift}, from, to, met);
                });
 }
 

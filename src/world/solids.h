@@ -44,14 +44,22 @@ private:
 // Whether a box that reaches into tile (x, y) is over a part of the plan there, or under it.
 bool isOver(const Plan& plan, int x, int y, const Box& box);
 
-// For a solid thing in a tile: its bottom, its top, and what it fills of the tile.
-using Meeting = Visitor<Coordinate, Coordinate, const Plan&>;
+// The slopes of a solid thing, whose heights count from `base`. Between its bottom and its top they
+// cut off what is above and below them.
+struct SolidSlopes {
+    Slopes slopes;
+    Coordinate base;
+};
+inline constexpr SolidSlopes kNoSlopes;
+
+// For a solid thing in a tile: its bottom, its top, what it fills of the tile, and its slopes.
+using Meeting = Visitor<Coordinate, Coordinate, const Plan&, const SolidSlopes&>;
 
 // Lists solid things.
 class Solids {
 public:
-    // Calls met(bottom, top, plan) for the solid things above tile (x, y) that touch the heights
-    // from `low` to `high`, and possibly for others; planes have bottom == top.
+    // Calls met(bottom, top, plan, slopes) for the solid things above tile (x, y) that touch the
+    // heights from `low` to `high`, and possibly for others; planes have bottom == top.
     virtual void visit(int x, int y, Coordinate low, Coordinate high, Meeting met) const = 0;
 
 protected:
@@ -82,6 +90,10 @@ std::optional<Coordinate> leastRiseAmong(const Solids& solids, const Box& box, C
 // Whether only cuts of halves, all alike, stop a box that goes further along an axis: 1 if x and y
 // grow together along them, -1 if one grows while the other shrinks, else 0.
 int slipAmong(const Solids& solids, const Box& box, Coordinate Offset::*axis, bool isUp);
+
+// Of a box at rest: see fallOf in traveller.h.
+struct Fall;
+Fall fallAmong(const Solids& solids, const Box& box);
 
 // One part of a slide along one axis, at most kLongestSlide long, over a step if needed. True if it
 // got all the way.

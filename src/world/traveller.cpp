@@ -280,6 +280,10 @@ bool isSupported(const World& world, const Traveller& body) {
     return sweepZ(world, body, {-1}).raw == 0;
 }
 
+Fall fallOf(const World& world, const Traveller& body) {
+    return isThere(world, body) ? fallAmong(PortalSolids(world, body), body.box) : Fall{};
+}
+
 Travelled slide(const World& world, Traveller& body, Coordinate distanceX, Coordinate distanceY,
                 Coordinate step) {
     if (!isThere(world, body)) return {};

@@ -59,6 +59,14 @@ bool isFree(const World& world, const Traveller& body);
 Coordinate sweepZ(const World& world, const Traveller& body, Coordinate distance);
 bool isSupported(const World& world, const Traveller& body);
 
+// Where a body slides that rests on slopes steeper than kSteepest and on nothing else: how far they
+// fall per unit along x and y, eastward and southward positive. 0 elsewhere.
+struct Fall {
+    double x = 0.0;
+    double y = 0.0;
+};
+Fall fallOf(const World& world, const Traveller& body);
+
 // Moves a free body sideways, through portals on its way, like slide in collision.h. The result is
 // free.
 Travelled slide(const World& world, Traveller& body, Coordinate distanceX, Coordinate distanceY,

@@ -197,7 +197,7 @@ void addWater(Random& random, World& world) {
     }
 }
 
-// Blocks that fill a part of their tile, or a half of it.
+// Blocks that fill a part of their tile, a half of it, or that have slopes.
 CellBlueprint anyShape(Random& random, const World& world) {
     CellBlueprint shape;
     shape.name = "shape";
@@ -207,15 +207,23 @@ CellBlueprint anyShape(Random& random, const World& world) {
         face.light = random.unit();
     }
     const auto edge = [&](int low, int high) { return Coordinate{random.between(low, high)}; };
-    switch (random.below(2)) {
+    switch (random.below(3)) {
         case 0:
             shape.plan.west = edge(0, 30000);
             shape.plan.east = edge(35000, 65536);
             shape.plan.north = edge(0, 30000);
             shape.plan.south = edge(35000, 65536);
             break;
-        default:
+        case 1:
             shape.plan.half = static_cast<Half>(random.between(1, 4));
+            break;
+        default: {
+            const Slant bottom = {edge(0, 20000), edge(0, 20000)};
+            const Slant top = {edge(20000, 65536), edge(20001, 65536)};
+            shape.slopes = slopesTo(static_cast<Face>(random.below(4)), bottom, top);
+            shape.bottom = bottom.least();
+            shape.top = top.most();
+        }
     }
     return shape;
 }
@@ -238,7 +246,8 @@ void addShapes(Random& random, World& world) {
                     return portal.toMap == static_cast<int>(m) && portal.toX == at.x &&
                            portal.toY == at.y;
                 });
-            if (changes || hasExit || map.tilePortal(at.x, at.y) != kNoPortal ||
+            const bool isCut = !map.ceiling.tiles.empty() && map.ceiling.height.tile() == at.level;
+            if (changes || hasExit || isCut || map.tilePortal(at.x, at.y) != kNoPortal ||
                 world.blueprints[map.cell(at.x, at.y, at.level)].hasPortals)
                 continue;
             map.setCell(at.x, at.y, at.level, id);

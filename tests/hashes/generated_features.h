@@ -10,7 +10,7 @@ namespace slicecast {
 // To a world with one map. The same from every compiler.
 void addFeatures(Random& random, World& world);
 
-// Thin blocks, halves of tiles; after everything that moves or leads elsewhere.
+// Thin blocks, halves of tiles, slopes; after everything that moves or leads elsewhere.
 void addShapes(Random& random, World& world);
 
 }  // namespace slicecast

@@ -139,7 +139,8 @@ bool isSame(const Span& fast, const Span& plain, int row, int column) {
         return false;
     if (fast.level != kNoLevel && fast.face != plain.face) return false;
     if (isPlane(fast))
-        return fast.look == plain.look && covers(fast.tiles, plain.tiles, fast.vista->ray(column));
+        return fast.look == plain.look && (!fast.look->plane.sloped || fast.slope == plain.slope) &&
+               covers(fast.tiles, plain.tiles, fast.vista->ray(column));
     if (!hasTexelColumn(fast)) return true;
     if (fast.what == What::side && !covers(fast.tiles, plain.tiles, {})) return false;
     return fast.image == plain.image && isSameColumn(fast, plain, row);

@@ -23,12 +23,16 @@ bool isFit(const Scene& scene) {
     const BlueprintId id = map.cell(view.x.tile(), view.y.tile(), view.z.tile());
     if (id == kEmptyCell) return true;
     const Coordinate height = view.z - tileEdge(view.z.tile());
-    return height < scene.world.blueprints[id].bottom || height >= scene.world.blueprints[id].top;
+    return height < scene.world.blueprints[id].bottom || height > scene.world.blueprints[id].top;
 }
 
-// What fills only a part of its tile joins nothing through portals, and has none.
+// What fills only a part of its tile joins nothing through portals, and has none. Blocks with
+// slopes do not join through them either.
 void fillTiles(World& world) {
-    for (CellBlueprint& blueprint : world.blueprints) blueprint.plan = {};
+    for (CellBlueprint& blueprint : world.blueprints) {
+        blueprint.plan = {};
+        if (blueprint.seeThrough) blueprint.slopes = {};
+    }
     markPlans(world);
 }
 

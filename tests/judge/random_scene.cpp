@@ -250,6 +250,66 @@ void narrow(Random& random, World& world, bool coarse) {
     markPlans(world);
 }
 
+// The blueprints that cannot have slopes: of blocks that move or have portals, or that others were
+// made from; water; mirrors; in tiles that a portal in a roof or an underside leads to, and across
+// ceilings.
+std::vector<bool> levelBlueprints(const World& world) {
+    std::vector<bool> isLevel(world.blueprints.size());
+    isLevel[kEmptyCell] = true;
+    for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+        const CellBlueprint& block = world.blueprints[i];
+        if (block.origin != kEmptyCell) isLevel[i] = isLevel[block.origin] = true;
+        if (block.isWater || block.mover >= 0 || block.hasPortals ||
+            block.plan.half != Half::none || block.face(Face::top).mirror > 0)
+            isLevel[i] = true;
+        for (const Face face : {Face::top, Face::bottom}) {
+            const PortalId id = block.face(face).portal;
+            if (id == kNoPortal) continue;
+            const Portal& portal = world.portals[id];
+            const Map& map = world.maps[static_cast<std::size_t>(portal.toMap)];
+            for (int level = 0; level < map.levels; ++level)
+                isLevel[map.cell(portal.toX, portal.toY, level)] = true;
+        }
+    }
+    for (const Map& map : world.maps) {
+        if (map.ceiling.tiles.empty()) continue;
+        const int level = map.ceiling.height.tile();
+        const Coordinate height = map.ceiling.height - tileEdge(level);
+        for (int tile = 0; level < map.levels && tile < map.width * map.depth; ++tile) {
+            const BlueprintId id = map.cell(tile % map.width, tile / map.width, level);
+            const CellBlueprint& block = world.blueprints[id];
+            if (block.bottom < height && height < block.top) isLevel[id] = true;
+        }
+    }
+    return isLevel;
+}
+
+// Some blocks rise; numbers of their own, so that the rest of the scene stays what it is.
+void incline(Random& random, World& world, bool coarse) {
+    const std::vector<bool> isLevel = levelBlueprints(world);
+    for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+        CellBlueprint& block = world.blueprints[i];
+        if (isLevel[i] || random.oneIn(4)) continue;
+        const int side = random.below(4);
+        const auto height = [&] {
+            const int part = coarse ? random.between(0, 4) * 16384 : random.between(0, 65536);
+            return Coordinate{block.bottom.raw +
+                              static_cast<std::int32_t>(
+                                  std::int64_t{(block.top - block.bottom).raw} * part / 65536)};
+        };
+        Slant bottom;
+        Slant top;
+        do {
+            bottom = {block.bottom, random.oneIn(2) ? block.bottom : height()};
+            top = {block.top, random.oneIn(4) ? block.top : height()};
+            if (random.oneIn(2)) std::swap(bottom.from, bottom.to);
+            if (random.oneIn(2)) std::swap(top.from, top.to);
+        } while (bottom.from > top.from || bottom.to > top.to ||
+                 (bottom.from == top.from && bottom.to == top.to));
+        block.slopes = slopesTo(static_cast<Face>(side), bottom, top);
+    }
+}
+
 // Some of the still blocks become water, which may lack faces; numbers of their own, so that the
 // rest of the scene stays what it is.
 void flood(Random& random, World& world) {
@@ -379,6 +439,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
     changeMovers(more, scene.world);
+    Random slopes(seed ^ 0x736c6f70u);
+    if (slopes.oneIn(3)) incline(slopes, scene.world, slopes.oneIn(2));
     if (more.oneIn(6)) enterMover(more, scene.world, view);
     return scene;
 }
@@ -407,6 +469,8 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
     changeMovers(more, scene.world);
+    Random slopes(seed ^ 0x736c6f70u);
+    if (!slopes.oneIn(3)) incline(slopes, scene.world, true);
     return scene;
 }
 

@@ -66,6 +66,9 @@ inline std::string textOf(const Span& span) {
         appendFormatted(text, "  rise %d light %g%s%s", span.look->plane.rise,
                         span.look->plane.light, span.look->plane.glow ? " glow" : "",
                         span.look->plane.mirror ? " mirror" : "");
+        if (span.look->plane.sloped)
+            appendFormatted(text, "  sloped, %.9g above the eye, horizon %.9g", span.slope.height,
+                            span.slope.horizon);
     }
     if (hasTexelColumn(span)) {
         const TexelColumn& column = span.column;

@@ -105,6 +105,69 @@ bool Tracer::Walk::isAboveAtStart(double height, Edge edge) const {
     return edge == Edge::top || (edge == Edge::plane && falls());
 }
 
+// ---- Slopes ----
+
+Tracer::Walk::Surface Tracer::Walk::surfaceOf(const CellBlueprint& block, int level, Face which,
+                                              const Place& place, Tile tile) const {
+    const double base = level - place.levels;
+    const Slopes slopes = slicecast::turned(block.slopes, 4 - place.turn);
+    const Slant& slant = slopes.of(which);
+    if (slant.isLevel())
+        return {.height = base + (which == Face::top ? block.top : block.bottom).value()};
+    const double rise = slant.to.value() - slant.from.value();
+    const double way = slopes.alongX ? eye_.x - tile.x : eye_.y - tile.y;
+    return {.height = base + slant.from.value() + rise * way,
+            .isSloped = true,
+            .riseX = slopes.alongX ? rise : 0.0,
+            .riseY = slopes.alongX ? 0.0 : rise,
+            .most = base + std::max(slant.from.value(), slant.to.value())};
+}
+
+// The ray's height above the plane is -over + t / d * up.
+Meeting Tracer::Walk::meetingOf(const Surface& surface) const {
+    const double over = surface.height - eyeZ_;
+    const double up = up_ - surface.riseX * direction_.x - surface.riseY * direction_.y;
+    return over == 0.0 ? Meeting{0.0, 1.0} : Meeting{over, up};
+}
+
+bool Tracer::Walk::isAbove(const Surface& surface, const Border& border) const {
+    if (!surface.isSloped) return isAbove(surface.height, border);
+    const double way = border.meeting.distance;
+    // Over a border across its rise the plane is level.
+    const double rise = surface.riseX * border.step.x + surface.riseY * border.step.y;
+    if (rise != 0.0) return isAbove(surface.height + rise * way, border);
+    const double over = surface.height - eyeZ_;
+    const double up = up_ - surface.riseX * direction_.x - surface.riseY * direction_.y;
+    const double above = up * way - over * border.meeting.speed;
+    if (above != 0.0) return above > 0.0;
+    // How it changes as the eye moves east, then south, then up: the way to the border becomes
+    // shorter or longer, and the plane over the eye higher or lower.
+    if (border.cut != Half::none) {
+        const double byEast = -border.sooner[0] * up - surface.riseX;
+        return byEast != 0.0 ? byEast > 0.0 : -border.sooner[1] * up - surface.riseY > 0.0;
+    }
+    const double east = -border.step.x * up - surface.riseX * border.meeting.speed;
+    if (east != 0.0) return east > 0.0;
+    const double south = -border.step.y * up - surface.riseY * border.meeting.speed;
+    return south == 0.0 || south > 0.0;
+}
+
+// What a portal or a mirror is in lies wholly above the slopes of its tile or below them.
+bool Tracer::Walk::isAboveAtStart(const Surface& surface, Edge edge) const {
+    if (!surface.isSloped) return isAboveAtStart(surface.height, edge);
+    switch (start_) {
+        case Start::border:
+            return isAbove(surface, enter_);
+        case Start::mirror:
+        case Start::portal:
+            return surface.most <= startHeight_;
+        case Start::eye:
+            break;
+    }
+    const double over = surface.height - eyeZ_;
+    return over != 0.0 ? over < 0.0 : surface.riseX + surface.riseY < 0.0;
+}
+
 // The border by which the ray leaves the tile.
 Border Tracer::Walk::tileBorder() const {
     const auto meetingOn = [](int tile, double eye, double direction) {
@@ -337,10 +400,10 @@ BlueprintId Tracer::Walk::blockBehind(const Place& place, Tile tile, const Borde
     for (int level = 0; level < map.levels; ++level) {
         const BlueprintId id = map.cell(at.x, at.y, level);
         if (id == kEmptyCell || !isBehind(id, place, tile, border)) continue;
-        const double base = level - place.levels;
-        if (isAbove(base + blueprint(id).bottom.value(), border) &&
-            !isAbove(base + blueprint(id).top.value(), border))
-            return id;
+        const auto isAboveIts = [&](Face which) {
+            return isAbove(surfaceOf(blueprint(id), level, which, place, tile), border);
+        };
+        if (isAboveIts(Face::bottom) && !isAboveIts(Face::top)) return id;
     }
     return kEmptyCell;
 }
@@ -351,9 +414,7 @@ BlueprintId Tracer::Walk::touching(const Place& place, int level, bool above) co
     const Tile at = place.tileOf(tile_);
     const BlueprintId id = mapOf(place).cell(at.x, at.y, level);
     if (id == kEmptyCell || !isHere(id)) return kEmptyCell;
-    const bool touches =
-        above ? blueprint(id).bottom == Coordinate{0} : blueprint(id).top == tileEdge(1);
-    return touches ? id : kEmptyCell;
+    return reachesEnd(blueprint(id), !above) ? id : kEmptyCell;
 }
 
 // What touches the end of an event's level.
@@ -403,7 +464,19 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
         const bool met =
             up_ != 0.0 && (falls() ? isAboveAtStart(height, edge) && !isAbove(height, leave)
                                    : !isAboveAtStart(height, edge) && isAbove(height, leave));
-        if (met) events[count++] = {height, alongOf(height), order, level, edge == Edge::top};
+        if (met)
+            events[count++] = {height,     alongOf(height),  order, level, edge == Edge::top,
+                               order == 0, meetingOf(height)};
+    };
+    const auto addSurface = [&](const Surface& surface, Edge edge, int level) {
+        const bool isTop = edge == Edge::top;
+        if (!surface.isSloped) return add(surface.height, edge, falls() == isTop ? 1 : 0, level);
+        const bool isAboveNow = isAboveAtStart(surface, edge);
+        if (isAboveNow == isAbove(surface, leave)) return;
+        const bool leaves = isAboveNow != isTop;
+        const Meeting meeting = meetingOf(surface);
+        events[count++] = {surface.height, meeting.along(), leaves ? 0 : 1, level,
+                           isTop,          leaves,          meeting};
     };
     for (int level = 0; level < map().levels; ++level) {
         const BlueprintId id = map().cell(mapTile_.x, mapTile_.y, level);
@@ -417,8 +490,8 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
             note(Note::planMissed);
             continue;
         }
-        const double bottom = level - place_.levels + block.bottom.value();
-        const double top = level - place_.levels + block.top.value();
+        const Surface bottom = surfaceOf(block, level, Face::bottom, place_, tile_);
+        const Surface top = surfaceOf(block, level, Face::top, place_, tile_);
         if (isAboveAtStart(bottom, Edge::bottom) && !isAboveAtStart(top, Edge::top)) {
             // At an edge within the tile, blocks that do not begin there go on.
             const bool begins = start_ == Start::border && beginsAt(enter_, id);
@@ -427,6 +500,7 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
                 const Face entered = isCut ? faceOfCut(block.plan.half)
                                            : enteredFace(Place::turned(enter_.step, place_.turn));
                 if (enter_.inner) note(isCut ? Note::cutEntered : Note::planEntered);
+                if (block.slopes.any()) note(Note::slopeSide);
                 if (!(arrived_ ? joinThrough(left_, id) : join(left_, id))) {
                     if (block.face(entered).portal != kNoPortal)
                         note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
@@ -437,8 +511,8 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
             inside_ = level;
             if (start_ == Start::portal) note(Note::outInsideBlock);
         }
-        add(bottom, Edge::bottom, falls() ? 0 : 1, level);
-        add(top, Edge::top, falls() ? 1 : 0, level);
+        addSurface(bottom, Edge::bottom, level);
+        addSurface(top, Edge::top, level);
     }
     if (falls()) add(-place_.levels, Edge::plane, 2, kFloor);
     if (!map().ceiling.tiles.empty() &&
@@ -448,6 +522,13 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
     std::sort(events, events + count, [](const Event& a, const Event& b) {
         return a.along != b.along ? a.along < b.along : a.order < b.order;
     });
+    // A block is entered before it is left, at the edge where its top meets its underside too.
+    for (int i = 1; i < count; ++i) {
+        for (int j = 0; j < i; ++j) {
+            if (events[j].level == events[i].level && events[j].leaves && !events[i].leaves)
+                std::swap(events[i], events[j]);
+        }
+    }
     for (int i = 0; i < count; ++i) {
         const Then then = meet(events[i], i > 0 ? &events[i - 1] : nullptr);
         if (then != Then::leaves) return then;
@@ -458,7 +539,7 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
 // `before` is what was met before in this tile; a block that was left at the same height is the
 // event just before.
 Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
-    const Meeting meeting = meetingOf(event.height);
+    const Meeting meeting = event.meeting;
     if (event.level == kFloor)
         return meetFloor(map().floor.tiles[map().tileIndex(mapTile_.x, mapTile_.y)], false);
     if (event.level == kCeiling) {
@@ -472,8 +553,13 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
     const CellBlueprint& block = blueprint(id);
     const Face which = event.top ? Face::top : Face::bottom;
     // Only a block that ends where its level does can touch the next one.
-    const bool atLevelsEnd = event.top ? block.top == tileEdge(1) : block.bottom == Coordinate{0};
-    if (event.top != falls()) {  // upwards through the top, downwards through the bottom
+    const bool atLevelsEnd = reachesEnd(block, event.top);
+    if (!block.slopes.of(which).isLevel()) {
+        note(event.leaves ? Note::slopeFromInside : event.top ? Note::slopeRoof : Note::slopeUnder);
+        if (event.top && !event.leaves && !falls()) note(Note::slopeAboveHorizon);
+        if (!event.top && !event.leaves && falls()) note(Note::slopeBelowHorizon);
+    }
+    if (event.leaves) {  // upwards through the top, downwards through the bottom
         inside_ = kNoLevel;
         if (block.face(which).portal != kNoPortal) {
             note(Note::leftThroughPortal);

@@ -109,6 +109,12 @@ enum class Note : std::uint8_t {
     planMissed,     // a block in a tile that the ray passed beside it
     cutEntered,     // a half entered through its cut
     cutLeft,        // and left through it
+    slopeSide,      // a side of a block with slopes
+    slopeRoof,      // a sloped face, from outside
+    slopeUnder,
+    slopeFromInside,
+    slopeAboveHorizon,  // a sloped roof met by a rising ray
+    slopeBelowHorizon,  // a sloped underside met by a falling one
     count
 };
 using Notes = std::bitset<static_cast<std::size_t>(Note::count)>;

@@ -197,7 +197,13 @@ const char* nameOf(Note note) {
                                          "plan left",
                                          "plan missed",
                                          "cut entered",
-                                         "cut left"};
+                                         "cut left",
+                                         "side of a block with slopes",
+                                         "sloped roof",
+                                         "sloped underside",
+                                         "slope from inside",
+                                         "sloped roof above the horizon",
+                                         "sloped underside below the horizon"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Note::count));
     return kNames[static_cast<std::size_t>(note)];
 }

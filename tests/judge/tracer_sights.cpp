@@ -35,9 +35,14 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
         const double last = to == tileEdge(1) ? 1.0 : std::nextafter(to.value(), 0.0);
         return std::clamp(at, from.value(), last);
     };
-    const Plan& plan = block.plan;
-    const double x = within(point.x + (place_.x - mapTile_.x), plan.west, plan.east);
-    const double y = within(point.y + (place_.y - mapTile_.y), plan.north, plan.south);
+    // On a slope the point is found by a longer sum; what is this little before a texel's border
+    // counts as on it.
+    const bool isSloped =
+        (which == Face::top || which == Face::bottom) && !block.slopes.of(which).isLevel();
+    const Plan& plan = isSloped ? kWholeTile : block.plan;     // its texels keep to the tile
+    const double snap = isSloped ? 1.0 / 17179869184.0 : 0.0;  // 2^-34
+    const double x = within(point.x + (place_.x - mapTile_.x) + snap, plan.west, plan.east);
+    const double y = within(point.y + (place_.y - mapTile_.y) + snap, plan.north, plan.south);
     const double z = std::clamp(eyeZ_ + meeting.at(up_) + (place_.levels - level),
                                 block.bottom.value(), block.top.value());
     Sight sight;

@@ -57,6 +57,16 @@ private:
         int order;  // at equal depth: faces left, then faces entered, then planes
         int level;  // of the block, or kFloor or kCeiling
         bool top;
+        bool leaves;      // the block
+        Meeting meeting;  // where
+    };
+    // A top or an underside. A sloped one is a plane; `height` is the plane's over the eye.
+    struct Surface {
+        double height;
+        bool isSloped = false;
+        double riseX = 0.0;  // per unit, in the ray's coordinates
+        double riseY = 0.0;
+        double most = 0.0;  // the block's greatest height on that face
     };
     static constexpr int kFloor = -1;
     static constexpr int kCeiling = -2;
@@ -78,6 +88,11 @@ private:
     bool crossedBefore(double height, const Border& border) const;
     bool isAbove(double height, const Border& border) const;
     bool isAboveAtStart(double height, Edge edge) const;
+    Surface surfaceOf(const CellBlueprint& block, int level, Face which, const Place& place,
+                      Tile tile) const;
+    Meeting meetingOf(const Surface& surface) const;
+    bool isAbove(const Surface& surface, const Border& border) const;
+    bool isAboveAtStart(const Surface& surface, Edge edge) const;
     Border nextBorder() const;
 
     // Blocks that fill only a part of their tile. The edges of a plan along an axis, in the order
@@ -122,9 +137,16 @@ private:
         return blueprint(id).origin == kEmptyCell ? id : blueprint(id).origin;
     }
     bool join(BlueprintId a, BlueprintId b) const;
-    // Through a portal, a block that fills only a part of its tile joins none.
+    // Through a portal, a block that fills only a part of its tile joins none, nor one with slopes.
     bool joinThrough(BlueprintId a, BlueprintId b) const {
-        return join(a, b) && isWhole(a) && isWhole(b);
+        const auto isPlain = [&](BlueprintId id) {
+            return isWhole(id) && !blueprint(id).slopes.any();
+        };
+        return join(a, b) && isPlain(a) && isPlain(b);
+    }
+    static bool reachesEnd(const CellBlueprint& block, bool above) {
+        return above ? block.top == tileEdge(1) && block.slopes.top.isLevel()
+                     : block.bottom == Coordinate{0} && block.slopes.bottom.isLevel();
     }
     bool isOneBlock(BlueprintId a, BlueprintId b) const;
     BlueprintId touchingNext(const Event& event) const;

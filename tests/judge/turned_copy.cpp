@@ -78,6 +78,7 @@ int addTurnedCopy(World& world, int index, int turn) {
                 world.blueprints[i].faces[side];
         for (FaceBlueprint& face : block.faces) face.portal = kNoPortal;
         block.plan = turned(block.plan, turn);
+        block.slopes = turned(block.slopes, turn);
         FaceBlueprint& top = block.faces[static_cast<std::size_t>(Face::top)];
         FaceBlueprint& bottom = block.faces[static_cast<std::size_t>(Face::bottom)];
         // Water may lack faces.

@@ -216,6 +216,24 @@ TEST(SceneBuilder, CutsBlocksFromCornerToCorner) {
     EXPECT_LT(game.camera().y, 1.0);
 }
 
+// The player walks up a slope, and stands on its upper end.
+TEST(SceneBuilder, LetsTopsRise) {
+    Corridor c;
+    const SceneBuilder::Block ramp = c.builder.block({.name = "ramp",
+                                                      .texture = c.grey,
+                                                      .top = 0.5,
+                                                      .rise = SceneBuilder::Rise{Face::east}});
+    c.builder.fill(c.map, {.x = 3, .y = 1}, ramp);
+    Game game(std::move(c.build().scene).value());
+    const double before = game.camera().z;
+    double highest = before;
+    for (int i = 0; i < 240; ++i) {
+        game.step({.forward = 1.0});
+        highest = std::max(highest, game.camera().z);
+    }
+    EXPECT_GT(highest, before + 0.4);
+}
+
 TEST(SceneBuilder, ReportsFaults) {
     EXPECT_EQ(Corridor().fault(), "0 faults");
     {
@@ -277,6 +295,23 @@ TEST(SceneBuilder, ChecksEveryRange) {
                  [](C c) { c.builder.map({.name = "m", .width = 1, .depth = 1, .floor = {}}); }),
              faultOf([](C c) {
                  c.builder.map({.name = "corridor", .width = 1, .depth = 1, .floor = c.grey});
+             }),
+             faultOf([](C c) {
+                 c.builder.block({.name = "b",
+                                  .texture = c.grey,
+                                  .rise = SceneBuilder::Rise{Face::top, 0.5}});
+             }),
+             faultOf([](C c) {
+                 c.builder.block({.name = "b",
+                                  .texture = c.grey,
+                                  .top = 0.5,
+                                  .rise = SceneBuilder::Rise{Face::east, 0.6}});
+             }),
+             faultOf([](C c) {
+                 c.builder.block({.name = "b",
+                                  .texture = c.grey,
+                                  .diagonal = Half::northEast,
+                                  .rise = SceneBuilder::Rise{Face::east}});
              }),
              faultOf([](C c) { c.builder.fill({}, {}, c.wall); }),
              faultOf([](C c) { c.builder.fill(c.map, {}, {9}); }),

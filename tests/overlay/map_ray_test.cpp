@@ -55,6 +55,26 @@ TEST(MapRay, EndsAtThePlanOfABlock) {
     EXPECT_FALSE(follow(5.625).met) << "south of it";
 }
 
+TEST(MapRay, EndsWhereASlopeHasItsHeight) {
+    WorldBuilder make;
+    make.block('/').slopes = slopesTo(Face::east, {}, {{}, tileEdge(1)});
+    make.map("map", 10, 10, 1, kNoTexture);
+    make.put('/', 7, 5);
+    const auto lengthAt = [&](double height) {
+        return followRay(make.world, make.world.maps[0],
+                         {.x = 5.25,
+                          .y = 5.5,
+                          .directionX = 1.0,
+                          .directionY = 0.0,
+                          .level = 0,
+                          .height = toCoordinate(height)},
+                         4.0)
+            .length;
+    };
+    EXPECT_EQ(lengthAt(0.25), 2.0);
+    EXPECT_EQ(lengthAt(0.75), 2.5);
+}
+
 TEST(MapRay, EndsAtTheFirstBlockOfItsLevel) {
     EXPECT_EQ(follow(1.0, 0.0).length, 1.75);
     EXPECT_TRUE(follow(1.0, 0.0).met);

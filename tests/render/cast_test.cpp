@@ -286,5 +286,33 @@ TEST(Cast, PortalFacesLeadOnAtTheirHeightOnly) {
     EXPECT_EQ(cast(world, at(from(1.5, 1.5, 0.0), 1.75)).end, CastRay::End::floor);
 }
 
+// At its height a ray meets a slope where it has that height.
+TEST(Cast, MeetsSlopesAtTheirHeight) {
+    WorldBuilder make;
+    make.block('/').slopes = slopesTo(Face::east, {}, {{}, tileEdge(1)});
+    make.block('v').slopes = slopesTo(Face::east, {{}, tileEdge(1)}, {tileEdge(1), tileEdge(1)});
+    make.map("yard", 1, R"(
+.........
+....v././
+.........
+)");
+    const World world = std::move(make.world);
+    const CastRay east = cast(world, at(from(5.5, 1.5, 0.0), 0.25));
+    EXPECT_EQ(east.end, CastRay::End::block);
+    EXPECT_EQ(east.x, 6.25);
+    EXPECT_EQ(east.hits.at(0).face, Face::top);
+    EXPECT_TRUE(east.hits.at(0).entered);
+    const CastRay west = cast(world, at(from(7.5, 1.5, 180.0), 0.25));
+    EXPECT_EQ(west.x, 7.0);
+    EXPECT_EQ(west.hits.at(0).face, Face::east);
+    EXPECT_EQ(west.hits.at(0).backDistance, 1.25);
+    const CastRay vault = cast(world, at(from(5.5, 1.5, 180.0), 0.25));
+    EXPECT_EQ(vault.x, 4.25);
+    EXPECT_EQ(vault.hits.at(0).face, Face::bottom);
+    EXPECT_TRUE(cast(world, at(from(5.5, 1.5, 90.0), 0.25)).hits.empty());
+    // Without a height the whole tile counts
+    EXPECT_EQ(cast(world, from(5.5, 1.5, 0.0)).hits.at(0).distance, 0.5);
+}
+
 }  // namespace
 }  // namespace slicecast

@@ -28,10 +28,7 @@ protected:
 
     PlanePoints points(const TileRange& tiles, GroundDirection ray = kRay,
                        bool southReversed = false) const {
-        PlaneLook look;
-        look.plane.southReversed = southReversed;
-        look.height = 0.5;
-        return {vista_, ray, look, tiles};
+        return {vista_, ray, 0.5, southReversed, tiles};
     }
     PlanePoints pointsTurned(int turn, const TileRange& tiles, GroundDirection ray = kRay) {
         vista_.viewpoint.turn = turn;

@@ -62,5 +62,38 @@ TEST(SliceTraces, HitsBeginAndEndAtPlans) {
     EXPECT_TRUE(passed.hits.empty());
 }
 
+// A ramp two units ahead that rises to the eye's height and beyond: its roof is seen on both sides
+// of the horizon.
+TEST(SliceTraces, SlopesAreSeenAcrossTheHorizon) {
+    World world = emptyWorld(5, 5, 1, plain("floor", kWhite));
+    const BlueprintId ramp = addBlock(world, 0);
+    world.blueprints[ramp].slopes = slopesTo(Face::east, {}, {{}, tileEdge(1)});
+    world.maps[0].setCell(3, 2, 0, ramp);
+    SliceStage stage(world, eyeAt(1.0, 2.5, 0.5, 0.0), 201, 200);
+    SliceTrace trace;
+    trace.watchedRow = 110;
+    traceSlice(stage.frame(), stage.find(100), trace);
+    ASSERT_EQ(trace.hits.size(), 1u);
+    const Hit& hit = trace.hits[0];
+    const double d = trace.projectionDistance;
+    EXPECT_NEAR(hit.topSlope, 1.0, 1e-12);
+    EXPECT_EQ(hit.bottomSlope, 0.0);
+    EXPECT_NEAR(hit.topFrontRow, 100.0 + 0.5 * d / 2.0, 1e-9);
+    EXPECT_NEAR(hit.topBackRow, 100.0 - 0.5 * d / 3.0, 1e-9);
+    EXPECT_EQ(hit.bottomFrontRow, hit.topFrontRow) << "no side";
+    ASSERT_EQ(hit.filled.size(), 1u);
+    const FilledRows& roof = hit.filled[0];
+    EXPECT_EQ(roof.what, FilledRows::What::roof);
+    EXPECT_NEAR(roof.first, hit.topBackRow, 1.0);
+    EXPECT_NEAR(roof.last, hit.topFrontRow, 1.0);
+    EXPECT_NEAR(roof.top.depth, 3.0, 0.03);
+    EXPECT_NEAR(roof.bottom.depth, 2.0, 0.03);
+    // 0.5 + slope * t = t - 2
+    const double slope = (100.0 - 110.5) / d;
+    ASSERT_EQ(trace.seen.size(), 1u);
+    EXPECT_NEAR(trace.seen[0].texel.depth, 2.5 / (1.0 - slope), 1e-9);
+    EXPECT_NEAR(trace.seen[0].z, trace.seen[0].x - 3.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace slicecast::known

@@ -50,7 +50,8 @@ bool reachesIntoSolid(const World& world, int mapIndex, const Box& box) {
                     continue;
                 if (!isOverPart(block.plan, x, y, box)) continue;
                 if (box.bottom < tileEdge(level) + block.top &&
-                    box.top > tileEdge(level) + block.bottom)
+                    box.top > tileEdge(level) + block.bottom &&
+                    reachesBetweenSlopes(box, block, x, y, level))
                     return true;
             }
         }

@@ -67,10 +67,13 @@ bool mayPart(const Portal& toCopy, const Player& before, const Player& a, const 
     const int x = std::abs(a.x.raw - b.x.raw);
     const int y = std::abs(a.y.raw - b.y.raw);
     const bool isOnBorder = a.x.fraction() == 0.0 || a.y.fraction() == 0.0;
-    if (toCopy.turn != 0 && isOnBorder && a.z == b.z && std::max(x, y) <= 1) return true;
+    const int z = std::abs(a.z.raw - b.z.raw);  // on a slope
+    if (toCopy.turn != 0 && isOnBorder && std::max({x, y, z}) <= 1) return true;
     const bool isAtCorner =
         slidesAlongSomething(before) || slidesAlongSomething(a) || slidesAlongSomething(b);
-    return toCopy.turn % 2 != 0 && isAtCorner && std::max(x, y) < 65536 / 8;
+    // And a player who leaves a slope over its side may have climbed a little more of it
+    const bool leavesSlope = before.onGround && !a.onGround && !b.onGround && z < 65536 / 64;
+    return toCopy.turn % 2 != 0 && (isAtCorner || leavesSlope) && std::max(x, y) < 65536 / 8;
 }
 
 // Two players with the same inputs, one of them with portals. False if their ways part.

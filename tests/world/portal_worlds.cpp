@@ -29,7 +29,8 @@ void putFacePortal(World& world, const Portal& portal, int level, Face face) {
     if (!world.blueprints[id].hasPortals) {
         world.blueprints.push_back(world.blueprints[id]);
         id = static_cast<BlueprintId>(world.blueprints.size() - 1);
-        world.blueprints[id].plan = {};  // of a block with portals it fills all of the tile
+        world.blueprints[id].plan = {};  // a block with portals fills all of the tile
+        world.blueprints[id].slopes = {};
         map.setCell(portal.fromX, portal.fromY, level, id);
     }
     world.blueprints[id].faces[static_cast<std::size_t>(face)].portal = addPortal(world, portal);
@@ -61,8 +62,9 @@ Portal appendCopy(World& world, int mapIndex, int turn, int levels) {
     for (std::size_t i = 0; i < turnedIds.size(); ++i) {
         turnedIds[i] = static_cast<BlueprintId>(i);
         CellBlueprint block = world.blueprints[i];
-        if (turn == 0 || block.plan.isWhole()) continue;
+        if (turn == 0 || block.isBox()) continue;
         block.plan = turned(block.plan, turn);
+        block.slopes = turned(block.slopes, turn);
         turnedIds[i] = static_cast<BlueprintId>(world.blueprints.size());
         world.blueprints.push_back(std::move(block));
     }

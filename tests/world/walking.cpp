@@ -21,7 +21,7 @@ void putBlock(World& world, int x, int y, Coordinate bottom, Coordinate top) {
     BlueprintId id = 0;
     for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
         if (world.blueprints[i].bottom == block.bottom && world.blueprints[i].top == block.top &&
-            world.blueprints[i].plan.isWhole())
+            world.blueprints[i].isBox())
             id = static_cast<BlueprintId>(i);
     }
     if (id == kEmptyCell) {
@@ -62,6 +62,20 @@ Plan randomPlan(Random& random) {
     return plan;
 }
 
+void incline(Random& random, CellBlueprint& block) {
+    const auto height = [&] { return Coordinate{random.between(block.bottom.raw, block.top.raw)}; };
+    Slant bottom;
+    Slant top;
+    do {
+        bottom = {block.bottom, random.oneIn(2) ? block.bottom : height()};
+        top = {block.top, random.oneIn(4) ? block.top : height()};
+        if (random.oneIn(2)) std::swap(bottom.from, bottom.to);
+        if (random.oneIn(2)) std::swap(top.from, top.to);
+    } while (bottom.from > top.from || bottom.to > top.to ||
+             (bottom.from == top.from && bottom.to == top.to));
+    block.slopes = slopesTo(static_cast<Face>(random.below(4)), bottom, top);
+}
+
 World randomWorld(std::uint64_t seed) {
     Random random(seed);
     const int width = random.between(1, 10);
@@ -100,6 +114,12 @@ World randomWorld(std::uint64_t seed) {
         if (random.oneIn(3)) block.plan = randomPlan(random);
     }
     world.blueprints[kEmptyCell].plan = {};
+    Random slopes(seed ^ 0x736c6f70u);
+    const bool hasSlopes = slopes.oneIn(2);
+    for (std::size_t i = 1; hasSlopes && i < world.blueprints.size(); ++i) {
+        if (world.blueprints[i].plan.half == Half::none && slopes.oneIn(2))
+            incline(slopes, world.blueprints[i]);
+    }
     return world;
 }
 
@@ -178,6 +198,28 @@ bool placeRandomly(const World& world, Random& random, Player& player) {
     return false;
 }
 
+// The sizes are exact in doubles. Over a part of the tile the heights of the slopes are extreme at
+// its ends.
+bool reachesBetweenSlopes(const Box& box, const CellBlueprint& block, int x, int y, int level) {
+    if (!block.slopes.any()) return true;
+    const bool alongX = block.slopes.alongX;
+    const Plan& plan = block.plan;
+    const Coordinate tile = tileEdge(alongX ? x : y);
+    const double low =
+        (std::max(alongX ? box.west : box.north, tile + (alongX ? plan.west : plan.north)) - tile)
+            .value();
+    const double high =
+        (std::min(alongX ? box.east : box.south, tile + (alongX ? plan.east : plan.south)) - tile)
+            .value();
+    const auto heightAt = [&](const Slant& slant, double at) {
+        return level + slant.from.value() + (slant.to.value() - slant.from.value()) * at;
+    };
+    const auto [least, most] =
+        std::pair(std::min(heightAt(block.slopes.bottom, low), heightAt(block.slopes.bottom, high)),
+                  std::max(heightAt(block.slopes.top, low), heightAt(block.slopes.top, high)));
+    return box.bottom.value() < most && box.top.value() > least;
+}
+
 bool reachesIntoSomething(const World& world, const Box& box) {
     const Map& map = world.maps[0];
     if (box.west < tileEdge(0) || box.north < tileEdge(0) || box.bottom.raw < -kFloorWade.raw)
@@ -196,7 +238,8 @@ bool reachesIntoSomething(const World& world, const Box& box) {
                 if (block.isWater) continue;
                 if (!isOverPart(block.plan, x, y, box)) continue;
                 if (box.bottom < tileEdge(level) + block.top &&
-                    box.top > tileEdge(level) + block.bottom)
+                    box.top > tileEdge(level) + block.bottom &&
+                    reachesBetweenSlopes(box, block, x, y, level))
                     return true;
             }
             const bool ceiling =

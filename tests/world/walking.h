@@ -34,6 +34,9 @@ World lowPassage(Coordinate height);
 // A plan of any size.
 Plan randomPlan(Random& random);
 
+// Gives a block slopes between its bottom and its top.
+void incline(Random& random, CellBlueprint& block);
+
 // Blocks of all shapes, bridges, shafts, ceilings with holes. Every seed gives another one.
 World randomWorld(std::uint64_t seed);
 
@@ -46,6 +49,10 @@ bool isOverPart(const Plan& plan, int x, int y, const Box& box);
 // A player at rest at a random place of map 0 where there is room, standing, crouched or flying.
 // False if none was found.
 bool placeRandomly(const World& world, Random& random, Player& player);
+
+// True if a box that reaches between the lowest and the highest point of a block, over its plan,
+// also reaches between its slopes.
+bool reachesBetweenSlopes(const Box& box, const CellBlueprint& block, int x, int y, int level);
 
 // True if the box reaches into a block that is not water, the floor, a ceiling or beyond the grid:
 // found anew from the map, cell by cell.

@@ -13,11 +13,13 @@
 #pragma once
 
 #include "slicecast/colour.h"
+#include "slicecast/face.h"
 #include "slicecast/half.h"
 #include "slicecast/image.h"
 #include "slicecast/scene.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace slicecast {
@@ -35,6 +37,12 @@ public:
         int index = -1;
     };
 
+    // A top that rises evenly towards a side of the tile: from a height over the edge opposite to
+    // it up to the block's own top, over the edge at it.
+    struct Rise {
+        Face side = Face::north;  // not the top or the bottom
+        double from = 0.0;        // bottom <= from <= top
+    };
     // A box that fills a cell from side to side.
     struct BlockSpec {
         std::string name = {};       // not empty
@@ -43,6 +51,7 @@ public:
         double bottom = 0.0;         // heights above the base of the cell's level, units;
         double top = 1.0;            // 0 <= bottom < top <= 1
         Half diagonal = Half::none;  // fills this half of its tile, which is cut corner to corner
+        std::optional<Rise> rise = {};  // makes the top a slope; not with `diagonal` or `mirror`
         double light = 1.0;          // share of the map's light that its faces receive, 0 to 1
         double mirror = 0.0;         // how strongly its top mirrors what is above, 0 to 1
         char32_t character = 0;      // for Game::setCell; 0 for none
