@@ -62,6 +62,12 @@ struct SceneBuilder::State {
         if (!isKnown) refuse(where, "no texture", "one that texture() or colour() returned");
         return isKnown;
     }
+    // Adds a fault if there is no such map.
+    slicecast::Map* find(Map map, const std::string& where) {
+        if (isIndexOf(map.index, world.maps)) return &world.maps[static_cast<std::size_t>(map.index)];
+        refuse(where, "no map", "one that map() returned");
+        return nullptr;
+    }
     void checkBlock(const std::string& where, const BlockSpec& spec);
     bool checkMap(const std::string& where, const MapSpec& spec);
     bool checkBox(const slicecast::Map& map, const Box& box);
@@ -222,15 +228,13 @@ SceneBuilder::Map SceneBuilder::map(const MapSpec& spec) {
 
 void SceneBuilder::fill(Map map, const Box& box, Block block) {
     State& state = *state_;
-    if (!isIndexOf(map.index, state.world.maps)) {
-        state.refuse("fill", "no map", "one that map() returned");
-        return;
-    }
+    slicecast::Map* const found = state.find(map, "fill");
+    if (found == nullptr) return;
     if (!isIndexOf(block.index, state.world.blueprints)) {
         state.refuse("fill", "no block", "one that block() returned");
         return;
     }
-    slicecast::Map& place = state.world.maps[static_cast<std::size_t>(map.index)];
+    slicecast::Map& place = *found;
     if (!state.checkBox(place, box)) return;
     for (int y = box.y; y < box.y + box.depth; ++y) {
         for (int x = box.x; x < box.x + box.width; ++x) {
@@ -240,13 +244,54 @@ void SceneBuilder::fill(Map map, const Box& box, Block block) {
     }
 }
 
-void SceneBuilder::start(Map map, const Start& start) {
+void SceneBuilder::light(Map map, const Sun& sun) {
     State& state = *state_;
-    if (!isIndexOf(map.index, state.world.maps)) {
-        state.refuse("start", "no map", "one that map() returned");
+    slicecast::Map* const place = state.find(map, "light");
+    if (place == nullptr) return;
+    if (!std::isfinite(sun.azimuthDegrees) || !isWithin(sun.altitudeDegrees, 0.0, 90.0) ||
+        sun.altitudeDegrees == 0.0) {
+        state.refuse("light",
+                     {"a sun at azimuth ", Shortest{sun.azimuthDegrees}, " and altitude ",
+                      Shortest{sun.altitudeDegrees}},
+                     "an azimuth in degrees, and an altitude above 0 and at most 90");
         return;
     }
-    const slicecast::Map& place = state.world.maps[static_cast<std::size_t>(map.index)];
+    place->baked.on = true;
+    place->baked.azimuth = sun.azimuthDegrees;
+    place->baked.altitude = sun.altitudeDegrees;
+    place->baked.sun = sun.colour;
+    place->baked.ambient = sun.ambient;
+}
+
+void SceneBuilder::lamp(Map map, const Lamp& lamp) {
+    State& state = *state_;
+    slicecast::Map* const place = state.find(map, "lamp");
+    if (place == nullptr) return;
+    const bool isOnMap = isWithin(lamp.x, 0.0, place->width) &&
+                         isWithin(lamp.y, 0.0, place->depth) && isWithin(lamp.z, 0.0, kMaxHeight) &&
+                         place->contains(toCoordinate(lamp.x).tile(), toCoordinate(lamp.y).tile());
+    if (!isOnMap || !isWithin(lamp.strength, 0.0, kStrongestLamp) ||
+        !isWithin(lamp.radius, 0.0, kFarthestLamp.value()) || toCoordinate(lamp.radius).raw == 0 ||
+        place->baked.lamps.size() >= kMaxLamps) {
+        state.refuse("lamp",
+                     {"x ", Shortest{lamp.x}, ", y ", Shortest{lamp.y}, ", z ", Shortest{lamp.z},
+                      ", strength ", Shortest{lamp.strength}, ", radius ", Shortest{lamp.radius}},
+                     {"x from 0 to below ", place->width, ", y from 0 to below ", place->depth,
+                      ", z from 0 to ", static_cast<int>(kMaxHeight),
+                      ", strength 0 to 16, radius above 0 and at most 16, at most ", kMaxLamps,
+                      " lamps"});
+        return;
+    }
+    place->baked.on = true;
+    place->baked.lamps.push_back({toCoordinate(lamp.x), toCoordinate(lamp.y), toCoordinate(lamp.z),
+                                  {lamp.colour, lamp.strength, toCoordinate(lamp.radius)}});
+}
+
+void SceneBuilder::start(Map map, const Start& start) {
+    State& state = *state_;
+    const slicecast::Map* const found = state.find(map, "start");
+    if (found == nullptr) return;
+    const slicecast::Map& place = *found;
     const bool isOnMap = isWithin(start.x, 0.0, place.width) &&
                          isWithin(start.y, 0.0, place.depth) &&
                          place.contains(toCoordinate(start.x).tile(), toCoordinate(start.y).tile());

@@ -188,11 +188,6 @@ void fillSideRows(Pixel* out, int rows, const TexelColumn& column, ShadeRows sha
     }
 }
 
-// A double from 2^20 to below 2^21 has 32 bits after the point, so adding this leaves the fraction
-// in the low half of its bits, rounded to 1/2^32. The sum must stay in that range: positions are
-// below 2^19 tiles (see kMaxFar).
-constexpr double kFractionMagic = 1572864.0;
-
 inline std::uint32_t lowHalf(double value) {
     return static_cast<std::uint32_t>(bitCast<std::uint64_t>(value));
 }
@@ -205,8 +200,8 @@ void fillPlaneRows(Pixel* column, int first, int last, const PlaneTexels& from, 
     const int bits = from.level.bits;
     const int shift = 32 - bits;
     const std::uint32_t reverse = line.southReversed ? (1u << bits) - 1 : 0;
-    const double eastStart = line.eastStart + kFractionMagic;
-    const double southStart = line.southStart + kFractionMagic;
+    const double eastStart = line.eastStart + PlaneLine::kFractionMagic;
+    const double southStart = line.southStart + PlaneLine::kFractionMagic;
     int row = first;
     if constexpr (kHasVectors) {
         const F64x2 east0 = {eastStart, eastStart};
@@ -242,6 +237,34 @@ template <typename Put, typename ShadeRows>
 void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows shade) {
     for (int row = first; row < last; ++row)
         column[row] = Put::one(column + row, texel, shade.one(texel, row));
+}
+
+template <typename Put, typename ShadeRows>
+void fillFetchedRows(Pixel* column, int first, int last, const Pixel* texels, ShadeRows shade) {
+    int row = first;
+    if constexpr (kHasVectors) {
+        for (; row + 4 <= last; row += 4) {
+            const U32x4 four = loadVector<U32x4>(texels + row);
+            storeVector(column + row, Put::four(column + row, four, shade.four(four, row)));
+        }
+    }
+    for (; row < last; ++row)
+        column[row] = Put::one(column + row, texels[row], shade.one(texels[row], row));
+}
+
+template <typename Put>
+void fillFetchedAs(Pixel* column, int first, int last, const Pixel* texels, const PlaneRows& rows,
+                   Pixel haze, PlaneShade kind) {
+    switch (kind) {
+        case PlaneShade::full:
+            return fillFetchedRows<Put>(column, first, last, texels, NoShade{});
+        case PlaneShade::dimmed:
+            return fillFetchedRows<Put>(column, first, last, texels,
+                                        RowShade<false>{rows.factors, nullptr, haze});
+        case PlaneShade::foggy:
+            return fillFetchedRows<Put>(column, first, last, texels,
+                                        RowShade<true>{rows.factors, rows.fogs, haze});
+    }
 }
 
 template <typename Put>
@@ -290,6 +313,12 @@ void fillPlane(Pixel* column, int first, int last, const PlaneTexels& texels, Pl
                                                                    shade);
 }
 
+void fillFetched(Pixel* column, int first, int last, const Pixel* texels, const PlaneRows& rows,
+                 Pixel haze, PlaneShade shade, Lay lay) {
+    (lay == Lay::opaque ? fillFetchedAs<Opaque> : fillFetchedAs<Over>)(column, first, last, texels,
+                                                                       rows, haze, shade);
+}
+
 void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength) {
     int row = 0;
     if constexpr (kHasVectors) {
@@ -301,10 +330,6 @@ void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t str
         }
     }
     for (; row < rows; ++row) out[row] = laidOver(out[row], colours[rows - 1 - row], strength);
-}
-
-std::uint32_t PlaneLine::fractionBits(double start, double perInverse, double inverseOffset) {
-    return lowHalf(start + kFractionMagic + perInverse * inverseOffset);
 }
 
 Pixel shadedTexel(Pixel texel, std::uint32_t factor, std::uint32_t fog, Pixel haze, Lay lay,

@@ -5,6 +5,7 @@
 // row, a wall's texels) run forwards.
 #pragma once
 
+#include "base/bits.h"
 #include "render/shading.h"
 #include "slicecast/colour.h"
 #include "world/texture.h"
@@ -39,6 +40,9 @@ struct TexelColumn {
 // Fills `rows` rows.
 void fillSide(Pixel* out, int rows, const TexelColumn& column, Pixel haze, Lay lay = Lay::opaque);
 
+// Loops over a plane's rows take four at a time: tables by row have room for so many more.
+inline constexpr int kRowsBeyond = 3;
+
 // The points of a horizontal plane that a slice sees, by row: east = eastStart + eastPerInverse *
 // inverseOffset, likewise south, in tiles; only the fraction counts.
 struct PlaneLine {
@@ -48,8 +52,19 @@ struct PlaneLine {
     double southPerInverse = 0.0;
     bool southReversed = false;  // undersides and ceilings
 
-    // The fraction of a tile of a position, in 1/2^32.
-    static std::uint32_t fractionBits(double start, double perInverse, double inverseOffset);
+    // A double from 2^20 to below 2^21 has 32 bits after the point, so adding this leaves the
+    // fraction in the low half of its bits, rounded to 1/2^32. The sum must stay in that range:
+    // positions are below 2^19 tiles (see kMaxFar).
+    static constexpr double kFractionMagic = 1572864.0;
+
+    // A position in 1/2^32 of a tile, and the fraction of its tile in the same unit.
+    static std::int64_t position(double start, double perInverse, double inverseOffset) {
+        return bitCast<std::int64_t>(start + kFractionMagic + perInverse * inverseOffset) -
+               bitCast<std::int64_t>(kFractionMagic);
+    }
+    static std::uint32_t fractionBits(double start, double perInverse, double inverseOffset) {
+        return static_cast<std::uint32_t>(position(start, perInverse, inverseOffset));
+    }
 };
 
 // Values of a plane's rows; the tables are indexed by row. `fogs` is null without fog. Light and
@@ -77,6 +92,10 @@ struct PlaneTexels {
 // Fills the rows [first, last) of the slice that starts at `column`, all with this shade.
 void fillPlane(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade shade,
                Lay lay = Lay::opaque);
+
+// The same where the texels of the rows are known: texels[row].
+void fillFetched(Pixel* column, int first, int last, const Pixel* texels, const PlaneRows& rows,
+                 Pixel haze, PlaneShade shade, Lay lay);
 
 // Blends `rows` pixels, in reverse order, over those at `out`: out = (out * (255 - strength) +
 // colour * strength + 127) / 255.

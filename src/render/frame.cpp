@@ -4,8 +4,13 @@ namespace slicecast {
 
 Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height,
              FrameMemory& memory)
-    : world(&w), mirrors(options.mirrors), textures(memory.textures), vistas(memory.vistas) {
-    vistas.beginFrame(w, e, options, width, height);
+    : world(&w),
+      mirrors(options.mirrors),
+      textures(memory.textures),
+      lit(memory.lit),
+      vistas(memory.vistas) {
+    memory.lit.beginFrame(w, options.baked);
+    vistas.beginFrame(w, e, options, memory.lit, width, height);
     detail = Detail(options, vistas.projection().distance);
     textures.resize(w.textures.size());
     for (std::size_t i = 0; i < textures.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "render/detail.h"
 #include "render/eye.h"
+#include "render/lit_maps.h"
 #include "render/options.h"
 #include "render/vista.h"
 #include "world/world.h"
@@ -22,6 +23,7 @@ struct FrameTexture {
 // Memory that frames reuse: keep one for pictures that are drawn repeatedly.
 struct FrameMemory {
     std::vector<FrameTexture> textures;
+    LitMaps lit;
     Vistas vistas;
 };
 
@@ -30,6 +32,7 @@ struct Frame {
     Detail detail;
     double mirrors = 1.0;                 // see RenderOptions
     std::vector<FrameTexture>& textures;  // by TextureId
+    LitMaps& lit;
     Vistas& vistas;
 
     // World, eye, options and memory must outlive the frame.

@@ -85,7 +85,44 @@ inline F64x2 heldBetween(F64x2 value, double low, double high) {
 inline I16x8 narrowed(U32x4 a, U32x4 b) {
     return (I16x8)_mm_packs_epi32((__m128i)a, (__m128i)b);
 }
+// Of four pairs of 16-bit numbers: the sum of their two products.
+inline U32x4 dotPairs(U32x4 a, U32x4 b) {
+    return (U32x4)_mm_madd_epi16((__m128i)a, (__m128i)b);
+}
+// The first, or the last, eight bytes as numbers of 16 bits.
+inline U16x8 lowBytes(U8x16 v) {
+    return (U16x8)_mm_unpacklo_epi8((__m128i)v, _mm_setzero_si128());
+}
+inline U16x8 highBytes(U8x16 v) {
+    return (U16x8)_mm_unpackhi_epi8((__m128i)v, _mm_setzero_si128());
+}
+// The bytes of two numbers in turn, as numbers of 16 bits: the first of both, the second of both...
+inline U16x8 bytesInTurn(std::uint32_t a, std::uint32_t b) {
+    return lowBytes((U8x16)_mm_unpacklo_epi8(_mm_cvtsi32_si128(static_cast<int>(a)),
+                                             _mm_cvtsi32_si128(static_cast<int>(b))));
+}
+// The upper bytes of sixteen numbers.
+inline U8x16 upperBytes(U16x8 a, U16x8 b) {
+    return (U8x16)_mm_packus_epi16((__m128i)(a >> 8), (__m128i)(b >> 8));
+}
 #elif defined(__wasm_simd128__)
+inline U32x4 dotPairs(U32x4 a, U32x4 b) {
+    return (U32x4)wasm_i32x4_dot_i16x8((v128_t)a, (v128_t)b);
+}
+inline U16x8 lowBytes(U8x16 v) {
+    return (U16x8)wasm_u16x8_extend_low_u8x16((v128_t)v);
+}
+inline U16x8 highBytes(U8x16 v) {
+    return (U16x8)wasm_u16x8_extend_high_u8x16((v128_t)v);
+}
+inline U16x8 bytesInTurn(std::uint32_t a, std::uint32_t b) {
+    const v128_t both = wasm_i32x4_make(static_cast<int>(a), static_cast<int>(b), 0, 0);
+    return lowBytes(
+        (U8x16)wasm_i8x16_shuffle(both, both, 0, 4, 1, 5, 2, 6, 3, 7, 0, 0, 0, 0, 0, 0, 0, 0));
+}
+inline U8x16 upperBytes(U16x8 a, U16x8 b) {
+    return (U8x16)wasm_u8x16_narrow_i16x8((v128_t)(a >> 8), (v128_t)(b >> 8));
+}
 inline Lanes lesser(Lanes a, Lanes b) {
     return {(I16x8)wasm_i16x8_min((v128_t)a.low, (v128_t)b.low),
             (I16x8)wasm_i16x8_min((v128_t)a.high, (v128_t)b.high)};
@@ -108,6 +145,31 @@ inline I16x8 narrowed(U32x4 a, U32x4 b) {
     return (I16x8)wasm_i16x8_narrow_i32x4((v128_t)a, (v128_t)b);
 }
 #else
+inline U32x4 dotPairs(U32x4 a, U32x4 b) {
+    return (a & 0xffff) * (b & 0xffff) + (a >> 16) * (b >> 16);
+}
+inline U16x8 lowBytes(U8x16 v) {
+    return U16x8{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};
+}
+inline U16x8 highBytes(U8x16 v) {
+    return U16x8{v[8], v[9], v[10], v[11], v[12], v[13], v[14], v[15]};
+}
+inline U16x8 bytesInTurn(std::uint32_t a, std::uint32_t b) {
+    U16x8 all;
+    for (int i = 0; i < 4; ++i) {
+        all[2 * i] = static_cast<std::uint16_t>(a >> (8 * i) & 0xff);
+        all[2 * i + 1] = static_cast<std::uint16_t>(b >> (8 * i) & 0xff);
+    }
+    return all;
+}
+inline U8x16 upperBytes(U16x8 a, U16x8 b) {
+    U8x16 all;
+    for (int i = 0; i < 8; ++i) {
+        all[i] = static_cast<std::uint8_t>(a[i] >> 8);
+        all[i + 8] = static_cast<std::uint8_t>(b[i] >> 8);
+    }
+    return all;
+}
 inline Lanes lesser(Lanes a, Lanes b) {
     return chosen(a < b, a, b);
 }

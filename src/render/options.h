@@ -16,6 +16,7 @@ struct RenderOptions {
     bool textures = true;          // off: every texture shows its average colour (its last level)
     bool light = true;             // off: brightness is 1 everywhere
     bool fog = true;               // off: no map has fog (the floor still ends at its `far`)
+    bool baked = true;             // off: no map has baked light
     // A mirror's strength r becomes min(255, floor(r * this + 0.5)); 0 to kMaxMirrors.
     double mirrors = 1.0;
 };

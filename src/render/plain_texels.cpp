@@ -101,6 +101,8 @@ void PlainWalk::showSide(const Block& block, Face face, const Crossing& border, 
     span.face = face;
     span.level = block.level;
     span.layer = block.blueprint->seeThrough;
+    span.glow = block.blueprint->face(face).glow;
+    span.rise = block.blueprint->textureRise;
     span.image = block.blueprint->face(face).texture;
     show(span, rows, [&](Span& seen) {
         seen.column = sideColumn(block, face, border, {seen.first, seen.last});

@@ -20,10 +20,12 @@ public:
     PlanePoints(const Vista& vista, GroundDirection ray, double height, bool southReversed,
                 const TileRange& tiles);
 
-    // A point in its tile, in 1/2^32 of the tile.
+    // A point in its tile, in 1/2^32 of the tile; and the tile, relative to the eye's.
     struct Point {
         std::uint32_t east;
         std::uint32_t south;
+        int tileX;
+        int tileY;
     };
 
     // The point that a row sees, from its 1 / |horizon - (row + 0.5)|. Clamped to the tiles, so
@@ -51,8 +53,8 @@ private:
     static constexpr double kHalfStep = 1.0 / 8589934592.0;
 
     bool anyOnBorderTurned(const double* inverseOffsets, int first, int last) const;
-    static std::uint32_t held(double first, double end, double start, double perInverse,
-                              double inverse, bool before);
+    static std::int64_t held(double first, double end, double start, double perInverse,
+                             double inverse, bool before);
     Box box_;
     int turn_;
 };

@@ -1,5 +1,8 @@
 #include "render/slice_paint.h"
 
+#include "render/lit_planes.h"
+#include "render/lit_texels.h"
+
 #include <algorithm>
 
 namespace slicecast {
@@ -81,23 +84,68 @@ void SlicePainter::paintReflection(const SliceSpans& slice) {
 
 void SlicePainter::paintTexels(const Span& span, Lay lay) {
     count(span.first, span.last);
-    if (waterFogs_ != nullptr) return paintTexelsFromWater(span, lay);
-    fillSide(pixels_ + span.first, span.last - span.first, span.column, span.vista->lighting.haze,
-             lay);
+    const TexelColumn column = span.vista->lit == nullptr  ? span.column
+                               : span.what == What::object ? litObject(span)
+                                                           : litColumn(span);
+    if (waterFogs_ != nullptr) return paintTexelsFromWater(span, column, lay);
+    fillSide(pixels_ + span.first, span.last - span.first, column, span.vista->lighting.haze, lay);
+}
+
+// The texels of a column that rows show.
+struct SlicePainter::ShownTexels {
+    std::size_t first;
+    std::size_t last;
+
+    explicit ShownTexels(const Span& span) {
+        const TexelColumn& column = span.column;
+        const auto steps = static_cast<std::uint64_t>(span.last - span.first - 1);
+        first = static_cast<std::size_t>(column.start >> column.shift);
+        last = static_cast<std::size_t>((column.start + steps * column.step) >> column.shift) + 1;
+    }
+};
+
+// A side's column with baked light on its texels.
+TexelColumn SlicePainter::litColumn(const Span& span) {
+    TexelColumn column = span.column;
+    if (span.glow) return column;
+    const LitFaceAt face = {span.tiles.fromX, span.tiles.fromY, span.level,
+                            static_cast<LitFace>(span.face)};
+    const FaceNodes* const nodes = span.vista->lit->nodesOf(face);
+    if (nodes == nullptr) return column;
+    const TextureLevel& level = frame_.textures[span.image].levels[column.detail];
+    const auto u = static_cast<int>((column.texels - level.texels.data()) >> level.bits);
+    const ShownTexels shown(span);
+    Pixel* const texels = frame_.lit.scratch(static_cast<std::size_t>(level.size));
+    lightColumn(texels, static_cast<int>(shown.first), static_cast<int>(shown.last),
+                {level, u, face.face, span.rise}, *nodes);
+    column.texels = texels;
+    return column;
+}
+
+// The same of an object.
+TexelColumn SlicePainter::litObject(const Span& span) {
+    TexelColumn column = span.column;
+    if (span.vista->map->objects[static_cast<std::size_t>(span.object)].glow) return column;
+    const ShownTexels shown(span);
+    Pixel* const texels = frame_.lit.scratch(shown.last);
+    lightAll(texels, column.texels, shown.first, shown.last,
+             span.vista->lit->ofObject(span.object));
+    column.texels = texels;
+    return column;
 }
 
 // Rows whose rays leave the eye's water before the span have the fog of that distance. They are the
 // upper rows.
-void SlicePainter::paintTexelsFromWater(const Span& span, Lay lay) {
-    TexelColumn column = span.column;
+void SlicePainter::paintTexelsFromWater(const Span& span, TexelColumn column, Lay lay) {
+    const std::uint32_t fog = column.fog;
     const Pixel haze = span.vista->lighting.haze;
     int row = span.first;
-    for (; row < span.last && waterFogs_[row] < span.column.fog; ++row) {
+    for (; row < span.last && waterFogs_[row] < fog; ++row) {
         column.fog = waterFogs_[row];
         fillSide(pixels_ + row, 1, column, haze, lay);
         column.start += column.step;
     }
-    column.fog = span.column.fog;
+    column.fog = fog;
     if (row < span.last) fillSide(pixels_ + row, span.last - row, column, haze, lay);
 }
 
@@ -152,8 +200,7 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     PlaneLook& look = *run.look;
     const PlanePoints points(*run.vista, run.vista->ray(column_), look.height,
                              look.plane.southReversed, run.tiles);
-    const PlaneRows rows = look.rows(run.first, run.last);
-    const double* const inverses = rows.inverseOffsets;
+    const double* const inverses = look.rows(run.first, run.last).inverseOffsets;
     int first = run.first;
     int last = run.last;
     if (points.anyOnBorder(inverses, first, last)) last = first;
@@ -161,8 +208,16 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     while (first < last && !points.isInside(inverses[last - 1])) --last;
     paintPlaneByRows(run, run.first, first, points, lay);
     paintPlaneByRows(run, last, run.last, points, lay);
-    const TextureLevel* const levels = frame_.textures[look.plane.texture].levels;
-    const PlaneLook::Stretch* stretch = look.stretches().data();
+    if (run.isLit()) return paintLitRows(run, first, last, points, lay);
+    paintPlaneRows(run, first, last, points, lay);
+}
+
+// Paints rows whose points are well within the run's tiles, all from one texture.
+void SlicePainter::paintPlaneRows(const PlaneRun& run, int first, int last,
+                                  const PlanePoints& points, Lay lay) {
+    const PlaneRows rows = run.look->rows(first, last);
+    const TextureLevel* const levels = frame_.textures[run.look->plane.texture].levels;
+    const PlaneLook::Stretch* stretch = run.look->stretches().data();
     for (int row = first; row < last; ++stretch) {
         if (stretch->last <= row) continue;
         const int end = std::min(stretch->last, last);
@@ -173,10 +228,55 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     }
 }
 
+// The same with baked light.
+void SlicePainter::paintLitRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
+                                Lay lay) {
+    const PlaneRows rows = run.look->rows(first, last);
+    const TextureLevel* const levels = frame_.textures[run.look->plane.texture].levels;
+    const PlaneLook::Stretch* stretch = run.look->stretches().data();
+    for (int row = first; row < last; ++stretch) {
+        if (stretch->last <= row) continue;
+        const int end = std::min(stretch->last, last);
+        const Pixel* const lit =
+            fetchLitRows(run, row, end, levels[stretch->detail], points.line, rows.inverseOffsets);
+        fillFetched(pixels_, row, end, lit, rows, run.vista->lighting.haze, stretch->shade, lay);
+        row = end;
+    }
+}
+
+// The lit texels of rows, by row, square by square; valid until the next ones are made.
+const Pixel* SlicePainter::fetchLitRows(const PlaneRun& run, int first, int last,
+                                        const TextureLevel& level, const PlaneLine& line,
+                                        const double* inverseOffsets) const {
+    Pixel* const lit = frame_.lit.scratch(static_cast<std::size_t>(last + kRowsBeyond));
+    const Pixel* const texels = level.texels.data();
+    for (int row = first; row < last;) {
+        const double inverse = inverseOffsets[row];
+        const std::int64_t east = PlaneLine::position(line.eastStart, line.eastPerInverse, inverse);
+        const std::int64_t south =
+            PlaneLine::position(line.southStart, line.southPerInverse, inverse);
+        const FaceNodes& nodes =
+            planeNodes(run, static_cast<int>(east >> 32), static_cast<int>(south >> 32));
+        if (level.bits == 0) {  // a single texel has no square of its own
+            lit[row++] = litTexelAt(texels, 0, nodes, 0, 0, false);
+            continue;
+        }
+        const LitSquare square = {texels, level.bits, nodes, static_cast<int>(east >> 31 & 1),
+                                  static_cast<int>(south >> 31 & 1)};
+        row = fetchLit(lit, row, last, square, line, inverseOffsets);
+    }
+    return lit;
+}
+
 // One texel of a plane.
 Pixel SlicePainter::texelAt(const PlaneRun& run, const TextureLevel& level,
                             const PlanePoints::Point& point) const {
     const bool southReversed = run.look->plane.southReversed;
+    if (run.isLit()) {
+        return litTexelAt(level.texels.data(), level.bits,
+                          planeNodes(run, point.tileX, point.tileY), point.east, point.south,
+                          southReversed);
+    }
     const auto texelOf = [&](std::uint32_t fraction) {
         return static_cast<std::uint32_t>(static_cast<std::uint64_t>(fraction) >>
                                           (32 - level.bits));

@@ -30,22 +30,35 @@ private:
         int part = 0;
         int first = -1;  // no rows if `first` equals `last`
         int last = -1;
+        int level = kNoLevel;  // of a block's face, over one tile
+        Face face = Face::top;
+
+        bool isLit() const { return vista->lit != nullptr && !look->plane.glow; }
     };
     static PlaneRun runOf(const Span& span) {
-        return {span.look, span.vista, span.tiles, span.part, span.first, span.last};
+        return {span.look,  span.vista, span.tiles, span.part,
+                span.first, span.last,  span.level, span.face};
     }
 
     void paintOpaque(const ColumnSpans& column);
     void paintLayers(const ColumnSpans& column);
     void paintReflection(const SliceSpans& slice);
     void paintTexels(const Span& span, Lay lay);
-    void paintTexelsFromWater(const Span& span, Lay lay);
+    void paintTexelsFromWater(const Span& span, TexelColumn column, Lay lay);
     void paintSky(const Span& span);
     void gather(const Span& span);
     void paintGathered(PlaneRun& run);
     void paintPlane(const PlaneRun& run, Lay lay);
+    void paintPlaneRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
+                        Lay lay);
+    void paintLitRows(const PlaneRun& run, int first, int last, const PlanePoints& points, Lay lay);
+    const Pixel* fetchLitRows(const PlaneRun& run, int first, int last, const TextureLevel& level,
+                              const PlaneLine& line, const double* inverseOffsets) const;
     Pixel texelAt(const PlaneRun& run, const TextureLevel& level,
                   const PlanePoints::Point& point) const;
+    struct ShownTexels;
+    TexelColumn litColumn(const Span& span);
+    TexelColumn litObject(const Span& span);
     void paintPlaneByRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
                           Lay lay);
     void paintSlope(const Span& span, Lay lay);  // slope_paint.cpp

@@ -127,6 +127,8 @@ inline void SliceWalk::addSideSpan(const Side& side, const TexelColumn& column, 
     Span& span = add(What::side, first, last);
     span.face = side.face;
     span.layer = side.layer;
+    span.glow = side.look->glow;
+    span.rise = {static_cast<std::int32_t>(side.rise / kPositionsPerRaw)};
     span.level = side.level;
     span.tiles = here_;
     span.image = side.look->texture;

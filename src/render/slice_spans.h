@@ -45,6 +45,7 @@ struct Span {
     FilledRows::What what = FilledRows::What::haze;
     Face face = Face::top;  // of a block
     bool layer = false;
+    bool glow = false;  // of a side: it has no baked light
     int first = 0;
     int last = 0;
     int level = kNoLevel;    // of the block
@@ -55,6 +56,7 @@ struct Span {
     TileRange tiles;  // of a plane; for a block's face its tile; unused for sky, haze and objects
     TextureId image = kNoTexture;  // of sides; for objects the sprite
     TexelColumn column;            // of sides and objects
+    Coordinate rise;               // of sides: CellBlueprint::textureRise
     PlaneLook* look = nullptr;     // of planes
     SpanSlope slope;               // of sloped ones
 };

@@ -1,6 +1,7 @@
 #include "render/slice_trace.h"
 
 #include "base/sort.h"
+#include "render/lit_planes.h"
 #include "render/plan_walk.h"
 #include "render/plane_points.h"
 #include "render/sloped_plane.h"
@@ -22,6 +23,33 @@ bool hasTexels(What what) {
 
 bool isPlane(What what) {
     return !hasTexels(what) && what != What::sky && what != What::haze;
+}
+
+using BakedLight = decltype(TracedTexel::baked);
+
+// The middle of a texel, in 1/65536 of its tile.
+int middleOf(int texel, int size) {
+    return (2 * texel + 1) * 32768 / size;
+}
+
+// The light of a face at (a, b), in 1/65536 of its tile along its two axes.
+BakedLight lightAt(const FaceNodes& nodes, int a, int b) {
+    BakedLight light{};
+    for (std::size_t channel = 0; channel < light.size(); ++channel) {
+        int sum = 8192;
+        for (const int nodeA : {0, 1}) {
+            for (const int nodeB : {0, 1}) {
+                const int weightA = (a & 32767) >> 8;
+                const int weightB = (b & 32767) >> 8;
+                const Pixel node = nodes.nodes[FaceNodes::index(a >> 15, b >> 15, nodeA, nodeB)];
+                sum += static_cast<int>(node >> (8 * channel) & 255) *
+                       (nodeA == 1 ? weightA : 128 - weightA) *
+                       (nodeB == 1 ? weightB : 128 - weightB);
+            }
+        }
+        light[channel] = (sum >> 14) + (sum >> 21);
+    }
+    return light;
 }
 
 // Traces the upright column, or the upside down one.
@@ -176,15 +204,44 @@ private:
         const auto texelAt = [&](int row) {
             const std::uint64_t position =
                 column.start + static_cast<std::uint64_t>(row - span.first) * column.step;
-            return TracedTexel{column.depth,       column.detail,
-                               columnNumber(span), static_cast<int>(position >> column.shift),
-                               column.factor,      fogIn(row, column.fog)};
+            TracedTexel texel;
+            texel.depth = column.depth;
+            texel.detail = column.detail;
+            texel.u = columnNumber(span);
+            texel.v = static_cast<int>(position >> column.shift);
+            texel.baked = bakedLight(span, texel);
+            texel.light = column.factor;
+            texel.fog = fogIn(row, column.fog);
+            return texel;
         };
         rows.top = texelAt(span.first);
         rows.bottom = texelAt(span.last - 1);
         if (isWatched) setPoint(span, texelAt(trace_.watchedRow));
         rows.rowsOfDetail[static_cast<std::size_t>(column.detail)] =
             static_cast<std::uint16_t>(span.last - span.first);
+    }
+
+    // Of a side's texel, or of an object.
+    BakedLight bakedLight(const Span& span, const TracedTexel& texel) const {
+        const BakedLight none = TracedTexel().baked;
+        if (span.vista->lit == nullptr) return none;
+        if (span.what == What::object) {
+            const auto object = static_cast<std::size_t>(span.object);
+            return span.vista->map->objects[object].glow ? none
+                                                         : span.vista->lit->ofObject(span.object);
+        }
+        const auto face = static_cast<LitFace>(span.face);
+        const FaceNodes* const nodes =
+            span.glow
+                ? nullptr
+                : span.vista->lit->nodesOf({span.tiles.fromX, span.tiles.fromY, span.level, face});
+        if (nodes == nullptr) return none;
+        const int size =
+            frame_.textures[span.image].levels[static_cast<std::size_t>(texel.detail)].size;
+        const bool reversed = face == LitFace::north || face == LitFace::east;
+        const int down = (middleOf(texel.v, size) - span.rise.raw) & 65535;
+        return lightAt(*nodes, middleOf(reversed ? size - 1 - texel.u : texel.u, size),
+                       std::min(65535, 65536 - down));
     }
 
     // Above the eye's water, fog is limited to that of the way to the surface.
@@ -229,12 +286,18 @@ private:
             const PlanePoints::Point point = points.at(inverse);
             const int v = static_cast<int>(std::uint64_t{point.south} >> (32 - shown.bits));
             const Shade shade = vista.lighting.at(depth, plane.light, plane.glow);
-            return TracedTexel{depth,
-                               detail,
-                               static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits)),
-                               plane.southReversed ? shown.size - 1 - v : v,
-                               shade.factor,
-                               fogIn(row, shade.fog)};
+            TracedTexel texel;
+            texel.depth = depth;
+            texel.detail = detail;
+            texel.u = static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits));
+            texel.v = plane.southReversed ? shown.size - 1 - v : v;
+            if (vista.lit != nullptr && !plane.glow) {
+                texel.baked = lightAt(planeNodes(span, point.tileX, point.tileY),
+                                      middleOf(texel.u, shown.size), middleOf(v, shown.size));
+            }
+            texel.light = shade.factor;
+            texel.fog = fogIn(row, shade.fog);
+            return texel;
         };
         rows.texture = plane.texture;
         rows.top = texelAt(span.first);

@@ -15,7 +15,7 @@ constexpr int kRowsAtOnce = 64;
 
 // The tables of some rows; index 0 is the first one.
 struct SlopeRows {
-    std::array<double, kRowsAtOnce> inverseOffsets;
+    std::array<double, kRowsAtOnce + kRowsBeyond> inverseOffsets{};
     std::array<std::uint32_t, kRowsAtOnce> factors;
     std::array<std::uint32_t, kRowsAtOnce> fogs;
     std::array<std::uint8_t, kRowsAtOnce> details;
@@ -75,7 +75,14 @@ void SlicePainter::paintSlope(const Span& span, Lay lay) {
             while (end < rows && table.details[static_cast<std::size_t>(end)] == detail &&
                    isClear(end))
                 ++end;
-            fillPlane(pixels, row, end, {level, points.line, shades, lighting.haze}, shade, lay);
+            if (run.isLit()) {
+                const Pixel* const lit =
+                    fetchLitRows(run, row, end, level, points.line, shades.inverseOffsets);
+                fillFetched(pixels, row, end, lit, shades, lighting.haze, shade, lay);
+            } else {
+                fillPlane(pixels, row, end, {level, points.line, shades, lighting.haze}, shade,
+                          lay);
+            }
             row = end;
         }
     }

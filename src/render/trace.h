@@ -17,8 +17,9 @@ struct TracedTexel {
     int detail = 0;      // level of detail m
     int u = 0;           // in that level, from the left and from the top of its picture
     int v = 0;
-    std::uint32_t light = 0;  // q, 0 to 256
-    std::uint32_t fog = 0;    // weight, 0 to 255
+    std::uint32_t light = 0;                              // q, 0 to 256
+    std::uint32_t fog = 0;                                // weight, 0 to 255
+    std::array<std::int32_t, 3> baked = {256, 256, 256};  // L of red, green and blue, 0 to 256
 };
 
 // The levels of a texture with 1024 texels a side.

@@ -14,6 +14,7 @@ inline constexpr bool kHasVectors = true;
 inline constexpr bool kHasVectors = false;
 #endif
 
+using U8x16 = std::uint8_t __attribute__((vector_size(16)));
 using U16x8 = std::uint16_t __attribute__((vector_size(16)));
 using U32x4 = std::uint32_t __attribute__((vector_size(16)));
 using F64x2 = double __attribute__((vector_size(16)));

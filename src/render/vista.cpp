@@ -1,5 +1,7 @@
 #include "render/vista.h"
 
+#include "render/column_fill.h"
+#include "render/lit_maps.h"
 #include "world/water.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ constexpr std::int64_t kUnit = 65536;
 
 // Fills 1 / |horizon - (row + 0.5)| by row.
 void fillInverseOffsets(const Projection& projection, std::vector<double>& inverseOffsets) {
-    inverseOffsets.resize(static_cast<std::size_t>(projection.height));
+    inverseOffsets.resize(static_cast<std::size_t>(projection.height + kRowsBeyond));
     for (int row = 0; row < projection.height; ++row) {
         const double offset = std::fabs(projection.horizon - (row + 0.5));
         inverseOffsets[static_cast<std::size_t>(row)] =
@@ -44,6 +46,7 @@ void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
                   const Vista* sameMap, FrameObjectRoom& room) {
     viewpoint = from;
     map = &frame.world->maps[static_cast<std::size_t>(from.map)];
+    lit = frame.lit->of(from.map);
     projection = &rays.projection;
     inverseOffsets = rays.inverseOffsets;
     lighting = Lighting(*map, *frame.options);
@@ -63,8 +66,8 @@ void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
     skyRows.beginFrame(map->sky, *projection, frame.eye->headingDegrees + 90.0 * from.turn);
 }
 
-void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width,
-                        int height) {
+void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions& options,
+                        LitMaps& lit, int width, int height) {
     eyeView_ = {.map = eye.map,
                 .turn = 0,
                 .x = eye.x.raw,
@@ -78,9 +81,10 @@ void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions&
     }
     *projection_ = upright;
     *mirroredProjection_ = upright.mirrored();
-    frame_ = {&world, &eye, &options, Detail(options, upright.distance), {}};
+    frame_ = {&world, &eye, &options, &lit, Detail(options, upright.distance), {}};
     fillInverseOffsets(*projection_, inverseOffsets_);
-    mirroredInverseOffsets_.assign(inverseOffsets_.rbegin(), inverseOffsets_.rend());
+    mirroredInverseOffsets_.assign(inverseOffsets_.rbegin() + kRowsBeyond, inverseOffsets_.rend());
+    mirroredInverseOffsets_.resize(inverseOffsets_.size());
     used_ = 0;
     objectRoom_.objects.clear();
     findWater();

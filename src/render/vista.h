@@ -34,6 +34,9 @@
 
 namespace slicecast {
 
+class LitMap;
+class LitMaps;
+
 // Where the eye appears to be for rays that have passed a portal.
 Viewpoint throughPortal(const Viewpoint& from, const Portal& portal);
 
@@ -48,6 +51,7 @@ struct FrameView {
     const World* world = nullptr;
     const Eye* eye = nullptr;
     const RenderOptions* options = nullptr;
+    LitMaps* lit = nullptr;
     Detail detail;
     EyeWater water;  // around the eye
 };
@@ -64,6 +68,7 @@ public:
 
     Viewpoint viewpoint;
     const Map* map = nullptr;
+    LitMap* lit = nullptr;  // its baked light; null if it has none
     const Projection* projection = nullptr;
     const double* inverseOffsets = nullptr;
     Lighting lighting;
@@ -80,8 +85,8 @@ public:
 class Vistas {
 public:
     // Forgets all vistas; keeps their memory. The arguments must outlive the frame.
-    void beginFrame(const World& world, const Eye& eye, const RenderOptions& options, int width,
-                    int height);
+    void beginFrame(const World& world, const Eye& eye, const RenderOptions& options, LitMaps& lit,
+                    int width, int height);
 
     Vista& ofEye() { return find(eyeView_); }
     Vista& through(const Vista& from, const Portal& portal) {

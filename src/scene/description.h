@@ -32,6 +32,13 @@ struct TextureReference {
     double rate = 0.0;  // frames per second
 };
 
+// A lamp within a block. If the block turns out to be opaque, the lamp is of no use.
+struct HiddenLamp {
+    BlueprintId block;
+    std::string pointer;
+    TextPosition place;
+};
+
 struct SceneDescription {
     std::string fileName;
     World world;  // complete but for the images
@@ -39,6 +46,7 @@ struct SceneDescription {
         textures;  // in the order of TextureId; a file named twice in the same way is one texture
     std::vector<TextureReference> sprites;  // in the order of SpriteId
     std::vector<PanoramaReference> panoramas;
+    std::vector<HiddenLamp> hiddenLamps;
 };
 
 }  // namespace slicecast

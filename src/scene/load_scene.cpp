@@ -206,8 +206,18 @@ LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages ea
         startObjects(world);
     }
     if (loaded.faults.empty()) {
-        loaded.world = std::move(world);
         loaded.warnings = std::move(scene.warnings);
+        for (HiddenLamp& lamp : description.hiddenLamps) {
+            if (world.blueprints[lamp.block].seeThrough) continue;
+            Fault& warning = loaded.warnings.emplace_back();
+            warning.file = description.fileName;
+            warning.pointer = std::move(lamp.pointer);
+            warning.line = lamp.place.line;
+            warning.column = lamp.place.column;
+            warning.found = "a lamp in a block that no light leaves";
+            warning.expected = "a place in the open";
+        }
+        loaded.world = std::move(world);
     }
     return loaded;
 }

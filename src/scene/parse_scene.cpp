@@ -55,6 +55,7 @@ void readScene(Reading& reading, JsonValue root) {
     if (const auto start = fields->require("start", "where the player starts"))
         readStart(reading, *start);
     placeObjects(reading);
+    if (checker.count() == 0) findHiddenLamps(reading);
 }
 
 // The files that a scene names, each once, in the order of the text.

@@ -38,7 +38,7 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     }
     face.texture = 0;
     const auto fields = reading.checker.fields(
-        value, {"texture", "light", "glow", "mirror"},
+        value, {"texture", "light", "glow", "mirror", "lamp"},
         "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
@@ -47,6 +47,7 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     face.light = fields->number("light", kUnitRange, 1.0);
     face.glow = fields->flag("glow", false);
     face.mirror = readMirror(*fields);
+    if (const auto lamp = fields->find("lamp")) face.lamp = readLamp(reading, *lamp);
     if (const auto mirror = fields->find("mirror"); mirror && !isRoof) {
         reading.checker.addAtKey(*mirror, "a mirror on a side or an underside",
                                  "\"mirror\" on \"top\" or \"all\": only roofs reflect");
@@ -257,6 +258,13 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
         readFaces(reading, *faces, blueprint);
     if (const auto motion = fields->find("motion"))
         blueprint.motion = reading.checker.name(*motion, reading.motions, "motion").value_or(0);
+    const bool hasLamp =
+        std::any_of(blueprint.faces.begin(), blueprint.faces.end(),
+                    [](const FaceBlueprint& face) { return face.lamp != kNoLamp; });
+    if (hasLamp && blueprint.motion >= 0) {
+        reading.checker.add(*fields->find("faces"), "a lamp on a block that moves",
+                            "\"lamp\" or \"motion\", not both: lamps stand still");
+    }
     if (const auto gate = fields->find("gate")) {
         blueprint.gate = readGate(reading, *gate);
         if (reading.checker.count() == faultsBefore) checkGate(reading, *gate, blueprint);

@@ -45,10 +45,11 @@ void checkCeiling(Reading& reading, JsonValue value, const Map& map) {
 Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& legendOfAll) {
     Checker& checker = reading.checker;
     Map map;
-    const auto fields = checker.fields(value,
-                                       {"name", "legend", "levels", "floor", "ceiling", "objects",
-                                        "sow", "portals", "sky", "light", "fog", "haze", "far"},
-                                       "a map: an object with \"name\", \"levels\" and \"floor\"");
+    const auto fields =
+        checker.fields(value,
+                       {"name", "legend", "levels", "floor", "ceiling", "objects", "sow", "portals",
+                        "sky", "light", "baked", "fog", "haze", "far"},
+                       "a map: an object with \"name\", \"levels\" and \"floor\"");
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
 
@@ -75,6 +76,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
     if (const auto portals = fields->find("portals")) reading.portals.push_back({*portals, index});
     if (const auto sky = fields->find("sky")) readSky(reading, *sky, index, map);
     if (const auto light = fields->find("light")) readLight(reading, *light, map.light);
+    if (const auto baked = fields->find("baked")) readBakedLight(reading, *baked, hasSize, map);
     if (const auto fog = fields->find("fog")) readFog(reading, *fog, map.fog);
     map.haze = fields->colour("haze", map.haze);
     map.far = fields->number("far", kFar, kDefaultFar);

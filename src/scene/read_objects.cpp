@@ -24,12 +24,13 @@ void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int objec
     motions.push_back(motion);
 }
 
-// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "float", "motion" }; a width of 0
-// is found from the sprite later.
+// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "lamp", "float", "motion" }; a
+// width of 0 is found from the sprite later.
 std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize, const Map& map) {
     Checker& checker = reading.checker;
     const auto fields = checker.fields(
-        value, {"sprite", "x", "y", "z", "width", "height", "light", "glow", "float", "motion"},
+        value,
+        {"sprite", "x", "y", "z", "width", "height", "light", "glow", "lamp", "float", "motion"},
         "an object: an object with \"sprite\", \"x\", \"y\" and \"height\"");
     if (!fields) return std::nullopt;
     const std::size_t faultsBefore = checker.count();
@@ -46,6 +47,12 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     object.light = fields->number("light", kUnitRange, 1.0);
     object.glow = fields->flag("glow", false);
     object.floats = fields->flag("float", false);
+    if (const auto lamp = fields->find("lamp")) {
+        object.lamp = readLamp(reading, *lamp);
+        if (object.floats || fields->find("motion"))
+            checker.add(*lamp, "a lamp on an object that moves",
+                        "\"lamp\" without \"float\" and \"motion\": lamps stand still");
+    }
     std::optional<ReadMotion> moves;
     if (const auto motion = fields->find("motion")) moves = readObjectMotion(reading, *motion);
     if (checker.count() == faultsBefore && hasSize &&

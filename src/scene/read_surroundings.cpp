@@ -1,4 +1,5 @@
-// What surrounds the blocks of a map: floor, ceiling, sky, light and fog.
+// What surrounds the blocks of a map: floor, ceiling, sky, light and fog. For baked light see
+// read_baked_light.cpp.
 #include "scene/limits.h"
 #include "scene/readers.h"
 

@@ -35,6 +35,13 @@ struct SowingOrder {
     Sowing sowing;
 };
 
+// A lamp of a map, and where the file states it.
+struct PlacedLamp {
+    JsonValue value;
+    std::size_t map;
+    Lamp lamp;
+};
+
 // A moving object, and where the file states it.
 struct PlacedMotion {
     JsonValue value;
@@ -63,6 +70,7 @@ struct Reading {
     NameTable motions = {};  // index into World::motions
     std::vector<PortalList> portals = {};
     std::vector<JsonValue> mapValues = {};
+    std::vector<PlacedLamp> lamps = {};
 };
 
 // "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate } }; a sheet without a rate is held
@@ -126,6 +134,15 @@ void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map);
 void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map);
 void readLight(Reading& reading, JsonValue value, Light& light);
 void readFog(Reading& reading, JsonValue value, Fog& fog);
+
+// "lamp" of a face or an object, and the same keys of a map's lamps.
+LampKind readLampKind(const Fields& fields);
+LampId readLamp(Reading& reading, JsonValue value);
+// Finds lamps within blocks, once all maps are read.
+void findHiddenLamps(Reading& reading);
+
+// "baked" of a map: { sun, ambient, lamps }
+void readBakedLight(Reading& reading, JsonValue value, bool hasSize, Map& map);
 
 // Gives moving blocks and gates their own blueprints, and checks that they have room. `maps` is the
 // value in the file; all maps have been read.

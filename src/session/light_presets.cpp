@@ -1,5 +1,6 @@
 #include "session/light_presets.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -12,6 +13,11 @@ struct Preset {
     Colour low;  // of the haze and of the sky at the horizon, so that the two meet without an edge
     Colour high;
     double slope;
+    // In maps with baked light and a sun; maps without one lie indoors and keep theirs.
+    Colour sun;
+    double altitude;  // of the sun, if it stands higher; degrees
+    Colour ambient;
+    double lamps;  // see BakedLight::lampStrength
 };
 
 constexpr Preset kDay = {
@@ -19,25 +25,52 @@ constexpr Preset kDay = {
     .fog = {.on = true, .start = 60.0, .end = 1500.0},
     .low = {212, 224, 217, 255},
     .high = {91, 143, 199, 255},
-    .slope = 0.9};
+    .slope = 0.9,
+    .sun = {255, 244, 224, 255},
+    .altitude = 90.0,
+    .ambient = {132, 146, 168, 255},
+    .lamps = 0.0};
 constexpr Preset kDusk = {
     .light = {.on = true, .intensity = 1.0, .multiplier = 5.0, .darkest = 0.32, .brightest = 0.85},
     .fog = {.on = true, .start = 12.0, .end = 1500.0},
     .low = {232, 150, 98, 255},
     .high = {58, 56, 104, 255},
-    .slope = 0.7};
+    .slope = 0.7,
+    .sun = {236, 132, 70, 255},
+    .altitude = 14.0,
+    .ambient = {110, 96, 132, 255},
+    .lamps = 0.6};
 constexpr Preset kNight = {
     .light = {.on = true, .intensity = 0.8, .multiplier = 5.0, .darkest = 0.2, .brightest = 0.8},
     .fog = {.on = true, .start = 8.0, .end = 1500.0},
     .low = {26, 33, 58, 255},
     .high = {6, 8, 20, 255},
-    .slope = 0.8};
+    .slope = 0.8,
+    .sun = {44, 56, 92, 255},
+    .altitude = 50.0,
+    .ambient = {40, 48, 76, 255},
+    .lamps = 1.0};
 constexpr Preset kFog = {
     .light = {.on = true, .intensity = 1.2, .multiplier = 10.0, .darkest = 0.6, .brightest = 0.95},
     .fog = {.on = true, .start = 0.5, .end = 16.0},
     .low = {198, 204, 206, 255},
     .high = {198, 204, 206, 255},
-    .slope = 1.0};
+    .slope = 1.0,
+    .sun = {60, 62, 64, 255},
+    .altitude = 90.0,
+    .ambient = {176, 182, 186, 255},
+    .lamps = 0.6};
+
+bool hasSun(const BakedLight& baked) {
+    return (baked.sun.r | baked.sun.g | baked.sun.b) != 0;
+}
+
+void shine(BakedLight& baked, const Preset& preset) {
+    baked.sun = preset.sun;
+    baked.altitude = std::min(baked.altitude, preset.altitude);
+    baked.ambient = preset.ambient;
+    baked.lampStrength = preset.lamps;
+}
 
 const Preset* findPreset(LightPreset preset) {
     switch (preset) {
@@ -58,7 +91,14 @@ const Preset* findPreset(LightPreset preset) {
 }  // namespace
 
 MapLights::MapLights(const std::vector<Map>& maps) {
-    for (const Map& map : maps) own_.push_back({map.light, map.fog, map.haze, {}});
+    for (const Map& map : maps)
+        own_.push_back({map.light,
+                        map.fog,
+                        map.haze,
+                        {},
+                        map.baked.sun,
+                        map.baked.altitude,
+                        map.baked.ambient});
 }
 
 void MapLights::apply(const LightWishes& wishes, std::vector<Map>& maps) {
@@ -73,6 +113,14 @@ void MapLights::apply(const LightWishes& wishes, std::vector<Map>& maps) {
         map.light = preset != nullptr ? preset->light : own.light;
         map.fog = preset != nullptr ? preset->fog : own.fog;
         map.haze = wishes.haze.value_or(preset != nullptr ? preset->low : own.haze);
+        map.baked.sun = own.sun;
+        map.baked.altitude = own.altitude;
+        map.baked.ambient = own.ambient;
+        map.baked.lampStrength = 1.0;
+        if (preset != nullptr && map.baked.on) {
+            map.light.on = false;
+            if (hasSun(map.baked)) shine(map.baked, *preset);
+        }
         map.light.intensity = wishes.intensity.value_or(map.light.intensity);
         map.light.multiplier = wishes.multiplier.value_or(map.light.multiplier);
         if (preset == nullptr) continue;

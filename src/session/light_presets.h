@@ -40,6 +40,9 @@ private:
         Fog fog;
         Colour haze;
         Sky sky;  // moved here while a preset is on
+        Colour sun;
+        double altitude;
+        Colour ambient;
     };
     std::vector<Own> own_;
     LightPreset applied_ = LightPreset::map;

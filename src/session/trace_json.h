@@ -26,6 +26,7 @@
 //                                "detail",        level of detail, 0 the finest
 //                                "size": [w, h],  texels of that level
 //                                "u", "v",        the texel, from the left and from the top
+//                                "baked": [r, g, b],  baked light, 0 to 256
 //                                "light",         0 to 256
 //                                "fog" } ] } ]    weight of the haze, 0 to 255
 //

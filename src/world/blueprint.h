@@ -4,6 +4,7 @@
 #include "base/coordinate.h"
 #include "slicecast/colour.h"
 #include "slicecast/face.h"
+#include "world/baked_light.h"
 #include "world/plan.h"
 #include "world/slope.h"
 
@@ -32,6 +33,7 @@ struct FaceBlueprint {
     bool glow = false;
     std::uint8_t mirror = 0;      // of a top face: strength of its reflection, of 255
     PortalId portal = kNoPortal;  // the face leads to another place
+    LampId lamp = kNoLamp;        // before its middle; only of blocks that stand still
 };
 
 // A filled cell: the box between `bottom` and `top` above its level's base, over the whole tile or

@@ -1,11 +1,18 @@
 #include "world/map.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace slicecast {
 
+std::uint64_t nextEdition() {
+    static std::atomic<std::uint64_t> last = 0;
+    return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
 void Map::setCell(int x, int y, int level, BlueprintId blueprint) {
+    edition = nextEdition();
     cells[cellIndex(x, y, level)] = blueprint;
     const std::uint32_t bit = 1u << level;
     std::uint32_t& column = occupied[tileIndex(x, y)];

@@ -12,6 +12,7 @@
 #include "base/coordinate.h"
 #include "base/image.h"
 #include "slicecast/colour.h"
+#include "world/baked_light.h"
 #include "world/blueprint.h"
 #include "world/limits.h"
 #include "world/object.h"
@@ -76,24 +77,30 @@ struct LegendEntry {
     BlueprintId blueprint = kEmptyCell;
 };
 
+// A number that no other state of a map has had: what is worked out from a map's blocks is valid
+// while it stays the same. A copy of a map keeps it.
+std::uint64_t nextEdition();
+
 struct Map {
     std::string name;
-    int width = 0;                        // tiles eastward
-    int depth = 0;                        // tiles southward
-    int levels = 0;                       // stacked levels
-    std::vector<BlueprintId> cells;       // [(y * width + x) * levels + level]
-    std::vector<LegendEntry> legend;      // as in the scene, with the blueprints of its text
-    std::vector<Object> objects;          // at equal depth the order decides
-    std::vector<std::uint32_t> occupied;  // [y * width + x]: bit n is set if level n has a block
-    std::vector<std::uint32_t> changing;  // [y * width + x]: bit n is set if level n may hold a
+    std::uint64_t edition = nextEdition();  // of cells, floor and ceiling; setCell() changes it
+    int width = 0;                          // tiles eastward
+    int depth = 0;                          // tiles southward
+    int levels = 0;                         // stacked levels
+    std::vector<BlueprintId> cells;         // [(y * width + x) * levels + level]
+    std::vector<LegendEntry> legend;        // as in the scene, with the blueprints of its text
+    std::vector<Object> objects;            // at equal depth the order decides
+    std::vector<std::uint32_t> occupied;    // [y * width + x]: bit n is set if level n has a block
+    std::vector<std::uint32_t> changing;    // [y * width + x]: bit n is set if level n may hold a
                                           // part of a mover or a gate; empty if the map has neither
-    std::vector<PortalId> tilePortals;    // [y * width + x], kNoPortal for none; may be empty
-    std::vector<std::uint8_t> openLand;   // [y * width + x]: see findOpenLand; may be empty
+    std::vector<PortalId> tilePortals;   // [y * width + x], kNoPortal for none; may be empty
+    std::vector<std::uint8_t> openLand;  // [y * width + x]: see findOpenLand; may be empty
     Floor floor;
     Ceiling ceiling;
     Sky sky;
     Light light;
     Fog fog;
+    BakedLight baked;
     Colour haze = {150, 160, 170, 255};  // of the fog, and of the floor beyond `far`
     double far = kDefaultFar;            // units
 

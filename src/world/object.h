@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/coordinate.h"
+#include "world/baked_light.h"
 
 #include <cstdint>
 
@@ -20,7 +21,8 @@ struct Object {
     Coordinate height;   // > 0
     double light = 1.0;  // see FaceBlueprint
     bool glow = false;
-    bool floats = false;  // floats on water
+    bool floats = false;    // floats on water
+    LampId lamp = kNoLamp;  // at 4/5 of its height; only of objects that stay where they are
 };
 
 }  // namespace slicecast

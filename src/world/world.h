@@ -46,6 +46,7 @@ struct World {
     MovingObjects movingObjects;
     std::vector<Portal> portals;
     int portalLimit = kDefaultPortalLimit;  // the most portals that a ray passes
+    std::vector<LampKind> lampKinds;        // of faces
     std::vector<Motion> motions;
     std::vector<Mover> movers;  // see makeMovers
     std::vector<GateKind> gateKinds;

@@ -257,6 +257,35 @@ void addShapes(Random& random, World& world) {
     markSeeThrough(world);
 }
 
+void addLight(Random& random, World& world) {
+    const auto channel = [&] { return static_cast<std::uint8_t>(random.below(256)); };
+    const auto colour = [&] { return Colour{channel(), channel(), channel(), 255}; };
+    const auto kind = [&] {
+        return LampKind{.colour = colour(),
+                        .strength = random.between(0.1, 4.0),
+                        .radius = {random.between(20000, 6 * 65536)}};
+    };
+    for (int i = 0; i < 4; ++i) world.lampKinds.push_back(kind());
+    for (Map& map : world.maps) {
+        map.baked.on = true;
+        map.baked.sun = colour();
+        map.baked.azimuth = random.between(-360.0, 360.0);
+        map.baked.altitude = random.between(1.0, 90.0);
+        map.baked.ambient = colour();
+        for (int i = 0; i < 6; ++i) {
+            map.baked.lamps.push_back({{random.between(0, map.width * 65536 - 1)},
+                                       {random.between(0, map.depth * 65536 - 1)},
+                                       {random.between(0, map.levels * 65536)},
+                                       kind()});
+        }
+    }
+    for (CellBlueprint& block : world.blueprints) {
+        if (!block.isStill() || block.isWater || block.mover >= 0 || !random.oneIn(6)) continue;
+        block.faces[static_cast<std::size_t>(random.below(kFaces))].lamp =
+            static_cast<LampId>(random.below(4));
+    }
+}
+
 void addFeatures(Random& random, World& world) {
     addSeeThrough(random, world);
     addMirrors(random, world);

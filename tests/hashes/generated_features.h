@@ -13,4 +13,7 @@ void addFeatures(Random& random, World& world);
 // Thin blocks, halves of tiles, slopes; after everything that moves or leads elsewhere.
 void addShapes(Random& random, World& world);
 
+// A sun, light from the sky, and lamps.
+void addLight(Random& random, World& world);
+
 }  // namespace slicecast

@@ -12,6 +12,7 @@ inline RenderOptions optionsOf(const View& view) {
             .detail = view.detail,
             .light = view.light,
             .fog = view.fog,
+            .baked = view.baked,
             .mirrors = view.mirrors};
 }
 

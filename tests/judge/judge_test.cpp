@@ -176,7 +176,20 @@ TEST(Judge, SmallPictures) {
                          {"mirrored underside", 10000},
                          {"mirrored ceiling", 10000},
                          {"mirrored sky", 200000},
-                         {"mirrored object", 5000}});
+                         {"mirrored object", 5000},
+                         {"lit side", 500000},
+                         {"lit roof", 100000},
+                         {"lit underside", 100000},
+                         {"lit floor", 250000},
+                         {"lit ceiling", 50000},
+                         {"lit object", 40000},
+                         {"pictures with tinted light", 70},
+                         {"pictures with nodes partly linked", 60},
+                         {"pictures with a square of other nodes", 50},
+                         {"pictures with a lit slope", 20},
+                         {"pictures with a lit cut", 9},
+                         {"pictures with light that goes on with a slope or cut", 18},
+                         {"pictures with light that goes on in another level", 9}});
 }
 
 TEST(Judge, FullSizePictures) {

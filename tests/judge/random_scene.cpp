@@ -310,6 +310,104 @@ void incline(Random& random, World& world, bool coarse) {
     }
 }
 
+// Slopes that climb from level to level, side by side, and halves in a row along their cuts, where
+// the map holds nothing special.
+void goOn(Random& random, World& world) {
+    std::vector<bool> isLevel = levelBlueprints(world);
+    isLevel[kEmptyCell] = false;
+    for (std::size_t i = 1; i < world.blueprints.size(); ++i) {
+        CellBlueprint& block = world.blueprints[i];
+        const bool isHalf =
+            block.plan.half != Half::none && block.isStill() && block.bottom < block.top;
+        if (!isHalf && (isLevel[i] || !block.slopes.any())) continue;
+        const int side = random.below(4);
+        if (!isHalf) {
+            const bool isRoof = !random.oneIn(3);
+            const Slant slant = {{0}, tileEdge(1)};
+            const CellBlueprint before = block;
+            block.bottom = {0};
+            block.top = tileEdge(1);
+            block.slopes = slopesTo(static_cast<Face>(side), isRoof ? Slant{} : slant,
+                                    isRoof ? slant : Slant{tileEdge(1), tileEdge(1)});
+            if (levelBlueprints(world)[i]) {  // a ceiling is in the way
+                block = before;
+                continue;
+            }
+        }
+        // A step ahead and a step beside
+        const int alongY = isHalf ? (isCutFalling(block.plan.half) ? 1 : -1) : 0;
+        constexpr int kAhead[4][2] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+        for (int tries = 0; tries < 12; ++tries) {
+            Map& map = world.maps[random.below(static_cast<int>(world.maps.size()))];
+            const int x = random.below(map.width);
+            const int y = random.below(map.depth);
+            const int level = random.below(map.levels);
+            for (int ahead = 0; ahead < 3; ++ahead) {
+                for (int beside = 0; beside < 2; ++beside) {
+                    const int atX =
+                        x + (isHalf ? ahead : kAhead[side][0] * ahead + kAhead[side][1] * beside);
+                    const int atY =
+                        y + (isHalf ? alongY * ahead
+                                    : kAhead[side][1] * ahead + kAhead[side][0] * beside);
+                    const int atLevel = level + (isHalf ? beside : ahead);
+                    if (!map.contains(atX, atY) || atLevel >= map.levels) continue;
+                    if (!map.ceiling.tiles.empty() && map.ceiling.height.tile() == atLevel)
+                        continue;
+                    if (isLevel[map.cell(atX, atY, atLevel)]) continue;
+                    map.setCell(atX, atY, atLevel, static_cast<BlueprintId>(i));
+                }
+            }
+        }
+    }
+    markPlans(world);
+}
+
+// Some worlds have baked light; numbers of their own, so that the rest of the scene stays what it
+// is.
+void light(Random& random, World& world) {
+    for (int i = 0; i < 3; ++i)
+        world.lampKinds.push_back({.colour = anyColour(random),
+                                   .strength = random.between(0.2, 4.0),
+                                   .radius = {random.between(20'000, 6 * 65536)}});
+    if (random.oneIn(2)) goOn(random, world);
+    for (Map& map : world.maps) {
+        BakedLight& baked = map.baked;
+        baked.on = !random.oneIn(4);
+        if (!random.oneIn(3)) baked.sun = anyColour(random);
+        baked.azimuth =
+            random.oneIn(4) ? 45.0 * random.between(-8, 8) : random.between(-400.0, 400.0);
+        baked.altitude = random.oneIn(4)   ? 45.0 * random.between(1, 2)
+                         : random.oneIn(4) ? random.between(1.0, 15.0)
+                                           : random.between(15.0, 90.0);
+        baked.ambient = anyColour(random);
+        baked.lampStrength = random.oneIn(3) ? random.between(0.0, 2.0) : 1.0;
+        for (int i = random.oneIn(3) ? 0 : random.between(1, 8); i > 0; --i) {
+            Lamp lamp;
+            lamp.x = {random.between(0, map.width * 65536)};
+            lamp.y = {random.between(0, map.depth * 65536)};
+            lamp.z = {random.between(0, map.levels * 65536)};
+            if (random.oneIn(2)) {
+                lamp.x = {lamp.x.raw >> 14 << 14};
+                lamp.y = {lamp.y.raw >> 14 << 14};
+                lamp.z = {lamp.z.raw >> 14 << 14};
+            }
+            lamp.kind = world.lampKinds[static_cast<std::size_t>(random.below(3))];
+            baked.lamps.push_back(lamp);
+        }
+    }
+    for (Map& map : world.maps) {
+        for (Object& object : map.objects) {
+            if (random.oneIn(10)) object.lamp = static_cast<LampId>(random.below(3));
+        }
+    }
+    for (CellBlueprint& block : world.blueprints) {
+        for (FaceBlueprint& face : block.faces) {
+            if (block.mover < 0 && random.oneIn(40))
+                face.lamp = static_cast<LampId>(random.below(3));
+        }
+    }
+}
+
 // Some of the still blocks become water, which may lack faces; numbers of their own, so that the
 // rest of the scene stays what it is.
 void flood(Random& random, World& world) {
@@ -440,8 +538,11 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     addKin(more, scene.world);
     changeMovers(more, scene.world);
     Random slopes(seed ^ 0x736c6f70u);
-    if (slopes.oneIn(3)) incline(slopes, scene.world, slopes.oneIn(2));
+    Random lamps(seed ^ 0x6c616d70u);
+    const bool isLit = lamps.oneIn(4);
+    if (slopes.oneIn(3) || (isLit && lamps.oneIn(2))) incline(slopes, scene.world, slopes.oneIn(2));
     if (more.oneIn(6)) enterMover(more, scene.world, view);
+    if (isLit) light(lamps, scene.world);
     return scene;
 }
 
@@ -471,6 +572,8 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     changeMovers(more, scene.world);
     Random slopes(seed ^ 0x736c6f70u);
     if (!slopes.oneIn(3)) incline(slopes, scene.world, true);
+    Random lamps(seed ^ 0x6c616d70u);
+    if (lamps.oneIn(4)) light(lamps, scene.world);
     return scene;
 }
 

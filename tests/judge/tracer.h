@@ -5,12 +5,14 @@
 #pragma once
 
 #include "base/coordinate.h"
+#include "light_tracer.h"
 #include "slicecast/colour.h"
 #include "world/world.h"
 
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace slicecast::judge {
@@ -28,6 +30,7 @@ struct View {
     bool detail = true;
     bool light = true;
     bool fog = true;
+    bool baked = true;
     double mirrors = 1.0;  // a mirror's strength r becomes min(255, floor(r * this + 0.5))
 };
 
@@ -50,6 +53,9 @@ struct Sight {
     double along = 0.0;   // t / d as it was found, so that equal depths come out equal
     double u = 0.0;  // fractions of the texture, 0 to 1; negative ones count from the other end
     double v = 0.0;
+    LitFace litFace;          // of a block, the floor in the grid or the ceiling
+    Coordinate rise;          // of the texture on a side of what moves
+    int object = -1;          // index into Map::objects
     Colour colour;            // sky, haze: what they show
     bool seeThrough = false;  // what lies behind may show, depending on the texel's alpha
     int mirror =
@@ -136,8 +142,15 @@ public:
     // The level of detail that a sight is shown at, for asserting coverage.
     int level(const Sight& sight, double depthFactor = 1.0) const;
 
+    // What has been seen of the maps' baked light, for asserting coverage.
+    bool isLit(const Sight& sight) const;
+    bool sawLight(bool LightTracer::*what) const;
+
 private:
     class Walk;
+
+    LightTracer& lightOf(int map) const;
+    Colour litTexel(const Sight& sight, Colour texel, int column, int row, int size) const;
 
     const std::vector<Image>& levelsOf(const Sight& sight) const;
 
@@ -148,8 +161,9 @@ private:
     double distance_;
     double forwardX_;
     double forwardY_;
-    std::vector<std::vector<Image>> levels_;        // of each texture
-    std::vector<std::vector<Image>> spriteLevels_;  // of each sprite
+    std::vector<std::vector<Image>> levels_;                    // of each texture
+    std::vector<std::vector<Image>> spriteLevels_;              // of each sprite
+    mutable std::vector<std::unique_ptr<LightTracer>> lights_;  // of each map, when asked for
 };
 
 }  // namespace slicecast::judge

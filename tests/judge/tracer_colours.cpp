@@ -129,8 +129,9 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
         const int i = std::min(n - 1, static_cast<int>(std::floor(std::fabs(fraction) * n)));
         return std::signbit(fraction) ? n - 1 - i : i;
     };
-    const Colour raw =
-        toColour(image.at(texel(sight.u, image.width), texel(sight.v, image.height)));
+    const int column = texel(sight.u, image.width);
+    const int row = texel(sight.v, image.height);
+    const Colour raw = litTexel(sight, toColour(image.at(column, row)), column, row, image.height);
 
     const bool unlit = sight.glow || !map.light.on || !view_.light;
     const double falloff = map.light.intensity * map.light.multiplier / depth;
@@ -145,6 +146,47 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
     const auto lit = [&](int c) { return static_cast<std::uint8_t>((c * q + 128) >> 8); };
     const std::uint8_t alpha = sight.mirror > 0 ? 255 : raw.a;
     return mixed({lit(raw.r), lit(raw.g), lit(raw.b), alpha}, haze, fog);
+}
+
+bool Tracer::isLit(const Sight& sight) const {
+    return view_.baked && !sight.glow && sight.texture != kNoTexture &&
+           world_.maps[static_cast<std::size_t>(sight.map)].baked.on;
+}
+
+bool Tracer::sawLight(bool LightTracer::*what) const {
+    return std::any_of(lights_.begin(), lights_.end(),
+                       [&](const auto& light) { return light && (*light).*what; });
+}
+
+LightTracer& Tracer::lightOf(int map) const {
+    const auto i = static_cast<std::size_t>(map);
+    lights_.resize(world_.maps.size());
+    if (!lights_[i]) lights_[i] = std::make_unique<LightTracer>(world_, world_.maps[i]);
+    return *lights_[i];
+}
+
+// A texel times the light at its middle.
+Colour Tracer::litTexel(const Sight& sight, Colour texel, int column, int row, int size) const {
+    if (!isLit(sight)) return texel;
+    LightTracer& light = lightOf(sight.map);
+    Rgb l;
+    if (sight.kind == Sight::Kind::object) {
+        const Map& map = world_.maps[static_cast<std::size_t>(sight.map)];
+        l = light.lightOf(map.objects[static_cast<std::size_t>(sight.object)]);
+    } else if (sight.outsideGrid) {
+        l = light.lightOutside();
+    } else {
+        const auto middle = [&](int i) { return (2 * i + 1) * 32768 / size; };
+        const int a = middle(std::signbit(sight.u) ? size - 1 - column : column);
+        int b = middle(std::signbit(sight.v) ? size - 1 - row : row);
+        if (sight.kind == Sight::Kind::side)
+            b = std::min(65535, 65536 - ((middle(row) - sight.rise.raw) & 65535));
+        l = light.lightAt(sight.litFace, a, b);
+    }
+    const auto channel = [](int c, int by) {
+        return static_cast<std::uint8_t>((c * by + 128) >> 8);
+    };
+    return {channel(texel.r, l[0]), channel(texel.g, l[1]), channel(texel.b, l[2]), texel.a};
 }
 
 const char* nameOf(Note note) {

@@ -47,6 +47,8 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
                                 block.bottom.value(), block.top.value());
     Sight sight;
     sight.face = which;
+    sight.litFace = {mapTile_.x, mapTile_.y, level, static_cast<int>(which)};
+    sight.rise = block.textureRise;
     sight.fromInside = fromInside;
     sight.seeThrough = block.seeThrough;
     sight.texture = look.texture;
@@ -107,6 +109,10 @@ void Tracer::Walk::pushPlane(Sight::Kind kind, TextureId texture, double light, 
                               : mapTile_;
     Sight sight;
     sight.kind = kind;
+    sight.litFace = {tile.x, tile.y, 0,
+                     kind == Sight::Kind::floor ? LitFace::kFloor
+                     : falls()                  ? LitFace::kCeilingAbove
+                                                : LitFace::kCeilingBelow};
     sight.outsideGrid = outside;
     sight.texture = texture;
     sight.seeThrough = world_.textures[texture].seeThrough;
@@ -201,6 +207,7 @@ void Tracer::Walk::addObjects() {
                 continue;
             Sight sight;
             sight.kind = Sight::Kind::object;
+            sight.object = static_cast<int>(&object - mapOf(stretch.place).objects.data());
             sight.map = stretch.place.map;
             sight.turn = stretch.place.turn;
             sight.portals = portals;

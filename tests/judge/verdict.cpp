@@ -179,6 +179,8 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
                     (sight.mirror > 0) << 11 | tracer.level(sight) << 12 |
                     (sight.texture & 0xff) << 16 | sight.map << 24);
                 if (sight.glow) ++verdict.coverage["glow"];
+                if (tracer.isLit(sight))
+                    ++verdict.coverage[std::string("lit ") + kKinds[static_cast<int>(sight.kind)]];
                 if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture &&
                     world.textures[sight.texture].frames() > 1)
                     ++verdict.coverage["animated"];
@@ -226,6 +228,15 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
         seen(std::string(kKinds[i]) + " behind a portal", kindsBehindPortals[i]);
     }
     for (const auto& [key, count] : counts) verdict.coverage[names[key]] += count;
+    seen("pictures with tinted light", tracer.sawLight(&LightTracer::sawTint));
+    seen("pictures with nodes partly linked", tracer.sawLight(&LightTracer::sawPartlyLinked));
+    seen("pictures with a square of other nodes", tracer.sawLight(&LightTracer::sawOddSquare));
+    seen("pictures with a lit slope", tracer.sawLight(&LightTracer::sawSlope));
+    seen("pictures with a lit cut", tracer.sawLight(&LightTracer::sawCut));
+    seen("pictures with light that goes on with a slope or cut",
+         tracer.sawLight(&LightTracer::sawGoOn));
+    seen("pictures with light that goes on in another level",
+         tracer.sawLight(&LightTracer::sawClimb));
     const auto allowed = std::max(
         kExcusedAtLeast,
         static_cast<std::int64_t>(kExcusedShareOfPicture * static_cast<double>(verdict.pixels)));

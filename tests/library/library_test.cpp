@@ -234,6 +234,32 @@ TEST(SceneBuilder, LetsTopsRise) {
     EXPECT_GT(highest, before + 0.4);
 }
 
+// The mean brightness of the corridor's picture.
+double brightness(Corridor c) {
+    Game game(std::move(c.build().scene).value());
+    const Image image = game.picture(64, 40);
+    double sum = 0.0;
+    for (const Pixel pixel : image.pixels) {
+        const Colour colour = toColour(pixel);
+        sum += colour.r + colour.g + colour.b;
+    }
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+TEST(SceneBuilder, LightsMaps) {
+    const double plain = brightness({});
+    Corridor dark;
+    dark.builder.light(dark.map, {.colour = {0, 0, 0, 255}, .ambient = {40, 40, 40, 255}});
+    Corridor lamp;
+    lamp.builder.light(lamp.map, {.colour = {0, 0, 0, 255}, .ambient = {40, 40, 40, 255}});
+    lamp.builder.lamp(lamp.map, {.x = 3.5, .y = 1.5, .z = 0.7, .strength = 2.0});
+    const double darkened = brightness(std::move(dark));
+    const double lit = brightness(std::move(lamp));
+    EXPECT_LT(darkened, 0.8 * plain);
+    EXPECT_GT(lit, darkened + 5.0);
+    EXPECT_LE(lit, plain);
+}
+
 TEST(SceneBuilder, ReportsFaults) {
     EXPECT_EQ(Corridor().fault(), "0 faults");
     {
@@ -313,6 +339,15 @@ TEST(SceneBuilder, ChecksEveryRange) {
                                   .diagonal = Half::northEast,
                                   .rise = SceneBuilder::Rise{Face::east}});
              }),
+             faultOf([](C c) { c.builder.light({}, {}); }),
+             faultOf([](C c) { c.builder.light(c.map, {.altitudeDegrees = 0.0}); }),
+             faultOf([&](C c) { c.builder.light(c.map, {.azimuthDegrees = nan}); }),
+             faultOf([](C c) { c.builder.lamp({}, {}); }),
+             faultOf([](C c) { c.builder.lamp(c.map, {.x = 8.0, .y = 1.0}); }),
+             faultOf([](C c) {
+                 c.builder.lamp(c.map, {.x = 1.0, .y = 1.0, .radius = 17.0});
+             }),
+             faultOf([&](C c) { c.builder.lamp(c.map, {.x = 1.0, .y = 1.0, .strength = nan}); }),
              faultOf([](C c) { c.builder.fill({}, {}, c.wall); }),
              faultOf([](C c) { c.builder.fill(c.map, {}, {9}); }),
              faultOf([](C c) { c.builder.fill(c.map, {.width = 2147483647}, c.wall); }),

@@ -142,7 +142,10 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(bush.width.raw, 49152);  // the sprite is square
     EXPECT_EQ(bush.light, 1.0);
     EXPECT_FALSE(bush.glow);
+    ASSERT_NE(bush.lamp, kNoLamp);
+    EXPECT_EQ(world.lampKinds[bush.lamp], LampKind{});
     const Object& bird = hall.objects[1];
+    EXPECT_EQ(bird.lamp, kNoLamp);
     EXPECT_EQ(bird.sprite, 1);
     EXPECT_EQ(bird.z.raw, 81920);
     EXPECT_EQ(bird.width.raw, 32768);
@@ -203,6 +206,18 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(hall.light.multiplier, 3.0);
     EXPECT_EQ(hall.light.darkest, 0.2);
     EXPECT_EQ(hall.light.brightest, 0.9);
+    EXPECT_TRUE(hall.baked.on);
+    EXPECT_EQ(hall.baked.sun, (Colour{255, 128, 64, 255}));
+    EXPECT_EQ(hall.baked.azimuth, -45.0);
+    EXPECT_EQ(hall.baked.altitude, 12.5);
+    EXPECT_EQ(hall.baked.ambient, (Colour{32, 48, 64, 255}));
+    ASSERT_EQ(hall.baked.lamps.size(), 2u);
+    EXPECT_EQ(hall.baked.lamps[0],
+              (Lamp{toCoordinate(1.5),
+                    toCoordinate(1.5),
+                    toCoordinate(2.25),
+                    {.colour = {255, 255, 192, 255}, .strength = 2.0, .radius = tileEdge(6)}}));
+    EXPECT_EQ(hall.baked.lamps[1].kind, LampKind{});
     EXPECT_TRUE(hall.fog.on);
     EXPECT_EQ(hall.fog.start, 1.0);
     EXPECT_EQ(hall.fog.end, 4.5);

@@ -52,6 +52,20 @@ TEST(Warnings, TellOfStartsWithoutAWayOut) {
     EXPECT_EQ(warningsOf("[" + closed + ", " + open + "]"), 1u) << "too high to jump";
 }
 
+TEST(Warnings, TellOfLampsInOpaqueBlocks) {
+    const std::string levels = R"([["###", "#..", "###"]])";
+    const auto lamp = [&](const std::string& place) {
+        // Only a block whose images are known is known to be opaque
+        return loadText(smallScene(levels, R"("baked": { "lamps": [{)" + place + "}] }"));
+    };
+    const LoadedScene hidden = lamp(R"("x": 0.5, "y": 1.5, "z": 0.5)");
+    ASSERT_EQ(hidden.warnings.size(), 1u);
+    EXPECT_EQ(hidden.warnings[0].pointer, "/maps/0/baked/lamps/0");
+    EXPECT_EQ(hidden.warnings[0].found, "a lamp in a block that no light leaves");
+    EXPECT_EQ(lamp(R"("x": 1.5, "y": 1.5, "z": 0.5)").warnings.size(), 0u);
+    EXPECT_EQ(lamp(R"("x": 0.5, "y": 1.5, "z": 1)").warnings.size(), 0u) << "on top of it";
+}
+
 TEST(Warnings, CountAJumpAsAWayOut) {
     const auto pit = [](const std::string& top) {
         std::string text = smallScene(R"([["###", "#.#", "###"]])");

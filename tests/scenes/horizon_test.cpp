@@ -29,7 +29,7 @@ constexpr double kMistEnd = 100.0;
 // Bounds, in levels of a colour channel.
 constexpr int kLargestEdge = 4;      // between the floor's last row and the sky's first, any column
 constexpr double kLargestStep = 26;  // between the means of two rows of the floor, near the horizon
-constexpr int kMostPlainRows = kHorizonHeight * 8 / 100;  // of the floor, all haze
+constexpr int kMostPlainRows = kHorizonHeight * 9 / 100;  // of the floor, all haze
 
 struct Horizon {
     int edge = 0;

@@ -51,6 +51,33 @@ TEST(LightPresets, GetDarkerFromDayToNight) {
     }
 }
 
+TEST(LightPresets, SetSunAndLampsWhereThereIsASun) {
+    std::vector<Map> maps = twoMaps();
+    for (Map& map : maps) {
+        map.baked.on = true;
+        map.baked.altitude = 60.0;
+        map.baked.ambient = {9, 9, 9, 255};
+    }
+    maps[0].baked.sun = {200, 100, 50, 255};
+    const BakedLight outdoors = maps[0].baked;
+    const BakedLight indoors = maps[1].baked;
+    MapLights lights(maps);
+    double lamps = -1.0;
+    for (const LightPreset preset : {LightPreset::day, LightPreset::dusk, LightPreset::night}) {
+        lights.apply({.preset = preset}, maps);
+        EXPECT_GT(maps[0].baked.lampStrength, lamps) << "lamps light up";
+        lamps = maps[0].baked.lampStrength;
+        EXPECT_NE(maps[0].baked.sun, outdoors.sun);
+        EXPECT_LE(maps[0].baked.altitude, 60.0);
+        EXPECT_FALSE(maps[0].light.on) << "light does not fade with distance too";
+        EXPECT_EQ(maps[1].baked, indoors);
+    }
+    EXPECT_LT(maps[0].baked.sun.b, 100) << "a moon";
+    lights.apply({.preset = LightPreset::map}, maps);
+    EXPECT_EQ(maps[0].baked, outdoors);
+    EXPECT_EQ(maps[1].baked, indoors);
+}
+
 TEST(LightPresets, RestoreEachMapsOwn) {
     std::vector<Map> maps = twoMaps();
     const Pixel* panorama = maps[1].sky.panorama.pixels.data();

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,13 @@ World glassHall() {
     World world = hall("glass", numbered(16, 200, 120), numbered(16, 250));
     world.maps[0].floor.mirror = 255;
     world.maps[0].fog = {.on = true, .start = 2.0, .end = 12.0};
+    BakedLight& baked = world.maps[0].baked;
+    baked.on = true;
+    baked.sun = {200, 180, 120, 255};
+    baked.azimuth = 200.0;
+    baked.altitude = 40.0;
+    baked.ambient = {90, 110, 150, 255};
+    baked.lamps.push_back({toCoordinate(8.5), toCoordinate(5.5), toCoordinate(1.2), {}});
     return world;
 }
 
@@ -104,6 +112,8 @@ TEST_F(TraceJsonTest, TexelsEqualThePictures) {
     for (const bool isLit : {false, true}) {
         set("light", isLit ? "on" : "off");
         set("fog", isLit ? "on" : "off");
+        set("baked", isLit ? "on" : "off");
+        std::set<int> lights;
         const std::vector<Pixel> pixels = picture();
         std::map<std::string, int> compared;
         int finest = 99;
@@ -117,19 +127,25 @@ TEST_F(TraceJsonTest, TexelsEqualThePictures) {
                     if (run["layer"].GetBool() || !bare[static_cast<std::size_t>(row)]) continue;
                     const Colour own = texelOf(run, texel);
                     const Colour haze = session.world().maps[run["map"] == "hall" ? 0 : 1].haze;
-                    const auto shown = [&](int channel, int hazeChannel) {
-                        const int lit = (channel * texel["light"].GetInt() + 128) >> 8;
+                    const auto shown = [&](int channel, unsigned number, int hazeChannel) {
+                        const int baked = texel["baked"][number].GetInt();
+                        lights.insert(baked);
+                        const int under = (channel * baked + 128) >> 8;
+                        const int lit = (under * texel["light"].GetInt() + 128) >> 8;
                         const int fog = texel["fog"].GetInt();
                         return (hazeChannel * fog + lit * (255 - fog) + 127) / 255;
                     };
                     const Colour is =
                         toColour(pixels[static_cast<std::size_t>(row * kTraceWidth + column)]);
-                    ASSERT_EQ(shown(own.r, haze.r), is.r) << "column " << column << ", row " << row
-                                                          << ", " << run["what"].GetString();
-                    ASSERT_EQ(shown(own.g, haze.g), is.g) << "column " << column << ", row " << row
-                                                          << ", " << run["what"].GetString();
-                    ASSERT_EQ(shown(own.b, haze.b), is.b) << "column " << column << ", row " << row
-                                                          << ", " << run["what"].GetString();
+                    ASSERT_EQ(shown(own.r, 0, haze.r), is.r)
+                        << "column " << column << ", row " << row << ", "
+                        << run["what"].GetString();
+                    ASSERT_EQ(shown(own.g, 1, haze.g), is.g)
+                        << "column " << column << ", row " << row << ", "
+                        << run["what"].GetString();
+                    ASSERT_EQ(shown(own.b, 2, haze.b), is.b)
+                        << "column " << column << ", row " << row << ", "
+                        << run["what"].GetString();
                     if (!isLit) {
                         EXPECT_EQ(texel["light"].GetInt(), 256);
                         EXPECT_EQ(texel["fog"].GetInt(), 0);
@@ -144,6 +160,11 @@ TEST_F(TraceJsonTest, TexelsEqualThePictures) {
             EXPECT_GT(compared[what], 10) << what;
         EXPECT_EQ(finest, 0);
         EXPECT_GT(coarsest, 1);
+        if (isLit) {
+            EXPECT_GT(lights.size(), 100u);
+        } else {
+            EXPECT_EQ(lights, std::set<int>{256});
+        }
     }
 }
 
@@ -318,6 +339,7 @@ TEST_F(TraceJsonTest, AnObjectsTexelsEqualThePictures) {
 // A mirror of full strength shows nothing but what is in it.
 TEST_F(TraceJsonTest, TheReflectionsTexelsEqualThePictures) {
     set("mirrors", "1");
+    set("baked", "off");
     set("light", "off");
     set("fog", "off");
     ASSERT_TRUE(session.setEye({.map = 0,

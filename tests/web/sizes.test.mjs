@@ -10,7 +10,7 @@ import { root } from '../wasm/load.mjs';
 
 const kLoaded = ['ray-caster.js', 'engine/slicecast-simd.wasm'];
 const kLater = ['ray-caster-steering.js', 'ray-caster-rows.js', 'ray-caster-more.js'];
-const kLimit = 234_000; // bytes; web/docs/architecture.md lists what they are for
+const kLimit = 250_500; // bytes; web/docs/architecture.md lists what they are for
 
 const sizeOf = (name) => gzipSync(readFileSync(join(root, 'build/web', name)), { level: 9 }).length;
 

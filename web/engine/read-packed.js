@@ -207,6 +207,7 @@ const texel = () => ({
   size: wholePair(),
   u: whole(),
   v: whole(),
+  baked: [whole(), whole(), whole()],
   light: whole(),
   fog: whole(),
 });

@@ -81,6 +81,7 @@ const kGroups = [
         standard: (columns, player) => player.multiplier,
         shown: fixed(1),
       },
+      { option: 'baked', label: 'Sun and lamps' },
       { option: 'fog', label: 'Fog' },
       {
         option: 'mirrors',

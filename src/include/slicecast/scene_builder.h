@@ -76,6 +76,22 @@ public:
         int depth = 1;  // tiles southward
         int levels = 1;
     };
+    // Light that falls on the faces of a map, with shadows; see web/docs/scenes.md, "Sun, sky and
+    // lamps". The sun stands in the direction `azimuthDegrees`: 0 is east, 90 south.
+    struct Sun {
+        double azimuthDegrees = 225.0;
+        double altitudeDegrees = 45.0;  // above the horizon, above 0 and at most 90
+        Colour colour = {255, 244, 224, 255};
+        Colour ambient = {96, 104, 128, 255};  // of the sky
+    };
+    struct Lamp {
+        double x = 0.0;  // units, on the map
+        double y = 0.0;
+        double z = 0.0;  // 0 to 1000
+        Colour colour = {255, 255, 255, 255};
+        double strength = 1.0;  // 0 to 16
+        double radius = 4.0;    // units, above 0 and at most 16: it lights nothing beyond
+    };
     struct Start {
         double x = 0.0;  // units, on the map
         double y = 0.0;
@@ -103,6 +119,10 @@ public:
 
     // Puts a block into each cell of a box; the empty block clears the cells.
     void fill(Map map, const Box& box, Block block);
+
+    // Lights a map by a sun and the sky, and by lamps. A map without either is evenly bright.
+    void light(Map map, const Sun& sun);
+    void lamp(Map map, const Lamp& lamp);
 
     // Where the player starts; flies if that is inside a block. Without a call: the middle of the
     // first map, facing east.

@@ -76,19 +76,22 @@ function common(engine, json, address) {
       engine.setCell(map ?? undefined, level, x, y, character),
     step: (count, input) => engine.step(count, input),
     reset: () => engine.reset(),
-    // The colours of a pixel: without light and fog, without fog, and as it is drawn. `key` tells
+    // The colours of a pixel: without any light or fog, with baked light, without fog, and as it is
+    // drawn. `key` tells
     // pictures apart: the answer is kept for as long as it stays the same.
     colours(column, row, key = null) {
       if (key === null || kept.key !== key) {
         const draw = () => this.pixels();
-        const before = ['light', 'fog'].map((name) => [name, engine.get(name)]);
+        const before = ['light', 'fog', 'baked'].map((name) => [name, engine.get(name)]);
         const picture = draw();
         engine.set('fog', 'off');
         const light = draw();
         engine.set('light', 'off');
+        const baked = draw();
+        engine.set('baked', 'off');
         const texel = draw();
         for (const [name, value] of before) engine.set(name, value);
-        kept = { key, pictures: { texel, light, picture } };
+        kept = { key, pictures: { texel, baked, light, picture } };
       }
       const at = 4 * (row * this.size[0] + column);
       return Object.fromEntries(

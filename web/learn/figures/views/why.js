@@ -37,7 +37,7 @@ export function stepsOf(now) {
     brush: 0,
     cell: 0,
   });
-  const { texel, light, picture } = source.colours(column, row, key);
+  const { texel, baked, light, picture } = source.colours(column, row, key);
   const steps = [];
   const { tile } = pick;
   const walked = slice.walk.length;
@@ -64,6 +64,7 @@ export function stepsOf(now) {
     steps.push({ head: 'Colour', colour: hex(picture), says: `${pick.what}: ${hex(picture)}` });
     return steps;
   }
+  const isBaked = sample.baked.some((light) => light !== 256);
   const alone = `${sample.u}, ${sample.v} of ${escape(pick.texture)}, level ${sample.detail} (${sample.size.join(' × ')})`;
   // Of a pixel that shows several things at once, the engine tells only what they are together.
   const isMixed =
@@ -71,7 +72,9 @@ export function stepsOf(now) {
     pick.reflection !== null ||
     slice.runs.some((run) => run.layer && run.first <= row && row <= run.last);
   if (isMixed) {
-    steps.push({ head: 'Texel', says: alone }, { head: 'Light', says: `× ${sample.light} ÷ 256` });
+    steps.push({ head: 'Texel', says: alone });
+    if (isBaked) steps.push({ head: 'Baked light', says: `× ${parts(sample.baked)} ÷ 256` });
+    steps.push({ head: 'Light', says: `× ${sample.light} ÷ 256` });
     if (sample.fog > 0) steps.push({ head: 'Fog', says: `${sample.fog} of 255 parts haze` });
   } else {
     // The engine draws without light and fog, but not without the side's own share of light.
@@ -80,6 +83,12 @@ export function stepsOf(now) {
     steps.push({ head: 'Texel', colour: share === 1 ? hex(texel) : undefined, says: raw });
     if (share !== 1)
       steps.push({ head: 'Side', colour: hex(texel), says: `× ${share} = ${parts(texel)}` });
+    if (isBaked)
+      steps.push({
+        head: 'Baked light',
+        colour: hex(baked),
+        says: `× ${parts(sample.baked)} ÷ 256 = ${parts(baked)}`,
+      });
     const all = share === 1 ? '' : ', the side included,';
     steps.push({
       head: 'Light',

@@ -1,0 +1,85 @@
+// The light of faces and objects: samples, and the nodes between which texels are lit. See "Baked
+// light" in web/docs/picture.md.
+//
+//     nodes of a face          its quarters: a sample in each
+//
+//     *-----*-----*            +--+--+--+--+
+//     |     |     |            | 3| 2| 3| 2|
+//     |     |     |            +--+--+--+--+      the number says by how many quarter
+//     *-----*-----*            | 0| 1| 0| 1|      turns its ways to the sky are turned
+//     |     |     |            +--+--+--+--+
+//     |     |     |            | 3| 2| 3| 2|
+//     *-----*-----*            +--+--+--+--+
+//                    b         | 0| 1| 0| 1|
+//                    ^ > a     +--+--+--+--+
+#pragma once
+
+#include "render/light_scene.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace slicecast {
+
+// The ways to the sky from a sample, along its face's axes a and b and outward, 1/65536 units. They
+// lie at equal shares of the light that falls on a face from all of the sky.
+inline constexpr std::int32_t kSkyWays[8][3] = {
+    {49152, 0, 190365},      {-62775, 57507, 177220},   {9609, -109486, 163019},
+    {79124, 103203, 147456}, {-145202, -25684, 130044}, {137548, -87497, 109907},
+    {-46007, 171144, 85134}, {-87741, -168939, 49152}};
+
+using LightColour = std::array<std::int32_t, 3>;  // red, green, blue
+
+// The four nodes of each of a face's squares, opaque colours:
+// [square along a][square along b][node along a][node along b].
+struct FaceNodes {
+    std::array<Pixel, 16> nodes{};
+
+    // Where a texture of a single texel is lit.
+    Pixel middle() const { return nodes[index(1, 1, 0, 0)]; }
+
+    static constexpr std::size_t index(int squareA, int squareB, int nodeA, int nodeB) {
+        return static_cast<std::size_t>(squareA << 3 | squareB << 2 | nodeA << 1 | nodeB);
+    }
+};
+
+class LightSamples {
+public:
+    // Forgets all samples.
+    void clear() { generation_ += 1; }
+
+    FaceNodes nodesOf(LightScene& scene, const LitFaceAt& face, const LitArea& area);
+
+    // Of the floor outside the grid.
+    static FaceNodes ofOutside(const LightScene& scene);
+    // 0 to 256 for each channel.
+    static LightColour ofObject(LightScene& scene, const Object& object);
+
+private:
+    struct Quarter {
+        LightVector at{};
+        LightColour light{};
+        bool known = false;
+        bool counts = false;
+    };
+    // Of one face; faces share places, and the last one stays.
+    struct Entry {
+        std::uint64_t key = 0;
+        std::uint32_t generation = 0;
+        bool exists = false;
+        LitArea area;
+        std::uint64_t touched = 0;
+        std::array<Quarter, 16> quarters;
+    };
+    static constexpr std::size_t kEntries = 512;  // a power of two
+
+    Entry& entryOf(LightScene& scene, const LitFaceAt& face);
+    static const Quarter& quarterOf(LightScene& scene, Entry& entry, int column, int row);
+
+    std::vector<Entry> entries_;
+    std::uint32_t generation_ = 1;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,282 @@
+#include "render/light_scene.h"
+
+#include "base/angle.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace slicecast {
+namespace {
+
+constexpr std::int32_t kQuarterUnit = 16384;
+// A lamp of a face hangs so far before it: 1/16 of a unit.
+constexpr std::int32_t kLampHang = 4096;
+
+constexpr std::int32_t floored(std::int32_t raw) {
+    return raw & -kQuarterUnit;
+}
+
+}  // namespace
+
+bool LightScene::begin(const World& world, const Map& map) {
+    const bool isNew =
+        world_ != &world || map_ != &map || edition_ != map.edition || !(known_ == map.baked);
+    changed_ = 0;
+    if (isNew) {
+        world_ = &world;
+        map_ = &map;
+        edition_ = map.edition;
+        known_ = map.baked;
+        const double level = cosDegrees(known_.altitude);
+        sun_ = {toCoordinate(level * cosDegrees(known_.azimuth)).raw,
+                toCoordinate(level * sinDegrees(known_.azimuth)).raw,
+                toCoordinate(sinDegrees(known_.altitude)).raw};
+        highest_ = std::max(tileEdge(map.levels).raw,
+                            map.ceiling.tiles.empty() ? 0 : map.ceiling.height.raw) +
+                   1;
+        tints_.assign(world.textures.size(), {});
+        hangLamps();
+        findChangingTiles();
+        return true;
+    }
+    for (ChangingTile& tile : changing_) {
+        const std::uint64_t state = stateOf(tile.x, tile.y);
+        if (state == tile.state) continue;
+        tile.state = state;
+        changed_ |= placeBit(tile.x, tile.y);
+    }
+    return false;
+}
+
+// ---- What changes
+
+void LightScene::findChangingTiles() {
+    changing_.clear();
+    if (map_->changing.empty()) return;
+    for (int y = 0; y < map_->depth; ++y) {
+        for (int x = 0; x < map_->width; ++x) {
+            if (map_->changing[map_->tileIndex(x, y)] != 0)
+                changing_.push_back({x, y, stateOf(x, y)});
+        }
+    }
+}
+
+// A number for what light sees of the changeable blocks over a tile.
+std::uint64_t LightScene::stateOf(int x, int y) const {
+    constexpr std::uint64_t kPrime = 0x100000001b3u;  // of FNV-1a
+    std::uint64_t state = 0xcbf29ce484222325u;
+    const auto add = [&](std::uint64_t value) { state = (state ^ value) * kPrime; };
+    const std::size_t tile = map_->tileIndex(x, y);
+    add(map_->occupied[tile]);
+    for (std::uint32_t levels = map_->changing[tile] & map_->occupied[tile]; levels != 0;
+         levels &= levels - 1) {
+        const BlueprintId id = map_->cell(x, y, std::countr_zero(levels));
+        const CellBlueprint& block = world_->blueprints[id];
+        const Heights heights = heightsOf(block);
+        add(id);
+        add(static_cast<std::uint64_t>(heights.bottom) << 32 |
+            static_cast<std::uint64_t>(heights.top));
+        for (const FaceBlueprint& face : block.faces) add(face.texture);
+    }
+    return state;
+}
+
+LightScene::Heights LightScene::heightsOf(const CellBlueprint& block) {
+    if (block.mover < 0) return {block.bottom.raw, block.top.raw};
+    return {floored(block.bottom.raw), floored(block.top.raw + kQuarterUnit - 1)};
+}
+
+// ---- Lamps
+
+void LightScene::hangLamps() {
+    hung_.clear();
+    for (const Lamp& lamp : map_->baked.lamps) hang(lamp, nullptr);
+    for (const Object& object : map_->objects) {
+        if (object.lamp == kNoLamp) continue;
+        hang({object.x, object.y, object.z + Coordinate{object.height.raw / 5 * 4},
+              world_->lampKinds[object.lamp]},
+             nullptr);
+    }
+    std::vector<bool> hasLamp(world_->blueprints.size());
+    bool any = false;
+    for (std::size_t i = 1; i < hasLamp.size(); ++i) {
+        const auto& faces = world_->blueprints[i].faces;
+        hasLamp[i] = std::any_of(faces.begin(), faces.end(),
+                                 [](const FaceBlueprint& face) { return face.lamp != kNoLamp; });
+        any = any || hasLamp[i];
+    }
+    for (int y = 0; any && y < map_->depth; ++y) {
+        for (int x = 0; x < map_->width; ++x) {
+            for (std::uint32_t levels = map_->occupied[map_->tileIndex(x, y)]; levels != 0;
+                 levels &= levels - 1) {
+                const int level = std::countr_zero(levels);
+                const BlueprintId id = map_->cell(x, y, level);
+                if (!hasLamp[id]) continue;
+                for (int i = 0; i < kFaces; ++i) {
+                    const LampId lamp =
+                        world_->blueprints[id].faces[static_cast<std::size_t>(i)].lamp;
+                    LitArea area;
+                    if (lamp == kNoLamp || !findArea({x, y, level, static_cast<LitFace>(i)}, area))
+                        continue;
+                    const std::int32_t a = (area.low[0] + area.high[0]) / 2;
+                    const std::int32_t b = (area.low[1] + area.high[1]) / 2;
+                    LightVector at{};
+                    at[static_cast<std::size_t>(area.normal)] =
+                        area.planeAt(a, b) + area.sign * kLampHang;
+                    at[static_cast<std::size_t>(area.a)] = a;
+                    at[static_cast<std::size_t>(area.b)] = b;
+                    hang({{at[0]}, {at[1]}, {at[2]}, world_->lampKinds[lamp]}, &area);
+                }
+            }
+        }
+    }
+    sortLamps();
+}
+
+void LightScene::hang(const Lamp& lamp, const LitArea* face) {
+    if (hung_.size() >= kMaxLamps) return;
+    const auto radius = static_cast<double>(lamp.kind.radius.raw);
+    HungLamp hung;
+    hung.at = {lamp.x.raw, lamp.y.raw, lamp.z.raw};
+    hung.kind = lamp.kind;
+    hung.kind.strength *= map_->baked.lampStrength;
+    hung.square = radius * radius;
+    hung.ofFace = face != nullptr;
+    if (face != nullptr) hung.face = *face;
+    hung_.push_back(hung);
+}
+
+// Lists each lamp in all squares within its radius.
+void LightScene::sortLamps() {
+    lampColumns_ = map_->width / kLampSquare + 1;
+    const int rows = map_->depth / kLampSquare + 1;
+    firstLamps_.assign(static_cast<std::size_t>(lampColumns_ * rows) + 1, 0);
+    const auto eachSquare = [&](const HungLamp& lamp, auto&& take) {
+        const auto square = [](std::int32_t raw, int count) {
+            return std::clamp((raw >> 16) / kLampSquare, 0, count - 1);
+        };
+        const std::int32_t radius = lamp.kind.radius.raw;
+        for (int y = square(lamp.at[1] - radius, rows); y <= square(lamp.at[1] + radius, rows);
+             ++y) {
+            for (int x = square(lamp.at[0] - radius, lampColumns_);
+                 x <= square(lamp.at[0] + radius, lampColumns_); ++x)
+                take(static_cast<std::size_t>(y * lampColumns_ + x));
+        }
+    };
+    for (const HungLamp& lamp : hung_)
+        eachSquare(lamp, [&](std::size_t i) { ++firstLamps_[i + 1]; });
+    for (std::size_t i = 1; i < firstLamps_.size(); ++i) firstLamps_[i] += firstLamps_[i - 1];
+    lamps_.resize(firstLamps_.back());
+    std::vector<std::uint32_t> next(firstLamps_.begin(), firstLamps_.end() - 1);
+    for (const HungLamp& lamp : hung_)
+        eachSquare(lamp, [&](std::size_t i) { lamps_[next[i]++] = lamp; });
+}
+
+std::span<const HungLamp> LightScene::lampsNear(const LightVector& point) const {
+    const int rows = static_cast<int>(firstLamps_.size() - 1) / lampColumns_;
+    const int x = std::clamp((point[0] >> 16) / kLampSquare, 0, lampColumns_ - 1);
+    const int y = std::clamp((point[1] >> 16) / kLampSquare, 0, rows - 1);
+    const auto i = static_cast<std::size_t>(y * lampColumns_ + x);
+    return {lamps_.data() + firstLamps_[i], lamps_.data() + firstLamps_[i + 1]};
+}
+
+// ---- Faces
+
+bool LightScene::findArea(const LitFaceAt& at, LitArea& area) const {
+    if (!map_->contains(at.x, at.y)) return false;
+    const std::int32_t west = tileEdge(at.x).raw;
+    const std::int32_t north = tileEdge(at.y).raw;
+    if (at.face >= LitFace::floor) {
+        const bool isFloor = at.face == LitFace::floor;
+        const Ceiling& ceiling = map_->ceiling;
+        if (!isFloor &&
+            (ceiling.tiles.empty() || ceiling.tiles[map_->tileIndex(at.x, at.y)] == kNoTexture))
+            return false;
+        area = {.sign = at.face == LitFace::ceilingBelow ? -1 : 1,
+                .plane = isFloor ? 0 : ceiling.height.raw,
+                .tile = {west, north},
+                .low = {west, north},
+                .high = {west + 65536, north + 65536}};
+        return true;
+    }
+    if (!map_->isOccupied(at.x, at.y, at.level)) return false;
+    const CellBlueprint& block = world_->blueprints[map_->cell(at.x, at.y, at.level)];
+    const Plan& plan = block.plan;
+    const Heights heights = heightsOf(block);
+    const std::int32_t base = tileEdge(at.level).raw;
+    const LightVector tile = {west, north, base};
+    const LightVector low = {west + plan.west.raw, north + plan.north.raw, base + heights.bottom};
+    const LightVector high = {west + plan.east.raw, north + plan.south.raw, base + heights.top};
+    const auto face = static_cast<Face>(at.face);
+    const bool isCutFace = plan.half != Half::none && face == cutFace(plan.half);
+    if (plan.half != Half::none && at.face <= LitFace::west && !isCutFace &&
+        !hasSide(plan.half, face))
+        return false;
+    const bool alongX = at.face == LitFace::east || at.face == LitFace::west;
+    const bool isFlat = at.face == LitFace::top || at.face == LitFace::bottom;
+    area.normal = isFlat ? 2 : alongX ? 0 : 1;
+    area.sign =
+        at.face == LitFace::top || at.face == LitFace::east || at.face == LitFace::south ? 1 : -1;
+    area.a = alongX ? 1 : 0;
+    area.b = isFlat ? 1 : 2;
+    const auto along = [&](const LightVector& v) {
+        return std::array{v[static_cast<std::size_t>(area.a)], v[static_cast<std::size_t>(area.b)]};
+    };
+    area.plane = (area.sign > 0 ? high : low)[static_cast<std::size_t>(area.normal)];
+    area.rise = {};
+    area.low = along(low);
+    area.high = along(high);
+    area.tile = along(tile);
+    if (isCutFace) {
+        const bool isFalling = isCutFalling(plan.half);
+        area.plane = isFalling ? north : north + 65536;
+        area.rise[0] = isFalling ? 65536 : -65536;
+    } else if (isFlat && !block.slopes.of(face).isLevel()) {
+        const Slant& slant = block.slopes.of(face);
+        area.plane = base + slant.from.raw;
+        area.rise[block.slopes.alongX ? 0 : 1] = slant.rise();
+    }
+    return true;
+}
+
+LitFaceAt LightScene::beside(LitFaceAt at, const LitArea& area, int stepA, int stepB) {
+    (area.a == 0 ? at.x : at.y) += stepA;
+    (area.b == 2 ? at.level : at.y) += stepB;
+    if (area.rise == std::array<std::int32_t, 2>{}) return at;
+    if (area.normal == 1) {
+        at.y += area.rise[0] > 0 ? stepA : -stepA;
+        return at;
+    }
+    // A slope goes on in the level above or below if it reaches the end of its own
+    const int step = area.rise[0] != 0 ? stepA : stepB;
+    const std::int32_t rise = area.rise[0] + area.rise[1];
+    if (step == 0) return at;
+    const std::int32_t edge = area.plane + (step > 0 ? rise : 0) - tileEdge(at.level).raw;
+    const bool climbs = (rise > 0) == (step > 0);
+    if (climbs && edge == 65536) ++at.level;
+    if (!climbs && edge == 0) --at.level;
+    return at;
+}
+
+bool LightScene::isInOpaque(const LightVector& point) {
+    const int x = point[0] >> 16;
+    const int y = point[1] >> 16;
+    const int level = point[2] >> 16;
+    if (map_->contains(x, y)) touched_ |= changeableBit(x, y);
+    if (!map_->isOccupied(x, y, level)) return false;
+    const CellBlueprint& block = world_->blueprints[map_->cell(x, y, level)];
+    if (block.seeThrough) return false;
+    const auto within = [](std::int32_t raw, std::int32_t low, std::int32_t high) {
+        return (raw & 0xffff) >= low && (raw & 0xffff) < high;
+    };
+    const Heights heights = heightsOf(block);
+    if (!within(point[0], block.plan.west.raw, block.plan.east.raw) ||
+        !within(point[1], block.plan.north.raw, block.plan.south.raw) ||
+        !within(point[2], heights.bottom, heights.top))
+        return false;
+    return eachCut(block, {tileEdge(x).raw, tileEdge(y).raw, tileEdge(level).raw},
+                   [&](const LightCut& cut) { return cut.contains(point); });
+}
+
+}  // namespace slicecast

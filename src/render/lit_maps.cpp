@@ -1,0 +1,151 @@
+#include "render/lit_maps.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+constexpr std::size_t kFirstRecordSlots = 1024;
+
+}  // namespace
+
+void LitMap::beginFrame(const World& world, const Map& map) {
+    ++frame_;
+    if (scene_.begin(world, map) || objects_.size() != map.objects.size()) {
+        forgetAll();
+        objects_.assign(map.objects.size(), {});
+        outside_ = LightSamples::ofOutside(scene_);
+    } else if (scene_.changed() != 0) {
+        samples_.clear();
+        ++change_;
+        for (std::size_t bit = 0; bit < changes_.size(); ++bit) {
+            if ((scene_.changed() >> bit & 1) != 0) changes_[bit] = change_;
+        }
+    }
+}
+
+void LitMap::forgetAll() {
+    samples_.clear();
+    ++change_;
+    records_.clear();
+    keys_.clear();
+    slots_.assign(kFirstRecordSlots, 0);
+    odd_.clear();
+    recent_.assign(kRecent, {});
+}
+
+std::size_t LitMap::bytes() const {
+    return records_.size() * (sizeof(Record) + sizeof(std::uint64_t)) +
+           slots_.size() * sizeof(std::uint32_t) + odd_.size() * sizeof(FaceNodes);
+}
+
+bool LitMap::isStale(std::uint64_t touched, std::uint32_t made) const {
+    for (std::size_t bit = 0; touched != 0; ++bit, touched >>= 1) {
+        if ((touched & 1) != 0 && changes_[bit] > made) return true;
+    }
+    return false;
+}
+
+const FaceNodes* LitMap::findNodes(const LitFaceAt& face) {
+    LitArea area;
+    if (!scene_.findArea(face, area)) return nullptr;
+    const std::uint64_t key = face.key();
+    Record& record = recordOf(key);
+    if (record.made == 0 || isStale(record.touched, record.made)) makeRecord(face, area, record);
+    Recent& recent = recent_[scattered(key) & (kRecent - 1)];
+    recent = {key, frame_, nodesIn(record)};
+    return &recent.nodes;
+}
+
+// Finds or adds a record; `made` of a new one is 0.
+LitMap::Record& LitMap::recordOf(std::uint64_t key) {
+    const auto placeOf = [&](std::uint64_t wanted) {
+        std::size_t slot = scattered(wanted) & (slots_.size() - 1);
+        while (slots_[slot] != 0 && keys_[slots_[slot] - 1] != wanted)
+            slot = (slot + 1) & (slots_.size() - 1);
+        return slot;
+    };
+    const std::size_t slot = placeOf(key);
+    if (slots_[slot] != 0) return records_[slots_[slot] - 1];
+    records_.emplace_back();
+    keys_.push_back(key);
+    slots_[slot] = static_cast<std::uint32_t>(records_.size());
+    if (2 * records_.size() > slots_.size()) {
+        slots_.assign(2 * slots_.size(), 0);
+        for (std::uint32_t i = 0; i < keys_.size(); ++i) slots_[placeOf(keys_[i])] = i + 1;
+    }
+    return records_.back();
+}
+
+void LitMap::makeRecord(const LitFaceAt& face, const LitArea& area, Record& record) {
+    const auto indexIn = [](const Record& r) {
+        return static_cast<std::size_t>(r.nodes[0] | r.nodes[1] << 8 | r.nodes[2] << 16);
+    };
+    const std::size_t place = record.odd != 0 ? indexIn(record) : odd_.size();
+    record.made = change_;
+    record.odd = 0;
+    scene_.clearTouched();
+    const FaceNodes nodes = samples_.nodesOf(scene_, face, area);
+    record.touched = scene_.touched() | scene_.changeableBit(face.x, face.y);
+    for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+            const Colour node =
+                toColour(nodes.nodes[FaceNodes::index(a / 2, b / 2, a - a / 2, b - b / 2)]);
+            const auto first = static_cast<std::size_t>(3 * (3 * a + b));
+            record.nodes[first] = node.r;
+            record.nodes[first + 1] = node.g;
+            record.nodes[first + 2] = node.b;
+        }
+    }
+    if (nodesIn(record).nodes == nodes.nodes) return;
+    record.odd = 1;
+    if (place == odd_.size()) odd_.emplace_back();
+    odd_[place] = nodes;
+    for (std::size_t i = 0; i < 3; ++i)
+        record.nodes[i] = static_cast<std::uint8_t>(place >> (8 * i));
+}
+
+FaceNodes LitMap::nodesIn(const Record& record) const {
+    const auto& nodes = record.nodes;
+    if (record.odd != 0)
+        return odd_[static_cast<std::size_t>(nodes[0] | nodes[1] << 8 | nodes[2] << 16)];
+    FaceNodes all;
+    for (int i = 0; i < 16; ++i) {
+        const int a = (i >> 3 & 1) + (i >> 1 & 1);
+        const int b = (i >> 2 & 1) + (i & 1);
+        const auto first = static_cast<std::size_t>(3 * (3 * a + b));
+        all.nodes[static_cast<std::size_t>(i)] =
+            toPixel({nodes[first], nodes[first + 1], nodes[first + 2], 255});
+    }
+    return all;
+}
+
+const LightColour& LitMap::ofObject(int index) {
+    const auto i = static_cast<std::size_t>(index);
+    const Object& object = scene_.map().objects[i];
+    LitObject& lit = objects_[i];
+    if (lit.made != 0 && lit.x == object.x && lit.y == object.y && lit.z == object.z &&
+        !isStale(lit.touched, lit.made))
+        return lit.light;
+    scene_.clearTouched();
+    lit.light = LightSamples::ofObject(scene_, object);
+    lit.touched = scene_.touched();
+    lit.made = change_;
+    lit.x = object.x;
+    lit.y = object.y;
+    lit.z = object.z;
+    return lit.light;
+}
+
+void LitMaps::beginFrame(const World& world, bool on) {
+    maps_.resize(world.maps.size());
+    for (std::size_t i = 0; i < maps_.size(); ++i) {
+        Entry& entry = maps_[i];
+        entry.on = on && world.maps[i].baked.on;
+        if (!entry.on) continue;
+        if (entry.map == nullptr) entry.map = std::make_unique<LitMap>();
+        entry.map->beginFrame(world, world.maps[i]);
+    }
+}
+
+}  // namespace slicecast

@@ -1,0 +1,120 @@
+// The baked light of the maps that a picture shows. A face's light is worked out when it is first
+// drawn, and kept until something on the ways of its light rays changes.
+#pragma once
+
+#include "render/light_samples.h"
+#include "render/light_scene.h"
+#include "world/world.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace slicecast {
+
+// The light of one map.
+class LitMap {
+public:
+    // Once before each frame.
+    void beginFrame(const World& world, const Map& map);
+
+    // The nodes of a face; null if there is no such face. Valid until the next call.
+    const FaceNodes* nodesOf(const LitFaceAt& face) {
+        const std::uint64_t key = face.key();
+        const Recent& recent = recent_[scattered(key) & (kRecent - 1)];
+        return recent.key == key && recent.frame == frame_ ? &recent.nodes : findNodes(face);
+    }
+
+    // The same of the floor outside the grid.
+    const FaceNodes& outside() const { return outside_; }
+
+    // Of an object: 0 to 256 for each channel.
+    const LightColour& ofObject(int index);
+
+    // Faces whose light is kept, and the bytes of all that is kept of it.
+    std::size_t faces() const { return records_.size(); }
+    std::size_t bytes() const;
+
+private:
+    // The light of a face. Nodes that all of its squares share are kept once: 3 x 3 of them.
+    // Otherwise `odd` is set and an index stands in their place.
+    struct Record {
+        std::uint64_t touched = 0;  // see LightScene::touched
+        std::uint32_t made = 0;     // at which change
+        std::uint8_t odd = 0;
+        std::array<std::uint8_t, 27> nodes{};
+    };
+    static_assert(sizeof(Record) == 40);
+
+    // Nodes that a frame has asked for lately; faces share places.
+    struct Recent {
+        std::uint64_t key = 0;
+        std::uint32_t frame = 0;
+        FaceNodes nodes;
+    };
+    static constexpr std::size_t kRecent = 4096;  // a power of two
+
+    struct LitObject {
+        std::uint64_t touched = 0;
+        std::uint32_t made = 0;  // 0: not known
+        Coordinate x;
+        Coordinate y;
+        Coordinate z;
+        LightColour light{};
+    };
+
+    static std::size_t scattered(std::uint64_t key) {
+        return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32);
+    }
+    bool isStale(std::uint64_t touched, std::uint32_t made) const;
+    void forgetAll();
+    const FaceNodes* findNodes(const LitFaceAt& face);
+    Record& recordOf(std::uint64_t key);
+    void makeRecord(const LitFaceAt& face, const LitArea& area, Record& record);
+    FaceNodes nodesIn(const Record& record) const;
+
+    LightScene scene_;
+    LightSamples samples_;
+    std::uint32_t change_ = 0;                 // counts what has changed
+    std::array<std::uint32_t, 64> changes_{};  // by place bit: the last change there
+    std::uint32_t frame_ = 0;
+
+    std::vector<Record> records_;
+    std::vector<std::uint64_t> keys_;   // of the records' faces
+    std::vector<std::uint32_t> slots_;  // hash table: index of a record + 1, 0 for none
+    std::vector<FaceNodes> odd_;
+    std::vector<Recent> recent_;
+    std::vector<LitObject> objects_;
+    FaceNodes outside_;
+};
+
+// The maps of a world with baked light; what is known is kept from frame to frame.
+class LitMaps {
+public:
+    // `on` is RenderOptions::baked.
+    void beginFrame(const World& world, bool on);
+
+    // Null if the map has no baked light.
+    LitMap* of(int map) {
+        const Entry& entry = maps_[static_cast<std::size_t>(map)];
+        return entry.on ? entry.map.get() : nullptr;
+    }
+
+    // Room for lit texels, until the next call.
+    Pixel* scratch(std::size_t texels) {
+        if (scratch_.size() < texels) scratch_.resize(texels);
+        return scratch_.data();
+    }
+
+private:
+    struct Entry {
+        std::unique_ptr<LitMap> map;
+        bool on = false;
+    };
+    std::vector<Entry> maps_;
+    std::vector<Pixel> scratch_;
+};
+
+}  // namespace slicecast

@@ -1,0 +1,47 @@
+// Texels times baked light. Each texel has one light, that of its middle, which lies between the
+// four nodes of its square. See "Baked light" in web/docs/picture.md.
+#pragma once
+
+#include "render/column_fill.h"
+#include "render/light_samples.h"
+#include "world/texture.h"
+
+#include <array>
+#include <cstdint>
+
+namespace slicecast {
+
+// Texels of a level of detail that rows of a plane see, all in one square of a tile.
+struct LitSquare {
+    const Pixel* texels;  // of the level, in its order
+    int bits;             // of the level, above 0: a single texel has no square of its own
+    const FaceNodes& nodes;
+    int squareA;
+    int squareB;
+};
+
+// Puts the lit texel of each row from `first` on into out[row], while rows lie in the square of the
+// first one; returns the first row beyond. May also read and write the three places behind `last`.
+int fetchLit(Pixel* out, int first, int last, const LitSquare& square, const PlaneLine& line,
+             const double* inverseOffsets);
+
+// One lit texel of a plane: `east` and `south` are its place in the tile, in 1/2^32.
+Pixel litTexelAt(const Pixel* texels, int bits, const FaceNodes& nodes, std::uint32_t east,
+                 std::uint32_t south, bool southReversed);
+
+// A column of a side's texels.
+struct SideTexels {
+    const TextureLevel& level;
+    int u;  // the column in the level
+    LitFace face;
+    Coordinate rise;  // CellBlueprint::textureRise
+};
+// Lights the texels [first, last) of a column into out[first] and so on; may also write up to three
+// places before and behind, within the column.
+void lightColumn(Pixel* out, int first, int last, const SideTexels& side, const FaceNodes& nodes);
+
+// The texels [first, last) times one light of 0 to 256.
+void lightAll(Pixel* out, const Pixel* texels, std::size_t first, std::size_t last,
+              const LightColour& light);
+
+}  // namespace slicecast

@@ -1,0 +1,125 @@
+// Baked light: the sun, the ambient light and lamps.
+#include "scene/limits.h"
+#include "scene/readers.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+constexpr NumberRange kAltitude = {0.0, 90.0, true, "a number above 0 and at most 90, in degrees"};
+constexpr NumberRange kStrength = {0.0, kStrongestLamp, false, "a number from 0 to 16"};
+constexpr NumberRange kRadius = {1.0 / 65536.0, kFarthestLamp.value(), false,
+                                 "a number above 0 and at most 16, in units"};
+constexpr NumberRange kLampHeight = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
+static_assert(kStrongestLamp == 16.0 && kFarthestLamp == tileEdge(16) && kMaxHeight == 1000.0,
+              "as the words say");
+
+constexpr Colour kSunlight = {255, 244, 224, 255};
+
+void readSun(Reading& reading, JsonValue value, BakedLight& baked) {
+    const auto fields =
+        reading.checker.fields(value, {"azimuth", "altitude", "colour"},
+                               "an object such as { \"azimuth\": 225, \"altitude\": 40 }");
+    if (!fields) return;
+    baked.azimuth = fields->number("azimuth", kHeadingRange, 225.0);
+    baked.altitude = fields->number("altitude", kAltitude, 45.0);
+    baked.sun = fields->colour("colour", kSunlight);
+}
+
+void readLamps(Reading& reading, JsonValue value, bool hasSize, Map& map) {
+    Checker& checker = reading.checker;
+    if (!value.isArray()) {
+        checker.refuse(value, "an array of lamps");
+        return;
+    }
+    if (value.count() > kMaxLamps) {
+        checker.add(value, Counted{static_cast<std::int64_t>(value.count()), "lamp"},
+                    {"at most ", kMaxLamps});
+        return;
+    }
+    for (const JsonValue element : value) {
+        const auto fields = checker.fields(element, {"x", "y", "z", "colour", "strength", "radius"},
+                                           "a lamp: an object with \"x\", \"y\" and \"z\"");
+        if (!fields) continue;
+        const std::size_t faultsBefore = checker.count();
+        for (const char* key : {"x", "y"}) fields->require(key, kOnMapRange.words);
+        fields->require("z", kLampHeight.words);
+        const Lamp lamp = {toCoordinate(fields->number("x", kOnMapRange, 0.0)),
+                           toCoordinate(fields->number("y", kOnMapRange, 0.0)),
+                           toCoordinate(fields->number("z", kLampHeight, 0.0)),
+                           readLampKind(*fields)};
+        if (checker.count() == faultsBefore && hasSize &&
+            !map.contains(lamp.x.tile(), lamp.y.tile())) {
+            checker.add(element, "a lamp outside the map",
+                        {"x below ", map.width, " and y below ", map.depth});
+        }
+        map.baked.lamps.push_back(lamp);
+        reading.lamps.push_back({element, reading.description.world.maps.size(), lamp});
+    }
+}
+
+}  // namespace
+
+LampKind readLampKind(const Fields& fields) {
+    LampKind kind;
+    kind.colour = fields.colour("colour", kind.colour);
+    kind.strength = fields.number("strength", kStrength, kind.strength);
+    kind.radius = toCoordinate(fields.number("radius", kRadius, kind.radius.value()));
+    return kind;
+}
+
+LampId readLamp(Reading& reading, JsonValue value) {
+    const auto fields =
+        reading.checker.fields(value, {"colour", "strength", "radius"},
+                               "an object such as { \"colour\": \"#ffc070\", \"radius\": 4 }");
+    if (!fields) return kNoLamp;
+    const LampKind kind = readLampKind(*fields);
+    std::vector<LampKind>& kinds = reading.description.world.lampKinds;
+    const auto known = std::find(kinds.begin(), kinds.end(), kind);
+    if (known != kinds.end()) return static_cast<LampId>(known - kinds.begin());
+    if (kinds.size() == kNoLamp) {
+        reading.checker.add(value, {"more than ", std::int64_t{kNoLamp}, " kinds of lamp"},
+                            "fewer; lamps with equal values are of one kind");
+        return kNoLamp;
+    }
+    kinds.push_back(kind);
+    return static_cast<LampId>(kinds.size() - 1);
+}
+
+void findHiddenLamps(Reading& reading) {
+    const World& world = reading.description.world;
+    for (const PlacedLamp& placed : reading.lamps) {
+        const Map& map = world.maps[placed.map];
+        const Lamp& lamp = placed.lamp;
+        const int x = lamp.x.tile();
+        const int y = lamp.y.tile();
+        const int level = lamp.z.tile();
+        if (!map.contains(x, y) || !map.isOccupied(x, y, level)) continue;
+        const BlueprintId id = map.cell(x, y, level);
+        const CellBlueprint& block = world.blueprints[id];
+        const auto isWithin = [](Coordinate at, int tile, Coordinate low, Coordinate high) {
+            return at - tileEdge(tile) >= low && at - tileEdge(tile) < high;
+        };
+        if (block.plan.half == Half::none && !block.slopes.any() &&
+            isWithin(lamp.x, x, block.plan.west, block.plan.east) &&
+            isWithin(lamp.y, y, block.plan.north, block.plan.south) &&
+            isWithin(lamp.z, level, block.bottom, block.top)) {
+            reading.description.hiddenLamps.push_back(
+                {id, placed.value.pointer(),
+                 reading.checker.source().place(placed.value.offset())});
+        }
+    }
+}
+
+void readBakedLight(Reading& reading, JsonValue value, bool hasSize, Map& map) {
+    const auto fields = reading.checker.fields(value, {"sun", "ambient", "lamps"},
+                                               "an object with \"sun\", \"ambient\" and \"lamps\"");
+    if (!fields) return;
+    map.baked.on = true;
+    if (const auto sun = fields->find("sun")) readSun(reading, *sun, map.baked);
+    map.baked.ambient = fields->colour("ambient", map.baked.ambient);
+    if (const auto lamps = fields->find("lamps")) readLamps(reading, *lamps, hasSize, map);
+}
+
+}  // namespace slicecast

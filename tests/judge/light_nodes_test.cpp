@@ -1,0 +1,80 @@
+// The nodes of every face, as the renderer keeps them, against those that the definition says.
+#include "light_tracer.h"
+#include "random_scene.h"
+#include "render/lit_maps.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+namespace slicecast::judge {
+namespace {
+
+struct Counts {
+    std::int64_t faces = 0;
+    std::int64_t rising = 0;  // slopes and cuts
+    std::int64_t wrong = 0;
+};
+
+std::string nodesText(const LitFace& face, const LightTracer::Nodes& wanted,
+                      const FaceNodes& found) {
+    std::string text = "face " + std::to_string(face.kind) + " at " + std::to_string(face.x) +
+                       ", " + std::to_string(face.y) + ", level " + std::to_string(face.level) +
+                       ":";
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Colour node = toColour(found.nodes[i]);
+        text += " " + std::to_string(wanted[i][0]) + "/" + std::to_string(node.r);
+    }
+    return text;
+}
+
+void compareFace(LightTracer& tracer, LitMap& lit, const LitFace& face, Counts& counts) {
+    const FaceNodes* const found =
+        lit.nodesOf({face.x, face.y, face.level, static_cast<slicecast::LitFace>(face.kind)});
+    ASSERT_EQ(found != nullptr, tracer.hasFace(face));
+    if (found == nullptr) return;
+    ++counts.faces;
+    if (tracer.isRising(face)) ++counts.rising;
+    const LightTracer::Nodes& wanted = tracer.nodesOf(face);
+    bool same = true;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Colour node = toColour(found->nodes[i]);
+        same = same && wanted[i] == Rgb{node.r, node.g, node.b};
+    }
+    if (same) return;
+    if (++counts.wrong < 4) ADD_FAILURE() << nodesText(face, wanted, *found);
+}
+
+void compareMap(const World& world, const Map& map, Counts& counts) {
+    LightTracer tracer(world, map);
+    LitMap lit;
+    lit.beginFrame(world, map);
+    for (int y = 0; y < map.depth; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            for (int level = 0; level < map.levels; ++level) {
+                if (!map.isOccupied(x, y, level)) continue;
+                for (int kind = 0; kind < kFaces; ++kind)
+                    compareFace(tracer, lit, {x, y, level, kind}, counts);
+            }
+            for (int kind = LitFace::kFloor; kind <= LitFace::kCeilingAbove; ++kind)
+                compareFace(tracer, lit, {x, y, 0, kind}, counts);
+        }
+    }
+}
+
+TEST(LightNodes, AreThoseOfTheDefinition) {
+    Counts counts;
+    for (std::uint64_t seed = 1; counts.faces < 60'000; ++seed) {
+        const Scene scene = seed % 2 == 0 ? tieScene(seed, 16, 16) : randomScene(seed, 16, 16);
+        for (const Map& map : scene.world.maps) {
+            SCOPED_TRACE("seed " + std::to_string(seed));
+            if (map.baked.on) compareMap(scene.world, map, counts);
+        }
+    }
+    EXPECT_EQ(counts.wrong, 0);
+    EXPECT_GT(counts.rising, 1000);
+}
+
+}  // namespace
+}  // namespace slicecast::judge

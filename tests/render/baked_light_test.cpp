@@ -1,0 +1,194 @@
+// Baked light where the judge does not look: what is kept from frame to frame, and what light is
+// for.
+#include "render/lit_maps.h"
+#include "render/renderer.h"
+#include "world/world_step.h"
+#include "world_builder.h"
+
+#include <gtest/gtest.h>
+
+namespace slicecast {
+namespace {
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+
+Image draw(Renderer& renderer, const World& world, const RenderOptions& options = {}) {
+    Image image(kWidth, kHeight);
+    Eye eye;
+    eye.x = toCoordinate(1.3);
+    eye.y = toCoordinate(4.4);
+    eye.z = toCoordinate(1.7);
+    eye.headingDegrees = 335.0;
+    eye.look = -0.1;
+    EXPECT_TRUE(renderer.draw(world, eye, options, {image.pixels.data(), kWidth, kHeight, kWidth}));
+    return image;
+}
+
+// A yard with a wall and a lift in it, in the sun.
+struct Yard : WorldBuilder {
+    Yard() {
+        texture("grey", {200, 200, 200, 255});
+        block('#');
+        world.motions.push_back({.name = "lift", .to = toCoordinate(1.5), .periodSteps = 360});
+        CellBlueprint& lift = block('L', {.name = "lift", .top = 0.5});
+        lift.motion = 0;
+        Map& yard = map("yard", 3, R"(
+########
+#......#
+#..LL..#
+#......#
+#......#
+#......#
+########
+)");
+        yard.baked = {.on = true,
+                      .sun = {200, 190, 160, 255},
+                      .azimuth = 200.0,
+                      .altitude = 35.0,
+                      .ambient = {70, 80, 100, 255},
+                      .lamps = {{toCoordinate(5.0), toCoordinate(4.0), toCoordinate(0.8), {}}}};
+        start(1.3, 4.4);
+        EXPECT_TRUE(makeMovers(world).empty());
+    }
+};
+
+// Light of faces that a lift shades is worked out anew when it moves.
+TEST(BakedLight, WhatIsKeptIsWhatAFreshRendererDraws) {
+    Yard yard;
+    Renderer kept;
+    int changes = 0;
+    Image before;
+    for (int step = 0; step < 360; ++step) {
+        stepWorld(yard.world, {}, {});
+        if (step % 12 != 0) continue;
+        Renderer fresh;
+        const Image image = draw(kept, yard.world);
+        ASSERT_EQ(image.pixels, draw(fresh, yard.world).pixels) << "step " << step;
+        changes += image.pixels != before.pixels ? 1 : 0;
+        before = image;
+    }
+    EXPECT_GT(changes, 5);
+}
+
+TEST(BakedLight, FollowsEditsOfBlocks) {
+    Yard yard;
+    Renderer kept;
+    const Image before = draw(kept, yard.world);
+    yard.world.maps[0].setCell(4, 4, 0, 1);
+    Renderer fresh;
+    const Image after = draw(kept, yard.world);
+    EXPECT_EQ(after.pixels, draw(fresh, yard.world).pixels);
+    EXPECT_NE(after.pixels, before.pixels);
+}
+
+TEST(BakedLight, CanBeLeftOut) {
+    Yard yard;
+    Renderer renderer;
+    const Image lit = draw(renderer, yard.world);
+    const Image plain = draw(renderer, yard.world, {.baked = false});
+    EXPECT_NE(lit.pixels, plain.pixels);
+    EXPECT_EQ(lit.pixels, draw(renderer, yard.world).pixels) << "on again";
+    yard.world.maps[0].baked.on = false;
+    EXPECT_EQ(draw(renderer, yard.world).pixels, plain.pixels);
+}
+
+// The mean brightness of a face's nodes.
+int lightOn(LitMap& lit, const LitFaceAt& face) {
+    const FaceNodes* nodes = lit.nodesOf(face);
+    if (nodes == nullptr) return -1;
+    int sum = 0;
+    for (const Pixel node : nodes->nodes) sum += toColour(node).r;
+    return sum / 16;
+}
+
+// A closed room in the sun, with a lamp outside.
+struct Room : WorldBuilder {
+    Room() {
+        texture("grey", {200, 200, 200, 255});
+        Image glass = imageOf({0, 0, 255, 100});
+        texture("glass", glass);
+        block('#');
+        block('o', {.name = "window", .texture = 1});
+        Map& room = map("room", 2, R"(
+.........
+.###.###.
+.#.#.#.#.
+.###.#o#.
+.........
+)");
+        for (int x = 1; x < 8; ++x) {
+            if (x != 4) room.setCell(x, 2, 1, 1);
+        }
+        markSeeThrough(world);
+        room.baked = {
+            .on = true,
+            .sun = {255, 255, 255, 255},
+            .azimuth = 90.0,
+            .altitude = 30.0,
+            .ambient = {60, 60, 60, 255},
+            .lamps = {
+                {toCoordinate(0.5), toCoordinate(2.5), toCoordinate(0.5), {.strength = 4.0}}}};
+    }
+};
+
+TEST(BakedLight, DoesNotLeakIntoAClosedRoom) {
+    const Room room;
+    LitMap lit;
+    lit.beginFrame(room.world, room.world.maps[0]);
+    EXPECT_EQ(lightOn(lit, {2, 2, 0, LitFace::floor}), 20) << "a third of the ambient light";
+    EXPECT_GT(lightOn(lit, {0, 2, 0, LitFace::floor}), 150) << "in the sun";
+    EXPECT_EQ(lightOn(lit, {2, 2, 0, LitFace::top}), -1) << "there is no such block";
+}
+
+TEST(BakedLight, ComesThroughAWindowInItsColour) {
+    const Room room;
+    LitMap lit;
+    lit.beginFrame(room.world, room.world.maps[0]);
+    const FaceNodes* nodes = lit.nodesOf({6, 2, 0, LitFace::floor});
+    ASSERT_NE(nodes, nullptr);
+    int red = 0;
+    int blue = 0;
+    for (const Pixel node : nodes->nodes) {
+        red += toColour(node).r;
+        blue += toColour(node).b;
+    }
+    EXPECT_GT(red, 16 * 20) << "more than the least";
+    EXPECT_GT(blue, red + 16 * 10);
+}
+
+// Beside the same light, tiles that touch agree where they touch.
+TEST(BakedLight, HasNoStepBetweenTiles) {
+    Yard yard;
+    LitMap lit;
+    lit.beginFrame(yard.world, yard.world.maps[0]);
+    for (int x = 1; x < 6; ++x) {
+        const FaceNodes west = *lit.nodesOf({x, 4, 0, LitFace::floor});
+        const FaceNodes east = *lit.nodesOf({x + 1, 4, 0, LitFace::floor});
+        for (int square = 0; square < 2; ++square) {
+            for (int node = 0; node < 2; ++node) {
+                EXPECT_EQ(west.nodes[FaceNodes::index(1, square, 1, node)],
+                          east.nodes[FaceNodes::index(0, square, 0, node)])
+                    << "at x " << x + 1;
+            }
+        }
+    }
+}
+
+TEST(BakedLight, TakesFewBytesForAFace) {
+    Yard yard;
+    LitMap lit;
+    lit.beginFrame(yard.world, yard.world.maps[0]);
+    for (int y = 0; y < 7; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            lit.nodesOf({x, y, 0, LitFace::floor});
+            for (int face = 0; face < kFaces; ++face)
+                lit.nodesOf({x, y, 0, static_cast<LitFace>(face)});
+        }
+    }
+    EXPECT_GT(lit.faces(), 150u);
+    EXPECT_LT(lit.bytes(), lit.faces() * 80);
+}
+
+}  // namespace
+}  // namespace slicecast
