@@ -56,6 +56,7 @@ void readScene(Reading& reading, JsonValue root) {
         readStart(reading, *start);
     placeObjects(reading);
     if (checker.count() == 0) findHiddenLamps(reading);
+    placeVariants(reading);
 }
 
 // The files that a scene names, each once, in the order of the text.

@@ -90,7 +90,7 @@ void readSprites(Reading& reading, JsonValue value) {
         Sprite sprite;
         sprite.name = std::string(member.key());
         reading.description.world.sprites.push_back(std::move(sprite));
-        reading.description.sprites.push_back(readTexture(checker, member));
+        reading.description.sprites.push_back(readPicture(checker, member, false));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "base/name_index.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
+#include "world/variants.h"
 
 #include <cmath>
 
@@ -49,43 +50,61 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
     return {std::move(file), value.pointer(), checker.source().place(value.offset())};
 }
 
-// "brick.png" or { "file": "lava.png", "frames": 8, "rate": 10 } or, held at its first frame, {
-// "file": "door.png", "frames": 8 }
-TextureReference readTexture(Checker& checker, JsonValue value) {
-    TextureReference texture;
-    if (!value.isObject()) {
-        texture.image = referTo(checker, value, readFileName(checker, value).value_or(""));
-        return texture;
+// An object with a file may say more: { "file": "lava.png", "frames": 8, "rate": 10 } or, held at
+// its first frame, { "file": "door.png", "frames": 8 } or, of a texture, { "file": "brick.png",
+// "variants": ["mossy"] }.
+TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) {
+    TextureReference picture;
+    if (isTexture && value.isText() && value.text().substr(0, 1) == "#") {
+        picture.image = referTo(checker, value, std::string(value.text()));
+        picture.colour = checker.colour(value).value_or(Colour{});
+    } else if (!value.isObject()) {
+        picture.image = referTo(checker, value, readFileName(checker, value).value_or(""));
+    } else {
+        std::vector<std::string_view> keys = {"file", "frames", "rate", "variants"};
+        if (!isTexture) keys.resize(3);
+        const auto fields = checker.fields(
+            value, keys, "a PNG file's name, or an object with \"file\" and \"frames\"");
+        if (!fields) return picture;
+        if (const auto file = fields->require("file", "the name of a PNG file"))
+            picture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
+        constexpr NumberRange kFrames = {2.0, kMaxFrames, false,
+                                         "a whole number of frames, from 2 to 64"};
+        constexpr NumberRange kRate = {0.0, kMaxFrameRate, true,
+                                       "a number of frames per second, above 0 and at most 120"};
+        const auto rate = fields->find("rate");
+        const bool isSheet = rate || !(isTexture && fields->find("variants"));
+        if (const auto frames =
+                isSheet ? fields->require("frames", kFrames.words) : fields->find("frames")) {
+            const double count = checker.number(*frames, kFrames).value_or(2.0);
+            if (count != std::floor(count)) checker.refuse(*frames, kFrames.words);
+            picture.frames = static_cast<int>(count);
+        }
+        if (rate) picture.rate = checker.number(*rate, kRate).value_or(1.0);
     }
-    const auto fields =
-        checker.fields(value, {"file", "frames", "rate"},
-                       "a PNG file's name, or an object with \"file\" and \"frames\"");
-    if (!fields) return texture;
-    if (const auto file = fields->require("file", "the name of a PNG file"))
-        texture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
-    constexpr NumberRange kFrames = {2.0, kMaxFrames, false,
-                                     "a whole number of frames, from 2 to 64"};
-    constexpr NumberRange kRate = {0.0, kMaxFrameRate, true,
-                                   "a number of frames per second, above 0 and at most 120"};
-    if (const auto frames = fields->require("frames", kFrames.words)) {
-        const double count = checker.number(*frames, kFrames).value_or(2.0);
-        if (count != std::floor(count)) checker.refuse(*frames, kFrames.words);
-        texture.frames = static_cast<int>(count);
-    }
-    if (const auto rate = fields->find("rate"))
-        texture.rate = checker.number(*rate, kRate).value_or(1.0);
-    return texture;
+    return picture;
 }
 
 namespace {
 
-// Either "#c03020", or what readTexture takes.
-TextureReference readTextureOrColour(Checker& checker, JsonValue value) {
-    if (!value.isText() || value.text().substr(0, 1) != "#") return readTexture(checker, value);
-    TextureReference texture;
-    texture.image = referTo(checker, value, std::string(value.text()));
-    texture.colour = checker.colour(value).value_or(Colour{});
-    return texture;
+FoundValue variantsOf(JsonValue texture) {
+    return texture.isObject() ? texture.find("variants") : FoundValue{};
+}
+
+// "variants" of a texture: names of textures that take its place here and there.
+void readVariants(Reading& reading, JsonValue value, TextureId id) {
+    Checker& checker = reading.checker;
+    static_assert(kMostVariants == 8, "as the words say");
+    if (!value.isArray() || value.count() == 0 || value.count() >= kMostVariants) {
+        checker.refuse(value, "an array of 1 to 7 names of textures");
+        return;
+    }
+    std::vector<TextureId> pictures = {id};
+    for (const JsonValue name : value)
+        pictures.push_back(checker.name(name, reading.textures, "texture").value_or(id));
+    reading.pictures.resize(reading.description.world.textures.size());
+    reading.pictures[id] = std::move(pictures);
+    reading.variants = value;
 }
 
 }  // namespace
@@ -112,12 +131,13 @@ void readTextures(Reading& reading, JsonValue value) {
                              {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         // The name of a faulty texture still counts as known.
-        TextureReference reference = readTextureOrColour(checker, member);
+        TextureReference reference = readPicture(checker, member, true);
         const auto next = static_cast<std::uint32_t>(reading.description.textures.size());
-        const std::uint32_t id =
-            ids.add(sheets.emplace_back(words(reference.image.file, "\n", reference.frames, " ",
-                                              Shortest{reference.rate})),
-                    next);
+        const std::uint32_t id = ids.add(
+            sheets.emplace_back(words(reference.image.file, "\n", reference.frames, " ",
+                                      Shortest{reference.rate}, " ",
+                                      variantsOf(member) ? member.key() : "")),
+            next);
         if (id == next) {
             Texture texture;
             texture.name = std::string(member.key());
@@ -125,6 +145,11 @@ void readTextures(Reading& reading, JsonValue value) {
             reading.description.textures.push_back(std::move(reference));
         }
         reading.textures.add(member.key(), static_cast<TextureId>(id));
+    }
+    // Any texture may be a variant, also a later one.
+    for (const JsonValue member : value) {
+        if (const auto variants = variantsOf(member))
+            readVariants(reading, *variants, reading.textures.find(member.key()).value_or(0));
     }
 }
 

@@ -71,14 +71,16 @@ struct Reading {
     std::vector<PortalList> portals = {};
     std::vector<JsonValue> mapValues = {};
     std::vector<PlacedLamp> lamps = {};
+    std::vector<std::vector<TextureId>> pictures = {};  // of textures with variants, by TextureId
+    FoundValue variants = {};                           // the last list of variants
 };
 
-// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate } }; a sheet without a rate is held
-// at its first frame
+// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate, variants } }; a sheet without a rate
+// is held at its first frame
 void readTextures(Reading& reading, JsonValue value);
 
-// A file or a sheet of frames.
-TextureReference readTexture(Checker& checker, JsonValue value);
+// A file or a sheet of frames; a texture may also be a colour.
+TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture);
 
 // "sprites": { NAME: FILE or { file, frames, rate } }
 void readSprites(Reading& reading, JsonValue value);
@@ -151,6 +153,9 @@ void placeMovers(Reading& reading, JsonValue maps);
 // "portals" of all maps: [ { x, y, level, face, to: { map, x, y, level }, turn, twoWay } ]. Call it
 // when all maps have been read, before placeMovers.
 void placePortals(Reading& reading);
+
+// Gives each place its variant of textures. Call it when everything else has been read.
+void placeVariants(Reading& reading);
 
 // "start": { map, x, y, z, heading, look }
 void readStart(Reading& reading, JsonValue value);

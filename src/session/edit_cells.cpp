@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "base/words.h"
 #include "scene/source_text.h"
+#include "world/variants.h"
 
 #include <algorithm>
 #include <tuple>
@@ -98,7 +99,8 @@ std::string CellEdits::set(World& world, const CellAt& at, char32_t character) {
             return words("found ", shown(character), ", expected one of ", legendText(map),
                          ", as in the map's legend");
         }
-        blueprint = entry->blueprint;
+        blueprint = variantAt(entry->blueprint, world.blueprints[entry->blueprint], at.x, at.y,
+                              at.level);
     }
     const std::size_t cell = map.cellIndex(at.x, at.y, at.level);
     const BlueprintId current = map.cells[cell];

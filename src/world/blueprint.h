@@ -61,7 +61,11 @@ struct CellBlueprint {
     Coordinate textureRise;  // how far its motion has moved its sides' textures up, 0 to 1; they
                              // wrap around
     BlueprintId origin = kEmptyCell;  // the blueprint that this one was made from, if it moves,
-                                      // opens or has portals; else empty
+                                      // opens, has portals or is a variant; else empty
+    // Cells of this blueprint show it or one of its variants (see variants.h), which are the
+    // blueprints from `firstVariant` on. `variants` counts it too; 1 if it has none.
+    BlueprintId firstVariant = kEmptyCell;
+    std::uint16_t variants = 1;
     int mover = -1;      // index into World::movers, of which this block is a part; -1 for none
     int motion = -1;     // index into World::motions; -1 for still blocks
     int gate = -1;       // index into World::gateKinds; -1 for other blocks

@@ -14,6 +14,8 @@ const CellBlueprint& originOf(const World& world, const CellBlueprint& blueprint
 CellBlueprint instanceOf(const World& world, BlueprintId id) {
     CellBlueprint instance = world.blueprints[id];
     if (instance.origin == kEmptyCell) instance.origin = id;
+    instance.firstVariant = kEmptyCell;
+    instance.variants = 1;
     return instance;
 }
 

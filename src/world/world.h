@@ -61,7 +61,7 @@ private:
 };
 static_assert(!std::is_copy_constructible_v<World> && !std::is_copy_assignable_v<World>);
 
-// A copy of a blueprint for a block that moves, opens or has portals.
+// A copy of a blueprint for a block that moves, opens, has portals or looks different.
 CellBlueprint instanceOf(const World& world, BlueprintId id);
 
 // Whether two see-through blocks are of one kind, so that there are no faces between them.

@@ -41,7 +41,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.title, "Everything \xe2\x80\x94 ein W\xc3\xbcrfel");
 
     // Two names of one file are one texture.
-    ASSERT_EQ(world.textures.size(), 7u);  // with the two further frames of the door
+    ASSERT_EQ(world.textures.size(), 8u);  // with the two further frames of the door
     EXPECT_EQ(world.textures[0].size(), 8);
     EXPECT_EQ(world.textures[0].levels.size(), 4u);
     EXPECT_EQ(world.textures[1].size(), 16);
@@ -398,9 +398,9 @@ TEST(ParseScene, ReadsMotionsAndGates) {
     EXPECT_TRUE(open.seeThrough);
     EXPECT_EQ(shut.face(Face::north).texture, 3);
     EXPECT_EQ(shut.face(Face::east).texture, 3);
-    EXPECT_EQ(open.face(Face::north).texture, 6);
+    EXPECT_EQ(open.face(Face::north).texture, 7);
     EXPECT_EQ(open.face(Face::east).texture, 1);
-    EXPECT_EQ(world.textures[6].size(), world.textures[3].size());
+    EXPECT_EQ(world.textures[7].size(), world.textures[3].size());
 }
 
 TEST(ParseScene, UsesDefaultsForMissingKeys) {

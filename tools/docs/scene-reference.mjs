@@ -13,6 +13,7 @@ const kAlsoExamples = 'tests/scene/everything.json'; // has every key
 const kGuide = {
   scene: 'scenes.md#a-first-scene',
   texture: 'scenes.md#textures-that-move',
+  sprite: 'scenes.md#objects',
   motion: 'scenes.md#movers',
   blueprint: 'scenes.md#blocks-and-heights',
   face: 'scenes.md#light-on-faces',

@@ -19,7 +19,8 @@ const kSaid = {
 // Better titles than the schema's, which need their context.
 const kTitles = {
   scene: 'Scene',
-  texture: 'Sheet of frames',
+  texture: 'Texture',
+  sprite: 'Sheet of a sprite',
   to: 'Exit of a portal',
   objectMotion: 'Motion of an object',
   motion: 'Motion of blocks',
